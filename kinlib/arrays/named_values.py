@@ -26,7 +26,8 @@ def in_order(values: Mapping[str, ArrayLike], names: Sequence[str], robot: str) 
     """
     if values and not names:
         raise ValueError(
-            f"q must be an array, because the joints of {robot} have no names; got {validation.describe(values)}."
+            f"q must be an array, because the joints of {robot} have no names; got {validation.describe(values)}. Pass their "
+            "values in order, or name the joints of a chain first, chain.changed(joint_names=[...])."
         )
     if unknown := [name for name in values if name not in names]:
         from difflib import get_close_matches

@@ -165,6 +165,61 @@ def poses(x: ArrayLike, name: str) -> Array:
     return values
 
 
+def whole_number(x: Any, name: str, most: float = np.inf) -> int:
+    """Read x as a whole number from 0 to `most`.
+
+    Raises ValueError for a float, for text, and for a number beyond this range.
+
+    >>> whole_number(np.int64(3), "count")
+    3
+    """
+    if not isinstance(x, int | np.integer) or not 0 <= x <= most:
+        end = "on" if most == np.inf else f"to {most}"
+        raise ValueError(
+            f"{name} must be a whole number from 0 {end}; got {describe(x)}. Try int({name}) if it is a float."
+        )
+    return int(x)
+
+
+ADVICE = {
+    ("DHTable", "Chain"): "Try table.to_chain()",
+    ("Tree", "Chain"): "Try tree.chain(base, tip), the arm between two of its links",
+    ("FrameAssignment", "DHTable"): "Try assignment.table",
+    ("FrameAssignment", "Chain"): "Try assignment.chain",
+    ("Chain", "DHTable"): "Try assign_frames(chain, convention=...).table",
+    ("Mechanism", "Chain"): "A closed chain has functions of its own: see help(kl.Mechanism)",
+    ("Chain", "Mechanism"): "Try Mechanism.from_chain(chain), which closes it",
+    ("str", "Chain"): "Try load_urdf(...) with a file, or kl.robots",
+    ("str", "Tree"): "Try Tree.from_urdf(...)",
+    ("str", "LinkTree"): "Try Tree.from_urdf(...)",
+    ("NoneType", "LinkTree"): "Try Tree.from_urdf(file), or its text",
+    ("ndarray", "Chain"): "Try Chain(screws, home)",
+    ("list", "Chain"): "Try Chain(screws, home)",
+    ("str", "Mapping"): "Try {'A': 1.0}, with the value of each name",
+}
+"""What to try if something of one type is given where another one is needed."""
+
+
+def instance(x: object, name: str, *kinds: type) -> None:
+    """Check that an argument is of one of these types.
+
+    Raises ValueError for any other one, with what can be made of it.
+
+    >>> instance([1, 2], "hold", Mapping)
+    Traceback (most recent call last):
+    ValueError: hold must be a Mapping; got list [1, 2]. It is described in help(Mapping).
+    """
+    if isinstance(x, kinds):
+        return
+    needed = [kind.__name__ for kind in kinds]
+    advice = next((ADVICE[pair] for kind in needed if (pair := (type(x).__name__, kind)) in ADVICE), "")
+    if callable(x):
+        advice = f"Is it a function that makes one? Then call it, {getattr(x, '__name__', 'function')}()"
+    raise ValueError(
+        f"{name} must be a {' or a '.join(needed)}; got {describe(x)}. {advice or f'It is described in help({needed[0]})'}."
+    )
+
+
 def read_only_copy(values: ArrayLike) -> Array:
     """Copy values into a read-only array, because a frozen dataclass does not protect the contents of its arrays.
 

@@ -10,8 +10,9 @@ The same motion can be written in three forms, which differ in the position of t
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, reduce, wraps
+from inspect import signature
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table, latex_array
+from kinlib.arrays.limits import are_within, random_values, validate_limits
 from kinlib.arrays.named_values import JointValues, in_order
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import _adjoint, _inverse, _screw_constants, _screw_motions, adjoint, homogeneous, inverse
@@ -43,6 +45,9 @@ def _in_chunks(equation: Callable[[Chain, Array], Array]) -> Callable[[Chain, Jo
         results = [equation(self, rows[i : i + MAX_CHUNK]) for i in range(0, len(rows), MAX_CHUNK)]
         return np.concatenate(results).reshape(q.shape[:-1] + results[0].shape[1:])
 
+    # `help` shows what the method takes, and not what the equation does.
+    own, q = (shown := signature(equation)).parameters.values()
+    method.__signature__ = shown.replace(parameters=[own, q.replace(annotation="JointValues")])  # type: ignore[attr-defined]
     return method
 
 
@@ -59,7 +64,7 @@ class Chain(validation.ReadOnly):
     link_names       the n + 1 names of its links from the base on, and one more if the tool is a link of its own; optional
 
     Raises ValueError if there are no joints, if the screws are in columns or not normalized, if home is not rigid, if a point
-    is not on its axis, or if a lower limit is above the upper one.
+    is not on its axis, if a lower limit is above the upper one, or if the limits of a revolute joint look like degrees.
     Source: Modern Robotics, 4.1; Chapter 4 review.
 
     >>> from kinlib import exp, screw
@@ -103,7 +108,7 @@ class Chain(validation.ReadOnly):
         if self.points is not None:
             self._set("points", _validate_points(self.screws, self.points))
         if self.limits is not None:
-            self._set("limits", _validate_limits(self.limits, len(screws)))
+            self._set("limits", validate_limits(self.limits, self.joint_types))
         for names in ("joint_names", "link_names"):
             object.__setattr__(self, names, tuple(getattr(self, names)))
         if not all(isinstance(text, str) for text in (self.name, self.source, *self.joint_names, *self.link_names)):
@@ -279,8 +284,7 @@ class Chain(validation.ReadOnly):
         True
         """
         q = self.in_order(q)
-        if k not in range(self.n + 1):
-            raise ValueError(f"k must be the number of joints to the left of M, 0 to {self.n}; got {k!r}.")
+        k = validation.whole_number(k, "k", self.n)  # the number of joints to the left of M
         before, after = (
             _screw_motions(self._constants[:k], q[..., :k]),
             _screw_motions(self._body_constants[k:], q[..., k:]),
@@ -292,6 +296,8 @@ class Chain(validation.ReadOnly):
         """Compute the pose of every link: frame i is attached to link i; at q = 0 it is at joint i and parallel to {s}.
 
         q (..., n) -> (..., n, 4, 4):  T_i(q) = e^[S1]q1 ... e^[Si]qi M_i, with M_i the translation to joint_points[i].
+
+        These are not the link frames of a URDF file, which may be rotated; those are `Tree.poses`.
 
         Raises ValueError for joint values of another size, and for NaN.
         Source: Modern Robotics, 4.1.2 (the links of figure 4.2), with frames of our choice.
@@ -351,10 +357,7 @@ class Chain(validation.ReadOnly):
         >>> Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[-1, 1]]).within_limits([[0.5], [1.5]])
         array([ True, False])
         """
-        q = self.in_order(q)
-        lower, upper = self._limits.T
-        inside: NDArray[np.bool_] = ((lower <= q) & (q <= upper)).all(axis=-1)
-        return inside
+        return are_within(self.in_order(q), self._limits)
 
     def random_configurations(self, count: int, seed: int = 0) -> Array:
         """Draw configurations within the limits, the same ones for the same seed: (count, n).
@@ -362,15 +365,24 @@ class Chain(validation.ReadOnly):
         A joint without limits takes values between -pi and pi, in radians or metres; one with a single limit, up to 2 pi from it.
         A limit beyond MAX_ROTATION_RAD, as some files have for a joint that rotates without end, is none.
 
+        Raises ValueError if count or seed is not a whole number from 0 on.
+
         >>> arm = Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[0, 1]])
         >>> bool(arm.within_limits(arm.random_configurations(100)).all())
         True
         """
-        lower, upper = self._limits.T
-        has_lower, has_upper = (np.abs(limit) < tolerances.MAX_ROTATION_RAD for limit in (lower, upper))
-        low = np.where(has_lower, lower, np.where(has_upper, upper - 2 * np.pi, -np.pi))
-        high = np.where(has_upper, upper, np.where(has_lower, lower + 2 * np.pi, np.pi))
-        return np.random.default_rng(seed).uniform(low, high, (count, self.n))
+        return random_values(self._limits, count, seed)
+
+    def changed(self, **fields: Any) -> Chain:
+        """Copy the chain with some fields replaced: screws, home, points, name, source, limits, joint_names, link_names.
+
+        Raises ValueError for the same reasons as a new chain.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> rpr().changed(joint_names=["lift", "slide", "tilt"]).fk({"lift": 0, "slide": 0.5, "tilt": 0})[:3, 3] + 0.0
+        array([0. , 0. , 1.5])
+        """
+        return replace(self, **fields)
 
     def to_dict(self) -> dict[str, Any]:
         """Convert the chain to plain JSON types; an infinite limit is None, because JSON has no infinity.
@@ -464,20 +476,6 @@ def largest_difference(poses: Array, others: Array) -> float:
     2.0
     """
     return float(np.abs(poses - others).max())
-
-
-def _validate_limits(limits: ArrayLike, n: int) -> Array:
-    limits = validation.real_array(limits, "limits")
-    if limits.shape != (n, 2):
-        raise ValueError(f"limits must have one row (lower, upper) per joint, shape ({n}, 2); got {limits.shape}.")
-    # This comparison also refuses NaN, for which it is false.
-    ordered = limits[:, 0] <= limits[:, 1]
-    if not ordered.all():
-        joint = int(np.argmin(ordered))
-        raise ValueError(
-            f"The limits of joint {joint + 1} must be (lower, upper); got {limits[joint].tolist()}. Are they swapped?"
-        )
-    return limits
 
 
 def _validate_points(screws: Array, points: ArrayLike) -> Array:

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid import lie
@@ -40,10 +41,14 @@ X, Y, Z = np.eye(3)
 SLIDE = np.inf
 
 
-def arm(joints: Sequence[tuple[Any, ...]], home: Array, name: str, source: str) -> Chain:
+def arm(joints: Sequence[tuple[Any, ...]], home: ArrayLike, name: str = "arm", source: str = "") -> Chain:
     """Construct a chain from joints (axis, point) or (axis, point, pitch), as read from a drawing of the home configuration.
 
-    >>> arm([(Z, (0, 0, 0)), (X, (0, 0, 1), SLIDE)], pose(np.eye(3), (1, 0, 1)), "crane", "an example").joint_types
+    home (4, 4), see `pose`; name and source as in Chain.
+
+    Raises ValueError as `screw` and Chain do.
+
+    >>> arm([(Z, (0, 0, 0)), (X, (0, 0, 1), SLIDE)], pose(np.eye(3), (1, 0, 1)), "crane").joint_types
     'RP'
     """
     points = np.array([joint[1] for joint in joints], dtype=float)
@@ -57,13 +62,16 @@ def pose(axes: ArrayLike, origin: ArrayLike) -> Array:
     axes (3, 3) with x, y, z as rows, origin (3,) in metres -> (4, 4), with the axes as the columns of its rotation. If you have
     the rotation matrix instead, use `kinlib.rigid.lie.homogeneous`.
 
+    Raises ValueError for axes that are not perpendicular to each other, of unit length and right-handed, and for other shapes.
+
     >>> pose((X, Z, -Y), (1, 2, 3))
     array([[ 1.,  0., -0.,  1.],
            [ 0.,  0., -1.,  2.],
            [ 0.,  1., -0.,  3.],
            [ 0.,  0.,  0.,  1.]])
     """
-    return lie.homogeneous(np.transpose(axes), origin)
+    axes, origin = validation.vectors(axes, "axes", 3), validation.vectors(origin, "origin", 3)
+    return lie.homogeneous(validation.rotations_or_poses(axes.T, "axes"), origin)
 
 
 def rpr() -> Chain:

@@ -37,8 +37,9 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
 
     Raises ValueError, with the element and its line, if the file is not XML, not a URDF or not a tree, if a number is not
     valid, if several links could be the tip, and if a joint on the path is planar or floating, or mimics a joint in a way that
-    no chain has, as `Tree.chain` says. To use several chains of a file, or all its links, read it once: `Tree.from_urdf`. No other
-    file is opened, and nothing is downloaded.
+    no chain has, as `Tree.chain` says. To use several chains of a file, or the frames of its links, read it once:
+    `Tree.from_urdf(file).poses(q)` has the frames as in the file, and `Chain.link_poses` others. No other file is opened, and nothing
+    is downloaded.
 
     Readers check different rules. This one also refuses what urdfdom, the parser of ROS, reads: a second parent that closes a
     loop, lower > upper, an axis of length 0, and angles that look like degrees. It does not need the effort and velocity of a

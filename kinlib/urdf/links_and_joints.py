@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from kinlib.arrays import validation
+from kinlib.arrays.limits import look_like_degrees
 from kinlib.arrays.validation import Array
 from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
@@ -308,6 +309,11 @@ def _limits(joint: Element, kind: str) -> tuple[float, float]:
     if lower > upper:
         raise element.error(
             f"lower must be at most upper; got lower {lower:g} and upper {upper:g}. Are they interchanged?"
+        )
+    if kind == "revolute" and look_like_degrees(lower, upper):
+        raise element.error(
+            f"lower and upper must be in radians; got {lower:g} and {upper:g}, which look like degrees. If so many turns are meant, "
+            "make the joint continuous."
         )
     return (lower if lower > -MAX_NUMBER else -np.inf), (upper if upper < MAX_NUMBER else np.inf)
 

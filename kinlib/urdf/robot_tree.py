@@ -4,16 +4,19 @@ A mimic joint has no value of its own, because it follows another joint: q_mimic
 all moving joints are C q + c, where q has only the independent joints. C is the coupling matrix.
 """
 
+from __future__ import annotations
+
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import aligned_table, format_number, html_table
+from kinlib.arrays.limits import are_within, random_values
 from kinlib.arrays.named_values import JointValues, in_order
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -69,10 +72,13 @@ class Tree(validation.ReadOnly):
     """
 
     name: str
-    link_tree: LinkTree = field(repr=False)
+    link_tree: LinkTree = field(default=None, repr=False)  # type: ignore[assignment]  # the check says where to get one
+
+    def __post_init__(self) -> None:
+        validation.instance(self.link_tree, "link_tree", LinkTree)
 
     @classmethod
-    def from_urdf(cls, path_or_text: str | os.PathLike[str]) -> "Tree":
+    def from_urdf(cls, path_or_text: str | os.PathLike[str]) -> Tree:
         """Read a URDF from the path of a file, or from its text, which begins with <.
 
         Every link and every joint is read and checked. Only a mimic joint that follows no joint of the file is refused later, where
@@ -158,6 +164,33 @@ class Tree(validation.ReadOnly):
         return validation.read_only_copy(
             np.reshape([self._moving_joints[name].limits for name in self.joint_names], (-1, 2))
         )
+
+    def within_limits(self, q: JointValues) -> NDArray[np.bool_]:
+        """Return for each configuration whether the values of all independent joints are within their limits.
+
+        q (..., n) -> (...).
+
+        Raises ValueError for joint values of another size, and for NaN.
+
+        >>> from kinlib.chains.robots import youbot
+        >>> from kinlib.urdf.chains import to_urdf
+        >>> Tree.from_urdf(to_urdf(youbot().changed(limits=[[-1, 1]] * 5))).within_limits([[0, 0, 0, 0, 1], [0, 2, 0, 0, 0]])
+        array([ True, False])
+        """
+        return are_within(self.in_order(q), self.limits)
+
+    def random_configurations(self, count: int, seed: int = 0) -> Array:
+        """Draw configurations within the limits, the same ones for the same seed: (count, n), as those of a chain.
+
+        Raises ValueError if count or seed is not a whole number from 0 on.
+
+        >>> from kinlib.chains.robots import youbot
+        >>> from kinlib.urdf.chains import to_urdf
+        >>> tree = Tree.from_urdf(to_urdf(youbot()))
+        >>> tree.poses(tree.random_configurations(10))["tool"].shape
+        (10, 4, 4)
+        """
+        return random_values(self.limits, count, seed)
 
     @cached_property
     def coupling(self) -> Array:
@@ -328,7 +361,7 @@ class Tree(validation.ReadOnly):
         >>> bool(np.allclose(tree.jacobian(q, "tool"), youbot().jacobian(q)))
         True
         """
-        path, q = self._path(self.root, link), self.in_order(q)
+        path, q = self._path(self.root, link, "link"), self.in_order(q)
         T, J = np.eye(4), np.zeros((*q.shape[:-1], 6, self.n))
         for joint, _ in path:
             T = T @ joint.origin
@@ -408,9 +441,9 @@ class Tree(validation.ReadOnly):
             points=chain.link_poses(shifts)[:, :3, 3],
         )
 
-    def _path(self, base: str, tip: str) -> Sequence[PathStep]:
+    def _path(self, base: str, tip: str, argument: str = "tip") -> Sequence[PathStep]:
         """The joints between two links, each of which has at most one degree of freedom."""
-        path = self.link_tree.path(self.link_tree.check_link(base, "base"), self.link_tree.check_link(tip, "tip"))
+        path = self.link_tree.path(self.link_tree.check_link(base, "base"), self.link_tree.check_link(tip, argument))
         for joint, _ in path:
             if joint.type in DEGREES_OF_FREEDOM:
                 raise joint.element.error(

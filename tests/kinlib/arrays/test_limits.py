@@ -1,0 +1,50 @@
+"""Limits: which are refused, and which values are within them."""
+
+import numpy as np
+import pytest
+
+import kinlib as kl
+from kinlib.arrays.limits import are_within, look_like_degrees, random_values, validate_limits
+
+ONE_JOINT = """<robot name="r"> <link name="a"/> <link name="b"/>
+<joint name="j" type="{kind}"> <parent link="a"/> <child link="b"/> <limit lower="{lower}" upper="{upper}"/> </joint> </robot>"""
+
+
+@pytest.mark.oracle("text: written out in the test", look_like_degrees, validate_limits)
+@pytest.mark.parametrize("limits", [(-180, 180), (-360, 360), (0, 90), (-13, 0), (-np.inf, 720)])
+def test_limits_of_a_revolute_joint_that_look_like_degrees_are_refused(limits):
+    assert look_like_degrees(*limits)
+    with pytest.raises(ValueError, match=r"limits of joint 2 must be in radians; got .*np\.radians"):
+        validate_limits([limits, limits], "PR")
+    if np.isfinite(limits).all():
+        text = ONE_JOINT.format(kind="revolute", lower=limits[0], upper=limits[1])
+        with pytest.raises(ValueError, match=r"<limit>.*must be in radians; got .*continuous"):
+            kl.load_urdf(text)
+        kl.load_urdf(text.replace("revolute", "prismatic"))
+
+
+@pytest.mark.parametrize(
+    "limits", [(-10, 10), (-12, 12), (0, 62.83), (-100, 100), (-1e16, 1e16), (0.5, 90), (721, 721)]
+)
+def test_other_limits_of_a_revolute_joint_are_accepted(limits):
+    assert validate_limits([limits], "R").tolist() == [[*limits]]
+
+
+@pytest.mark.oracle(
+    "axiom: a tree has the limits of its arm",
+    are_within,
+    random_values,
+    kl.Tree,
+    kl.Tree.within_limits,
+    kl.Tree.random_configurations,
+)
+def test_a_tree_and_its_arm_have_the_same_limits():
+    arm = kl.robots.puma560().changed(limits=[[-3, 2], [-1, 1], [0, 4], [-np.inf, 1], [0, np.inf], [-np.inf, np.inf]])
+    tree = kl.Tree.from_urdf(kl.to_urdf(arm))
+    arm = tree.chain()
+    q = tree.random_configurations(20, seed=3)
+    np.testing.assert_array_equal(q, arm.random_configurations(20, seed=3))
+    assert tree.within_limits(q).all()
+    q[::2, 1] = -1.01
+    assert tree.within_limits(q).tolist() == arm.within_limits(q).tolist() == [False, True] * 10
+    assert tree.within_limits(dict(zip(tree.joint_names, q.T, strict=True))).sum() == 10

@@ -1,0 +1,37 @@
+"""Objects of another kind than a function takes are refused with what must hold, what was given and what to try."""
+
+import numpy as np
+import pytest
+
+import kinlib as kl
+from kinlib.arrays.validation import instance, whole_number
+
+ARM = kl.robots.rpr()
+TABLE = kl.DHTable([[0.4, 0, 0, 0]], convention="standard")
+LINKAGE = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
+
+
+@pytest.mark.oracle("text: written out in the test", instance, whole_number, kl.Chain.changed)
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda: kl.Tree("<robot/>"), r"link_tree must be .*got NoneType None.*Tree\.from_urdf"),
+        (lambda: ARM.random_configurations(-1), "count must be .*from 0 on; got int -1"),
+        (lambda: ARM.random_configurations(2.5), "count must be .*got float 2.5. Try int"),
+        (lambda: ARM.random_configurations("3"), "count must be .*got str '3'"),
+        (lambda: ARM.random_configurations(3, seed="x"), "seed must be .*got str 'x'"),
+        (lambda: ARM.fk_mid([0, 0, 0], 2.0), "k must be a whole number .*got float 2.0"),
+        (lambda: ARM.fk({"joint_1": 0.1}), r"q must be an array.*got dict.*changed\(joint_names="),
+        (lambda: kl.robots.pose(np.eye(3) * 2, [0, 0, 0]), "axes is not rigid"),
+        (lambda: kl.robots.pose(np.eye(3), [0, 0]), r"origin must have shape \(..., 3\); got \(2,\)"),
+    ],
+)
+def test_a_wrong_kind_is_refused(call, said):
+    with pytest.raises(ValueError, match=said):
+        call()
+
+
+def test_an_arm_is_written_without_a_name_and_named_afterwards():
+    arm = kl.robots.arm([([0, 0, 1], [0, 0, 0])], np.eye(4)).changed(joint_names=["turn"], name="mast")
+    assert arm.fk({"turn": np.pi})[0, 0] == pytest.approx(-1)
+    assert (arm.name, arm.source, arm.joint_names) == ("mast", "", ("turn",))
