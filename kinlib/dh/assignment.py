@@ -17,7 +17,6 @@ from functools import cached_property
 import numpy as np
 
 from kinlib.arrays import validation
-from kinlib.arrays.formatting import format_matrix
 from kinlib.arrays.tolerances import INTERSECTION_TOL_M, PARALLEL_TOL_RAD, RELOCATE_PRISMATIC_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
@@ -49,7 +48,7 @@ class FrameAssignment(validation.ReadOnly):
         object.__setattr__(self, "frames", validation.read_only_copy(self.frames))
 
     def __str__(self) -> str:
-        """Write the table, with base and tool.
+        """Write the table, with base and tool unless they are the identity.
 
         >>> from kinlib.chains.robots import rpr
         >>> print(assign_frames(rpr(), convention="modified"))
@@ -61,18 +60,10 @@ class FrameAssignment(validation.ReadOnly):
         base = [[1, 0, 0, -4], [0, 0, -1, -2], [0, 1, 0, 0], [0, 0, 0, 1]]
         tool = [[0, 1, 0, 0], [1, 0, 0, 1], [0, 0, -1, -2], [0, 0, 0, 1]]
         """
-        return "\n".join(
-            [
-                f"{self.table.name}, {self.table.convention} convention",
-                str(self.table),
-                f"base = {format_matrix(self.base)}",
-                f"tool = {format_matrix(self.tool)}",
-            ]
-        )
+        return f"{self.table.name}, {self.table.convention} convention\n{self.table}"
 
     def _repr_html_(self) -> str:
-        ends = f"<p>base = {format_matrix(self.base)}</p><p>tool = {format_matrix(self.tool)}</p>"
-        return self.table._repr_html_() + ends
+        return self.table._repr_html_()
 
     def _repr_latex_(self) -> str:
         return self.table._repr_latex_()
@@ -95,16 +86,24 @@ class FrameAssignment(validation.ReadOnly):
 
     @cached_property
     def steps(self) -> list[AssignmentStep]:
-        """The assignment as a person does it, in the usual order: each step with its case, choice and numbers."""
+        """The assignment as a person does it, in the usual order; print(*steps) prints them.
+
+        Each step has a `text`, its case, choice and numbers, and `others`, what would also be right.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> step = assign_frames(rpr(), convention="modified").steps[5]
+        >>> step.kind, step.frame, step.text, step.others
+        ('y', 1, 'y_1 = z_1 × x_1 completes a right-handed frame: (0, 0, 1).', '')
+        """
         return explain_assignment(self.chain, self.table, self.frames, self.normals, self.accuracy)
 
 
-def assign_frames(chain: Chain, *, convention: Convention) -> FrameAssignment:
+def assign_frames(chain: Chain, convention: Convention) -> FrameAssignment:
     """Assign DH frames to an arm, and derive its table.
 
     The product of the table equals chain.fk to about 1e-12; for nearly parallel axes, `accuracy` says how closely.
 
-    Raises ValueError for an unknown convention, and for a helical joint, which a DH row cannot describe.
+    Raises ValueError for anything but a chain, for an unknown convention, and for a helical joint, which a DH row cannot describe.
     Source: EduFill manipulation module, steps I to IX; Chapter 4 review, seven steps (standard); DH example with
     n = 5, eight steps (modified).
 
@@ -112,6 +111,7 @@ def assign_frames(chain: Chain, *, convention: Convention) -> FrameAssignment:
     >>> assign_frames(youbot(), convention="standard").table.columns["d"].round(4) + 0.0
     array([0.147 , 0.    , 0.    , 0.    , 0.2175])
     """
+    validation.instance(chain, "chain", Chain)
     convention = validate_convention(convention)
     if "H" in chain.joint_types:
         joint = chain.joint_types.index("H") + 1

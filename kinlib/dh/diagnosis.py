@@ -20,7 +20,7 @@ from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.equivalence import Equivalence, equivalent
+from kinlib.dh.equivalence import CHOICES, Equivalence, describe_pose, equivalent
 from kinlib.dh.invariants import AxisInvariants, Booleans, joint_axes
 from kinlib.dh.mistakes import (
     ALPHA,
@@ -35,13 +35,11 @@ from kinlib.dh.mistakes import (
     Fault,
     corrected_rows,
     corrections_of_joint_types,
-    format_entry,
     known_corrections,
 )
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.rounding import ALMOST_1, Rounding, judge_rounding
 from kinlib.dh.table import Convention, DHTable, dh_transform
-from kinlib.rigid.lie import log
 
 MAX_TOLD = 3
 """How many equally simple explanations the text lists."""
@@ -156,12 +154,12 @@ class Diagnosis:
         if self.verdict in {"right", "rounded"} or self.explanations:
             return ""
         if self.unfixed and self.unfixed.verdict == "same":
-            choices = " ".join(_describe_choices(self.unfixed, self.table, self.tolerance))
+            choices = " ".join(text for _, text in self.unfixed.choices(self.tolerance))
             return f"The table describes the arm only up to choices that are fixed here. {choices}".rstrip()
         return self.comparison.reason.replace("the first", "the table").replace("the second", "the arm")
 
     def __repr__(self) -> str:
-        return f"Diagnosis({self.verdict!r}: {str(self).partition(chr(10))[0]})"
+        return f"Diagnosis({self.verdict!r}: {' '.join(str(self).splitlines())})"
 
     def __str__(self) -> str:
         if self.verdict in {"right", "rounded"}:
@@ -209,10 +207,13 @@ class Diagnosis:
             )
             accuracy = f" to within {digits}; its poses differ by up to "
             accuracy += f"{comparison.difference:.2g}"
-        choices = list(_describe_choices(comparison, self.table, tolerance))
-        return "\n".join(
-            [f"This table describes the arm{accuracy}{', up to these choices:' if choices else '.'}", *choices]
-        )
+        choices = comparison.choices(tolerance)
+        lines = [f"This table describes the arm{accuracy}{', up to these choices:' if choices else '.'}"]
+        lines += [text for _, text in choices]
+        if choices:
+            differing = ", ".join(f'"{name}"' for name in CHOICES if name in dict(choices))
+            lines += [f"A table that differs in them is wrong if you pass fixed=[{differing}]."]
+        return "\n".join(lines)
 
 
 def diagnose(
@@ -602,7 +603,7 @@ def _wrong_end(end: str, typed: Array, right: Array) -> Fault:
     is_missing = np.abs(typed - np.eye(4)).max() < EQUIVALENCE_TOL
     is_inverted = np.abs(typed @ right - np.eye(4)).max() < TYPED_POSE_TOL
     what = "is missing" if is_missing else "is inverted" if is_inverted else "is wrong"
-    return Fault(f"wrong {end}", f"{name} {what}: it should be {_describe_pose(right)}.")
+    return Fault(f"wrong {end}", f"{name} {what}: it should be {describe_pose(right)}.")
 
 
 def _poses(table: DHTable, rows: Array, q: Array) -> Array:
@@ -631,26 +632,3 @@ def _same_motion(poses: Array, right: Array, fixed: frozenset[str], loose: float
     ours, theirs = (motion.reshape(len(motion) if motion is motions[0] else 1, -1) for motion in motions)
     same: Booleans = np.abs(ours - theirs).max(axis=-1) <= loose
     return same
-
-
-def _describe_choices(equivalence: Equivalence, table: DHTable, tolerance: float) -> Iterator[str]:
-    """Describe the choices in which two right descriptions of one arm differ by more than the tolerance."""
-    moving = [row for row, letter in enumerate(table.joints) if letter != "F"]
-    for joint, (row, sign, offset) in enumerate(
-        zip(moving, equivalence.signs, equivalence.offsets, strict=True), start=1
-    ):
-        column = THETA if table.joints[row] == "R" else D
-        distance = offset if column == D else (offset + np.pi) % (2 * np.pi) - np.pi
-        if sign < 0:
-            yield f"Joint {joint} has the opposite sign."
-        if abs(distance) > tolerance:
-            yield f"Joint {joint} has another zero, {format_entry(offset, column)}{'' if column == THETA else ' m'} away."
-    for name, T in (("base", equivalence.base), ("tool", equivalence.tool)):
-        if np.abs(T - np.eye(4)).max() > tolerance:
-            yield f"The {name} frames differ: {_describe_pose(T)}."
-
-
-def _describe_pose(T: Array) -> str:
-    degrees, metres = np.degrees(np.linalg.norm(log(T[:3, :3]))), np.linalg.norm(T[:3, 3])
-    # Rounding removes errors such as 1e-17.
-    return f"rotated by {round(float(degrees), 6):.4g} degrees, translated by {round(float(metres), 9):.4g} m"

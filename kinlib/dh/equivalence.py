@@ -13,7 +13,7 @@ import math
 from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 from functools import cached_property, partial
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -29,7 +29,9 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.joint_maps import JointMap, identity_map, joint_maps
 from kinlib.dh.invariants import AxisInvariants, acute_angle, axis_distance
+from kinlib.dh.mistakes import THETA, D, format_entry
 from kinlib.dh.table import DHTable
+from kinlib.rigid.lie import log
 
 ILL_CONDITIONED_ABOVE = 1e-3
 """If poses are known only to this fraction of the tolerance, the axes alone prove nothing."""
@@ -46,9 +48,9 @@ CHOICES = ("base", "tool", "zeros", "signs")
 Verdict = Literal["same", "different", "undecided"]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Equivalence:
-    """The answer, with the map between the mechanisms or the reason why there is none.
+    """The answer, with the map between the mechanisms or the reason why there is none; str() says it in words.
 
     verdict                      "same"; "different"; or "undecided", if the poses differ by more than the tolerance, but by no
                                  more than a right description may, because axes are nearly parallel
@@ -56,18 +58,21 @@ class Equivalence:
     difference                   the largest difference in an entry of a pose, over random configurations; inf if no map was found
     accuracy                     how far the poses of a right description may be off
     reason                       unless they are the same: what differs, and the tolerance with which the answer would be "same"
+    joint_types, tolerance       of the mechanisms, a letter for each joint; and of the comparison
 
     bool() of it is True or False, and for "undecided" a ValueError, because both would be wrong.
     """
 
     verdict: Verdict
-    base: Array = field(default_factory=lambda: np.eye(4), repr=False)
-    tool: Array = field(default_factory=lambda: np.eye(4), repr=False)
+    base: Array = field(default_factory=lambda: np.eye(4))
+    tool: Array = field(default_factory=lambda: np.eye(4))
     signs: Array = field(default_factory=lambda: np.ones(0))
     offsets: Array = field(default_factory=lambda: np.zeros(0))
     difference: float = np.inf
     accuracy: float = 0.0
-    explain: Callable[[], str] = field(default=str, repr=False)
+    explain: Callable[[], str] = str
+    joint_types: str = ""
+    tolerance: float = EQUIVALENCE_TOL
 
     def __post_init__(self) -> None:
         for name in ("base", "tool", "signs", "offsets"):
@@ -82,6 +87,48 @@ class Equivalence:
             raise ValueError(f"The comparison must be decided to be used as True or False. {self.reason}")
         return self.verdict == "same"
 
+    def __repr__(self) -> str:
+        return f"Equivalence({self.verdict!r}: {' '.join(str(self).splitlines())})"
+
+    def __str__(self) -> str:
+        """Say in words up to which choices the two are the same, or what differs.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> print(equivalent(rpr(), rpr().changed(home=np.eye(4)), fixed=["zeros"]))
+        These are the same mechanism, up to these choices:
+        The tool frames differ: rotated by 120 degrees, translated by 1 m.
+        """
+        if self.verdict == "same":
+            choices = [text for _, text in self.choices(self.tolerance)]
+            return "\n".join([f"These are the same mechanism{', up to these choices:' if choices else '.'}", *choices])
+        words = (
+            "These mechanisms differ" if self.verdict == "different" else "Whether these are the same cannot be decided"
+        )
+        return f"{words}. {self.reason}"
+
+    def choices(self, tolerance: float) -> list[tuple[str, str]]:
+        """Describe the choices in which the two differ by more than the tolerance, each with its name in `fixed`.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> found = equivalent(rpr(), rpr().changed(screws=rpr().screws * [[-1], [1], [1]]))
+        >>> found.choices(1e-8)
+        [('signs', 'Joint 1 has the opposite sign.')]
+        """
+        found = []
+        for joint, (letter, sign, offset) in enumerate(
+            zip(self.joint_types, self.signs, self.offsets, strict=True), start=1
+        ):
+            distance = (offset + np.pi) % (2 * np.pi) - np.pi if letter == "R" else offset
+            if sign < 0:
+                found.append(("signs", f"Joint {joint} has the opposite sign."))
+            if abs(distance) > tolerance:
+                away = f"{format_entry(offset, D)} m" if letter == "P" else format_entry(offset, THETA)
+                found.append(("zeros", f"Joint {joint} has another zero, {away} away."))
+        for name, T in (("base", self.base), ("tool", self.tool)):
+            if np.abs(T - np.eye(4)).max() > tolerance:
+                found.append((name, f"The {name} frames differ: {describe_pose(T)}."))
+        return found
+
     @cached_property
     def reason(self) -> str:
         """Why the verdict is not "same"; computed when it is read, because that takes longer than the verdict."""
@@ -94,31 +141,36 @@ def equivalent(
     """Decide whether two descriptions have the same motions, up to base, tool, joint zero and joint sign.
 
     a, b are chains, or tables in either convention. The position of a prismatic axis has no effect, because it has no line.
-    fixed  what may not differ: any of "base", "tool", "zeros" and "signs"
+    fixed  what may not differ: any of "base", "tool", "zeros" and "signs", for example ["tool"]
 
     If axes of the arm are nearly parallel, a table that was derived from them has lost digits; what differs by no more than that
     is "undecided". Of several maps, the one with the shortest description is returned.
 
-    Raises ValueError for a tolerance that is not positive, and for a name in fixed that is none of the four.
+    Raises ValueError for anything but chains and tables, for a tolerance that is not positive, and for a name in fixed that is none
+    of the four.
 
     >>> from kinlib.chains.robots import puma560
     >>> from kinlib.dh.assignment import assign_frames
     >>> equivalent(puma560(), assign_frames(puma560(), convention="standard").table).verdict
     'same'
     """
+    for name, arm in (("a", a), ("b", b)):
+        validation.instance(arm, name, Chain, DHTable)
     if not tolerance > 0:
         raise ValueError(f"tolerance must be a positive number, in metres and radians; got {tolerance!r}.")
     if isinstance(fixed, str) or not set(fixed) <= set(CHOICES):
-        raise ValueError(f"fixed must be a collection of names from {', '.join(CHOICES)}; got {fixed!r:.80}.")
+        advice = f' Try fixed=["{fixed}"].' if isinstance(fixed, str) and fixed in CHOICES else ""
+        raise ValueError(f"fixed must be a collection of names from {', '.join(CHOICES)}; got {fixed!r:.80}.{advice}")
     one, other = (arm.to_chain() if isinstance(arm, DHTable) else arm for arm in (a, b))
     if one.joint_types != other.joint_types:
         types = f"The joint types differ: {one.joint_types} in the first, {other.joint_types} in the second."
         return Equivalence("different", explain=lambda: types)
 
     # 1. Motion: the poses as they are.
+    answer = partial(_answer, joint_types=one.joint_types, tolerance=tolerance)
     found = [identity_map(one, other)]
     if found[0].difference <= tolerance:
-        return _answer("same", found[0])
+        return answer("same", found[0])
 
     # 2. Motion under each map that the axes admit, unless an angle or a length that no map changes is another one.
     # Tables are derived from arms: how nearly parallel the axes of the arm are decides how accurate a table of it can be.
@@ -130,19 +182,33 @@ def equivalent(
     for factor in () if is_another else LOOSENED[: 1 + is_ill_conditioned]:
         found += joint_maps(one, other, frozenset(fixed), factor * loose)
         if same := [each for each in found if each.difference <= tolerance]:
-            return _answer("same", min(same, key=lambda each: _description_length(each, tolerance)), accuracy)
+            return answer("same", min(same, key=lambda each: _description_length(each, tolerance)), accuracy)
 
     # 3. Geometry says what differs.
     nearest = min(found, key=lambda each: each.difference)
     is_proved = is_another or not is_ill_conditioned or set(fixed) == set(CHOICES)
     if nearest.difference <= accuracy or not (is_proved or _first_difference(one, other, tolerance + accuracy)):
-        return _answer("undecided", nearest, accuracy, partial(_why_undecided, one, nearest.difference, accuracy))
+        return answer("undecided", nearest, accuracy, partial(_why_undecided, one, nearest.difference, accuracy))
     why = partial(_why_different, one, other, frozenset(fixed), tolerance)
     return Equivalence("different", difference=nearest.difference, accuracy=accuracy, explain=why)
 
 
-def _answer(verdict: Verdict, found: JointMap, accuracy: float = 0.0, explain: Callable[[], str] = str) -> Equivalence:
-    return Equivalence(verdict, found.base, found.tool, found.signs, found.offsets, found.difference, accuracy, explain)
+def _answer(
+    verdict: Verdict, found: JointMap, accuracy: float = 0.0, explain: Callable[[], str] = str, **context: Any
+) -> Equivalence:
+    map_and_difference = found.base, found.tool, found.signs, found.offsets, found.difference
+    return Equivalence(verdict, *map_and_difference, accuracy, explain, **context)
+
+
+def describe_pose(T: Array) -> str:
+    """Say how far a pose is from the identity.
+
+    >>> describe_pose(np.diag([-1.0, -1, 1, 1]))
+    'rotated by 180 degrees, translated by 0 m'
+    """
+    degrees, metres = np.degrees(np.linalg.norm(log(T[:3, :3]))), np.linalg.norm(T[:3, 3])
+    # Rounding removes errors such as 1e-17.
+    return f"rotated by {round(float(degrees), 6):.4g} degrees, translated by {round(float(metres), 9):.4g} m"
 
 
 def _has_other_invariants(one: Chain, other: Chain, loose: float) -> bool:

@@ -66,6 +66,9 @@ class AssignmentStep:
     text: str
     others: str = ""
 
+    def __str__(self) -> str:
+        return f"{self.text} (Also right: {self.others})" if self.others else self.text
+
 
 def explain_assignment(
     chain: Chain, table: DHTable, frames: Array, normals: Sequence[CommonNormal], accuracy: float

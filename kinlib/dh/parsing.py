@@ -23,6 +23,7 @@ from kinlib.arrays.validation import Array
 
 COLUMNS = ("a", "alpha", "d", "theta")
 ANGLE_COLUMNS = ("alpha", "theta")
+MOVING_COLUMNS = ("d", "theta")
 
 COLUMN_SYNONYMS = {
     "ψ": "alpha",
@@ -375,7 +376,7 @@ def _parse_entry(row: Any, column: str, number: int, lengths: Mapping[str, float
         value = _evaluate(ast.parse(_with_products(text), mode="eval").body, column, lengths)
     except (SyntaxError, KeyError, TypeError, ZeroDivisionError) as error:
         raise ValueError(
-            f"{place}: an entry must be a number, or a joint variable with a number; got {entry!r}. {_hint(text, error)}."
+            f"{place}: an entry must be a number, or a joint variable with a number; got {entry!r}. {_hint(text, column, error)}."
         ) from error
     if not np.isfinite([value.constant, *value.factors.values()]).all():
         raise ValueError(f"{place}: an entry must be a finite number; got {entry!r}.")
@@ -419,13 +420,20 @@ def _with_products(text: str) -> str:
     return "".join(words)
 
 
-def _hint(text: str, error: Exception) -> str:
+def _hint(text: str, column: str, error: Exception) -> str:
     if comma := re.search(r"(\d*),(\d+)", text):
         return f"The decimal sign is a point: write {comma[1] or 0}.{comma[2]}"
-    if unit := re.search(r"\d\s*([mc]m)\b", text):
+    if unit := re.search(r"\d\s*([mc]?m)\b", text):
         return f"Lengths are in metres: write 0.4 for 400 mm, without {unit[1]}"
+    if re.fullmatch(r"\W*(nan|inf|infinity|none)", text, re.IGNORECASE):
+        return "Each entry must be known; write 0 for an empty one"
     if isinstance(error, KeyError):
-        return f"Give lengths={{{error.args[0]!r}: ...}}"
+        name = error.args[0]
+        number = re.sub(r"\D", "", name)
+        is_variable = (
+            f"If {name} is the joint variable, write q{number}; if not, give" if column in MOVING_COLUMNS else "Give"
+        )
+        return f"{is_variable} lengths={{{name!r}: ...}}"
     return "Try 0.5, pi/2, q1 + pi/2 or -90°"
 
 

@@ -49,6 +49,7 @@ def check_frames(
     >>> check_frames(youbot(), assign_frames(youbot(), convention="standard").frames, "standard")
     []
     """
+    validation.instance(chain, "chain", Chain)
     standard = validate_convention(convention) == "standard"
     T = validation.array(frames, "frames")
     if T.shape != (chain.n + 1, 4, 4):

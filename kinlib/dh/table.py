@@ -10,7 +10,10 @@ Both are the same product Z_1 X_1 Z_2 X_2 ... Z_n, divided into rows at differen
 converted into the other by moving alpha and a by one row, and the constants that remain at the ends go into base and tool.
 """
 
+from __future__ import annotations
+
 import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, reduce
@@ -20,7 +23,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
-from kinlib.arrays.formatting import aligned_table, format_degrees, format_number, html_table, latex_array
+from kinlib.arrays.formatting import (
+    aligned_table,
+    format_degrees,
+    format_matrix,
+    format_number,
+    html_table,
+    latex_array,
+)
+from kinlib.arrays.named_values import JointValues, in_order
+from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.formatting import format_rows, headings, in_latex
@@ -29,8 +41,14 @@ from kinlib.rigid.screw import screw
 
 Convention = Literal["standard", "modified"]
 
+TableRows = str | Sequence[Mapping[str, Any]] | ArrayLike
+"""What a table is made from: text, dictionaries by column name, or numbers (m, 4)."""
+
 PRINTED_DIGITS = 12
 """A printed table is read back with this many digits."""
+
+MAX_END_LENGTH = 2000
+"""The maximum length of the line of a base or a tool, in characters."""
 
 DICT_KEYS = ("rows", "convention", "joints", "signs", "base", "tool")
 """The keys of `DHTable.to_dict`."""
@@ -64,7 +82,7 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
     return T
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class DHTable(validation.ReadOnly):
     r"""An open chain as a DH table, together with the base and the tool, which the rows cannot describe.
 
@@ -73,8 +91,10 @@ class DHTable(validation.ReadOnly):
     joints      a letter per row: R (theta varies), P (d varies), F (fixed); by default read from the variables in the rows
     signs       (m,) 1 or -1 per row: theta or d is the number in the row plus sign times q. By default they are read from the
                 variables in the rows, where 0.5 - q1 has the sign -1; for rows of numbers they are 1
-    base, tool  (4, 4), from {s} to frame 0 and from the last frame to {b}
+    base, tool  (4, 4), from {s} to frame 0 and from the last frame to {b}; text may have them below its rows, as `base = [[...]]`
     lengths     values of the names that the rows use
+
+    Wherever q is an argument, it may also be a mapping from "q1", "q2", ... to values.
 
     Raises ValueError for a table that cannot be read; the message names the row and the column.
     Source: EduFill manipulation module (standard), DH example with n = 5 and Kinematics under DH (modified).
@@ -84,22 +104,22 @@ class DHTable(validation.ReadOnly):
     array([0. , 0.7, 0. ])
     """
 
-    rows: Array = field(repr=False)
-    convention: Convention = field(kw_only=True)
+    rows: Array
+    convention: Convention
     joints: str = field(default="", kw_only=True)
-    signs: Array = field(default_factory=lambda: np.empty(0), kw_only=True, repr=False)
-    base: Array = field(default_factory=lambda: np.eye(4), kw_only=True, repr=False)
-    tool: Array = field(default_factory=lambda: np.eye(4), kw_only=True, repr=False)
-    lengths: Mapping[str, float] | None = field(default=None, kw_only=True, repr=False)
+    signs: Array = field(default_factory=lambda: np.empty(0), kw_only=True)
+    base: Array = field(default_factory=lambda: np.eye(4), kw_only=True)
+    tool: Array = field(default_factory=lambda: np.eye(4), kw_only=True)
+    lengths: Mapping[str, float] | None = field(default=None, kw_only=True)
     name: str = field(default="table", kw_only=True)
 
     if TYPE_CHECKING:  # the constructor takes text, dictionaries and lists, too, and the attributes are arrays
 
         def __init__(
             self,
-            rows: str | Sequence[Mapping[str, Any]] | ArrayLike,
-            *,
+            rows: TableRows,
             convention: Convention,
+            *,
             joints: str = "",
             signs: ArrayLike = (),
             base: ArrayLike = (),
@@ -110,9 +130,15 @@ class DHTable(validation.ReadOnly):
 
     def __post_init__(self) -> None:
         convention = validate_convention(self.convention)
-        read = read_rows(self.rows, self.joints or None, self.lengths, convention)
+        given: Any = self.rows
+        rows, ends = _split_ends(given) if isinstance(given, str) else (given, {})
+        read = read_rows(rows, self.joints or None, self.lengths, convention)
         arrays = {"rows": read.numbers, "signs": _signs(self.signs, read)}
         for name, value in {"base": self.base, "tool": self.tool}.items():
+            if name in ends:
+                if not np.array_equal(value, np.eye(4)):
+                    raise ValueError(f"{name} must be given once; got it in the text and as an argument. Remove one.")
+                value = ends[name]  # noqa: PLW2901
             arrays[name] = validation.poses(value, name)
             if arrays[name].ndim != 2:
                 raise ValueError(f"{name} must be a single pose, (4, 4); got {np.shape(value)}.")
@@ -121,18 +147,32 @@ class DHTable(validation.ReadOnly):
         object.__setattr__(self, "joints", read.joints)
 
     def __str__(self) -> str:
-        r"""Write the rows as text that DHTable reads back; the indices in the headings show the convention.
+        r"""Write the table as text that DHTable reads back; the indices in the headings show the convention.
 
-        >>> print(DHTable("a | alpha | d | theta \n 0.4 | 90° | 0 | q1 - 90°", convention="modified"))
+        Base and tool follow the rows, unless they are the identity.
+
+        >>> lifted = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.3], [0, 0, 0, 1]]
+        >>> print(DHTable("a | alpha | d | theta \n 0.4 | 90° | 0 | q1 - 90°", convention="modified", base=lifted))
         i | a_{i-1} | alpha_{i-1} | d_i | theta_i
         1 | 0.4     | 90°         | 0   | q1 - 90°
+        base = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.3], [0, 0, 0, 1]]
         """
-        return aligned_table([headings(self.convention), *self._numbered_rows()])
+        return "\n".join([aligned_table([headings(self.convention), *self._numbered_rows()]), *self._ends()])
+
+    def __repr__(self) -> str:
+        rows = f"{len(self.rows)} row{'s'[: len(self.rows) != 1]}: {self.joints}"
+        return f"DHTable({self.name!r}, {self.convention}, {', '.join([rows, *self._ends(digits=4)])})"
 
     def _repr_html_(self) -> str:
-        return html_table(
-            f"{self.name}, {self.convention} convention", headings(self.convention), self._numbered_rows()
-        )
+        caption = f"{self.name}, {self.convention} convention"
+        table = html_table(caption, headings(self.convention), self._numbered_rows())
+        return table + "".join(f"<p>{end}</p>" for end in self._ends(digits=4))
+
+    def _ends(self, digits: int = PRINTED_DIGITS) -> list[str]:
+        """Base and tool as text, those that are not the identity."""
+        ends = {"base": self.base, "tool": self.tool}
+        is_free = {name: np.abs(T - np.eye(4)).max() <= ROUNDING_ERROR for name, T in ends.items()}
+        return [f"{name} = {format_matrix(T, digits)}" for name, T in ends.items() if not is_free[name]]
 
     def _repr_latex_(self) -> str:
         rows = format_rows(
@@ -167,7 +207,18 @@ class DHTable(validation.ReadOnly):
         """
         return dict(zip(COLUMNS, self.rows.T, strict=True))
 
-    def link_transforms(self, q: ArrayLike) -> Array:
+    def in_order(self, q: JointValues) -> Array:
+        """Read joint values as an array (..., n), from an array or a mapping from "q1", ..., "qn" to values.
+
+        Raises ValueError for joint values of another size, for NaN, and for a missing or an unknown name.
+
+        >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], "standard").in_order({"q2": 0.5, "q1": 0})
+        array([0. , 0.5])
+        """
+        names = [f"q{i + 1}" for i in range(self.n)]
+        return validation.vectors(in_order(q, names, self.name) if isinstance(q, Mapping) else q, "q", self.n)
+
+    def link_transforms(self, q: JointValues) -> Array:
         """Compute the pose of each frame in the one before it: A_i or T_i, one for each row.
 
         q (..., n) in radians and metres -> (..., m, 4, 4).
@@ -178,7 +229,7 @@ class DHTable(validation.ReadOnly):
         >>> DHTable([[0.4, 0, 0, 0]], convention="standard").link_transforms([np.pi / 2])[0, :3, 3].round(3) + 0.0
         array([0. , 0.4, 0. ])
         """
-        q = validation.vectors(q, "q", self.n)
+        q = self.in_order(q)
         values = np.zeros((*q.shape[:-1], *self.rows.shape))
         values += self.rows
         for k, row in enumerate(self._joint_rows):
@@ -187,7 +238,7 @@ class DHTable(validation.ReadOnly):
         a, alpha, d, theta = np.moveaxis(values, -1, 0)
         return dh_transform(a, alpha, d, theta, convention=self.convention)
 
-    def fk(self, q: ArrayLike) -> Array:
+    def fk(self, q: JointValues) -> Array:
         """Compute the pose of the tool: base A_1(q_1) ... A_m tool.
 
         q (..., n) -> T_sb (..., 4, 4).
@@ -201,7 +252,7 @@ class DHTable(validation.ReadOnly):
         links = np.moveaxis(self.link_transforms(q), -3, 0)
         return reduce(np.matmul, [*links, self.tool], self.base)
 
-    def jacobian(self, q: ArrayLike) -> Array:
+    def jacobian(self, q: JointValues) -> Array:
         """Compute the space Jacobian: column i is the twist of the tool, in {s}, at unit speed of joint i.
 
         q (..., n) -> (..., 6, n), that of the chain: J_i is the z axis of joint i at q, as a screw axis.
@@ -212,7 +263,7 @@ class DHTable(validation.ReadOnly):
         >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard").jacobian([0, 0])[:, 1] + 0.0
         array([ 0. ,  0. ,  1. ,  0. , -0.4,  0. ])
         """
-        return self._chain.jacobian(q)
+        return self._chain.jacobian(self.in_order(q))
 
     def to_chain(self) -> Chain:
         """Convert the table to screw axes and a home pose: the z of each joint, in {s} at home.
@@ -237,7 +288,7 @@ class DHTable(validation.ReadOnly):
             points.append(point)
         return Chain(np.array(screws), before[-1] @ self.tool, np.array(points), self.name)
 
-    def converted(self, convention: Convention) -> "DHTable":
+    def converted(self, convention: Convention) -> DHTable:
         """Convert the table to a convention, without loss: alpha and a move by one row, and the remainder to base or tool.
 
         Standard to modified: row i takes a and alpha of row i-1, and those of the last row go to the tool.
@@ -263,7 +314,7 @@ class DHTable(validation.ReadOnly):
         rows = np.hstack([normals, joints])
         return self.changed(rows=rows, convention=convention, base=base, tool=tool)
 
-    def changed(self, **fields: Any) -> "DHTable":
+    def changed(self, **fields: Any) -> DHTable:
         """Copy the table with some fields replaced: rows as numbers (m, 4), convention, joints, signs, base, tool, name.
 
         Raises ValueError for the same reasons as a new table.
@@ -292,7 +343,7 @@ class DHTable(validation.ReadOnly):
         }
 
     @classmethod
-    def from_dict(cls, data: Any) -> "DHTable":
+    def from_dict(cls, data: Any) -> DHTable:
         """Read a table that `to_dict` wrote, for example from a JSON file that other people can edit.
 
         Raises ValueError for any other form: a missing or unknown key, text in place of a number, a wrong shape, NaN, a sign
@@ -325,6 +376,27 @@ class DHTable(validation.ReadOnly):
     def _joint_rows(self) -> list[int]:
         """The rows that have a joint."""
         return [row for row, letter in enumerate(self.joints) if letter != "F"]
+
+
+DHTable.__init__.__annotations__["rows"] = "TableRows"  # for `help`, because the attribute is an array
+
+
+def _split_ends(text: str) -> tuple[str, dict[str, Any]]:
+    """Split the lines `base = [[...]]` and `tool = [[...]]` from the text of a table."""
+    import json  # for tables that were printed
+
+    ends: dict[str, Any] = {}
+    lines = text.splitlines()
+    while lines and (found := re.fullmatch(r"\s*(base|tool)\s*=\s*(\[.*\])\s*|\s*", lines[-1][:MAX_END_LENGTH])):
+        lines.pop()
+        if found[1]:
+            try:
+                ends[found[1]] = json.loads(found[2])
+            except (ValueError, RecursionError) as error:
+                raise ValueError(
+                    f"{found[1]} must be a pose, [[1, 0, 0, 0], [0, 1, 0, 0], ...]; got {found[2]!r:.80}. Pass {found[1]}=... instead."
+                ) from error
+    return "\n".join(lines), ends
 
 
 def _signs(given: Array, read: Rows) -> Array:

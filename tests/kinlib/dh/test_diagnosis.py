@@ -55,6 +55,7 @@ def test_zeros_signs_base_and_tool_are_told_and_not_held_against_a_table():
         "Joint 2 has another zero, -90 degrees away.",
         "The base frames differ: rotated by 0 degrees, translated by 2.236 m.",
         "The tool frames differ: rotated by 0 degrees, translated by 3 m.",
+        'A table that differs in them is wrong if you pass fixed=["base", "tool", "zeros", "signs"].',
     ]
 
 
@@ -65,7 +66,7 @@ def test_of_what_does_not_differ_nothing_is_told():
 def test_how_far_the_frames_at_the_ends_differ_is_told():
     table = DHTable([[0.4, 0.7, 0.1, 0], [0.3, 0, 0, 0]], convention="standard")
     moved = table.changed(base=kl.exp([np.pi / 2, 0, 0, 0, 0, 0]), tool=kl.exp([0, 0.5, 0, 0, 0.3, 0]))
-    assert str(diagnose(table, moved)).splitlines()[1:] == [
+    assert str(diagnose(table, moved)).splitlines()[1:3] == [
         "The base frames differ: rotated by 90 degrees, translated by 0 m.",
         "The tool frames differ: rotated by 28.65 degrees, translated by 0.3 m.",
     ]
@@ -369,7 +370,7 @@ def test_two_mistakes_are_looked_for_only_where_that_is_wanted():
 def test_of_a_nanometre_and_a_millionth_of_a_degree_nothing_is_told():
     moved = SIGNED.changed(base=kl.exp([0, 0, 0, 3e-10, 0, 0]) @ kl.exp([np.pi / 2, 0, 0, 0, 0, 0]))
     moved = moved.changed(tool=kl.exp([0, 5e-9, 0, 0, 0, 0]) @ kl.exp([0, 0, 0, 0.4, 0, 0]))
-    assert str(diagnose(SIGNED, moved)).splitlines()[1:] == [
+    assert str(diagnose(SIGNED, moved)).splitlines()[1:3] == [
         "The base frames differ: rotated by 90 degrees, translated by 0 m.",
         "The tool frames differ: rotated by 0 degrees, translated by 0.4 m.",
     ]
@@ -472,6 +473,7 @@ def test_a_wrong_sign_at_the_end_is_a_choice_of_the_tool_unless_the_tool_is_fixe
     assert str(diagnose(wrong, UR5)).splitlines() == [
         "This table describes the arm, up to these choices:",
         "The tool frames differ: rotated by 0 degrees, translated by 0.1646 m.",
+        'A table that differs in them is wrong if you pass fixed=["tool"].',
     ]
     for fixed in (["tool"], CHOICES):
         found = diagnose(wrong, UR5, fixed)

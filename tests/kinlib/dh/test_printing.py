@@ -11,6 +11,8 @@ from strategies import ROBOTS, chains_with_values
 import kinlib as kl
 from kinlib import DHTable
 from kinlib.arrays import formatting
+from kinlib.dh.equivalence import describe_pose
+from kinlib.dh.explanation import AssignmentStep
 
 CONVENTIONS = ["standard", "modified"]
 
@@ -27,7 +29,7 @@ class Cells(HTMLParser):
         self.texts.append(data)
 
 
-@pytest.mark.oracle("axiom: what is printed is read back", DHTable.__str__)
+@pytest.mark.oracle("axiom: what is printed is read back", DHTable.__str__, DHTable.in_order)
 @pytest.mark.parametrize("convention", CONVENTIONS)
 @given(chains_with_values())
 def test_a_printed_table_is_read_back(convention, drawn):
@@ -39,6 +41,9 @@ def test_a_printed_table_is_read_back(convention, drawn):
     np.testing.assert_allclose(again.rows, table.rows, rtol=1e-11, atol=1e-9)
     assert again.joints == table.joints
     assert np.array_equal(again.signs, table.signs)
+    for end in ("base", "tool"):
+        np.testing.assert_allclose(getattr(again, end), getattr(table, end), rtol=1e-11, atol=1e-9)
+    assert again.fk({f"q{i + 1}": 0 for i in range(table.n)}).shape == (4, 4)
 
 
 def test_fixed_rows_and_negative_signs_are_printed_and_read_back():
@@ -48,6 +53,26 @@ def test_fixed_rows_and_negative_signs_are_printed_and_read_back():
     again = DHTable(str(table), convention="standard")
     assert (again.joints, again.signs.tolist()) == ("PFR", [-1, 1, -1])
     np.testing.assert_allclose(again.rows, table.rows, atol=1e-12)
+
+
+@pytest.mark.oracle(
+    "text: written out in the test",
+    kl.Equivalence.__str__,
+    kl.Equivalence.choices,
+    describe_pose,
+    AssignmentStep.__str__,
+)
+def test_the_repr_of_a_result_says_what_its_text_says():
+    step = AssignmentStep("x", 1, "x_1 is along the normal.", "The opposite direction.")
+    assert str(step) == "x_1 is along the normal. (Also right: The opposite direction.)"
+    assert describe_pose(kl.exp([0, 0, np.pi, 0, 0, 0])) == "rotated by 180 degrees, translated by 0 m"
+    table = kl.assign_frames(kl.robots.rpr(), convention="standard").table
+    assert repr(table).startswith("DHTable('RPR', standard, 3 rows: RPR, base = [[")
+    flipped = table.changed(signs=[1, 1, -1])
+    for found in (kl.equivalent(table, flipped), kl.diagnose(table, flipped)):
+        assert " ".join(str(found).splitlines()) in repr(found)
+        assert "Joint 3 has the opposite sign." in repr(found)
+    assert kl.equivalent(table, flipped).choices(1e-8) == [("signs", "Joint 3 has the opposite sign.")]
 
 
 @pytest.mark.parametrize("convention", CONVENTIONS)
