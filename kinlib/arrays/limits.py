@@ -9,8 +9,8 @@ from kinlib.arrays import validation
 from kinlib.arrays.tolerances import MAX_ROTATION_RAD
 from kinlib.arrays.validation import Array
 
-MAX_LIMIT_DEG = 720
-"""The largest limit, in degrees, that is looked for in a joint that should be in radians."""
+DEGREE_LIMITS = (60, 720)
+"""The larger limit of a joint is between these, if it is taken to be in degrees: 50 rad are the eight turns of a spindle."""
 
 
 def validate_limits(limits: ArrayLike, joint_types: str) -> Array:
@@ -40,18 +40,19 @@ def validate_limits(limits: ArrayLike, joint_types: str) -> Array:
 
 
 def look_like_degrees(lower: float, upper: float) -> bool:
-    """Return whether the limits of a revolute joint are probably in degrees: whole numbers, and more than two turns in radians.
+    """Return whether the limits of a revolute joint are probably in degrees: whole numbers, and beyond nine turns in radians.
 
     Full hundreds are not, because some files write them for a wheel, which rotates without end. No file of airo-models, rtb-data
     and example-robot-data has another limit between 10 and 1e5.
 
-    >>> [look_like_degrees(-x, x) for x in (90, 180, 360, 10, 62.83, 100, 1e16, np.inf)]
+    >>> [look_like_degrees(-x, x) for x in (90, 180, 360, 50, 62.83, 100, 1e16, np.inf)]
     [True, True, True, False, False, False, False, False]
     """
     ends = [end for end in (lower, upper) if np.isfinite(end)]
     size = max(map(abs, ends), default=0)
     is_whole = all(end % 1 == 0 for end in ends)
-    return bool(is_whole and 4 * np.pi < size <= MAX_LIMIT_DEG and size % 100)
+    least, most = DEGREE_LIMITS
+    return bool(is_whole and least <= size <= most and size % 100)
 
 
 def are_within(q: Array, limits: Array) -> NDArray[np.bool_]:

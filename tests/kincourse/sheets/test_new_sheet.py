@@ -121,7 +121,7 @@ def test_students_have_different_answers(task):
     assert len(answers) > 8
 
 
-angles = st.floats(-1e3, 1e3, allow_subnormal=False).filter(lambda x: abs(x) < 12 or x % 1)  # others look like degrees
+angles = st.floats(-1e3, 1e3, allow_subnormal=False).filter(lambda x: abs(x) < 60 or x % 1)  # others look like degrees
 limits = st.lists(angles, min_size=2, max_size=2).map(sorted)
 
 

@@ -11,7 +11,7 @@ ONE_JOINT = """<robot name="r"> <link name="a"/> <link name="b"/>
 
 
 @pytest.mark.oracle("text: written out in the test", look_like_degrees, validate_limits)
-@pytest.mark.parametrize("limits", [(-180, 180), (-360, 360), (0, 90), (-13, 0), (-np.inf, 720)])
+@pytest.mark.parametrize("limits", [(-180, 180), (-360, 360), (0, 90), (-60, 0), (-np.inf, 720)])
 def test_limits_of_a_revolute_joint_that_look_like_degrees_are_refused(limits):
     assert look_like_degrees(*limits)
     with pytest.raises(ValueError, match=r"limits of joint 2 must be in radians; got .*np\.radians"):
@@ -24,7 +24,7 @@ def test_limits_of_a_revolute_joint_that_look_like_degrees_are_refused(limits):
 
 
 @pytest.mark.parametrize(
-    "limits", [(-10, 10), (-12, 12), (0, 62.83), (-100, 100), (-1e16, 1e16), (0.5, 90), (721, 721)]
+    "limits", [(-10, 10), (0, 50), (0, 62.83), (-100, 100), (-1e16, 1e16), (0.5, 90), (59, 59), (721, 721)]
 )
 def test_other_limits_of_a_revolute_joint_are_accepted(limits):
     assert validate_limits([limits], "R").tolist() == [[*limits]]
