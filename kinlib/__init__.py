@@ -35,7 +35,7 @@ Rigid motions
 Open chains
     Chain(screws, home)  n screw axes (n, 6) and M (4, 4): fk, link_poses, jacobian, limits; print(arm) lists its axes
     robots               the arms of the course, and robots.arm and robots.pose to write your own
-    load_urdf(file), to_urdf(arm), Tree          URDF; a Tree has all branches of a robot
+    load_urdf(file), to_urdf(arm), Tree          URDF; Tree.from_urdf(file) has all branches of a robot
 Denavit-Hartenberg
     DHTable(rows, convention), dh_transform(a, alpha, d, theta, convention)
     assign_frames(arm, convention)               a FrameAssignment, with its table and the reason for each frame

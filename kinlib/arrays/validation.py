@@ -87,6 +87,21 @@ def vectors(x: ArrayLike, name: str, size: int) -> Array:
     return values
 
 
+def single(values: Array, name: str) -> Array:
+    """Return one configuration (n,) unchanged.
+
+    Raises ValueError for several of them, (m, n).
+
+    >>> single(np.zeros(2), "q")
+    array([0., 0.])
+    """
+    if values.ndim != 1:
+        raise ValueError(
+            f"{name} must have shape ({values.shape[-1]},); got {values.shape}. Pass one configuration at a time, {name}[0]."
+        )
+    return values
+
+
 def unit_vectors(x: ArrayLike, name: str) -> Array:
     """Read x as unit vectors in space, shape (..., 3), and scale them to length 1 exactly.
 
@@ -212,11 +227,12 @@ def instance(x: object, name: str, *kinds: type) -> None:
     if isinstance(x, kinds):
         return
     needed = [kind.__name__ for kind in kinds]
+    articles = [f"an {name}" if name[0] in "AEIOU" else f"a {name}" for name in needed]
     advice = next((ADVICE[pair] for kind in needed if (pair := (type(x).__name__, kind)) in ADVICE), "")
     if callable(x):
         advice = f"Is it a function that makes one? Then call it, {getattr(x, '__name__', 'function')}()"
     raise ValueError(
-        f"{name} must be a {' or a '.join(needed)}; got {describe(x)}. {advice or f'It is described in help({needed[0]})'}."
+        f"{name} must be {' or '.join(articles)}; got {describe(x)}. {advice or f'It is described in help({needed[0]})'}."
     )
 
 

@@ -117,7 +117,8 @@ class Closure:
         if residual > self.tolerance:
             message = (
                 f"Not closed {steps}: the residual is {residual:.2g}, in metres and radians together, and no small change "
-                "of the joint values decreases it. Check that the links are long enough to meet, or try another guess."
+                "of the joint values decreases it. Try another guess, because this one may be singular, with links in one line; "
+                "assembly_modes(hold={...}) tries many. If none closes, the links are not long enough to meet."
             )
         elif names := self._names_beyond_limits(q):
             message = f"Closed to {residual:.1g} {steps}, but beyond the limits of {', '.join(names)}."

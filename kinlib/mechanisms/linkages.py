@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.table import DHTable
@@ -41,7 +42,7 @@ def four_bar(ground: float, crank: float, coupler: float, rocker: float) -> Mech
     """Build a planar four-bar linkage from its link lengths: joints A and D are on the ground, B and C at the coupler's ends.
 
     A is the angle of the crank and D that of the rocker, both from x; B is the angle of the coupler relative to the crank, and C
-    that of the coupler relative to the rocker.
+    that of the coupler relative to the rocker. If one length is more than the sum of the others, it is built, but closes nowhere.
 
     Raises ValueError for a length that is not positive.
     Source: Modern Robotics, example 2.3 and figure 2.4(a); Grashof's condition sorts its kinds.
@@ -336,7 +337,7 @@ def _rotated_about_z(direction: Array, angle: float) -> Array:
 
 def _check_lengths(**lengths: float) -> None:
     for name, length in lengths.items():
-        if not (np.isfinite(length) and length > 0):
+        if validation.real_array(length, name).ndim or not 0 < length < np.inf:
             raise ValueError(
                 f"{name} must be a positive length in metres; got {length!r}. Lengths have no sign or direction."
             )

@@ -10,6 +10,8 @@ These are six equations for each loop, in as many unknowns as its joints have de
 trigonometric equations. The Jacobian of the left side is the space Jacobian of the open chain.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -57,7 +59,8 @@ class Mechanism(validation.ReadOnly):
 
     Wherever a configuration q is an argument, it may also be a mapping from each of `names` to its value.
 
-    Raises ValueError if a body is not connected to the ground, if two joints have the same name, and if there is no loop.
+    Raises ValueError for anything but joints, if a body is not connected to the ground, if two joints have the same name, and if
+    there is no loop.
     Source: Modern Robotics, chapters 2 and 7; Forward kinematics II, (3.81).
 
     >>> from kinlib.mechanisms.linkages import four_bar
@@ -73,6 +76,9 @@ class Mechanism(validation.ReadOnly):
     source: str = ""
 
     def __post_init__(self) -> None:
+        validation.instance(self.joints, "joints", Sequence)
+        for joint in self.joints:
+            validation.instance(joint, "each of joints", Joint)
         if not self.joints:
             raise ValueError("A mechanism must have at least one joint; got none. Pass a sequence of kl.Joint.")
         object.__setattr__(self, "joints", tuple(self.joints))
@@ -136,12 +142,13 @@ class Mechanism(validation.ReadOnly):
     def from_chain(cls, chain: Chain) -> Self:
         """Close an open chain by fixing its end-effector to its base: the loop e^[S1]q1 ... e^[Sn]qn M = I.
 
-        Raises ValueError for a chain of one joint, because both its bodies would be the ground.
+        Raises ValueError for anything but a chain, and for one of one joint, because both its bodies would be the ground.
 
         >>> from kinlib.chains.robots import puma560
         >>> Mechanism.from_chain(puma560()).kutzbach()
         0
         """
+        validation.instance(chain, "chain", Chain)
         bodies = ["ground", *(f"link {i}" for i in range(1, chain.n)), "ground"]
         joints = joints_of_chain(chain, bodies, [f"joint {i}" for i in range(1, chain.n + 1)], chain.home)
         return cls(joints, "ground", chain.name, chain.source)
@@ -165,6 +172,7 @@ class Mechanism(validation.ReadOnly):
             )
         joints = []
         for b, branch in enumerate(branches, start=1):
+            validation.instance(branch, f"branch {b}", Chain)
             bodies = ["ground", *(f"link {b}.{i}" for i in range(1, branch.n)), "end"]
             # All branches end in one body, which is drawn as in the home configuration of the first branch.
             offset = branch.home @ inverse(branches[0].home)
@@ -254,10 +262,12 @@ class Mechanism(validation.ReadOnly):
         >>> four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0]).converged        # the three short links do not reach
         False
         """
-        return self._closure(guess, hold).assemble()
+        return self._closure(guess, hold, "guess").assemble()
 
     def assembly_modes(self, hold: Mapping[str, float] | None = None) -> Array:
         """Find the ways of assembling the linkage while some joint values are held: configurations (m, n), each once.
+
+        If none closes, for example because the links are too short to meet, the array is empty, (0, n).
 
         Two configurations are the same mode if all bodies have the same poses. The search is damped Gauss-Newton from random
         guesses, the same ones at every call; it ends after 3 rounds of 64 guesses without a new mode, or after 30 while some
@@ -305,7 +315,7 @@ class Mechanism(validation.ReadOnly):
             raise ValueError(f"step must be a positive length along the curve; got {step!r}. Try 0.2.")
         if points is not None and points < 2:
             raise ValueError(f"A curve must have at least two points; got points={points!r}.")
-        return self._closure(start, hold).trace(step, points)
+        return self._closure(start, hold, "start").trace(step, points)
 
     def mobility(self, q: JointValues) -> Mobility:
         """Find the mobility at a configuration (n,): by counting, to first order there, and by finite motions.
@@ -372,8 +382,10 @@ class Mechanism(validation.ReadOnly):
         """The path from the ground to every body but the ground, as an open chain."""
         return {body: chain_along(self.joints, path, body) for body, path in self._tree.items() if path}
 
-    def in_order(self, q: JointValues) -> Array:
+    def in_order(self, q: JointValues, argument: str = "q") -> Array:
         """Read joint values as an array (..., n) in the order of `names`, from an array or a mapping by name.
+
+        argument  its name, for messages
 
         Raises ValueError for joint values of another size, for NaN, and for a missing or an unknown name.
 
@@ -381,10 +393,10 @@ class Mechanism(validation.ReadOnly):
         >>> four_bar(4, 1, 3.5, 3).in_order({"A": 0.1, "B": 0.2, "C": 0.4, "D": 0.3})
         array([0.1, 0.2, 0.3, 0.4])
         """
-        q = in_order(q, self.names, self.name) if isinstance(q, Mapping) else validation.array(q, "q")
+        q = in_order(q, self.names, self.name) if isinstance(q, Mapping) else validation.array(q, argument)
         if q.shape[-1:] != (self.n,):
             raise ValueError(
-                f"q must have shape (..., {self.n}); got {q.shape}. "
+                f"{argument} must have shape (..., {self.n}); got {q.shape}. "
                 f"Pass one number for each joint value of {self.name}: {', '.join(self.names)}."
             )
         return q
@@ -409,11 +421,10 @@ class Mechanism(validation.ReadOnly):
             J[:, rows] = loop.to_centre @ J[:, rows]
         return r, J
 
-    def _closure(self, configuration: JointValues, hold: Mapping[str, float] | None) -> Closure:
+    def _closure(self, configuration: JointValues, hold: Mapping[str, float] | None, argument: str = "q") -> Closure:
         """The closure equations in the joint values that are not held, with a configuration (n,) as start."""
-        q = self.in_order(configuration).copy()
-        if q.ndim != 1:
-            raise ValueError(f"q must have shape ({self.n},); got {q.shape}. Pass one configuration at a time.")
+        q = validation.single(self.in_order(configuration, argument), argument).copy()
+        validation.instance({} if hold is None else hold, "hold", Mapping)
         for name, value in (hold or {}).items():
             if name not in self.names:
                 raise ValueError(

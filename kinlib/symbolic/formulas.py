@@ -207,6 +207,7 @@ def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = Non
         convention, base, tool = table.convention, exact(table.base), exact(table.tool)
         rows = _table_rows(table, q)
     else:
+        validation.instance(table, "table", DHTable, Iterable)
         rows = [_matrix(row, f"row {number}", (4, 1)) for number, row in enumerate(table, start=1)]
     factors: Factors = []
     for a, alpha, d, theta in rows:
@@ -243,6 +244,11 @@ def _table_rows(table: DHTable, q: Any) -> Iterator[list[sp.Expr]]:
 def _screws_and_home(arm: Chain | Iterable[Any], home: Any) -> tuple[list[sp.Matrix], sp.Matrix]:
     if isinstance(arm, Chain):
         return [exact(S) for S in arm.screws], exact(arm.home)
+    if isinstance(arm, DHTable):
+        raise ValueError(
+            f"arm must be a Chain or screw axes; got {validation.describe(arm)}. Try table_fk(table), or table.to_chain()."
+        )
+    validation.instance(arm, "arm", Chain, Iterable)
     if home is None:
         raise ValueError("Screw axes must be given with the home pose of the arm; got no home. Write fk(screws, home).")
     M = _rotation_or_pose(home, "home")

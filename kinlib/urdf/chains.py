@@ -65,14 +65,15 @@ def to_urdf(robot: Chain | Tree) -> str:
     chain is the tool itself. Joints without names are called joint_1, joint_2, ..., and links base_link, link_1, ..., tool. The
     limits of effort and velocity, which URDF requires and kinlib does not have, are 1. Meshes and masses are not written.
 
-    Raises ValueError if a joint is helical, because URDF has no such joint, and if names of joints or of links are equal or not
-    printable.
+    Raises ValueError for anything but a chain or a tree, if a joint is helical, because URDF has no such joint, and if names of
+    joints or of links are equal or not printable.
     Source: the URDF specification, "joint".
 
     >>> from kinlib.chains.robots import youbot
     >>> np.allclose(load_urdf(to_urdf(youbot())).screws, youbot().screws, atol=1e-15)
     True
     """
+    validation.instance(robot, "robot", Chain, Tree)
     tree = robot if isinstance(robot, Tree) else _tree_of_chain(robot)
     parts = [f"<robot name={_quoted(tree.name)}>", *(f"  <link name={_quoted(link)}/>" for link in tree.links)]
     for joint in tree.link_tree.parent_joints.values():

@@ -1,5 +1,7 @@
 """Show an arm or a picture with one call: in a notebook, or, from a script, in the web browser."""
 
+from __future__ import annotations
+
 import sys
 import webbrowser
 from os import PathLike

@@ -4,14 +4,15 @@ import numpy as np
 import pytest
 
 import kinlib as kl
-from kinlib.arrays.validation import instance, whole_number
+from kinlib.arrays.validation import instance, single, whole_number
 
 ARM = kl.robots.rpr()
 TABLE = kl.DHTable([[0.4, 0, 0, 0]], convention="standard")
+TREE = kl.Tree.from_urdf(kl.to_urdf(ARM))
 LINKAGE = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
 
 
-@pytest.mark.oracle("text: written out in the test", instance, whole_number, kl.Chain.changed)
+@pytest.mark.oracle("text: written out in the test", instance, whole_number, single, kl.Chain.changed)
 @pytest.mark.parametrize(
     ("call", "said"),
     [
@@ -35,6 +36,23 @@ LINKAGE = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
         (lambda: kl.DHTable(f"{TABLE}\ntool = [[1", "standard"), "Row 2 must have"),
         (lambda: kl.DHTable(f"{TABLE}\ntool = [[1]", "standard"), r"tool must be a pose.*got '\[\[1\]'.*tool="),
         (lambda: kl.DHTable(f"{TABLE}\nbase = []", "standard", base=kl.exp([0] * 5 + [1])), "base must be given once"),
+        (lambda: kl.to_urdf("x"), "robot must be a Chain or a Tree; got str 'x'"),
+        (lambda: kl.to_urdf(TABLE), r"robot must be a Chain or a Tree; got DHTable.*table\.to_chain"),
+        (lambda: kl.Mechanism("x"), "each of joints must be a Joint; got str 'x'"),
+        (lambda: kl.Mechanism(ARM), r"joints must be a Sequence; got Chain"),
+        (lambda: kl.Mechanism.from_chain(None), "chain must be a Chain; got NoneType None"),
+        (lambda: kl.Mechanism.from_branches(ARM, "x"), "branch 2 must be a Chain; got str 'x'"),
+        (lambda: LINKAGE.assemble([0, 0.5, 1, 0.5], hold="A"), "hold must be a Mapping; got str 'A'. Try {'A': 1.0}"),
+        (lambda: LINKAGE.assemble([0, 0, 0]), r"guess must have shape \(..., 4\); got \(3,\)"),
+        (lambda: LINKAGE.trace(np.zeros((2, 4))), r"start must have shape \(4,\); got \(2, 4\).*start\[0\]"),
+        (lambda: kl.linkages.four_bar("a", 2, 3, 4), "ground must be .*got str 'a'"),
+        (lambda: kl.linkages.four_bar([1, 2], 2, 3, 4), r"ground must be a positive length.*got \[1, 2\]"),
+        (lambda: kl.symbolic.fk(TABLE), r"arm must be a Chain .*got DHTable.*table_fk"),
+        (lambda: kl.symbolic.fk(LINKAGE), "arm must be a Chain or an Iterable; got Mechanism"),
+        (lambda: kl.symbolic.table_fk(ARM), r"table must be a DHTable .*got Chain.*assign_frames"),
+        (lambda: kl.show(ARM, np.zeros((3, 3)), path="a.png"), r"q must have shape \(3,\); got \(3, 3\).*q\[0\]"),
+        (lambda: kl.show(LINKAGE, np.zeros((2, 4)), path="a.svg"), r"q must have shape \(4,\); got \(2, 4\).*q\[0\]"),
+        (lambda: TREE.jacobian([0, 0, 0], "tooth"), "link must be the name of a link; got 'tooth'. Did you mean tool"),
         (lambda: kl.robots.pose(np.eye(3) * 2, [0, 0, 0]), "axes is not rigid"),
         (lambda: kl.robots.pose(np.eye(3), [0, 0]), r"origin must have shape \(..., 3\); got \(2,\)"),
     ],

@@ -52,9 +52,10 @@ def draw_arm(
         raise ValueError(
             f"show may contain {', '.join(sorted(ARM_LAYERS))}; got {', '.join(map(repr, sorted(unknown)))}."
         )
+    validation.instance(chain, "chain", Chain)
     home = np.zeros(chain.n)
-    q = home if q is None else chain.in_order(q)
-    ghost = None if ghost is None else chain.in_order(ghost)
+    q = home if q is None else validation.single(chain.in_order(q), "q")
+    ghost = None if ghost is None else validation.single(chain.in_order(ghost), "ghost")
     path, shadow = _path(chain, q), _path(chain, q if ghost is None else ghost)
     seen = np.concatenate([path, shadow]) if around is None else around
     canvas = Canvas(seen, view, sizes=_path(chain, home))

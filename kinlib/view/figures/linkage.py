@@ -68,7 +68,8 @@ def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None
     >>> linkage_geometry(four_bar(4, 1, 3.5, 3), [np.pi / 2, 0, 0, 0]).gap.round(3)      # at q = 0 it is drawn open
     array([0.   , 0.   , 0.   , 8.322])
     """
-    values = mechanism.in_order(q)
+    validation.instance(mechanism, "mechanism", Mechanism)
+    values = validation.single(mechanism.in_order(q), "q")
     poses = mechanism.poses(values)
     if wrong := [body for body, _ in (points or {}).values() if body not in poses]:
         raise ValueError(f"{mechanism.name} has the bodies {', '.join(poses)}; got {wrong[0]!r}.")

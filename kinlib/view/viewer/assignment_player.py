@@ -9,6 +9,7 @@ from typing import Any, get_args
 import numpy as np
 import traitlets
 
+from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment, assign_frames
@@ -109,6 +110,7 @@ def play_assignment(
     >>> player.alt[:62]
     'youBot, standard convention, step 4 of 25. O_1 lies on axis 2,'
     """
+    validation.instance(chain, "chain", Chain)
     if rows is not None and rows not in range(chain.n + 1):
         raise ValueError(f"rows must be the number of rows to show, 0 to {chain.n}; got {rows!r}.")
     player = Player(chain, rows, convention=validate_convention(convention))

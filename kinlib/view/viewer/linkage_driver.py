@@ -83,7 +83,8 @@ def drive(
     >>> len(shown.mode["curves"]), shown.mode["names"]
     (2, ['A', 'B'])
     """
-    first = mechanism.in_order(start)
+    validation.instance(mechanism, "mechanism", Mechanism)
+    first = validation.single(mechanism.in_order(start, "start"), "start")
     named = list(across or mechanism.names[:2])
     if unknown := [name for name in named if name not in mechanism.names]:
         raise ValueError(f"{mechanism.name} has joint values {', '.join(mechanism.names)}; got {unknown[0]!r}.")

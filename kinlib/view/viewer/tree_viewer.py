@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from kinlib.arrays import validation
 from kinlib.arrays.named_values import JointValues
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -187,7 +188,7 @@ def explore_tree(tree: Tree, start: JointValues | None = None) -> TreeViewer:
     >>> viewer.q
     [0.5, 0.0, 0.0]
     """
-    q = np.zeros(tree.n) if start is None else tree.in_order(start)
+    q = np.zeros(tree.n) if start is None else validation.single(tree.in_order(start), "q")
     found = branches(tree)
     places = np.concatenate([stations(branch, q) for branch in found])
     size = max(float(np.ptp(places, axis=0).max()), 1e-3)

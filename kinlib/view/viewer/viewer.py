@@ -16,6 +16,7 @@ import numpy as np
 import traitlets
 from numpy.typing import ArrayLike
 
+from kinlib.arrays import validation
 from kinlib.arrays.named_values import JointValues
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -262,8 +263,9 @@ def explore(
     >>> arm.shown
     ['axes', 'frame 0', 'frame 1']
     """
-    home = np.zeros(chain.n) if start is None else chain.in_order(start)
-    shade = None if ghost is None else chain.in_order(ghost)
+    validation.instance(chain, "chain", Chain)
+    home = np.zeros(chain.n) if start is None else validation.single(chain.in_order(start), "q")
+    shade = None if ghost is None else validation.single(chain.in_order(ghost), "ghost")
     text, options = predict or ("", ())
     layers = list(show)
     if frames:

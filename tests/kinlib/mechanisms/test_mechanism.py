@@ -513,7 +513,7 @@ def test_if_links_cannot_meet_the_message_has_the_residual():
     assert found.message.startswith(
         f"Not closed after {found.iterations} steps: the residual is {found.residual:.2g}, in metres"
     )
-    assert "Check that the links are long enough to meet, or try another guess." in found.message
+    assert "assembly_modes" in found.message
     assert len(linkages.four_bar(4, 1, 1, 1).assembly_modes(hold={"A": 0.0})) == 0
 
 
@@ -832,7 +832,7 @@ def test_invalid_mechanisms_are_refused(build, message):
         (lambda m: m.poses([0, 0, 0, np.nan]), r"q contains NaN or infinity at index \[3\]"),
         (
             lambda m: m.assemble(np.zeros((2, 4))),
-            r"q must have shape \(4,\); got \(2, 4\)\. Pass one configuration at a time\.",
+            r"guess must have shape \(4,\); got \(2, 4\)\. Pass one configuration at a time",
         ),
         (lambda m: m.assemble(np.zeros(4), hold={"E": 1}), r"four-bar has no 'E'\. Its joint values are A, B, D, C\."),
         (lambda m: m.assemble(np.zeros(4), hold={"A": np.nan}), r"A contains NaN"),
