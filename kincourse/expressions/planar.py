@@ -233,8 +233,8 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
             (9 - d) * (N - 1 - J) + J,
         ),
         ("sign", "give the negative of the number", -right.value),
-        ("off by one", "end up one too high", right.value + 1),
-        ("off by one", "end up one too low", right.value - 1),
+        ("off by one", "count one too many or one too few", right.value + 1),
+        ("off by one", "count one too many or one too few", right.value - 1),
     ):
         if name not in ("loops", "negative number", "sign") or wrong != right.value:
             right = right.mistaken_for(wrong, name, text)

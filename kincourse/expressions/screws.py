@@ -23,7 +23,7 @@ from misstep.mutants.expression import (
 )
 from misstep.mutants.operations import ANGLE, SLIDE, VECTOR, cross_product, radians, stack
 
-ADJOINT_ADVICE = "The blocks of the adjoint are $R$ and $0$ above $[p]R$ and $R$."
+ADJOINT_ADVICE = "The adjoint of $(R, p)$ has the blocks $R$ and $0$ above $[p]R$ and $R$."
 ORDER_ADVICE = (
     "Here a screw is $(\\omega, v)$, the rotation first, as in Modern Robotics; some books use the other order."
 )
@@ -195,8 +195,8 @@ def _misread(p: Array) -> Iterator[tuple[str, str, Array]]:
         unit = np.eye(3)[i]
         yield "sign of a coordinate", f"read the ${name}$ of the point with the opposite sign", p - 2 * p[i] * unit
         yield "coordinate left out", f"take the ${name}$ of the point as 0", p - p[i] * unit
-        yield "coordinate read wrong", f"read the ${name}$ of the point one metre too large", p + unit
-        yield "coordinate read wrong", f"read the ${name}$ of the point one metre too small", p - unit
+        yield "coordinate read wrong", f"misread the ${name}$ of the point by one metre", p + unit
+        yield "coordinate read wrong", f"misread the ${name}$ of the point by one metre", p - unit
     for i, j in combinations(range(3), 2):
         order = np.arange(3)
         order[[i, j]] = j, i

@@ -45,7 +45,8 @@ def _rpy_changes(node: Expression) -> Changes:
     [rpy], label = node.arguments, node.latex or node.arguments[0].latex
     rotated = [k for k in range(3) if rpy.value[k]]
     if len(rotated) > 1:  # a single rotation has only one order
-        text = f"rotate about the frame's own axes, $R_x R_y R_z$, in ${label}$"
+        place = f", in ${label}$" if "_" in label else ""  # a single rotation needs no name
+        text = f"rotate about the frame's own axes, $R_x R_y R_z${place}"
         everywhere = "rotate about the frames' own axes, $R_x R_y R_z$"
         yield Change("own axes", text, everywhere, AXES_ADVICE), _moving(rpy)
     if rotated != [1]:  # the pitch is the second angle in either order
@@ -56,7 +57,10 @@ def _rpy_changes(node: Expression) -> Changes:
         )
     text = f"transpose ${label}$, which takes coordinates in the joint's frame to the parent's"
     yield Change("rotation transposed", text, "transpose every rotation"), transpose(node)
-    yield Change("rotation left out", f"leave out ${label}$", "leave out every rotation"), given("I", np.eye(3))
+    yield (
+        Change("rotation left out", f"leave out ${label}$", "leave out every rotation"),
+        given("I", np.eye(3)),
+    )
     if not rpy.arguments:  # they are given in radians
         text = "read the angles as degrees"
         yield (

@@ -347,6 +347,12 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
             robot.body_jacobian(q) @ rates,
             "Use `np.radians` first.",
         ),
+        (
+            "degrees",
+            "use the degrees of $q$ as radians",
+            robot.body_jacobian(np.array(typed)) @ qdot,
+            "Use `np.radians` first.",
+        ),
         ("rates swapped", "swap the joint values and the rates", robot.body_jacobian(qdot) @ q, ""),
         (
             "rates left out",
@@ -379,6 +385,7 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
             "order": "Inside the inverse the factors have the order of the body form, joint 2 first.",
             "frame not changed": CARRY_ADVICE,
             "term left out": "Every joint that moves adds its column times its rate.",
+            "use degrees as radians": "Both $q$ and $\\dot q$ are given in degrees: use `np.radians` on each.",
         },
     )
 
@@ -397,7 +404,7 @@ class WristAnswer(Numbers):
 
     @property
     def parts(self) -> Sequence[str]:
-        return ["q_2", "the rate of joint 1"]
+        return ["$q_2$", "the rate of joint 1"]
 
     def place(self, index: Sequence[int]) -> str:
         return self.parts[index[0]]

@@ -27,6 +27,7 @@ PAST_TENSES = {
     "let": "let",
     "put": "put",
     "read": "read",
+    "misread": "misread",
     "say": "said",
     "stop": "stopped",
     "swap": "swapped",
