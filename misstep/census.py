@@ -28,6 +28,7 @@ from typing import Any
 
 from misstep.catalog import find_course
 from misstep.diagnosis.bugs import inseparable_pairs
+from misstep.diagnosis.explanation import CONSEQUENCES, SAME_CONSEQUENCE
 from misstep.judge import BY_CHANCE, Finding, judge
 from misstep.mistakes import Mistake
 from misstep.problem import Problem, Template
@@ -175,6 +176,7 @@ def is_true(problem: Problem, value: Any, finding: Finding) -> bool:
     if any(len(names) > 1 for names in finding.alternatives):
         known += problem.double_mutants(value)
     claims: dict[str, bool] = {}
+    message = finding.message.replace(SAME_CONSEQUENCE, CONSEQUENCES[0])
     for mistake in known:
         agrees = problem.answer.agrees(value, mistake.value)
         in_parts = all(agrees[part] for part in parts)
@@ -185,7 +187,7 @@ def is_true(problem: Problem, value: Any, finding: Finding) -> bool:
         ):
             # Of two long stories only their first sentences are told.
             for said in {text, f"{text.partition('. ')[0].removesuffix('.')}."} if text else ():
-                if said in finding.message and mistake.names in finding.alternatives:
+                if said in message and mistake.names in finding.alternatives:
                     claims[said] = claims.get(said, False) or holds
     # A sentence may be the beginning of a longer one, which then is the one that was said.
     told = [text for text in claims if not any(text != other and text in other for other in claims)]

@@ -4,16 +4,20 @@ The judge only computes. It neither draws nor prints, so it can run in a process
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from misstep.answers.base import Answer, Unreadable
-from misstep.diagnosis.explanation import Explanation, explain, name_of
+from misstep.diagnosis.explanation import MAX_LENGTH, Explanation, explain, name_of
 from misstep.problem import Problem
 from misstep.validation import is_blank
 
 BY_CHANCE = "This comes out right by the wrong method as well, so it earns nothing alone."
 """What is said of the right parts of an answer whose method is wrong in all of them."""
+
+UNKNOWN = "We do not recognise what happened here."
+
+STEP_BY_STEP = "Go back to what is given, and check one step at a time."
 
 State = Literal["right", "partly", "wrong", "blank", "unreadable", "unmarked"]
 
@@ -24,12 +28,20 @@ class Finding:
 
     mistake       the name of the mistake; "a or b" if the answer does not show which one, "a and b" if both were made
     alternatives  the names as data: for each explanation that fits, the mistakes that were made together
+    check         what the student can check on the own numbers, and what these numbers give
     """
 
     parts: Sequence[str]
     message: str
     mistake: str | None = None
     alternatives: tuple[tuple[str, ...], ...] = ()
+    check: str = ""
+
+    @property
+    def text(self) -> str:
+        """What a student reads: the message, and the check if there is room."""
+        both = f"{self.message} {self.check}".strip()
+        return both if len(both) <= MAX_LENGTH else self.message
 
 
 @dataclass(frozen=True)
@@ -71,8 +83,9 @@ def _partly(answer: Answer, right: list[bool], explanations: Sequence[Explanatio
     """Return the judgement of an answer with a wrong part: what it earns, and why not more."""
     fine = [part for part, is_right in zip(answer.parts, right, strict=True) if is_right]
     findings = _findings(answer, value, [k for k, is_right in enumerate(right) if not is_right], explanations)
-    if fine and any(one.spoils for one in explanations):
-        return Judgement("wrong", 0.0, (), [*findings, Finding(fine, BY_CHANCE)])
+    if fine and (spoiling := [one for one in explanations if one.spoils]):
+        chance = [Finding(fine, BY_CHANCE)] if any(one.is_method for one in spoiling) else []
+        return Judgement("wrong", 0.0, (), [*findings, *chance])
     credit = min((mistake.credit for one in explanations for mistake in one.mistakes), default=0.0)
     if credit and not fine and all(one.is_whole for one in explanations):
         return Judgement("partly", credit, ["what follows from it"], findings)
@@ -85,10 +98,14 @@ def _findings(answer: Answer, value: Any, wrong: list[int], explanations: Sequen
     found: list[tuple[Sequence[int], Finding]] = []
     for one in explanations:
         alternatives = tuple(dict.fromkeys(mistake.names for mistake in one.mistakes))
-        finding = Finding([names[part] for part in one.parts], one.message, name_of(one.mistakes), alternatives)
-        found.append((one.parts, finding))
+        told = [names[part] for part in one.parts]
+        found.append((one.parts, Finding(told, one.message, name_of(one.mistakes), alternatives, one.check)))
     explained = {part for parts, _ in found for part in parts}
-    found += [([part], _unexplained(answer, value, part)) for part in wrong if part not in explained]
+    unexplained = {part: _unexplained(answer, value, part) for part in wrong if part not in explained}
+    unknown = [part for part, one in unexplained.items() if one.text == f"{UNKNOWN} {STEP_BY_STEP}"]
+    if unknown:
+        found.append((unknown, replace(unexplained[unknown[0]], parts=[names[part] for part in unknown])))
+    found += [([part], one) for part, one in unexplained.items() if part not in unknown]
     return [finding for _, finding in sorted(found, key=lambda pair: tuple(pair[0]))]
 
 
@@ -102,8 +119,5 @@ def _unexplained(answer: Answer, value: Any, part: int) -> Finding:
             "rounded",
             (("rounded",),),
         )
-    return Finding(
-        parts,
-        answer.hint(value, part)
-        or "None of the mistakes that we know gives this. Go back to what is given, and check one step at a time.",
-    )
+    hint, check = answer.hint(value, part), answer.check(value, part)
+    return Finding(parts, hint or UNKNOWN, check=check or ("" if hint else STEP_BY_STEP))

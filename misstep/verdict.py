@@ -124,9 +124,9 @@ def observation(template: Template, problem: Problem, judgements: Sequence[Judge
 def _finding_text(finding: Finding, is_on_whole: bool) -> str:
     parts = _enumeration(finding.parts)
     if is_on_whole:
-        return finding.message
+        return finding.text
     is_symbol = parts[1:2] in {"_", "^"}  # q_2 is not Q_2
-    return f"{parts if is_symbol else parts[:1].upper() + parts[1:]}: {finding.message}"
+    return f"{parts if is_symbol else parts[:1].upper() + parts[1:]}: {finding.text}"
 
 
 def _enumeration(names: Sequence[str]) -> str:

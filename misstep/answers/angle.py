@@ -98,6 +98,16 @@ class Angles(Numbers):
         orders = (given[list(order)] for order in permutations(range(len(given))))
         return next(filter(None, (self.likeness(angles, None).at_sight() for angles in orders)), None)
 
+    def arrangement(self, given: Array) -> Named | None:
+        found = super().arrangement(given)
+        return found if found and found[0] not in {"doubled", "halved"} else None  # a full turn more has another half
+
+    def _factor_slips(self) -> Iterator[Slip]:
+        # Angles are compared modulo full turns, and "twice" and "half" are said of numbers.
+        sizes = {"doubled": 2.0, "halved": 1.0}
+        largest = np.abs(self._right).max()
+        return (slip for slip in super()._factor_slips() if sizes[slip[0]] * largest <= self._turn / 2)
+
     def place(self, index: Sequence[Any]) -> str:
         return self.parts[int(index[0])]
 
@@ -105,7 +115,7 @@ class Angles(Numbers):
         yield from super().whole_slips()
         X = self._right
         half = self._turn / 2
-        names = ("pi", "pi/2") if self.unit in ("rad", "radians") else (f"{half:g}", f"{half / 2:g}")
+        names = ("$\\pi$", "$\\pi/2$") if self.unit in ("rad", "radians") else (f"{half:g}", f"{half / 2:g}")
         yield ("half a turn off", X + half, "Your answer is half a turn off.", "This is half a turn off.")
         yield (
             "supplement",

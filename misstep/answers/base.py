@@ -15,6 +15,7 @@ and only where the default is not enough:
     arrangement       whether the whole is the right one in another order
     explanation       a mistake that is found by looking at the answer itself, as in a table
     description       how a wrong part that nothing else explains differs from the right one
+    check             what a student can check on the own numbers, where nothing says how they came about
     is_rounded        whether a wrong part is the right one, rounded too much
     hint              what to say about a wrong part that no mistake explains
     from_author       how a value of the author or of a mutant is read, if not as one of a student
@@ -176,6 +177,13 @@ class Answer(ABC):
     def description(self, given: Any, part: int) -> tuple[str, str] | None:
         """Return a name and a sentence for how a wrong part differs from the right one, if nothing else explains it."""
         return None
+
+    def check(self, given: Any, part: int) -> str:
+        """Return what every right answer fulfils and this part does not, with its own numbers; "" if there is no such thing.
+
+        It goes with what is said of the difference from the right answer, so that nobody only copies a sign or a factor.
+        """
+        return ""
 
     def is_rounded(self, given: Any, part: int) -> bool:
         """Return whether a wrong part is the right one, rounded to fewer digits than are asked for."""

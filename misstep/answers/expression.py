@@ -10,7 +10,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from misstep.answers.base import TOLERANCE, Answer, Quantifier, Unreadable
-from misstep.answers.likeness import Likeness, Named
+from misstep.answers.likeness import Likeness, Named, copied_row
 from misstep.answers.number import Slip, entries_hint, place_of, scale_of, wrong_slips
 from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
@@ -73,7 +73,8 @@ class ClosedForm(Answer):
         return self.likeness(given, None).order() if self.rows_are_alike else None
 
     def explanation(self, given: Formula, part: int) -> Named | None:
-        return self.likeness(given, part).resemblance()
+        mine, right = ([x.values[piece] for piece in self.core_indices()] for x in (given, self._right))
+        return copied_row(mine, right, part, self.parts) or self.likeness(given, part).resemblance()
 
     def description(self, given: Formula, part: int) -> Named | None:
         same = self.same_entries(given, self.value)[self.core_indices()[part]]

@@ -31,15 +31,16 @@ class Likeness:
     lengths, angles  which entries are lengths, and angles in radians
     unit             the unit of the lengths
     place            names an entry by its index
+    reordered        what is said of the right numbers in another order
     is_formula       whether the entries are formulas, which are compared exactly
 
     >>> right = np.array([[0.5], [-0.25], [0.0]])
     >>> Likeness(0 * right, right).at_sight(), Likeness(1000 * right, right, lengths=np.ones(3, bool)).at_sight()[0]
-    (('placeholder', 'This is still 0. Put in the numbers that you find.'), 'millimetres')
+    (('placeholder', 'Every number is 0. Put in the numbers that you find.'), 'millimetres')
     >>> Likeness(np.abs(right), right).resemblance()
     ('signs', 'The sizes are right, but no minus sign is left.')
     >>> Likeness(right[[1, 2, 0]], right).resemblance()[1]
-    'These are the right ones in another order: entry 2, entry 3, entry 1.'
+    'These are the right numbers, but not in the right order.'
     """
 
     mine: Array
@@ -48,6 +49,7 @@ class Likeness:
     angles: NDArray[np.bool_] | None = None
     unit: str = "m"
     place: Callable[[Sequence[int]], str] = lambda index: f"entry {', '.join(str(i + 1) for i in index)}"
+    reordered: str = "These are the right numbers, but not in the right order."
     tolerance: float = RELATIVE
     is_formula: bool = False
 
@@ -62,12 +64,12 @@ class Likeness:
         mine, right, n = self.mine, self.right, self.mine.shape[0] if self.mine.ndim > 1 else 1
         is_one = mine.size == mine.shape[-1]
         if not mine.any() and self._is_seen(right).any() and not (is_one and not self._has_unit):  # a count may be 0
-            return "placeholder", ZERO if is_one else "This is still 0. Put in the numbers that you find."
+            return "placeholder", ZERO if is_one else UNTOUCHED.format("Every number is 0")
         if not is_one and (mine == 1).all() and not (right == 1).all():
-            return "placeholder", "This is still 1 everywhere. Put in the numbers that you find."
+            return "placeholder", UNTOUCHED.format("Every number is 1")
         is_square = mine.ndim == 3 and mine.shape[1] == n
         if is_square and (mine == np.eye(n)[..., None]).all() and not self._equal(mine, right).all():
-            return "placeholder", "This is the identity, as if nothing had been done yet."
+            return "placeholder", IDENTITY
         return None
 
     def resemblance(self) -> Named | None:
@@ -150,11 +152,10 @@ class Likeness:
         if mine.ndim == 2 and 1 < count <= 4:
             for order in list(permutations(range(count)))[1:]:
                 if self._equal(mine, right[list(order)]).all():
-                    listed = ", ".join(self.place([k]) for k in order)
-                    return "order of the numbers", f"These are the right ones in another order: {listed}."
+                    return "order of the numbers", self.reordered
         if 2 < count <= 6 and not self.is_formula and np.unique(np.round(other[:, 0], 6)).size > 3:
             if self._equal(one, other).all():
-                return "order of the numbers", "These are the right numbers in another order."
+                return "order of the numbers", self.reordered
             one, other = (np.sort(np.abs(x), axis=0) for x in (one, other))
             if self._equal(one, other).all():
                 return "order and signs", "These are the right sizes, but their order and their signs are not right."
@@ -176,6 +177,19 @@ class Likeness:
         difference = np.remainder(mine - np.degrees(right) + 180, 360) - 180
         is_whole = (mine == np.round(mine)).all()
         return bool((np.abs(difference) <= (0.5 if is_whole else 0.05 + 5e-4 * np.abs(mine))).all() and mine.any())
+
+
+def copied_row(mine: Sequence[Array], right: Sequence[Array], part: int, names: Sequence[str]) -> Named | None:
+    """Return whether a row of an answer is another row of the same answer, where the right rows differ.
+
+    mine, right  the parts of an answer and of the right one, each with one more axis
+    """
+    for other, name in enumerate(names):
+        if other == part or mine[part].ndim < 2 or mine[part].shape != mine[other].shape:
+            continue
+        if np.allclose(mine[part], mine[other], rtol=0, atol=1e-9) and not np.allclose(right[part], right[other]):
+            return "copied row", f"It is the same as your {name.removeprefix('the ')}, number for number."
+    return None
 
 
 def _arrangements(X: Array) -> Iterator[tuple[str, str, Array]]:
@@ -203,18 +217,28 @@ DEGREES = ("degrees", "This is right in degrees. Give it in radians.")
 
 ZERO = "This is 0, and the right number is not."
 
+UNTOUCHED = "{}. Put in the numbers that you find."
+"""What is said of a placeholder."""
+
+IDENTITY = UNTOUCHED.format("This is the identity matrix")
+
 ROUNDED = "These are the right numbers, but rounded too much. Keep at least four significant digits."
 
 LENGTH_UNITS = {
     "m": (
         ("millimetres", 1000.0, "This is right in millimetres. Give it in metres."),
         ("centimetres", 100.0, "This is right in centimetres. Give it in metres."),
-        ("kilometres", 1e-3, "This is a thousandth of the right length. Give it in metres."),
+        ("kilometres", 1e-3, "This is a thousand times too small. Give it in metres."),
     ),
     "mm": (
         ("metres", 1e-3, "This is right in metres. Give it in millimetres."),
         ("centimetres", 0.1, "This is right in centimetres. Give it in millimetres."),
-        ("micrometres", 1000.0, "This is a thousand times the right length. Give it in millimetres."),
+        ("micrometres", 1000.0, "This is a thousand times too large. Give it in millimetres."),
+    ),
+    "moments": (
+        ("millimetres", 1000.0, "Only $v$ is wrong: it is in millimetres. Give it in metres."),
+        ("centimetres", 100.0, "Only $v$ is wrong: it is in centimetres. Give it in metres."),
+        ("kilometres", 1e-3, "Only $v$ is wrong: it is a thousand times too small."),
     ),
 }
 """For each unit those that are mistaken for it: the name, the factor, and what is said."""

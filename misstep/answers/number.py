@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from misstep import validation
 from misstep.answers.accuracy import Accuracy, exact
 from misstep.answers.base import MAX_NUMBER, TOLERANCE, Answer, Unreadable
-from misstep.answers.likeness import LENGTH_UNITS, Likeness, Named
+from misstep.answers.likeness import LENGTH_UNITS, Likeness, Named, copied_row
 from misstep.answers.numerals import numeral
 from misstep.mistakes import Mistake
 from misstep.validation import Array
@@ -57,6 +57,7 @@ class Numbers(Answer):
     unit      the unit of all numbers, for feedback
     accuracy  how far a number may be off: `exact`, or absolute(0.5), relative(0.02), decimals(2), digits(3)
     scale     a size that matters, as one number or one for each entry; by default `scale_of` the numbers of the same kind
+    test      a check of each part that a student can do, in a sentence with the own numbers; "" if the part passes it
 
     Without an accuracy, a real or complex number may be off by a thousandth of itself, or of its scale: three digits of the
     largest number of its kind are enough, 0 is right for 1e-17, and wrong for 3e-7. The array is one part, unless a subclass
@@ -79,6 +80,7 @@ class Numbers(Answer):
     unit: str = ""
     accuracy: Accuracy | None = field(default=None, kw_only=True)
     scale: Any = field(default=None, kw_only=True)
+    test: Callable[[Any], str] | None = field(default=None, kw_only=True)
     noun: ClassVar[str] = "an array"
 
     def __post_init__(self) -> None:
@@ -229,7 +231,13 @@ class Numbers(Answer):
         ]
 
     def explanation(self, given: Array, part: int) -> Named | None:
-        return self.likeness(given, part).resemblance() if self.is_plain else None
+        if not self.is_plain:
+            return None
+        mine, right = ([np.asarray(X)[piece][..., None] for piece in self.core_indices()] for X in (given, self.value))
+        return copied_row(mine, right, part, self.parts) or self.likeness(given, part).resemblance()
+
+    def check(self, given: Array, part: int) -> str:
+        return self.test(np.asarray(given)[self.part_indices()[part]]) if self.test else ""
 
     def description(self, given: Array, part: int) -> Named | None:
         same = self.same_entries(given, self.value)[self.core_indices()[part]]
@@ -331,12 +339,16 @@ class Numbers(Answer):
         X = self._right
         if X.ndim == 0:
             return
-        places = np.arange(X.size).reshape(X.shape)
+        places, owners = np.arange(X.size).reshape(X.shape), np.zeros(X.shape, dtype=int)
+        for owner, piece in enumerate(self.part_indices()):
+            owners[piece] = owner
         for entry in places[np.abs(X) > ROUND_OFF]:
             signs = np.where(places == entry, -1, 1)
-            place = self.place(np.unravel_index(entry, X.shape))
-            text = f"Only one sign is wrong: {place}."
-            yield ("sign of one entry", X * signs, text, f"Only one sign is wrong in this part: {place}.")
+            # A check shows which one; where there is none, its place is told.
+            is_shown = self.is_plain and self.check(X * signs, int(owners.flat[entry]))
+            place = "" if is_shown else f": {self.place(np.unravel_index(entry, X.shape))}"
+            text = f"Only one sign is wrong{place}."
+            yield ("sign of one entry", X * signs, text, text)
         pieces, parts = self.slip_indices(), self.part_indices()
         for piece in pieces:
             for one, other in combinations(np.ravel(places[piece]), 2):

@@ -18,6 +18,14 @@ from misstep.problem import Problem
 MAX_ALTERNATIVES = 2
 """How many mistakes that lead to the same answer are told."""
 
+CONSEQUENCES = ("This is what you get if ", "This is also what you get if ")
+"""The beginnings of what is said of one change of the solution, and of two."""
+
+UNCHECKED = {"another row", "copied row", "unit of length", "degrees"}
+"""The names of what needs no check: the numbers are right, at another place or in another unit."""
+
+SAME_CONSEQUENCE = "You get the same if "
+
 MAX_LENGTH = 400
 """How many characters the message of a finding has; further stories and advice are left out."""
 
@@ -26,8 +34,10 @@ MAX_LENGTH = 400
 class Explanation:
     """Wrong parts, the mistakes each of which explains them, and the message.
 
-    is_whole     whether they explain the whole answer
+    is_whole      whether they explain the whole answer
     is_reordered  whether the rows are the right ones in an order in which at most one keeps its place
+    is_method     whether it says how the answer came about, and not only how it differs from the right one
+    check         what the student can check on the own numbers
     """
 
     parts: Sequence[int]
@@ -35,6 +45,8 @@ class Explanation:
     message: str
     is_whole: bool = False
     is_reordered: bool = False
+    is_method: bool = False
+    check: str = ""
 
     @property
     def spoils(self) -> bool:
@@ -57,11 +69,10 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Explanat
     groups = [problem.mistakes, list(problem.mutants_near(value)), problem.slips]
     for group in groups:
         if whole := [one for one in group if all(answer.shows(value, one.value))]:
-            told = _told(problem, value, wrong, _distinct(whole), is_whole=True)
-            return [replace(told, is_reordered=_is_reordered(answer, value, wrong))]
+            return [_told(problem, value, wrong, _distinct(whole), is_whole=True)]
     if not sights and not is_single and (seen := answer.arrangement(value)):
-        told = replace(_seen(wrong, value, seen), is_whole=True)
-        return [replace(told, is_reordered=_is_reordered(answer, value, wrong))]
+        told = _checked(answer, value, _seen(wrong, value, seen))
+        return [replace(told, is_whole=True, is_reordered=_is_reordered(answer, value, wrong))]
     found, wrong = _joined(sights, value), [part for part in wrong if part not in sights]
     by_part = [] if is_single else _explain_parts(problem, value, set(wrong), groups)
     found += [_told(problem, value, parts, mistakes) for parts, mistakes in by_part]
@@ -71,7 +82,8 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Explanat
         if copied:
             text = f"These are the numbers that are given as `{copied}`, unchanged."
             return [_seen(left, value, ("given unchanged", text), spoils=True)]
-    found += _joined({part: seen for part in left if (seen := answer.explanation(value, part))}, value)
+    compared = _joined({part: seen for part in left if (seen := answer.explanation(value, part))}, value)
+    found += [_checked(answer, value, one) for one in compared]
     if problem.solution is not None and (left := [p for p in _left(wrong, found) if answer.pins_down(value, p)]):
         doubles = [twice for twice in problem.double_mutants(value) if any(answer.shows(value, twice.value))]
         whole = _distinct([twice for twice in doubles if all(answer.shows(value, twice.value))])
@@ -80,7 +92,8 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Explanat
         elif not is_single:
             pairs = _explain_parts(problem, value, set(left), [doubles])
             found += [_told(problem, value, parts, mistakes) for parts, mistakes in pairs]
-    return found + _joined({p: seen for p in _left(wrong, found) if (seen := answer.description(value, p))}, value)
+    described = _joined({p: seen for p in _left(wrong, found) if (seen := answer.description(value, p))}, value)
+    return found + [_checked(answer, value, one) for one in described]
 
 
 def _is_reordered(answer: Answer, value: Any, wrong: Sequence[int]) -> bool:
@@ -114,12 +127,30 @@ def _joined(seen: dict[int, tuple[str, str]], value: Any) -> list[Explanation]:
     ]
 
 
+def _checked(answer: Answer, value: Any, told: Explanation) -> Explanation:
+    """Return an explanation with what the student can check, of the first of its parts that does not pass."""
+    if told.mistakes[0].name in UNCHECKED or (answer.rows_are_alike and answer.arrangement(value)):
+        return told
+    found = [(answer.parts[part], check) for part in told.parts if (check := answer.check(value, part))]
+    if not found:
+        return told
+    name, check = found[0]
+    is_clear = len(told.parts) == 1 or (len(found) > 1 and len({text for _, text in found}) == 1)
+    return replace(told, check=check if is_clear else f"{name[:1].upper()}{name[1:]}: {check}")
+
+
 def _told(
     problem: Problem, value: Any, parts: Sequence[int], mistakes: Sequence[Mistake], *, is_whole: bool = False
 ) -> Explanation:
     # Where the answer is the right one but for signs or an order, other ways lead to it as easily.
     is_sure = all(problem.answer.pins_down(value, part) and not problem.answer.is_near(value, part) for part in parts)
-    return Explanation(list(parts), mistakes, message_of(mistakes, is_whole, is_sure), is_whole)
+    is_slip = mistakes[0] in problem.slips
+    # A card gives the name of the part, so that a slip need not say which one is right.
+    is_reordered = is_whole and _is_reordered(problem.answer, value, parts)
+    is_labelled = is_slip and not is_reordered and len(parts) < len(problem.answer.parts)
+    text = message_of(mistakes, is_whole and not (is_labelled and mistakes[0].part), is_sure)
+    told = Explanation(list(parts), mistakes, text, is_whole, is_reordered, is_method=not is_slip)
+    return _checked(problem.answer, value, told) if is_slip else told
 
 
 def _explain_parts(
@@ -169,6 +200,8 @@ def message_of(mistakes: Sequence[Mistake], whole: bool, is_sure: bool = True) -
 
     >>> message_of([Mistake("order", 1, "You swapped them."), Mistake("sign", 1, "You forgot a sign.")], whole=True)
     'Several mistakes lead to this answer. Either: You swapped them. Or: You forgot a sign.'
+    >>> message_of([Mistake(x, 1, f"You took {x}.", possible=f"This is what you get if you take {x}.") for x in "ab"], whole=True)
+    'This is what you get if you take a. You get the same if you take b.'
     >>> message_of([Mistake("order", 1, "You swapped them."), Mistake("swap", 1, "You swapped them. The base is first.")], whole=True)
     'You swapped them. The base is first.'
     >>> message_of([Mistake(name, 1, f"You forgot {name}.") for name in "abcd"], whole=True)
@@ -178,7 +211,7 @@ def message_of(mistakes: Sequence[Mistake], whole: bool, is_sure: bool = True) -
     'This is what you get if you take half.'
     """
     texts = [mistake.message if whole else mistake.part for mistake in mistakes]
-    if whole and not (is_sure and len(mistakes[0].names) == 1):
+    if whole and not (is_sure and len(mistakes[0].names) == 1 and len(set(texts)) == 1):
         texts = [mistake.possible or mistake.message for mistake in mistakes]
     texts = list(dict.fromkeys(texts))
     # The same sentence with advice behind it says it all.
@@ -192,4 +225,7 @@ def message_of(mistakes: Sequence[Mistake], whole: bool, is_sure: bool = True) -
         first, second = (f"{text.partition('. ')[0].removesuffix('.')}." for text in kept)
     said = set(first.split(". "))
     second = ". ".join(sentence for sentence in second.split(". ") if sentence not in said)
+    for begin in CONSEQUENCES:
+        if first.startswith(begin) and second.startswith(begin):
+            return f"{first} {SAME_CONSEQUENCE}{second.removeprefix(begin)}"
     return f"Several mistakes lead to this {what}{some}. Either: {first} Or: {second}"

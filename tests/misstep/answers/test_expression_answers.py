@@ -349,7 +349,7 @@ class Rows(ClosedForm):
 )
 def test_what_is_seen_in_a_wrong_formula_is_described():
     vector = ClosedForm(sp.Matrix([theta, sp.cos(theta), 1]))
-    zero = ("placeholder", "This is still 0. Put in the numbers that you find.")
+    zero = ("placeholder", "Every number is 0. Put in the numbers that you find.")
     assert vector.appearance(vector.read("[0, 0, 0]"), 0) == zero
     hint = "2 of the 3 entries are right. Look at entry 2."
     assert vector.description(vector.read("[theta, 0, 1]"), 0) == ("one entry", hint)

@@ -14,6 +14,8 @@ from misstep.answers.equivalent import Equivalent
 from misstep.answers.function import Function
 from misstep.answers.number import Numbers, entries_hint, looks_rounded
 from misstep.answers.order import Ordering
+from misstep.judge import judge
+from misstep.problem import Problem
 
 
 def is_right(right, given, **more):
@@ -163,6 +165,15 @@ def test_a_scale_of_a_meaning_can_be_given():
 # --- slips ---
 
 
+class Listed(Numbers):
+    """Numbers each of which is a part."""
+
+    parts = ("a", "b", "c")
+
+    def part_indices(self):
+        return [0, 1, 2]
+
+
 def slips(answer):
     return {(slip.name, slip.message): slip.value for slip in answer.slips()}
 
@@ -190,6 +201,29 @@ def test_the_slips_of_a_matrix_are_what_their_texts_say():
     assert len(found) == 1 + 1 + 2 + 1 + 4 + 8 + 18
 
 
+def test_twice_and_half_an_angle_are_said_of_numbers_within_half_a_turn():
+    within, beyond = np.array([0.5, 0.7]), np.array([2.1, 3.8])
+    assert {"doubled", "halved"} <= {name for name, _ in slips(Angles(within))}
+    assert {"doubled", "halved"}.isdisjoint(name for name, _ in slips(Angles(beyond)))
+    for factor in (2, 0.5):
+        found = judge(Problem("", Angles(beyond), []), factor * beyond).findings
+        assert not any(word in finding.message for word in ("twice", "half the") for finding in found)
+
+
+def test_a_placeholder_earns_nothing_and_says_nothing_of_its_parts():
+    three = Listed(np.array([1.0, 2.5, 1.0]))
+    judgement = judge(Problem("", three, []), [1, 1, 1])
+    assert (judgement.fraction, list(judgement.right_parts)) == (0.0, [])
+    assert [finding.text for finding in judgement.findings] == ["Every number is 1. Put in the numbers that you find."]
+    assert judge(Problem("", Listed(np.ones(3)), []), [1, 1, 1]).state == "right"
+
+
+def test_a_test_of_the_author_is_shown_with_what_is_not_recognised():
+    answer = Numbers(np.array(3.0), test=lambda x: "" if abs(x - 3) < 0.01 else f"Its square is {x * x:g}, and not 9.")
+    found = [judge(Problem("", answer, []), x).findings for x in (4.0, -3.0)]
+    assert [finding.check for [finding] in found] == ["Its square is 16, and not 9.", "Its square is 9, and not 9."]
+
+
 def test_single_numbers_may_be_swapped_with_each_other():
     assert slips(Angles(np.array([0.5, 0.7])))[
         "two entries swapped", "Two entries are swapped: one angle and the other angle."
@@ -200,10 +234,9 @@ def test_the_slips_of_an_angle_are_what_their_texts_say():
     found = slips(Angles(np.array(0.5)))
     assert {text: float(value) for (_, text), value in found.items() if "minus" in text or "turn" in text} == {
         "Your answer is half a turn off.": pytest.approx(0.5 - np.pi),
-        "Your answer is pi minus the right one.": pytest.approx(np.pi - 0.5),
-        "Your answer is pi/2 minus the right one: the angle from the other axis, or the arcsine in place of the arccosine.": pytest.approx(
-            np.pi / 2 - 0.5
-        ),
+        "Your answer is $\\pi$ minus the right one.": pytest.approx(np.pi - 0.5),
+        "Your answer is $\\pi/2$ minus the right one: the angle from the other axis, or the arcsine in place of the "
+        "arccosine.": pytest.approx(np.pi / 2 - 0.5),
     }
 
 
