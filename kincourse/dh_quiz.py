@@ -188,7 +188,7 @@ class Quiz:
         if judgement.state in {"right", "partly", "wrong"} and not self._read:
             self._read = True  # only the first table of an arm: feedback has explained the mistakes of the others
             self.suspects = suspects_after(self.suspects, self.problem, self.problem.answer.read(typed))
-        lines = [finding.message for finding in judgement.findings]
+        lines = [finding.text for finding in judgement.findings]
         self._feedback_box.value = Card(
             judgement.state, TITLES[judgement.state], [*lines, f"{self.right} right of {self.asked}."]
         ).html()

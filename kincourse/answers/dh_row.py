@@ -14,6 +14,15 @@ from misstep.answers.base import TOLERANCE
 from misstep.answers.number import LENGTH, PURE, Numbers, Slip
 
 
+def symbol(name: str) -> str:
+    r"""Return the name of an entry as mathematics.
+
+    >>> symbol("alpha_2"), symbol("d")
+    ('$\\alpha_2$', '$d$')
+    """
+    return f"$\\{name}$" if name.startswith(ANGLE_COLUMNS) else f"${name}$"
+
+
 @dataclass(frozen=True, eq=False)
 class DHEntriesAnswer(Numbers):
     """Named entries of a DH table, shape (k,): lengths in metres, angles in radians.
@@ -33,7 +42,7 @@ class DHEntriesAnswer(Numbers):
     @property
     def parts(self) -> Sequence[str]:
         # A card capitalizes the first word of a sentence, and "A_1" (a link transform) is not a_1 (a length).
-        return [name if " " in name else f"entry {name}" for name in self.names]
+        return [name if " " in name else f"entry {symbol(name)}" for name in self.names]
 
     def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         angles_agree = _same_angle(one, other, tolerance)
@@ -117,9 +126,6 @@ class DHRowAnswer(DHEntriesAnswer):
     def arrangement(self, given: Array) -> tuple[str, str] | None:
         for order in list(permutations(range(4)))[1:]:
             if all(self.same_entries(given, self.value[list(order)])) and len(set(np.round(self.value, 3))) == 4:
-                names = ", ".join(COLUMNS[k] for k in order)
-                return (
-                    "order of the numbers",
-                    f"Your numbers are in the order {names}. Give them in the order {', '.join(COLUMNS)}.",
-                )
+                theirs, ours = (", ".join(symbol(COLUMNS[k]) for k in ks) for ks in (order, range(4)))
+                return "order of the numbers", f"Your numbers are in the order {theirs}. Give them in the order {ours}."
         return super().arrangement(given)

@@ -5,13 +5,15 @@ that is, if they describe the same mechanism up to the choice of zero configurat
 `anchored`, these choices are given by the problem, and two tables agree only if their poses are the same for the same q.
 """
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import accumulate
+from itertools import accumulate, combinations
 from typing import Any, ClassVar
 
 import numpy as np
 
+from kincourse.answers.dh_row import symbol
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import largest_difference, random_configurations
@@ -20,6 +22,7 @@ from kinlib.dh.equivalence import CHOICES, equivalent
 from kinlib.dh.mistakes import Fault
 from kinlib.dh.table import DHTable
 from misstep.answers.base import TOLERANCE, Answer, StoredObjects, Unreadable
+from misstep.answers.likeness import UNTOUCHED
 from misstep.diagnosis.explanation import MAX_ALTERNATIVES
 from misstep.mistakes import Mistake
 
@@ -29,6 +32,8 @@ MAX_TEXT_LENGTH = 10_000
 POSE_TOLERANCE_FACTOR = 3
 """How many times the tolerance of one entry a pose may be off: the rounding errors of the rows add up along the arm."""
 
+
+REVERSED = "Your rows run from the tool to the base. Row 1 belongs to joint 1, at the base."
 
 ENDS = {
     "base": "Your first row begins in {s}. The problem gives frame 0, which is not {s}, so the way from {s} to it is in no row.",
@@ -113,7 +118,7 @@ class DHTableAnswer(Answer):
     def appearance(self, given: DHTable, part: int | None) -> tuple[str, str] | None:
         if given.rows.any() or not self.value.rows.any():
             return None
-        return "placeholder", "Every number in your table is 0. Put in the numbers that you find."
+        return "placeholder", UNTOUCHED.format("Every number is 0")
 
     def slips(self) -> Iterator[Mistake]:
         """Yield the changes of the whole table that cannot be undone in a wrong table, because numbers are lost, and signs of q."""
@@ -121,16 +126,16 @@ class DHTableAnswer(Answer):
         rows, n = right.rows, right.n
         turns = np.array([[letter == "R"] for letter in right.joints]) & (np.arange(4) == 3)
         changes: list[tuple[str, dict[str, Any], str]] = [
-            ("every alpha 0", {"rows": rows * (1, 0, 1, 1)}, "as if every alpha were 0"),
-            ("d left out", {"rows": rows * (1, 1, 0, 1)}, "as if every d were 0"),
-            ("offset forgotten", {"rows": np.where(turns, 0.0, rows)}, "as if no theta had an offset"),
-            ("offset forgotten", {"rows": rows * (1, 1, 1, 0)}, "as if every theta were 0 at q = 0"),
+            ("every alpha 0", {"rows": rows * (1, 0, 1, 1)}, "as if every $\\alpha$ were 0"),
+            ("d left out", {"rows": rows * (1, 1, 0, 1)}, "as if every $d$ were 0"),
+            ("offset forgotten", {"rows": np.where(turns, 0.0, rows)}, "as if no $\\theta$ had an offset"),
+            ("offset forgotten", {"rows": rows * (1, 1, 1, 0)}, "as if every $\\theta$ were 0 at $q = 0$"),
             ("signs left out", {"rows": np.abs(rows)}, "as if no entry had a minus sign"),
             ("all signs", {"rows": -rows}, "as if every entry had the other sign"),
-            ("sign of theta", {"rows": rows * (1, 1, 1, -1)}, "as if every theta had the other sign at q = 0"),
-            ("sign of theta", {"rows": rows * (1, 1, 1, -1), "signs": -right.signs}, "as if every theta had the other sign"),
-            ("rows swapped", {"rows": rows[::-1]}, "as if its rows were in reverse order"),
-            ("columns swapped", {"rows": rows[:, [2, 3, 0, 1]]}, "as if a and d were swapped, and alpha and theta as well"),
+            ("sign of theta", {"rows": rows * (1, 1, 1, -1)}, "as if every $\\theta$ had the other sign at $q = 0$"),
+            ("sign of theta", {"rows": rows * (1, 1, 1, -1), "signs": -right.signs}, "as if every $\\theta$ had the other sign"),
+            ("rows swapped", {"rows": rows[::-1]}, REVERSED),
+            ("columns swapped", {"rows": rows[:, [2, 3, 0, 1]]}, "as if $a$ and $d$ were swapped, and $\\alpha$ and $\\theta$ as well"),
             ("sign of every q", {"signs": -right.signs}, "as if every joint moved in the other direction"),
         ]  # fmt: skip
         for i in range(n):
@@ -142,7 +147,7 @@ class DHTableAnswer(Answer):
             # A single entry is explained by its place.
             changed, key = np.count_nonzero(table.rows - rows), table.rows.tobytes() + table.signs.tobytes()
             if (changed > 1 or "signs" in fields) and key not in known and not all(self.agrees(table, right)):
-                yield Mistake(name, table, f"Your table moves {text}.")
+                yield Mistake(name, table, text if text == REVERSED else f"Your table moves {text}.")
             known.add(key)
 
     def explanation(self, given: DHTable, part: int) -> tuple[str, str] | None:
@@ -180,8 +185,34 @@ class DHTableAnswer(Answer):
             )
         return None
 
+    def description(self, given: DHTable, part: int) -> tuple[str, str] | None:
+        for i, j in combinations(range(given.n), 2):
+            is_same = (given.rows[i] == given.rows[j]).all() and given.rows[i].any()
+            if is_same and (self.value.rows[i] != self.value.rows[j]).any():
+                return (
+                    "copied row",
+                    f"Rows {i + 1} and {j + 1} of your table are the same, number for number. Is one a copy?",
+                )
+        return None
+
     def hint(self, given: DHTable, part: int) -> str:
         return self._diagnose(given).difference.replace("the table", "your table")
+
+    def check(self, given: DHTable, part: int) -> str:
+        """Return where the table ends at q = 0, which is drawn, if base, tool and joint values are those of the problem."""
+        if not self.anchored:
+            return ""
+        mine, right = (table.fk(np.zeros(table.n)) for table in (given, self.value))
+        tolerance = POSE_TOLERANCE_FACTOR * TOLERANCE
+        if largest_difference(mine, right) <= tolerance:
+            return "At $q = 0$ your table is right."
+        place = ", ".join(f"{x:.4g}" for x in mine[:3, 3].round(4) + 0.0)
+        is_there = np.abs(mine[:3, 3] - right[:3, 3]).max() <= tolerance
+        return (
+            "At $q = 0$ your last frame has other axes."
+            if is_there
+            else f"At $q = 0$ your table ends at $({place})$ in {{s}}."
+        )
 
     def remark(self, given: DHTable) -> str:
         """Return how a right table differs from ours, where the rules leave a choice; "" if it does not."""
@@ -202,6 +233,10 @@ class DHTableAnswer(Answer):
         return diagnose(given, self.value, fixed, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE, in_pairs=in_pairs)
 
 
+_COLUMN = re.compile(r"\b(alpha|theta|d)\b|\ba\b(?= (?:is measured|has|and (?:d|alpha)))|(?<=along |about )[xz]\b")
+"""The name of a column or an axis in a sentence, and not the article."""
+
+
 def _choices(diagnosis: Diagnosis) -> str:
     return " ".join(str(diagnosis).splitlines()[1:])
 
@@ -211,7 +246,7 @@ def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
     names = [" and ".join(dict.fromkeys(fault.name for fault in faults)) for faults in alternatives]
     name = " or ".join(list(dict.fromkeys(names))[:MAX_ALTERNATIVES])
     if all([fault.name for fault in faults] == ["wrong number"] for faults in alternatives):
-        places = list(dict.fromkeys(f"{fault.column} in row {fault.row}" for (fault,) in alternatives))
+        places = list(dict.fromkeys(f"{symbol(str(fault.column))} in row {fault.row}" for (fault,) in alternatives))
         return name, f"All but one entry can stand: look again at {' or '.join(places[:MAX_ALTERNATIVES])}."
     texts = [
         " ".join(
@@ -220,7 +255,7 @@ def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
         )
         for faults in alternatives
     ]
-    texts = list(dict.fromkeys(texts))[:MAX_ALTERNATIVES]
+    texts = list(dict.fromkeys(_COLUMN.sub(lambda found: symbol(found[0]), text) for text in texts))[:MAX_ALTERNATIVES]
     return name, texts[0] if len(texts) == 1 else f"Either: {' Or: '.join(texts)}"
 
 

@@ -12,7 +12,7 @@ from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention
 from kinlib.rigid.lie import inverse
 from misstep.answers.base import TOLERANCE, Unreadable
-from misstep.answers.likeness import Named
+from misstep.answers.likeness import UNTOUCHED, Named
 from misstep.answers.number import Numbers, wrong_slips
 from misstep.mistakes import Mistake
 
@@ -64,7 +64,7 @@ class DHFramesAnswer(Numbers):
     def appearance(self, given: Array, part: int | None) -> Named | None:
         """Return whether nothing is placed yet; a single frame may well have the axes of {s}."""
         if part is None and (np.ptp(given, axis=0) == 0).all():
-            return "placeholder", "All frames are the same, as if none were placed yet."
+            return "placeholder", UNTOUCHED.format("All frames are the same")
         return None
 
     def description(self, given: Array, part: int) -> Named | None:
@@ -94,7 +94,7 @@ class DHFramesAnswer(Numbers):
                     "R^T",
                     transposed,
                     "In every frame, the rotation is the transpose of the right one.",
-                    f"{each} with R^T for R.",
+                    f"{each} with $R^T$ for $R$.",
                 ),
                 (
                     "inverse",

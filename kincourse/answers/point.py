@@ -1,18 +1,25 @@
 """Points and directions as answers."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from kinlib.arrays.validation import Array
 from misstep.answers.base import TOLERANCE
-from misstep.answers.likeness import Named
+from misstep.answers.likeness import Likeness, Named
 from misstep.answers.number import Numbers, Slip, entries_hint, is_nearly_all, scale_of
+
+XYZ = ("$x$", "$y$", "$z$")
+
+REORDERED = "Your three {} are right, but not in the order $x$, $y$, $z$."
 
 HOMOGENEOUS = " These are homogeneous coordinates: leave off the last entry (1 for a point, 0 for a direction), so that x, y, z are left."
 ORDER_OR_SIGNS = "Its components have the right sizes; their order or their signs are not right."
+
+UNIT_TOLERANCE = 0.01
+"""How far the length of a unit vector with two decimals may be from 1."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,7 +29,7 @@ class VectorsAnswer(Numbers):
     >>> VectorsAnswer(np.eye(2, 3), names=["the point", "the direction"]).agrees(np.zeros((2, 3)), np.eye(2, 3))
     [False, False]
     >>> VectorsAnswer(np.ones(3), unit="m").hint(np.array([1, 1, 5.0]), 0)
-    '2 of the 3 entries are right. Look at z.'
+    '2 of the 3 entries are right. Look at $z$.'
     """
 
     names: Sequence[str] = ()
@@ -40,14 +47,26 @@ class VectorsAnswer(Numbers):
         mine, right = given[piece], self.value[piece]
         same = self.same_entries(given, self.value)[piece]
         if is_nearly_all(same):
-            return entries_hint(same, "xyz")
+            return entries_hint(same, XYZ)
         off = np.abs(np.sort(np.abs(mine)) - np.sort(np.abs(right)))
         return ORDER_OR_SIGNS if off.max() <= TOLERANCE * max(scale_of(right), np.abs(right).max()) else ""
 
+    @property
+    def _reordered(self) -> str:
+        return REORDERED.format("coordinates" if self.unit else "components")
+
+    def likeness(self, given: Array, part: int | None) -> Likeness:
+        return replace(super().likeness(given, part), reordered=self._reordered)
+
+    def check(self, given: Array, part: int) -> str:
+        mine, right = (float(np.linalg.norm(X[self.part_indices()[part]])) for X in (given, self.value))
+        if self.unit or abs(right - 1) > UNIT_TOLERANCE or abs(mine - 1) <= UNIT_TOLERANCE:
+            return ""
+        return f"A direction is a unit vector; the length of yours is {mine:.3g}."
+
     def description(self, given: Array, part: int) -> Named | None:
-        piece = self.part_indices()[part]
-        if not self.unit and abs(np.linalg.norm(given[piece]) - 1) > 0.01 > abs(np.linalg.norm(self.value[piece]) - 1):
-            return "not a unit vector", "This is not a unit vector: its length is not 1."
+        if self.check(given, part):
+            return "not a unit vector", "This is not a unit vector."
         return super().description(given, part)
 
     def remedy(self, shape: tuple[int, ...]) -> str:
@@ -58,11 +77,10 @@ class VectorsAnswer(Numbers):
     def whole_slips(self) -> Iterator[Slip]:
         yield from super().whole_slips()
         for name, order in (("components shifted", [1, 2, 0]), ("components shifted back", [2, 0, 1])):
-            text = f"The components are right, their order is not: yours is {', '.join('xyz'[i] for i in order)}."
-            yield (name, np.asarray(self.value)[..., order], text, text)
+            yield (name, np.asarray(self.value)[..., order], self._reordered, self._reordered)
 
     def place(self, index: Sequence[Any]) -> str:
-        component = "xyz"[int(index[-1])]
+        component = XYZ[int(index[-1])]
         return f"{component} of {self.names[int(index[0])]}" if self.names else component
 
     def part_indices(self) -> list[Any]:

@@ -1,23 +1,33 @@
 """Rotations and poses as answers."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kincourse.answers.point import REORDERED, XYZ
 from kinlib.rigid.lie import homogeneous, inverse, log, nearest_rotation
 from kinlib.rigid.rpy import origin
 from misstep.answers.base import TOLERANCE
 from misstep.answers.equivalent import Equivalent
-from misstep.answers.likeness import Named
+from misstep.answers.likeness import IDENTITY, UNTOUCHED, Likeness, Named
 from misstep.answers.number import LENGTH, PURE, Numbers, Slip, entries_hint
 from misstep.validation import Array
 
-NOT_A_ROTATION = (
-    "It is no rotation at all: the columns of a rotation are perpendicular unit vectors, and right-handed (det R = +1)."
+NOT_A_ROTATION = "It is no rotation at all."
+
+INVERSE = (
+    "The rotation is that of the inverse pose, and the position has only its signs changed. The inverse of $(R, p)$ is "
+    "$(R^T, -R^T p)$."
 )
+
+OTHER_FRAME = (
+    "The position is written in the axes of the rotated frame. It is wanted in those of the frame of reference."
+)
+
+OTHER_AXES = "The {} are right up to their order and their signs."
 
 ORTHONORMAL_TOLERANCE = 0.03
 """Entries typed with three decimals change R^T R by a few thousandths, and a real mistake changes it by more."""
@@ -43,8 +53,15 @@ class RotationAnswer(Numbers):
     def hint(self, given: Array, part: int) -> str:
         return _rotation_hint(given, self.same_entries(given, self.value))
 
+    def check(self, given: Array, part: int) -> str:
+        if text := rotation_check(given):
+            return text
+        mine, right = (np.arccos(np.clip((np.trace(R) - 1) / 2, -1, 1)) for R in (given, self.value))
+        text = f"The trace of a rotation is $1 + 2 \\cos\\theta$, and yours belongs to $\\theta$ = {np.degrees(mine):.4g} degrees."
+        return text if abs(mine - right) > ORTHONORMAL_TOLERANCE else ""
+
     def description(self, given: Array, part: int) -> Named | None:
-        return super().description(given, part) or _rotation_description(given, self.value)
+        return _rotation_description(given, self.value) or super().description(given, part)
 
     def whole_slips(self) -> Iterator[Slip]:
         yield ("R^T", self.value.T, "Your rotation is the transpose of the right one.", "")
@@ -70,7 +87,7 @@ class PoseAnswer(Numbers):
         if part == 0 and (text := _rotation_hint(given[:3, :3], same[:3, :3])):
             return text
         if part == 1 and np.count_nonzero(~same[:3, 3]) == 1:
-            return entries_hint(same[:3, 3], "xyz")
+            return entries_hint(same[:3, 3], XYZ)
         closed = np.allclose(given[3], (0, 0, 0, 1), atol=TOLERANCE)
         return "" if closed else "The last row of a pose is 0 0 0 1, whatever is above it."
 
@@ -89,12 +106,24 @@ class PoseAnswer(Numbers):
     def length_entries(self) -> NDArray[np.bool_]:
         return np.asarray(self.kinds() == LENGTH)
 
+    def likeness(self, given: Array, part: int | None) -> Likeness:
+        found = super().likeness(given, part)
+        return replace(found, reordered=REORDERED.format("coordinates")) if part == 1 else found
+
+    def place(self, index: Sequence[Any]) -> str:
+        row, column = map(int, index)
+        return f"{XYZ[row]} of the position" if column == 3 > row else super().place(index)
+
+    def check(self, given: Array, part: int) -> str:
+        return rotation_check(given[:3, :3]) if part == 0 else ""
+
     def description(self, given: Array, part: int) -> Named | None:
         if not np.allclose(given[3], (0, 0, 0, 1), atol=TOLERANCE) and self._core_is_right(given, part):
             return "last row", "The last row of a pose is 0 0 0 1, whatever is above it."
-        return super().description(given, part) or (
-            _rotation_description(given[:3, :3], self.value[:3, :3]) if part == 0 else None
-        )
+        named = _rotation_description(given[:3, :3], self.value[:3, :3]) if part == 0 else None
+        if named and named[1] in (OTHER_AXES.format("columns"), OTHER_AXES.format("rows")):
+            return named[0], f"{named[1][:-1]}, so the axes of a frame are named or directed in another way."
+        return named or super().description(given, part)
 
     def _core_is_right(self, given: Array, part: int) -> bool:
         return bool(self.same_entries(given, self.value)[self.core_indices()[part]].all())
@@ -112,7 +141,7 @@ class PoseAnswer(Numbers):
         yield (
             "inverse",
             back,
-            "Your pose is the inverse of the right one.",
+            "Your pose is the inverse of the right one: it says where the frame of reference lies, seen from the other one.",
             "",
         )
         yield (
@@ -132,18 +161,18 @@ class PoseAnswer(Numbers):
             "not rotated",
             homogeneous(np.eye(3), p),
             "The position is right; the rotation is left at the identity.",
-            "The rotation is left at the identity.",
+            IDENTITY,
         )
         yield (
             "position left at 0",
             homogeneous(R, 0 * p),
             "The rotation is right; the position is left at 0.",
-            "The position is left at 0.",
+            UNTOUCHED.format("Every number is 0"),
         )
         yield (
             "R^T and -p",
             homogeneous(R.T, -p),
-            "Your pose has R^T and -p, where the right one has R and p.",
+            INVERSE,
             "",
         )
         yield (
@@ -155,8 +184,8 @@ class PoseAnswer(Numbers):
         yield (
             "position in the other frame",
             homogeneous(R, R.T @ p),
-            "The rotation is right; the position is R^T p, the same vector written in the axes of the frame itself.",
-            "This is R^T p, the same vector written in the axes of the frame itself.",
+            f"The rotation is right, but not the position. {OTHER_FRAME}",
+            OTHER_FRAME,
         )
         for i, j in ((0, 1), (1, 2), (0, 2)):
             order = np.arange(4)
@@ -208,16 +237,34 @@ def _rotation_hint(R: Array, same: NDArray[np.bool_]) -> str:
     return "" if _is_rotation(R) else NOT_A_ROTATION
 
 
+def rotation_check(R: Array) -> str:
+    """Return the first property of rotations that a matrix does not have, with its own numbers; "" if it is a rotation.
+
+    >>> rotation_check(np.diag([1, 1, 2.0])), rotation_check(np.diag([-1, 1, 1.0]))[-16:], rotation_check(np.eye(3))
+    ('No entry of a rotation is larger than 1, and one of yours is 2.', 'and yours is -1.', '')
+    """
+    largest = R.flat[np.abs(R).argmax()]
+    if abs(largest) > 1 + ORTHONORMAL_TOLERANCE:
+        beyond = "larger than 1" if largest > 0 else "smaller than -1"
+        return f"No entry of a rotation is {beyond}, and one of yours is {largest:.4g}."
+    products = R.T @ R
+    for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)):
+        if abs(products[i, j] - (i == j)) > ORTHONORMAL_TOLERANCE:
+            size = np.sqrt(products[i, i])
+            if i == j:
+                return f"Each column of a rotation has the length 1; your column {i + 1} has {size:.3g}."
+            columns = f"columns {i + 1} and {j + 1} have the dot product {products[i, j]:.2g}"
+            return f"The columns of a rotation are perpendicular; your {columns}."
+    return "" if np.linalg.det(R) > 0 else f"The determinant of a rotation is 1, and yours is {np.linalg.det(R):.3g}."
+
+
 def _rotation_description(R: Array, right: Array) -> Named | None:
     """Say how a rotation differs from the right one as a motion: by a right angle, by its angle alone, by its axis alone."""
     if not _is_rotation(R):
         return "not a rotation", NOT_A_ROTATION
     for turn, columns in ((right.T @ R, "columns"), (R @ right.T, "rows")):
         if np.allclose(np.abs(turn), np.abs(turn).round(), atol=ORTHONORMAL_TOLERANCE):
-            return (
-                f"{columns} in another order",
-                f"The {columns} are right up to their order and their signs, so the axes are named or directed in another way.",
-            )
+            return f"{columns} in another order", OTHER_AXES.format(columns)
     mine, other = (log(nearest_rotation(X)) for X in (R, right))
     sizes = np.linalg.norm(mine), np.linalg.norm(other)
     if min(sizes) > ORTHONORMAL_TOLERANCE:
@@ -229,4 +276,4 @@ def _rotation_description(R: Array, right: Array) -> Named | None:
 
 
 def _is_rotation(R: Array) -> bool:
-    return bool(np.allclose(R.T @ R, np.eye(3), atol=ORTHONORMAL_TOLERANCE) and np.linalg.det(R) > 0)
+    return not rotation_check(R)

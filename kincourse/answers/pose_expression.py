@@ -1,12 +1,14 @@
 """Poses in closed form, that is, as matrices of formulas, as answers."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from kincourse.answers.point import REORDERED, XYZ
 from misstep.answers.expression import ClosedForm
+from misstep.answers.likeness import Likeness
 from misstep.answers.number import entries_hint
 from misstep.formulas.evaluation import Formula
 
@@ -30,8 +32,12 @@ class PoseExpressionAnswer(ClosedForm):
     def core_indices(self) -> list[Any]:
         return [np.s_[:3, :3], np.s_[:3, 3]]
 
+    def likeness(self, given: Formula, part: int | None) -> Likeness:
+        found = super().likeness(given, part)
+        return replace(found, reordered=REORDERED.format("coordinates")) if part == 1 else found
+
     def hint(self, given: Formula, part: int) -> str:
         same = self.same_entries(given, self.value)
         if part == 0:
             return entries_hint(same[:3, :3])
-        return entries_hint(same[:3, 3], "xyz")
+        return entries_hint(same[:3, 3], XYZ)

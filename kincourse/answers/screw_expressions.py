@@ -4,7 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from kincourse.answers.screws import ENTRY_NAMES
+import numpy as np
+
+from kincourse.answers.screws import CHECK_TOLERANCE, ENTRY_NAMES, THUMB
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import entries_hint
 from misstep.formulas.evaluation import Formula
@@ -30,6 +32,16 @@ class ScrewExpressionsAnswer(ClosedForm):
     def part_indices(self) -> list[Any]:
         return list(range(self.value.shape[0]))
 
+    def check(self, given: Formula, part: int) -> str:
+        mine, right = (np.linalg.norm(X.values[part, :3], axis=0) for X in (given, self._right))
+        if right.any() and np.abs(mine - 1).max() > CHECK_TOLERANCE:
+            return "The $\\omega$ of a screw axis has the length 1; yours has another one."
+        pitch = (given.values[part, :3] * given.values[part, 3:]).sum(axis=0)
+        if right.any() and np.abs(pitch).max() > CHECK_TOLERANCE:
+            return "A revolute joint has $\\omega \\cdot v = 0$; multiply out yours."
+        is_opposite = np.allclose(given.values[part, :3], -self._right.values[part, :3])
+        return THUMB if right.any() and is_opposite else ""
+
     def description(self, given: Formula, part: int) -> tuple[str, str] | None:
         if one := super().description(given, part):
             return one
@@ -41,5 +53,5 @@ class ScrewExpressionsAnswer(ClosedForm):
     def hint(self, given: Formula, part: int) -> str:
         same = self.same_entries(given, self.value)[part]
         if same[:3].all():
-            return f"The omega is right, but the v is not. {entries_hint(same, ENTRY_NAMES)}".rstrip()
-        return "The v is right, but the omega is not." if same[3:].all() else entries_hint(same, ENTRY_NAMES)
+            return f"$\\omega$ is right, but $v$ is not. {entries_hint(same, ENTRY_NAMES)}".rstrip()
+        return "$v$ is right, but $\\omega$ is not." if same[3:].all() else entries_hint(same, ENTRY_NAMES)

@@ -47,7 +47,7 @@ def test_a_reversed_x_axis_and_another_zero_configuration_are_right():
 def test_another_zero_configuration_is_wrong_if_the_table_is_anchored():
     judgement = judge_table(rows_with((1, 3, 1.5)), anchored=True)
     assert judgement.state == "wrong"
-    assert judgement.findings[0].message == "All but one entry can stand: look again at theta in row 2."
+    assert judgement.findings[0].message == "All but one entry can stand: look again at $\\theta$ in row 2."
 
 
 def test_only_a_table_with_several_other_choices_moves_from_another_start():
@@ -59,7 +59,7 @@ def test_only_a_table_with_several_other_choices_moves_from_another_start():
     assert finding.message.startswith("Your table moves like the arm, from another start. Joint 1 has another zero, ")
     assert "degrees away" in finding.message
     lifted = judge_table(rows_with((0, 2, -0.2)), anchored=True).findings[0]
-    assert (lifted.mistake, lifted.message) == ("sign of d", "Row 1: d has the wrong sign.")
+    assert (lifted.mistake, lifted.message) == ("sign of d", "Row 1: $d$ has the wrong sign.")
 
 
 def test_three_decimals_are_enough():
@@ -70,7 +70,7 @@ def test_three_decimals_are_enough():
     elsewhere = judge(
         Problem("", DHTableAnswer(right, anchored=True), []), [printed[0], [*printed[1][:3], 1.0], printed[2]]
     )
-    assert elsewhere.findings[0].message == "All but one entry can stand: look again at theta in row 2."
+    assert elsewhere.findings[0].message == "All but one entry can stand: look again at $\\theta$ in row 2."
 
 
 def test_an_anchored_table_takes_base_and_tool_from_the_problem():
@@ -109,7 +109,7 @@ def test_a_prismatic_joint_follows_from_the_problem_or_from_the_typed_table():
 def test_two_mistakes_are_named_and_more_are_left_to_the_first_difference():
     finding = judge_table(rows_with((0, 0, -0.3), (1, 1, 1.1)), anchored=True).findings[0]
     assert finding.mistake == "sign of a and sign of alpha"
-    assert finding.message == "Row 1: a has the wrong sign. Row 2: alpha has the wrong sign."
+    assert finding.message == "Row 1: $a$ has the wrong sign. Row 2: $\\alpha$ has the wrong sign."
     message = (
         judge_table(rows_with((0, 0, 0.2), (0, 1, 0.6), (1, 0, 0.3), (1, 1, 1.3), (1, 2, 0.4))).findings[0].message
     )
@@ -119,10 +119,10 @@ def test_two_mistakes_are_named_and_more_are_left_to_the_first_difference():
 @pytest.mark.parametrize(
     ("rows", "name", "message"),
     [
-        (np.array(ROWS) * (1, 0, 1, 1), "every alpha 0", "Your table moves as if every alpha were 0."),
-        (np.array(ROWS) * (1, 1, 0, 1), "d left out", "Your table moves as if every d were 0."),
+        (np.array(ROWS) * (1, 0, 1, 1), "every alpha 0", "Your table moves as if every $\\alpha$ were 0."),
+        (np.array(ROWS) * (1, 1, 0, 1), "d left out", "Your table moves as if every $d$ were 0."),
         (-np.array(ROWS), "all signs", "Your table moves as if every entry had the other sign."),
-        (ROWS[::-1], "rows swapped", "Your table moves as if its rows were in reverse order."),
+        (ROWS[::-1], "rows swapped", "Your rows run from the tool to the base. Row 1 belongs to joint 1, at the base."),
         (rows_with((1, 3, 0)), "offset forgotten", None),
         (
             np.array(ROWS) * (1000, 1, 1000, 1),
@@ -156,9 +156,9 @@ def test_a_right_table_says_how_it_differs_from_ours():
 def test_feedback_on_a_wrong_table_names_the_mistake():
     modified = "Your table is in the modified convention, and the problem asks for the standard one."
     for given, words in [
-        (rows_with((1, 1, 1.1)), "Row 2: alpha has the wrong sign."),
-        (rows_with((1, 0, 0.35), (1, 2, 0.25)), "Row 2: a and d are swapped"),
-        (rows_with((1, 2, 0.9)), "All but one entry can stand: look again at d in row 2."),
+        (rows_with((1, 1, 1.1)), "Row 2: $\\alpha$ has the wrong sign."),
+        (rows_with((1, 0, 0.35), (1, 2, 0.25)), "Row 2: $a$ and $d$ are swapped"),
+        (rows_with((1, 2, 0.9)), "All but one entry can stand: look again at $d$ in row 2."),
         (DHTable(ROWS, convention="modified"), modified),
         (RIGHT.converted("modified"), modified),
         (RIGHT.converted("modified").rows, "The table is in the modified convention, but was read as standard."),

@@ -5,14 +5,15 @@ import pytest
 
 from kincourse.answers.frames import DHFramesAnswer
 from kincourse.answers.point import VectorsAnswer
-from kincourse.answers.pose import OriginAnswer, PoseAnswer, RotationAnswer
+from kincourse.answers.pose import INVERSE, OTHER_FRAME, OriginAnswer, PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer, TwistAnswer
 from kinlib.chains.robots import rpr
 from kinlib.dh.assignment import assign_frames
 from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
 from misstep.answers.base import Unreadable
-from misstep.judge import judge
+from misstep.answers.likeness import IDENTITY
+from misstep.judge import UNKNOWN, judge
 from misstep.problem import Problem
 
 TURN = np.array([[0.0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]])
@@ -55,7 +56,7 @@ def test_a_pose_that_is_wrong_and_no_more_is_told_nothing_of_its_form():
     given = turned(exp(np.array([0.3, 0.4, 0.5])), (9, 9, 9))
     given[3, 3] = 1.0005
     for finding in judge(Problem("", PoseAnswer(TURN), []), given).findings:
-        assert finding.message.startswith("None of the mistakes")
+        assert finding.message == UNKNOWN
 
 
 def test_a_screw_is_told_which_half_is_right_if_one_is():
@@ -63,10 +64,10 @@ def test_a_screw_is_told_which_half_is_right_if_one_is():
     problem = Problem("", ScrewsAnswer(right), [])
     assert problem.answer.parts == ["screw 1"]
     told = {
-        (0, 0, 1, 9, -2, 0.5): "The omega is right, but the v is not.",
-        (0, 0.0005, 1, 9, -2, 0.5): "The omega is right, but the v is not.",
-        (0, 2, 0, 0, -2, 0.5): "The v is right, but the omega is not.",
-        (0, 1, 0, 9, -2, 0.5): "The omega is not right.",
+        (0, 0, 1, 9, -2, 0.5): "$\\omega$ is right, but $v$ is not.",
+        (0, 0.0005, 1, 9, -2, 0.5): "$\\omega$ is right, but $v$ is not.",
+        (0, 2, 0, 0, -2, 0.5): "$v$ is right, but $\\omega$ is not.",
+        (0, 1, 0, 9, -2, 0.5): "$\\omega$ is not right.",
     }
     for given, words in told.items():
         assert judge(problem, given).findings[0].message.startswith(words)
@@ -146,14 +147,14 @@ def test_hints_name_the_wrong_entries():
     wrong[0, 1] += 0.2
     assert PoseAnswer(T).hint(wrong, 0) == "8 of the 9 entries are right. Look at row 1, column 2."
     assert RotationAnswer(R).hint(wrong[:3, :3], 0) == "8 of the 9 entries are right. Look at row 1, column 2."
-    assert PoseAnswer(T).hint(turned(R, (1, 2, 9)), 1) == "2 of the 3 entries are right. Look at z."
+    assert PoseAnswer(T).hint(turned(R, (1, 2, 9)), 1) == "2 of the 3 entries are right. Look at $z$."
     assert PoseAnswer(T).hint(turned(R, (1, 8, 9)), 1) == ""
     right = np.array([0, 0, 1, 0, -2, 0.5])
     assert ScrewsAnswer(right).hint(np.array([0, 0, 1, 0, -2, 9]), 0) == (
-        "The omega is right, but the v is not. Look at v_z: all other entries are right."
+        "$\\omega$ is right, but $v$ is not. Look at $v_z$: all other entries are right."
     )
     points = VectorsAnswer(np.array([[1.0, 2, 3], [4, 5, 6]]), names=["the point", "the arrow"])
-    assert points.hint(np.array([[1.0, 2, 9], [6, 4, 5]]), 0) == "2 of the 3 entries are right. Look at z."
+    assert points.hint(np.array([[1.0, 2, 9], [6, 4, 5]]), 0) == "2 of the 3 entries are right. Look at $z$."
     assert points.hint(np.array([[1.0, 2, 9], [6, 4, 5]]), 1).startswith("Its components have the right sizes")
     assert points.hint(np.array([[1.0, 2, 9], [6, 4, 7]]), 1) == ""
 
@@ -174,17 +175,19 @@ def test_the_slips_of_a_pose_are_what_their_texts_say():
     swapped = T[:, [1, 0, 2, 3]]
     expected = {
         "The position is right; the rotation is the transpose of the right one.": turned(R.T, p),
-        "Your pose is the inverse of the right one.": np.linalg.inv(T),
+        "Your pose is the inverse of the right one: it says where the frame of reference lies, seen from the other one.": np.linalg.inv(
+            T
+        ),
         "The rotation is right; the position is that of the inverse pose.": turned(R, -R.T @ p),
         "Your matrix is the transpose of the right one, last row included.": T.T,
         "The rotation is right; the position has all signs wrong.": turned(R, -p),
-        "Your pose has R^T and -p, where the right one has R and p.": turned(R.T, -p),
+        INVERSE: turned(R.T, -p),
         "The rotation is right; the position is in millimetres. Give it in metres.": turned(R, 1000 * p),
         "The position is right; the rotation is left at the identity.": turned(np.eye(3), p),
         "The rotation is right; the position is left at 0.": turned(R, (0, 0, 0)),
         "Columns 1 and 2 of the rotation are swapped.": swapped,
-        "Only one sign is wrong: row 1, column 4.": turned(R, (-1, 2, 3)),
-        "Two entries are swapped: row 2, column 4 and row 3, column 4.": turned(R, (1, 3, 2)),
+        "Only one sign is wrong: $x$ of the position.": turned(R, (-1, 2, 3)),
+        "Two entries are swapped: $y$ of the position and $z$ of the position.": turned(R, (1, 3, 2)),
     }
     check_slips(PoseAnswer(T), expected)
     check_slips(RotationAnswer(R), {"Your rotation is the transpose of the right one.": R.T})
@@ -200,47 +203,45 @@ def test_the_text_for_a_part_of_a_pose_speaks_of_this_part_alone():
 def test_the_slips_of_screws_are_what_their_texts_say():
     S = np.array([[0, 0, 1, 0.3, -2, 0.1], [0, 1, 0, 3, 0, 4], [0, 0, 0, 0.6, 0, 0.8]])
     expected = {
-        "Every screw axis has v in front of omega. The order is (omega, v).": S[:, [3, 4, 5, 0, 1, 2]],
+        "Every screw axis has $v$ in front of $\\omega$. The order is $(\\omega, v)$.": S[:, [3, 4, 5, 0, 1, 2]],
         "Every screw axis has the opposite direction: all signs are wrong.": -S,
-        "Every omega is right; every moment v has the wrong sign.": [*(S[:2] * [1, 1, 1, -1, -1, -1]), S[2]],
-        "Every v is right; every omega has the wrong sign.": S * [-1, -1, -1, 1, 1, 1],
-        "Every omega is right; every moment v is left at 0.": [*(S[:2] * [1, 1, 1, 0, 0, 0]), S[2]],
-        "Every direction is in v, and omega is 0, as if all joints were prismatic.": [
+        "Every $\\omega$ is right; every moment $v$ has the wrong sign.": [*(S[:2] * [1, 1, 1, -1, -1, -1]), S[2]],
+        "Every $v$ is right; every $\\omega$ has the wrong sign.": S * [-1, -1, -1, 1, 1, 1],
+        "Every $\\omega$ is right; every moment $v$ is left at 0.": [*(S[:2] * [1, 1, 1, 0, 0, 0]), S[2]],
+        "Every direction is in $v$, and $\\omega$ is 0, as if all joints were prismatic.": [
             [0, 0, 0, 0, 0, 1],
             [0, 0, 0, 0, 1, 0],
             S[2],
         ],
-        "The direction of a translation is in omega. It belongs in v, and omega is 0.": [
+        "The direction of a translation is in $\\omega$. It belongs in $v$, and $\\omega$ is 0.": [
             *S[:2],
             [0.6, 0, 0.8, 0, 0, 0],
         ],
-        "The moments v are in millimetres. Give them in metres.": [*(S[:2] * [1, 1, 1, 1e3, 1e3, 1e3]), S[2]],
+        "The moments $v$ are in millimetres. Give them in metres.": [*(S[:2] * [1, 1, 1, 1e3, 1e3, 1e3]), S[2]],
         "The screw axes are right, but their order is reversed.": S[::-1],
         "The rows of screw 2 and screw 3 are swapped.": S[[0, 2, 1]],
-        "Only one sign is wrong: v_y of screw 1.": [[0, 0, 1, 0.3, 2, 0.1], *S[1:]],
-        "Two entries are swapped: v_x of screw 2 and v_z of screw 2.": [S[0], [0, 1, 0, 4, 0, 3], S[2]],
+        "Only one sign is wrong: $v_y$ of screw 1.": [[0, 0, 1, 0.3, 2, 0.1], *S[1:]],
+        "Two entries are swapped: $v_x$ of screw 2 and $v_z$ of screw 2.": [S[0], [0, 1, 0, 4, 0, 3], S[2]],
     }
     check_slips(ScrewsAnswer(S), expected)
-    check_slips(TwistAnswer(S[0]), {"It has v in front of omega. The order is (omega, v).": np.roll(S[0], 3)})
+    check_slips(TwistAnswer(S[0]), {"It has $v$ in front of $\\omega$. The order is $(\\omega, v)$.": np.roll(S[0], 3)})
 
 
 def test_a_slip_in_one_screw_is_named_for_this_screw():
     S = np.array([[0, 0, 1, 0.3, -2, 0], [0, 1, 0, 3, 0, 4.0]])
     judgement = judge(Problem("", ScrewsAnswer(S), []), [S[0], np.roll(S[1], 3)])
     assert [(finding.parts, finding.message) for finding in judgement.findings] == [
-        (["screw 2"], "It has v in front of omega. The order is (omega, v).")
+        (["screw 2"], "It has $v$ in front of $\\omega$. The order is $(\\omega, v)$.")
     ]
 
 
 def test_the_slips_of_vectors_are_what_their_texts_say():
     right = np.array([[1.0, 2, 3], [4, 5, 6]])
     expected = {
-        "The components are right, their order is not: yours is y, z, x.": right[:, [1, 2, 0]],
-        "The components are right, their order is not: yours is z, x, y.": right[:, [2, 0, 1]],
-        "Only one sign is wrong: z of the arrow.": right * [[1, 1, 1], [1, 1, -1]],
+        "Only one sign is wrong: $z$ of the arrow.": right * [[1, 1, 1], [1, 1, -1]],
     }
     check_slips(VectorsAnswer(right, names=["the point", "the arrow"]), expected)
-    check_slips(VectorsAnswer(right[0], unit="m"), {"Only one sign is wrong: z.": right[0] * [1, 1, -1]})
+    check_slips(VectorsAnswer(right[0], unit="m"), {"Only one sign is wrong: $z$.": right[0] * [1, 1, -1]})
 
 
 def test_the_slips_of_frames_break_the_rules():
@@ -250,3 +251,60 @@ def test_the_slips_of_frames_break_the_rules():
         "The frames are right, but their order is reversed.": frames[::-1],
     }
     check_slips(DHFramesAnswer(frames, chain=rpr(), convention="standard"), expected)
+
+
+# --- what the student can check ---
+
+
+def test_a_check_gives_what_the_own_numbers_give():
+    R = exp(np.array([0.3, 0.4, 0.5]))
+    one_sign, entry = R * [[1, -1, 1], [1, 1, 1], [1, 1, 1]], R.copy()
+    entry[2, 2] = 2.0
+    S = np.array([0, 0, 1, 2, 3, 0.0])
+    arrow = VectorsAnswer(np.array([0.6, 0, 0.8]))
+    cases = [
+        (RotationAnswer(R), one_sign, f"columns 1 and 2 have the dot product {one_sign[:, 0] @ one_sign[:, 1]:.2g}."),
+        (RotationAnswer(R), entry, "one of yours is 2."),
+        (RotationAnswer(R), R * [1, 0.5, 1], "your column 2 has 0.5."),
+        (RotationAnswer(R), -R, "yours is -1."),
+        (RotationAnswer(R), exp(np.array([0, 0, 0.5])), "yours belongs to $\\theta$ = 28.65 degrees."),
+        (PoseAnswer(turned(R)), turned(one_sign), f"dot product {one_sign[:, 0] @ one_sign[:, 1]:.2g}."),
+        (ScrewsAnswer(S), S + np.array([0.5, 0, 0, 0, 0, 0]), "has the length 1; yours has 1.12."),
+        (ScrewsAnswer(S), S + np.array([0, 0, 0, 0, 0, 0.5]), "your numbers give 0.5."),
+        (arrow, 2 * arrow.value, "the length of yours is 2."),
+    ]
+    for answer, given, words in cases:
+        [finding] = judge(Problem("", answer, []), given).findings
+        assert finding.check.endswith(words), finding
+        assert answer.check(answer.value, 0) == answer.check(np.round(answer.value, 3), 0) == ""
+
+
+def test_one_wrong_sign_is_shown_by_a_check_or_by_its_place():
+    S = np.array([0.6, 0, 0.8, 4, 0, -3])
+    messages = {
+        sign: judge(Problem("", ScrewsAnswer(S), []), S * sign).findings[0].text
+        for sign in ((-1, 1, 1, 1, 1, 1), (1, 1, 1, 1, 1, -1))
+    }
+    assert all("0$; your numbers give" in text and "_" not in text for text in messages.values())
+    position = judge(Problem("", PoseAnswer(TURN), []), TURN * [[1, 1, 1, -1], *[[1] * 4] * 3]).findings[0]
+    assert position.text == "Only one sign is wrong: $x$ of the position."
+
+
+def test_a_copied_row_is_seen_where_the_right_rows_differ():
+    S = np.array([[0, 0, 1, 0.3, -2, 0], [0, 1, 0, 3, 0, 4.0], [0, 1, 0, 3, 0, 4.0]])
+    copied = judge(Problem("", ScrewsAnswer(S), []), [S[0], S[0], S[2]])
+    assert [(finding.parts, finding.message) for finding in copied.findings] == [
+        (["screw 2"], "It is the same as your screw 1, number for number.")
+    ]
+    both = judge(Problem("", ScrewsAnswer(S), []), [S[0], [1, 0, 0, 0, 9, 9], [1, 0, 0, 0, 9, 9]])
+    assert not any("same as" in finding.message for finding in both.findings)
+
+
+def test_a_wrong_part_is_told_nothing_of_the_right_one():
+    for given, text in [
+        (turned(np.eye(3)), IDENTITY),
+        (turned(TURN[:3, :3], TURN[:3, :3].T @ [1, 2, 3]), OTHER_FRAME),
+        (turned(TURN[:3, :3], (3, 1, 2)), "Your three coordinates are right, but not in the order $x$, $y$, $z$."),
+    ]:
+        [finding] = judge(Problem("", PoseAnswer(TURN), []), given).findings
+        assert finding.message == text
