@@ -28,6 +28,9 @@ from misstep.mutants.operations import ANGLE, LENGTH, cos, function, radians, si
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
+CHECK_TOLERANCE = 0.01
+"""How far the trace, and the vector that a rotation keeps, may be off for a logarithm with three decimals."""
+
 PYTHAGOREAN_QUADRUPLES = ((2, 3, 6, 7), (1, 4, 8, 9), (2, 6, 9, 11), (3, 4, 12, 13))
 """The entries, all different, and the length of vectors for which all are integers, so that they can be computed on paper."""
 
@@ -301,13 +304,22 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
         x = x.mistaken_for(
             value, name, text, "The logarithm is $\\theta$ times the components of $(R - R^T) / (2 \\sin\\theta)$."
         )
+
+    def keeps_its_axis(x: Array) -> str:
+        size, off = float(np.linalg.norm(x)), float(np.linalg.norm(R @ x - x))
+        if off > CHECK_TOLERANCE * max(1.0, size):
+            return f"The axis stays where it is, $R x = x$; with your vector, $R x$ and $x$ are {off:.3g} apart."
+        trace = 1 + 2 * np.cos(size)
+        text = f"The trace of $R$ is $1 + 2 \\cos\\theta$; the length of your vector makes it {trace:.4g}."
+        return text if abs(trace - np.trace(R)) > CHECK_TOLERANCE else ""
+
     return Problem(
         statement="Give the logarithm of this rotation: the vector $\\omega\\,\\theta$, unit axis times angle, with $0 \\le "
         "\\theta \\le \\pi$.\n\n"
         f"$$R = {matrix(R)}$$\n\nIt is printed with four digits. Near half a turn these are too few, so use `given.R`, which "
         f"has all of them.",
         given={"R": R},
-        answer=Numbers(x.value, unit="radians"),
+        answer=Numbers(x.value, unit="radians", test=keeps_its_axis),
         solution=x,
         advice={
             "transposed": "The first component of the axis is $(r_{32} - r_{23}) / (2 \\sin\\theta)$.",

@@ -196,7 +196,9 @@ def offsets(sampler: ArmSampler) -> Problem:
         "In the table $\\theta_i = q_i + c_i$. Give the offsets $c_1, c_2, c_3$ in radians.",
         figure=partial(draw_table, table, view="top"),
         given={"headings_degrees": np.array(headings)},
-        answer=DHEntriesAnswer(c.value, names=["offset of theta_1", "offset of theta_2", "offset of theta_3"]),
+        answer=DHEntriesAnswer(
+            c.value, names=["offset of $\\theta_1$", "offset of $\\theta_2$", "offset of $\\theta_3$"]
+        ),
         solution=c,
         advice={
             "degrees": "Give the offsets in radians.",

@@ -10,6 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from kincourse.answers.dh_row import symbol
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer
@@ -94,7 +95,7 @@ class DHRowsAnswer(Numbers):
         return np.broadcast_to([LENGTH, PURE, LENGTH, PURE], np.shape(self.value))
 
     def place(self, index: Sequence[Any]) -> str:
-        return f"{COLUMNS[index[1]]} in row {index[0] + 1}"
+        return f"{symbol(COLUMNS[index[1]])} in row {index[0] + 1}"
 
     def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         """Return, for each entry, whether it is right, for the directions of x for which the most rows and entries are."""
@@ -185,7 +186,7 @@ class DHRowsAnswer(Numbers):
         wrong = [
             name for name, fine in zip(COLUMNS, self.same_entries(given, self.value)[part], strict=True) if not fine
         ]
-        return f"Look at its {' and '.join(wrong)}." if len(wrong) < 3 else ""
+        return f"Look at its {' and '.join(map(symbol, wrong))}." if len(wrong) < 3 else ""
 
     def _poses(self, rows: Array) -> Array:
         """The last frame as frame 0 sees it, at some joint values (k, 4, 4)."""
@@ -249,7 +250,7 @@ class WristAnglesAnswer(Equivalent):
 
     @property
     def parts(self) -> Sequence[str]:
-        return ["the angles for R_1", "the angles for R_2"]
+        return ["the angles for $R_1$", "the angles for $R_2$"]
 
     def part_indices(self) -> list[int]:
         return [0, 1]

@@ -42,6 +42,7 @@ from kinlib.rigid.angles import wrap_angle
 from kinlib.view.figures.linkage import draw_linkage
 from misstep.answers.angle import Angles
 from misstep.answers.choice import Choice
+from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers
 from misstep.display.text import number, vector
 from misstep.mistakes import mistake
@@ -55,6 +56,8 @@ ANGLES_NOTE = (
     "the angle of the coupler from the rocker."
 )
 
+CHECK_TOLERANCE = 0.005
+"""How far a length in metres may be off that a student computes from an answer with three decimals."""
 
 ANTICLOCKWISE = "Angles are positive anticlockwise."
 MIRRORED = (
@@ -132,7 +135,7 @@ def both_ways(sampler: ArmSampler) -> Problem:
         "the linkage before the pin C is put in.)",
         figure=partial(draw_linkage, linkages.four_bar(*four_bar), open_configuration(np.radians(degrees))),
         given={"bars": tuple(four_bar), "degrees": degrees},
-        answer=Angles(D.value, any_order=True),
+        answer=Angles(D.value, any_order=True, test=partial(_coupler_at, four_bar, np.radians(degrees))),
         solution=D,
         advice={
             "lengths swapped": "C lies on a circle about B, whose radius is the coupler, and on one about D, whose radius is the rocker.",
@@ -140,6 +143,17 @@ def both_ways(sampler: ArmSampler) -> Problem:
             "sine and cosine swapped": "At 0 degrees the crank lies along $x$.",
         },
     )
+
+
+def _coupler_at(four_bar: FourBar, A: float, D: float) -> str:
+    """Say how long the coupler would have to be at an angle of the rocker, if it is not as long as that."""
+    B = four_bar.crank * np.array([np.cos(A), np.sin(A)])
+    C = four_bar.rocker * np.array([np.cos(D), np.sin(D)]) + [four_bar.ground, 0.0]
+    return _bar("With this angle, the coupler would have to be", float(np.linalg.norm(C - B)), four_bar.coupler)
+
+
+def _bar(begin: str, length: float, right: float) -> str:
+    return f"{begin} {length:.3g} m long." if abs(length - right) > CHECK_TOLERANCE else ""
 
 
 @problem("08.3", "A point of the coupler", points=3, lecture="08_closed_chains#The smallest loop")
@@ -186,13 +200,19 @@ def coupler_point(sampler: ArmSampler) -> Problem:
         "use degrees as radians",
     )
     drawn = {"P": ("coupler", (four_bar.crank + along, left, 0.0))}
+
+    def distance_from_B(P: Array) -> str:
+        distance, right = float(np.linalg.norm(P - start.value)), float(np.hypot(along, left))
+        text = f"Your P is {distance:.3g} m from B; the two given distances along and across the coupler make it {right:.3g} m."
+        return text if abs(distance - right) > CHECK_TOLERANCE else ""
+
     return Problem(
         statement=f"{describe_lengths(four_bar)} The angle of its crank is {degrees} degrees, and C lies to the left of the "
         f"arrow from B to D. A point P of the coupler lies {number(along)} m from B along the coupler, towards C, and {number(left)} m "
         "to the left of the coupler. What is the position of P, as $[x, y]$ from A?",
         figure=partial(draw_linkage, linkage, four_bar.assembly_modes(np.radians(degrees))[0], points=drawn),
         given={"bars": tuple(four_bar), "degrees": degrees, "along": along, "left": left},
-        answer=Numbers(P.value, unit="m"),
+        answer=Numbers(P.value, unit="m", test=distance_from_B),
         solution=P,
         advice={
             "take the $y$ of $p$ with the opposite sign": "P lies to the left of the arrow from B to C.",
@@ -218,6 +238,11 @@ def slider(sampler: ArmSampler) -> Problem:
     linkage = linkages.slider_crank(crank, rod, offset)
     side = "above" if offset > 0 else "below"
     A = np.radians(degrees)
+
+    def rod_to(x: Array) -> str:
+        needed = float(np.hypot(x - crank * np.cos(A), offset - crank * np.sin(A)))
+        return _bar("With this $x$, the rod would have to be", needed, rod)
+
     return Problem(
         statement=f"A slider-crank has a crank of {number(crank)} m and a rod of {number(rod)} m. Its slider moves parallel to "
         f"$x$, {number(abs(offset))} m {side} A. The angle of the crank from the $x$ axis is {degrees} degrees. What is the $x$ coordinate "
@@ -225,7 +250,7 @@ def slider(sampler: ArmSampler) -> Problem:
         "is put in.)",
         figure=partial(draw_linkage, linkage, np.array([A, -A, 1.1 * (crank + rod), 0.0])),
         given={"crank": crank, "rod": rod, "offset": offset, "degrees": degrees},
-        answer=Numbers(np.array(x.value), unit="m"),
+        answer=Numbers(np.array(x.value), unit="m", test=rod_to),
         solution=x,
         advice={
             "sign of an angle": f"This is right for the mirror image, with the crank below the $x$ axis. {ANTICLOCKWISE}",
@@ -357,13 +382,20 @@ def dead_point(sampler: ArmSampler) -> Problem:
         ("full turn", "assume that the crank makes full turns", np.pi),
     ):
         A = A.mistaken_for(wrong, name, text)
+
+    def reach(A: Array) -> str:
+        distance = float(np.linalg.norm(four_bar.crank * np.array([np.cos(A), np.sin(A)]) - [four_bar.ground, 0.0]))
+        together = four_bar.coupler + four_bar.rocker
+        text = f"At this angle B is {distance:.3g} m from D, and coupler and rocker together are {together:.3g} m long."
+        return text if abs(distance - together) > CHECK_TOLERANCE else ""
+
     advice = "At the dead point of the crank, coupler and rocker lie on one line and together reach from B to D."
     return Problem(
         statement=f"{describe_lengths(four_bar)} Its crank cannot make full turns. What is the greatest angle $A$ "
         "from the $x$ axis, between $-\\pi$ and $\\pi$ and in radians, at which the loop still closes?",
         figure=partial(draw_linkage, linkages.four_bar(*four_bar), four_bar.assembly_modes(0.6 * A.value)[0]),
         given={"bars": tuple(four_bar)},
-        answer=Angles(np.array(A.value)),
+        answer=Angles(np.array(A.value), test=reach),
         solution=A,
         advice={
             "mirror image": "The least angle belongs to the mirror image, with the crank below the ground line.",
@@ -479,8 +511,9 @@ class CountsAnswer(Numbers):
 
     names: Sequence[str] = ()
 
-    def appearance(self, given: Array, part: int | None) -> None:
-        """Return nothing: 0 and 1 are counts like any other."""
+    def appearance(self, given: Array, part: int | None) -> Named | None:
+        """Return whether all are still 1. A single 1 is a count like any other, and so is 0, even three times."""
+        return self.likeness(given, None).placeholder() if part is None and given.all() else None
 
     def arrangement(self, given: Array) -> None:
         """Return nothing: counts that are equal to others are no order."""

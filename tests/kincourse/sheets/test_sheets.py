@@ -13,8 +13,10 @@ from odd_robots import generated_sheets
 from right_and_wrong import assert_mistakes_are_named
 
 from kincourse import attempt, blanks, find_sheet, open_sheet, sheets
+from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
 from misstep.census import is_observation, is_true
+from misstep.diagnosis.explanation import MAX_LENGTH
 from misstep.display.lecture_address import page_address
 from misstep.judge import judge
 from misstep.sheet import SAMPLE_ID
@@ -54,7 +56,12 @@ def plain_text(template, judgement):
 @each_problem
 def test_the_right_answer_scores_full_and_each_mistake_gets_its_own_message(template):
     for student in STUDENTS[:NAMING_STUDENTS]:
-        assert_mistakes_are_named(variant(template, student))
+        problem = variant(template, student)
+        assert_mistakes_are_named(problem)
+        answer = problem.answer
+        if isinstance(answer, (Numbers, ClosedForm)):  # what a right answer fulfils, it fulfils
+            right = answer.read(answer.value)
+            assert not any(answer.check(right, part) for part in range(len(answer.parts)))
 
 
 @each_problem
@@ -83,6 +90,7 @@ def test_each_mutant_of_the_solution_costs_points_and_is_named(template):
                 is_seen = any(is_observation(problem, value, finding) for finding in judgement.findings)
                 assert is_seen or named & {wrong.names, *own}, (wrong.name, judgement)
                 assert all(is_true(problem, value, finding) for finding in judgement.findings)
+                assert all(len(finding.text) <= MAX_LENGTH for finding in judgement.findings), judgement
 
 
 @each_problem
@@ -91,7 +99,10 @@ def test_students_get_different_numbers_at_least_three_mistakes_and_points_for_t
     assert len({problem.statement + str(problem.answer.value) for problem in problems}) > 4
     assert len(problems[0].known_mistakes) >= 3
     if isinstance(problems[0].answer, Numbers):
-        assert judge(problems[0], np.round(problems[0].answer.value, 3).tolist()).state == "right"
+        answer = problems[0].answer
+        rounded = np.round(answer.value, 3).tolist()
+        assert judge(problems[0], rounded).state == "right"
+        assert not any(answer.check(answer.read(rounded), part) for part in range(len(answer.parts)))
 
 
 @each_problem_and_step
