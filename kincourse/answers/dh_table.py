@@ -238,7 +238,8 @@ _COLUMN = re.compile(r"\b(alpha|theta|d)\b|\ba\b(?= (?:is measured|has|and (?:d|
 
 
 def _choices(diagnosis: Diagnosis) -> str:
-    return " ".join(str(diagnosis).splitlines()[1:])
+    # The advice on `fixed` is for callers of `diagnose`, and not for a card.
+    return " ".join(line for line in str(diagnosis).splitlines()[1:] if "fixed=" not in line)
 
 
 def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:

@@ -103,10 +103,14 @@ class Angles(Numbers):
         return found if found and found[0] not in {"doubled", "halved"} else None  # a full turn more has another half
 
     def _factor_slips(self) -> Iterator[Slip]:
-        # Angles are compared modulo full turns, and "twice" and "half" are said of numbers.
-        sizes = {"doubled": 2.0, "halved": 1.0}
+        # Twice an angle is the same angle for all its numbers; half of it is not.
         largest = np.abs(self._right).max()
-        return (slip for slip in super()._factor_slips() if sizes[slip[0]] * largest <= self._turn / 2)
+        for name, value, *texts in super()._factor_slips():
+            if name == "doubled":
+                also = ", up to full turns." if 2 * largest > self._turn / 2 else "."
+                yield (name, value, *(text.removesuffix(".") + also for text in texts))
+            elif largest <= self._turn / 2:
+                yield (name, value, *texts)
 
     def place(self, index: Sequence[Any]) -> str:
         return self.parts[int(index[0])]
