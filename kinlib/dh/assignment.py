@@ -10,6 +10,8 @@ are lost. There the assignment compares the exact row with one that treats the a
 `accuracy` reports how accurate the table is.
 """
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -8,6 +8,8 @@ are equally simple, all of them are returned.
 Most corrections are refuted by the invariants of the axes, for all of them at once, and only the rest is compared in full.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, reduce

@@ -9,6 +9,8 @@ The motions decide. First the poses are compared as they are; then under the map
 s and c, so it can be checked again. Only what no map makes equal is explained, by the first angle or length that differs.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable, Collection
 from dataclasses import dataclass, field

@@ -3,6 +3,8 @@
 Frames are checked against the rules alone. There are many correct assignments, and each of them passes.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from dataclasses import dataclass
 

@@ -4,6 +4,8 @@ Planar linkages lie in the plane of x and y. Unless a docstring says otherwise, 
 x, so that all joint values are 0 there. Such a drawing is open, and the joint at which it is open has a closing offset.
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import replace
 

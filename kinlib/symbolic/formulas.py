@@ -7,6 +7,8 @@ There is no log here, because its arccosine loses full turns and signs, and SymP
 `kl.log`.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 

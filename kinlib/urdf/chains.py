@@ -9,6 +9,8 @@ the frames on the path from base to tip are products of these poses, and give th
 A fixed joint contributes a T_i and no screw. Meshes, masses and colours do not affect the kinematics and are ignored.
 """
 
+from __future__ import annotations
+
 import os
 from collections.abc import Collection
 from itertools import pairwise
