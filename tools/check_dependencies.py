@@ -19,28 +19,33 @@ ROOT = Path(__file__).resolve().parents[1]
 OURS = ("kinlib", "misstep", "kincourse")
 
 NOT_IMPORTED = {
-    "jupyterlab": "course.py starts it",
-    "furo": "site/conf.py names the theme",
-    "jupyterlite-pyodide-kernel": "JupyterLite finds it by an entry point",
-    "hatchling": "builds wheels, as a program",
-    "pip": "downloads wheels, as a program",
-    "ipykernel": "notebooks name it as their kernel",
-    "sphinx-notfound-page": "site/conf.py names the extension",
-    "sphinx-sitemap": "site/conf.py names the extension",
-    "sphinxext-opengraph": "site/conf.py names the extension",
-    "sphinxcontrib-katex": "site/conf.py names the extension",
-    "myst-nb": "site/conf.py names the extension",
-    "jupyterlite-core": "site/kinsite starts it",
-    "deptry": "this file starts it",
-    "nox": "noxfile.py is no part of a folder",
-    "nbval": "a plug-in of pytest",
-    "pytest-xdist": "a plug-in of pytest",
-    "pytest-benchmark": "a plug-in of pytest",
-    "mutmut": "nox starts it",
-    "ruff": "nox starts it",
-    "uv": "course.py starts it",
+    "misstep": {"matplotlib": "pictures of a course's own are drawn with it, if it has any"},
+    "site": {
+        "furo": "site/conf.py names the theme",
+        "hatchling": "builds wheels, as a program",
+        "ipykernel": "notebooks name it as their kernel",
+        "jupyterlite-core": "site/kinsite starts it",
+        "jupyterlite-pyodide-kernel": "JupyterLite finds it by an entry point",
+        "myst-nb": "site/conf.py names the extension",
+        "pip": "downloads wheels, as a program",
+        "sphinx-notfound-page": "site/conf.py names the extension",
+        "sphinx-sitemap": "site/conf.py names the extension",
+        "sphinxcontrib-katex": "site/conf.py names the extension",
+        "sphinxext-opengraph": "site/conf.py names the extension",
+    },
+    "tests": {
+        "airo-models": "tests/kinlib/urdf ask for its files by name",
+        "deptry": "this file starts it",
+        "jupyterlab": "course.py starts it",
+        "lxml": "tests/kinlib/urdf ask for it by name, as an oracle",
+        "mutmut": "nox starts it",
+        "nbval": "a plug-in of pytest",
+        "nox": "noxfile.py is no part of a folder",
+        "pytest-xdist": "a plug-in of pytest",
+        "ruff": "nox starts it",
+    },
 }
-"""Packages that are used although no file imports them, with the reason."""
+"""Packages that an area must declare although no file of it imports them, with the reason."""
 
 IMPORTED_IF_THERE = {
     "kincourse": {
@@ -127,10 +132,18 @@ def faults(name: str, area: Area) -> Iterator[str]:
     for one in found:
         code, module = one["error"]["code"], one["module"]
         if code == "DEP002":
-            if module in names and module not in NOT_IMPORTED and not imported_by_name(module, area):
+            if module in names - NOT_IMPORTED.get(name, {}).keys() - set(OURS) and not imported_by_name(module, area):
                 yield f"{name} declares {module}, which no file of it imports"
-        elif module not in IMPORTED_IF_THERE.get(name, set()) | local_modules():
+        elif module not in OURS and module not in IMPORTED_IF_THERE.get(name, set()) | local_modules():
             yield f"{one['location']['file']}:{one['location']['line']} imports {module}, which {name} does not declare"
+    for package, reason in NOT_IMPORTED.get(name, {}).items():
+        if package not in names:
+            yield f"{name} does not declare {package}: {reason}"
+    if name in OURS:  # to deptry, the packages of this repository are local modules
+        text = "".join(path.read_text("utf-8") for path in files_of(area) if "new_course" not in path.parts)
+        for package in set(OURS) - names - {name}:
+            if re.search(rf"^ *(from|import) {package}\b", text, re.MULTILINE):
+                yield f"{name} imports {package}, which it does not declare"
 
 
 def requirement_name(text: str) -> str:
@@ -160,4 +173,4 @@ def local_modules() -> set[str]:
 
 if __name__ == "__main__":
     all_faults = [fault for name, area in areas().items() for fault in faults(name, area)]
-    sys.exit("\n".join(all_faults))
+    sys.exit("\n".join(all_faults) or 0)
