@@ -196,7 +196,7 @@ def test_the_page_says_why_python_could_not_start_and_tries_again(chromium_witho
         expect(page.locator(".kinlib-live-status")).to_contain_text("Check the connection, then press Run again.")
         page.unroute("**/live/load.json")  # otherwise it would fail again before this can be read
         press(first, "Run")
-        ended(first, "Waiting for Python.")
+        expect(first.locator(".kinlib-live-note")).to_contain_text("Waiting for Python.")
 
 
 def test_without_a_lab_the_page_says_that_the_code_has_been_run(chromium_without_webgl, lecture):
