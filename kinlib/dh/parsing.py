@@ -11,6 +11,7 @@ or alpha_i the modified one.
 """
 
 import ast
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -89,10 +90,12 @@ def is_plausible_angle(angle: float) -> bool:
         size <= 2 * np.pi
     ):  # almost every angle; rounding each one would take a quarter of the time of a frame assignment
         return True
+    if size > 20 * np.pi:
+        return False
     degrees = np.degrees(angle)
     is_whole = abs(degrees - np.round(degrees)) < 1e-4
     is_typed = abs(angle - np.round(angle, 3)) < 1e-9
-    return bool((is_whole and size <= 20 * np.pi) or (not is_typed and size <= 4 * np.pi))
+    return bool(is_whole or (not is_typed and size <= 4 * np.pi))
 
 
 @dataclass(frozen=True, eq=False)
@@ -174,7 +177,7 @@ def _validate_angle(angle: float, place: str, given: str) -> None:
     """Refuse an angle that nobody means; `given` is the angle as it was typed, or the number with its unit."""
     if is_plausible_angle(angle):
         return
-    hint = f"Subtract full turns: {round(float(np.degrees(angle)), 6) % 360:.6g}° is the same angle."
+    hint = f"Subtract full turns: {round(math.degrees(angle), 6) % 360:.6g}° is the same angle."
     if given.endswith(" rad"):
         number = given.removesuffix(" rad")
         hint = f"{given}? Write {number}° if it is in degrees, or subtract full turns if it is in radians."

@@ -32,6 +32,10 @@ LINKAGE = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
         (lambda: kl.DHTable("a|alpha|d|theta\nnan|0|0|q1", "standard"), "got 'nan'. .*write 0"),
         (lambda: kl.DHTable("a|alpha|d|theta\n0.4m|0|0|q1", "standard"), "got '0.4m'. Lengths are in metres"),
         (lambda: kl.DHTable("a|alpha|d|theta\n0.4|0|0|t2", "standard"), "got 't2'. .*write q2"),
+        (
+            lambda: kl.DHTable("a|alpha|d|theta\n0.4|-1e308|0|q1", "standard"),
+            "must be at most a full turn.*got -1e\\+308",
+        ),
         (lambda: kl.DHTable(f"{TABLE}\nbase = [[1, 2]]", "standard"), r"base must be .*got shape \(1, 2\)"),
         (lambda: kl.DHTable(f"{TABLE}\ntool = [[1", "standard"), "Row 2 must have"),
         (lambda: kl.DHTable(f"{TABLE}\ntool = [[1]", "standard"), r"tool must be a pose.*got '\[\[1\]'.*tool="),
