@@ -54,8 +54,8 @@ class Problem:
     [6.0, 12.0]
     >>> [mistake.names for mistake in drawn.double_mutants(np.array(24.0))]
     []
-    >>> drawn.is_discriminating(), drawn.without_duplicates().mistakes
-    (True, [])
+    >>> drawn.is_discriminating(), drawn.collision(), drawn.without_duplicates().mistakes
+    (True, None, [])
     >>> drawn.with_inputs(seed=1) is drawn  # because the answer is not a function
     True
     """

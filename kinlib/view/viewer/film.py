@@ -38,6 +38,17 @@ class Film(anywidget.AnyWidget):
     order   the drawing that is shown at each tick, and `rate` the ticks per second
     scenes  for each scene its last tick, its caption and its text alternative
     at      the tick that is shown; the page and Python can both set it
+
+    >>> from tempfile import TemporaryDirectory
+    >>> from kinlib.view.drawing.canvas import Canvas
+    >>> line = Canvas([(0, 0, 0), (2, 0, 0)], view="front").picture("A straight line along x.")
+    >>> still = film(lambda t: line, [(1.0, "Nothing moves.")])
+    >>> "A straight line" in still.html()
+    True
+    >>> with TemporaryDirectory() as folder:
+    ...     still.save(Path(folder) / "film.html")
+    ...     [path.name for path in Path(folder).iterdir()]
+    ['film.html']
     """
 
     _esm = ViewerBase._esm  # noqa: SLF001
