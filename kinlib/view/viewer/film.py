@@ -41,9 +41,10 @@ class Film(anywidget.AnyWidget):
 
     >>> from tempfile import TemporaryDirectory
     >>> from kinlib.view.drawing.canvas import Canvas
-    >>> line = Canvas([(0, 0, 0), (2, 0, 0)], view="front").picture("A straight line along x.")
-    >>> still = film(lambda t: line, [(1.0, "Nothing moves.")])
-    >>> "A straight line" in still.html()
+    >>> canvas = Canvas([(0, 0, 0), (2, 0, 0)], view="front")
+    >>> canvas.dot((1, 0, 0))
+    >>> still = film(lambda t: canvas.picture("A point at x = 1 m on a line."), [(1.0, "Nothing moves.")])
+    >>> "A point at x = 1 m" in still.html()
     True
     >>> with TemporaryDirectory() as folder:
     ...     still.save(Path(folder) / "film.html")
