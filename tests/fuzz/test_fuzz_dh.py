@@ -9,6 +9,7 @@ from fuzz_settings import fuzz_settings
 from hypothesis import given
 from hypothesis import strategies as st
 
+import kincourse.answers.dh_table  # noqa: F401  it says how a stored table is read
 from kinlib.dh.parsing import COLUMNS, _split_table
 from kinlib.dh.table import DHTable
 from misstep.storage.deserialize import from_data
