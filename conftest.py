@@ -19,8 +19,9 @@ if sys.platform == "win32":
 
 
 def pytest_addoption(parser):
-    """Add --quick, and --oracles, which takes twice as long as the tests that it checks."""
+    """Add --quick, --nightly, and --oracles, which takes twice as long as the tests that it checks."""
     parser.addoption("--oracles", action="store_true", help="check that every comparison with an oracle can fail")
+    parser.addoption("--nightly", action="store_true", help="also run tests marked nightly, which take minutes each")
     parser.addoption("--quick", action="store_true", help="leave out what is slow; three minutes on two cores")
 
 
@@ -131,10 +132,10 @@ def pytest_collection_modifyitems(config, items):
 
     The cells of a notebook run before tests/repository/test_notebooks.py, which needs them.
     """
-    if config.option.quick:
-        kept = set(thinned(items))
-        config.hook.pytest_deselected(items=[item for item in items if item not in kept])
-        items[:] = [item for item in items if item in kept]
+    kept = [item for item in items if config.option.nightly or not item.get_closest_marker("nightly")]
+    kept = set(thinned(kept) if config.option.quick else kept)
+    config.hook.pytest_deselected(items=[item for item in items if item not in kept])
+    items[:] = [item for item in items if item in kept]
     failed = config.cache.get("cache/lastfailed", {}) if hasattr(config, "cache") else {}
     failed_groups = {group(nodeid) for nodeid in failed}
     order = {start: place for place, start in enumerate(LONGEST_FIRST)}

@@ -83,7 +83,8 @@ def evidence(session: nox.Session) -> None:
     """Show that the library is right and that feedback is true; every night and before a release, in about an hour."""
     session.run(PYTHON, "-m", "misstep", "census")
     run_pytest(session, "evidence", "--numprocesses=auto")
-    run_pytest(session, "tests", "--numprocesses=auto", "--dist=loadfile", "--oracles", "--hypothesis-profile=thorough")
+    whole = ("--nightly", "--oracles", "--hypothesis-profile=thorough")
+    run_pytest(session, "tests", "--numprocesses=auto", "--dist=loadfile", *whole)
     run_pytest(session, "tests/fuzz", "--numprocesses=auto", "--hypothesis-profile=nightly")
 
 

@@ -51,6 +51,7 @@ def lab_address(site_folder, site_address):
     return site_address
 
 
+@pytest.mark.nightly
 def test_a_sheet_is_opened_answered_checked_stored_and_handed_in(chromium, lab_address, tmp_path):
     """The work of one student in one window, because Python takes long to start."""
     with watched(chromium, viewport=WINDOW) as page:
@@ -87,6 +88,7 @@ SCROLLED_TO_THE_TOP = """section => {
 }"""
 
 
+@pytest.mark.nightly
 def test_a_click_on_the_section_to_reread_opens_the_lecture_there(chromium, lab_address):
     with watched(chromium, viewport=WINDOW) as page:
         visit(page, lab_address, SHEET)
@@ -143,6 +145,7 @@ class HoldingHandler(PageHandler):
             super().do_GET()
 
 
+@pytest.mark.nightly
 def test_the_lab_shows_progress_from_the_start_and_works_again_without_a_network(chromium, lab_address, site_folder):
     held = {"bundle.js": threading.Event(), "pyodide.asm.wasm": threading.Event()}
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(HoldingHandler, held, directory=str(site_folder)))
