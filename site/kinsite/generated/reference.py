@@ -92,7 +92,9 @@ module by module, in reading order.
 
 def page(module: ModuleType) -> str:
     """Write the page of a module, in the order of its source."""
-    parts = [f"# `{module.__name__}`", prose(inspect.getdoc(module) or "")]
+    # Names in signatures are looked for in this module first: some are exported by their package, too.
+    here = f":::{{py:currentmodule}} {module.__name__}\n:::"
+    parts = [f"# `{module.__name__}`", prose(inspect.getdoc(module) or ""), here]
     parts += [describe(module, name, member) for name, member in members(module)]
     return "\n\n".join(parts) + "\n"
 
