@@ -74,7 +74,7 @@ def test_a_sheet_is_opened_answered_checked_stored_and_handed_in(chromium, lab_a
         write(page, cell(page, "screw_3 ="), "screw_3 = 'typed last'")
         wait_for(page, lambda: "typed last" in page.evaluate(STORED_NOTEBOOKS), PAGE_TIMEOUT_MS)
         visit(page, lab_address, SHEET)
-        expect(cell(page, "typed last")).to_be_visible()
+        expect(cell(page, "typed last")).to_be_visible(timeout=PAGE_TIMEOUT_MS)
         expect(cell(page, "screws_1 = np.array")).to_be_visible()
         page.goto(f"{lab_address}/progress.html")
         expect(page.locator('tr[data-lecture="lectures/03_poe_space"] [data-solved]')).to_have_text(
