@@ -1,6 +1,7 @@
 """How many minutes a lecture takes: words, formulas, lines of code, pictures and tasks are counted, each at a stated rate.
 
-The rates were fitted by hand to the times that a reader with a clock needed for lectures 01 to 09. Side tracks do not count.
+The rates were set by hand, near what a reviewer of an earlier version estimated for lectures 01 to 09. Nobody has measured them
+with a clock. Side tracks do not count.
 """
 
 import re
