@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import permutations
 from typing import Any, ClassVar
 
@@ -11,10 +12,14 @@ from numpy.typing import NDArray
 from misstep.answers.base import TOLERANCE
 from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers, Slip
+from misstep.answers.numerals import numeral
 from misstep.validation import Array
 
 TURNS = {"rad": 2 * np.pi, "radians": 2 * np.pi, "degrees": 360.0, "°": 360.0, "gon": 400.0, "turns": 1.0}
 """A full turn in each unit of an angle."""
+
+_TYPED = {**{name: name for name in TURNS}, "deg": "degrees", "degree": "degrees", "radian": "rad"}
+"""For each unit that may be typed after an angle, the key of TURNS."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +77,14 @@ class Angles(Numbers):
         # Take the order in which most angles are right and the others are nearest: the student most likely meant this one.
         orders = [self._modulo_turns(angles[list(order)]) for order in permutations(range(len(angles)))]
         return min(orders, key=self._difference)
+
+    def typed(self, text: str) -> Fraction | complex:
+        """Return the angle that a text writes, in the unit of the answer; a unit that is typed with it is converted."""
+        plain = text.strip()
+        name = next((name for name in sorted(_TYPED, key=len, reverse=True) if plain.endswith(name)), "")
+        value = numeral(plain.removesuffix(name))
+        turn = TURNS[_TYPED[name]] if name else self._turn
+        return value if turn == self._turn else Fraction(float(value.real) * self._turn / turn)
 
     def _difference(self, angles: Array) -> tuple[int, float]:
         error = angles - self._right

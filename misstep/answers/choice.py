@@ -30,8 +30,8 @@ class Choice(Answer):
     """One of several named options; each wrong one is a mistake of the problem.
 
     >>> choice = Choice("b", {"a": "to the left", "b": "to the right"})
-    >>> choice.read(" B "), choice.read("(b)")
-    ('b', 'b')
+    >>> choice.read(" B "), choice.read("(b)"), choice.read("To the right.")
+    ('b', 'b', 'b')
     """
 
     value: str
@@ -46,7 +46,11 @@ class Choice(Answer):
         return ["the choice"]
 
     def read(self, given: Any) -> str:
-        options = {plain(option): option for option in self.options}
+        texts = [(plain(text), option) for option, text in self.options.items()]
+        # The name of an option goes before the text of another one, and a text that two of them have names neither.
+        options = {text: option for text, option in texts if text and [one for one, _ in texts].count(text) == 1}
+        options |= {plain(option) + text: option for text, option in texts}
+        options |= {word + plain(option): option for word in ("option", "answer", "") for option in self.options}
         if not isinstance(given, str) or len(given) >= MAX_LENGTH or plain(given) not in options:
             raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.")
         return options[plain(given)]

@@ -1,5 +1,6 @@
 """Formulas as answers: a formula is right if it has the same values as the right one, however it is written."""
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -55,6 +56,8 @@ class ClosedForm(Answer):
     def read(self, given: Any) -> Formula:
         if isinstance(given, Formula) and given.values.shape == self._right.values.shape:
             return given
+        if isinstance(given, str):
+            given = re.sub(r"^[^=(\[]*(\([^=()]*\))?\s*=\s*(?!=)", "", given)  # y = or f(x) = before the formula
         try:
             return self._reader.read(given, self._shape)
         except ValueError as error:
@@ -101,8 +104,10 @@ class ClosedForm(Answer):
         same = self.same_entries(given, self.value)[self.part_indices()[part]]
         if same.ndim:
             return entries_hint(same)
-        point = ", ".join(f"{name} = {number(value)}" for name, value in self._reader.first_point.items())
-        yours, right = given.values[0], self._right.values[0]
+        far = np.abs(given.values - self._right.values) / (np.abs(given.values) + np.abs(self._right.values) + 1e-300)
+        k = int(np.argmax(far))  # at some points two formulas look the same when they are rounded
+        point = ", ".join(f"{name} = {number(value)}" for name, value in self._reader.points[k].items())
+        yours, right = given.values[k], self._right.values[k]
         return f"Try numbers: at {point} your formula gives {number(yours)}, and {number(right)} is right."
 
     def expressions(self, solution: Callable[..., Expression]) -> Iterator[Expression]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from decimal import Decimal
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
@@ -96,7 +97,7 @@ class Numbers(Answer):
         if self._right.dtype.kind == "c":
             what = f"{self.noun} of complex numbers, of shape {shape}" if shape else "one complex number, such as 3+4j"
         what += f" in {self.unit}" if self.unit else ""
-        return f"{what}, {self.accuracy.words}" if self.accuracy else what
+        return f"{what}, {'each number ' if shape else ''}{self.accuracy.words}" if self.accuracy else what
 
     @property
     def precision(self) -> str:
@@ -106,14 +107,14 @@ class Numbers(Answer):
     def _right(self) -> NDArray[Any]:
         """The right numbers: fractions if they are exact, otherwise floating-point numbers."""
         value = np.asarray(self.value)
-        is_counted = value.dtype.kind in "iu" or all(
-            isinstance(x, int | Fraction | str) for x in value.ravel().tolist()
-        )
-        if self.accuracy is exact or (self.accuracy is None and is_counted and value.size):
-            entries = [numeral(x) if isinstance(x, str) else x for x in value.ravel().tolist()]
-            if not any(isinstance(x, complex) for x in entries):
-                return _objects([_fraction(x) for x in entries], value.shape)
-            value = np.reshape(np.asarray(entries, dtype=complex), value.shape)
+        entries = [numeral(x) if isinstance(x, str) else x for x in value.ravel().tolist()]
+        is_counted = value.dtype.kind in "iu" or all(isinstance(x, int | Fraction) for x in entries)
+        is_exact = self.accuracy is exact or (self.accuracy is None and is_counted and entries)
+        if is_exact and not any(isinstance(x, complex) for x in entries):
+            return _objects([_fraction(x) for x in entries], value.shape)
+        if value.dtype.kind in "OU":
+            kind = complex if any(isinstance(x, complex) for x in entries) else float
+            value = np.reshape(np.asarray(entries, dtype=kind), value.shape)
         return value.astype(complex if value.dtype.kind == "c" else float, copy=False)
 
     @property
@@ -132,7 +133,8 @@ class Numbers(Answer):
             given = np.ravel(given)  # a column or a row of a matrix lists the same numbers
         elif shape != expected_shape:
             description = f"{_kind(given)} of shape {shape}" if shape else validation.brief(given)
-            raise Unreadable(f"Expected {self.expected}; got {description}.{self.remedy(shape)}")
+            quotes = " Give a list without quotes around it." if isinstance(given, str) and expected_shape else ""
+            raise Unreadable(f"Expected {self.expected}; got {description}.{quotes or self.remedy(shape)}")
         try:
             values = self._converted(given)
         except ValueError as error:
@@ -150,14 +152,20 @@ class Numbers(Answer):
     def _converted(self, given: Any) -> NDArray[Any]:
         """Read numbers as those of the right answer are: as fractions, complex or real. Raises ValueError for anything else."""
         values, kind = given if isinstance(given, np.ndarray) else np.asarray(given), self._right.dtype.kind
-        if values.dtype.kind in "OU" and any(isinstance(x, str) for x in values.ravel().tolist()):
-            entries = [numeral(x) if isinstance(x, str) else x for x in values.ravel().tolist()]
+        if values.dtype.kind in "OU" and any(isinstance(x, str | Decimal) for x in values.ravel().tolist()):
+            entries = [self.typed(str(x)) if isinstance(x, str | Decimal) else x for x in values.ravel().tolist()]
             given = values = _objects(entries, values.shape)
         if kind == "O":
             if validation.has_truth(given):
                 raise ValueError(validation.NO_NUMBER)
             return _objects([_fraction(x) for x in values.ravel().tolist()], values.shape)
         return validation.array(given, "your answer", kind)
+
+    def typed(self, text: str) -> Fraction | complex:
+        """Return the number that a text writes; the unit of the answer may follow it. Raises ValueError for any other text."""
+        plain = text.strip()
+        unit = self.unit if self.unit and plain.endswith(self.unit) else ""
+        return numeral(plain[: len(plain) - len(unit)], may_compute=not unit)
 
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
         same = self.same_entries(one, other, tolerance)

@@ -1,12 +1,17 @@
 """Orders as answers: names in a sequence, each used once."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
+
+import numpy as np
 
 from misstep import validation
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
 from misstep.answers.number import wrong_slips
+from misstep.answers.text import forgiving
 from misstep.mistakes import Mistake
 
 
@@ -14,8 +19,8 @@ from misstep.mistakes import Mistake
 class Ordering(Answer):
     """Names in an order, each used once.
 
-    >>> Ordering(["M", "e1"]).read(["e1", "M"])
-    ['e1', 'M']
+    >>> Ordering(["M", "e1"]).read(["e1", "M"]), Ordering(["M", "e1"]).read("E1, m")
+    (['e1', 'M'], ['e1', 'M'])
     """
 
     value: Sequence[str]
@@ -29,19 +34,29 @@ class Ordering(Answer):
         return ["the order"]
 
     def read(self, given: Any) -> list[str]:
+        if isinstance(given, str):
+            given = [name for name in re.split(r"\s*(?:->|[,;<>→])\s*", given.strip(" ()[]")) if name]
+        if isinstance(given, np.ndarray) and given.ndim == 1:
+            given = given.tolist()
         if not isinstance(given, (list, tuple)) or len(given) > 10 * len(self.value):
             raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.")
+        given = [self._names.get(forgiving(name), name) if isinstance(name, str) else name for name in given]
         unknown = [name for name in given if not isinstance(name, str) or name not in self.value]
         if unknown:
-            raise Unreadable(
-                f"Expected {self.expected}; {validation.brief(unknown[0])} is none of them. Did you leave out the quotes?"
-            )
+            quotes = "" if isinstance(unknown[0], str) else " Did you leave out the quotes?"
+            raise Unreadable(f"Expected {self.expected}; {validation.brief(unknown[0])} is none of them.{quotes}")
         missing = [name for name in self.value if given.count(name) != 1]
         if missing:
             count = given.count(missing[0])
             found = f"{missing[0]} appears {count} times" if count else f"{missing[0]} is missing"
             raise Unreadable(f"Expected {self.expected}; {found}.")
         return list(given)
+
+    @cached_property
+    def _names(self) -> dict[str, str]:
+        """The names by what matters in them; those that differ only in the case of a letter must be typed as they are."""
+        plain = [forgiving(name) for name in self.value]
+        return {one: name for one, name in zip(plain, self.value, strict=True) if plain.count(one) == 1}
 
     def agrees(self, one: Sequence[str], other: Sequence[str], tolerance: float = TOLERANCE) -> list[bool]:
         return [list(one) == list(other)]

@@ -111,7 +111,7 @@ class Quantity(Answer):
         return [mine is not None and right is not None and all(self._numbers.agrees(mine, right, tolerance))]
 
     def remark(self, given: Measured) -> str:
-        same = _registry().Unit(given.unit) == _registry().Unit(self.unit)
+        same = _unit(given.unit) == _registry().Unit(self.unit)
         return "" if same else f"In the unit of our solution, this is {_shown(given.converted)} {self.unit}."
 
     def is_rounded(self, given: Measured, part: int) -> bool:
@@ -123,6 +123,8 @@ class Quantity(Answer):
             return "unit missing", f"{'The number is right, but its' if is_number else 'The'} unit is missing."
         if given.converted is None:
             also = " The number is right." if is_number else ""
+            if given.unit in ("C", "F") and _registry().Unit(self.unit).is_compatible_with("kelvin"):
+                also += f" For degrees, type °{given.unit}."
             return "wrong unit", f"{given.unit} is no unit of the quantity that is asked for.{also}"
         if is_number:
             return "another unit", f"The number is right in another unit than {given.unit}."
@@ -149,26 +151,44 @@ class Quantity(Answer):
         """Split a text into its number, the longest there is, and its unit."""
         for end in range(min(len(text), MAX_LENGTH), 0, -1):
             try:
-                number = numeral(text[:end])
+                number = numeral(text[:end], may_compute=False)  # 2 eV is no multiple of e
             except ValueError:
                 continue
+            if text[end:].startswith(",") or text[:end].endswith(","):
+                break
             if not isinstance(number, complex) or np.iscomplexobj(self.value):  # 3 J is an energy
                 return number, text[end:].strip()
-        raise Unreadable(f"Expected {self.expected}; got {validation.brief(text)}. The number comes first.")
+        comma = re.match(r"\s*[-+−]?\d+,\d", text)
+        advice = (
+            "Write a point before the decimals, and nothing between thousands" if comma else "The number comes first"
+        )
+        raise Unreadable(f"Expected {self.expected}; got {validation.brief(text)}. {advice}.")
 
     def _measured(self, number: Any, unit: str) -> Measured:
+        unit = unit.removesuffix(".")
         if not unit:
             return Measured(number, "", None)
         try:
             if len(unit) > MAX_LENGTH or not _UNIT.fullmatch(unit):
                 raise ValueError("this is no unit")
-            known = _registry().Unit(unit)
+            known = _unit(unit)
         except Exception as error:  # Pint raises errors of many kinds for what is no unit
             raise Unreadable(f"Expected {self.expected}; {unit[:40]!r} is no unit that we know.") from error
         if not known.is_compatible_with(self.unit):
             return Measured(number, unit, None)
         plain = complex(number) if np.iscomplexobj(number) else float(number)
         return Measured(number, unit, self._number(_registry().Quantity(plain, known).to(self.unit).magnitude))
+
+
+def _unit(text: str) -> Any:
+    """The unit that a text writes; where there is none, the one in other letters that it means: Ohm, MOhm, KΩ."""
+    small = text[:1] if text[:1] in "MPZY" else text[:1].lower()  # a capital one is another prefix there
+    for spelling in (text, small + text[1:], small + text[1:].lower()):
+        try:
+            return _registry().Unit(spelling)
+        except Exception as error:  # Pint raises errors of many kinds for what is no unit
+            unknown = error
+    raise unknown
 
 
 def _shown(number: Any) -> str:

@@ -20,14 +20,14 @@ MIN_SPELLING = 5
 
 
 def forgiving(text: str) -> str:
-    """Return a text without what does not matter: case, accents, quotes, hyphens, a final period and further spaces.
+    """Return a text without what does not matter: case, accents, quotes, hyphens, signs at its end and further spaces.
 
     >>> forgiving(" Köln–Straße. "), forgiving("“NOT a  well-known word”"), forgiving("C++") == forgiving("C")
     ('koln strasse', 'not a well known word', False)
     """
     letters = unicodedata.normalize("NFKD", text.casefold())
     letters = "".join(letter for letter in letters if not unicodedata.combining(letter))
-    return " ".join(re.sub(r"[\s\-‐‑–_]+", " ", re.sub(r"[\"'`‘’“”„«»]", "", letters)).strip(" .!").split())
+    return " ".join(re.sub(r"[\s\-‐‑–_]+", " ", re.sub(r"[\"'`‘’“”„«»]", "", letters)).strip(" .,;:!?").split())
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,9 +70,14 @@ class Text(Answer):
     def explanation(self, given: str, part: int) -> tuple[str, str] | None:
         mine, right = self._key(given), [self._key(text) for text in (self.value, *self.also)]
         if self.strict:
-            if forgiving(given) in map(forgiving, right):
-                return "letter case or spaces", "The words are right. Capital letters, spaces or accents are not."
+            if forgiving(f"x{given.strip()}x") in (forgiving(f"x{text}x") for text in right):  # signs at the end count
+                return (
+                    "letter case or spaces",
+                    "The words are right. Look at capital letters, spaces, accents and small digits.",
+                )
             return None
+        if mine and any(mine.replace(" ", "") == text.replace(" ", "") for text in right):
+            return "spaces", "The letters are right. Look at the spaces between the words."
         if any(len(text) >= MIN_SPELLING and _is_one_letter_off(mine, text) for text in right):
             return "spelling", "This is right but for one letter: it is wrong, missing, or one too many."
         return None

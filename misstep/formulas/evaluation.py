@@ -33,7 +33,7 @@ MAX_VALUE = DIGITS.mpf(10**12)
 MIN_VALUE = DIGITS.mpf(10) ** -60
 """Smaller absolute values are set to zero."""
 
-CONSTANTS = {"pi": DIGITS.mpf(DIGITS.pi), "E": DIGITS.mpf(DIGITS.e), "I": DIGITS.mpc(0, 1)}
+CONSTANTS = {"pi": DIGITS.mpf(DIGITS.pi), **dict.fromkeys("Ee", DIGITS.mpf(DIGITS.e)), "I": DIGITS.mpc(0, 1)}
 MPMATH_NAMES = {"Abs": "fabs", "abs": "fabs", "ln": "log"}
 MPMATH_FUNCTIONS = {name: getattr(DIGITS, MPMATH_NAMES.get(name, name)) for name in FUNCTIONS if name != "Matrix"}
 
@@ -123,7 +123,7 @@ class _NumericAlgebra:
         return values
 
     def symbol(self, name: str) -> Values:
-        """Return the values of a symbol, of a shorthand such as c_23, or of pi, E or I."""
+        """Return the values of a symbol, of a shorthand such as c_23, or of pi, E, e or I."""
         values = self._symbol(_key(name)) or self._shorthand(_key(name))
         if values:
             return values

@@ -142,7 +142,7 @@ def test_an_unreadable_value_is_refused_with_what_was_expected_and_given():
     two, names = "Expected an array of shape (2,) in m", "Expected a list of the 2 names M, e_a, each once"
     for answer, given, words in [
         (Numbers(np.eye(3, 6)), np.eye(6, 3), "Rows and columns are swapped: try .T"),
-        (one, "1.0 m", "one number in m"),
+        (one, "1.0 mm", "one number in m"),
         (one, 1e308, "got 1e+308. Was there a division by almost zero"),
         (Numbers(np.eye(4)), np.eye(4) - 1e13, "got 1e+13. Was there"),
         (pair, [[1], [2, 3]], f"{two}; got a list whose rows differ in length."),

@@ -13,16 +13,43 @@ from typing import Any
 from misstep import validation
 from misstep.answers.accuracy import Accuracy, exact
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
-from misstep.answers.numerals import numeral
+from misstep.answers.numerals import numeral, on_one_line
 
 MAX_LENGTH = 300
 """The most characters of an interval."""
 
-_INFINITY = {"oo": inf, "inf": inf, "infinity": inf, "∞": inf}
+_INFINITY = {"oo": inf, "inf": inf, "infty": inf, "infinity": inf, "∞": inf}
 _BRACKETS = re.compile(r"([\[(\]])([^\[\](){}]+?)[,;]([^\[\](){}]+?)([\])\[])")
 _BETWEEN = re.compile(r"([^<>=]+)(<=?)[a-z](<=?)([^<>=]+)")
+_DOWNWARDS = re.compile(r"([^<>=]+)(>=?)([a-z])(>=?)([^<>=]+)")
 _BEYOND = re.compile(r"[a-z](<=?|>=?)([^<>=]+)")
+_BEFORE = re.compile(r"([^<>=]+)(<=?|>=?)([a-z])")
+_EQUAL = re.compile(r"[a-z]=([^<>=]+)")
+_IN = re.compile(r"[a-z]in(?=[\[\](){}])")
 _POINTS = re.compile(r"\{([^{}]*)\}")
+_SIGNS = {
+    "≤": "<=",
+    "≥": ">=",
+    "⩽": "<=",
+    "⩾": ">=",
+    "\\leq": "<=",
+    "\\geq": ">=",
+    "\\le": "<=",
+    "\\ge": ">=",
+    "−": "-",
+    "∪": " u ",
+    "∨": " u ",
+    " or ": " u ",
+    "union": " u ",
+    "\\cup": " u ",
+    "cup": " u ",
+    "∧": " and ",
+    "∈": " in ",
+    "\\infty": "oo",
+    "\\in": " in ",
+}
+"""Signs, words and commands of LaTeX, with what is read in their place."""
+_MIRRORED = str.maketrans("<>", "><")
 
 
 @dataclass(frozen=True)
@@ -111,18 +138,23 @@ def pieces(text: str) -> Pieces:
     """
     if len(text) > MAX_LENGTH:
         raise ValueError(f"A text of {len(text)} characters is no interval.")
-    text = unicodedata.normalize("NFKC", text).casefold().replace("−", "-")
-    for sign, plain in (("≤", "<="), ("≥", ">="), ("⩽", "<="), ("⩾", ">="), ("∪", " u "), (" or ", " u ")):
+    text = unicodedata.normalize("NFKC", on_one_line(text)).casefold()
+    for sign, plain in _SIGNS.items():
         text = text.replace(sign, plain)
-    found = [
-        piece
-        for part in re.split(r"(?<=[^a-z]) ?u ?(?=[^a-z]|[a-z][<>=])", text)
-        for piece in _piece("".join(part.split()))
-    ]
+    found: list[Piece] = []
+    for part in re.split(r"(?<=[^a-z]) *u *(?=[^a-z]|[a-z] *(?:[<>=]|in))", text):
+        # What fulfils all conditions is the complement of what fails one of them.
+        outside = [piece for one in part.split(" and ") for piece in _complement(_united(_piece(one)))]
+        found += _complement(_united(outside)) if " and " in part else _piece(part)
     return _united(found)
 
 
 def _piece(text: str) -> list[Piece]:
+    typed, text = " ".join(text.split())[:40], _IN.sub("", "".join(text.split()))
+    if down := _DOWNWARDS.fullmatch(text):
+        text = f"{down[5]}{down[4].translate(_MIRRORED)}{down[3]}{down[2].translate(_MIRRORED)}{down[1]}"
+    elif before := _BEFORE.fullmatch(text):
+        text = f"{before[3]}{before[2].translate(_MIRRORED)}{before[1]}"
     if text in ("∅", "{}", "empty"):
         return []
     if text in ("r", "ℝ"):
@@ -134,12 +166,12 @@ def _piece(text: str) -> list[Piece]:
     elif match := _BEYOND.fullmatch(text):
         bound, is_closed = _bound(match[2]), "=" in match[1]
         piece = Piece(-inf, False, bound, is_closed) if "<" in match[1] else Piece(bound, is_closed, inf, False)
-    elif match := _POINTS.fullmatch(text):
+    elif match := _EQUAL.fullmatch(text) or _POINTS.fullmatch(text):
         return [Piece(bound, True, bound, True) for bound in map(_bound, re.split("[,;]", match[1]))]
     else:
-        raise ValueError(f"{text[:40]!r} is no interval.")
+        raise ValueError(f"{typed!r} is no interval.")
     if piece.low > piece.high:
-        raise ValueError(f"The lower bound comes first; {text[:40]!r} has the larger number there.")
+        raise ValueError(f"The lower bound comes first; {typed!r} has the larger number there.")
     if (piece.has_low and piece.low == -inf) or (piece.has_high and piece.high == inf):
         raise ValueError("Infinity does not belong to an interval: write ( or ) there.")
     return [piece] if piece.low < piece.high or (piece.has_low and piece.has_high) else []

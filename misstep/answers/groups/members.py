@@ -69,7 +69,7 @@ class Members(Answer):
     def read(self, given: Any) -> Read:
         if isinstance(given, str):
             inner = re.fullmatch(r"\s*[\[({](.*)[\])}]\s*", given, re.DOTALL)
-            given = re.split(r"[,;]", inner[1] if inner else given)
+            given = self._typed(inner[1] if inner else given)
         if isinstance(given, np.ndarray):
             given = given.tolist()  # each row or number is an element, and is refused if it is none
         if not isinstance(given, set | frozenset | list | tuple):
@@ -85,6 +85,13 @@ class Members(Answer):
             if self.repeated or not any(all(self.item.agrees(element, other)) for other in read):
                 read.append(element)
         return tuple(read)
+
+    def _typed(self, text: str) -> list[str]:
+        """Cut a text into elements: "2, 3" or, of numbers, also "x = 2 or x = 3"."""
+        if isinstance(self.item, Text):
+            return re.split("[,;]", text)
+        elements = re.split(r"[,;∨]|\band\b|\bor\b", text)
+        return [re.sub(r"^\s*[^\W\d]\w*\s*=", "", one) for one in elements] if text.strip() else []
 
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
         one, other = (some if isinstance(some, tuple) else self.read(some) for some in (one, other))

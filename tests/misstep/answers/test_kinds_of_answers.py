@@ -16,11 +16,14 @@ import sympy as sp
 from misstep import Problem
 from misstep.answers.accuracy import absolute, decimals, digits, relative
 from misstep.answers.angle import Angles
+from misstep.answers.choice import Choice
+from misstep.answers.expression import ClosedForm
 from misstep.answers.function import Function
 from misstep.answers.groups.interval import Interval
 from misstep.answers.groups.members import Members
 from misstep.answers.groups.table import Table
 from misstep.answers.number import Numbers
+from misstep.answers.order import Ordering
 from misstep.answers.quantity import Quantity
 from misstep.answers.text import Text
 from misstep.judge import judge
@@ -44,7 +47,7 @@ UNION = "(-oo, 1/2] u (3, oo)"
 KINDS = {
     "whole number": (
         Numbers(5040),
-        [5040, 5040.0, "5040", "5 040", "5_040", F(5040), sp.Integer(5040), np.int64(5040), np.array(5040), "+5040.0"],
+        [5040, 5040.0, "5040", "5 040", "5.04·10³", F(5040), sp.Integer(5040), np.int64(5040), np.array(5040), "+5040.0"],
         [(5041, ""), (5039.9, ""), (-5040, "all signs"), (5000, "rounded"), (True, BAD), (5040j, BAD), ("5,040", BAD),
          ("seven", BAD), ([5040], BAD), (float("nan"), BAD)],
     ),
@@ -62,7 +65,7 @@ KINDS = {
          ("1/0", BAD), ("0,333", BAD), ("1:3", BAD), (False, BAD)],
     ),
     "fraction to four decimals": (
-        Numbers(F(1, 3), accuracy=decimals(4)),
+        Numbers("1/3", accuracy=decimals(4)),
         [0.3333, 1 / 3, "1/3", ".3333", 0.33333, F(3333, 10000), "33.33 %", sp.Rational(1, 3), 0.33335, "3.333e-1"],
         [(0.333, "rounded"), (0.33, "rounded"), (0.3334, ""), (-0.3333, "all signs"), (0.6667, "doubled"), (1 / 6, "halved"),
          (True, BAD), ("a third", BAD), ((1, 3), BAD), (3333, "")],
@@ -87,7 +90,7 @@ KINDS = {
     ),
     "complex number": (
         Numbers(3 + 4j),
-        [3 + 4j, "3+4j", "3 + 4i", "3+j4", "(3+4j)", "5∠53.13°", "5 angle 53.13 deg", "5∠0.9273 rad", "5*exp(j*0.9273)",
+        [3 + 4j, "3+4j", "3 + 4i", "3+j4", "5 e^(j0.9273)", "5∠53.13°", "5 angle 53.13 deg", "5∠0.9273 rad", "5*exp(j*0.9273)",
          np.complex128(3 + 4j)],
         [(3 - 4j, "conjugate"), (4 + 3j, "real and imaginary swapped"), (-3 - 4j, "all signs"), (5, ""), ("5∠53.13", BAD),
          ("5∠36.87°", "real and imaginary swapped"), ("3+4k", BAD), ("5∠-53.13°", "conjugate"), (7, ""), (complex("nan"), BAD)],
@@ -110,14 +113,14 @@ KINDS = {
     ),
     "angle in degrees": (
         Angles(350.0, unit="degrees"),
-        [350, -10, 710, "350", "-10", 350.0, -370, F(350), 350.1, np.int64(-10)],
-        [(10, "all signs"), (170, "half a turn off"), (350 + 2 * pi, ""), (np.radians(350), "radians"), (True, BAD), ("350°", BAD),
+        [350, -10, 710, "350°", "-10 deg", 350.0, -370, F(350), 350.1, np.int64(-10)],
+        [(10, "all signs"), (170, "half a turn off"), (350 + 2 * pi, ""), (np.radians(350), "radians"), (True, BAD), ("350 m", BAD),
          (-170, "supplement"), (100, "complement"), ([350], BAD), (351, "")],
     ),
     "angle in radians": (
         Angles(1.5 * pi),
-        [1.5 * pi, -pi / 2, 3.5 * pi, 4.712, -1.5708, "4.7124", sp.pi * F(3, 2), np.array(4.7124), "-1.5708", F(47124, 10000)],
-        [(pi / 2, "all signs"), (270, "degrees"), (0, ""), (pi, "complement"), (True, BAD), ("3pi/2", BAD), (1, ""), (-90, "degrees"), (4.6, ""), ({}, BAD)],
+        [1.5 * pi, -pi / 2, 3.5 * pi, 4.712, -1.5708, "4.7124", sp.pi * F(3, 2), np.array(4.7124), "270°", "3pi/2"],
+        [(pi / 2, "all signs"), (270, "degrees"), (0, ""), (pi, "complement"), (True, BAD), ("3pi/2 m", BAD), (1, ""), (-90, "degrees"), (4.6, ""), ({}, BAD)],
     ),
     "interval": (
         Interval("[0, 1)"),
@@ -198,6 +201,38 @@ KINDS = {
         ["293.15 K", "20 °C", "20 degC", "20 celsius", "68 degF", "293.15 kelvin", "293150 mK", "0.29315 kK", "20.0°C", unit.Quantity(293.15, "K")],
         [("20 K", ""), ("293.15 °C", "another unit"), (293.15, "unit missing"), ("20 J", "wrong unit"), ("20", "unit missing"), ("-20 °C", ""),
          ("K", BAD), ("293,15 K", BAD), ("2931.5 K", "power of ten"), (True, BAD)],
+    ),
+    "conditions": (
+        Interval("[100, 1000)"),
+        ["100 <= x < 1000", "1000 > x >= 100", "x >= 100 and x < 1000", "x in [100, 1000)", "x ∈ [10², 10³)", r"100 \leq x < 1000", "[10^2; 10^3[",
+         "x >= 100 ∧ x < 1000", "100 ≤ X and 1000 > X", "x = 100 or 100 < x < 1000"],
+        [("x >= 100 or x < 1000", ""), ("x > 100 and x < 1000", "ends of an interval"), ("[102, 103)", ""), ("x < 100 or x >= 1000", "complement"),
+         ("x >= 100 and x > 1000", ""), ("x = 100", ""), ("x < 100 and x > 1000", ""), ("x and y", BAD), ("100 < x > 1000", BAD), ("in [1, 2]", BAD)],
+    ),
+    "solutions": (
+        Members([2, 3]),
+        ["x = 2 or x = 3", "2 and 3", "x1 = 2, x2 = 3", "x_1=3; x_2=2", "2 ∨ 3", "{2, 3}", " 3 , 2 ", "x=2 and x=3", "[6/2, sqrt(4)]", "2^1, 3^1"],
+        [("x = 2", "elements missing"), ("x = -2 or x = -3", "all signs"), ("{}", "elements missing"), ("", "elements missing"), ("x or y", BAD), ("2 3", BAD),
+         ("x = 2 or x = 3 or x = 5", "elements too many"), ("2.3", ""), ("x = ", BAD), ("x > 2 or x = 3", BAD)],
+    ),
+    "choice": (
+        Choice("b", {"a": "to the left", "b": "to the right"}),
+        ["b", "B", "(b)", "b)", "option b", "to the right", "To the right.", "b: to the right", "Answer B", "[b]"],
+        [("a", ""), ("to the left", ""), ("A", ""), ("option a", ""), ("c", BAD), ("right", BAD), (2, BAD), ("ab", BAD), ("", BAD), (["b"], BAD)],
+    ),
+    "order": (
+        Ordering(["Li", "Na", "K"]),
+        [["Li", "Na", "K"], ("Li", "Na", "K"), "Li, Na, K", "Li < Na < K", "Li -> Na -> K", "Li; Na; K", ["li", "na", "k"], [" Li", "Na ", "K"],
+         np.array(["Li", "Na", "K"]), "[Li, Na, K]"],
+        [(["K", "Na", "Li"], "reversed"), ("Li, K, Na", "neighbours swapped"), (["K", "Li", "Na"], "one in the wrong place"), (["Li", "Na"], BAD),
+         (["Li", "Na", "Na"], BAD), ("Li Na K", BAD), (["Li", "Na", "Rb"], BAD), (3, BAD), ([], BAD), ("Na, Li, K", "neighbours swapped")],
+    ),
+    "formula": (
+        ClosedForm(sp.exp(-sp.Symbol("x")) * sp.sin(2 * sp.Symbol("x"))),
+        ["exp(-x) sin(2x)", "e^(-x) sin(2x)", "sin(2x)/e^x", "2 sin(x) cos(x) e^-x", "y = exp(-x)*sin(2*x)", "f(x) = exp(-x) sin(2x)", r"e^{-x}\sin(2x)",
+         "sin(2·x) e**(−x)", "sin(x+x) / exp(x)", sp.sin(2 * sp.Symbol("x")) / sp.exp(sp.Symbol("x"))],
+        [("-exp(-x) sin(2x)", "all signs"), ("exp(x) sin(2x)", ""), ("exp(-x) cos(2x)", ""), ("e - x sin(2x)", ""), ("exp(-t) sin(2t)", BAD), ("sin 2x", BAD),
+         ("", BAD), ("0", "left at 0"), (3, ""), ("x == 2", BAD)],
     ),
     "function of a text": (
         REVERSED,
