@@ -4,6 +4,40 @@ from dataclasses import dataclass
 from typing import Any
 
 
+@dataclass(frozen=True)
+class Step:
+    """What was changed in a solution, so that two mistakes can be seen to be one story.
+
+    name     of the mistake
+    words    what was done, without its symbols
+    changed  the ids of the parts that were changed
+    within   the ids of these parts and of all that they are made of
+    values   the given values that were put in the place of others; "" for any other change
+
+    >>> whole = Step("sign", "take with the opposite sign", frozenset({1}), frozenset({1, 2, 3}))
+    >>> factor = Step("sign of an angle", "take with the opposite sign", frozenset({3}), frozenset({3}))
+    >>> whole.is_like(factor), whole.is_like(Step("sign", "", frozenset({4}), frozenset({4})))
+    (True, False)
+    """
+
+    name: str
+    words: str
+    changed: frozenset[int]
+    within: frozenset[int]
+    values: str = ""
+
+    def is_like(self, other: "Step") -> bool:
+        """Return whether another step does the same to a part of this part, or to what this is a part of.
+
+        Two given values are the same one if they are equal.
+        """
+        is_nested = bool(self.changed & other.within or other.changed & self.within)
+        if self.values or other.values:
+            return is_nested and (self.name, self.values) == (other.name, other.values)
+        is_nested = is_nested and self.changed != other.changed
+        return is_nested and (self.name == other.name or self.words == other.words)
+
+
 @dataclass(frozen=True, eq=False)
 class Mistake:
     """A named error, the wrong answer to which it leads, and the feedback for a student who gave this answer.
@@ -18,6 +52,7 @@ class Mistake:
     spoils   whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
     credit   the fraction of the points for what follows rightly, if it is a mistake of a problem before
     possible the feedback where the answer does not show that it was made; by default the message
+    steps    what was changed in a solution, if it is a mutant
     """
 
     name: str
@@ -29,10 +64,23 @@ class Mistake:
     spoils: bool = False
     credit: float = 0.0
     possible: str = ""
+    steps: tuple[Step, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "names", self.names or (self.name,))
         object.__setattr__(self, "key", id(self) if self.key is None else self.key)
+
+    def retells(self, other: "Mistake") -> bool:
+        """Return whether this is the story of another mistake: of a part or the whole of what it changes, or in other symbols.
+
+        Of two changes one may be the same, and the other be told in the same words.
+        """
+        pairs = list(zip(self.steps, other.steps, strict=False))
+        if not pairs or len(self.steps) != len(other.steps):
+            return False
+        same = sum(one.changed == its.changed and one.words == its.words for one, its in pairs)
+        alike = sum(one.words == its.words or one.is_like(its) for one, its in pairs)
+        return alike == len(pairs) > same > 0 or all(one.is_like(its) for one, its in pairs)
 
 
 def mistake(name: str, value: Any, message: str, part: str = "") -> Mistake:

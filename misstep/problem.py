@@ -210,7 +210,8 @@ class Problem:
             except Unreadable:
                 continue
             spoils = self.answer.rows_are_alike and all(map(solution.is_in_every_row, changes))
-            yield mutant([mutation.change for mutation in changes], value, self.advice, first.key, spoils=spoils)
+            made, steps = [mutation.change for mutation in changes], solution.steps(changes)
+            yield mutant(made, value, self.advice, first.key, steps=steps, spoils=spoils)
 
     def _same(self, one: Any, other: Any) -> bool:
         return all(self.answer.agrees(one, other, SEPARATION_TOLERANCES * TOLERANCE))

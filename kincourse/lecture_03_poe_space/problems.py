@@ -476,7 +476,7 @@ def _links(robot: LetteredArm, lengths: Mapping[str, float]) -> list[Expression]
     for i, (letter, along) in enumerate(zip(robot.letters, robot.links, strict=True)):
         link = given(letter, sizes[i] * along, LENGTH)
         for j in {i - 1, i + 1} & set(range(len(sizes))):
-            text = f"write ${robot.letters[j]}$ where ${letter}$ belongs"
+            text = f"use ${robot.letters[j]}$, where ${letter}$ belongs"
             link = link.mistaken_for(sizes[j] * along, "another length", text)
         links.append(link.mistaken_for(0 * along, "term left out", f"leave out ${letter}$"))
     return links

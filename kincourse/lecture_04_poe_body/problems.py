@@ -14,11 +14,13 @@ from kincourse.expressions.poses import inverse
 from kincourse.expressions.poses import pose as given_pose
 from kincourse.expressions.screws import (
     change_frame,
+    direction,
     drawn_revolute,
     exponentials,
     forward_kinematics,
     joint_screws,
     joint_values,
+    revolute,
     screw_axes,
 )
 from kincourse.lecture_04_poe_body.drawn_problem import wrist as drawn_wrist
@@ -84,6 +86,10 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
             "measure from the origin of {b}, but along the axes of {s}",
         )
     )
+    S = revolute(
+        direction(f"\\omega_{joint}", robot.screws[joint - 1, :3]), given(f"p_{joint}", robot.joint_points[joint - 1])
+    )
+    B = B.also_by(change_frame(inverse(given_pose("M", robot.home)), S.named(f"S_{joint}")))
     return Problem(
         statement=f"Read the body screw of joint {joint} off the drawing: give the direction and the moment of its axis in the frame "
         "{b} of the end-effector. All joints are revolute; coordinates are whole metres.",

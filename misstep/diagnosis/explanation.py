@@ -6,9 +6,10 @@ then each wrong part, because a mistake is often made in one part and not in the
 the right one, and only then two mistakes at once are tried: two changes lead to so many answers that they are never a fact.
 """
 
+import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import groupby
+from itertools import compress, groupby
 from typing import Any
 
 from misstep.answers.base import Answer
@@ -25,6 +26,9 @@ UNCHECKED = {"another row", "copied row", "unit of length", "degrees"}
 """The names of what needs no check: the numbers are right, at another place or in another unit."""
 
 SAME_CONSEQUENCE = "You get the same if "
+
+SENTENCE_END = re.compile(r"(?<=[.!?]) ")
+"""The space between two sentences."""
 
 MAX_LENGTH = 400
 """How many characters the message of a finding has; further stories and advice are left out."""
@@ -213,7 +217,8 @@ def message_of(mistakes: Sequence[Mistake], whole: bool, is_sure: bool = True) -
     texts = [mistake.message if whole else mistake.part for mistake in mistakes]
     if whole and not (is_sure and len(mistakes[0].names) == 1 and len(set(texts)) == 1):
         texts = [mistake.possible or mistake.message for mistake in mistakes]
-    texts = list(dict.fromkeys(texts))
+    is_new = [not any(mistake.retells(other) for other in mistakes[:k]) for k, mistake in enumerate(mistakes)]
+    texts = list(dict.fromkeys(compress(texts, is_new)))
     # The same sentence with advice behind it says it all.
     texts = [text for text in texts if not any(other.startswith(f"{text} ") for other in texts)]
     if len(texts) == 1:
@@ -223,8 +228,8 @@ def message_of(mistakes: Sequence[Mistake], whole: bool, is_sure: bool = True) -
     first, second = kept
     if len(first) + len(second) > MAX_LENGTH - 80:
         first, second = (f"{text.partition('. ')[0].removesuffix('.')}." for text in kept)
-    said = set(first.split(". "))
-    second = ". ".join(sentence for sentence in second.split(". ") if sentence not in said)
+    said = set(SENTENCE_END.split(first))
+    second = " ".join(sentence for sentence in SENTENCE_END.split(second) if sentence not in said)
     for begin in CONSEQUENCES:
         if first.startswith(begin) and second.startswith(begin):
             return f"{first} {SAME_CONSEQUENCE}{second.removeprefix(begin)}"

@@ -4,6 +4,7 @@ A change is made where it belongs, at one place, and where people make it everyw
 twice is changed in both places, because people compute it once.
 """
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -13,11 +14,17 @@ from typing import Any
 
 import numpy as np
 
-from misstep.mistakes import Mistake
+from misstep.mistakes import Mistake, Step
 from misstep.mutants.expression import Change, Expression
 
 MAX_SIBLINGS = 7
 """How many given values of one kind are taken for one another."""
+
+SYMBOLS = re.compile(r"\$[^$]*\$")
+"""The symbols in the text of a change."""
+
+FILLERS = frozenset({"and", "in", "every", "each", "all", "of", "the"})
+"""The words of a text that only join its symbols."""
 
 Built = dict[tuple[Any, ...], tuple[tuple[Expression, ...], Expression]]
 """Parts of mutants by their operation and the ids of their arguments, with these arguments, so that the ids stay theirs."""
@@ -25,10 +32,14 @@ Built = dict[tuple[Any, ...], tuple[tuple[Expression, ...], Expression]]
 
 @dataclass(frozen=True, eq=False)
 class Mutation:
-    """A change, and the expressions that it puts in the place of others, by their id."""
+    """A change, and the expressions that it puts in the place of others, by their id.
+
+    on_the_way  the ids of the parts that it changes in another way to a value, which as a whole is put in the place
+    """
 
     change: Change
     replaced: Mapping[int, Expression]
+    on_the_way: frozenset[int] = frozenset()
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +70,21 @@ class MutableSolution:
     def is_in_every_row(self, mutation: Mutation) -> bool:
         """Return whether a change belongs to the method for all rows: rows that are put on top of each other have one each."""
         return self.root.operation.name != "stack" or id(self.root) in mutation.replaced
+
+    def steps(self, changes: Sequence[Mutation]) -> tuple[Step, ...]:
+        """Return what changes do, and where, so that two that are one story can be seen to be one."""
+        return tuple(map(self._step, changes))
+
+    def _step(self, mutation: Mutation) -> Step:
+        change, changed = mutation.change, mutation.on_the_way.union(mutation.replaced)
+        within = changed.union(*(self._parts[key] for key in changed if key in self._parts))
+        words = " ".join(word for word in SYMBOLS.sub("", change.text).split() if word not in FILLERS)
+        values = sorted({str(value_of(new)) for new in mutation.replaced.values()}) if change.alone else []
+        return Step(change.name, words, changed, within, " ".join(values))
+
+    @cached_property
+    def _parts(self) -> Mapping[int, frozenset[int]]:
+        return {id(node): node.part_ids for node in _nodes(self.root)}
 
     def mutant(self, changes: Sequence[Mutation]) -> Expression:
         """Return the solution with these changes."""
@@ -99,14 +125,15 @@ def _replace_parts(root: Expression, replaced: Mapping[int, Expression], built: 
 
 
 def mutations(root: Expression) -> list[Mutation]:
-    """Return every change of an expression.
+    """Return every change of an expression, and of each other way to one of its parts.
 
     >>> from misstep.mutants.expression import given
     >>> A, B = given("A", np.eye(2)), given("B", np.ones((2, 2)))
     >>> [mutation.change.past for mutation in mutations(A @ B)][:2]
     ['swapped $A$ and $B$', 'left out $A$']
     """
-    single = [Mutation(change, {id(node): new}) for node in _nodes(root) for change, new in node.changes()]
+    nodes = _nodes(root)
+    single = [Mutation(change, {id(node): new}) for node in nodes for change, new in node.changes()]
     everywhere: dict[tuple[str, str], list[Mutation]] = {}
     for mutation in single:
         if text := mutation.change.everywhere:
@@ -117,7 +144,13 @@ def mutations(root: Expression) -> list[Mutation]:
         if len(replaced) > 1:
             single = [mutation for mutation in single if mutation not in several or mutation.change.one_by_one]
             single.append(Mutation(Change(name, text, advice=first.advice, in_parts=first.in_parts), replaced))
-    return [*single, *_siblings_confused(root)]
+    detours = [
+        Mutation(mutation.change, {id(node): mutate(way, mutation.replaced)}, frozenset(mutation.replaced))
+        for node in nodes
+        for way in node.ways
+        for mutation in mutations(way)
+    ]
+    return [*single, *detours, *_siblings_confused(root)]
 
 
 def _siblings_confused(root: Expression) -> Iterator[Mutation]:
@@ -178,12 +211,19 @@ def pairs(root: Expression, single: Sequence[Mutation]) -> Iterator[tuple[Mutati
 
 
 def mutant(
-    changes: Sequence[Change], value: Any, advice: Mapping[str, str], key: Any = None, *, spoils: bool = False
+    changes: Sequence[Change],
+    value: Any,
+    advice: Mapping[str, str],
+    key: Any = None,
+    *,
+    steps: tuple[Step, ...] = (),
+    spoils: bool = False,
 ) -> Mistake:
     """Return the mistake of some changes that lead to a value.
 
     advice  for names or texts of changes, a sentence on what is right, instead of their own
     key     equal for mutants that are the same expression
+    steps   what the changes do, and where
     spoils  whether they belong to the method for all parts of the answer
 
     >>> mutant([Change("degrees", "use degrees as radians")], 3.0, {}).message
@@ -206,6 +246,7 @@ def mutant(
         spoils=spoils,
         credit=min(change.credit for change in changes),
         possible=" ".join([part, *further[: 2 - len(changes)]]),
+        steps=steps,
     )
 
 
