@@ -336,3 +336,18 @@ def course_of(sheet: str) -> Course:
         f"No installed course has a sheet {sheet!r}; the installed courses are: {names}. "
         + " ".join([*hints, "If the course is a folder, name it: --course path/to/the_course."])
     )
+
+
+def course_in(folder: Path) -> Course:
+    """Return the only course in a folder.
+
+    Raises ValueError if there is none, or more than one.
+    """
+    found = [path.parent for path in sorted(folder.glob("*/__init__.py")) if "COURSE = " in path.read_text("utf-8")]
+    if len(found) != 1:
+        names = ", ".join(path.name for path in found) or "none"
+        raise ValueError(
+            f"The folder {folder} must have one course, a package that defines COURSE; it has {names}. "
+            "Run the command in the folder of the course, or name the course by --course."
+        )
+    return find_course(found[0])

@@ -26,7 +26,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-from misstep.catalog import find_course
+from misstep.catalog import course_in, find_course
 from misstep.diagnosis.bugs import inseparable_pairs
 from misstep.diagnosis.explanation import CONSEQUENCES, SAME_CONSEQUENCE
 from misstep.judge import BY_CHANCE, Finding, judge
@@ -272,7 +272,7 @@ def _share(part: int, whole: int) -> str:
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Add the options of `misstep census`."""
-    parser.add_argument("--course", default="kincourse", help="the name of an installed course, or its folder")
+    parser.add_argument("--course", help="the name of an installed course, or its folder (default: the one here)")
     parser.add_argument("--students", type=int, default=60, help="how many students (60)")
     parser.add_argument("--sheet", action="append", help="only this sheet; may be repeated")
     parser.add_argument("--examples", action="store_true", help="print examples of what was counted")
@@ -289,7 +289,12 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Take the census of a course, print it, and return 0 if nothing wrong has full marks, a wrong name or a false claim."""
-    course = find_course(options.course)
+    try:
+        course = find_course(options.course) if options.course else course_in(Path.cwd())
+    except ValueError as error:
+        print(f"misstep census: {error}", file=sys.stderr)
+        return 2
+    options.course = str(course.folder) if options.course is None else options.course
     students = [f"student {k}" for k in range(options.students)]
     sheets = options.sheet or course.sheets()
     jobs = [(options, sheet, k, students) for sheet in sheets for k in range(len(course.find_sheet(sheet).problems))]

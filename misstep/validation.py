@@ -71,6 +71,7 @@ def brief(x: Any) -> str:
     """
     if isinstance(x, FUNCTIONS):
         return _BRIEF.repr(x)
+    x = x.item() if isinstance(x, np.number) else x  # float 2.0, and not float64 np.float64(2.0)
     try:
         text = _BRIEF.repr(x)
     except Exception:  # a student's object may raise any exception, and an integer of 5000 digits does

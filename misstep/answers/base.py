@@ -18,6 +18,7 @@ and only where the default is not enough:
     check             what a student can check on the own numbers, where nothing says how they came about
     is_rounded        whether a wrong part is the right one, rounded too much
     hint              what to say about a wrong part that no mistake explains
+    shown             how an author sees a value that was read
     from_author       how a value of the author or of a mutant is read, if not as one of a student
     rubric            the criteria by which a person marks it
     precision         how many digits are asked for, in a sentence
@@ -138,6 +139,10 @@ class Answer(ABC):
     def from_author(self, value: Any) -> Any:
         """Read a wrong answer of the author, or the value of a mutant; by default like one of a student."""
         return self.read(value)
+
+    def shown(self, value: Any) -> str:
+        """Return a value as an author reads it in a preview."""
+        return str(value)
 
     @abstractmethod
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:

@@ -106,6 +106,10 @@ class Quantity(Answer):
         number = self._number(value)
         return Measured(number, self.unit, number)
 
+    def shown(self, value: Any) -> str:
+        measured = self.from_author(value)
+        return f"{_shown(measured.number)} {measured.unit}".strip()
+
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
         mine, right = self.from_author(one).converted, self.from_author(other).converted
         return [mine is not None and right is not None and all(self._numbers.agrees(mine, right, tolerance))]

@@ -6,16 +6,22 @@ notebook of its sheet. `misstep check --repair` adds the cells that are missing,
 
 import inspect
 import json
+import re
 import sys
-import traceback
 from argparse import ArgumentParser, Namespace
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from misstep.authoring.course_here import add_course_argument, find_course_here
-from misstep.authoring.new_problem import PLACEHOLDER, add_cells, notebook_of
+from misstep.authoring.course_here import (
+    FaultOfCourse,
+    add_course_argument,
+    find_course_here,
+    import_sheet,
+    place_of,
+)
+from misstep.authoring.new_problem import PLACEHOLDER, PLACEHOLDER_SOLUTION, add_cells, notebook_of
 from misstep.catalog import Course
 from misstep.census import COUNTS, census_of
 from misstep.problem import Problem, Template
@@ -27,9 +33,9 @@ def what_is_missing(course: Course, students: int = 10) -> Iterator[str]:
     seen = Counter[str]()
     for name in course.sheets():
         try:
-            sheet = course.find_sheet(name)
-        except Exception as error:  # it is the author's code that was imported
-            yield f"{_where(error, course)}: sheet {name} cannot be imported: {type(error).__name__}: {error}"
+            sheet = import_sheet(course, name)
+        except FaultOfCourse as error:
+            yield str(error)
             continue
         if sheet.name != name:
             yield f"Sheet {name}: its SHEET has the name {sheet.name!r}, which must be that of the folder, {name!r}."
@@ -48,17 +54,25 @@ def _of_problem(template: Template, course: Course, students: int) -> Iterator[s
         problem = template.variant(names[0])
         row = census_of(template, names)
     except Exception as error:
-        where = _where(error, course) or _line(template)
+        where = place_of(error, course) or f"{_line(template)}: "
         text = (
             str(error)
             if str(error).startswith("Problem ")
             else f"Problem {template.number}: {type(error).__name__}: {error}"
         )
-        yield f"{where}: {text}"
+        yield f"{where}{text}"
         return
     for what, count in row.counts.items():
         if what in ("full_marks", "misnamed", "false"):
             yield f"{_line(template)}: problem {template.number}: {COUNTS[what]}, {count} times. For example, {row.examples[what][0]}"
+    try:
+        if problem.figure:
+            problem.figure()
+    except Exception as error:  # it is the author's code that draws
+        yield (
+            f"{place_of(error, course) or f'{_line(template)}: '}the figure of problem {template.number}: "
+            f"{type(error).__name__}: {error}"
+        )
     for text in _of_variant(template, problem):
         yield f"{_line(template)}: problem {template.number} {text}"
 
@@ -91,7 +105,11 @@ def _of_notebook(course: Course, sheet: str) -> Iterator[str]:
         return
     cells = json.loads(file.read_text("utf-8"))["cells"]
     sources = ["".join(cell["source"]) for cell in cells]
-    for k, template in enumerate(course.find_sheet(sheet).problems, start=1):
+    problems = course.find_sheet(sheet).problems
+    for k in sorted({int(k) for source in sources for k in re.findall(r"sheet\.(?:check|show)\((\d+)", source)}):
+        if k > len(problems):
+            yield f"{file}: there are cells of a problem {k}, and the sheet has {len(problems)}. Delete them."
+    for k, template in enumerate(problems, start=1):
         what = f"{file}: problem {template.number}"
         checks = [cell for cell, source in zip(cells, sources, strict=True) if f"sheet.check({k}," in source]
         if not checks:
@@ -99,6 +117,8 @@ def _of_notebook(course: Course, sheet: str) -> Iterator[str]:
         elif _points(checks[0]) != template.points:
             shown = _points(checks[0])
             yield f"{what} has {template.points} points, and its check cell {shown}. `misstep check --repair` corrects it."
+        if any(PLACEHOLDER_SOLUTION in source and f"_{k} = " in source for source in sources):
+            yield f"{what} still has the solution of a new problem. Replace it, and the comment behind it."
         if not any(f"sheet.show({k})" in source for source in sources):
             yield f"{what} has no cell with sheet.show({k})."
 
@@ -112,7 +132,7 @@ def repair(course: Course) -> None:
             checks = [cell for cell in content["cells"] if f"sheet.check({k}," in "".join(cell["source"])]
             if not checks:
                 name = getattr(template.make_problem, "__name__", "answer")
-                entry = Entry(name, "", f"{name}_{k} = ...  # write your solution here")
+                entry = Entry(name, "", f"{name}_{k} = ...  {PLACEHOLDER_SOLUTION}")
                 add_cells(content, k, template.title, template.points, entry)
             elif "nbgrader" in checks[0]["metadata"]:
                 checks[0]["metadata"]["nbgrader"]["points"] = template.points
@@ -121,16 +141,6 @@ def repair(course: Course) -> None:
 
 def _points(cell: dict[str, Any]) -> Any:
     return cell["metadata"].get("nbgrader", {}).get("points")
-
-
-def _where(error: BaseException, course: Course) -> str:
-    """The file and the line of the course at which an error was raised; "" if it was raised elsewhere."""
-    frames = [
-        frame
-        for frame in traceback.extract_tb(error.__traceback__)
-        if Path(frame.filename).is_relative_to(course.folder)
-    ]
-    return f"{frames[-1].filename}:{frames[-1].lineno}" if frames else ""
 
 
 def _line(template: Template) -> str:

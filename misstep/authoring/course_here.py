@@ -1,9 +1,15 @@
-"""The course on which an author works: the one in the folder where a command runs."""
+"""The course on which an author works, the one in the folder where a command runs, and where it raised an error."""
 
+import traceback
 from argparse import ArgumentParser
 from pathlib import Path
 
-from misstep.catalog import Course, find_course
+from misstep.catalog import Course, course_in, find_course
+from misstep.sheet import Sheet
+
+
+class FaultOfCourse(ValueError):
+    """The code of a course raised an error. The message names the file, the line and the error."""
 
 
 def add_course_argument(parser: ArgumentParser) -> None:
@@ -18,13 +24,26 @@ def find_course_here(reference: str | None, here: Path) -> Course:
 
     Raises ValueError if there is none, or more than one.
     """
-    if reference:
-        return find_course(reference)
-    found = [path.parent for path in sorted(here.glob("*/__init__.py")) if "COURSE = " in path.read_text("utf-8")]
-    if len(found) != 1:
-        names = ", ".join(path.name for path in found) or "none"
-        raise ValueError(
-            f"The folder {here} must have one course, a package that defines COURSE; it has {names}. "
-            "Run the command in the folder of the course, or name the course by --course."
-        )
-    return find_course(found[0])
+    return find_course(reference) if reference else course_in(here)
+
+
+def import_sheet(course: Course, name: str) -> Sheet:
+    """Find a sheet of a course, whose code is that of an author. Raises FaultOfCourse if it cannot be imported."""
+    try:
+        return course.find_sheet(name)
+    except Exception as error:  # it is the author's code that was imported
+        raise FaultOfCourse(
+            f"{place_of(error, course)}sheet {name} cannot be imported: {type(error).__name__}: {error}"
+        ) from error
+
+
+def place_of(error: BaseException, course: Course) -> str:
+    """The file and the line of the course at which an error was raised, before a sentence; "" if it was raised elsewhere."""
+    if isinstance(error, SyntaxError) and error.filename:
+        return f"{error.filename}:{error.lineno}: "
+    frames = [
+        frame
+        for frame in traceback.extract_tb(error.__traceback__)
+        if Path(frame.filename).is_relative_to(course.folder)
+    ]
+    return f"{frames[-1].filename}:{frames[-1].lineno}: " if frames else ""

@@ -12,12 +12,15 @@ import unicodedata
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from misstep.authoring.course_here import add_course_argument, find_course_here
+from misstep.authoring.course_here import add_course_argument, find_course_here, import_sheet
 from misstep.catalog import FOLDER_PREFIX, Course
 from misstep.release.instructor_notebook import Entry, problem_cells
 
 PLACEHOLDER = "Replace this statement."
 """The beginning of the statement of a new problem; `misstep check` looks for it."""
+
+PLACEHOLDER_SOLUTION = "# replace this solution"
+"""The comment behind the solution of a new problem; `misstep check` looks for it."""
 
 SKELETON = '''@problem({number!r}, {title!r}, points={points}, lecture={lecture!r})
 def {name}(sampler: Sampler) -> Problem:
@@ -46,7 +49,9 @@ def add_problem(course: Course, sheet: str, title: str, points: int) -> tuple[Pa
     """
     if points < 1:
         raise ValueError(f"A problem must have at least one point; got {points}.")
-    position = len(course.find_sheet(sheet).problems) + 1
+    if sheet not in course.sheets():
+        raise ValueError(f"There is no sheet {sheet!r}. The sheets are: {', '.join(course.sheets())}.")
+    position = len(import_sheet(course, sheet).problems) + 1
     source = course.folder / f"{FOLDER_PREFIX}{sheet}" / "problems.py"
     notebook = notebook_of(course, sheet)
     content = json.loads(notebook.read_text("utf-8"))
@@ -61,7 +66,7 @@ def add_problem(course: Course, sheet: str, title: str, points: int) -> tuple[Pa
         placeholder=PLACEHOLDER,
     ).replace("'", '"')
     source.write_text(_with_problem(text, skeleton, name, source), "utf-8")
-    entry = Entry(name, "Give a number.", f"{name}_{position} = given.a * given.b")
+    entry = Entry(name, "", f"{name}_{position} = given.a * given.b  {PLACEHOLDER_SOLUTION}")
     add_cells(content, position, title, points, entry)
     notebook.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", "utf-8")
     return source, notebook

@@ -5,7 +5,7 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator
 from pathlib import Path
 
-from misstep.authoring.course_here import add_course_argument, find_course_here
+from misstep.authoring.course_here import add_course_argument, find_course_here, import_sheet, place_of
 from misstep.catalog import Course
 from misstep.judge import judge
 from misstep.problem import Template
@@ -15,13 +15,14 @@ from misstep.verdict import Verdict
 def preview(template: Template, student: str) -> Iterator[str]:
     """Yield the parts of a problem with the numbers of a student: statement, given values, answer, and each mistake with its card."""
     problem = template.variant(student)
+    shown = problem.answer.shown
     yield f"{template.number} {template.title} ({template.points} points), with the numbers of {student!r}\n\n{problem.statement}"
     yield "Given: " + (", ".join(f"{name} = {value}" for name, value in problem.given.items()) or "nothing")
-    yield f"Expected: {problem.answer.expected}\nRight: {problem.answer.value}"
+    yield f"Expected: {problem.answer.expected}\nRight: {shown(problem.answer.value)}"
     for k, mistake in enumerate([*problem.known_mistakes, *problem.slips], start=1):
         card = Verdict(template, judge(problem, mistake.value)).card
         lines = [paragraph for paragraph in card.body if isinstance(paragraph, str)]
-        yield "\n    ".join([f"Mistake {k}: {mistake.name}, {mistake.value}", card.title, *lines])
+        yield "\n    ".join([f"Mistake {k}: {mistake.name}, {shown(mistake.value)}", card.title, *lines])
 
 
 def find_template(course: Course, number: str) -> Template:
@@ -29,7 +30,7 @@ def find_template(course: Course, number: str) -> Template:
 
     Raises ValueError for an unknown number; the message lists those that exist.
     """
-    templates = {one.number: one for sheet in course.sheets() for one in course.find_sheet(sheet).problems}
+    templates = {one.number: one for sheet in course.sheets() for one in import_sheet(course, sheet).problems}
     if number not in templates:
         raise ValueError(f"There is no problem {number!r}. The problems are: {', '.join(templates)}.")
     return templates[number]
@@ -45,9 +46,14 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(options: Namespace) -> int:
     """Print the problem, and return 0; 2 if the request is invalid."""
     try:
-        template = find_template(find_course_here(options.course, Path.cwd()), options.number)
-        print(*preview(template, options.student), sep="\n\n")
+        course = find_course_here(options.course, Path.cwd())
+        template = find_template(course, options.number)
     except (OSError, ValueError) as error:
         print(f"misstep preview: {error}", file=sys.stderr)
+        return 2
+    try:
+        print(*preview(template, options.student), sep="\n\n")
+    except Exception as error:  # it is the author's code that makes the problem
+        print(f"misstep preview: {place_of(error, course)}{type(error).__name__}: {error}", file=sys.stderr)
         return 2
     return 0

@@ -76,7 +76,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--course",
         metavar="COURSE",
-        help="the package or the folder of the course (default: the installed course that has the sheet)",
+        help="the package or the folder of the course (default: the installed one that has the sheet, or else the one beside solutions/)",
     )
     parser.add_argument("--out", type=Path, required=True, metavar="RESULTS", help="the folder for the results")
     parser.add_argument("--roster", type=Path, metavar="CSV", help="the list of students, as the platform exports it")

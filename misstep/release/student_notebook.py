@@ -85,4 +85,6 @@ def run(options: argparse.Namespace) -> int:
     except ValueError as error:
         print(f"misstep release: {error}", file=sys.stderr)
         return 2
+    if not stale and not options.check:
+        print(f"Nothing to write: the notebooks in {options.root / 'exercises'} are those of solutions.")
     return 1 if stale and options.check else 0

@@ -64,6 +64,9 @@ def test_an_example_course_from_the_wheel_to_the_platform(tmp_path, wheel, subje
     problems = course / "mine" / f"lecture_{sheet}" / "problems.py"
     assert "statement of a new problem" in misstep("check", code=1)
     problems.write_text(problems.read_text("utf-8").replace("Replace this statement. ", ""), "utf-8")
+    assert "solution of a new problem" in misstep("check", code=1)
+    solution = course / "solutions" / sheet / f"{sheet}.ipynb"
+    solution.write_text(solution.read_text("utf-8").replace("  # replace this solution", ""), "utf-8")
     misstep("check")
     assert mistake in misstep("preview", "01.2") + misstep("preview", "01.3") or mistake == "ends of an interval"
     misstep("release")
@@ -88,8 +91,6 @@ def test_an_example_course_from_the_wheel_to_the_platform(tmp_path, wheel, subje
         "submissions",
         "--out",
         results,
-        "--course",
-        course / "mine",
     ]
     grade += ["--roster", "roster.csv", "--column", "Sheet (1)"]
     misstep(*grade)
@@ -136,6 +137,9 @@ def test_check_names_the_problem_the_line_and_what_collides(tmp_path, monkeypatc
         ("points=2, lecture=\"01_dice#Ind", "points=3, lecture=\"01_dice#Ind", "has 3 points, and its check cell 2"),
         ("sampler.integer(2, 4)", "sampler.integers(2, 4)", "AttributeError"),
         ('Problem, Sampler', 'Problems, Sampler', "cannot be imported: ImportError"),
+        ("points=2, lecture=\"01_dice#Ind", "points=2 lecture=\"01_dice#Ind", "cannot be imported: SyntaxError"),
+        ('"rolls": rolls}', '"rolls": rolls}, figure=lambda: 1 / 0', "the figure of problem 01.1: ZeroDivisionError"),
+        ("[at_least_one, positive_test, step]", "[at_least_one, positive_test]", "cells of a problem 3, and the sheet has 2"),
     ]:  # fmt: skip
         assert old in text
         problems.write_text(text.replace(old, new), "utf-8")
@@ -144,7 +148,12 @@ def test_check_names_the_problem_the_line_and_what_collides(tmp_path, monkeypatc
         assert main(["check", "--students", "3"]) == 1, said
         found = capsys.readouterr().out
         assert said in found
-        assert ("01.1" in found and f"{line}:" in found) or "points" in said or "Error" in said, found
+        assert ("01.1" in found and f"{line}:" in found) or "points" in said or "Error" in said or "cells" in said, (
+            found
+        )
+        if "cannot be imported" in said:
+            assert main(["preview", "01.1"]) == main(["new-problem", "01_dice", "One more"]) == 2
+            assert capsys.readouterr().err.count(said) == 2
         if "points" in said:
             assert main(["check", "--students", "3", "--repair"]) == 0
             assert '"points": 3' in notebook.read_text("utf-8")

@@ -102,6 +102,15 @@ class Interval(Answer):
         except ValueError as error:
             raise Unreadable(f"Expected {self.expected}. {error}") from error
 
+    def shown(self, value: Any) -> str:
+        found = [
+            f"{{{piece.low}}}"
+            if piece.low == piece.high
+            else f"{'(['[piece.has_low]}{piece.low}, {piece.high}{')]'[piece.has_high]}"
+            for piece in self.read(value)
+        ]
+        return " u ".join(found).replace("inf", "oo") or "{}"
+
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
         one, other = self.read(one), self.read(other)
         ends = [(piece.has_low, piece.has_high) for piece in one] == [

@@ -16,6 +16,10 @@ MAX_NOTEBOOKS = 3
 """How many notebooks of one student are graded, of which the best one counts. More of them would be guesses."""
 
 
+PLATFORMS = frozenset({"canvas", "moodle", "gradescope"})
+"""The kinds of downloads whose files are assigned by the key of a platform, and not by an id."""
+
+
 class WrongRoster(RuntimeError):
     """Most submissions are of students who are not in the roster, so nothing is graded."""
 
@@ -80,7 +84,7 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
     remarks: list[str] = []
     tests = [student for student in layout.students if roster and student.key and student.key in roster.test_keys]
     submissions = [_submission(student, sheet, layout, roster) for student in layout.students if student not in tests]
-    if layout.kind in {"canvas", "moodle", "gradescope"} and roster is None:
+    if layout.kind in PLATFORMS and roster is None:
         remarks.append(
             f"This is a download from {layout.kind.capitalize()}, and there is no --roster with the students' ids. So each "
             "sheet is graded with the numbers of the id that is typed in it, and if a student typed another student's id, "
@@ -93,10 +97,11 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
         unlisted = sorted(submitted - set(roster.ids))
         known = {name.lower() for name in roster.ids}
         if 2 * sum(name.lower() not in known for name in unlisted) > len(submitted):
-            keys = [row[roster.key_column].strip() for row in roster.rows[:3]]
+            column = roster.key_column if layout.kind in PLATFORMS else roster.id_column
+            keys = [row[column].strip() for row in roster.rows[:3]]
             raise WrongRoster(
                 f"{len(unlisted)} of {len(submitted)} submissions are not in the roster, for example "
-                f"{', '.join(unlisted[:3])}. Its column {roster.columns[roster.key_column]!r} has, for example, "
+                f"{', '.join(unlisted[:3])}. Its column {roster.columns[column]!r} has, for example, "
                 f"{', '.join(keys)}. Is it the list of this course, exported by the same platform as the submissions? "
                 "Nothing was graded."
             )

@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from misstep.catalog import course_of, find_course
+from misstep.catalog import Course, course_in, course_of, find_course
 from misstep.grading.collect.notebook import CodeCell, UnusableNotebook, code_cells
 from misstep.sheet import SAMPLE_ID
 
@@ -127,15 +127,30 @@ def read_released_sheet(
             f"{path}: each cell must have a grade_id of its own; got {repeated} more than once. A copied cell keeps the "
             "grade_id: change it in the metadata of the copy."
         )
+    complete = path.resolve()
     with (
         chdir(path.parent) if course is None else nullcontext()
     ):  # a course may find a sheet by a file beside the notebook
-        owner = find_course(course) if course else course_of(opened)
+        owner = find_course(course) if course else _owner(opened, complete)
     site = owner.site if site is None else site
     if site and not site.startswith(("https://", "http://")):
         raise ValueError(f"The address of the site must begin with https:// or http://; got {site!r}.")
     opening = re.sub(rf"(['\"]){SAMPLE_ID}\1", '""', opening)
     return ReleasedSheet(opened, path.parent, checks, owner.reference, site, opening, key, content if key else b"")
+
+
+def _owner(sheet: str, path: Path) -> Course:
+    """The installed course that has a sheet, or else the course in the folder that has solutions/ with its notebook."""
+    try:
+        return course_of(sheet)
+    except ValueError as not_installed:
+        try:
+            beside = course_in(path.parents[2])
+        except (ValueError, IndexError):
+            raise not_installed from None
+        if sheet not in beside.sheets():
+            raise not_installed
+        return beside
 
 
 def plan_run(sheet: ReleasedSheet, content: bytes) -> RunPlan:

@@ -333,7 +333,8 @@ def test_a_roster_of_another_course_stops_the_run_and_says_why(tmp_path):
     (tmp_path / "other").mkdir()
     source, _ = class_on("folder", ("s1", "s2", "eve"), tmp_path / "other")
     with pytest.raises(
-        WrongRoster, match=r"2 of 3 submissions are not in the roster, for example s1, s2\. Its column 'ID'"
+        WrongRoster,
+        match=r"2 of 3 submissions are not in the roster, for example s1, s2\. Its column 'SIS Login ID' has, for example, eve",
     ):
         gather(source, SHEET, other)
 
