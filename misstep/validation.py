@@ -21,6 +21,10 @@ TRUTH = (bool, np.bool_)
 NO_NUMBER = "True and False are no numbers; give the number itself."
 
 
+IMAGINARY_ROUND_OFF = 1e-12
+"""How large the imaginary part of a real number may be after a computation in complex numbers, relative to the number."""
+
+
 def has_truth(x: Any) -> bool:
     """Return whether x is, or contains, True or False.
 
@@ -47,6 +51,8 @@ def array(x: ArrayLike, name: str, kind: str = "f") -> NDArray[Any]:
         values = np.asarray(x)
         if has_truth(x):
             raise TypeError(NO_NUMBER)
+        if kind == "f":
+            values = without_imaginary(values)
         if values.dtype.kind not in f"iufO{kind}":
             raise TypeError(f"{values.dtype} is not a {noun} number")
         # astype alone would read None as NaN and "1" as 1. Adding zero first refuses both.
@@ -61,6 +67,18 @@ def array(x: ArrayLike, name: str, kind: str = "f") -> NDArray[Any]:
         place = f" at index {np.argwhere(~np.isfinite(values))[0].tolist()}" if values.ndim else ""
         raise ValueError(f"{name} contains NaN or infinity{place}. Was there a division by zero before this step?")
     return values
+
+
+def without_imaginary(values: NDArray[Any]) -> NDArray[Any]:
+    """Return complex numbers as real ones if their imaginary parts are only round-off, as `np.linalg.eigvals` gives them.
+
+    >>> without_imaginary(np.array([7 + 0j, 3 + 1e-16j])), without_imaginary(np.array(2 + 1j))
+    (array([7., 3.]), array(2.+1.j))
+    """
+    if values.dtype.kind != "c":
+        return values
+    is_real = np.abs(values.imag) <= IMAGINARY_ROUND_OFF * np.abs(values)
+    return values.real if is_real.all() else values
 
 
 def brief(x: Any) -> str:

@@ -64,10 +64,13 @@ def real_array(x: ArrayLike, name: str) -> Array:
             # astype alone would read None as NaN and "1" as 1; adding zero refuses both.
             values = np.asarray(values + 0.0).astype(float, copy=False)
     except (TypeError, ValueError, OverflowError) as error:
-        raise ValueError(
-            f"{name} must be an array of real numbers; got {describe(x)}. "
-            "Does it contain None, a symbol, a string or a row of another length?"
-        ) from error
+        is_complex = isinstance(x, np.ndarray) and x.dtype.kind == "c"
+        advice = (
+            "Pass its real part, x.real, if its imaginary part is 0, as after np.linalg.eig."
+            if is_complex
+            else "Does it contain None, a symbol, a string or a row of another length?"
+        )
+        raise ValueError(f"{name} must be an array of real numbers; got {describe(x)}. {advice}") from error
     return values
 
 

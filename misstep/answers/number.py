@@ -525,7 +525,7 @@ def _objects(entries: Sequence[Any], shape: tuple[int, ...]) -> NDArray[Any]:
 def _fraction(x: Any) -> Fraction:
     """Return a real number as the fraction that it is. Raises ValueError for anything else."""
     try:
-        return Fraction(x)
+        return Fraction(validation.without_imaginary(np.asarray(x)).item() if isinstance(x, complex) else x)
     except (TypeError, ValueError, OverflowError) as error:
         raise ValueError(f"Each entry must be a real number; got {validation.brief(x)}.") from error
 
