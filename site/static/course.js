@@ -431,7 +431,31 @@
     const own = target.querySelector(':scope > details.kinlib-side');
     for (let fold = own ?? target.closest('details'); fold; fold = fold.parentElement.closest('details'))
       fold.open = true;
-    target.scrollIntoView();
+    holdInPlace(target);
+  }
+
+  let release = () => {};
+
+  /** Go to what a link leads to, and stay there while viewers above it start and change their height, until the reader scrolls. */
+  function holdInPlace(target) {
+    release();
+    const listening = new AbortController();
+    let [top, position] = [0, 0];
+    const heights = new ResizeObserver(() => {
+      target.scrollIntoView({ behavior: 'instant' });
+      [top, position] = [target.getBoundingClientRect().top, scrollY];
+    });
+    release = () => {
+      heights.disconnect();
+      listening.abort();
+    };
+    // what grows above changes one of the two, as the browser anchors the page or not; only the reader changes both
+    const onScroll = () => {
+      const moved = Math.abs(target.getBoundingClientRect().top - top);
+      if (Math.min(moved, Math.abs(scrollY - position)) > 2) release();
+    };
+    addEventListener('scroll', onScroll, { passive: true, signal: listening.signal });
+    heights.observe(document.body);
   }
 
   // --- the bar of a phone: the page and the section that is read ---
