@@ -8,6 +8,7 @@ import sqlite3
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
 from dataclasses import asdict
 from hashlib import sha256
 
@@ -38,7 +39,7 @@ def outside(tmp_path_factory):
     folder.chmod(0o777)
     (folder / "secret.txt").write_text("SECRET-CANARY")
     (folder / "solutions.ipynb").write_text("SECRET-CANARY")
-    with sqlite3.connect(folder / "gradebook.db") as book:
+    with closing(sqlite3.connect(folder / "gradebook.db")) as book, book:
         book.execute("create table grade (score real)")
         book.execute("insert into grade values (7)")
     return folder
