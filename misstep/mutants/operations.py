@@ -101,6 +101,22 @@ def _square_changes(node: Expression) -> Changes:
     yield Change("square left out", f"leave out the square of ${node.arguments[0].latex}$"), node.arguments[0]
 
 
+def _exponential_changes(node: Expression) -> Changes:
+    exponent = node.arguments[0]
+    text = f"take the exponent ${exponent.latex}$ with the opposite sign"
+    if exponent.operation is not negative:  # which has this change already
+        yield Change("sign of an exponent", text), exp(negative(exponent))
+
+
+def _logarithm_changes(node: Expression) -> Changes:
+    other, base = (log10, "10") if node.operation is log else (log, "e")
+    yield (
+        Change("base of a logarithm", f"take the logarithm of ${node.arguments[0].latex}$ to the base {base}"),
+        other(*node.arguments),
+    )
+    yield Change("logarithm left out", f"leave out the logarithm of ${node.arguments[0].latex}$"), node.arguments[0]
+
+
 def _unit_changes(node: Expression) -> Changes:
     text = f"use ${node.arguments[0].latex}$ as it is, without dividing it by its length"
     yield Change("not a unit vector", text), node.arguments[0]
@@ -170,6 +186,9 @@ arctan2 = Operation("arctan2", np.arctan2, "\\operatorname{{atan2}}({0}, {1})".f
 _arctan = Operation("arctan", lambda y, x: np.arctan(y / x), "\\arctan({0} / {1})".format)
 sqrt = Operation("root", np.sqrt, "\\sqrt{{{0}}}".format, _root_changes)
 square = Operation("square", np.square, power("2"), _square_changes)
+exp = Operation("exponential", np.exp, "\\exp({0})".format, _exponential_changes)
+log = Operation("natural logarithm", np.log, "\\ln {0}".format, _logarithm_changes)
+log10 = Operation("logarithm", np.log10, "\\log_{{10}} {0}".format, _logarithm_changes)
 unit = Operation("unit vector", lambda x: x / np.linalg.norm(x), "{0} / |{0}|".format, _unit_changes)
 
 

@@ -14,7 +14,21 @@ from misstep.judge import judge
 from misstep.mistakes import mistake
 from misstep.mutants.expression import PAST_TENSES, Change, given, product
 from misstep.mutants.mutants import mutant, mutate, mutations, pairs, value_of
-from misstep.mutants.operations import ANGLE, LENGTH, MATRIX, SLIDE, cos, inverse, radians, sin, stack, unit
+from misstep.mutants.operations import (
+    ANGLE,
+    LENGTH,
+    MATRIX,
+    SLIDE,
+    cos,
+    exp,
+    inverse,
+    log,
+    log10,
+    radians,
+    sin,
+    stack,
+    unit,
+)
 from misstep.problem import Problem, problem
 
 rng = np.random.default_rng(5)
@@ -211,3 +225,22 @@ def test_two_changes_of_different_factors_commute(values):
                 forwards = value_of(mutate(root, first.replaced, second.replaced))
                 backwards = value_of(mutate(root, second.replaced, first.replaced))
                 np.testing.assert_allclose(forwards, backwards)
+
+
+def test_powers_exponentials_and_logarithms_have_their_mistakes():
+    a, b = given("a", 3.0), given("b", 4.0)
+    for solution, wrong, name in [
+        (0.5 * a * b**2, 6.0, "exponent left out"),
+        (0.5 * a * b**2, 12.0, "product for power"),
+        (1 / (1 / a + 1 / b), 7 / 12, "product for division"),
+        (exp(a - b), np.exp(1), "sign of an exponent"),
+        (-log10(a), -np.log(3.0), "base of a logarithm"),
+        (b * log(a), 12.0, "logarithm left out"),
+    ]:
+        names = {
+            mutant.name
+            for mutant in Problem("", Numbers(solution.value), solution=solution).mutants
+            if np.isclose(mutant.value, wrong)
+        }
+        assert name in names, (solution.latex, names)
+    assert [power.latex for power in ((-a) ** 3, a**-1, (a * b) ** 0.5)] == ["(-a)^{3}", "a^{-1}", "(a\\,b)^{0.5}"]
