@@ -209,8 +209,10 @@ class Problem:
                 value = self.answer.collect([value_of(root) for root in (first, *others)])
             except Unreadable:
                 continue
-            spoils = self.answer.rows_are_alike and all(map(solution.is_in_every_row, changes))
             made, steps = [mutation.change for mutation in changes], solution.steps(changes)
+            spoils = any(change.spoils for change in made) or (
+                self.answer.rows_are_alike and all(map(solution.is_in_every_row, changes))
+            )
             yield mutant(made, value, self.advice, first.key, steps=steps, spoils=spoils)
 
     def _same(self, one: Any, other: Any) -> bool:

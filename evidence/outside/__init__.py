@@ -18,7 +18,8 @@ NAMELESS = frozenset({"-"})
 
 EARNS_NOTHING = frozenset({
     "left the zeros of np.zeros", "left the ones of np.ones", "left the identity of np.eye", "wrote the last row first",
-    "wrote the rows one down", "carried the wrong way", "forgot .T after the rows", "only rotated", "rotated with R",
+    "wrote the rows one down", "moved the rows one down, and left 0 above", "moved the rows one down, and repeated the first",
+    "carried the wrong way", "forgot .T after the rows", "only rotated", "rotated with R",
     "used R for R^T", "used -p for the way back", "put the block at the top", "took p without brackets", "negated the block",
     "handed in what is given", "gave 1 three times",
 })  # fmt: skip

@@ -148,6 +148,8 @@ def _arranged(kind: str, X: Any) -> Kinds:
     if kind in ("screws", "rows", "vectors"):
         made["wrote the last row first"] = (X[::-1], ORDER + "|revers|last joint")
         made["wrote the rows one down"] = (np.roll(X, 1, axis=0), ORDER)
+        for gap, filled in {"left 0 above": 0 * X[:1], "repeated the first": X[:1]}.items() if len(X) > 2 else ():
+            made[f"moved the rows one down, and {gap}"] = (np.vstack([filled, X[:-1]]), ORDER + "|moved")
         if len(X) > 2:
             made["swapped the first row and the last"] = (X[[len(X) - 1, *range(1, len(X) - 1), 0]], ORDER)
         copied = X.copy()

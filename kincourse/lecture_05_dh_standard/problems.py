@@ -189,7 +189,9 @@ def offsets(sampler: ArmSampler) -> Problem:
             OFFSETS_ADVICE,
         ),
     ):
-        c = c.mistaken_for(wrong, name, text, advice)
+        # The first offset, and the middle one of a reversed list, come out right by these wrong methods too.
+        is_other_method = name.startswith("measured from the base") or name in {"added up", "reversed"}
+        c = c.mistaken_for(wrong, name, text, advice, spoils=is_other_method)
     return Problem(
         statement="All joint axes of this planar arm point towards you, and $x_i$ runs along link $i$. The manufacturer defines the "
         f"drawn configuration as $q = 0$. There, the links make these angles with $x_0$, anticlockwise positive: {headings_text}. "
@@ -323,7 +325,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         ("sign of d", "measure every $d$ downwards", (a[0], -d[0], a[1], -d[1]), "$d$ grows along $z$, which points up."),
         ("measured from joint 1", "measure both rows from joint 1", (a[0], d[0], far, rise), "Row 2 begins at joint 2."),
     ):  # fmt: skip
-        answer = answer.mistaken_for(stack(*wrong), name, text, advice)
+        answer = answer.mistaken_for(stack(*wrong), name, text, advice, spoils=name == "measured from joint 1")
     return Problem(
         statement="Three parallel joint axes point up. The table gives a point of each joint. For parallel axes, the origin may be "
         "anywhere on its axis; here $O_0$ is at joint 1, $O_1$ at joint 2 and $O_2$ at joint 3. Each $x_i$ points from axis $i$ "

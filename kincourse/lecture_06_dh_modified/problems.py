@@ -127,6 +127,11 @@ class DHRowsAnswer(Numbers):
         right = self._nearest(given, self.value)[0]
         return Numbers.likeness(replace(self, value=right), given, part)
 
+    def arrangement(self, given: Array) -> Named | None:
+        """Return how the rows are the right ones in another order, for any directions of x."""
+        ways = (replace(self, value=rows) for rows in self._with_other_x(self.value))
+        return next(filter(None, (Numbers.likeness(way, given, None).order() for way in ways)), None)
+
     def description(self, given: Array, part: int) -> Named | None:
         wrong = [
             name for name, fine in zip(COLUMNS, self._nearest(given, self.value)[1][part], strict=True) if not fine
@@ -195,6 +200,12 @@ class DHRowsAnswer(Numbers):
     def _with_other_x(self, rows: Array) -> Array:
         """The rows for each choice of the directions of x_1 to x_{m-1}, (2**(m-1), m, 4), first as they are."""
         return _rows_with_other_x(np.asarray(rows, dtype=float).tobytes(), len(rows), self.convention)
+
+
+def _wrong_conversions(answer: DHRowsAnswer) -> list[Mistake]:
+    """The wrong conversions as mistakes: where whole columns are moved wrongly, a row that comes out right does so by chance."""
+    ends = {"end kept", "end folded in"}
+    return [mistake(*wrong, spoils=wrong[0] not in ends) for wrong in answer.wrong_conversions()]
 
 
 # Each table is compared with many others, so what depends on one table alone is kept, by its numbers.
@@ -397,7 +408,7 @@ def to_modified(sampler: ArmSampler) -> Problem:
         "$q = 0$, angles in radians.\n\n" + _format_table(table.rows, "standard", table.joints),
         given={"rows": table.rows, "joints": table.joints},
         answer=answer,
-        mistakes=[mistake(*wrong) for wrong in answer.wrong_conversions()],
+        mistakes=_wrong_conversions(answer),
     )
 
 
@@ -412,7 +423,7 @@ def to_standard(sampler: ArmSampler) -> Problem:
         + _format_table(table.rows, "modified", table.joints),
         given={"rows": table.rows, "joints": table.joints},
         answer=answer,
-        mistakes=[mistake(*wrong) for wrong in answer.wrong_conversions()],
+        mistakes=_wrong_conversions(answer),
     )
 
 

@@ -48,5 +48,5 @@ def gantry(sampler: ArmSampler) -> Problem:
             [bridge * (1, 1, 0), *points], drawn, dict(zip(("F1", "F2", "F3", "T"), points, strict=True))
         ),
         answer=VectorsAnswer(steps, unit="m", names=["joint 1", "joint 2", "joint 3", "the tool"]),
-        mistakes=[mistake(name, value, text) for name, value, text in wrong],
+        mistakes=[mistake(name, value, text, spoils=name == "in the base") for name, value, text in wrong],
     ).without_duplicates()

@@ -141,6 +141,9 @@ class Likeness:
 
     def order(self) -> Named | None:
         """Return whether these are the right numbers in another order."""
+        return self._reordered() or self._moved_rows()
+
+    def _reordered(self) -> Named | None:
         mine, right = self.mine, self.right
         if mine.ndim == 1:
             return None
@@ -159,6 +162,24 @@ class Likeness:
             one, other = (np.sort(np.abs(x), axis=0) for x in (one, other))
             if self._equal(one, other).all():
                 return "order and signs", "These are the right sizes, but their order and their signs are not right."
+        return None
+
+    def _moved_rows(self) -> Named | None:
+        """Return whether all rows are moved by one, so that one of them falls out, and another one fills the gap."""
+        mine, right = self.mine, self.right
+        if mine.ndim != 3 or len(mine) < 3:
+            return None
+        is_right: NDArray[np.bool_] = np.all(self._equal(mine, right), axis=1)
+        if np.count_nonzero(is_right) > 1:
+            return None
+        for where, moved, place, gap, lost in (
+            ("down", self._equal(mine[1:], right[:-1]), 0, "first", "last"),
+            ("up", self._equal(mine[:-1], right[1:]), -1, "last", "first"),
+        ):
+            if moved.all():
+                filled = f"the {gap} one is there twice" if is_right[place] else f"your {gap} row is an extra one"
+                text = f"Your rows are moved {where} by one: the {lost} one of the right rows is missing, and {filled}."
+                return ROWS_MOVED, text
         return None
 
     def _is_seen(self, values: Array) -> NDArray[np.bool_]:
@@ -212,6 +233,9 @@ def _arrangements(X: Array) -> Iterator[tuple[str, str, Array]]:
                     yield f"{what}s shifted", text, np.roll(X, shift, axis=axis)
                 yield f"{what}s reversed", f"The {what}s are right, but in the reverse order.", np.flip(X, axis=axis)
 
+
+ROWS_MOVED = "rows moved"
+"""The name of rows of which one fell out: one that stands right does so by chance."""
 
 DEGREES = ("degrees", "This is right in degrees. Give it in radians.")
 

@@ -221,7 +221,7 @@ class Numbers(Answer):
     def arrangement(self, given: Array) -> Named | None:
         if not self.is_plain:
             return None
-        if self.rows_are_alike:
+        if self.rows_are_alike or len(self.parts) == len(np.atleast_2d(self.value)) > 1:
             return self.likeness(given, None).order()
         is_list = np.ndim(self.value) == 1 and len(self.parts) == np.size(self.value) > 1
         if not is_list or any(self.agrees(given, self.value)):

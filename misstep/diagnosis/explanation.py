@@ -13,6 +13,7 @@ from itertools import compress, groupby
 from typing import Any
 
 from misstep.answers.base import Answer
+from misstep.answers.likeness import ROWS_MOVED
 from misstep.mistakes import Mistake
 from misstep.problem import Problem
 
@@ -74,9 +75,11 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Explanat
     for group in groups:
         if whole := [one for one in group if all(answer.shows(value, one.value))]:
             return [_told(problem, value, wrong, _distinct(whole), is_whole=True)]
-    if not sights and not is_single and (seen := answer.arrangement(value)):
+    is_seen_through = all(name == "placeholder" for name, _ in sights.values())  # as is the gap where rows are moved
+    if is_seen_through and not is_single and (seen := answer.arrangement(value)):
         told = _checked(answer, value, _seen(wrong, value, seen))
-        return [replace(told, is_whole=True, is_reordered=_is_reordered(answer, value, wrong))]
+        is_reordered = seen[0] == ROWS_MOVED or _is_reordered(answer, value, wrong)
+        return [replace(told, is_whole=True, is_reordered=is_reordered)]
     found, wrong = _joined(sights, value), [part for part in wrong if part not in sights]
     by_part = [] if is_single else _explain_parts(problem, value, set(wrong), groups)
     found += [_told(problem, value, parts, mistakes) for parts, mistakes in by_part]

@@ -48,6 +48,7 @@ class Change:
     one_by_one  whether people also make it in one of several places alone
     in_parts    whether one part of an answer can show it; otherwise only the whole answer does
     credit      the fraction of the points that it leaves, because it is one of a problem before and all that follows is right
+    spoils      whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
     alone       whether it is never combined with another change, because people seldom make both and there are many of it
 
     >>> Change("degrees", "use degrees as radians").past
@@ -62,6 +63,7 @@ class Change:
     in_parts: bool = True
     alone: bool = False
     credit: float = 0.0
+    spoils: bool = False
 
     @property
     def past(self) -> str:
@@ -181,16 +183,20 @@ class Expression:
         """Return the same expression with a name of its own in LaTeX, by which messages speak of it."""
         return replace(self, label=label)
 
-    def mistaken_for(self, other: Any, name: str, text: str, advice: str = "", credit: float = 0.0) -> "Expression":
+    def mistaken_for(
+        self, other: Any, name: str, text: str, advice: str = "", credit: float = 0.0, *, spoils: bool = False
+    ) -> "Expression":
         """Return the same expression with a further change: here, and in this problem, people take another value.
 
         credit  the fraction of the points that is left, if it is a mistake of a problem before
+        spoils  whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
 
         >>> pitch = given("h", 0.1).mistaken_for(0.6, "lead for pitch", "use the lead as the pitch")
         >>> [(change.name, wrong.value) for change, wrong in pitch.changes()]
         [('lead for pitch', 0.6)]
         """
-        further = (Change(name, text, advice=advice, alone=credit > 0, credit=credit), as_expression(other))
+        change = Change(name, text, advice=advice, alone=credit > 0, credit=credit, spoils=spoils)
+        further = (change, as_expression(other))
         return replace(self, alternatives=(*self.alternatives, further))
 
     def also_by(self, way: "Expression") -> "Expression":
