@@ -52,6 +52,7 @@ def closing_twist(branch_2: Sequence[Expression], branch_1: Sequence[Expression]
         ("inverse left out", "take $\\log(T_2\\,T_1)$, without an inverse", T_2 @ T_1),
         ("inverse left out", "take $\\log(T_1\\,T_2)$, without an inverse", T_1 @ T_2),
         ("inverse left out", "leave out both minus signs of the way back", product(*branch_2, *branch_1[::-1])),
+        ("way back left out", "leave out the way back, so that only the way there is left", T_2),
     ):
         T = T.mistaken_for(other, name, text, advice)
     joints = [
@@ -238,6 +239,25 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
     ):
         if name not in ("loops", "negative number", "sign") or wrong != right.value:
             right = right.mistaken_for(wrong, name, text)
+    return right.also_by(_leg_by_leg(d, legs))
+
+
+def _leg_by_leg(d: int, legs: Sequence[Sequence[int]]) -> Expression:
+    """The same mobility as what the legs leave of the platform's freedom, d - sum of (d - f of a leg)."""
+    f = [float(sum(leg)) for leg in legs]
+    right = given("d - \\sum (d - f)", d - sum(d - f_leg for f_leg in f))
+    for name, text, wrong in (
+        ("leg left out", "count each kind of leg once", d - sum(d - sum(leg) for leg in set(map(tuple, legs)))),
+        ("sign", "add the constraints of the legs to $d$ instead of subtracting them", d + sum(d - f_leg for f_leg in f)),
+        ("joint left out", "count the first joint of each leg only", d - sum(d - leg[0] for leg in legs)),
+        ("negative number", "let a leg with more than $d$ degrees of freedom add nothing", d - sum(max(d - f_leg, 0) for f_leg in f)),
+        ("loops", "give the degrees of freedom of the leg that has the fewest", min(f)),
+    ):  # fmt: skip
+        if wrong != right.value:
+            advice = (
+                "Each leg takes $d$ minus the degrees of freedom of its joints from the platform; this may be negative."
+            )
+            right = right.mistaken_for(float(wrong), name, text, advice)
     return right
 
 

@@ -85,10 +85,15 @@ def residual(sampler: ArmSampler) -> Problem:
     )
     S = {joint.name: joint.screws[0] for joint in linkage.joints}
     G = linkage.joints[3].closing_offset
-    A, B, D, C = (
-        exp(screw_axes(f"S_{name}", S[name]), radians(given(name, float(angle), ANGLE)))
-        for name, angle in zip("ABDC", degrees, strict=True)
-    )
+    q = {name: radians(given(name, float(angle), ANGLE)) for name, angle in zip("ABDC", degrees, strict=True)}
+    for name, first, bar in (("B", "A", "crank"), ("C", "D", "rocker")):
+        for text, wrong in (
+            (f"add ${first}$ to ${name}$, as if it had to be measured from the $x$ axis", q[name] + q[first]),
+            (f"subtract ${first}$ from ${name}$, as if it were measured from the $x$ axis", q[name] - q[first]),
+        ):
+            advice = f"${name}$ is measured from the {bar}, as a joint value is: relative to the body before."
+            q[name] = q[name].mistaken_for(wrong, "relative angle", text, advice)
+    A, B, D, C = (exp(screw_axes(f"S_{name}", S[name]), q[name]) for name in "ABDC")
     r = closing_twist([D, C, pose("G", G)], [A, B])
     listed = ", ".join(f"${name} = {angle}°$" for name, angle in zip("ABDC", degrees, strict=True))
     return Problem(
