@@ -105,6 +105,8 @@ def _of_notebook(course: Course, sheet: str) -> Iterator[str]:
         return
     cells = json.loads(file.read_text("utf-8"))["cells"]
     sources = ["".join(cell["source"]) for cell in cells]
+    if not any(re.search(rf"open_sheet\(\s*['\"]{re.escape(sheet)}['\"]", source) for source in sources):
+        yield f'{file} does not open the sheet. Its first cell must have open_sheet("{sheet}", student).'
     problems = course.find_sheet(sheet).problems
     for k in sorted({int(k) for source in sources for k in re.findall(r"sheet\.(?:check|show)\((\d+)", source)}):
         if k > len(problems):

@@ -7,14 +7,18 @@ with the other sign, left at 0, or a multiple. A group of several is a mistake t
 import json
 from argparse import ArgumentParser, Namespace
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 from misstep.grading.judging.result import ProblemResult
 from misstep.grading.publish.result_store import stored_results
 from misstep.grading.publish.shared_answers import WRONG_STATES, split_numbers
+
+MAX_FLOAT = 10**300
+"""A larger number is no floating-point number."""
 
 SAME = 1e-3
 """The largest difference of equal numbers, relative to their size if that is above 1."""
@@ -38,11 +42,23 @@ def relation(answer: Any, right: Any) -> str:
     '= - 0 x1.5'
     >>> relation("b", [1.0])
     'of another form'
+    >>> relation({"number": 0.25}, {"exact": "1/2"})
+    'x0.5'
     """
-    (form, mine), (right_form, others) = split_numbers(_as_mapping(answer)), split_numbers(_as_mapping(right))
+    (form, mine), (right_form, others) = (split_numbers(_as_mapping(_in_decimals(x))) for x in (answer, right))
     if not form or form != right_form or not mine:
         return "of another form"
     return " ".join(_relation_of(one, other) for one, other in zip(mine, others, strict=True))
+
+
+def _in_decimals(data: Any) -> Any:
+    """Return stored data with its exact numbers as others: a student types 0.25 where the author has 1/4."""
+    if isinstance(data, Mapping):
+        if set(data) == {"exact"}:
+            exact = Fraction(data["exact"])
+            return {"number": float(exact)} if abs(exact) < MAX_FLOAT else data
+        return {name: _in_decimals(value) for name, value in data.items()}
+    return list(map(_in_decimals, data)) if isinstance(data, list) else data
 
 
 def _as_mapping(data: Any) -> Any:

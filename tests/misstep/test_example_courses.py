@@ -20,7 +20,7 @@ SUBJECTS = {
     "linear-algebra": ("01_eigenvalues", {"eigenvalues_3": "np.diag(given.A)"}, "diagonal"),
 }
 """For each subject its sheet, a wrong answer of a student, and the mistake that feedback names."""
-STUDENTS = [f"student {k}" for k in range(6)]
+STUDENTS = [f"student {k}" for k in range(20)]
 
 
 @pytest.fixture(scope="module")
