@@ -30,7 +30,6 @@ MORE = (
         "07.9 09.8 09.12 10.5 10.8 10.11 10.13",
         "nothing looks for numbers that are doubled or in another order",
     ),
-    ("unnamed", 0.7, "robot.faulty_entry", "only entries in the same row or column have a message"),
 )
 """What is more than that: the share that it has, the problems, and why."""
 

@@ -10,7 +10,7 @@ from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import dh_row, link, links, mounted, table_product
 from kincourse.expressions.poses import inverse
 from kincourse.lecture_05_dh_standard.drawn_problem import scara
-from kincourse.mistakes.dh import base_in_a_row, table_mistakes, tool_in_a_row
+from kincourse.mistakes.dh import base_in_a_row, entry_names, other_entries, table_mistakes, tool_in_a_row
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler, are_distinguishable
 from kincourse.text.joint_table import joint_table
@@ -22,7 +22,6 @@ from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
 from misstep.display.text import degrees, matrix, number, vector
-from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import ANGLE, radians, sqrt, square, stack
 from misstep.problem import Problem
@@ -31,12 +30,6 @@ from misstep.sheet import Sheet
 RIGHT_ANGLE_RAD = np.pi / 2
 
 ORDER_ADVICE = "$A_1$ is leftmost, because joint 1 moves all that follows."
-ENTRY_MEANINGS = {
-    "a": "the distance from $z_{0}$ to $z_{1}$ along $x_{1}$",
-    "alpha": "the angle from $z_{0}$ to $z_{1}$ about $x_{1}$",
-    "d": "the distance from $x_{0}$ to $x_{1}$ along $z_{0}$",
-    "theta": "the angle from $x_{0}$ to $x_{1}$ about $z_{0}$",
-}
 ACROSS = np.array([np.pi / 2, 0, 0])
 OFFSETS_ADVICE = "$\\theta_i$ is the angle from $x_{i-1}$ to $x_i$, that is, from one link to the next."
 NORMAL_ADVICE = "$a$ is the distance between two axes, along their common normal: $\\sqrt{\\Delta x^2 + \\Delta y^2}$."
@@ -262,7 +255,6 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     else:
         quarter = round(rows[i, k] / RIGHT_ANGLE_RAD)
         wrong[i, k] = RIGHT_ANGLE_RAD * sampler.choice([other for other in (-1, 0, 1, 2) if (other - quarter) % 4])
-    names = {f"{column}{row + 1}": f"{column} in row {row + 1}" for row in range(3) for column in COLUMNS}
     answer = f"{COLUMNS[k]}{i + 1}"
     printed = markdown_table([[number(a), degrees(alpha), number(d), degrees(theta)] for a, alpha, d, theta in wrong])
     return Problem(
@@ -270,24 +262,9 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
         f"Which one? Answer with its column and its row, such as `'d2'`.\n\n{printed}",
         figure=partial(draw_table, table, numbers=True),
         given={"frames": np.array(frames), "rows": wrong},
-        answer=Choice(answer, names),
-        mistakes=[_other_entry(other, answer) for other in names if other != answer],
+        answer=Choice(answer, entry_names(3)),
+        mistakes=other_entries(answer, 3, "standard"),
     )
-
-
-def _other_entry(chosen: str, faulty: str) -> Mistake:
-    """The mistake of choosing an entry that is right, such as "d2"."""
-    column, row = chosen[:-1], int(chosen[-1])
-    measures = ENTRY_MEANINGS[column].format(row - 1, row)
-    fits = f"This entry agrees with the drawing: {column} in row {row} is {measures}."
-    if row == int(faulty[-1]):
-        same_axis = {column, faulty[:-1]} in ({"a", "alpha"}, {"d", "theta"})
-        axis = "is" if same_axis else "is not"
-        where = f"You chose the right row. The faulty entry {axis} measured along or about the same axis."
-        return mistake("another entry of the row", chosen, f"{where} {fits}")
-    if column == faulty[:-1]:
-        return mistake("another row", chosen, f"You chose the right column, but not the right row. {fits}")
-    return mistake("another row and column", chosen, f"{fits} Compare the other rows with the drawing.")
 
 
 @problem("05.7", "Parallel axes", points=4, lecture="05_dh_standard#Special cases")

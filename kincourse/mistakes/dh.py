@@ -176,3 +176,34 @@ def table_mistakes(table: DHTable, *names: str) -> list[Mistake]:
 
 def _other(convention: Convention) -> Convention:
     return "modified" if convention == "standard" else "standard"
+
+
+def entry_names(n: int) -> dict[str, str]:
+    """The entries of a table with n rows, as a student types them, in words.
+
+    >>> entry_names(1)["alpha1"]
+    'alpha in row 1'
+    """
+    return {f"{column}{row}": f"{column} in row {row}" for row in range(1, n + 1) for column in COLUMNS}
+
+
+def other_entries(faulty: str, n: int, convention: Convention) -> list[Mistake]:
+    """The choices of an entry that agrees with the drawn frames, where one entry of a table with n rows is faulty.
+
+    Each is told what this entry is, and nothing of the faulty one: a row or a column that is right would be half the answer.
+
+    >>> other_entries("d1", 1, "modified")[0].message
+    'This entry agrees with the frames: a in row 1 is the distance from $z_0$ to $z_1$ along $x_0$. Compare the others with them.'
+    """
+    return [_other_entry(chosen, name, convention) for chosen, name in entry_names(n).items() if chosen != faulty]
+
+
+def _other_entry(chosen: str, name: str, convention: Convention) -> Mistake:
+    column, row = chosen[:-1], int(chosen[-1])
+    x, z = (row, row - 1) if convention == "standard" else (row - 1, row)
+    measured, about = ("z", f"$x_{x}$") if column in ("a", "alpha") else ("x", f"$z_{z}$")
+    what = f"angle from ${measured}_{row - 1}$ to ${measured}_{row}$ about {about}"
+    if column in ("a", "d"):
+        what = f"distance from ${measured}_{row - 1}$ to ${measured}_{row}$ along {about}"
+    text = f"This entry agrees with the frames: {name} is the {what}. Compare the others with them."
+    return mistake("another entry", chosen, text)

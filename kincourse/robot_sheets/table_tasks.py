@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from kincourse.answers.dh_table import DHTableAnswer
-from kincourse.mistakes.dh import table_mistakes
+from kincourse.mistakes.dh import entry_names, other_entries, table_mistakes
 from kincourse.robot_sheets.sampling import (
     random_aligned_base,
     random_quarter_turn_configuration,
@@ -31,7 +31,6 @@ from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
 from misstep.display.text import number
-from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
 
@@ -64,35 +63,16 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
     i, k = sampler.integer(0, table.n - 1), sampler.integer(0, 3)
     wrong = table.rows.copy()
     wrong[i, k] = _wrong_entry(sampler, wrong[i, k], COLUMNS[k], step_size(robot))
-    names = {f"{column}{row + 1}": f"{column} in row {row + 1}" for row in range(table.n) for column in COLUMNS}
-    column, row, axis = COLUMNS[k], i + 1, "$z$" if k > 1 else "$x$"
-    others = {
-        "its partner": (
-            f"{COLUMNS[(k + 2) % 4]}{row}",
-            "The row is right, but the column is not: $d$ and $\\theta$ belong to $z$, $a$ and $\\alpha$ to $x$.",
-        ),
-        "the other number of the axis": (
-            f"{COLUMNS[k ^ 1]}{row}",
-            f"The row and the axis {axis} are right. Check whether its length or its angle is wrong.",
-        ),
-        "the row before": (
-            f"{column}{(row - 2) % table.n + 1}",
-            "The column is right. Row $i$ leads from frame $i-1$ to frame $i$.",
-        ),
-        "the row after": (
-            f"{column}{row % table.n + 1}",
-            "The column is right. Count the frames from 0, and the rows from 1.",
-        ),
-    }
+    answer = f"{COLUMNS[k]}{i + 1}"
     return Problem(
         statement=f"The table below was read off the drawn frames of {robot.name}{cut}, in the {table.convention} convention, in the "
         "configuration of the drawing. One entry is wrong. Which one? Answer with its column and its row, such as `'d2'`. The poses "
         f"of the frames in {{s}} are in `given.frames`.\n\n{_format_table(table.changed(rows=wrong))}",
         figure=partial(draw_table, table, numbers=True, path=False),
         given={"frames": np.array(frames), "rows": wrong, "convention": table.convention},
-        answer=Choice(f"{column}{row}", names),
-        mistakes=[mistake(name, value, message) for name, (value, message) in others.items()],
-    ).without_duplicates()
+        answer=Choice(answer, entry_names(table.n)),
+        mistakes=other_entries(answer, table.n, table.convention),
+    )
 
 
 def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem:
