@@ -39,6 +39,12 @@ MISTAKES = (
 CLEAR = 0.6
 """How well an arm must tell each suspected mistake from the others, so that no other arm is drawn."""
 
+FREE = (
+    "Only the mechanism is compared. You choose frame 0, the last frame, where each joint has its zero, and in which direction it "
+    "is positive; a sheet gives these, and there a table that differs in them is wrong."
+)
+"""What the quiz leaves free, so that nobody takes a table that is right here for one that is right in a sheet."""
+
 EMPTY_TABLE = "a | alpha | d | theta\n"
 """What the text box holds before anything is typed."""
 
@@ -57,7 +63,7 @@ def draw_problem(seed: str, convention: Convention) -> Problem:
     other: Convention = "modified" if convention == "standard" else "standard"
     misread = assign_frames(arm, convention=other).table.changed(convention=convention)
     return Problem(
-        statement=f"Give a DH table of this arm in the {convention} convention; any right one will do.\n\n{joint_table(arm)}",
+        statement=f"Give a DH table of this arm in the {convention} convention. {FREE}\n\n{joint_table(arm)}",
         figure=partial(draw_joints, arm),
         answer=DHTableAnswer(table),
         mistakes=[
@@ -173,7 +179,7 @@ class Quiz:
         heading = Card(
             "note",
             f"Arm {self.asked}",
-            [f"Give a DH table in the {self.convention} convention. Any right one will do."],
+            [f"Give a DH table in the {self.convention} convention. {FREE}"],
         )
         self._statement_box.value = heading.html() + (figure.html() if figure else "")
         self._table_box.value = EMPTY_TABLE

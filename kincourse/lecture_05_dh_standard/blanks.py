@@ -25,8 +25,8 @@ YOUBOT = DHTable(
 )
 """The DH table of the EduFill manipulation module, with its columns in the order of kinlib: a, alpha, d, theta."""
 
-DRAWN_CONFIGURATION = np.array([0, 0, RIGHT_ANGLE_RAD, -RIGHT_ANGLE_RAD, -np.pi / 4])
-"""The joint values, in radians, at which the EduFill manipulation module draws the arm."""
+BENT_CONFIGURATION = np.array([0, 0, RIGHT_ANGLE_RAD, -np.pi / 4, -np.pi / 4])
+"""Joint values in radians. With q_4 = -pi/2, theta_4 would be 0, and A_4 the same in both conventions."""
 
 
 @problem(
@@ -56,9 +56,9 @@ def row_4(_draw: ArmSampler) -> Problem:
 
 @problem("05.b", "The matrix of row 4", points=1, lecture="05_dh_standard#The offset")
 def matrix_of_row_4(_draw: ArmSampler) -> Problem:
-    A_4 = link([0, RIGHT_ANGLE_RAD, 0, joint_variable("R", 4, -RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)], "standard", 4)
+    A_4 = link([0, RIGHT_ANGLE_RAD, 0, joint_variable("R", 4, -np.pi / 4, RIGHT_ANGLE_RAD)], "standard", 4)
     return Problem(
-        statement="Give $A_4$ of the youBot at $q_4 = -\\pi/2$.",
+        statement="Give $A_4$ of the youBot at $q_4 = -\\pi/4$.",
         answer=PoseAnswer(A_4.value),
         solution=A_4,
         advice={"leave $q_4$ at 0": "The offset is added to $q_4$, and does not replace it."},
@@ -67,9 +67,9 @@ def matrix_of_row_4(_draw: ArmSampler) -> Problem:
 
 @problem("05.c", "The pose of the end-effector", points=1, lecture="05_dh_standard#The product of the A matrices")
 def pose_in_the_drawn_configuration(_draw: ArmSampler) -> Problem:
-    T = table_product(YOUBOT.rows, YOUBOT.joints, DRAWN_CONFIGURATION, "standard")
+    T = table_product(YOUBOT.rows, YOUBOT.joints, BENT_CONFIGURATION, "standard")
     return Problem(
-        statement="Give $T(q) = A_1 A_2 A_3 A_4 A_5$ of the youBot at $q = (0, 0, \\pi/2, -\\pi/2, -\\pi/4)$.",
+        statement="Give $T(q) = A_1 A_2 A_3 A_4 A_5$ of the youBot at $q = (0, 0, \\pi/2, -\\pi/4, -\\pi/4)$.",
         answer=PoseAnswer(T.value),
         solution=T,
         invisible=["order"],  # at q_1 = q_2 = 0 the first two link transforms commute

@@ -3,7 +3,7 @@
 import pytest
 
 import kinlib as kl
-from kincourse.lecture_05_dh_standard.blanks import DRAWN_CONFIGURATION, YOUBOT
+from kincourse.lecture_05_dh_standard.blanks import BENT_CONFIGURATION, YOUBOT
 from kinlib.view.figures.dh_table import draw_row, draw_table
 
 ROW = [0.8, 0.6, 0.5, 1.4]
@@ -29,8 +29,8 @@ def test_a_row_of_another_size_is_refused():
 
 
 def test_the_text_alternative_of_a_table_says_where_each_frame_is():
-    alt = draw_table(YOUBOT, DRAWN_CONFIGURATION).alt
-    hand = YOUBOT.fk(DRAWN_CONFIGURATION)[:3, 3]
+    alt = draw_table(YOUBOT, BENT_CONFIGURATION).alt
+    hand = YOUBOT.fk(BENT_CONFIGURATION)[:3, 3]
     assert alt.count("Frame") == 6
     assert f"Frame 5 at ({hand[0]:.3g}, 0, {hand[2]:.3g})" in alt
 
