@@ -26,7 +26,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-from misstep.catalog import course_in, find_course
+from misstep.catalog import Course, course_in, find_course, installed_courses
 from misstep.diagnosis.bugs import inseparable_pairs
 from misstep.diagnosis.explanation import CONSEQUENCES, SAME_CONSEQUENCE
 from misstep.judge import BY_CHANCE, Finding, judge
@@ -272,7 +272,10 @@ def _share(part: int, whole: int) -> str:
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Add the options of `misstep census`."""
-    parser.add_argument("--course", help="the name of an installed course, or its folder (default: the one here)")
+    parser.add_argument(
+        "--course",
+        help="the name of an installed course, or its folder (default: the one here, or the only installed one)",
+    )
     parser.add_argument("--students", type=int, default=60, help="how many students (60)")
     parser.add_argument("--sheet", action="append", help="only this sheet; may be repeated")
     parser.add_argument("--examples", action="store_true", help="print examples of what was counted")
@@ -287,14 +290,23 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
 
 
+def _course_here() -> Course:
+    try:
+        return course_in(Path.cwd())
+    except ValueError:
+        if len(installed := installed_courses()) == 1:
+            return installed[0]
+        raise
+
+
 def run(options: Namespace) -> int:
     """Take the census of a course, print it, and return 0 if nothing wrong has full marks, a wrong name or a false claim."""
     try:
-        course = find_course(options.course) if options.course else course_in(Path.cwd())
+        course = find_course(options.course) if options.course else _course_here()
     except ValueError as error:
         print(f"misstep census: {error}", file=sys.stderr)
         return 2
-    options.course = str(course.folder) if options.course is None else options.course
+    options.course = options.course or course.reference
     students = [f"student {k}" for k in range(options.students)]
     sheets = options.sheet or course.sheets()
     jobs = [(options, sheet, k, students) for sheet in sheets for k in range(len(course.find_sheet(sheet).problems))]

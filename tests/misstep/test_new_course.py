@@ -92,7 +92,9 @@ def test_the_readme_of_a_new_course_leads_to_tested_released_and_graded_sheets(c
         done[line.split()[3] if "misstep" in line else "pytest"] = run(line, int("misstep check" in line))
     assert set(done) == {"pytest", "new-problem", "check", "preview", "census", "release", "grade"}
     assert re.fullmatch(
-        r"\S+problems\.py:\d+: problem 01\.5 still has the statement of a new problem\.\n", done["check"]
+        r"\S+problems\.py:\d+: problem 01\.5 still has the statement of a new problem\.\n"
+        r"\S+01_ohm\.ipynb: problem 01\.5 still has the solution of a new problem\. .*\n",
+        done["check"],
     )
     assert "degrees of $\\varphi$ as radians" in done["preview"]
     released = (folder / "exercises" / "01_ohm" / "01_ohm.ipynb").read_text("utf-8")
