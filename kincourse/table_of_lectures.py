@@ -15,7 +15,7 @@ NUMBER_WORDS = (
     *("thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty"),
 )
 
-README_ROWS = re.compile(r"^(?:\| \[\d\d .*\n)+", re.MULTILINE)
+README_ROWS = re.compile(r"^(?:\| \[\d\d[a-z]? .*\n)+", re.MULTILINE)
 """The rows of the table of lectures, which begin with the number of a lecture."""
 
 FILES_WITH_LISTS = ("README.md", "paper/paper.md")
@@ -37,8 +37,8 @@ class Lecture:
 
     @property
     def number(self) -> str:
-        """Its number, with two digits."""
-        return self.name[:2]
+        """Its number, two digits and perhaps a letter: 04b continues 04."""
+        return self.name.partition("_")[0]
 
 
 def lectures() -> list[Lecture]:
@@ -55,6 +55,18 @@ def lectures() -> list[Lecture]:
     return found
 
 
+def sheet_of(lecture: str) -> str:
+    """Return the name of a lecture's sheet: its own, or that of the lecture that it continues; "" if there is none.
+
+    lecture  the name of its notebook
+
+    >>> sheet_of("04b_velocity"), sheet_of("00_start_here")
+    ('04_poe_body', '')
+    """
+    sheets = COURSE.sheets()
+    return lecture if lecture in sheets else next((sheet for sheet in sheets if sheet[:2] == lecture[:2]), "")
+
+
 def table_rows(notebooks: str, sheet: str) -> str:
     """Write the rows of a Markdown table of the lectures.
 
@@ -67,9 +79,11 @@ def table_rows(notebooks: str, sheet: str) -> str:
     rows = []
     for lecture in lectures():
         problems = f"{lecture.problems} problem{'s' * (lecture.problems > 1)}"
-        cell = sheet.format(name=lecture.name, number=lecture.number, problems=problems)
+        cell = sheet.format(name=lecture.name, number=lecture.number, problems=problems) if lecture.problems else ""
+        if not cell and (shared := sheet_of(lecture.name)):
+            cell = f"with {shared[:2]}"
         link = f"[{lecture.number} {lecture.title}]({notebooks}/{lecture.name}.ipynb)"
-        rows.append(f"| {link} | {lecture.question} | {f'{cell} ' * (lecture.problems > 0)}|\n")
+        rows.append(f"| {link} | {lecture.question} | {f'{cell} ' * bool(cell)}|\n")
     return "".join(rows)
 
 

@@ -47,14 +47,17 @@ def new_lecture(name: str, title: str, question: str, root: Path) -> list[Path]:
     Traceback (most recent call last):
     ValueError: the folder must be a copy of the repository, with kincourse/ and notebooks/; got ...
     """
-    if not re.fullmatch(r"\d\d_[a-z][a-z0-9_]*", name):
-        raise ValueError(f"the name must be two digits and words in small letters, such as 11_dynamics; got {name!r}.")
+    if not re.fullmatch(r"\d\d[a-z]?_[a-z][a-z0-9_]*", name):
+        raise ValueError(
+            "the name must be two digits, a letter if the lecture continues another one, and words in small letters, such as "
+            f"11_dynamics or 11b_dynamics; got {name!r}."
+        )
     for what, text in (("title", title), ("question", question)):
         if not text.strip() or set(text) & set('"\\\n'):
             raise ValueError(f"the {what} must be one line of text without quotes and backslashes; got {text!r}.")
     if not (root / "kincourse").is_dir() or not (root / "notebooks").is_dir():
         raise ValueError(f"the folder must be a copy of the repository, with kincourse/ and notebooks/; got {root}.")
-    number = name[:2]
+    number = name.partition("_")[0]
     if taken := [*(root / "kincourse").glob(f"lecture_{number}_*"), *(root / "notebooks").glob(f"{number}_*")]:
         raise ValueError(
             f"the number of a new lecture must be free; {number} is that of {taken[0].name}. Take another."
@@ -104,7 +107,11 @@ def notebook_of(markdown: str) -> str:
 def solution_of(name: str, title: str) -> str:
     """Write the instructor's notebook of the sheet, with the solution of its one problem."""
     template = Template(
-        f"{name[:2]}.1", "The end of a bent arm", 3, f"{name}#An example", lambda _: Problem("", Numbers(np.zeros(1)))
+        f"{name.partition('_')[0]}.1",
+        "The end of a bent arm",
+        3,
+        f"{name}#An example",
+        lambda _: Problem("", Numbers(np.zeros(1))),
     )
     imports = "import numpy as np\n\nfrom kincourse import open_sheet"
     return notebook(
@@ -130,5 +137,7 @@ def run(options: argparse.Namespace) -> int:
     for arguments in (["-m", "misstep", "release"], ["-c", UPDATE_LISTS]):  # a new process finds the new lecture
         subprocess.run([sys.executable, *arguments], cwd=root, check=True)
     print("\n".join(f"written: {path.relative_to(root).as_posix()}" for path in written))
-    print(f"Change them into your lecture, and run: python course.py test tests/kincourse -k {options.name[:2]}")
+    print(
+        f"Change them into your lecture, and run: python course.py test tests/kincourse -k {options.name.partition('_')[0]}"
+    )
     return 0

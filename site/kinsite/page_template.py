@@ -10,6 +10,8 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
+from kincourse.catalog import COURSE
+from kincourse.table_of_lectures import sheet_of
 from kinlib import robots
 from kinlib.view import explore
 from kinlib.view.viewer.viewer import STATIC
@@ -113,8 +115,13 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     context["kinlib_lab_folder"] = f"{lab}/"
     context["kinlib_python_mb"] = app.config.kinlib_python_mb
     context["kinlib_kind"] = folder.rstrip("s") if is_notebook else ""
-    context["kinlib_sheet"] = name if folder == "lectures" and f"sheets/{name}" in app.env.found_docs else ""
-    context["kinlib_lecture"] = name if folder == "sheets" and f"lectures/{name}" in app.env.found_docs else ""
+    sheet = sheet_of(name) if folder == "lectures" else ""
+    context["kinlib_sheet"] = sheet if f"sheets/{sheet}" in app.env.found_docs else ""
+    context["kinlib_lectures"] = [
+        lecture
+        for lecture in COURSE.lectures
+        if folder == "sheets" and sheet_of(lecture) == name and f"lectures/{lecture}" in app.env.found_docs
+    ]
 
 
 def elsewhere(repository: str, path: str) -> dict[str, str]:

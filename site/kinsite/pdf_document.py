@@ -150,9 +150,11 @@ def label(page: str, title: str) -> str:
 
     >>> label("lectures/04_poe_body.html", "PoE in the body frame")
     '04 PoE in the body frame'
+    >>> label("lectures/04b_velocity.html", "Velocity"), label("lectures/errata.html", "Errata")
+    ('04b Velocity', 'Errata')
     """
-    number = page.removeprefix("lectures/")[:2]
-    return f"{number} {title}" if number.isdigit() and not title.startswith(number) else title
+    number = re.match(r"lectures/(\d\d[a-z]?)_", page)
+    return f"{number[1]} {title}" if number and not title.startswith(number[1]) else title
 
 
 def page_numbers(pdf: bytes) -> dict[str, int]:

@@ -98,9 +98,9 @@ def link_lectures(text: str) -> str:
     >>> link_lectures("Lecture 00.")
     '[Lecture\xa000](lectures/00_start_here.ipynb).'
     """
-    names = {path.stem[:2]: path.name for path in LECTURES}
+    names = {path.stem.partition("_")[0]: path.name for path in LECTURES}
     return re.sub(
-        r"([Ll]ecture)\s(\d\d)\b",
+        r"([Ll]ecture)\s(\d\d[a-z]?)\b",
         lambda found: f"[{found[1]}\N{NO-BREAK SPACE}{found[2]}](lectures/{names[found[2]]})",
         text,
     )

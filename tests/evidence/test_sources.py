@@ -18,7 +18,7 @@ def rows():
     """Yield each item of a deck with the notebook and the title of each section that is named for it."""
     table = nbformat.read(NOTEBOOKS / "sources.ipynb", as_version=4).cells[-1].source
     for item, places in re.findall(r"^\| (.*?) \| (.*?) \|", table, re.MULTILINE):
-        for name, title in re.findall(r"\[\d\d\]\((\w+)\.ipynb\) ([^;]+)", places):
+        for name, title in re.findall(r"\[\d\d[a-z]?\]\((\w+)\.ipynb\) ([^;]+)", places):
             yield item, name, title.strip()
 
 

@@ -10,7 +10,7 @@ from kincourse import COURSE, find_question
 from misstep.questions.item import KINDS
 
 ROOT = Path(__file__).parents[2]
-LECTURES = {path.name[:2]: path for path in sorted((ROOT / "notebooks").glob("[0-9]*.ipynb"))}
+LECTURES = {path.stem.partition("_")[0]: path for path in sorted((ROOT / "notebooks").glob("[0-9]*.ipynb"))}
 QUESTIONS = {
     (lecture, key): find_question(f"{lecture}/{key}") for lecture, items in COURSE.questions().items() for key in items
 }

@@ -72,8 +72,8 @@ def page(census: Mapping[str, Any]) -> str:
     - sheet 01: `a` and `b`
     """
     rows = census["problems"]
-    counted = {row["number"][:2] for row in rows}
-    missing = [name[:2] for name in sheets() if name[:2] not in counted]
+    counted = {row["number"].partition(".")[0] for row in rows}
+    missing = [number for name in sheets() if (number := name.partition("_")[0]) not in counted]
     parts = [HEAD.format(students=census["students"], **COUNTS), two_figures(census)]
     if outside := census.get("outside"):
         parts += ["## From outside", outside_table(outside)]
@@ -81,10 +81,11 @@ def page(census: Mapping[str, Any]) -> str:
     if missing:
         parts.append(f"Not counted in this census: sheet {', '.join(missing)}.")
     for name in sheets():
-        if of_sheet := [row for row in rows if row["number"].startswith(f"{name[:2]}.")]:
-            parts += [f"## Sheet {name[:2]}: {find_sheet(name).title}", table(of_sheet)]
+        number = name.partition("_")[0]
+        if of_sheet := [row for row in rows if row["number"].startswith(f"{number}.")]:
+            parts += [f"## Sheet {number}: {find_sheet(name).title}", table(of_sheet)]
     pairs = [
-        f"- sheet {name[:2]}: " + "; ".join(f"`{one}` and `{other}`" for one, other in found)
+        f"- sheet {name.partition('_')[0]}: " + "; ".join(f"`{one}` and `{other}`" for one, other in found)
         for name, found in census["inseparable"].items()
         if found
     ]

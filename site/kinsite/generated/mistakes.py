@@ -86,7 +86,7 @@ def anchor(problem: str, mistake: str) -> str:
 
 def page(name: str, sheet: Sheet) -> str:
     """Write the page with the mistakes of one sheet, problem by problem."""
-    number = name[:2]
+    number = name.partition("_")[0]
     parts = [
         f"# Mistakes of sheet {number}: {sheet.title}",
         f"The mistakes that [sheet {number}](../sheets/{name}.ipynb) recognises, and the message for each.",

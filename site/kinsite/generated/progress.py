@@ -7,6 +7,8 @@ from pathlib import Path
 
 from nbformat import NotebookNode
 
+from kincourse.table_of_lectures import sheet_of
+
 QUESTION = re.compile(r'data-misstep-question="([^"]+)"[^>]*data-right="(\d)"')
 
 HEAD = """\
@@ -29,13 +31,16 @@ def pages(lectures: Mapping[Path, NotebookNode], sheets: Mapping[Path, NotebookN
         if not (found := questions(notebook)):
             continue
         names, right = zip(*found, strict=True)
+        number, problem_count = path.stem.partition("_")[0], problems.get(path.stem, 0)
+        shared = "" if problem_count else sheet_of(path.stem)[:2]
+        solved = f"0 of {problem_count}" if problem_count else f"with {shared}" * bool(shared)
         title = notebook.cells[0].source.split("\n", 1)[0].removeprefix("# ")
         rows.append(
             f'<tr data-lecture="lectures/{path.stem}" data-questions="{escape(" ".join(names))}" '
-            f'data-keys="{" ".join(right)}" data-problems="{problems.get(path.stem, 0)}">'
-            f'<th scope="row"><a href="lectures/{path.stem}.html">{path.stem[:2]} {escape(title)}</a></th>'
+            f'data-keys="{" ".join(right)}" data-problems="{problem_count}">'
+            f'<th scope="row"><a href="lectures/{path.stem}.html">{number} {escape(title)}</a></th>'
             f"<td data-read>not yet</td><td data-answered>0 of {len(names)}</td><td data-right>0</td>"
-            f"<td data-solved>{f'0 of {problems[path.stem]}' if path.stem in problems else ''}</td></tr>"
+            f"<td data-solved>{solved}</td></tr>"
         )
     table = (
         '<div class="kinlib-progress" data-kinlib-progress><table><caption class="visually-hidden">Lectures read, questions '
