@@ -274,7 +274,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.8", "A column of the body Jacobian", points=2, lecture="04_poe_body#Body screws and the body Jacobian")
+@problem("04.8", "A column of the body Jacobian", points=2, lecture="04b_velocity#Body screws and the body Jacobian")
 def jacobian_column(sampler: ArmSampler) -> Problem:
     robot, i = _random_arm(sampler, sampler.choice(["RRRR", "RRPR", "PRRR"])), 1
     typed, q, words = _random_configuration(sampler, robot)
@@ -326,7 +326,7 @@ def jacobian_column(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.9", "The twist of the tool", points=3, lecture="04_poe_body#Joint rates and the twist of the tool")
+@problem("04.9", "The twist of the tool", points=3, lecture="04b_velocity#Joint rates and the twist of the tool")
 def twist_of_the_tool(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRR", "RPR", "RRP"]))
     typed, q, words = _random_configuration(sampler, robot)
@@ -419,7 +419,7 @@ class WristAnswer(Numbers):
         return [0, 1]
 
 
-@problem("04.10", "A singular wrist", points=3, lecture="04_poe_body#Singular configurations")
+@problem("04.10", "A singular wrist", points=3, lecture="04b_velocity#Singular configurations")
 def singular_wrist(sampler: ArmSampler) -> Problem:
     tilt = sampler.choice([20, 25, 35, 40, 50, 55, 65, 70, 110, 115, 125, 130, 140, 145, 155, 160])
     (toward, name), sign = sampler.choice([(X, "x"), (Y, "y")]), sampler.choice([1, -1])

@@ -1,4 +1,4 @@
-"""Lecture 06: its problems, blank steps, questions and drawings. The lists of lectures show its title and its question."""
+"""Lecture 06: its problems, blank steps and questions. The lists of lectures show its title and its question."""
 
 TITLE = "DH, modified"
 QUESTION = "Where are the four numbers in the other convention?"

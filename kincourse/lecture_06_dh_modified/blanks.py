@@ -1,4 +1,4 @@
-"""The blank steps of lecture 06: a link transform, one that a slide misprints, a product of two, and a converted row."""
+"""The blank steps of lecture 06: a link transform that a slide misprints, a product of two, and a converted row."""
 
 import numpy as np
 
@@ -13,21 +13,10 @@ from misstep.problem import Problem
 RIGHT_ANGLE_RAD = np.pi / 2
 ROW_2 = (0.0, -RIGHT_ANGLE_RAD, 0.3, -RIGHT_ANGLE_RAD)
 ROW_3 = (0.5, -RIGHT_ANGLE_RAD, 0.0, RIGHT_ANGLE_RAD)
-"""Rows 2 and 3 (a, alpha, d, theta) of the arm of "DH example with n = 5", at the joint values of steps 06.b and 06.c."""
+"""Rows 2 and 3 (a, alpha, d, theta) of the arm of "DH example with n = 5", at the joint values of steps 06.a and 06.b."""
 
 
-@problem("06.a", "A link transform of the PUMA", points=1, lecture="06_dh_modified#The general matrix")
-def puma_row_4(_draw: ArmSampler) -> Problem:
-    T_34 = link([0.0203, -RIGHT_ANGLE_RAD, 0.4318, np.radians(30)], "modified", 4)
-    return Problem(
-        statement="Row 4 of the PUMA's table has $a_3 = 0.0203$ m, $\\alpha_3 = -90°$, $d_4 = 0.4318$ m and $\\theta_4 = 30°$. Give "
-        "${}^3T_4$.",
-        answer=PoseAnswer(T_34.value),
-        solution=T_34,
-    )
-
-
-@problem("06.b", "The second link of the n = 5 arm", points=1, lecture="06_dh_modified#The n = 5 arm")
+@problem("06.a", "The second link of the n = 5 arm", points=1, lecture="06_dh_modified#The n = 5 arm")
 def n5_row_2(_draw: ArmSampler) -> Problem:
     a, alpha, d, theta = ROW_2
     T_12 = link([a, alpha, joint_variable("P", 2, d, 0.0), theta], "modified", 2)
@@ -46,7 +35,7 @@ def n5_row_2(_draw: ArmSampler) -> Problem:
     )
 
 
-@problem("06.c", "Two links of the n = 5 arm", points=1, lecture="06_dh_modified#The n = 5 arm")
+@problem("06.b", "Two links of the n = 5 arm", points=1, lecture="06_dh_modified#The n = 5 arm")
 def n5_rows_2_and_3(_draw: ArmSampler) -> Problem:
     at_zero = np.array([ROW_2, ROW_3]) * ((1, 1, 0, 1), (1, 1, 1, 0))
     T_13 = table_product(at_zero, "PR", [ROW_2[2], ROW_3[3]], "modified", first=2)
@@ -58,7 +47,7 @@ def n5_rows_2_and_3(_draw: ArmSampler) -> Problem:
     )
 
 
-@problem("06.d", "A row of the youBot, modified", points=1, lecture="06_dh_modified#Converting")
+@problem("06.c", "A row of the youBot, modified", points=1, lecture="06_dh_modified#Converting")
 def youbot_row_2(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Give row 2 of the youBot's table in the modified convention: $a_1$, $\\alpha_1$, $d_2$, offset of $\\theta_2$.",
@@ -90,4 +79,4 @@ def youbot_row_2(_draw: ArmSampler) -> Problem:
     )
 
 
-BLANKS = [puma_row_4, n5_row_2, n5_rows_2_and_3, youbot_row_2]
+BLANKS = [n5_row_2, n5_rows_2_and_3, youbot_row_2]

@@ -1,64 +1,50 @@
-"""The opening film: a wrist whose three axes meet in one point."""
+"""The opening film: a link between two joints, and two places where its frame may be."""
 
 import numpy as np
 
-from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import INK, LINK_GREY, ORANGE, VIOLET
+from kinlib.view.drawing.figure_colours import LINK_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.joint_bodies import carried_axes, draw_joint_body
 from kinlib.view.viewer.film import Film, film, share
 
-CENTRE, REACH = np.array([0.0, 0.0, 0.0]), 0.9
-PLACES = (-0.75, 0.0, 0.4)
-"""Where on its axis each joint is built."""
+ELBOW, TIP = np.array([0.7, 0.0, 0.0]), np.array([1.2, 0.0, 0.0])
 
 
 def opening() -> Film:
-    """Play the three joints of a spherical wrist, one after the other and then together.
+    """Play two joints of an arm. The link between them has two frames, one at each of its ends.
 
-    >>> opening().alt[:41]
-    'A wrist has three joints. Joint 4 rotates'
+    >>> opening().alt[:26]
+    'A link between two joints.'
     """
-    wrist = arm([(X, CENTRE), (Y, CENTRE), (X, CENTRE)], pose((Y, Z, X), (REACH, 0, 0)), "wrist", "")
-    start = np.array([0.0, 0.6, 0.0])
-    around = np.array([(-1.1, -0.9, -0.9), (1.0, 0.9, 0.9)])
-
-    def values(t: float) -> Array:
-        turns = np.array([1.6 * share(t, 0.5, 2.5), -1.3 * share(t, 3, 5), 1.8 * share(t, 5.5, 7)])
-        together = share(t, 8, 11) * np.array([-2.4, 1.5, 1.0])
-        q: Array = start + turns + together
-        return q
+    chain = arm([(Z, (0, 0, 0)), (Y, ELBOW)], pose((X, Y, Z), TIP), "two joints", "")
+    around = np.array([(-0.35, -0.5, -0.5), (1.3, 0.8, 0.6)])
 
     def draw(t: float) -> Picture:
-        q = values(t)
-        links, tip = wrist.link_poses(q), wrist.fk(q)
+        q = np.array([0.7 * share(t, 2, 4.2) - 0.9 * share(t, 8, 11), -0.8 * share(t, 5, 7.2) + 1.1 * share(t, 8, 11)])
+        links, tip = chain.link_poses(q), chain.fk(q)[:3, 3]
+        near, far = links[0], links[0] @ pose((X, -Z, Y), ELBOW)
         canvas = Canvas(around)
-        trace = np.array([wrist.fk(values(s))[:3, 3] for s in np.linspace(max(0, t - 4), t, 30)])
-        canvas.line(trace, ORANGE, 1.4, ":")
-        axes = carried_axes(wrist, links)
-        canvas.line([-1.05 * X, CENTRE], LINK_GREY, 7)
-        canvas.line([CENTRE, tip[:3, 3]], LINK_GREY, 5)
-        for number, axis, place in zip("456", axes, PLACES, strict=True):
-            canvas.arrow(CENTRE - 0.8 * axis, CENTRE + 0.8 * axis, VIOLET, 1.5, style="--", level=3.5)
-            canvas.label(CENTRE + 0.8 * axis, f"axis {number}", VIOLET)
-            draw_joint_body(canvas, "R", axis, CENTRE + place * axis)
-        canvas.triad(tip, "b", 0.22)
-        canvas.dot(CENTRE, INK, 9, level=6)
+        canvas.line([near[:3, 3], far[:3, 3]], LINK_GREY, 8)
+        canvas.line([far[:3, 3], tip], LINK_GREY, 4)
+        for number, axis, place in zip("12", carried_axes(chain, links), (near, far), strict=True):
+            canvas.arrow(place[:3, 3] - 0.45 * axis, place[:3, 3] + 0.45 * axis, VIOLET, 1.5, style="--", level=3.5)
+            canvas.label(place[:3, 3] + 0.45 * axis, f"axis {number}", VIOLET)
+            draw_joint_body(canvas, "R", axis, place[:3, 3])
+        for place in (near, far):
+            canvas.triad(place, "", 0.22)
         return canvas.picture(
-            f"Three axes 4, 5 and 6 that meet in one point. The tool is at {vector_text(tip[:3, 3])} from there."
+            f"A link, and a joint at each end. One frame of the link is at {vector_text(near[:3, 3])}, another one at "
+            f"{vector_text(far[:3, 3])}. The tip of the next link is at {vector_text(tip)}."
         )
 
     return film(
         draw,
         [
-            (2.7, "A wrist has three joints. Joint 4 rotates."),
-            (2.5, "Joint 5 rotates, and carries joint 6 with it."),
-            (2.3, "Joint 6 rotates. The three axes always meet in the same point."),
-            (
-                4.0,
-                "All three rotate together. What can they change, and what must the arm before them do?",
-            ),
+            (2.0, "A link between two joints. A frame may be at each of its two ends, with z on the axis there."),
+            (2.6, "Joint 1 rotates. Both frames move with the link."),
+            (2.8, "Joint 2 rotates. Both frames stay where they are, because they belong to the link before it."),
+            (4.0, "Either of them is a frame of this link. What changes in the table if you choose the other one?"),
         ],
     )

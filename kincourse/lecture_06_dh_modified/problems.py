@@ -556,7 +556,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("06.7", "The rotation of a wrist", points=3, lecture="06_dh_modified#The wrist")
+@problem("06.7", "The rotation of a wrist", points=3, lecture="06b_puma#The wrist")
 def wrist(sampler: ArmSampler) -> Problem:
     degrees = [0, 0, 0]
     while (
@@ -612,7 +612,7 @@ def chain(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("06.9", "The angles of a wrist", points=3, lecture="06_dh_modified#Angles from a rotation")
+@problem("06.9", "The angles of a wrist", points=3, lecture="06b_puma#Angles from a rotation")
 def angles_of_a_wrist(sampler: ArmSampler) -> Problem:
     first, last = sampler.shuffled([sampler.degrees(15, 75), -sampler.degrees(105, 165)])
     degrees = [[first, sampler.degrees(25, 80), last], [0, 0, sampler.choice((-1, 1)) * sampler.degrees(15, 75)]]

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kincourse.lecture_06_dh_modified.drawings import draw_rotation_axes, rotation_axes
+from kincourse.lecture_06b_puma.drawings import draw_rotation_axes, rotation_axes
 from kinlib.rigid.lie import exp
 
 UNITS = dict(zip("xyz", np.eye(3), strict=True))

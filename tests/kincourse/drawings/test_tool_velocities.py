@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from kincourse.lecture_04_poe_body.drawings import draw_tool_velocities
-from kincourse.lecture_04_poe_body.drawings.tool_velocities import lost_directions, tool_velocities
+from kincourse.lecture_04b_velocity.drawings import draw_tool_velocities, lost_directions, tool_velocities
 from kinlib.chains.robots import puma560, rpr, youbot
 
 BENT = np.radians([20, 60, -60, -40, 10])
