@@ -17,7 +17,7 @@ nox.options.sessions = ["lint"]
 
 PYTHON = sys.executable
 PINS = "constraints.txt"
-PYTHONS = ("3.11", "3.12", "3.13")
+PYTHONS = re.findall(r"Python :: (3\.\d+)", Path("pyproject.toml").read_text("utf-8"))
 UPLOADERS = (("twine==6.0.1", "pkginfo==1.12.0"), ("twine==6.1.0", "packaging==24.2"), ("twine", "packaging"))
 """What may upload a release: an action of GitHub brings along a version of its own, and each refuses metadata that it does not know."""
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}

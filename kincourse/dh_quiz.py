@@ -18,11 +18,10 @@ from kinlib.dh.diagnosis import diagnose
 from kinlib.dh.mistakes import corrected_rows, known_corrections
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.view import draw_joints
-from misstep.display.card import Card
+from misstep.display.card import TITLES, Card
 from misstep.judge import Judgement, judge
 from misstep.mistakes import mistake
 from misstep.problem import Problem
-from misstep.verdict import TITLES
 
 JOINT_TYPES = ("RR", "RRR", "RPR", "RRP", "PRR", "RPRR", "RRPR", "RRRR")
 """The types of the joints of the arms, from base to tool."""

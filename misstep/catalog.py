@@ -26,7 +26,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from misstep.display.lecture_address import lecture_address
-from misstep.display.static_output import is_static_export
+from misstep.display.static_output import is_page
 from misstep.judge import judge
 from misstep.problem import Template
 from misstep.questions.item import Item, read_questions
@@ -231,7 +231,7 @@ class Course:
     def _question_of_reader(self, name: str) -> Item:
         """The question with its options in the order of this reader, where a JupyterHub says who it is."""
         item, reader = self.find_question(name), os.environ.get(READER_VARIABLE)
-        return item.shuffled(f"{name} {reader}") if reader and not is_static_export() else item
+        return item.shuffled(f"{name} {reader}") if reader and not is_page() else item
 
     def _module(self, lecture: str, name: str) -> Any:
         return importlib.import_module(f"{self.package}.{FOLDER_PREFIX}{lecture}.{name}")

@@ -5,21 +5,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from misstep.diagnosis.bugs import Observation, Recurrence
-from misstep.display.card import Card, Link
+from misstep.display.card import TITLES, Card, Link
 from misstep.display.text import points
 from misstep.judge import Finding, Judgement
 from misstep.problem import Problem, Template
 from misstep.storage.deserialize import MIME
-
-TITLES = {
-    "right": "Right",
-    "partly": "Partly right",
-    "wrong": "Not yet",
-    "blank": "Nothing here yet",
-    "unreadable": "This cannot be read as an answer",
-    "unmarked": "Ready to be marked",
-}
-
 
 SOLVED_MIME = "application/vnd.misstep.solved+json"
 """The MIME type by which a check tells the page that its problem has full marks. It plays no part in grading."""

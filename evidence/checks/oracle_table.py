@@ -27,7 +27,7 @@ COMPUTING = [
     *("kincourse.sampling.four_bar_geometry", "misstep.answers.expression", "misstep.formulas.evaluation"),
     *("kinlib.view.figures.linkage", "kincourse.lecture_02_matrix_exponential.drawings.exponential_series"),
     *("kinlib.view.figures.dh_row_motions", "kinlib.view.viewer.scene"),
-    *("kinlib.view.viewer.tree_viewer", "kinlib.view.drawing.export"),
+    *("kinlib.view.viewer.tree_viewer", "kinlib.view.drawing.png_and_pdf"),
 ]
 """Modules of the packages above the mathematics that compute: all their public functions but those that draw need an oracle too."""
 

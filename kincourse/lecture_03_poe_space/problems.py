@@ -39,7 +39,7 @@ from kinlib.symbolic.merge_rotations import homogeneous
 from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
 from misstep.answers.function import Function
-from misstep.answers.order import Ordering
+from misstep.answers.groups.order import Ordering
 from misstep.display.text import matrix, number, vector
 from misstep.mutants.expression import Expression, given, negative, total
 from misstep.mutants.operations import ANGLE, LENGTH, radians, unit

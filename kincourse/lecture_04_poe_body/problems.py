@@ -36,8 +36,8 @@ from kinlib.rigid.lie import adjoint, exp, homogeneous
 from kinlib.rigid.lie import inverse as invert
 from kinlib.rigid.screw import screw
 from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
+from misstep.answers.groups.order import Ordering
 from misstep.answers.number import Numbers
-from misstep.answers.order import Ordering
 from misstep.display.text import matrix, number
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product, total

@@ -40,7 +40,7 @@ from kinlib.dh.mistakes import (
     known_corrections,
 )
 from kinlib.dh.parsing import COLUMNS
-from kinlib.dh.rounding import ALMOST_1, Rounding, judge_rounding
+from kinlib.dh.printed_digits import ALMOST_1, Rounding, judge_rounding
 from kinlib.dh.table import Convention, DHTable, dh_transform
 
 MAX_TOLD = 3

@@ -19,6 +19,16 @@ TONES = {
 }
 """For each tone the icon and the colour of the edge."""
 
+TITLES = {
+    "right": "Right",
+    "partly": "Partly right",
+    "wrong": "Not yet",
+    "blank": "Nothing here yet",
+    "unreadable": "This cannot be read as an answer",
+    "unmarked": "Ready to be marked",
+}
+"""For each state of an answer the title of its card."""
+
 PAPER = "var(--jp-layout-color1,#fff)"
 INK = "var(--jp-content-font-color1,#1f2328)"
 """The colours of JupyterLab's theme, light or dark; a page without them is light."""

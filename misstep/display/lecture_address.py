@@ -3,7 +3,7 @@
 import os
 import re
 
-from misstep.display.static_output import is_static_export
+from misstep.display.static_output import is_page
 
 FOLDER = "notebooks"
 """The folder of the lectures' notebooks, beside the folder of a sheet or above it."""
@@ -23,7 +23,7 @@ def lecture_address(lecture: str, site: str = "") -> str:
     name, _, heading = lecture.partition("#")
     paths = [f"{'../' * level}{FOLDER}/{name}.ipynb" for level in range(MAX_LEVELS)]
     found = filter(os.path.isfile, paths)  # Path.is_file raises an error for a folder that cannot be read
-    path = next(found, paths[1] if is_static_export() else "")
+    path = next(found, paths[1] if is_page() else "")
     # A heading has this id in JupyterLab.
     return f"{path}#{heading.replace(' ', '-')}" if path else page_address(lecture, site)
 

@@ -7,7 +7,7 @@ import re
 from html import escape, unescape
 from urllib.parse import urlsplit
 
-from misstep.display.static_output import is_static_export
+from misstep.display.static_output import is_page
 
 LITERAL = re.compile(r"(?<!`)`([^`]+)`(?!`)|\$\$(.+?)\$\$|\$([^$]+)\$", re.DOTALL)
 """Code and formulas, in which no other mark counts."""
@@ -100,7 +100,7 @@ def _link(found: re.Match[str]) -> str:
 
 def link_html(address: str, html: str) -> str:
     """Return a link that has the colour of the text around it, and that leads to the section of a notebook in JupyterLab too."""
-    follow = f' onclick="{escape(FOLLOW)}"' if ".ipynb#" in address and not is_static_export() else ""
+    follow = f' onclick="{escape(FOLLOW)}"' if ".ipynb#" in address and not is_page() else ""
     return f'<a href="{escape(address)}"{follow} style="{LINK_STYLE}">{html}</a>'
 
 

@@ -1,6 +1,6 @@
 """Whether notebooks are being executed for a static page, on which no Python runs afterwards.
 
-kinlib/view/drawing/static_export.py reads the same variable, because the two packages are installed independently of each other.
+kinlib/view/drawing/static_page.py reads the same variable, because the two packages are installed independently of each other.
 """
 
 import os
@@ -10,6 +10,6 @@ ENVIRONMENT_VARIABLE = "NOTEBOOK_STATIC_PAGE"
 after the answer, so that a student's saved notebook does not contain them."""
 
 
-def is_static_export() -> bool:
-    """Whether outputs must be those of a page: one without a kernel, or one with a Python of its own, where the variable is "live"."""
+def is_page() -> bool:
+    """Whether outputs are for a page, without a kernel or, where the variable is "live", with a Python of its own."""
     return bool(os.environ.get(ENVIRONMENT_VARIABLE))

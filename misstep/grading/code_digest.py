@@ -18,7 +18,7 @@ GRADER_MODULES = (
     "misstep.grading.judging.judge_process",
     "misstep.grading.judging.parse_output",
     "misstep.grading.sandbox.server",
-    "misstep.grading.sandbox.child",
+    "misstep.grading.sandbox.submission_process",
 )
 """The modules from which a submission gets its points."""
 

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 from traitlets import Bool, HasTraits, Int
 
 from misstep.display.card import Card, inline
-from misstep.display.static_output import is_static_export
+from misstep.display.static_output import is_page
 from misstep.questions.item import KINDS, LETTERS, Item
 from misstep.questions.page import explanation_html, question_html
 
@@ -72,7 +72,7 @@ class Question(HasTraits):
     def _repr_mimebundle_(self, **options: Any) -> Any:
         if self._widget is None:
             self._widget = _make_widget(self)
-        static_html = {"text/html": question_html(self.name, self.item)} if is_static_export() else {}
+        static_html = {"text/html": question_html(self.name, self.item)} if is_page() else {}
         return {**self._widget._repr_mimebundle_(**options), **static_html, "text/plain": self.text()}
 
     def text(self) -> str:
@@ -97,7 +97,7 @@ class Explanation:
         if self._widget is None:
             self._widget = _make_explanation(self.question)
         question = self.question
-        static_html = {"text/html": explanation_html(question.name, question.item)} if is_static_export() else {}
+        static_html = {"text/html": explanation_html(question.name, question.item)} if is_page() else {}
         return {**self._widget._repr_mimebundle_(**options), **static_html, "text/plain": self.card.text()}
 
 

@@ -22,7 +22,7 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from nbformat import NotebookNode
 
-from kinlib.view.drawing.static_export import ENVIRONMENT_VARIABLE
+from kinlib.view.drawing.static_page import ENVIRONMENT_VARIABLE
 
 ROOT = Path(__file__).resolve().parents[2]
 CACHE = ROOT / "build" / "executed"

@@ -7,8 +7,8 @@ import pytest
 
 from misstep.answers.base import Unreadable
 from misstep.answers.choice import Choice
+from misstep.answers.groups.order import Ordering
 from misstep.answers.number import Numbers
-from misstep.answers.order import Ordering
 from misstep.judge import STEP_BY_STEP, UNKNOWN, Finding, Judgement, judge
 from misstep.mistakes import mistake
 from misstep.problem import Problem, problem

@@ -5,8 +5,8 @@ from pathlib import Path
 import documents
 import paths
 import pytest
+from fresh_copy import pythons
 from paths import NOT_REHEARSED, PATHS
-from place import pythons
 
 REHEARSED = {command for one in PATHS.values() for command in one.commands}
 

@@ -1,6 +1,6 @@
 """Rehearse the paths that the documents describe, each in a fresh copy with exactly what it installs.
 
-    python tools/fresh                              every path, on every Python from 3.11 to 3.14 of this machine
+    python tools/fresh                              every path, on every supported Python of this machine
     python tools/fresh lab site --python 3.13       these paths, on this Python
 
 It needs a Python with its standard library, bash and git. `paths.py` says what each path does, and what is not rehearsed.
@@ -10,8 +10,8 @@ import argparse
 import sys
 import time
 
+from fresh_copy import SUPPORTED, pythons
 from paths import NOT_REHEARSED, PATHS, rehearse
-from place import SUPPORTED, pythons
 
 
 def main() -> int:

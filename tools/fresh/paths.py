@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path as FilePath
 
-from place import Failure, NotTried, Place, free_port, reachable
+from fresh_copy import Failure, NotTried, Place, free_port, reachable
 
 LECTURE = "notebooks/00_start_here.ipynb"
 SHEET = "solutions/03_poe_space/03_poe_space.ipynb"

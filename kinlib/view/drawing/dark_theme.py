@@ -8,7 +8,34 @@ uses the theme of the system. The drawing stays legible, because it paints its o
 import colorsys
 import re
 
-from kinlib.view.drawing.figure_colours import DARK_COLOURS
+from kinlib.view.drawing.figure_colours import (
+    AXIS_COLOURS,
+    GHOST_GREY,
+    GREY,
+    INK,
+    JOINT_FILL,
+    LINK_GREY,
+    ORANGE,
+    PALE_GREY,
+    VIOLET,
+)
+
+DARK_COLOURS = {
+    "#ffffff": "#171b21",
+    "#000000": "#e6edf3",
+    INK: "#e6edf3",
+    GREY: "#9aa5b1",
+    PALE_GREY: "#3b444f",
+    VIOLET: "#c39bff",
+    ORANGE: "#ff9d4d",
+    AXIS_COLOURS[0]: "#ff7b7b",
+    AXIS_COLOURS[1]: "#51cf66",
+    AXIS_COLOURS[2]: "#74b3ff",
+    LINK_GREY: "#7d9cbb",
+    GHOST_GREY: "#59636e",
+    JOINT_FILL: "#80622a",
+}
+"""The colour on a dark page for each colour on white paper; for other colours it is computed."""
 
 COLOUR = re.compile(r'(fill|stroke)(="|: )(#[0-9a-fA-F]{6}|white|black)')
 

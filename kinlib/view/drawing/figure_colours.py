@@ -1,4 +1,4 @@
-"""The colours of figures on white paper, and those on a dark page, which `dark_theme` puts in their place.
+"""The colours of figures on white paper. `dark_theme` has those on a dark page.
 
 Violet is for joint axes and for d along them, orange for common normals and for a along them. The colours of the 3-D viewer,
 in the light and in the dark theme, are in kinlib/view/js/theme.js.
@@ -13,20 +13,3 @@ LINK_GREY, GHOST_GREY = "#5b7083", "#b6bec6"
 """Links of the configuration that is drawn, and of a second one that is shown for comparison."""
 
 JOINT_FILL = "#f3d9a4"
-
-DARK_COLOURS = {
-    "#ffffff": "#171b21",
-    "#000000": "#e6edf3",
-    INK: "#e6edf3",
-    GREY: "#9aa5b1",
-    PALE_GREY: "#3b444f",
-    VIOLET: "#c39bff",
-    ORANGE: "#ff9d4d",
-    AXIS_COLOURS[0]: "#ff7b7b",
-    AXIS_COLOURS[1]: "#51cf66",
-    AXIS_COLOURS[2]: "#74b3ff",
-    LINK_GREY: "#7d9cbb",
-    GHOST_GREY: "#59636e",
-    JOINT_FILL: "#80622a",
-}
-"""The colour on a dark page for each colour on white paper; for other colours it is computed."""

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.tolerances import TYPED_PI_ERROR
 from kinlib.view.drawing.dark_theme import THEME_CSS, follow_theme
-from kinlib.view.drawing.export import KINDS, image_bytes
+from kinlib.view.drawing.png_and_pdf import KINDS, image_bytes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

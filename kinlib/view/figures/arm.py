@@ -120,7 +120,7 @@ def describe_arm(
     home_axes  whether the axes at home are drawn in grey
     frames     the frames that are drawn, poses (4, 4) in {s}
 
-    js/scene/describe-arm.js says the same of the arm in the viewer.
+    js/scene/describe.js says the same of the arm in the viewer.
 
     >>> from kinlib.chains.robots import rpr
     >>> print(describe_arm(rpr(), [np.pi / 2, 0, 0], ghost=np.zeros(3)))   # doctest: +NORMALIZE_WHITESPACE

@@ -12,7 +12,7 @@ import ipywidgets as widgets
 
 from kinlib.view.drawing.crop import crop, is_croppable
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.drawing.static_export import is_static_export
+from kinlib.view.drawing.static_page import is_without_kernel
 from kinlib.view.viewer.cell_memory import keep_in_cell
 
 PAPER, INK = "var(--jp-layout-color1,#fff)", "var(--jp-content-font-color1,#1f2328)"
@@ -64,7 +64,7 @@ def slide(
     )
     keep_in_cell(slider, ["value"], (label, options))
     drawn = {start: at(start)}
-    if is_croppable(drawn[start]) or is_static_export():
+    if is_croppable(drawn[start]) or is_without_kernel():
         pictures = [drawn[start] if index == start else at(index) for index in range(len(values))]
         drawn = dict(enumerate(crop(pictures) if all(map(is_croppable, pictures)) else pictures))
 
@@ -73,7 +73,7 @@ def slide(
         return (drawn[index] if index in drawn else at(index)).html()
 
     inside = _covered(_live(show, [slider], []), after)
-    if not is_static_export():
+    if not is_without_kernel():
         return inside
     return Slides(inside, [(text, drawn[index].html()) for text, index in options], label, start, after)
 

@@ -21,7 +21,7 @@ from kinlib.arrays.named_values import JointValues
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.view.drawing.picture import Picture, page
-from kinlib.view.drawing.static_export import is_static_export
+from kinlib.view.drawing.static_page import is_without_kernel
 from kinlib.view.figures.arm import ARM_LAYERS, describe_arm, draw_arm
 from kinlib.view.viewer.cell_memory import keep_in_cell
 from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, body_motions, scene
@@ -165,7 +165,7 @@ class ViewerBase(anywidget.AnyWidget):
         )
         return (
             f"<details><summary>{text}</summary>{self._picture().html()}</details>"
-            if is_static_export()
+            if is_without_kernel()
             else f"<p>{text}</p>"
         )
 

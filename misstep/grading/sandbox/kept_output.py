@@ -12,17 +12,14 @@ from typing import Any
 
 from IPython.core.displaypub import CapturingDisplayPublisher
 
-from misstep.grading.sandbox.limits import MAX_ANSWER_CHARACTERS, SHOWN_KINDS
+from misstep.grading.sandbox.limits import (
+    MAX_ANSWER_CHARACTERS,
+    MAX_BYTES,
+    MAX_CELL_BYTES,
+    MAX_PRINTED_CHARACTERS,
+    SHOWN_KINDS,
+)
 from misstep.storage.deserialize import MIME
-
-MAX_PRINTED_CHARACTERS = 100_000
-"""How many characters of what a cell prints are kept."""
-
-MAX_CELL_BYTES = 1_000_000
-"""How many bytes of the output of a cell are kept, as JSON."""
-
-MAX_BYTES = 4_000_000
-"""How many bytes of the output of all cells are kept, as JSON."""
 
 
 class TruncatedStream(io.StringIO):

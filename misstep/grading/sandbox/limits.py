@@ -25,6 +25,15 @@ SHOWN_KINDS = {"text/plain", "text/markdown", "image/png"}
 MAX_ANSWER_CHARACTERS = 256_000
 """The longest answer, as JSON, in characters."""
 
+MAX_PRINTED_CHARACTERS = 100_000
+"""How many characters of what a cell prints are kept."""
+
+MAX_CELL_BYTES = 1_000_000
+"""How many bytes of the output of a cell are kept, as JSON."""
+
+MAX_BYTES = 4_000_000
+"""How many bytes of the output of all cells are kept, as JSON."""
+
 
 @dataclass(frozen=True)
 class Limits:

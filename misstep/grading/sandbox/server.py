@@ -96,7 +96,7 @@ def _warm_up(setup: CourseSetup) -> "tuple[SubmissionShell, CourseStub]":
     found in its memory. After enter_root, the engine cannot be imported any more.
     """
     stub = install_stub(setup.package)
-    import_module("misstep.grading.sandbox.child")
+    import_module("misstep.grading.sandbox.submission_process")
     for module in setup.imports:
         with suppress(ModuleNotFoundError):  # not every course draws, or works with symbols
             import_module(module)
@@ -142,7 +142,7 @@ def _run_child(
 ) -> None:
     """Run a submission in this forked process, and never return."""
     try:
-        from misstep.grading.sandbox.child import run_child
+        from misstep.grading.sandbox.submission_process import run_child
 
         run_child(confinement, shell, stub, *descriptors)
     finally:

@@ -5,8 +5,8 @@ import re
 import numpy as np
 import pytest
 
+from kincourse.lecture_09_urdf.compare_urdf_readers import ARM, FOUR_BAR
 from kincourse.lecture_09_urdf.drawings import draw_urdf_joint, draw_urdf_tree
-from kincourse.lecture_09_urdf.readers import ARM, FOUR_BAR
 from kinlib.rigid.rpy import origin
 from kinlib.view.drawing.picture import vector_text
 

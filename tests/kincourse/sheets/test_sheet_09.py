@@ -13,7 +13,7 @@ from urdf_files import poses_by_pinocchio
 
 import kinlib as kl
 from kincourse import open_sheet
-from kincourse.lecture_09_urdf import readers
+from kincourse.lecture_09_urdf import compare_urdf_readers as readers
 from kinlib import dh_transform, load_urdf
 from kinlib.rigid.rpy import origin
 

@@ -13,7 +13,7 @@ from kinlib.chains.joint_maps import identity_map, joint_maps, pose_error
 from kinlib.dh.equivalence import derived_accuracy
 from kinlib.dh.formatting import headings, in_latex
 from kinlib.dh.invariants import acute_angle, axis_distance
-from kinlib.dh.rounding import Rounding, judge_rounding, rounding_effect, typed_half_units
+from kinlib.dh.printed_digits import Rounding, judge_rounding, rounding_effect, typed_half_units
 
 CONVENTIONS = ("standard", "modified")
 ANGLES_RAD = np.concatenate([[0.0], np.logspace(-14, -2, reduced_count(24 * 12) + 1)])

@@ -21,9 +21,9 @@ from misstep.answers.expression import ClosedForm
 from misstep.answers.function import Function
 from misstep.answers.groups.interval import Interval
 from misstep.answers.groups.members import Members
+from misstep.answers.groups.order import Ordering
 from misstep.answers.groups.table import Table
 from misstep.answers.number import Numbers
-from misstep.answers.order import Ordering
 from misstep.answers.quantity import Quantity
 from misstep.answers.text import Text
 from misstep.judge import judge

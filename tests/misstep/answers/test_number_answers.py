@@ -12,8 +12,8 @@ from misstep.answers.base import Unreadable
 from misstep.answers.choice import Choice
 from misstep.answers.equivalent import Equivalent
 from misstep.answers.function import Function
+from misstep.answers.groups.order import Ordering
 from misstep.answers.number import Numbers, entries_hint, looks_rounded
-from misstep.answers.order import Ordering
 from misstep.judge import judge
 from misstep.problem import Problem
 

@@ -23,9 +23,9 @@ PROGRAMS = ("misstep", "kincourse", "nbgrader")
 
 NOT_RUN = {
     r"python -m venv|source ": "the tests have an environment already",
-    r"(\.venv/bin/)?pip install": "it needs a package registry; tests/misstep/test_foreign_course.py installs the wheels",
+    r"(\.venv/bin/)?pip install": "it needs a package registry; tests/misstep/courses/test_foreign_course.py installs the wheels",
     r"(podman|docker) ": "it needs a container engine; .github/workflows/container.yml runs it",
-    r"dask ": "it opens ports; tests/misstep/grading/test_cluster.py starts a scheduler and workers",
+    r"dask ": "it opens ports; tests/misstep/grading/platforms/test_cluster.py starts a scheduler and workers",
     r"sudo |sysctl |apt ": "it changes the machine",
 }
 """The lines that do not run here, as regular expressions, and why."""

@@ -23,7 +23,7 @@ from nbclient.exceptions import CellExecutionError
 from nbformat import NotebookNode
 from nbval.plugin import IPyNbCell, IPyNbFile
 
-from kinlib.view.drawing.static_export import ENVIRONMENT_VARIABLE
+from kinlib.view.drawing.static_page import ENVIRONMENT_VARIABLE
 
 ROOT = Path(__file__).parents[3]
 sys.path.insert(0, str(ROOT / "site"))

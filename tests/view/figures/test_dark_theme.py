@@ -14,8 +14,8 @@ from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
 from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus
 from kinlib.view import Picture, draw_arm, draw_frames, draw_linkage, plot
 from kinlib.view.drawing.crop import crop
-from kinlib.view.drawing.dark_theme import COLOUR, dark_colour, follow_theme
-from kinlib.view.drawing.figure_colours import DARK_COLOURS, PALE_GREY
+from kinlib.view.drawing.dark_theme import COLOUR, DARK_COLOURS, dark_colour, follow_theme
+from kinlib.view.drawing.figure_colours import PALE_GREY
 from kinlib.view.figures.dh_table import draw_row
 from kinlib.view.figures.frame_assignment import draw_assignment
 

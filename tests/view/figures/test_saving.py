@@ -20,7 +20,7 @@ from kincourse.lecture_08_closed_chains.drawings.torus import side_by_side
 from kinlib import view
 from kinlib.view import Gallery, Picture
 from kinlib.view.drawing import svg
-from kinlib.view.drawing.export import figure_from_svg, image_bytes
+from kinlib.view.drawing.png_and_pdf import figure_from_svg, image_bytes
 from kinlib.view.figures.arm import describe_arm
 
 ALT = "A curve & its <tangent>, 0.5 m long. The two meet at 1."

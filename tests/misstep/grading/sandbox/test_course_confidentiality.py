@@ -13,11 +13,11 @@ if lacking := submissions.sandbox_lacks():
 from kincourse import COURSE
 from misstep.catalog import load_course
 from misstep.grading.judging import judge_process
-from misstep.grading.sandbox.child import PIPE_DESCRIPTOR
 from misstep.grading.sandbox.course_stub import engine_folder, setup_for
 from misstep.grading.sandbox.limits import Limits
 from misstep.grading.sandbox.rootfs import is_inside, readable_paths
 from misstep.grading.sandbox.runner import Runner
+from misstep.grading.sandbox.submission_process import PIPE_DESCRIPTOR
 
 CANARY = "RIGHT-ANSWER-CANARY"
 

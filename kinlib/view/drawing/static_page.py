@@ -10,6 +10,6 @@ ENVIRONMENT_VARIABLE = "NOTEBOOK_STATIC_PAGE"
 Python draws them when the slider moves."""
 
 
-def is_static_export() -> bool:
+def is_without_kernel() -> bool:
     """Whether outputs must work without a kernel."""
     return os.environ.get(ENVIRONMENT_VARIABLE, "") not in ("", "live")

@@ -14,7 +14,7 @@ from circuits_course import write_course
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-PACKAGE = Path(__file__).parents[2] / "misstep"
+PACKAGE = Path(__file__).parents[3] / "misstep"
 
 
 # --- environments ---

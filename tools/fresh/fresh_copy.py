@@ -14,7 +14,7 @@ from pathlib import Path
 
 from documents import ROOT
 
-SUPPORTED = ("3.11", "3.12", "3.13", "3.14")
+SUPPORTED = tuple(re.findall(r"Python :: (3\.\d+)", (ROOT / "pyproject.toml").read_text("utf-8")))
 OTHER_TOOLS = ("PYTHON", "VIRTUAL_ENV", "PYTEST_", "JUPYTER", "IPYTHON", "KINLIB_", "UV_PROJECT", "NOX")
 """What a variable of the environment begins with that must not reach a newcomer's commands."""
 START_S = 300
