@@ -11,7 +11,7 @@ from kincourse.lecture_07_frame_assignment.drawn_problem import leg
 from kincourse.mistakes.dh import table_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
-from kincourse.text.joint_table import given_frames, joint_table
+from kincourse.text.joint_table import end_frames, given_frames, joint_table
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
@@ -159,7 +159,7 @@ def table_of_an_arm(sampler: ArmSampler) -> Problem:
         f"each joint, with `q1`, `q2`, ... for the joint variables. {_given(robot.n)} Every table that gives the pose of frame {robot.n} "
         f"in frame 0 for every $q$ is right, so you may choose the frames between them.\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
-        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
+        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
         mistakes=table_mistakes(
             table,
@@ -197,7 +197,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         f"modified convention. {_given(robot.n)} Every table that gives the pose of frame {robot.n} in frame 0 for every $q$ is right."
         f"\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
-        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
+        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
         mistakes=[
             mistake(
@@ -305,7 +305,13 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
         statement="This DH table was written for the arm below, in the standard convention, but one of its lengths is wrong. Compare "
         f"the table with the axes, and give the corrected table. {_given(4)}\n\n{text}\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
-        given={"rows": printed, "screws": robot.screws, "home": robot.home, "points": robot.joint_points},
+        given={
+            "rows": printed,
+            "screws": robot.screws,
+            "home": robot.home,
+            "points": robot.joint_points,
+            **end_frames(table),
+        },
         answer=DHTableAnswer(table, anchored=True),
         mistakes=[
             mistake(

@@ -214,7 +214,7 @@ def coupler_point(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"{describe_lengths(four_bar)} The angle of its crank is {degrees} degrees, and C lies to the left of the "
         f"arrow from B to D. A point P of the coupler lies {number(along)} m from B along the coupler, towards C, and {number(left)} m "
-        "to the left of the coupler. What is the position of P, as $[x, y]$ from A?",
+        "to the left of the coupler; $p$ stands for these two distances. What is the position of P, as $[x, y]$ from A?",
         figure=partial(draw_linkage, linkage, four_bar.assembly_modes(np.radians(degrees))[0], points=drawn),
         given={"bars": tuple(four_bar), "degrees": degrees, "along": along, "left": left},
         answer=Numbers(P.value, unit="m", test=distance_from_B),

@@ -20,13 +20,12 @@ from kincourse.robot_sheets.sampling import (
 )
 from kincourse.robot_sheets.task import RobotTask
 from kincourse.sampling.arms import ArmSampler
-from kincourse.text.joint_table import given_frames, joint_table
+from kincourse.text.joint_table import end_frames, given_frames, joint_table
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.formatting import format_rows, markdown_table
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
 from kinlib.dh.table import Convention, DHTable
-from kinlib.rigid.lie import inverse
 from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
@@ -78,14 +77,14 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
 def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem:
     arm, cut, words = _arm(robot, sampler)
     table = _assigned_table(arm, convention)
-    n, end = table.n, arm.home @ inverse(table.tool)
+    n = table.n
     return Problem(
         statement=f"{robot.name}{cut} is drawn with its joints at {words}; let $q = 0$ in this configuration. Write its table in the "
         f"{convention} convention. Each $q_i$ is positive about or along the direction of its joint. The poses of frame 0 and frame {n} in "
         "{s} are given. Where the rules leave a choice, it is yours: every table that fits is right."
         f"\n\n{joint_table(arm)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, arm),
-        given={"screws": arm.screws, "points": arm.joint_points, "home": arm.home, "base": table.base, "last": end},
+        given={"screws": arm.screws, "points": arm.joint_points, "home": arm.home, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
         mistakes=table_mistakes(table, *MISTAKE_NAMES),
     ).without_duplicates()

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import inverse
@@ -34,13 +35,26 @@ def joint_table(chain: Chain, joints: Iterable[int] | None = None, points: Seque
 
 
 def given_frames(table: DHTable) -> str:
-    """Write the first and the last frame of a table at q = 0, as {s} sees them: what a table is read off between.
+    """Write the first and the last frame of a table at q = 0, as {s} sees them, and where students find all their digits.
 
     >>> given_frames(DHTable([[2, 0, 0, 0]], convention="standard")).count("$$T_{s")
     2
     """
-    last = table.fk(np.zeros(table.n)) @ inverse(table.tool)
-    return f"$$T_{{s0}} = {matrix(table.base)}$$\n\n$$T_{{s{len(table.rows)}}}(0) = {matrix(last)}$$"
+    (first, base), (last, end) = end_frames(table).items()
+    return (
+        f"$$T_{{s0}} = {matrix(base)}$$\n\n$$T_{{s{len(table.rows)}}}(0) = {matrix(end)}$$\n\n"
+        f"They are printed with four digits; `given.{first}` and `given.{last}` have all. `given.home` is the end-effector of "
+        f"`kl.Chain(given.screws, given.home, given.points)`, and need not be frame {len(table.rows)}."
+    )
+
+
+def end_frames(table: DHTable) -> dict[str, Array]:
+    """Return the first and the last frame of a table at q = 0, as {s} sees them, by the names of given values.
+
+    >>> list(end_frames(DHTable([[2, 0, 0, 0]], convention="standard")))
+    ['T_s0', 'T_s1']
+    """
+    return {"T_s0": table.base, f"T_s{len(table.rows)}": table.fk(np.zeros(table.n)) @ inverse(table.tool)}
 
 
 def _table(heads: Iterable[str], rows: Iterable[str]) -> str:

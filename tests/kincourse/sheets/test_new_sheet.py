@@ -95,8 +95,8 @@ def test_a_right_table_has_the_given_end_frames_and_the_drawn_zero_configuration
         table, given = problem.answer.value, problem.given
         q = np.random.default_rng(1).uniform(-1, 1, table.n)
         np.testing.assert_allclose(table.fk(q), mr.FKinSpace(given["home"], given["screws"].T, q), atol=1e-6)
-        np.testing.assert_array_equal(table.base, given["base"])
-        np.testing.assert_allclose(given["last"] @ table.tool, given["home"], atol=1e-12)
+        np.testing.assert_array_equal(table.base, given["T_s0"])
+        np.testing.assert_allclose(given[f"T_s{table.n}"] @ table.tool, given["home"], atol=1e-12)
 
 
 @pytest.mark.parametrize("key", ["PUMA", "SCARA", "ten", "two on one axis"])
