@@ -176,8 +176,15 @@ class DHTableAnswer(Answer):
             if (getattr(ours, end) != np.eye(4)).any() and all(self.agrees(without, ours)):
                 return f"{end} forgotten", text
         diagnosis = self._diagnose(given, in_pairs=in_pairs)
-        if diagnosis.explanations:
-            return _described([explanation.faults for explanation in diagnosis.explanations])
+        # Rows that were typed have the base and the tool of the problem, so these are not what is wrong.
+        sound = {
+            f"wrong {end}"
+            for end in ENDS
+            if np.allclose(getattr(given, end), getattr(ours, end), rtol=0, atol=TOLERANCE)
+        }
+        explanations = [one.faults for one in diagnosis.explanations if not any(f.name in sound for f in one.faults)]
+        if explanations:
+            return _described(explanations)
         if diagnosis.unfixed and diagnosis.unfixed.verdict == "same":
             return (
                 "another start",

@@ -244,6 +244,8 @@ def _link_changes(convention: Convention, node: Expression) -> Changes:
     changes.append((Change("alpha about y", text), _about_y[convention](*node.arguments)))
     text = f"swap the sine and the cosine of $\\theta$ in ${row}$"
     changes.append((Change("sine and cosine swapped", text), of(a, alpha, d, np.pi / 2 - theta)))
+    text = f"swap the sine and the cosine of $\\alpha$ in ${row}$"
+    changes.append((Change("sine and cosine swapped", text), of(a, np.pi / 2 - alpha, d, theta)))
     if d.operation is _joint_variable:
         variable, constant = d.arguments
         advice = "A prismatic joint changes $d$; its $\\theta$ is a constant."

@@ -12,6 +12,7 @@ from kincourse.expressions.poses import (
     inverse,
     point,
     pose,
+    rotation,
     rotation_about,
     rotation_only,
     to_direction,
@@ -206,6 +207,13 @@ def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
     subtracted = with_position(T_to.value, (T_sc @ T_co)[:3, 3] - T_st[:3, 3])
     advice = "The difference of the positions is a vector written in {s}: multiply it by $R_{ts}$."
     T_to = T_to.mistaken_for(subtracted, "positions subtracted", "subtract the positions", advice)
+    whole = inverse(pose("T_{st}", T_st) @ pose("T_{sc}", T_sc) @ pose("T_{co}", T_co))
+    T_to = T_to.mistaken_for(whole, "inverse of the product", "invert the whole product instead of $T_{st}$ alone")
+    (R_sc, p_sc), (R_co, p_co), (R_st, p_st) = (
+        (rotation(f"R_{{{name}}}", T[:3, :3]), point(f"p_{{{name}}}", T[:3, 3]))
+        for name, T in (("sc", T_sc), ("co", T_co), ("st", T_st))
+    )
+    T_to = T_to.also_by(assemble(R_st.T @ R_sc @ R_co, R_st.T @ (p_sc + R_sc @ p_co - p_st)))
     return Problem(
         statement="A camera {c} on the wall measures the pose $T_{co}$ of an object {o}. The poses of the camera and of the tool {t} in "
         f"the base frame {{s}} are known. Give $T_{{to}}$, the pose of the object in the frame of the tool.\n\n"
@@ -217,6 +225,8 @@ def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
         advice={
             "inverse left out": "The inverse of $T_{st}$ is $T_{ts}$, whose second subscript cancels with the first of $T_{sc}$.",
             "factor left out": "All three factors are needed: $T_{ts}\\,T_{sc}\\,T_{co}$.",
+            "leave out $R_{sc}$": "$p_{co}$ is a vector written in {c}: multiply it by $R_{sc}$ before you add it to $p_{sc}$.",
+            "leave out $R_{st}^T$": advice,
             **dict.fromkeys(("inverted", "order", "first factor", "last factor", "reversed"), SUBSCRIPTS_CANCEL),
         },
     )

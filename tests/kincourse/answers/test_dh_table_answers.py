@@ -85,6 +85,12 @@ def test_an_anchored_table_takes_base_and_tool_from_the_problem():
     assert judge(without_ends, ends).state == "wrong"
 
 
+def test_rows_that_were_typed_are_not_told_that_base_or_tool_are_wrong():
+    for row, column in ((0, 2), (2, 3)):
+        [finding] = judge_table(rows_with((row, column, 2.5)), anchored=True).findings
+        assert finding.mistake == "wrong number"
+
+
 def test_a_flipped_joint_sign_is_wrong_if_the_table_is_anchored():
     """At half a turn both signs give the same pose, so several configurations must be compared."""
     text = RIGHT_TEXT.replace("|q1", "|-q1")
