@@ -51,7 +51,7 @@ def test_every_robot_gets_eight_problems_that_suit_it_and_whose_mistakes_can_be_
     tasks, robot = tasks_of(key), ODD_ROBOTS[key]
     assert len(tasks) == PROBLEMS_PER_SHEET >= 8
     is_helical = "H" in robot.joint_types
-    unsuited = {"modified_table", "faulty_entry"} if robot.n == 1 or is_helical else set()
+    unsuited = {"modified_table"} if robot.n == 1 else {"modified_table", "faulty_entry"} if is_helical else set()
     assert not (unsuited | ({"standard_table"} if is_helical else set())) & set(tasks)
     if not unsuited and "axis" not in key:
         assert tasks == list(TASK_ORDER[:PROBLEMS_PER_SHEET])
