@@ -43,7 +43,7 @@ def committed(tmp_path_factory):
 
 # --- clean code ---
 
-NO_NOTEBOOKS = ["--config", 'extend-exclude = ["*.ipynb"]']
+NO_NOTEBOOKS = ["--config", 'extend-exclude = ["*.ipynb", ".uv"]']
 
 
 def assert_no_findings(command, *options, where=ROOT):

@@ -17,6 +17,8 @@ from documents import ROOT
 SUPPORTED = tuple(re.findall(r"Python :: (3\.\d+)", (ROOT / "pyproject.toml").read_text("utf-8")))
 OTHER_TOOLS = ("PYTHON", "VIRTUAL_ENV", "PYTEST_", "JUPYTER", "IPYTHON", "KINLIB_", "UV_PROJECT", "NOX")
 """What a variable of the environment begins with that must not reach a newcomer's commands."""
+GENERATED = (".venv", ".uv", "build", "node_modules", "__pycache__", ".*_cache", ".hypothesis")
+"""Folders that a copy does not contain, because it makes its own."""
 START_S = 300
 """How long a server may take until it answers."""
 
@@ -106,11 +108,14 @@ class Place:
 
 
 def copy_repository(target: Path) -> None:
-    """Copy the files that git has, or would have after the next commit."""
+    """Copy the files that git has, or would have after the next commit; of an archive without git, what is not generated."""
     listed = subprocess.run(
         ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
-        cwd=ROOT, capture_output=True, text=True, check=True,
+        cwd=ROOT, capture_output=True, text=True, check=False,
     )  # fmt: skip
+    if listed.returncode:
+        shutil.copytree(ROOT, target, ignore=shutil.ignore_patterns(*GENERATED), dirs_exist_ok=True)
+        return
     for name in filter(None, listed.stdout.split("\0")):
         if (ROOT / name).is_file():
             (target / name).parent.mkdir(parents=True, exist_ok=True)
