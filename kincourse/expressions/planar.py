@@ -284,6 +284,14 @@ def _corner_changes(node: Expression) -> Changes:
 _WRONG_CORNERS = (
     ("cosine for angle", "give the cosine instead of the angle", _cosine),
     ("arcsine for arccosine", "take the arcsine instead of the arccosine", lambda *sides: np.arcsin(_cosine(*sides))),
+    *(
+        (
+            "sign",
+            "subtract the squares of both other sides in the law of cosines",
+            lambda one, two, opposite, k=k: np.arccos(_cosine(one, two, opposite) - ((one, two)[k] / (two, one)[k])),
+        )
+        for k in (0, 1)
+    ),
     ("factor left out", "leave out the factor 2 of the law of cosines", lambda *sides: np.arccos(2 * _cosine(*sides))),
     ("sign", "take the law of cosines with the opposite sign", lambda *sides: np.arccos(-_cosine(*sides))),
     (

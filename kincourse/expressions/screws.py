@@ -23,6 +23,9 @@ from misstep.mutants.expression import (
 )
 from misstep.mutants.operations import ANGLE, SLIDE, VECTOR, cross_product, radians, stack
 
+MIN_SHIFT_M = 0.01
+"""By how much another origin must change a moment, so that it can be seen that the points were measured from it."""
+
 ADJOINT_ADVICE = "The adjoint of $(R, p)$ has the blocks $R$ and $0$ above $[p]R$ and $R$."
 ORDER_ADVICE = (
     "Here a screw is $(\\omega, v)$, the rotation first, as in Modern Robotics; some books use the other order."
@@ -161,6 +164,16 @@ def joint_screws(
     if len(places) > 1:
         text = "combine each axis with the point of the next joint"
         rows = rows.mistaken_for(rows_with([*places[1:], places[0]]), "another point", text)
+    if isinstance(points, np.ndarray):
+        for text, wrong in (
+            ("measure each point from joint 1", points - points[0]),
+            ("add up the points, as if each were measured from the one before", points.cumsum(axis=0)),
+            ("take the steps from point to point as the points", np.diff(points, axis=0, prepend=0 * points[:1])),
+        ):
+            other = rows_with([given(f"p_{i}", p) for i, p in zip(numbers, wrong, strict=True)])
+            if np.abs(other.value - rows.value).max() > MIN_SHIFT_M:
+                advice = "The points are given in {s}, each from its origin."
+                rows = rows.mistaken_for(other, "another origin", text, advice)
     return rows.mistaken_for(_swap_halves(rows), "halves swapped", "write $(v, \\omega)$ in every row", ORDER_ADVICE)
 
 
