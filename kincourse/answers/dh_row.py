@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, is_plausible_angle
 from misstep.answers.base import TOLERANCE
+from misstep.answers.likeness import Likeness
 from misstep.answers.number import LENGTH, PURE, Numbers, Slip
 
 
@@ -97,6 +98,14 @@ class DHEntriesAnswer(Numbers):
                 (abs(mine) <= TOLERANCE, "left out", "This is 0, but the length is not 0."),
             )
         return next(((name, text) for is_so, name, text in cases if is_so), None)
+
+    def arrangement(self, given: Array) -> tuple[str, str] | None:
+        """Return how the rows of a table that are listed one after the other are the right ones in another order."""
+        found = None
+        if len(self.names) > len(COLUMNS) and len(self.names) % len(COLUMNS) == 0:
+            mine, right = (np.reshape(X, (-1, len(COLUMNS), 1)) for X in (given, self.value))
+            found = Likeness(mine, right).order()
+        return found or super().arrangement(given)
 
     def hint(self, given: Array, part: int) -> str:
         if self._is_angle(part) and not is_plausible_angle(given[part]):
