@@ -67,8 +67,6 @@ def tasks_for(robot: Chain) -> list[str]:
 def _fits(robot: Chain, name: str) -> bool:
     if name in TABLE_TASKS and "H" in robot.joint_types:
         return False  # a DH row cannot describe a helical joint
-    if name == "faulty_entry" and robot.n == 1:
-        return False  # one row has no other rows to compare with
     return all(
         any(
             problem.is_discriminating() and len(problem.known_mistakes) >= MIN_MISTAKES
