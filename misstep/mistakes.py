@@ -74,6 +74,9 @@ class Mistake:
         """Return whether this is the story of another mistake: of a part or the whole of what it changes, or in other symbols.
 
         Of two changes one may be the same, and the other be told in the same words.
+
+        >>> Mistake("order", 6, "You swapped them.").retells(Mistake("order", 6, "You swapped them."))  # no mutants
+        False
         """
         pairs = list(zip(self.steps, other.steps, strict=False))
         if not pairs or len(self.steps) != len(other.steps):

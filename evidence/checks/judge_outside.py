@@ -20,8 +20,8 @@ MORE = (
     (
         "undeserved",
         0.1,
-        "04.3 05.9 06.11 10.8 10.10 robot.back_to_space",
-        "some of its numbers are equal, and each earns points",
+        "04.3 robot.back_to_space",
+        "omega and v earn points by themselves, and omega is right without p",
     ),
     ("undeserved", 0.2, "08.9", "1 is one of its three numbers"),
     (

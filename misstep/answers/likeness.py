@@ -226,7 +226,9 @@ def _arrangements(X: Array) -> Iterator[tuple[str, str, Array]]:
                     text = (
                         f"The {what}s are right, but their order is not: yours are {what}s {listed} of the right one."
                     )
-                    yield f"{what}s in another order", text, np.take(X, order, axis=axis)
+                    is_swap = sum(k == place for place, k in enumerate(order)) > 1
+                    name = f"two {what}s swapped" if is_swap else f"{what}s in another order"
+                    yield name, text, np.take(X, order, axis=axis)
             elif count > 4:
                 for shift, where in ((1, "down"), (-1, "up")):
                     text = f"The {what}s are right, but moved one {what} {where}."
@@ -235,7 +237,10 @@ def _arrangements(X: Array) -> Iterator[tuple[str, str, Array]]:
 
 
 ROWS_MOVED = "rows moved"
-"""The name of rows of which one fell out: one that stands right does so by chance."""
+"""The name of rows of which one fell out."""
+
+REORDERED = {ROWS_MOVED, "rows in another order", "rows shifted", "rows reversed"}
+"""The names of orders in which at most one row keeps its place: one that stands right does so by chance."""
 
 DEGREES = ("degrees", "This is right in degrees. Give it in radians.")
 

@@ -13,7 +13,7 @@ from itertools import compress, groupby
 from typing import Any
 
 from misstep.answers.base import Answer
-from misstep.answers.likeness import ROWS_MOVED
+from misstep.answers.likeness import REORDERED
 from misstep.mistakes import Mistake
 from misstep.problem import Problem
 
@@ -76,9 +76,10 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Explanat
         if whole := [one for one in group if all(answer.shows(value, one.value))]:
             return [_told(problem, value, wrong, _distinct(whole), is_whole=True)]
     is_seen_through = all(name == "placeholder" for name, _ in sights.values())  # as is the gap where rows are moved
-    if is_seen_through and not is_single and (seen := answer.arrangement(value)):
+    seen = None if is_single else answer.arrangement(value)
+    if seen and (is_seen_through or seen[0] in REORDERED):
         told = _checked(answer, value, _seen(wrong, value, seen))
-        is_reordered = seen[0] == ROWS_MOVED or _is_reordered(answer, value, wrong)
+        is_reordered = seen[0] in REORDERED or _is_reordered(answer, value, wrong)
         return [replace(told, is_whole=True, is_reordered=is_reordered)]
     found, wrong = _joined(sights, value), [part for part in wrong if part not in sights]
     by_part = [] if is_single else _explain_parts(problem, value, set(wrong), groups)
