@@ -1,5 +1,7 @@
 """Sheet 02: hat, Rodrigues' formula, motions in closed form, a truncated series, a non-unit axis, a logarithm."""
 
+from __future__ import annotations
+
 from functools import partial
 
 import numpy as np
@@ -49,9 +51,6 @@ PITCH = "The given number is in metres per radian, so it is the pitch already."
 NOT_DIVIDED = "divide $\\omega$ by its length, but not $v$"
 ONE_MOTION = "A twist is scaled as a whole."
 SHORTEST = "Longer vectors lead to $R$ as well. The logarithm is the shortest one, with $\\theta \\le \\pi$."
-
-THETA = sp.Symbol("theta", real=True)
-A = sp.Symbol("a", positive=True)
 
 
 @problem("02.1", "The matrix of a screw", points=3, lecture="02_matrix_exponential#The equation behind it")
@@ -103,7 +102,7 @@ def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
         statement=f"Give $R(\\theta) = e^{{[\\omega]\\theta}}$ for $\\omega = \\tfrac{{1}}{{{length}}}{vector(list(whole))}$ as a "
         "matrix of nine formulas in $\\theta$, with fractions instead of decimals.",
         given={"omega": omega},
-        answer=ClosedForm(turn(omega, THETA)),
+        answer=ClosedForm(turn(omega, _theta())),
         solution=lambda theta: rotation_exp(axis, angle_symbol(theta)),
         advice={"sign of an angle": "With $-\\theta$, every sine changes its sign, and you get $R^T$."},
     )
@@ -115,7 +114,7 @@ def where_the_origin_goes(sampler: ArmSampler) -> Problem:
     k = sampler.choice((-1, 1)) * sampler.integer(1, 5)
     w = exact(d)
     beside = k * np.abs(np.cross(d, e))
-    place = A * exact(e) + exact(beside)
+    place = sp.Symbol("a", positive=True) * exact(e) + exact(beside)
 
     def column(theta: float, a: float) -> Expression:
         omega, q = direction("\\omega", d), angle_symbol(theta)
@@ -146,7 +145,7 @@ def where_the_origin_goes(sampler: ArmSampler) -> Problem:
         "yet known. Give the translation part of $e^{[S]\\theta}$, the place to which the origin moves, as three formulas in $a$ and "
         "$\\theta$.",
         given={"omega": w, "point": place},
-        answer=ClosedForm(place - turn(w, THETA) * place),
+        answer=ClosedForm(place - turn(w, _theta()) * place),
         solution=column,
     )
 
@@ -335,7 +334,7 @@ def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
     d, place = sampler.choice(AXIS_DIRECTIONS), sampler.point(4)
     h = sp.Rational(sampler.integer(1, 9), 20)
     w, p = exact(d), exact(place)
-    R = turn(w, THETA)
+    R = turn(w, _theta())
 
     def solution(theta: float) -> Expression:
         omega, q, through = direction("\\omega", d), angle_symbol(theta), given("p", place)
@@ -391,13 +390,17 @@ def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
         "Give $e^{[S]\\theta}$ as a matrix of sixteen formulas in $\\theta$, with fractions instead of decimals.",
         figure=partial(draw_joints, robot),
         given={"axis": w, "point": p, "pitch": h},
-        answer=PoseExpressionAnswer(symbolic_pose(R, p - R * p + h * THETA * w)),
+        answer=PoseExpressionAnswer(symbolic_pose(R, p - R * p + h * _theta() * w)),
         solution=solution,
         advice={
             "leave out $h\\,\\omega$": "The term $h\\,\\omega$ is the climb: the body translates by $h\\,\\theta$ along the axis.",
             "leave out the factor $h$": "The factor $h$ is the pitch: the body translates by $h\\,\\theta$ along the axis.",
         },
     )
+
+
+def _theta() -> sp.Symbol:
+    return sp.Symbol("theta", real=True)
 
 
 def _direction(sampler: ArmSampler) -> tuple[Array, int]:

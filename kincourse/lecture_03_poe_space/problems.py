@@ -1,5 +1,7 @@
 """Sheet 03: screw axes of all types of joints in the space frame, and their product of exponentials."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial

@@ -1,5 +1,7 @@
 """Sheet 04: body screws from a drawing and by the adjoint, M on the left and in the middle, a new tool, the body Jacobian."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial

@@ -1,5 +1,7 @@
 """Sheet 10: problems on the whole course. Each leads from one description of an arm to another."""
 
+from __future__ import annotations
+
 from functools import partial
 from typing import Any
 

@@ -37,8 +37,6 @@ __all__ = [
     "table_fk",
 ]
 
-X, Y, Z = (sp.Matrix(column) for column in np.eye(3, dtype=int))
-
 
 # --- rigid motions ---
 
@@ -212,12 +210,13 @@ def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = Non
         validation.instance(table, "table", DHTable, Iterable)
         rows = [_matrix(row, f"row {number}", (4, 1)) for number, row in enumerate(table, start=1)]
     factors: Factors = []
+    x, _, z = (sp.Matrix(column) for column in np.eye(3, dtype=int))
     for a, alpha, d, theta in rows:
         if alpha.is_number and not is_plausible_angle(float(alpha)):
             raise ValueError(
                 f"alpha must be at most a full turn; got {alpha} rad. If it is in degrees, write {alpha}*pi/180."
             )
-        about_x, about_z = [AxisRotation(X, alpha), a * X], [AxisRotation(Z, theta), d * Z]
+        about_x, about_z = [AxisRotation(x, alpha), a * x], [AxisRotation(z, theta), d * z]
         factors += about_z + about_x[::-1] if validate_convention(convention) == "standard" else about_x + about_z
     return base * multiply(factors, tool)
 

@@ -17,9 +17,11 @@ translations. Each group of rotations about parallel axes becomes one pose, and 
 beginning at the end-effector: there a column of the product has few terms, and each joint to the left multiplies it once.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import sympy as sp
 
@@ -31,7 +33,7 @@ class AxisRotation(NamedTuple):
     angle: sp.Expr
 
 
-Factors = list[AxisRotation | sp.Matrix]
+Factors: TypeAlias = "list[AxisRotation | sp.Matrix]"
 """A product of rotations and translations, from left to right."""
 
 
@@ -70,7 +72,7 @@ class RotationGroup:
     """
 
     axis: sp.Matrix | None = None
-    angle: sp.Expr = sp.S.Zero
+    angle: sp.Expr = field(default_factory=lambda: sp.S.Zero)
     translations: dict[sp.Expr, sp.Matrix] = field(default_factory=dict)
 
     def accepts(self, turn: AxisRotation) -> bool:

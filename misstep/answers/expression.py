@@ -1,5 +1,7 @@
 """Formulas as answers: a formula is right if it has the same values as the right one, however it is written."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace

@@ -5,6 +5,8 @@ SymPy expressions and typed text are computed by the same walk. The values, the 
 so a tower of powers is refused at once instead of taking an hour.
 """
 
+from __future__ import annotations
+
 import ast
 import operator
 import re

@@ -14,7 +14,8 @@ CELLS = {
     "syntax": "1\n2 +",
     "keyboard": "input('name? ')",
     "window": "get_ipython().enable_gui('qt')",
-    "unused": "import sympy, sys\n'sympy.core' in sys.modules",
+    "unused": "import sympy, sys\nfrom kincourse import find_sheet, sheets\n"
+    "first = [find_sheet(name).problems[0].variant('ada') for name in sheets()]\n'sympy.core' in sys.modules",
     "used": "from sympy import symbols\nsymbols('x') ** 2",
     "figure": "import matplotlib.pyplot as plt\nlines = plt.plot([1, 2])",
 }

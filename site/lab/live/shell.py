@@ -15,7 +15,6 @@ from collections.abc import Callable
 from importlib import invalidate_caches
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec, PathFinder
-from importlib.util import LazyLoader
 from traceback import format_exception
 from types import ModuleType, TracebackType
 from typing import Any, ClassVar
@@ -48,13 +47,15 @@ class Later(MetaPathFinder, Loader):
 
     def find_spec(self, name: str, path: Any = None, target: Any = None) -> ModuleSpec | None:
         """Return a module that is loaded with its first attribute."""
-        if name not in self.files:
-            return None
-        return ModuleSpec(name, LazyLoader(self), is_package=True)
+        return ModuleSpec(name, self) if name in self.files else None
 
     def exec_module(self, module: ModuleType) -> None:
+        """Leave the module empty. LazyLoader of importlib will not do: with it, a second import loads the package."""
+        module.__class__ = LateModule
+
+    def load(self, module: ModuleType) -> None:
         """Load the files of a package, and run it."""
-        object.__setattr__(module, "__class__", ModuleType)  # from here on, its attributes are read as they are
+        module.__class__ = ModuleType
         report(kind="loading", name=module.__name__)
         for file in self.files.pop(module.__name__):
             with zipfile.ZipFile(io.BytesIO(bytes(read_now(file)))) as wheel:  # type: ignore[name-defined]  # noqa: F821
@@ -65,11 +66,21 @@ class Later(MetaPathFinder, Loader):
         assert spec.loader is not None  # noqa: S101
         module.__spec__, module.__file__, module.__loader__ = spec, spec.origin, spec.loader
         module.__path__ = spec.submodule_search_locations or []
+        module.__package__ = module.__name__
         report(kind="loaded")
         spec.loader.exec_module(module)
 
 
-sys.meta_path.insert(0, Later(dict(globals().get("LATER", {}))))
+class LateModule(ModuleType):
+    """A package that is loaded when somebody asks for what it does not have yet, be it a function or the path of a submodule."""
+
+    def __getattr__(self, name: str) -> Any:
+        LATER_PACKAGES.load(self)
+        return getattr(self, name)
+
+
+LATER_PACKAGES = Later(dict(globals().get("LATER", {})))
+sys.meta_path.insert(0, LATER_PACKAGES)
 
 FLUSH_S = 0.1
 """How long printed text is collected before it is reported."""
