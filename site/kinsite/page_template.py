@@ -75,6 +75,8 @@ def copy_files(app: Sphinx) -> None:
         shutil.copy(font, target / "fonts" / name)
     for script in STATIC.glob("*.js"):
         shutil.copy(script, target)
+    # a service worker answers for its own folder only
+    shutil.copy(Path(__file__).parents[1] / "service-worker.js", app.outdir)
     (Path(app.outdir) / "robots.txt").write_text(
         f"User-agent: *\nSitemap: {app.config.html_baseurl}sitemap.xml\n", "utf-8"
     )

@@ -578,6 +578,24 @@
     element.nextElementSibling?.prepend(copyButton('Copy a link to this configuration', () => addressOf(hash())));
   }
 
+  // --- what was read opens again without a network ---
+
+  /** Let service-worker.js store this page and its Python; what was loaded before it was there is loaded again. */
+  async function keepForLater() {
+    const root = new URL(document.documentElement.dataset.content_root ?? '.', location.href);
+    const folder = new URL('.', location.href);
+    if (!navigator.serviceWorker || window !== window.top || folder.href === root.href) return;
+    const isKept = navigator.serviceWorker.controller;
+    const script = new URL('service-worker.js', root);
+    const scopes = [folder, new URL('lab/live/', root)]; // the worker with Python is in the second; not the rest of the lab
+    await Promise.all(scopes.map((scope) => navigator.serviceWorker.register(script, { scope })));
+    if (isKept) return;
+    await navigator.serviceWorker.ready;
+    const loaded = performance.getEntriesByType('resource').map(({ name }) => name);
+    const own = [location.href, ...loaded].filter((address) => address.startsWith(root.href));
+    for (const address of new Set(own.map((one) => one.replace(/#.*/, '')))) await fetch(address);
+  }
+
   document.documentElement.classList.remove('no-js');
   startConfiguration();
   startEmbedButtons();
@@ -597,6 +615,7 @@
   all('[data-kinlib-done]').forEach(startReadButton);
   all('[data-kinlib-progress]').forEach(startProgressTable);
   markReadLectures();
+  addEventListener('load', () => keepForLater().catch(() => {})); // a browser may refuse to store
   openFolds();
   addEventListener('hashchange', openFolds);
   addEventListener('resize', makeWideContentFocusable);

@@ -172,7 +172,7 @@ def test_nothing_is_loaded_by_touching_scrolling_or_answering_until_the_reader_a
 
 
 def test_the_page_says_how_much_is_loaded_and_when_nothing_arrives(chromium_without_webgl, lecture):
-    with watched(chromium_without_webgl) as page:
+    with watched(chromium_without_webgl, service_workers="block") as page:
         page.clock.install()
         page.route("**/live/worker.js", lambda route: route.fulfill(
             content_type="text/javascript",
@@ -187,7 +187,7 @@ def test_the_page_says_how_much_is_loaded_and_when_nothing_arrives(chromium_with
 
 
 def test_the_page_says_why_python_could_not_start_and_tries_again(chromium_without_webgl, lecture):
-    with unwatched(chromium_without_webgl) as page:
+    with unwatched(chromium_without_webgl, service_workers="block") as page:
         page.route("**/live/load.json", lambda route: route.abort())
         page.goto(lecture)
         first = cell(page, "draw_parts(arm)")
@@ -200,7 +200,7 @@ def test_the_page_says_why_python_could_not_start_and_tries_again(chromium_witho
 
 
 def test_without_a_lab_the_page_says_that_the_code_has_been_run(chromium_without_webgl, lecture):
-    with watched(chromium_without_webgl) as page:
+    with watched(chromium_without_webgl, service_workers="block") as page:
         page.route("**/live.js", lambda route: route.fulfill(content_type="text/javascript", body=""))
         page.goto(lecture)
         expect(page.locator(".kinlib-ran")).to_contain_text("has been run for you")

@@ -3,10 +3,13 @@
 import csv
 import subprocess
 import sys
+import threading
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
 import numpy as np
 import pytest
-from browser import watched
+from browser import unwatched, watched
 from built_site import ROOT
 from lab_page import PYTHON_TIMEOUT_MS
 from playwright.sync_api import expect
@@ -93,3 +96,26 @@ def test_a_sheet_is_answered_on_its_page_and_graded_with_the_points_of_the_page(
     with (tmp_path / "results" / "grades.csv").open(encoding="utf-8") as file:
         [graded] = csv.DictReader(file)
     assert (graded["student"], graded["points"], graded["03.1"]) == (STUDENT, "3", "3")
+
+
+class QuietHandler(SimpleHTTPRequestHandler):
+    def log_message(self, *arguments):
+        pass
+
+
+def test_a_page_and_its_python_open_again_without_a_network(chromium_without_webgl, pages, site_folder):
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(QuietHandler, directory=str(site_folder)))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    with unwatched(chromium_without_webgl) as page:
+        page.goto(f"http://127.0.0.1:{server.server_address[1]}/sheets/{SHEET}.html")
+        page.wait_for_function("navigator.serviceWorker.controller")
+        statement = page.locator(".kinlib-cell-show-1 .kinlib-live-note")
+        page.get_by_label("Your id").fill(STUDENT)
+        press(page, page.get_by_role("button", name="Show my numbers"))
+        press(page, page.get_by_role("button", name="Load Python and run"))
+        expect(statement).to_have_text("Done.", timeout=PYTHON_TIMEOUT_MS)
+        server.shutdown()
+        server.server_close()
+        page.reload()
+        press(page, page.get_by_role("button", name="Show my numbers"))
+        expect(statement).to_have_text("Done.", timeout=PYTHON_TIMEOUT_MS)

@@ -39,8 +39,9 @@ EXTENSIONS = (
 )
 """The kernel, the widgets, and the extension of the course, which adds messages and records solved problems."""
 
-LIVE_PACKAGES = ("ipython", "kincourse")
-"""What a page loads before its first cell runs, with all that they require; a cell may load more."""
+LIVE_PACKAGES = ("ipython", "kincourse", "mpmath")
+"""What a page loads before its first cell runs, with all that they require; a cell may load more. SymPy, which is loaded later,
+requires mpmath, and so does the engine."""
 
 LATER = ("matplotlib", "sympy")
 """What our packages require, but a page loads only when a cell uses it: together they are as large as half of the rest."""
@@ -170,7 +171,8 @@ def what_a_page_loads(lock: dict[str, Any], sizes: dict[str, int]) -> dict[str, 
     >>> sizes = {"pyodide.mjs": 1, "python.wasm": 20, "ipython.whl": 300, "kincourse.whl": 4000, "numpy.whl": 50000}
     >>> lock["sympy"] = {"file_name": "sympy.whl", "depends": ["numpy"]}
     >>> lock["matplotlib"] = {"file_name": "matplotlib.whl", "depends": []}
-    >>> sizes |= {"sympy.whl": 600000, "matplotlib.whl": 7000000}
+    >>> lock["mpmath"] = {"file_name": "mpmath.whl", "depends": []}
+    >>> sizes |= {"sympy.whl": 600000, "matplotlib.whl": 7000000, "mpmath.whl": 0}
     >>> what_a_page_loads(lock, sizes)["later"]
     {'matplotlib': ['matplotlib.whl'], 'sympy': ['sympy.whl']}
     >>> what_a_page_loads(lock, sizes)["total"], what_a_page_loads(lock, sizes)["modules"]
