@@ -27,7 +27,7 @@ MORE = (
     (
         "unnamed",
         0.3,
-        "07.9 09.8 09.12 10.5 10.8 10.11 10.13",
+        "07.9 09.12 10.5 10.8 10.11 10.13",
         "nothing looks for numbers that are doubled or in another order",
     ),
 )

@@ -208,6 +208,9 @@ class OriginAnswer(Equivalent):
 
     noun: ClassVar[str] = "xyz and rpy in two rows, an array"
 
+    def length_entries(self) -> NDArray[np.bool_]:
+        return np.array([[True] * 3, [False] * 3])
+
     def angle_entries(self) -> NDArray[np.bool_]:
         return np.array([[False] * 3, [True] * 3])
 

@@ -6,10 +6,13 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from misstep.answers.base import TOLERANCE
-from misstep.answers.likeness import DEGREES, Named
+from misstep.answers.likeness import DEGREES, FACTORS, Named
 from misstep.answers.number import Numbers, scale_of
 from misstep.mistakes import Mistake
 from misstep.validation import Array
+
+OF_ALL_ENTRIES = {"all signs", "factor", *(name for name, _ in FACTORS.values())}
+"""What may be said of an answer beside ours, although single entries of another right answer may differ from ours."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +47,12 @@ class Equivalent(Numbers):
         return DEGREES if self.angle_entries().any() and (all(fine) if part is None else fine[part]) else None
 
     def explanation(self, given: Array, part: int) -> Named | None:
-        return None
+        """Return what is true of all entries at once: another unit, too few digits, all signs, a factor."""
+        likeness = self.likeness(given, part)
+        if seen := likeness.at_sight():
+            return seen
+        seen = likeness.resemblance()
+        return seen if seen and seen[0] in OF_ALL_ENTRIES else None
 
     def description(self, given: Array, part: int) -> Named | None:
         return None
