@@ -584,7 +584,8 @@
   async function keepForLater() {
     const root = new URL(document.documentElement.dataset.content_root ?? '.', location.href);
     const folder = new URL('.', location.href);
-    if (!navigator.serviceWorker || window !== window.top || folder.href === root.href) return;
+    const isFrame = window !== window.top || document.querySelector('base');
+    if (!navigator.serviceWorker || isFrame || folder.href === root.href) return;
     const isKept = navigator.serviceWorker.controller;
     const script = new URL('service-worker.js', root);
     const scopes = [folder, new URL('lab/live/', root)]; // the worker with Python is in the second; not the rest of the lab
