@@ -9,6 +9,9 @@ from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.viewer.film import Film, film, share
 
 CAMERA = homogeneous(exp([0, 0, np.pi]) @ exp([2.4, 0, 0]), (0.9, 0.5, 1.0))
+BESIDE = {"camera": [(90, 0)], "base": [(70, -14)]}
+"""Where the numbers stand, in pixels to the right of the middle of their arrow and above it: off both arrows in each picture."""
+
 START, END = np.array([0.9, 0.0, 0.2]), np.array([0.3, 0.7, 0.2])
 
 
@@ -29,7 +32,8 @@ def opening() -> Film:
         for T, name, numbers, colour in texts:
             canvas.triad(T, name, 0.25)
             canvas.arrow(T[:3, 3], bolt, colour, 1.6, style="--")
-            canvas.label((T[:3, 3] + bolt) / 2, f"from the {name}: {vector_text(numbers.round(2))}", colour, size=11)
+            text = f"from the {name}: {vector_text(numbers.round(2))}"
+            canvas.label((T[:3, 3] + bolt) / 2, text, colour, BESIDE[name], size=11)
         canvas.dot(bolt, INK, 10)
         canvas.label(bolt, "bolt", INK)
         said = " ".join(

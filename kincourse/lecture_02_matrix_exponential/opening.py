@@ -14,6 +14,9 @@ AXIS, PLACE, PITCH = np.array([0.0, 0.0, 1.0]), np.array([0.2, 0.1, 0.0]), 0.08
 ARROW_S = 0.22
 """For how many seconds of motion an arrow stands."""
 
+RATE = 0.65
+"""How fast the plate rotates, in rad/s: at the end it is not seen edge-on."""
+
 BODY = np.array([(0.75, 0.1, 0), (0.75, 0.1, 0.3), (1.05, 0.1, 0.3), (1.05, 0.1, 0), (0.75, 0.1, 0)])
 
 
@@ -28,20 +31,22 @@ def opening() -> Film:
     around = np.array([(-1.0, -1.0, 0), (1.3, 1.2, 0.9)])
 
     def draw(t: float) -> Picture:
-        angle = max(0.0, t - 3) * 0.8
+        angle = max(0.0, t - 3) * RATE
         canvas = Canvas(around)
         canvas.arrow(PLACE, PLACE + 0.9 * AXIS, VIOLET, 2.0, style="--")
         canvas.label(PLACE + 0.9 * AXIS, "$S$", VIOLET)
         for p, v in zip(grid, _velocity(S, grid), strict=True):
             canvas.arrow(p, p + ARROW_S * v, GREY, 1.3)
-        if t >= 2:
+        if t > 2:
             body = _moved(exp(S * angle), BODY)
             trace = np.array([_moved(exp(S * a), BODY[1:2])[0] for a in np.linspace(0, angle, 40)])
             canvas.line(trace, ORANGE, 1.6, ":")
             canvas.line(body, LINK_GREY, 5)
             for p, v in zip(body[:-1], _velocity(S, body[:-1]), strict=True):
                 canvas.arrow(p, p + ARROW_S * v, ORANGE, 2.0)
-        where = f" A plate has moved {angle:.1f} radians along the arrows." if angle else ""
+        where = " A plate stands among them." if 2 < t <= 3 else ""
+        if angle:
+            where = f" A plate has rotated by {angle:.1f} radians along the arrows."
         return canvas.picture(f"Arrows on the floor around an axis S, longer the farther they are from it.{where}")
 
     return film(

@@ -5,7 +5,7 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import LINK_GREY, ORANGE
+from kinlib.view.drawing.figure_colours import INK, LINK_GREY, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.viewer.film import Film, film, share
 
@@ -37,8 +37,9 @@ def opening() -> Film:
             elbow = chain.link_poses(start + turned(t))[1, :3, 3]
             canvas.line(trace + base, ORANGE, 2.4, ":")
             canvas.line(np.array([np.zeros(3), elbow, trace[-1]]) + base, LINK_GREY, 6)
-            for joint in (np.zeros(3), elbow):
+            for number, joint in (("1", np.zeros(3)), ("2", elbow)):
                 canvas.dot(joint + base, LINK_GREY, 12)
+                canvas.label(joint + base, number, INK, [(14, -12)], 12)
             canvas.dot(trace[-1] + base, ORANGE, 9, level=6)
             tools.append(vector_text(trace[-1].round(2) + 0.0))
         return canvas.picture(

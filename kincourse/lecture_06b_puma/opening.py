@@ -14,6 +14,9 @@ CENTRE, REACH = np.array([0.0, 0.0, 0.0]), 0.9
 PLACES = (-0.75, 0.0, 0.4)
 """Where on its axis each joint is built."""
 
+NAMED_ENDS = (0.8, 0.8, -0.8)
+"""Where on its axis its name stands: that of axis 6 away from the tool, whose frame has letters of its own."""
+
 
 def opening() -> Film:
     """Play the three joints of a spherical wrist, one after the other and then together.
@@ -40,9 +43,9 @@ def opening() -> Film:
         axes = carried_axes(wrist, links)
         canvas.line([-1.05 * X, CENTRE], LINK_GREY, 7)
         canvas.line([CENTRE, tip[:3, 3]], LINK_GREY, 5)
-        for number, axis, place in zip("456", axes, PLACES, strict=True):
+        for number, axis, place, end in zip("456", axes, PLACES, NAMED_ENDS, strict=True):
             canvas.arrow(CENTRE - 0.8 * axis, CENTRE + 0.8 * axis, VIOLET, 1.5, style="--", level=3.5)
-            canvas.label(CENTRE + 0.8 * axis, f"axis {number}", VIOLET)
+            canvas.label(CENTRE + end * axis, f"axis {number}", VIOLET)
             draw_joint_body(canvas, "R", axis, CENTRE + place * axis)
         canvas.triad(tip, "b", 0.22)
         canvas.dot(CENTRE, INK, 9, level=6)

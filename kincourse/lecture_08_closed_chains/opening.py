@@ -12,7 +12,7 @@ GROUND, CRANK, COUPLER, ROCKER = 0.4, 0.3, 0.2, 0.25
 
 
 def opening() -> Film:
-    """Play a four-bar linkage between the two ends of its crank's range, one after the other.
+    """Play a four-bar linkage whose crank rotates to the end of its range, where coupler and rocker are in one line.
 
     >>> opening().alt[:39]
     'Four bars in a ring. The motor at A rot'
@@ -20,7 +20,7 @@ def opening() -> Film:
     linkage = four_bar(GROUND, CRANK, COUPLER, ROCKER)
     cosine = (GROUND**2 + CRANK**2 - (COUPLER + ROCKER) ** 2) / (2 * GROUND * CRANK)
     last = float(np.arccos(cosine))
-    around = np.array([(-0.15, -0.35, 0), (0.65, 0.35, 0)])
+    around = np.array([(-0.1, -0.05, 0), (0.55, 0.35, 0)])
 
     def draw(t: float) -> Picture:
         angle = 0.35 * last + share(t, 1, 4.5) * (0.9999 - 0.35) * last

@@ -18,6 +18,7 @@ from browser import (
 
 import kinlib as kl
 from kincourse import open_sheet
+from kincourse.lecture_00_start_here.opening import opening
 from kinlib.chains.robots import pose
 from kinlib.dh.rules import check_frames
 from kinlib.view import assign, play_assignment, play_row, play_walk
@@ -43,7 +44,9 @@ def show(chromium, tmp_path):
         opened.append(watched(chromium, **{"viewport": {"width": 1000, "height": 620}, **settings}))
         page = opened[-1].__enter__()
         page.goto(static_page(tmp_path, *viewers, style=style).as_uri())
-        wait_until_drawn(page)
+        page.locator(".kv").wait_for()
+        if page.locator(".kv-canvas").count():
+            wait_until_drawn(page)
         return page
 
     yield open_page
@@ -203,6 +206,31 @@ def test_a_walk_shows_the_frames_of_both_conventions(show):
     wait_for(page, "done", 4)
     np.testing.assert_allclose(carried(page, 0), kl.DHTable(WALK, convention="standard").fk([0, 0]), atol=1e-12)
     assert {"{2 mod}", "{2 std}"} <= drawn(page)
+
+
+# --- films ---
+
+
+def test_a_film_is_played_paused_and_leafed_through_and_its_text_follows(show):
+    shown = opening()
+    page = show(shown)
+    play, picture = page.get_by_role("button", name="Play"), page.locator(".kv-film-picture")
+    assert get(page, "at") == 0
+    play.click()
+    page.wait_for_function(f"{MODEL}.get('at') > 1", timeout=TIMEOUT_MS)
+    page.get_by_role("button", name="Pause").click()
+    stopped = get(page, "at")
+    page.wait_for_timeout(500)
+    assert get(page, "at") == stopped
+    page.get_by_label("Time").press("End")
+    assert picture.get_attribute("aria-label") == shown.scenes[-1]["alt"]
+    assert picture.locator("img:visible").count() == 1
+
+
+def test_with_reduced_motion_a_film_steps_from_scene_to_scene(show):
+    page = show(shown := opening(), reduced_motion="reduce")
+    page.get_by_role("button", name="Play").click()
+    assert get(page, "at") == shown.scenes[0]["end"]
 
 
 # --- frames by hand ---
@@ -394,6 +422,7 @@ def test_contrast_narrow_pages_and_a_name_and_keys_for_each_control(show, kind, 
 FIRST = """
 import kinlib as kl
 from kincourse import open_sheet
+from kincourse.lecture_00_start_here.opening import opening
 from kinlib.view import assign, play_assignment
 sheet = open_sheet('07_frame_assignment', 'ada')
 given = sheet.given(2)

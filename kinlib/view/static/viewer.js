@@ -4373,6 +4373,7 @@ ${i.map(s=>cn(s)?"    ...,":`    pose((${[0,1,2].map(r=>e(ze(s,r))).join(", ")})
 .kv-film-picture { text-align: center; }
 .kv-film-picture img { width: 100%; height: auto; max-width: 100%; max-height: 70vh; margin: 0; color-scheme: inherit; }
 .kv-film .kv-film-caption { margin: 0; padding: 8px 14px; min-height: 4.4em; color: var(--ink); border-top: 1px solid var(--edge); }
+@container (max-width: 560px) { .kv-film .kv-film-caption { min-height: 5.6em; } }
 .kv-film-bar { display: flex; gap: 10px; align-items: center; padding: 0 14px 10px; }
 .kv-film-bar input { flex: 1; min-width: 0; }
 .kv-film-bar output { min-width: 5.5em; text-align: right; font-variant-numeric: tabular-nums; }
