@@ -1,12 +1,11 @@
-"""Limits of joint values: read them, ask whether values are within them, and draw values between them."""
+"""Limits of joint values: which are refused, and which look like degrees."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
-from kinlib.arrays.tolerances import MAX_ROTATION_RAD
 from kinlib.arrays.validation import Array
 
 DEGREE_LIMITS = (60, 720)
@@ -53,35 +52,3 @@ def look_like_degrees(lower: float, upper: float) -> bool:
     is_whole = all(end % 1 == 0 for end in ends)
     least, most = DEGREE_LIMITS
     return bool(is_whole and least <= size <= most and size % 100)
-
-
-def are_within(q: Array, limits: Array) -> NDArray[np.bool_]:
-    """Return for each configuration (..., n) whether all its values are within the limits (n, 2): (...).
-
-    >>> are_within(np.array([[0.5], [1.5]]), np.array([[-1, 1]]))
-    array([ True, False])
-    """
-    lower, upper = limits.T
-    inside: NDArray[np.bool_] = ((lower <= q) & (q <= upper)).all(axis=-1)
-    return inside
-
-
-def random_values(limits: Array, count: int, seed: int) -> Array:
-    """Draw configurations (count, n) within the limits (n, 2), the same ones for the same seed.
-
-    A value without limits is between -pi and pi, and one with a single limit up to 2 pi from it. A limit beyond MAX_ROTATION_RAD
-    is none.
-
-    Raises ValueError if count or seed is not a whole number from 0 on.
-
-    >>> random_values(np.array([[0, 1], [5, np.inf]]), 3, seed=0).round(2)
-    array([[ 0.64,  6.7 ],
-           [ 0.04,  5.1 ],
-           [ 0.81, 10.74]])
-    """
-    count, seed = validation.whole_number(count, "count"), validation.whole_number(seed, "seed")
-    lower, upper = limits.T
-    has_lower, has_upper = (np.abs(limit) < MAX_ROTATION_RAD for limit in (lower, upper))
-    low = np.where(has_lower, lower, np.where(has_upper, upper - 2 * np.pi, -np.pi))
-    high = np.where(has_upper, upper, np.where(has_lower, lower + 2 * np.pi, np.pi))
-    return np.random.default_rng(seed).uniform(low, high, (count, len(limits)))

@@ -9,7 +9,7 @@ The same motion can be written in three forms, which differ in the position of t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property, reduce, wraps
 from inspect import signature
@@ -20,8 +20,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table, latex_array
-from kinlib.arrays.limits import are_within, random_values, validate_limits
-from kinlib.arrays.named_values import JointValues, in_order
+from kinlib.arrays.joint_values import JointValues, TakesLimitedValues
+from kinlib.arrays.limits import validate_limits
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import _adjoint, _inverse, _screw_constants, _screw_motions, adjoint, homogeneous, inverse
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
@@ -52,7 +52,7 @@ def _in_chunks(equation: Callable[[Chain, Array], Array]) -> Callable[[Chain, Jo
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Chain(validation.ReadOnly):
+class Chain(TakesLimitedValues, validation.ReadOnly):
     """An open chain of revolute, prismatic and helical joints.
 
     screws   (n, 6)  screw axes S_1 ... S_n in the fixed frame {s}, at home
@@ -157,7 +157,11 @@ class Chain(validation.ReadOnly):
 
     @property
     def _title(self) -> str:
-        return f"{self.name}, {self.n} joints ({self.joint_types})"
+        return f"{self.name}, {self._values_in_words}"
+
+    @property
+    def _values_in_words(self) -> str:
+        return f"{self.n} joints ({self.joint_types})"
 
     @property
     def _home_line(self) -> str:
@@ -347,32 +351,6 @@ class Chain(validation.ReadOnly):
         """
         return _adjoint(_inverse(self.fk(q))) @ self.jacobian(q)
 
-    def within_limits(self, q: JointValues) -> NDArray[np.bool_]:
-        """Return for each configuration whether all its joint values are within the limits.
-
-        q (..., n) -> (...). A chain without limits accepts every configuration.
-
-        Raises ValueError for joint values of another size, and for NaN.
-
-        >>> Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[-1, 1]]).within_limits([[0.5], [1.5]])
-        array([ True, False])
-        """
-        return are_within(self.in_order(q), self._limits)
-
-    def random_configurations(self, count: int, seed: int = 0) -> Array:
-        """Draw configurations within the limits, the same ones for the same seed: (count, n).
-
-        A joint without limits takes values between -pi and pi, in radians or metres; one with a single limit, up to 2 pi from it.
-        A limit beyond MAX_ROTATION_RAD, as some files have for a joint that rotates without end, is none.
-
-        Raises ValueError if count or seed is not a whole number from 0 on.
-
-        >>> arm = Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[0, 1]])
-        >>> bool(arm.within_limits(arm.random_configurations(100)).all())
-        True
-        """
-        return random_values(self._limits, count, seed)
-
     def changed(self, **fields: Any) -> Chain:
         """Copy the chain with some fields replaced: screws, home, points, name, source, limits, joint_names, link_names.
 
@@ -391,19 +369,10 @@ class Chain(validation.ReadOnly):
         >>> rpr().to_dict()["screws"][1]
         [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]
         """
-        limits = None
+        data = {name: x.tolist() if isinstance(x, np.ndarray) else x for name, x in self._fields().items()}
         if self.limits is not None:
-            limits = [[x if np.isfinite(x) else None for x in pair] for pair in self.limits.tolist()]
-        return {
-            "screws": self.screws.tolist(),
-            "home": self.home.tolist(),
-            "points": None if self.points is None else self.points.tolist(),
-            "name": self.name,
-            "source": self.source,
-            "limits": limits,
-            "joint_names": list(self.joint_names),
-            "link_names": list(self.link_names),
-        }
+            data["limits"] = [[x if np.isfinite(x) else None for x in pair] for pair in self.limits.tolist()]
+        return data | {"joint_names": list(self.joint_names), "link_names": list(self.link_names)}
 
     @classmethod
     def from_dict(cls, data: Any) -> Chain:
@@ -423,36 +392,30 @@ class Chain(validation.ReadOnly):
                 f"A chain as data must be a dictionary with the keys {', '.join(sorted(required))}, and possibly "
                 f"{', '.join(sorted(optional))}; got {given!s:.200}."
             )
-        fields = dict(data)
-        if fields.get("limits") is not None:
+        if (limits := data.get("limits")) is not None:
             infinite = (-np.inf, np.inf)
-            fields["limits"] = [
-                [end if x is None else x for x, end in zip(pair, infinite, strict=True)] for pair in fields["limits"]
-            ]
-        names = {key: fields.get(key) or () for key in ("joint_names", "link_names")}
-        return cls(**fields | names)
+            limits = [[end if x is None else x for x, end in zip(pair, infinite, strict=True)] for pair in limits]
+        return cls(**data | {"limits": limits})
 
     @property
     def _limits(self) -> Array:
         return np.tile([-np.inf, np.inf], (self.n, 1)) if self.limits is None else self.limits
 
-    def in_order(self, q: JointValues) -> Array:
+    @property
+    def _value_names(self) -> tuple[str, ...]:
+        return self.joint_names
+
+    def in_order(self, q: JointValues, argument: str = "q") -> Array:
         """Read joint values as an array (..., n) in the order of the joints, from an array or a mapping by joint name.
 
-        Raises ValueError for joint values of another size, for NaN, and for a missing or an unknown name.
+        Raises ValueError for joint values of another size, for NaN, for a missing or an unknown name, and for an angle that double
+        precision cannot resolve.
 
         >>> arm = Chain([[0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0]], np.eye(4), joint_names=("turn", "slide"))
         >>> arm.in_order({"slide": 0.5, "turn": 1})
         array([1. , 0.5])
         """
-        q = in_order(q, self.joint_names, self.name) if isinstance(q, Mapping) else validation.array(q, "q")
-        if q.shape[-1:] != (self.n,):
-            fits = q.ndim > 1 and q.shape[-2] == self.n
-            advice = "Joints go in the last dimension: try q.T" if fits else "Pass one value per joint"
-            raise ValueError(
-                f"{self.name} has {self.n} joints ({self.joint_types}), so q must have shape (..., {self.n}); "
-                f"got {q.shape}. {advice}."
-            )
+        q = super().in_order(q, argument)
         validation.rotation_angles(np.abs(q * self._rotates))
         return q
 

@@ -31,7 +31,7 @@ from kinlib.arrays.formatting import (
     html_table,
     latex_array,
 )
-from kinlib.arrays.named_values import JointValues, in_order
+from kinlib.arrays.joint_values import JointValues, TakesJointValues
 from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -83,7 +83,7 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class DHTable(validation.ReadOnly):
+class DHTable(TakesJointValues, validation.ReadOnly):
     r"""An open chain as a DH table, together with the base and the tool, which the rows cannot describe.
 
     rows        text as on a slide or in a CSV file, dictionaries by column name, or numbers (m, 4) in the order a, alpha, d, theta
@@ -207,16 +207,13 @@ class DHTable(validation.ReadOnly):
         """
         return dict(zip(COLUMNS, self.rows.T, strict=True))
 
-    def in_order(self, q: JointValues) -> Array:
-        """Read joint values as an array (..., n), from an array or a mapping from "q1", ..., "qn" to values.
+    @property
+    def _values_in_words(self) -> str:
+        return f"{self.n} joint{'s'[: self.n != 1]} ({self.joints.replace('F', '')})"
 
-        Raises ValueError for joint values of another size, for NaN, and for a missing or an unknown name.
-
-        >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], "standard").in_order({"q2": 0.5, "q1": 0})
-        array([0. , 0.5])
-        """
-        names = [f"q{i + 1}" for i in range(self.n)]
-        return validation.vectors(in_order(q, names, self.name) if isinstance(q, Mapping) else q, "q", self.n)
+    @property
+    def _value_names(self) -> list[str]:
+        return [f"q{i + 1}" for i in range(self.n)]
 
     def link_transforms(self, q: JointValues) -> Array:
         """Compute the pose of each frame in the one before it: A_i or T_i, one for each row.

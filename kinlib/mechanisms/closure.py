@@ -4,9 +4,8 @@ Some joint values may be held, for example the angle of a driver; the equations 
 results are configurations with all joint values, also those that are held.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,8 +39,8 @@ steps of the next number find to about 1e-10."""
 
 DIFFERENCE_STEP = 1e-5
 
-LIMIT_TOL = 1e-6
-"""A value violates its limits only if it is beyond them by more than this, because limits are printed with few digits."""
+WRAPPING_TOL = 1e-6
+"""An angle nearer to pi than this is written as -pi."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,16 +77,13 @@ class Closure:
     equations             of all n joint values
     configuration  (n,)   the held values, and a guess or a start for the others
     free           (k,)   the indices of the values that are not held
-    names                 of the joint values
     is_angle       (n,)   which values are angles, and so the same again after 2 pi
-    limits         (n, 2) the lower and the upper limit of each value, infinite where there is none
-    search_range   (n,)   the values are sought in [-search_range, search_range], or within the limits where these are narrower
+    search_range   (n,)   the values are sought in [-search_range, search_range]
     tolerance             the linkage is closed if the norm of the residual is at most this
 
     >>> def circle(x):  # x^2 + y^2 = 1, and its derivative
     ...     return (x**2).sum(-1, keepdims=True) - 1, 2 * x[:, None]
-    >>> square = np.array([[-2.0, 2.0]] * 2)
-    >>> held = Closure(circle, np.array([0.5, 0.0]), np.array([0]), "xy", np.zeros(2, bool), square, np.ones(2), 1e-9)
+    >>> held = Closure(circle, np.array([0.5, 0.0]), np.array([0]), np.zeros(2, bool), np.full(2, 2.0), 1e-9)
     >>> held.assemble().q.round(9)
     array([1., 0.])
     >>> held.search_modes(poses=lambda q: q).round(9)
@@ -101,9 +97,7 @@ class Closure:
     equations: Equations
     configuration: Array
     free: NDArray[np.intp]
-    names: Sequence[str]
     is_angle: NDArray[np.bool_]
-    limits: Array
     search_range: Array
     tolerance: float
 
@@ -111,8 +105,6 @@ class Closure:
         """Close the linkage near the configuration, or come as near to a closed one as possible."""
         found = solve(self._free_equations, self.configuration[None, self.free], self.tolerance)
         q, residual = self._with_held_values(found.x)[0], float(found.residual[0])
-        if self._names_beyond_limits(q):
-            q = self._wrapped(q[None])[0]
         steps = f"after {found.iterations} step{'s' * (found.iterations != 1)}"
         if residual > self.tolerance:
             message = (
@@ -120,8 +112,6 @@ class Closure:
                 "of the joint values decreases it. Try another guess, because this one may be singular, with links in one line; "
                 "assembly_modes(hold={...}) tries many. If none closes, the links are not long enough to meet."
             )
-        elif names := self._names_beyond_limits(q):
-            message = f"Closed to {residual:.1g} {steps}, but beyond the limits of {', '.join(names)}."
         else:
             message = f"Closed to {residual:.1g} {steps}."
         return Assembly(validation.read_only_copy(q), residual, found.iterations, residual <= self.tolerance, message)
@@ -135,12 +125,12 @@ class Closure:
         """
         # The guesses are random but the result must not be: every call draws the same ones.
         rng = np.random.default_rng(0)
-        lower, upper = self._search_interval[:, self.free]
+        reach = self.search_range[self.free]
         modes: list[_Mode] = []
         idle_rounds = 0
         while idle_rounds < (MAX_IDLE_ROUNDS if 1 in [mode.hits for mode in modes] else MIN_IDLE_ROUNDS):
             known = len(modes)
-            self._record(rng.uniform(lower, upper, (GUESSES_PER_ROUND, len(self.free))), poses, modes)
+            self._record(rng.uniform(-reach, reach, (GUESSES_PER_ROUND, len(self.free))), poses, modes)
             idle_rounds = idle_rounds + 1 if len(modes) == known else 0
         return np.array(sorted([*mode.q] for mode in modes)).reshape(-1, len(self.configuration))
 
@@ -152,8 +142,6 @@ class Closure:
         exact = solve(self._free_equations, closed, tolerance=0.0, iterations=1)
         candidates = self._wrapped(self._with_held_values(exact.x))
         for q, pose, J in zip(candidates, poses(candidates), exact.jacobian, strict=True):
-            if self._names_beyond_limits(q):
-                continue
             same = (k for k, mode in enumerate(modes) if np.abs(pose - mode.pose).max() <= MODE_TOL)
             if (k := next(same, len(modes))) == len(modes):
                 if mobility := self._mobility(q, J, poses):
@@ -184,17 +172,9 @@ class Closure:
     def trace(self, step: float, points: int | None) -> Curve:
         """Follow the motion from the configuration in both directions; points: at equal steps, if a number is given.
 
-        Raises ValueError if the configuration does not close or is beyond a limit, and if not exactly one motion leads away
-        from it.
+        Raises ValueError if the configuration does not close, and if not exactly one motion leads away from it.
         """
-        if names := self._names_beyond_limits(self.configuration):
-            raise ValueError(
-                f"The start must be within the limits; it is beyond those of {', '.join(names)}. Start from another q."
-            )
-        free_names = [self.names[i] for i in self.free]
-        tracer = CurveTracer(
-            self._free_equations, self.tolerance, free_names, self.is_angle[self.free], self.limits[self.free]
-        )
+        tracer = CurveTracer(self._free_equations, self.tolerance, self.is_angle[self.free])
         curve = tracer.follow(self.configuration[self.free], step, MAX_STEPS)
         if points is not None:
             curve = tracer.resample(curve, points)
@@ -217,20 +197,8 @@ class Closure:
         q[:, self.free] = x
         return q
 
-    @cached_property
-    def _search_interval(self) -> Array:
-        """The lower and upper ends (2, n) of the intervals that are searched: within the limits, and one turn of an angle."""
-        lower, upper = self.limits.T
-        lower = np.maximum(lower, np.minimum(-self.search_range, upper - 2 * self.search_range))
-        return np.stack([lower, np.minimum(upper, lower + 2 * self.search_range)])
-
     def _wrapped(self, q: Array) -> Array:
-        """The same configurations (m, n), every free angle wrapped to the turn that begins at its lower limit, or at -pi."""
-        lower = self._search_interval[0] - LIMIT_TOL
+        """The same configurations (m, n), every free angle from -pi to pi, where pi is -pi even with a rounding error."""
+        lower = -np.pi - WRAPPING_TOL
         is_free = np.isin(np.arange(len(self.configuration)), self.free)
         return np.where(is_free & self.is_angle, (q - lower) % (2 * np.pi) + lower, q)
-
-    def _names_beyond_limits(self, q: Array) -> list[str]:
-        """The names of the values of a configuration (n,) that are beyond their limits."""
-        is_beyond = (q < self.limits[:, 0] - LIMIT_TOL) | (q > self.limits[:, 1] + LIMIT_TOL)
-        return [name for name, beyond in zip(self.names, is_beyond, strict=True) if beyond]

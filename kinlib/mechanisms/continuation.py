@@ -5,10 +5,8 @@ goes on. The length along the curve can, because it always increases. So each st
 and then corrects it within the hyperplane perpendicular to the tangent: pseudo-arclength continuation.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -91,19 +89,15 @@ class CurveTracer:
 
     equations  whose solutions form the curve
     tolerance  a point is a solution if the norm of its residual is at most this
-    names      of the coordinates, for the reasons why a curve ends
     is_angle   (n,)    which coordinates are angles, and so the same again after 2 pi
-    limits     (n, 2)  the lower and the upper limit of each coordinate, infinite where there is none
     """
 
     equations: Equations
     tolerance: float
-    names: Sequence[str]
     is_angle: NDArray[np.bool_]
-    limits: Array
 
     def follow(self, start: Array, step: float, max_steps: int) -> Curve:
-        """Follow the curve through start (n,) in both directions, until it closes or meets a limit at either end.
+        """Follow the curve through start (n,) in both directions, until it closes or ends on either side.
 
         step       the longest step along the curve
         max_steps  in either direction; after them the curve is left unfinished, which its `ends` then say
@@ -175,12 +169,6 @@ class CurveTracer:
                 break
             if (start := self._return_to_start(points[0], tangents[0], x, tangent, new)) is not None:
                 return np.array([*points, start]), np.array([*tangents, tangents[0]]), "closed"
-            if (limit := self._first_limit(_Arc(x, tangent, new, new_tangent))) is not None:
-                if np.linalg.norm(limit.point - x) > POINT_TOL:
-                    points.append(limit.point)
-                    tangents.append(limit.tangent)
-                end = f"limit of {self.names[limit.coordinate]}"
-                break
             curvature = (new_tangent - tangent) / np.linalg.norm(new - x)
             # At a crossing, where J has a lower rank, the side stays that of the point before.
             next_basis, next_side = _side(J, new_tangent)
@@ -233,86 +221,6 @@ class CurveTracer:
         guess += direction * (direction @ (unwrapped - guess))
         point, new_tangent, _ = self._correct(guess, direction, tangent)
         return unwrapped if new_tangent.any() and np.linalg.norm(point - unwrapped) < RETURN_TOL else None
-
-    def _first_limit(self, arc: "_Arc") -> "_Limit | None":
-        """Find where the curve first goes beyond a limit within one step, or None.
-
-        Within one step the curve may cross a limit and come back, so it is not enough to look at the end of the step. The arc
-        stands for the curve: where its cubic polynomial crosses a limit is a first guess, which is then corrected.
-        """
-        if np.isinf(self.limits).all():
-            return None
-        lower, upper = self.limits.T
-        # An arc never leaves the convex hull of its control points. In most steps they are all within the limits.
-        control = arc.control_points()
-        is_beyond = np.stack([control < lower - POINT_TOL, control > upper + POINT_TOL], axis=-1)
-        coefficients = arc.coefficients()
-        crossings = []
-        for i, side in np.argwhere(is_beyond.any(axis=0)):
-            outward = 2 * side - 1
-            excess = outward * (np.polynomial.Polynomial(coefficients[:, i]) - self.limits[i, side]) - POINT_TOL
-            crossings += [(u, i, side) for u in _upward_crossings(excess, is_beyond[-1, i, side])]
-        for u, i, side in sorted(crossings):
-            guess = u ** np.arange(4) @ coefficients
-            guess[i] = self.limits[i, side]
-            point, tangent, _ = self._correct(guess, np.eye(len(guess))[i], arc.start_tangent)
-            if tangent.any() and np.linalg.norm(point - arc.start) <= arc.length:
-                return _Limit(point, tangent, int(i))
-        if is_beyond[-1].any():
-            # The step ends beyond a limit and no crossing could be corrected: the curve ends where the step began.
-            return _Limit(arc.start, arc.start_tangent, int(min(crossings)[1]))
-        return None
-
-
-class _Limit(NamedTuple):
-    """A point (n,) at which a curve meets a limit, the tangent (n,) there, and which coordinate is at its limit."""
-
-    point: Array
-    tangent: Array
-    coordinate: int
-
-
-class _Arc(NamedTuple):
-    """The cubic polynomial through the two ends of a step with the tangents there (Hermite), u from 0 to 1."""
-
-    start: Array
-    start_tangent: Array
-    end: Array
-    end_tangent: Array
-
-    @property
-    def length(self) -> float:
-        """The distance between its ends."""
-        return float(np.linalg.norm(self.end - self.start))
-
-    def coefficients(self) -> Array:
-        """Those (4, n) of 1, u, u^2 and u^3."""
-        chord, (start, end) = self.end - self.start, self._derivatives()
-        return np.array([self.start, start, 3 * chord - 2 * start - end, start + end - 2 * chord])
-
-    def control_points(self) -> Array:
-        """Those (3, n) of its Bezier form, without the first, which is the start."""
-        start, end = self._derivatives()
-        return np.array([self.start + start / 3, self.end - end / 3, self.end])
-
-    def _derivatives(self) -> tuple[Array, Array]:
-        return self.length * self.start_tangent, self.length * self.end_tangent
-
-
-def _upward_crossings(excess: "np.polynomial.Polynomial", ends_above: bool) -> list[float]:
-    """Find where in [0, 1] a polynomial changes from negative to positive.
-
-    0 is included if the polynomial is already positive there and grows. ends_above: whether it is known to be positive at 1;
-    then, if rounding errors hide every crossing, 1 is returned.
-    """
-    # A leading coefficient that is almost 0 would make the other roots inaccurate.
-    excess = excess.trim(POINT_TOL)
-    slope = excess.deriv()
-    roots = excess.roots()
-    real = roots.real[(np.abs(roots.imag) < POINT_TOL) & (roots.real > 0) & (roots.real <= 1)]
-    candidates = [0.0, *real] if excess(0.0) > 0 else [*real]
-    crossings = [u for u in candidates if slope(u) > 0]
-    return crossings or [1.0] * bool(ends_above)
 
 
 def _side(J: Array, tangent: Array) -> tuple[Array, float]:

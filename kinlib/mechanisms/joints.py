@@ -38,10 +38,9 @@ class Joint(validation.ReadOnly):
     screws          (6,) or (k, 6)  one screw axis, or the k of a composite joint in order, from the first body on
     closing_offset  (4, 4)  the pose by which the drawing of the second body must be moved for the two bodies to meet in this
                     joint: the identity (the default), unless the linkage is drawn open
-    limits          (2,) or (k, 2)  the lower and the upper limit, infinite by default
     point           (3,)  where the joint is drawn, on the first body; `position` has a default for it
 
-    Raises ValueError if a joint joins a body to itself, and if screws, closing_offset, limits or point are not valid.
+    Raises ValueError if a joint joins a body to itself, and if screws, closing_offset or point are not valid.
 
     >>> from kinlib.rigid.screw import screw
     >>> Joint("elbow", ("upper arm", "forearm"), screw((0, 0, 1), (1, 0, 0))).dof
@@ -52,18 +51,16 @@ class Joint(validation.ReadOnly):
     bodies: tuple[str, str]
     screws: Array = field(repr=False)
     closing_offset: Array = field(default_factory=lambda: np.eye(4), repr=False)
-    limits: Array | None = field(default=None, repr=False)
     point: Array | None = field(default=None, repr=False)
 
     if TYPE_CHECKING:  # the constructor takes lists, too, and the attributes are arrays
 
-        def __init__(  # noqa: PLR0917 - as the fields above
+        def __init__(
             self,
             name: str,
             bodies: tuple[str, str],
             screws: ArrayLike,
             closing_offset: ArrayLike = ...,
-            limits: ArrayLike | None = None,
             point: ArrayLike | None = None,
         ) -> None: ...
 
@@ -75,11 +72,8 @@ class Joint(validation.ReadOnly):
                 "Pass the names of both bodies."
             )
         screws = np.atleast_2d(axes(self.screws, f"screws of {self.name}"))
-        # Chain validates the offset and the limits, and its messages are right for a joint as well.
-        chain = Chain(screws, self.closing_offset, limits=None if self.limits is None else np.atleast_2d(self.limits))
-        validated = {"screws": screws, "closing_offset": chain.home}
-        if chain.limits is not None:
-            validated["limits"] = chain.limits
+        # Chain validates the offset, and its message is right for a joint as well.
+        validated = {"screws": screws, "closing_offset": Chain(screws, self.closing_offset).home}
         if self.point is not None:
             validated["point"] = validation.vectors(self.point, f"point of {self.name}", 3)
         for name, values in validated.items():
@@ -89,11 +83,6 @@ class Joint(validation.ReadOnly):
     def position(self) -> Array:
         """Where the joint is drawn, (3,): the given point, or the point of its first axis that is nearest to the origin."""
         return line(self.screws[0]).point if self.point is None else self.point
-
-    @property
-    def range(self) -> Array:
-        """The lower and the upper limit of each of its values, (k, 2), infinite where none was given."""
-        return np.tile([-np.inf, np.inf], (self.dof, 1)) if self.limits is None else self.limits
 
     @property
     def dof(self) -> int:
@@ -125,7 +114,7 @@ def spherical(point: ArrayLike) -> Array:
 
 
 def joints_of_chain(chain: Chain, bodies: Sequence[str], names: Sequence[str], closing_offset: Array) -> list[Joint]:
-    """Write the n joints of an open chain one by one, between n + 1 bodies.
+    """Write the n joints of an open chain one by one, between n + 1 bodies, without limits.
 
     names           of the joints, used if the chain has no joint names of its own
     closing_offset  (4, 4)  that of the last joint; the other joints have the identity
@@ -135,9 +124,8 @@ def joints_of_chain(chain: Chain, bodies: Sequence[str], names: Sequence[str], c
     ['1', '2', '3']
     """
     names = chain.joint_names or names
-    limits = [None] * chain.n if chain.limits is None else chain.limits
     offsets = [np.eye(4)] * (chain.n - 1) + [closing_offset]
-    columns = zip(names, pairwise(bodies), chain.screws, offsets, limits, chain.joint_points, strict=True)
+    columns = zip(names, pairwise(bodies), chain.screws, offsets, chain.joint_points, strict=True)
     return [Joint(*arguments) for arguments in columns]
 
 

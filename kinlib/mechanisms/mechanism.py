@@ -21,7 +21,7 @@ import numpy as np
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_vector, html_table, latex_array
-from kinlib.arrays.named_values import JointValues, in_order
+from kinlib.arrays.joint_values import JointValues, TakesJointValues
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.mechanisms.closure import Assembly, Closure
@@ -50,7 +50,7 @@ JOINT_HEADINGS = ["joint", "bodies", "omega", "v"]
 
 
 @dataclass(frozen=True, eq=False)
-class Mechanism(validation.ReadOnly):
+class Mechanism(TakesJointValues, validation.ReadOnly):
     """A linkage: bodies joined so that there is at least one loop.
 
     joints        in the order of their values in q; q = 0 is the drawing from which they are read
@@ -141,6 +141,8 @@ class Mechanism(validation.ReadOnly):
     @classmethod
     def from_chain(cls, chain: Chain) -> Self:
         """Close an open chain by fixing its end-effector to its base: the loop e^[S1]q1 ... e^[Sn]qn M = I.
+
+        A closed chain has no limits, so those of the open one are not kept.
 
         Raises ValueError for anything but a chain, and for one of one joint, because both its bodies would be the ground.
 
@@ -298,10 +300,10 @@ class Mechanism(validation.ReadOnly):
         step    the longest step along the curve, radians and metres together
         points  the number of configurations to return, at about equal steps; None: as many as the tracing needed
 
-        A curve ends at a limit, where no configuration closes further on, or after 5000 steps; its `ends` say which. It goes
+        A curve ends where no configuration closes further on, or after 5000 steps; its `ends` say which. It goes
         straight on where it crosses another curve, for example where a parallelogram lies flat.
 
-        Raises ValueError if the start does not close or is beyond a limit, if the linkage does not have exactly one degree of
+        Raises ValueError if the start does not close, if the linkage does not have exactly one degree of
         freedom there, and if step or points is too small for a curve.
         Source: pseudo-arclength continuation, as in Allgower and Georg, Numerical Continuation Methods (1990).
 
@@ -368,11 +370,6 @@ class Mechanism(validation.ReadOnly):
         return np.stack(points, axis=-2)
 
     @cached_property
-    def limits(self) -> Array:
-        """The lower and the upper limit of every joint value, (n, 2), infinite where there is none."""
-        return validation.read_only_copy(np.concatenate([joint.range for joint in self.joints]))
-
-    @cached_property
     def _tree(self) -> dict[str, list[Traversal]]:
         """The path over joints from the ground to every body."""
         return spanning_tree(self.joints, self.ground)
@@ -382,24 +379,13 @@ class Mechanism(validation.ReadOnly):
         """The path from the ground to every body but the ground, as an open chain."""
         return {body: chain_along(self.joints, path, body) for body, path in self._tree.items() if path}
 
-    def in_order(self, q: JointValues, argument: str = "q") -> Array:
-        """Read joint values as an array (..., n) in the order of `names`, from an array or a mapping by name.
+    @property
+    def _values_in_words(self) -> str:
+        return f"{self.n} joint value{'s'[: self.n != 1]}"
 
-        argument  its name, for messages
-
-        Raises ValueError for joint values of another size, for NaN, and for a missing or an unknown name.
-
-        >>> from kinlib.mechanisms.linkages import four_bar
-        >>> four_bar(4, 1, 3.5, 3).in_order({"A": 0.1, "B": 0.2, "C": 0.4, "D": 0.3})
-        array([0.1, 0.2, 0.3, 0.4])
-        """
-        q = in_order(q, self.names, self.name) if isinstance(q, Mapping) else validation.array(q, argument)
-        if q.shape[-1:] != (self.n,):
-            raise ValueError(
-                f"{argument} must have shape (..., {self.n}); got {q.shape}. "
-                f"Pass one number for each joint value of {self.name}: {', '.join(self.names)}."
-            )
-        return q
+    @property
+    def _value_names(self) -> tuple[str, ...]:
+        return self.names
 
     def _linearized(self, q: Array) -> tuple[Array, Array]:
         """The residual (m, 6 l) and its Jacobian (m, 6 l, n) at m configurations (m, n)."""
@@ -444,4 +430,4 @@ class Mechanism(validation.ReadOnly):
         # A prismatic joint may have to travel twice the size of the linkage, and a helical joint as many turns as this takes.
         search_range = np.where(is_angle, np.pi, 2 * size / np.clip(pitch, tolerances.UNIT_LENGTH_TOL, 1))
         tolerance = CLOSURE_TOL * (1 + farthest)
-        return Closure(self._centred_equations, q, free, self.names, is_angle, self.limits, search_range, tolerance)
+        return Closure(self._centred_equations, q, free, is_angle, search_range, tolerance)

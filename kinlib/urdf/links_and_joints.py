@@ -4,13 +4,14 @@ Every joint of the file is read and checked, also those that are not between bas
 element and its line.
 """
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from kinlib.arrays import validation
+from kinlib.arrays.joint_values import suggest_name
 from kinlib.arrays.limits import look_like_degrees
 from kinlib.arrays.validation import Array
 from kinlib.rigid.rpy import origin
@@ -102,7 +103,7 @@ class LinkTree(validation.ReadOnly):
     links: Mapping[str, Element]
     parent_joints: Mapping[str, UrdfJoint]
 
-    def compared_fields(self) -> dict[str, Any]:
+    def _compared_fields(self) -> dict[str, Any]:
         """The names of the links, and the joints with all that is theirs."""
         return {"links": tuple(self.links), "parent_joints": self.parent_joints}
 
@@ -131,7 +132,9 @@ class LinkTree(validation.ReadOnly):
         argument  the name of the argument, for the message
         """
         if link not in self.links:
-            raise ValueError(f"{argument} must be the name of a link; got {link!r}.{suggest_link(link, self.links)}")
+            raise ValueError(
+                f"{argument} must be the name of a link; got {link!r}.{suggest_name(link, tuple(self.links), 'links')}"
+            )
         return link
 
     def common_ancestor(self, links: Sequence[str]) -> str:
@@ -233,19 +236,6 @@ def resolve_mimic_joints(joints: Mapping[str, UrdfJoint]) -> dict[str, Coupling]
     return {name: found[name] for name in joints}
 
 
-def suggest_link(name: str, links: Collection[str]) -> str:
-    """Return a sentence with the link that a wrong name may mean, or with all names if none is similar.
-
-    >>> suggest_link("bsae", ["base", "tool"])
-    ' Did you mean base?'
-    """
-    from difflib import get_close_matches
-
-    if close := get_close_matches(name, links, n=1):
-        return f" Did you mean {close[0]}?"
-    return f" The links are {', '.join(list(links)[:12])}{', ...' if len(links) > 12 else '.'}"
-
-
 def _joint(element: Element, links: Mapping[str, Element]) -> UrdfJoint:
     name, kind = element.text("name"), element.text("type")
     if kind not in JOINT_TYPES:
@@ -263,7 +253,8 @@ def _end(joint: Element, tag: str, links: Mapping[str, Element]) -> str:
     if (link := end.text("link")) not in links:
         name = joint.attributes["name"]
         raise end.error(
-            f'joint {name} must join links of this file; there is no link "{link}".{suggest_link(link, links)}'
+            f'joint {name} must join links of this file; there is no link "{link}".'
+            + suggest_name(link, tuple(links), "links")
         )
     return link
 

@@ -12,12 +12,11 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import aligned_table, format_number, html_table
-from kinlib.arrays.limits import are_within, random_values
-from kinlib.arrays.named_values import JointValues, in_order
+from kinlib.arrays.joint_values import JointValues, TakesLimitedValues
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint, exp, inverse
@@ -40,7 +39,7 @@ DEGREES_OF_FREEDOM = {"planar": 3, "floating": 6}
 
 
 @dataclass(frozen=True, eq=False)
-class Tree(validation.ReadOnly):
+class Tree(TakesLimitedValues, validation.ReadOnly):
     """All links and joints of a URDF, read once by `from_urdf`.
 
     name       of the robot
@@ -102,10 +101,10 @@ class Tree(validation.ReadOnly):
 
     @property
     def _title(self) -> str:
-        return f"{self.name}, {len(self.links)} link{'s'[: len(self.links) != 1]}, {self._joints}"
+        return f"{self.name}, {len(self.links)} link{'s'[: len(self.links) != 1]}, {self._values_in_words}"
 
     @property
-    def _joints(self) -> str:
+    def _values_in_words(self) -> str:
         return f"{self.n} independent joint{'s'[: self.n != 1]}"
 
     def _rows(self, indent: str) -> Iterator[list[str]]:
@@ -165,32 +164,13 @@ class Tree(validation.ReadOnly):
             np.reshape([self._moving_joints[name].limits for name in self.joint_names], (-1, 2))
         )
 
-    def within_limits(self, q: JointValues) -> NDArray[np.bool_]:
-        """Return for each configuration whether the values of all independent joints are within their limits.
+    @property
+    def _value_names(self) -> tuple[str, ...]:
+        return self.joint_names
 
-        q (..., n) -> (...).
-
-        Raises ValueError for joint values of another size, and for NaN.
-
-        >>> from kinlib.chains.robots import youbot
-        >>> from kinlib.urdf.chains import to_urdf
-        >>> Tree.from_urdf(to_urdf(youbot().changed(limits=[[-1, 1]] * 5))).within_limits([[0, 0, 0, 0, 1], [0, 2, 0, 0, 0]])
-        array([ True, False])
-        """
-        return are_within(self.in_order(q), self.limits)
-
-    def random_configurations(self, count: int, seed: int = 0) -> Array:
-        """Draw configurations within the limits, the same ones for the same seed: (count, n), as those of a chain.
-
-        Raises ValueError if count or seed is not a whole number from 0 on.
-
-        >>> from kinlib.chains.robots import youbot
-        >>> from kinlib.urdf.chains import to_urdf
-        >>> tree = Tree.from_urdf(to_urdf(youbot()))
-        >>> tree.poses(tree.random_configurations(10))["tool"].shape
-        (10, 4, 4)
-        """
-        return random_values(self.limits, count, seed)
+    @property
+    def _limits(self) -> Array:
+        return self.limits
 
     @cached_property
     def coupling(self) -> Array:
@@ -246,27 +226,6 @@ class Tree(validation.ReadOnly):
         multipliers = [multiplier for _, multiplier, _ in self._couplings.values()]
         values: Array = q[..., self._columns] * multipliers + self.offsets
         return values
-
-    def in_order(self, q: JointValues) -> Array:
-        """Read joint values as an array (..., n) in the order of `joint_names`, from an array or a mapping by joint name.
-
-        Raises ValueError for joint values of another size, for NaN, and for a missing or an unknown name.
-
-        >>> text = '<robot name="ground"><link name="floor"/></robot>'
-        >>> Tree.from_urdf(text).in_order({}).shape
-        (0,)
-        """
-        q = in_order(q, self.joint_names, self.name) if isinstance(q, Mapping) else validation.array(q, "q")
-        if q.shape[-1:] != (self.n,):
-            advice = (
-                "Joints go in the last dimension: try q.T"
-                if q.ndim > 1 and q.shape[-2] == self.n
-                else ("Pass one value for each name in tree.joint_names; mimic joints follow")
-            )
-            raise ValueError(
-                f"{self.name} has {self._joints}, so q must have shape (..., {self.n}); got {q.shape}. {advice}."
-            )
-        return q
 
     def poses(
         self, q: JointValues, base: ArrayLike | None = None, joint_poses: Mapping[str, ArrayLike] | None = None
@@ -334,7 +293,7 @@ class Tree(validation.ReadOnly):
         if q is None and (moving := [joint.name for joint, _ in path if joint.moves]):
             raise ValueError(
                 f"q must be given if a joint moves between the links; between {base} and {tip} {', '.join(moving[:12])} "
-                f"{'moves' if len(moving) == 1 else 'move'}. Pass the values of the {self._joints}."
+                f"{'moves' if len(moving) == 1 else 'move'}. Pass the values of the {self._values_in_words}."
             )
         q = self.in_order(np.zeros(self.n) if q is None else q)
         T = np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4)).copy()

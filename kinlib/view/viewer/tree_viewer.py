@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays import validation
-from kinlib.arrays.named_values import JointValues
+from kinlib.arrays.joint_values import JointValues
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint

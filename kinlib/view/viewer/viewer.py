@@ -17,7 +17,7 @@ import traitlets
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
-from kinlib.arrays.named_values import JointValues
+from kinlib.arrays.joint_values import JointValues
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.view.drawing.picture import Picture, page

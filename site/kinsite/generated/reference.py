@@ -130,8 +130,9 @@ def describe(module: ModuleType, name: str, member: Any) -> str:
 
 
 def attributes(kind: type) -> Iterator[tuple[str, str, Any]]:
-    """Yield the public methods and properties that a class itself defines and documents, each with its directive."""
-    for name, value in vars(kind).items():
+    """Yield the public methods and properties that a class defines and documents, or shares through kinlib.arrays."""
+    documented = [base for base in kind.__mro__ if base is kind or base.__module__.startswith("kinlib.arrays.")]
+    for name, value in {name: value for base in reversed(documented) for name, value in vars(base).items()}.items():
         if name.startswith("_"):
             continue
         if isinstance(value, classmethod | staticmethod):

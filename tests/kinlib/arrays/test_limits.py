@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 import kinlib as kl
-from kinlib.arrays.limits import are_within, look_like_degrees, random_values, validate_limits
+from kinlib.arrays.joint_values import TakesLimitedValues
+from kinlib.arrays.limits import look_like_degrees, validate_limits
 
 ONE_JOINT = """<robot name="r"> <link name="a"/> <link name="b"/>
 <joint name="j" type="{kind}"> <parent link="a"/> <child link="b"/> <limit lower="{lower}" upper="{upper}"/> </joint> </robot>"""
@@ -32,11 +33,9 @@ def test_other_limits_of_a_revolute_joint_are_accepted(limits):
 
 @pytest.mark.oracle(
     "axiom: a tree has the limits of its arm",
-    are_within,
-    random_values,
     kl.Tree,
-    kl.Tree.within_limits,
-    kl.Tree.random_configurations,
+    TakesLimitedValues.within_limits,
+    TakesLimitedValues.random_configurations,
 )
 def test_a_tree_and_its_arm_have_the_same_limits():
     arm = kl.robots.puma560().changed(limits=[[-3, 2], [-1, 1], [0, 4], [-np.inf, 1], [0, np.inf], [-np.inf, np.inf]])

@@ -15,8 +15,8 @@ def circle_about_1(x):
 def closure_of(equations, held, search_range):
     """Two unknowns, of which the second one is held."""
     return Closure(
-        *(equations, np.array([0.0, held]), np.array([0]), "xy", np.zeros(2, bool)),
-        *(np.tile([-np.inf, np.inf], (2, 1)), np.full(2, search_range), 1e-13),
+        *(equations, np.array([0.0, held]), np.array([0]), np.zeros(2, bool)),
+        *(np.full(2, search_range), 1e-13),
     )
 
 
@@ -37,8 +37,8 @@ def test_the_search_goes_on_while_a_mode_has_been_found_only_once(once, rounds):
 def test_a_motion_that_moves_no_body_is_no_degree_of_freedom():
     """As at a spherical joint two of whose axes coincide: only the sum of two angles matters."""
     ball = Closure(
-        *(lambda x: (x.sum(1, keepdims=True) - 0.5, np.ones((len(x), 1, 2))), np.zeros(2), np.arange(2), "xy"),
-        *(np.zeros(2, bool), np.tile([-np.inf, np.inf], (2, 1)), np.ones(2), 1e-13),
+        *(lambda x: (x.sum(1, keepdims=True) - 0.5, np.ones((len(x), 1, 2))), np.zeros(2), np.arange(2)),
+        *(np.zeros(2, bool), np.ones(2), 1e-13),
     )
     assert len(ball.search_modes(poses=lambda q: q.sum(1, keepdims=True))) == 1
     with pytest.raises(ValueError, match=r"no degree of freedom may be left; 1 left"):

@@ -18,18 +18,18 @@ def close(got, expected, atol=EXACT):
     np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
 
 
-def plane_curve(value, slopes, turns=(False, False), limits=((-np.inf, np.inf),) * 2):
+def plane_curve(value, slopes, turns=(False, False)):
     """The curve value(x, y) = 0, with the gradient of its left side."""
 
     def equations(points):
         x, y = points.T
         return value(x, y)[:, None], np.stack(slopes(x, y), axis=-1)[:, None, :]
 
-    return CurveTracer(equations, 1e-13, ["x", "y"], np.array(turns), np.array(limits))
+    return CurveTracer(equations, 1e-13, np.array(turns))
 
 
-def circle(limits=((-np.inf, np.inf),) * 2):
-    return plane_curve(lambda x, y: x * x + y * y - 1, lambda x, y: (2 * x, 2 * y), limits=limits)
+def circle():
+    return plane_curve(lambda x, y: x * x + y * y - 1, lambda x, y: (2 * x, 2 * y))
 
 
 def cassini(b):
@@ -117,7 +117,7 @@ def test_a_prediction_with_curvature_is_corrected_in_two_steps():
         asked.append(len(x))
         return once.equations(x)
 
-    curve = CurveTracer(counted, 1e-13, once.names, once.is_angle, once.limits).follow(np.array([1.0, 0.0]), 0.2, 1000)
+    curve = CurveTracer(counted, 1e-13, once.is_angle).follow(np.array([1.0, 0.0]), 0.2, 1000)
     assert np.count_nonzero(np.array(asked) == 1) <= 3 * len(curve.q) + 5
     close(np.diff(curve.length)[:-1], 0.2, atol=4e-3)
 
@@ -126,11 +126,11 @@ def test_a_steep_rise_between_level_parts_is_not_skipped():
     """Before and after it the curve has the same direction, so the tangents of a long step would not show it."""
     path = plane_curve(
         lambda x, y: y - 0.3 * np.tanh(100 * x),
-        lambda x, y: (-30 / np.cosh(100 * x) ** 2, 1 + 0 * y),
-        limits=((-1, 1), (-np.inf, np.inf)),
+        lambda x, y: (-30 / np.cosh(np.clip(100 * x, -300, 300)) ** 2, 1 + 0 * y),
     )
-    curve = path.follow(np.array([-1.0, -0.3]), 0.3, 1000)
-    assert curve.ends == ("limit of x", "limit of x")
+    curve = path.follow(np.array([-1.0, -0.3]), 0.3, 100)
+    assert curve.q[:, 0].min() < -1
+    assert curve.q[:, 0].max() > 1
     assert np.diff(curve.length).max() < 0.35
     assert np.abs(np.diff(curve.q[:, 1])).max() < 0.3
 
@@ -142,7 +142,7 @@ def test_redundant_equations_give_the_same_curve():
         r, J = once.equations(x)
         return np.concatenate([r, -2 * r, r], axis=1), np.concatenate([J, -2 * J, J], axis=1)
 
-    path = CurveTracer(thrice, 1e-13, ["x", "y"], once.is_angle, once.limits)
+    path = CurveTracer(thrice, 1e-13, once.is_angle)
     close(path.follow(np.array([1.0, 0.0]), 0.1, 1000).q, once.follow(np.array([1.0, 0.0]), 0.1, 1000).q)
 
 
@@ -193,15 +193,11 @@ def test_a_start_at_a_crossing_is_refused():
 
 
 @pytest.mark.parametrize("step", STEPS)
-def test_a_cubic_turns_twice_between_its_limits(step):
-    """x = y^3 - y has its turning points at y = +-1/sqrt(3), and meets x = 6 at y = 2."""
-    path = plane_curve(
-        lambda x, y: y**3 - y - x, lambda x, y: (-1 + 0 * x, 3 * y * y - 1), limits=((-6, 6), (-np.inf, np.inf))
-    )
-    curve = path.follow(np.array([0.0, 0.0]), step, 1000)
+def test_a_cubic_turns_twice(step):
+    """x = y^3 - y has its turning points at y = +-1/sqrt(3)."""
+    path = plane_curve(lambda x, y: y**3 - y - x, lambda x, y: (-1 + 0 * x, 3 * y * y - 1))
+    curve = path.follow(np.array([0.0, 0.0]), step, 100)
     assert not curve.closed
-    assert curve.ends == ("limit of x", "limit of x")
-    close(np.sort(curve.q[[0, -1]], axis=0), [[-6, -2], [6, 2]])
     turned = curve.turning_points(0)
     close(np.abs(curve.q[turned, 1]), 1 / np.sqrt(3), atol=step)
     close(np.abs(curve.q[turned, 0]), 2 / np.sqrt(27), atol=step**2 * 2)
@@ -210,128 +206,12 @@ def test_a_cubic_turns_twice_between_its_limits(step):
     assert laid.ends == curve.ends
 
 
-@pytest.mark.parametrize("beyond", [0.5, 1e-3])
-@pytest.mark.parametrize("step", STEPS)
-def test_a_limit_is_met_even_if_one_step_passes_it_and_returns(beyond, step):
-    """A step is a cubic, which errs by its fourth power over 384: with steps of 0.3 an excursion of 1e-6 may pass unseen."""
-    if step**4 / 384 > beyond:
-        return
-    curve = circle(limits=((-np.inf, 1 - beyond), (-np.inf, np.inf))).follow(np.array([-1.0, 0.0]), step, 1000)
-    assert curve.ends == ("limit of x", "limit of x")
-    close(curve.q[[0, -1], 0], 1 - beyond, atol=1e-11)
-    assert (curve.q[:, 0] <= 1 - beyond + 1e-9).all()
-
-
-@pytest.mark.parametrize("start", [-0.02, 0.28])
-def test_a_maximum_beyond_a_limit_is_found_from_either_side(start):
-    """Of the two handles of a step one alone reaches beyond the limit: that of the point beside the top."""
-    path = plane_curve(
-        lambda x, y: y + 0.3 * x * x, lambda x, y: (0.6 * x, 1 + 0 * y), limits=((-1, 1), (-np.inf, -3e-5))
-    )
-    curve = path.follow(np.array([start, -0.3 * start**2]), 0.3, 1000)
-    assert sorted(curve.ends) == ["limit of x", "limit of y"]
-    close(np.sort(np.abs(curve.q[[0, -1], 0])), [0.01, 1], atol=1e-10)
-    assert (curve.q[:, 0] * start > 0).all()
-
-
-@pytest.mark.parametrize(("start", "stop"), [(0.0, 0), (0.3, 1)])
-def test_a_small_maximum_beyond_a_limit_is_found(start, stop):
-    """Here the handles reach beyond the limit by little, and the top by less than a thousandth of the step."""
-    top = np.polynomial.Polynomial([1, -1]) ** 2 * np.polynomial.Polynomial([-1, 2]) * 0.015 - 3e-4
-
-    def value(x, y):
-        return y - top(x / 0.3)
-
-    path = plane_curve(value, lambda x, y: (-top.deriv()(x / 0.3) / 0.3, 1 + 0 * y), limits=((-0.1, 1), (-np.inf, 0)))
-    curve = path.follow(np.array([start, top(start / 0.3)]), 0.3, 1000)
-    feet = 0.3 * np.sort(top.roots().real)
-    close(curve.q[[-1, 0][stop], 0], feet[stop])
-
-
-@pytest.mark.parametrize("step", [0.02])
-def test_a_curve_that_touches_a_limit_continues(step):
-    """Steps of 0.02 are cubics that err by 4e-10: nearer than what counts as the same."""
-    assert circle(limits=((-1, 1), (-1, 1))).follow(np.array([0.6, 0.8]), step, 1000).closed
-
-
-def test_a_curve_ends_at_the_first_of_two_limits():
-    path = circle(limits=((-np.inf, 0.8), (-0.9, np.inf)))
-    curve = path.follow(np.array([-1.0, 0.0]), 0.5, 1000)
-    ends = dict(zip(curve.ends, curve.q[[0, -1]], strict=True))
-    close(ends["limit of x"], [0.8, 0.6])
-    close(ends["limit of y"], [-np.sqrt(1 - 0.81), -0.9])
-
-
-@pytest.mark.parametrize(("limit", "first"), [(0.9, "y"), (1.1, "x")])
-def test_a_curve_ends_at_the_first_of_two_limits_within_one_step(limit, first):
-    path = plane_curve(
-        lambda x, y: y - 2 * x, lambda x, y: (-2 + 0 * x, 1 + 0 * y), limits=((-0.5, 0.5), (-limit, limit))
-    )
-    for names, columns in (("xy", [0, 1]), ("yx", [1, 0])):
-        swapped = CurveTracer(
-            lambda q, columns=columns: tuple(
-                part[..., columns] if part.ndim == 3 else part for part in path.equations(q[:, columns])
-            ),
-            *(1e-13, names, path.is_angle, path.limits[columns]),
-        )
-        curve = swapped.follow(np.zeros(2), 2.0, 1000)
-        assert curve.ends == (f"limit of {first}",) * 2
-        close(np.abs(curve.q[0, columns]), [min(0.5, limit / 2), min(1, limit)])
-
-
-@pytest.mark.parametrize("step", STEPS)
-def test_a_start_beyond_a_limit_by_rounding_may_only_return(step):
-    """On its way out it would be back before a thousandth: that is no reason to let it."""
-    path = plane_curve(lambda x, y: y + x * x, lambda x, y: (2 * x, 1 + 0 * y), limits=((-1, 1), (-np.inf, -5e-7)))
-    for side in (1, -1):
-        curve = path.follow(np.array([side * 5e-4, -2.5e-7]), step, 1000)
-        assert sorted(curve.ends) == ["limit of x", "limit of y"]
-        close(np.sort(side * curve.q[[0, -1], 0]), [7e-4, 1], atol=3e-4)
-
-
-def test_a_start_beyond_a_limit_without_a_way_back_is_the_whole_curve():
-    path = plane_curve(
-        lambda x, y: x - y * y, lambda x, y: (1 + 0 * x, -2 * y), limits=((-np.inf, -5e-7), (-np.inf, np.inf))
-    )
-    curve = path.follow(np.array([1e-8, -1e-4]), 0.1, 1000)
-    assert curve.ends == ("limit of x", "limit of x")
-    close(curve.q, [[1e-8, -1e-4]])
-
-
-def test_from_a_limit_a_curve_leads_only_inwards():
-    curve = circle(limits=((-np.inf, 0.6), (-np.inf, np.inf))).follow(np.array([0.6, 0.8]), 0.1, 1000)
-    assert curve.ends == ("limit of x", "limit of x")
-    close(curve.q[[0, -1], 0], 0.6)
-    close(straightened(circle(), curve), 2 * np.pi - 2 * np.arccos(0.6), atol=1e-5)
-
-
-def test_a_straight_curve_ends_at_the_limit_that_it_starts_from():
-    """Where a curve is straight its cubic has no cubic part but rounding, and that must not hide where it ends."""
-    for rise in (1.0, -1.0, 0.3):
-        path = plane_curve(
-            lambda x, y, rise=rise: y - rise * x,
-            lambda x, y, rise=rise: (-rise + 0 * x, 1 + 0 * y),
-            limits=((0, 0.8), (-9, 9)),
-        )
-        curve = path.follow(np.zeros(2), 0.1, 1000)
-        close(np.sort(curve.q[[0, -1], 0]), [0, 0.8])
-        assert curve.ends == ("limit of x", "limit of x")
-
-
-def test_between_equal_limits_a_curve_is_one_point():
-    path = circle(limits=((0.6, 0.6), (-np.inf, np.inf)))
-    curve = path.follow(np.array([0.6, 0.8]), 0.1, 1000)
-    assert curve.ends == ("limit of x", "limit of x")
-    close(curve.q, [[0.6, 0.8]])
-    assert len(path.resample(curve, 10).q) == 1
-
-
 @pytest.mark.parametrize("step", [0.1])
 def test_a_curve_ends_at_a_cusp(step):
     """y^2 = x^3 comes to the origin along x, and goes back the way it came."""
-    path = plane_curve(lambda x, y: y**2 - x**3, lambda x, y: (-3 * x * x, 2 * y), limits=((-1, 1), (-2, 2)))
-    curve = path.follow(np.array([0.25, 0.125]), step, 1000)
-    assert set(curve.ends) == {"limit of x", "lost: no configuration closes further on"}
+    path = plane_curve(lambda x, y: y**2 - x**3, lambda x, y: (-3 * x * x, 2 * y))
+    curve = path.follow(np.array([0.25, 0.125]), step, 50)
+    assert set(curve.ends) == {"50 points", "lost: no configuration closes further on"}
     assert np.linalg.norm(curve.q, axis=1).min() < 1e-4
 
 
@@ -411,9 +291,7 @@ def test_a_start_typed_with_fewer_digits_is_corrected():
 
 def test_an_isolated_point_and_a_surface_are_refused():
     free = circle()
-    both = CurveTracer(
-        lambda x: (x, np.broadcast_to(np.eye(2), (len(x), 2, 2))), 1e-13, ["x", "y"], free.is_angle, free.limits
-    )
+    both = CurveTracer(lambda x: (x, np.broadcast_to(np.eye(2), (len(x), 2, 2))), 1e-13, free.is_angle)
     with pytest.raises(
         ValueError,
         match=r"Exactly one direction must lead away.*; got 0\. Nothing can move: the linkage is a structure\.",

@@ -14,7 +14,7 @@ from urdf_files import ARMS, link_poses_by_pinocchio, poses_by_pinocchio, trees,
 
 import kinlib as kl
 from kinlib import Tree, to_urdf
-from kinlib.arrays.named_values import in_order
+from kinlib.arrays.joint_values import TakesJointValues
 from kinlib.mechanisms.linkages import four_bar
 from kinlib.urdf.links_and_joints import resolve_mimic_joints
 
@@ -101,10 +101,8 @@ def test_the_jacobian_of_any_link_is_that_of_pinocchio(drawn):
 
 @pytest.mark.oracle(
     "axiom: what is given by name is what is given by position",
-    in_order,
-    Tree.in_order,
+    TakesJointValues.in_order,
     kl.Chain.in_order,
-    kl.Mechanism.in_order,
 )
 def test_joint_values_may_be_given_by_name():
     tree = Tree.from_urdf(urdf_text("Franka Panda with hand"))
@@ -211,7 +209,7 @@ def test_links_between_which_nothing_moves_have_a_constant_pose():
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda tree: tree.poses([1, 2]), r"hand has 1 independent joint, so q must have .* got \(2,\)\. Pass one value for each name"),
+        (lambda tree: tree.poses([1, 2]), r"hand has 1 independent joint, so q must .* got \(2,\)\. Pass one value for each of grip\."),
         (lambda tree: tree.poses(np.zeros((1, 3))), r"got \(1, 3\)\. Joints go in the last dimension: try q\.T"),
         (lambda tree: tree.poses([np.nan]), "q contains NaN"),
         (lambda tree: tree.poses([0], base=np.eye(3)), "base must be a pose"),
@@ -226,7 +224,7 @@ def test_links_between_which_nothing_moves_have_a_constant_pose():
         (lambda tree: tree.chain("palm"), r"Pass tip=\.\.\., one of thumb, nail\."),
         (lambda tree: tree.jacobian([0], "plam"), "must be the name of a link; got 'plam'. Did you mean palm"),
         (lambda tree: tree.poses({"girp": 1}), r"names of the joint values of hand; got 'girp'\. Did you mean grip\?"),
-        (lambda tree: tree.poses({"grip": 1, "bend": 1}), r"got 'bend'\. Its joint values are grip\."),
+        (lambda tree: tree.poses({"grip": 1, "bend": 1}), r"got 'bend'\. The joint values are grip\."),
         (lambda tree: tree.poses({}), r"a value for each joint of hand; got none for grip\. .*dict\.fromkeys\(names, 0\.0\)"),
         (lambda tree: tree.poses({"grip": "a"}), r"q\['grip'\] must be an array of real numbers"),
     ],

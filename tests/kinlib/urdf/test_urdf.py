@@ -20,8 +20,9 @@ from urdf_files import ARMS, poses_by_pinocchio, trees, urdf_text
 
 import kinlib as kl
 from kinlib import load_urdf, robots, to_urdf
+from kinlib.arrays.joint_values import suggest_name
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
-from kinlib.urdf.links_and_joints import LinkTree, UrdfJoint, read_tree, suggest_link
+from kinlib.urdf.links_and_joints import LinkTree, UrdfJoint, read_tree
 from kinlib.urdf.xml_elements import MAX_BYTES, MAX_CHARACTERS, MAX_DEPTH, Element, read_robot
 
 CLOSE = 1e-9
@@ -186,14 +187,14 @@ def test_roll_pitch_and_yaw_are_scipy_s_angles(R):
     )
 
 
-@pytest.mark.oracle("text: written out in the test", suggest_link, Element.error, Element.__str__)
+@pytest.mark.oracle("text: written out in the test", suggest_name, Element.error, Element.__str__)
 def test_the_texts_of_trees_elements_and_suggestions():
     text = (
         '<robot name="one"><link name="base"/>\n<link name="tool"/>\n<joint name="j" type="fixed"><parent link="base"/>'
     )
     robot = read_robot(text + '<child link="tool"/></joint></robot>')
     tree = read_tree(robot)
-    assert suggest_link("tol", tree.links) == " Did you mean tool?"
+    assert suggest_name("tol", tuple(tree.links), "links") == " Did you mean tool?"
     assert str(robot.children[1]) == '<link name="tool">'
     assert str(robot.children[2].children[0].error("why.")) == 'Line 3, <parent> in <joint name="j">: why.'
 
