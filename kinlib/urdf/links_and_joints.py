@@ -103,7 +103,7 @@ class LinkTree(validation.ReadOnly):
     links: Mapping[str, Element]
     parent_joints: Mapping[str, UrdfJoint]
 
-    def _compared_fields(self) -> dict[str, Any]:
+    def compared_fields(self) -> dict[str, Any]:
         """The names of the links, and the joints with all that is theirs."""
         return {"links": tuple(self.links), "parent_joints": self.parent_joints}
 

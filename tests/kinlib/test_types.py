@@ -13,7 +13,7 @@ SCRIPT = """
     convention: kl.Convention = "modified" if arm.n > 2 else "standard"
     table = kl.DHTable("a | alpha | d | theta \\n 0.4 | 0 | 0 | q1", convention=convention, base=np.eye(4).tolist())
     numbers = kl.DHTable([[0.4, 0, 0, 0]], convention="modified", signs=[-1])
-    joint = kl.Joint("A", ("ground", "crank"), [0, 0, 1, 0, 0, 0], limits=[-1, 1])
+    joint = kl.Joint("A", ("ground", "crank"), [0, 0, 1, 0, 0, 0])
     reveal_type(table.rows)
     reveal_type(arm.screws)
     reveal_type(arm.fk([0.3]))

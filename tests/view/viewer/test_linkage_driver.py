@@ -80,9 +80,7 @@ def test_a_start_that_is_not_closed_is_refused():
 
 
 def test_values_of_another_size_are_refused(crank_rocker):
-    with pytest.raises(
-        ValueError, match=r"shape \(\.\.\., 4\); got \(3,\)\. Pass one value for each of A, B, D, C"
-    ):
+    with pytest.raises(ValueError, match=r"shape \(\.\.\., 4\); got \(3,\)\. Pass one value for each of A, B, D, C"):
         crank_rocker.q = [0.0, 0, 0]
 
 
