@@ -18,9 +18,6 @@ def validate_limits(limits: ArrayLike, joint_types: str) -> Array:
     joint_types  a letter for each joint: those of revolute joints, R, must not look like degrees
 
     Raises ValueError for another shape, for limits that are swapped or NaN, and for those that look like degrees.
-
-    >>> validate_limits([[-np.pi, np.pi], [0, 180]], "RP")[1]
-    array([  0., 180.])
     """
     limits, n = validation.real_array(limits, "limits"), len(joint_types)
     if limits.shape != (n, 2):
@@ -43,9 +40,6 @@ def look_like_degrees(lower: float, upper: float) -> bool:
 
     Full hundreds are not, because some files write them for a wheel, which rotates without end. No file of airo-models, rtb-data
     and example-robot-data has another limit between 10 and 1e5.
-
-    >>> [look_like_degrees(-x, x) for x in (90, 180, 360, 50, 62.83, 100, 1e16, np.inf)]
-    [True, True, True, False, False, False, False, False]
     """
     ends = [end for end in (lower, upper) if np.isfinite(end)]
     size = max(map(abs, ends), default=0)

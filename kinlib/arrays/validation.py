@@ -24,9 +24,6 @@ def array(x: ArrayLike, name: str) -> Array:
     """Read x as an array of finite real numbers. If x is such an array, it is returned itself: copy it before you write to it.
 
     Raises ValueError for anything else, with the index of the first NaN or infinity.
-
-    >>> array([1, 2, 3], "point")
-    array([1., 2., 3.])
     """
     values = real_array(x, name)
     if not np.isfinite(values).all():
@@ -43,9 +40,6 @@ def real_array(x: ArrayLike, name: str) -> Array:
     If x is such an array, it is returned itself: copy it before you write to it.
 
     Raises ValueError for anything else, for a masked array and for a np.matrix.
-
-    >>> real_array(np.inf, "pitch")
-    array(inf)
     """
     if isinstance(x, np.matrix) or (
         isinstance(x, np.ndarray) and hasattr(x, "mask")
@@ -78,9 +72,6 @@ def vectors(x: ArrayLike, name: str, size: int) -> Array:
     """Read x as vectors of one size, shape (..., size).
 
     Raises ValueError for another last dimension; the message says when the transpose would fit.
-
-    >>> vectors(np.eye(3), "axes", 3).shape
-    (3, 3)
     """
     values = array(x, name)
     if values.shape[-1:] != (size,):
@@ -94,9 +85,6 @@ def single(values: Array, name: str) -> Array:
     """Return one configuration (n,) unchanged.
 
     Raises ValueError for several of them, (m, n).
-
-    >>> single(np.zeros(2), "q")
-    array([0., 0.])
     """
     if values.ndim != 1:
         raise ValueError(
@@ -109,9 +97,6 @@ def unit_vectors(x: ArrayLike, name: str) -> Array:
     """Read x as unit vectors in space, shape (..., 3), and scale them to length 1 exactly.
 
     Raises ValueError for a length that differs from 1 by more than the tolerance, and says which length it is.
-
-    >>> unit_vectors([0, 0, 1], "axis")
-    array([0., 0., 1.])
     """
     values = vectors(x, name, 3)
     length = np.linalg.norm(values, axis=-1)
@@ -126,9 +111,6 @@ def divide_by_length(values: Array, length: Array) -> Array:
     """Scale vectors whose length is about 1 to length 1; vectors that were scaled before are kept to the last bit.
 
     values (..., n), length (...) -> (..., n). So a stored axis is the same when it is read again.
-
-    >>> divide_by_length(np.array([0.0, 2.0]), np.array(2.0))
-    array([0., 1.])
     """
     units: Array = values / np.where(np.abs(length - 1) <= UNIT_LENGTH_ROUNDING, 1.0, length)[..., None]
     return units
@@ -138,9 +120,6 @@ def rotation_angles(angle: Array) -> Array:
     """Return rotation angles in radians unchanged, if double precision can resolve them.
 
     Raises ValueError for an angle above `MAX_ROTATION_RAD`.
-
-    >>> rotation_angles(np.array([0.0, 3.14]))
-    array([0.  , 3.14])
     """
     if (angle > MAX_ROTATION_RAD).any():
         raise ValueError(
@@ -155,9 +134,6 @@ def rotations_or_poses(x: ArrayLike, name: str) -> Array:
 
     Raises ValueError for another shape, NaN or infinity, a block that is not orthonormal, a reflection, and a last row that
     is not 0 0 0 1.
-
-    >>> rotations_or_poses(np.eye(4), "home").shape
-    (4, 4)
     """
     values = real_array(x, name)
     if values.shape[-2:] not in {(3, 3), (4, 4)}:
@@ -171,9 +147,6 @@ def poses(x: ArrayLike, name: str) -> Array:
     """Read x as poses, shape (..., 4, 4).
 
     Raises ValueError for anything that is not an element of SE(3).
-
-    >>> poses(np.eye(4), "home").shape
-    (4, 4)
     """
     values = rotations_or_poses(x, name)
     if values.shape[-1] != 4:
@@ -187,9 +160,6 @@ def whole_number(x: Any, name: str, most: float = np.inf) -> int:
     """Read x as a whole number from 0 to `most`.
 
     Raises ValueError for a float, for text, and for a number beyond this range.
-
-    >>> whole_number(np.int64(3), "count")
-    3
     """
     if not isinstance(x, int | np.integer) or not 0 <= x <= most:
         end = "on" if most == np.inf else f"to {most}"
@@ -222,10 +192,6 @@ def instance(x: object, name: str, *kinds: type) -> None:
     """Check that an argument is of one of these types.
 
     Raises ValueError for any other one, with what can be made of it.
-
-    >>> instance([1, 2], "hold", Mapping)
-    Traceback (most recent call last):
-    ValueError: hold must be a Mapping; got list [1, 2]. It is described in help(Mapping).
     """
     if isinstance(x, kinds):
         return
@@ -240,11 +206,7 @@ def instance(x: object, name: str, *kinds: type) -> None:
 
 
 def read_only_copy(values: ArrayLike) -> Array:
-    """Copy values into a read-only array, because a frozen dataclass does not protect the contents of its arrays.
-
-    >>> read_only_copy([1.0, 2.0]).flags.writeable
-    False
-    """
+    """Copy values into a read-only array, because a frozen dataclass does not protect the contents of its arrays."""
     copy = np.array(values, dtype=float)
     copy.flags.writeable = False
     return copy
@@ -254,16 +216,6 @@ class ReadOnly:
     """A frozen dataclass that is equal to another one with equal fields, and whose copies are constructed anew from them.
 
     So the arrays of a copy or a pickle are read-only too, and nothing that was computed from the fields travels with it.
-
-    >>> from copy import deepcopy
-    >>> from dataclasses import dataclass
-    >>> @dataclass(frozen=True, eq=False)
-    ... class Point(ReadOnly):
-    ...     p: Array
-    ...     def __post_init__(self): object.__setattr__(self, "p", read_only_copy(self.p))
-    >>> point = deepcopy(Point([1.0, 2.0]))
-    >>> point.p.flags.writeable, point == Point([1, 2]), point == Point([1, 3])
-    (False, True, False)
     """
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -300,11 +252,7 @@ def _construct(kind: type[Any], values: dict[str, Any]) -> Any:
 
 
 def describe(x: Any) -> str:
-    """Describe a value briefly, for an error message: its type and the beginning of its repr, without addresses in memory.
-
-    >>> describe([1, 2, 3]), describe(lambda x: x), describe([describe])
-    ('list [1, 2, 3]', 'function <function <lambda>>', 'list [<function describe>]')
-    """
+    """Describe a value briefly, for an error message: its type and the beginning of its repr, without addresses in memory."""
     return f"{type(x).__name__} {_BRIEF.repr(x)}"
 
 

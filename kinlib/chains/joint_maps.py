@@ -47,12 +47,7 @@ class JointMap:
 
 
 def identity_map(one: Chain, other: Chain) -> JointMap:
-    """Return the map that changes nothing, with the difference of the poses as they are.
-
-    >>> from kinlib.chains.robots import puma560
-    >>> identity_map(puma560(), puma560()).difference
-    0.0
-    """
+    """Return the map that changes nothing, with the difference of the poses as they are."""
     return _measured(JointMap(np.eye(4), np.eye(4), np.ones(one.n), np.zeros(one.n)), one, other)
 
 
@@ -61,10 +56,6 @@ def joint_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float) ->
 
     fixed  what may not differ, of "base", "tool", "zeros" and "signs"
     loose  in metres and radians. The difference of the poses that remains can be larger or smaller
-
-    >>> from kinlib.chains.robots import puma560
-    >>> min(found.difference for found in joint_maps(puma560(), puma560(), frozenset(), 0.1)) < 1e-9
-    True
     """
     matcher = _Matcher(one, other, fixed, loose)
     found = (matcher.completed(match) for match in matcher.matches())
@@ -79,9 +70,8 @@ def _measured(found: JointMap, one: Chain, other: Chain) -> JointMap:
 def _improved(found: JointMap, one: Chain, other: Chain, fixed: frozenset[str]) -> JointMap:
     """Improve a map by Gauss-Newton steps on the poses themselves, for all configurations at once.
 
-    The error of a pose is the twist of T_b^-1 X T_a(s q + c) Y. It changes by Ad(M^-1) dX + Ad(Y^-1) J dc + dY, where
-    M = X T_a Y and J is the body Jacobian of a. The direction of a nearly parallel axis hardly changes the poses, so the least
-    squares have a small singular value there, and several bounds for it are tried.
+    The direction of a nearly parallel axis hardly changes the poses, so the least squares have a small singular value there, and
+    several bounds for it are tried.
     """
     q = random_configurations(one.n, CHECKED_CONFIGURATIONS)
     target = other.fk(q)
@@ -89,12 +79,8 @@ def _improved(found: JointMap, one: Chain, other: Chain, fixed: frozenset[str]) 
     for _ in range(IMPROVING_STEPS):
         if found.difference <= IMPROVED_ABOVE:
             break
-        M = found.poses(one, q)
-        zeros = adjoint(inverse(found.tool)) @ one.body_jacobian(found.signs * q + found.offsets)
-        tool = np.broadcast_to(np.eye(6), (len(q), 6, 6))
-        J = np.concatenate([adjoint(inverse(M)), zeros, tool], axis=-1).reshape(-1, 12 + one.n) * is_free
-        error = pose_error(target, M).ravel()
-        steps = [np.linalg.lstsq(J, -error, rcond=bound)[0] * is_free for bound in (1e-14, 1e-10, 1e-6)]
+        error, J = linearized(found.base, one, found.signs * q + found.offsets, found.tool, target)
+        steps = [np.linalg.lstsq(J * is_free, -error, rcond=bound)[0] * is_free for bound in (1e-14, 1e-10, 1e-6)]
         tried = [_moved(found, step, one, other) for step in steps if np.abs(step).max() <= LARGEST_STEP]
         best = min(tried, key=lambda each: each.difference, default=found)
         if best.difference >= found.difference:
@@ -103,17 +89,25 @@ def _improved(found: JointMap, one: Chain, other: Chain, fixed: frozenset[str]) 
     return found
 
 
+def linearized(X: Array, chain: Chain, values: Array, Y: Array, target: Array) -> tuple[Array, Array]:
+    """Compute the errors (6 N,) of the poses X T(values) Y, and their Jacobian (6 N, 6 + n + 6).
+
+    values (N, n), target (N, 4, 4). The error is the small twist of target^-1 X T Y; with M = X T Y and the body Jacobian J of the
+    chain, it changes by Ad(M^-1) dX + Ad(Y^-1) J dvalues + dY.
+    """
+    M = X @ chain.fk(values) @ Y
+    by_values = adjoint(inverse(Y)) @ chain.body_jacobian(values)
+    J = np.concatenate([adjoint(inverse(M)), by_values, np.broadcast_to(np.eye(6), (len(values), 6, 6))], axis=-1)
+    return _pose_error(target, M).ravel(), J.reshape(-1, J.shape[-1])
+
+
 def _moved(found: JointMap, step: Array, one: Chain, other: Chain) -> JointMap:
     X, Y, offsets = exp(step[:6]) @ found.base, found.tool @ exp(step[-6:]), found.offsets + step[6:-6]
     return _measured(replace(found, base=X, tool=Y, offsets=offsets), one, other)
 
 
-def pose_error(target: Array, M: Array) -> Array:
-    """Compute the twists (N, 6), for small errors, that lead from poses to others: target exp(error) = M, (N, 4, 4) each.
-
-    >>> pose_error(np.eye(4), exp([0, 0, 1e-3, 0, 0, 0.5])).round(6)
-    array([0.   , 0.   , 0.001, 0.   , 0.   , 0.5  ])
-    """
+def _pose_error(target: Array, M: Array) -> Array:
+    """Compute the twists (N, 6), for small errors, that lead from poses to others: target exp(error) = M, (N, 4, 4) each."""
     E = inverse(target) @ M
     R, p = E[..., :3, :3], E[..., :3, 3]
     return np.concatenate([vee((R - np.swapaxes(R, -1, -2)) / 2), p], axis=-1)

@@ -76,16 +76,6 @@ class FrameAssignment(validation.ReadOnly):
         q = random_configurations(self.chain.n, ACCURACY_SAMPLES)
         return largest_difference(self.table.fk(q), self.chain.fk(q))
 
-    @property
-    def base(self) -> Array:
-        """The pose of frame 0 in {s}: the factor before the first row."""
-        return self.table.base
-
-    @property
-    def tool(self) -> Array:
-        """The pose of {b} in frame n: the factor after the last row."""
-        return self.table.tool
-
     @cached_property
     def steps(self) -> list[AssignmentStep]:
         """The assignment as a person does it, in the usual order; print(*steps) prints them.

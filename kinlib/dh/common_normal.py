@@ -62,10 +62,6 @@ def common_normal(
     parallel_below  axes at a smaller angle than this, in radians, are treated as parallel
 
     Source: EduFill manipulation module, steps III and IV; Chapter 4 review, step 3.
-
-    >>> X, Y, Z = np.eye(3)
-    >>> common_normal((Z, 0 * Z), (Y, 2 * X), X, at_other_point=True).case
-    'skew'
     """
     (z, origin), (other_z, other_point) = axis, other
     # Measuring from the foot nearest the other joint is the most accurate: the vector between is short and perpendicular to z.

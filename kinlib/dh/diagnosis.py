@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, reduce
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import Literal
 
 import numpy as np
@@ -117,16 +117,15 @@ class Diagnosis:
     @property
     def verdict(self) -> Literal["right", "rounded", "undecided", "wrong"]:
         """What is known of the table; only a wrong one is accused of mistakes."""
+        rounding = self.rounding
         if self.comparison.verdict == "same":
             return "right"
-        if self.rounding and self.rounding.verdict == "explains":
+        if rounding and rounding.verdict == "explains":
             return "rounded"
-        # Where coarse rounding may be the cause, only a single mistake that invents no numbers outweighs it.
-        is_open = self.rounding and self.rounding.verdict == "possible"
-        if any(not (self.rounding and is_open) or _is_plain(each, self.rounding) for each in self.explanations):
-            return "wrong"
-        is_open = self.comparison.verdict == "undecided" or (self.rounding and self.rounding.verdict == "possible")
-        return "undecided" if is_open else "wrong"
+        if rounding and rounding.verdict == "possible":
+            # Where coarse rounding may be the cause, only a single mistake that invents no numbers outweighs it.
+            return "wrong" if any(_is_plain(each, rounding) for each in self.explanations) else "undecided"
+        return "undecided" if self.comparison.verdict == "undecided" and not self.explanations else "wrong"
 
     @property
     def right(self) -> bool:
@@ -327,11 +326,8 @@ def _explain(
             letters |= correction.letters
         starts.append((table.changed(joints="".join(letters.values())), start))
     # A wrong frame at an end is the mistake that remains if the table describes the arm up to this frame.
-    frames = [
-        (),
-        *((end,) for end in ("base", "tool") if end in fixed),
-        *([("base", "tool")] if fixed >= {"base", "tool"} else []),
-    ]
+    possible = [end for end in ("base", "tool") if end in fixed]
+    frames = [ends for count in range(3) for ends in combinations(possible, count)]
     searches = {
         ends: [_Search(with_types, start, reference, arm, fixed, tolerance, ends) for with_types, start in starts]
         for ends in frames

@@ -73,13 +73,7 @@ class AssignmentStep:
 def explain_assignment(
     chain: Chain, table: DHTable, frames: Array, normals: Sequence[CommonNormal], accuracy: float
 ) -> list[AssignmentStep]:
-    """Explain an assignment in the steps in which a person does it.
-
-    >>> from kinlib.dh.assignment import assign_frames
-    >>> from kinlib.chains.robots import youbot
-    >>> [step.kind for step in assign_frames(youbot(), convention="standard").steps][:5]
-    ['axes', 'first', 'normal', 'origin', 'x']
-    """
+    """Explain an assignment in the steps in which a person does it."""
     standard = table.convention == "standard"
     steps = [_explain_axes(chain, standard), _explain_first_frame(table, frames)]
     for pair, normal in enumerate(normals):

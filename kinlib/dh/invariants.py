@@ -29,10 +29,6 @@ def joint_axes(rows: Array, *, convention: Convention, joints: str, signs: Array
     """Compute the joint axes of many tables at once, in frame 0 with every joint at 0.
 
     rows (..., m, 4), joints and signs with one entry for each row -> directions (..., n, 3) and a point on each axis (..., n, 3).
-
-    >>> rows = np.array([[0.4, 0.0, 0.0, 0.0], [0.3, 0.0, 0.0, 0.0]])
-    >>> joint_axes(rows, convention="standard", joints="RR", signs=np.ones(2))[1].tolist()
-    [[0.0, 0.0, 0.0], [0.4, 0.0, 0.0]]
     """
     links = np.moveaxis(dh_transform(*np.moveaxis(rows, -1, 0), convention=convention), -3, 0)
     frames = [np.broadcast_to(np.eye(4), links.shape[1:])]
@@ -51,11 +47,6 @@ class AxisInvariants:
 
     tolerance   how far cosines may differ, and lengths on an arm of one metre
     fixed       "signs" if the joint signs are fixed, "zeros" if the zeros are: then the axes at home are a rigid body
-
-    >>> from kinlib.chains.robots import puma560
-    >>> arm = AxisInvariants(puma560(), 1e-7)
-    >>> bool(arm.agree(arm.of(puma560().lines.axis, puma560().joint_points)))
-    True
     """
 
     reference: Chain
@@ -210,20 +201,12 @@ class AxisInvariants:
 
 
 def acute_angle(u: Array, v: Array) -> float:
-    """Compute the acute angle between two directions, in radians.
-
-    >>> round(acute_angle(np.array([1, 0, 0]), np.array([-1, 1, 0])), 4)
-    0.7854
-    """
+    """Compute the acute angle between two directions, in radians."""
     return float(np.arctan2(np.linalg.norm(cross(u, v)), abs(u @ v)))
 
 
 def axis_distance(axes: Array, points: Array) -> float:
-    """Compute the length of the common normal of two axes, directions (2, 3) and a point on each (2, 3).
-
-    >>> axis_distance(np.array([[1, 0, 0], [0, 1, 0]]), np.array([[5, 0, 0], [0, 7, 2]]))
-    2.0
-    """
+    """Compute the length of the common normal of two axes, directions (2, 3) and a point on each (2, 3)."""
     normal, between = cross(*axes), points[1] - points[0]
     sine = float(np.linalg.norm(normal))
     if sine > PARALLEL_TOL_RAD:

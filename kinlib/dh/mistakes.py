@@ -66,12 +66,7 @@ class Correction:
 
 
 def corrected_rows(rows: Array, corrections: Sequence[Correction]) -> Array:
-    """Apply corrections to the numbers of a table, (m, 4) -> (m, 4).
-
-    >>> sign = Correction(Fault("sign of a", "", 1, "a"), {(0, 0): -0.4})
-    >>> corrected_rows(np.array([[0.4, 0.0, 0.1, 0.0]]), [sign]).tolist()
-    [[-0.4, 0.0, 0.1, 0.0]]
-    """
+    """Apply corrections to the numbers of a table, (m, 4) -> (m, 4)."""
     rows = np.array(rows)
     for correction in corrections:
         for entry, value in correction.entries.items():
@@ -83,11 +78,7 @@ def corrected_rows(rows: Array, corrections: Sequence[Correction]) -> Array:
 
 
 def format_entry(value: float, column: int) -> str:
-    """Format an entry for a sentence: an angle in degrees, a length as the number that it is.
-
-    >>> format_entry(np.pi / 2, ALPHA), format_entry(0.0203, A)
-    ('90 degrees', '0.0203')
-    """
+    """Format an entry for a sentence: an angle in degrees, a length as the number that it is."""
     if column in ANGLES:
         return f"{round(float(np.degrees(value)), 6) + 0.0:.4g} degrees"
     return f"{round(float(value), 9) + 0.0:.4g}"
@@ -101,10 +92,6 @@ def known_corrections(
     right   the rows (k, 4) of right tables of the arm, whose numbers are tried in place of wrong and of lost ones
     more_d  further values of d to try, by row
     fixed   what counts, of "zeros", the entries that the joints change, and "signs", the directions in which they count
-
-    >>> table = DHTable([[0.4, 0, 0, 0], [-0.3, 0, 0, 0]], convention="standard")
-    >>> known_corrections(table, [table.rows], {})[1].fault.text
-    'Row 1: a has the wrong sign.'
     """
     zeros_are_fixed, numbers = "zeros" in fixed, np.concatenate(right)
     same_size = [rows for rows in right if rows.shape == table.rows.shape]
@@ -124,12 +111,7 @@ def known_corrections(
 
 
 def corrections_of_joint_types(table: DHTable, joint_types: str) -> list[tuple[Correction, ...]]:
-    """Return the ways to give a table the joint types of an arm: variables in the other column, or two rows swapped.
-
-    >>> table = DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard", joints="RP")
-    >>> [[correction.fault.text for correction in way] for way in corrections_of_joint_types(table, "RR")]
-    [['Row 2: the joint variable belongs in theta, because this joint is revolute.']]
-    """
+    """Return the ways to give a table the joint types of an arm: variables in the other column, or two rows swapped."""
     moving = [row for row, letter in enumerate(table.joints) if letter != "F"]
     right = list(table.joints)
     columns = []

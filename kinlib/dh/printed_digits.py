@@ -14,12 +14,12 @@ import numpy as np
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD, ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.chains.joint_maps import CHECKED_CONFIGURATIONS, JointMap, joint_maps, pose_error
+from kinlib.chains.joint_maps import CHECKED_CONFIGURATIONS, JointMap, joint_maps, linearized
 from kinlib.dh.equivalence import Equivalence, equivalent
 from kinlib.dh.invariants import acute_angle, axis_distance
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import DHTable
-from kinlib.rigid.lie import adjoint, exp, inverse
+from kinlib.rigid.lie import exp
 
 FIT_STEPS = 60
 """How many corrections are tried until the rounded numbers give the poses of the arm."""
@@ -72,16 +72,7 @@ class Rounding:
 
 
 def judge_rounding(table: DHTable, arm: Chain, fixed: Collection[str]) -> Rounding:
-    """Judge whether the rounding of its numbers explains why a table does not have the poses of an arm.
-
-    >>> from kinlib.chains.robots import puma560
-    >>> from kinlib.dh.assignment import assign_frames
-    >>> table = assign_frames(puma560(), convention="standard").table
-    >>> judge_rounding(table.changed(rows=table.rows.round(3)), puma560(), ()).verdict
-    'explains'
-    >>> judge_rounding(table.changed(rows=table.rows * (2, 1, 1, 1)), puma560(), ()).verdict
-    'excluded'
-    """
+    """Judge whether the rounding of its numbers explains why a table does not have the poses of an arm."""
     half_unit, units = typed_half_units(table.rows)
     effect = rounding_effect(table, half_unit)
     nearest = equivalent(table, arm, fixed=fixed, tolerance=max(effect, EQUIVALENCE_TOL))
@@ -103,14 +94,7 @@ def _starts(table: DHTable, arm: Chain, nearest: Equivalence, fixed: frozenset[s
 
 
 def typed_half_units(rows: Array) -> tuple[Array, str]:
-    """Read from the digits of a table how far its numbers may be off, (m, 4) -> half units (m, 4), and the units in words.
-
-    >>> half, units = typed_half_units(np.array([[0.43, np.pi / 2, 0.1, 0], [0, -0.5, 0, 0]]))
-    >>> half[0, [0, 2]].tolist(), units
-    ([0.005, 0.005], 'lengths to 0.01 m, angles to 0.1 rad')
-    >>> typed_half_units(np.radians([[0, 90, 0, 22.5]]))[1]
-    'lengths to 0.1 m, angles to 0.1°'
-    """
+    """Read from the digits of a table how far its numbers may be off, (m, 4) -> half units (m, 4), and the units in words."""
     lengths, angles = rows[:, [0, 2]], rows[:, [1, 3]]
     # Nobody rounds right angles; but the files of arms have pi / 2 with five digits.
     is_right = (np.abs(np.sin(2 * angles)) < ROUNDING_ERROR) & (angles != 0)
@@ -152,10 +136,6 @@ def rounding_effect(table: DHTable, half_unit: Array) -> float:
 
     The reach is the sum of all lengths, with the tool, and with prismatic joints moved by pi metres; it is at least 1, because a
     rotation matrix changes by the angle itself.
-
-    >>> table = DHTable([[0.5, 0, 0, 0]], convention="standard")
-    >>> round(rounding_effect(table, np.array([[0.05, 0, 0, 0.01]])), 6)
-    0.06
     """
     lengths = np.abs(table.rows[:, [0, 2]]) + half_unit[:, [0, 2]]
     reach = lengths.sum() + np.linalg.norm(table.tool[:3, 3]) + np.pi * table.joints.count("P")
@@ -184,16 +164,8 @@ def _fits(table: DHTable, arm: Chain, nearest: Equivalence | JointMap, half_unit
     values, changes = numbers[:, :, order].reshape(len(q), -1), np.zeros(scales.size)
     X, Y, target = nearest.base @ table.base, table.tool @ nearest.tool, arm.fk(q)
     for _ in range(FIT_STEPS):
-        M = X @ motions.fk(values + scales * changes) @ Y
-        J = np.concatenate(
-            [
-                adjoint(inverse(M)) * ends[0],
-                adjoint(inverse(Y)) @ motions.body_jacobian(values + scales * changes) * scales,
-                np.broadcast_to(np.diag(ends[1]), (len(q), 6, 6)),
-            ],
-            axis=-1,
-        )
-        step = np.linalg.lstsq(J.reshape(-1, J.shape[-1]), -pose_error(target, M).ravel(), rcond=1e-12)[0]
+        error, J = linearized(X, motions, values + scales * changes, Y, target)
+        step = np.linalg.lstsq(J * [*ends[0], *scales, *ends[1]], -error, rcond=1e-12)[0]
         if not np.isfinite(step).all() or np.abs(step).max() > MAX_STEP:
             return False  # the fit does not converge
         X, Y, changes = exp(ends[0] * step[:6]) @ X, Y @ exp(ends[1] * step[-6:]), changes + step[6:-6]

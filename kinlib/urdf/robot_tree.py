@@ -176,7 +176,8 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
     def coupling(self) -> Array:
         """The coupling matrix C, (m, n). The row of an independent joint has a single 1, that of a mimic joint its multiplier."""
         C = np.zeros((len(self.moving_joint_names), self.n))
-        C[np.arange(len(C)), self._columns] = [multiplier for _, multiplier, _ in self._couplings.values()]
+        for row, (driver, multiplier, _) in zip(C, self._couplings.values(), strict=True):
+            row[self._numbers[driver]] = multiplier
         return validation.read_only_copy(C)
 
     @cached_property
@@ -196,11 +197,6 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
     def _couplings(self) -> dict[str, Coupling]:
         # Resolved at first use, because a faulty mimic joint, for example of a hand, does not affect the chains of an arm.
         return resolve_mimic_joints(self._moving_joints)
-
-    @cached_property
-    def _columns(self) -> list[int]:
-        """For each moving joint the number of the independent joint that it follows."""
-        return [self._numbers[driver] for driver, _, _ in self._couplings.values()]
 
     def _values(self, q: Array, joint: UrdfJoint) -> Array:
         """The values (...) of one joint for values (..., n) of the independent joints."""
@@ -222,9 +218,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         >>> Tree.from_urdf(text).joint_values([])
         array([], dtype=float64)
         """
-        q = self.in_order(q)
-        multipliers = [multiplier for _, multiplier, _ in self._couplings.values()]
-        values: Array = q[..., self._columns] * multipliers + self.offsets
+        values: Array = self.in_order(q) @ self.coupling.T + self.offsets
         return values
 
     def poses(

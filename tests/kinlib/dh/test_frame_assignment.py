@@ -38,31 +38,26 @@ def fuzzed(convention, count=COUNT, angle=None, seed=0):
 # --- as the decks print it ---
 
 
-@pytest.mark.oracle(
-    "printed: DH example with n = 5, Kinematics under DH",
-    assign_frames,
-    kl.FrameAssignment.base,
-)
+@pytest.mark.oracle("printed: DH example with n = 5, Kinematics under DH", assign_frames)
 @pytest.mark.parametrize("name", PRINTED)
 def test_the_assignment_gives_the_deck_s_own_table(name):
     printed, chain = PRINTED[name]
     found = assign_frames(chain, convention=printed.convention)
     np.testing.assert_allclose(found.table.rows, printed.rows[: chain.n], rtol=0, atol=1e-12)
     assert found.table.joints == printed.joints[: chain.n]
-    np.testing.assert_allclose(found.base, np.eye(4), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.table.base, np.eye(4), rtol=0, atol=1e-12)
 
 
 def test_the_youbot_needs_no_tool():
     found = assign_frames(robots.youbot(), convention="standard")
-    np.testing.assert_allclose(found.tool, np.eye(4), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.table.tool, np.eye(4), rtol=0, atol=1e-12)
 
 
-@pytest.mark.oracle("printed: deck Example with n = 5", kl.FrameAssignment.tool)
 def test_deck_n_5_s_fifth_row_is_the_tool():
     """The deck writes its fixed tool as a fifth row; here a table has a row a joint, and the tool stands behind it."""
     printed, chain = PRINTED["n = 5"]
     tool = printed.link_transforms(np.zeros(chain.n))[-1]
-    np.testing.assert_allclose(assign_frames(chain, convention="modified").tool, tool, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(assign_frames(chain, convention="modified").table.tool, tool, rtol=0, atol=1e-12)
 
 
 @pytest.mark.oracle("scipy", common_normal, CommonNormal, CommonNormal.is_unique)
@@ -170,7 +165,7 @@ def test_the_accuracy_is_what_two_others_find_between_the_table_and_the_arm(conv
     link = rtb.RevoluteDH if convention == "standard" else rtb.RevoluteMDH
     links = [link(a=a, alpha=alpha, d=d, offset=theta) for a, alpha, d, theta in found.table.rows]
     q = configurations(np.random.default_rng(0), chain, 2000)
-    by_table = found.base @ rtb.DHRobot(links).fkine(q).A @ found.tool
+    by_table = found.table.base @ rtb.DHRobot(links).fkine(q).A @ found.table.tool
     worst = np.abs(by_table - pinocchio_oracle.pinocchio_loop(pinocchio_oracle.pinocchio_model(chain), q)).max()
     assert 1e-10 < found.accuracy <= 1.01 * worst < 2 * found.accuracy
 
@@ -234,11 +229,11 @@ def test_frames_obey_the_rules(convention):
 @each_convention
 def test_the_frames_are_the_table_s_own(convention):
     for found, _, _ in fuzzed(convention, count=50, seed=7):
-        T = found.base
+        T = found.table.base
         for frame, link in zip(found.frames[1:], found.table.link_transforms(np.zeros(found.chain.n)), strict=True):
             T = T @ link
             np.testing.assert_allclose(T, frame, atol=1e-10)
-        np.testing.assert_allclose(T @ found.tool, found.chain.home, atol=1e-10)
+        np.testing.assert_allclose(T @ found.table.tool, found.chain.home, atol=1e-10)
 
 
 @each_convention
@@ -269,7 +264,7 @@ def test_a_tool_that_is_off_the_last_axis_by_rounding_alone_is_on_it(off):
     home[:3, 3] = 0.3, off, 0.7
     found = assign_frames(kl.Chain([kl.screw((0, 0, 1), (0.3, 0, 0))], home), convention="standard")
     assert found.table.rows[0].tolist() == [0, 0, pytest.approx(0.7), pytest.approx(0.5)]
-    np.testing.assert_allclose(found.tool, np.eye(4), atol=1e-12)
+    np.testing.assert_allclose(found.table.tool, np.eye(4), atol=1e-12)
 
 
 @each_convention
