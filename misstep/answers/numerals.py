@@ -7,7 +7,7 @@ import unicodedata
 from cmath import rect
 from collections.abc import Sequence
 from fractions import Fraction
-from math import radians
+from math import factorial, radians
 
 from misstep.formulas.parsing import parse
 from misstep.formulas.walker import MAX_EXPONENT, Operation, Walker
@@ -37,8 +37,8 @@ def numeral(text: str, *, may_compute: bool = True) -> Fraction | complex:
     (Fraction(1, 3), Fraction(-1, 2), Fraction(3, 25), Fraction(5040, 1))
     >>> numeral("3 + 4i"), numeral("3-j4"), abs(numeral("5∠53.13°") - (3 + 4j)) < 1e-4
     ((3+4j), (3-4j), True)
-    >>> numeral("10³"), numeral("1.2 · 10⁻³"), numeral("1/2 + 1/3"), round(float(numeral("3pi/2").real), 4)
-    (Fraction(1000, 1), Fraction(3, 2500), Fraction(5, 6), 4.7124)
+    >>> numeral("10³"), numeral("1.2 · 10⁻³"), numeral("1/2 + 1/3"), numeral("8!/5!"), round(float(numeral("3pi/2").real), 4)
+    (Fraction(1000, 1), Fraction(3, 2500), Fraction(5, 6), Fraction(336, 1), 4.7124)
     """
     try:
         plain = _plain(text)
@@ -111,6 +111,7 @@ def _computed(plain: str) -> Fraction | complex | None:
     if "°" in plain and not re.search(r"(sin|cos|tan|exp|e\^)[({]", plain):  # 30° alone is an angle, and not 0.52
         return None
     plain = re.sub(r"(?<![a-z])([ij])(?=[\d.])", r"\1*", plain)
+    plain = re.sub(r"(?<![\w.])(\d{1,3})!(?!!)", lambda number: str(factorial(int(number[1]))), plain)
     try:
         value = Walker(_Arithmetic(), 60).value(parse(plain, MAX_LENGTH + 100))
     except (ValueError, ArithmeticError, RecursionError):

@@ -52,8 +52,9 @@ def run(options: Namespace) -> int:
         print(f"misstep preview: {error}", file=sys.stderr)
         return 2
     try:
-        print(*preview(template, options.student), sep="\n\n")
+        shown = list(preview(template, options.student))
     except Exception as error:  # it is the author's code that makes the problem
         print(f"misstep preview: {place_of(error, course)}{type(error).__name__}: {error}", file=sys.stderr)
         return 2
+    print(*shown, sep="\n\n")
     return 0

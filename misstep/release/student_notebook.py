@@ -12,14 +12,7 @@ from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
-import nbformat
-from nbgrader.nbgraderformat import ValidationError
-from nbgrader.preprocessors import CheckCellMetadata, ClearOutput, ClearSolutions, ComputeChecksums, LockCells
-from traitlets.config import Config
-
-NBGRADER_STEPS = (LockCells, ClearSolutions, ClearOutput, CheckCellMetadata, ComputeChecksums)
-
-CODE_STUB = Config({"ClearSolutions": {"code_stub": {"python": "# your lines here"}}})
+STUB = "# your lines here"
 """The comment that replaces a solution. The line above it, for example `voltage_1 = ...`, names the answer."""
 
 
@@ -30,6 +23,13 @@ def student_version(source: Path) -> str:
     """
     if source.suffix != ".ipynb":
         return source.read_text(encoding="utf-8")
+    # They come with the extra `release`, and `misstep release --help` works without it.
+    import nbformat
+    from nbgrader.nbgraderformat import ValidationError
+    from nbgrader.preprocessors import CheckCellMetadata, ClearOutput, ClearSolutions, ComputeChecksums, LockCells
+    from traitlets.config import Config
+
+    stub = Config({"ClearSolutions": {"code_stub": {"python": STUB}}})
     notebook = nbformat.read(source, as_version=4)
     ids = Counter(cell.metadata.nbgrader.get("grade_id") for cell in notebook.cells if "nbgrader" in cell.metadata)
     if repeated := ", ".join(repr(name) for name, times in ids.items() if times > 1):
@@ -37,9 +37,9 @@ def student_version(source: Path) -> str:
             f"{source}: each cell must have a grade_id of its own; got {repeated} more than once. A copied cell keeps the "
             "grade_id: delete the copy, and add a problem by `misstep new-problem`."
         )
-    for step in NBGRADER_STEPS:
+    for step in (LockCells, ClearSolutions, ClearOutput, CheckCellMetadata, ComputeChecksums):
         try:
-            notebook, _ = step(config=CODE_STUB).preprocess(notebook, {"nbgrader": {}})
+            notebook, _ = step(config=stub).preprocess(notebook, {"nbgrader": {}})
         except ValidationError as error:
             raise ValueError(f"{source}: {error}") from error
     return str(nbformat.writes(notebook)) + "\n"

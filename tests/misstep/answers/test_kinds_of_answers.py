@@ -17,6 +17,7 @@ from misstep import Problem
 from misstep.answers.accuracy import absolute, decimals, digits, relative
 from misstep.answers.angle import Angles
 from misstep.answers.choice import Choice
+from misstep.answers.equivalent import Equivalent
 from misstep.answers.expression import ClosedForm
 from misstep.answers.function import Function
 from misstep.answers.groups.interval import Interval
@@ -53,9 +54,9 @@ KINDS = {
     ),
     "large whole number": (
         Numbers(COUNT),
-        [COUNT, str(COUNT), F(COUNT), sp.Integer(COUNT), sp.factorial(25), f"{COUNT:_}", f"{COUNT}.0", [COUNT][0],
+        [COUNT, str(COUNT), F(COUNT), sp.Integer(COUNT), sp.factorial(25), f"{COUNT:_}", f"{COUNT}.0", "25!",
          np.array(COUNT, dtype=object), f" {COUNT} "],
-        [(COUNT + 1, ""), (COUNT - 1, ""), (-COUNT, "all signs"), (factorial(24), ""), (1.5511e25, "rounded"), ("25!", BAD),
+        [(COUNT + 1, ""), (COUNT - 1, ""), (-COUNT, "all signs"), (factorial(24), ""), (1.5511e25, "rounded"), ("25!!", BAD),
          (10**400, BAD), (None, "blank"), ([COUNT, COUNT], BAD), ("1.55e25", "rounded")],
     ),
     "fraction": (
@@ -110,6 +111,13 @@ KINDS = {
         [([[1, 3], [2, 4]], "transposed"), ([[3, 4], [1, 2]], "rows swapped"), ([[1, 2], [3, 4.01]], "one entry"), ([1, 2, 3, 4], BAD),
          ([[-1, -2], [-3, -4]], "all signs"), ([[1, 2], [3, True]], BAD), ([[2, 1], [4, 3]], "columns swapped"),
          ([[1, 2], [3]], BAD), ([[1, -2], [3, 4]], "sign of one entry"), ([[1, 2], [3, 4j]], BAD)],
+    ),
+    "eigenvector": (
+        Equivalent(np.array([1.0, 2.0]), meaning=lambda v: np.outer(v, v) / max(v @ v, 1e-9)),
+        [[1, 2], [2, 4], [-1, -2], (0.5, 1), np.array([-3, -6]), ["1", "2"], [F(1, 3), F(2, 3)], [[1], [2]], [0.4472, 0.8944],
+         np.linalg.eigh([[1, 2], [2, 4]])[1][:, 1]],
+        [([2, 1], ""), ([1, -2], ""), ([1, 0], ""), ([0, 0], "placeholder"), ([1, 2.1], ""), ([1, 2, 0], BAD), (2, BAD), ([1, 2j], BAD),
+         ([True, 2], BAD), ("1, 2", BAD)],
     ),
     "angle in degrees": (
         Angles(350.0, unit="degrees"),
