@@ -32,8 +32,8 @@ def draw_two_arms(
     Raises ValueError if the two arms do not hold the tray at the same pose.
 
     >>> from kinlib.chains.robots import pose, rppr, X, Y, Z
-    >>> draw_two_arms(rppr(), rppr(), np.zeros(4), np.zeros(4), width=0.4, base=np.eye(4)).alt[:64]
-    'Two arms with 4 and 4 joints hold one tray at (2, 0, 0), 0.4 m w'
+    >>> draw_two_arms(rppr(), rppr(), np.zeros(4), np.zeros(4), width=0.4, base=np.eye(4)).alt[:46]
+    'Two arms hold one tray at (2, 0, 0), 0.4 m wid'
     """
     tray = left.fk(q_left)
     if not np.allclose(tray, right.fk(q_right), atol=1e-6):
@@ -61,7 +61,7 @@ def draw_two_arms(
         canvas.triad(T, name, 0.12 * canvas.size)
     canvas.label(ends[0], "tray", INK)
     return canvas.picture(
-        f"Two arms with {left.n} and {right.n} joints hold one tray at {vector_text(tray[:3, 3])}, {width:.3g} m wide. The bases are "
+        f"Two arms hold one tray at {vector_text(tray[:3, 3])}, {width:.3g} m wide. The bases are "
         f"at (0, 0, 0) and {vector_text(base[:3, 3])}; the ends of the tray are at {vector_text(ends[0])} and {vector_text(ends[1])}.",
         cropped=True,
     )

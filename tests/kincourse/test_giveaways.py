@@ -3,13 +3,14 @@
 JupyterLab and a plain notebook are read here, the site and the PDF in tests/site/test_site.py.
 """
 
+from dataclasses import replace
 from html import escape
 from itertools import starmap
 from pathlib import Path
 
 import nbformat
 import pytest
-from gate import LECTURES, QUESTIONS, giveaways, given_away
+from gate import LECTURES, QUESTIONS, giveaways, given_away, given_away_by_itself
 from giveaways import Passage
 from notebook_runs import run_of
 from readings import Mark, notebook_reading, page_reading
@@ -27,7 +28,11 @@ def test_nothing_above_a_question_gives_its_answer_away(path):
         assert giveaways(notebook_reading(notebook, QUESTIONS, with_widgets), path.stem.partition("_")[0]) == []
 
 
-# --- giveaways that were made up before the gate was written ---
+def test_no_question_gives_its_own_answer_away():
+    assert {name: said for name in QUESTIONS if (said := given_away_by_itself(name))} == {}
+
+
+# --- giveaways that were made up before the gate was written, and others that were made up to break it ---
 
 PLANTED = [
     ("09/digits", "alt", "The error rises up to 8 decimals and falls from there."),
@@ -52,6 +57,22 @@ PLANTED = [
     ("02/recall-3", "own", "x = lambda t: np.exp(a * t) * x_0"),
     ("09/turns", "caption", "z points along the parent's x"),
     ("08/modes", "own", "# answer: C"),
+    ("07/free", "caption", "Ten of them are free."),
+    ("02/terms", "folded", "show(partial_sums(W, 4 * 5))"),
+    ("02/pitch", "output", "1.59 turns"),
+    ("03/climb", "text", r"So it climbs $2\pi \cdot 0.1$ m."),
+    ("07/hardest", "own", "worst = np.sqrt(1e-16)"),
+    ("08/ring", "folded", "dof = 10 - 2"),
+    ("04/joint-1", "output", "B_3 does not change"),
+    ("08/newton", "own", "digits_double = True  # the correct ones"),
+    ("09/bug", "text", "Look at the roll of lean, at the parent of tilt and at its limits."),
+    ("01/singular", "title", "the roll and yaw axes coincide at a pitch of 90 degrees"),
+    ("06/cuts", "alt", "Frame {1}: standard behind X_1, modified behind Z_1."),
+    ("10/stored", "alt", "None of the stored numbers has changed."),
+    ("09/loop", "below", "Joint C is lost"),
+    ("00.a", "folded", "position = [0.0330 + 0.1550 + 0.1350 + 0.2175, 0, 0.147]"),
+    ("05.e", "output", "5 | 0 | 0 | 0.2175 | q5"),
+    ("10.b", "caption", "joint 3 at (4, -2, 0) of its parent"),
     ("02.d", "output", "[[ 0.    -1.     0.     0.5 ]\n [ 1.     0.     0.     0.5 ]\n [ 0.     0.     1.     0.  ]]"),
     ("07.b", "text", "So $O_4$ is at $(0.8, 0.35, 0.8)$."),
     ("02.b", "own", "R = [[0.25, -0.6124, 0.75], [0.6124, -0.5, -0.6124], [0.75, 0.6124, 0.25]]"),
@@ -81,6 +102,7 @@ def planted_cells(name, place, text):
             text if place == "next" else "y = 2",
             name,
         ),
+        ("markdown", f"# The end\n\n## {text if place == 'below' else 'Summary'}\n\nA text.", ""),
     ]
 
 
@@ -129,6 +151,12 @@ def in_pdf(page):
     from kinsite.pdf_document import adapt
 
     return adapt(page, "lectures/one.html", (), "html", "")
+
+
+def test_a_question_that_gives_its_own_answer_away_is_found(monkeypatch):
+    item = QUESTIONS["09/loop"]
+    monkeypatch.setitem(QUESTIONS, "09/loop", replace(item, text=f"Joint C is lost without a message. {item.text}"))
+    assert given_away_by_itself("09/loop") == ["Joint C is lost without a message."]
 
 
 @pytest.mark.parametrize("form", ["lab", "plain notebook", "site", "pdf"])

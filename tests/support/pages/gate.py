@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import nbformat
-from giveaways import Answer, BlankAnswer, Passage, Rarity, passages_of
+from giveaways import Answer, BlankAnswer, Passage, Rarity, computed, passages_of
 from readings import Mark, Reading, window
 
 from kincourse import COURSE, blanks
@@ -35,7 +35,13 @@ def given_away(reading: Reading, mark: Mark) -> list[Passage]:
     if answer is None:
         return []
     whole = mark.kind == "blank" or QUESTIONS[mark.name].kind != "check"
-    return [one for one, near in window(reading, mark, whole) if _tells(answer, one, near)]
+    return [one for one, place in window(reading, mark, whole) if _tells(answer, one, place)]
+
+
+def given_away_by_itself(name: str) -> list[str]:
+    """List the sentences of a question that give its own answer away, and not one of its facts."""
+    answer = answer_to(name)
+    return [sentence for sentence in passages_of(QUESTIONS[name].text) if answer.is_in(sentence, "section")]
 
 
 def answer_to(name: str) -> Answer | BlankAnswer | None:
@@ -48,11 +54,12 @@ def answer_to(name: str) -> Answer | BlankAnswer | None:
     return BlankAnswer(problem.answer.value, problem.statement, getattr(problem.answer, "unit", "") != "radians")
 
 
-def _tells(answer: Answer | BlankAnswer, passage: Passage, near: bool) -> bool:
+def _tells(answer: Answer | BlankAnswer, passage: Passage, place: str) -> bool:
     """Whether a passage tells the answer. A question reads code and output by line, a matrix may fill a whole cell."""
+    texts = {passage.text, computed(passage.text)}
     if isinstance(answer, BlankAnswer):
-        return answer.is_in(passage.text, near)
+        return any(answer.is_in(text, place) for text in texts)
     if "\n" in passage.text.strip() and passage.kind in ("code", "output"):
         return False
-    proves = near and passage.kind == "code" and passage.text.strip().startswith("assert ")
-    return proves or answer.is_in(passage.text, near) or answer.letter_is_in(passage.text)
+    proves = place == "own" and passage.kind == "code" and passage.text.strip().startswith("assert ")
+    return proves or any(answer.is_in(text, place) for text in texts) or answer.letter_is_in(passage.text)

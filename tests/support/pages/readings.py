@@ -21,6 +21,10 @@ from misstep.questions.item import KINDS, Item
 WIDGETS = "application/vnd.jupyter.widget-state+json"
 VIEW = "application/vnd.jupyter.widget-view+json"
 ATTRIBUTES = {"alt": "alternative text", "aria-label": "alternative text", "title": "title", "data-label": "caption"}
+BLOCKS = frozenset(
+    ["p", "li", "div", "pre", "script", "h1", "h2", "section", "table", "figcaption", "summary", "br", "text", "button"]
+)
+"""What is read as a whole. A table is, because its rows speak of the options one after the other."""
 VOID = frozenset(["area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"])
 
 
@@ -59,10 +63,10 @@ def _notebook(notebook: NotebookNode, questions: Mapping[str, Item], with_widget
                 yield Mark("asked" if asked else "explained", asked or explained)
             elif with_widgets and VIEW in data:
                 yield from _widget(state, data[VIEW]["model_id"], cell.id)
-            elif "text/html" in data:
-                yield from page_reading(data["text/html"], cell.id)
+            elif html := data.get("text/html") or data.get("image/svg+xml"):
+                yield from page_reading(html, cell.id)
             else:
-                yield Passage("output", data.get("text/latex", ""), cell.id)
+                yield Passage("output", data.get("text/latex") or data.get("text/markdown", ""), cell.id)
                 yield from (Passage("output", line, cell.id) for line in plain.splitlines())
                 yield Passage("output", plain, cell.id)
 
@@ -111,31 +115,35 @@ def _strings(data: Any, cell: str) -> Iterator[Passage]:
             yield from _strings(value, cell)
 
 
-def window(reading: Reading, mark: Mark, whole: bool) -> list[tuple[Passage, bool]]:
-    """Return what can be read before an answer, and whether it is near: in the cell of the question, below it, or shown in its section.
+def window(reading: Reading, mark: Mark, whole: bool) -> list[tuple[Passage, str]]:
+    """Return what can be read before an answer, and where: "own" cell of the question or below it, "section", or "above" it.
 
-    whole  whether all above counts; otherwise only the section does, because the sections before it teach the answer
+    whole  whether all above counts, and the titles of the sections below, which a table of contents lists; otherwise only the
+           section does, because the sections before it teach the answer
 
     It ends where the answer is explained; without an explanation, with the source of the next cell, or with the section.
     """
     at = reading.index(mark)
-    own = max((k for k in range(at) if _is(reading[k], "cell")), default=0)
-    section = max((k for k in range(at) if _is(reading[k], "section")), default=0)
-    above = 0 if whole else section
-    explained = Mark("explained", mark.name)
-    if explained in reading[at:]:
-        end = reading.index(explained, at)
+    own, section = (_last(reading[:at], kind) for kind in ("cell", "section"))
+    if Mark("explained", mark.name) in reading[at:]:
+        end = reading.index(Mark("explained", mark.name), at)
     else:
         cells = [k for k in range(at + 1, len(reading)) if _is(reading[k], "cell")]
         begin, after = [*cells, len(reading), len(reading)][:2]
         outputs = (k for k in range(begin, after) if _is(reading[k], "asked") or not _is_source(reading[k]))
         sections = (k for k in range(at, len(reading)) if _is(reading[k], "section"))
         end = min(next(outputs, after), next(sections, after))
-    return [
-        (one, k >= own or (k >= section and not _is_source(one)))
+    headings = [(Passage("heading", one.name, ""), "section") for one in reading[end:] if _is(one, "section")]
+    before = [
+        (one, "own" if k >= own or (k >= section and not _is_source(one)) else "section" if k >= section else "above")
         for k, one in enumerate(reading[:end])
-        if k >= above and isinstance(one, Passage)
+        if isinstance(one, Passage) and (whole or k >= section)
     ]
+    return before + headings * whole
+
+
+def _last(reading: Reading, kind: str) -> int:
+    return max((k for k, one in enumerate(reading) if _is(one, kind)), default=0)
 
 
 def _is(one: Mark | Passage, kind: str) -> bool:
@@ -173,21 +181,7 @@ class _PageReader(HTMLParser):
         parent = self.open[-1][1] if self.open else "text"
         kind = self._kind(tag, values, classes, parent)
         if kind != "hidden" and parent != "hidden":
-            if tag in (
-                "p",
-                "li",
-                "div",
-                "pre",
-                "h1",
-                "h2",
-                "section",
-                "tr",
-                "figcaption",
-                "summary",
-                "br",
-                "text",
-                "button",
-            ):
+            if tag in BLOCKS and not self._in_table():
                 self._flush(parent)
             if tag == "div" and "cell" in classes:
                 self.found.append(Mark("cell"))
@@ -199,13 +193,7 @@ class _PageReader(HTMLParser):
     @staticmethod
     def _kind(tag: str, values: Mapping[str, str], classes: list[str], parent: str) -> str:
         covered = {"data-misstep-question", "data-misstep-explain", "data-kinlib-after"} & set(values)
-        if (
-            parent == "hidden"
-            or covered
-            or tag in ("style", "nav")
-            or "katex-html" in classes
-            or "headerlink" in classes
-        ):
+        if parent == "hidden" or covered or tag in ("style", "nav") or {"katex-html", "headerlink"} & set(classes):
             return "hidden"
         if tag == "script":
             return "viewer" if values.get("type") == "application/json" else "hidden"
@@ -225,9 +213,7 @@ class _PageReader(HTMLParser):
             if values.get(name) and "permalink" not in values.get("class", ""):
                 self.found += [Passage(kind, part, self.cell) for part in passages_of(values[name])]
         if found := re.match(r"data:image/svg\+xml;base64,(.*)", values.get("src", ""), re.DOTALL):
-            labels = re.findall(
-                r"<!--(.*?)-->", base64.b64decode(found[1]).decode()
-            )  # the text that is drawn as outlines
+            labels = re.findall(r"<!--(.*?)-->", base64.b64decode(found[1]).decode())  # text drawn as outlines
             self.found += [Passage("picture", label.strip(), self.cell) for label in labels]
 
     def handle_endtag(self, tag: str) -> None:
@@ -237,26 +223,20 @@ class _PageReader(HTMLParser):
                 break
         else:
             return
-        if kind not in ("hidden", "formula") and tag in (
-            "p",
-            "li",
-            "div",
-            "pre",
-            "script",
-            "h2",
-            "h1",
-            "tr",
-            "figcaption",
-            "text",
-        ):
-            self._flush(kind)
+        if kind not in ("hidden", "formula"):
+            self.text += {"td": " | ", "th": " | ", "tr": "\n"}.get(tag, "")
+            if tag in BLOCKS and not self._in_table():
+                self._flush(kind)
+
+    def _in_table(self) -> bool:
+        return any(tag == "table" for tag, _ in self.open)
 
     def handle_data(self, data: str) -> None:
         kind = self.open[-1][1] if self.open else "text"
         if kind == "latex":
             self.text += f"${data}$"
         elif kind not in ("hidden", "formula"):
-            self.text += data
+            self.text += data.replace("\n", " ") if self._in_table() else data
 
     def close(self) -> None:
         super().close()
