@@ -97,10 +97,14 @@ class Log:
         gaps: Array = 1000 * np.linalg.norm(poses[:, :3, 3] - self.poses[:, :3, 3], axis=-1)
         return gaps
 
+    def angles_deg(self, poses: Array) -> Array:
+        """Return by which angle the tool is rotated against how it was measured, in degrees, (m,)."""
+        angles: Array = np.degrees(np.linalg.norm(log(inverse(poses[:, :3, :3]) @ self.poses[:, :3, :3]), axis=-1))
+        return angles
+
     def error(self, poses: Array) -> float:
         """Return the largest error in tolerances: at most 1 if all poses agree with the log."""
-        turns = np.degrees(np.linalg.norm(log(inverse(poses[:, :3, :3]) @ self.poses[:, :3, :3]), axis=-1))
-        return float(max(self.distances_mm(poses).max() / POSITION_MM, turns.max() / ANGLE_DEG))
+        return float(max(self.distances_mm(poses).max() / POSITION_MM, self.angles_deg(poses).max() / ANGLE_DEG))
 
 
 @dataclass(frozen=True)
@@ -108,7 +112,7 @@ class Finding:
     """What was found about one description.
 
     name      the description
-    worst_mm  how far off the tool is at worst, over the log
+    worst_mm, worst_deg  how far off the tool is at worst, over the log, and by which angle it is rotated
     places    the places of which each alone explains the log; none if it agrees with it, or if no single place explains it
     off_mark  the first place that is not where the drawing has it, or ""
     agrees    whether it agrees with the log
@@ -116,6 +120,7 @@ class Finding:
 
     name: str
     worst_mm: float
+    worst_deg: float
     places: Sequence[str]
     off_mark: str
     agrees: bool
@@ -135,7 +140,7 @@ class Finding:
                 f"{self.name}: the tool agrees with the log (at worst {self.worst_mm:.1f} mm), but {self.off_mark} is not as the "
                 "drawing prescribes it. A description that is computed from another one does not know its marks: read them off the drawing."
             )
-        head = f"{self.name}: off by {self.worst_mm:.0f} mm at worst. "
+        head = f"{self.name}: off by {self.worst_mm:.0f} mm and {self.worst_deg:.0f}° at worst. "
         if not self.places:
             begins = f" The first place that differs from the drawing is {self.off_mark}." if self.off_mark else ""
             return f"{head}No single joint explains this: more than one is wrong.{begins}"
@@ -241,7 +246,8 @@ def _find(product: Product, log_: Log, off_mark: str) -> Finding:
     agrees = log_.error(poses) <= 1
     fits = {} if agrees else {name: examine(product, log_) for name, examine in product.places.items()}
     places = [name for name, error in sorted(fits.items(), key=lambda item: item[1]) if error <= 1]
-    return Finding(product.name, float(log_.distances_mm(poses).max()), places, off_mark, agrees)
+    worst_mm, worst_deg = float(log_.distances_mm(poses).max()), float(log_.angles_deg(poses).max())
+    return Finding(product.name, worst_mm, worst_deg, places, off_mark, agrees)
 
 
 def _screw_places(n: int) -> dict[str, Callable[[Product, Log], float]]:
