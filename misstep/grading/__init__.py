@@ -8,11 +8,13 @@ How one submission gets its grade, in the order of reading:
         gather                   one Submission for each student
         notebook, run_plan       its code cells, and what is run of them: with the sheet's own check cells
     jobs         the submissions that have no result yet, each with a fingerprint of what its result depends on
-    reading      the one place outside of the sandbox that reads what students wrote: in processes with limits
-    rpc          messages to worker processes, such as the judge
+    forks        the one way in which processes are started, ended and asked: a server imports everything once, and forks
+    steps        functions that run in such processes with limits on processor time and memory, and what they return
+    reading      the steps that read what students wrote: nothing else outside of the sandbox does
     redacted_sheet   the sheet without answers, which a child of the sandbox sees
     sandbox/     the confined processes in which submissions run
-        runner, server, child    the server imports everything once, and forks a child for each submission
+        runner, server           the server forks a child for each submission
+        submission_process       the child: it confines itself, and runs the cells
         rootfs, confine, limits, allowed_syscalls   what a child can reach, layer by layer
         memory                   what a child holds, counted from outside
         course_stub              what a child sees instead of the course
@@ -20,11 +22,10 @@ How one submission gets its grade, in the order of reading:
     judging/     from one submission to its Result
         grader                   all of this for one submission: bytes in, a Result out
         parse_output             parses what the child wrote, and trusts none of it
-        judge_process            a process that knows the right answers: writes redacted sheets, and judges answers, in
-                                 processes that end when an answer takes too long
+        judge_process            the steps that know the right answers: redacted sheets and verdicts
         redraw                   with a key: other numbers, by which computed answers are told from typed ones
-        bounded_executor, cluster   many submissions at a time, on this machine or on a Dask cluster
-    result_sink  writes each result to its page and into the gradebook at once
+        cluster                  many submissions at a time, on a Dask cluster
+    write_results    from the stored results to what people open
     publish/     the stored results, what is changed by hand, feedback pages, the report, tables and files for platforms
     nbgrader/    the plugin for `nbgrader autograde`, and the gradebook of an nbgrader course
 """

@@ -16,49 +16,42 @@ a reason. The folder of results has:
 
 import argparse
 import errno
-import gc
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
-from dataclasses import asdict, dataclass, fields
+from dataclasses import dataclass, fields
 from functools import partial
 from importlib.util import find_spec
 from itertools import chain
 from pathlib import Path
-from typing import Any
 
 from misstep.grading.collect.gather import Submission, WrongRoster, gather
 from misstep.grading.collect.roster import read_roster
 from misstep.grading.collect.run_plan import ReleasedSheet, read_released_sheet
-from misstep.grading.jobs import GradingJob, grade_best, make_jobs
-from misstep.grading.judging.bounded_executor import run_bounded
+from misstep.grading.forks import ProcessEnded
+from misstep.grading.jobs import GradingJob, grade_best, make_jobs, run_bounded
 from misstep.grading.judging.cluster import ClusterUnreachable, connect, grade_on_worker
 from misstep.grading.judging.grader import Grader
 from misstep.grading.judging.result import Result
 from misstep.grading.publish.feedback_zip import write_feedback_zip
 from misstep.grading.publish.overrides import LateRule, check_overrides, write_template
 from misstep.grading.publish.result_store import FolderInUse, ResultStore, open_results
-from misstep.grading.reading import Reader, StepFailed
-from misstep.grading.result_sink import ResultSink
-from misstep.grading.rpc import ProcessEnded
+from misstep.grading.reading import start_reader
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
+from misstep.grading.steps import StepFailed, StepProcesses
+from misstep.grading.write_results import ResultWriter, opened_gradebook
 
 REQUIRED = ("IPython", "jinja2", "latex2mathml", "mistune", "tqdm", "yaml")
 """The packages of the extra. They are imported where they are used, because that takes long."""
 
-EXPLAINED_ERRORS = (ValueError, ModuleNotFoundError, SandboxUnavailable, FolderInUse, ProcessEnded, StepFailed)
+EXPLAINED_ERRORS = (
+    *(ValueError, ModuleNotFoundError, SandboxUnavailable, FolderInUse, ProcessEnded, StepFailed, ClusterUnreachable),
+)
 """The errors whose message is a sentence for the instructor."""
 
 PROGRESS = "{desc}: {n_fmt} of {total_fmt} |{bar:30}| about {remaining} left"
 """How a terminal shows the progress: the estimate is minutes and seconds, from the time that the last ones took."""
-
-GC_THRESHOLD = 50_000
-"""How many objects are made before garbage is collected: imports make many, and with Python's 700 it took a tenth of the time."""
-
-SWITCH_SECONDS = 0.0005
-"""How long a thread computes while another one is ready: those that pass messages to the judge and the sandbox must not wait
-Python's 5 ms, each time, for the one that writes pages and the gradebook."""
 
 MIN_KEY_LENGTH = 8
 
@@ -137,14 +130,12 @@ def run(options: argparse.Namespace) -> int:
         return 2
     if missing := next((package for package in REQUIRED if find_spec(package) is None), None):
         raise ModuleNotFoundError(f"No module named {missing!r}")
-    gc.set_threshold(GC_THRESHOLD)
-    sys.setswitchinterval(SWITCH_SECONDS)
     try:
         return _run(options)
     except OSError as error:
         print(f"misstep grade: {_explain(error)}", file=sys.stderr)
         return 2
-    except (*EXPLAINED_ERRORS, ClusterUnreachable) as error:
+    except EXPLAINED_ERRORS as error:
         print(f"misstep grade: {error}", file=sys.stderr)
         return 2
     except WrongRoster as error:
@@ -180,41 +171,30 @@ def _run(options: argparse.Namespace) -> int:
         print(remark)
     with (
         open_results(options.out, sheet.name) as store,
-        Reader() as reader,
-        ResultSink(
-            options.out,
-            sheet,
-            reader,
-            nbgrader_course=options.gradebook,
-            overwrite=options.regrade is not None,
-            late=options.late,
-        ) as sink,
+        opened_gradebook(options.gradebook, sheet, overwrite=options.regrade is not None) as gradebook,
+        ThreadPoolExecutor(options.jobs) as pool,
+        start_reader(has_gradebook=gradebook is not None) as reader,
     ):
         write_template(options.out)
         check_overrides(options.out, bool(options.late))
-        run = Run(options, sheet, limits, reader, store, sink)
-        failures, limited = run.grade(selected)
-        for submission in selected:
-            if submission.student not in sink.students and (result := store.load(submission.student)):
-                sink.write(submission, result)
+        failures, limited = Run(options, sheet, limits, reader, store, pool).grade(selected)
         students = [submission.student for submission in gathered.submissions]
-        for student in students:
-            if student not in sink.students and store.load(student):
-                sink.write_page(student)
-        sink.write_entered()
-        remarks = sink.finish()
+        writer = ResultWriter(options.out, reader, pool, options.late)
+        if gradebook:
+            writer.fill_gradebook(gradebook, selected)
+        writer.write_pages(students)
         summary = reader.do(
             "tables",
             seconds=TABLES_SECONDS + TABLES_SECONDS_PER_STUDENT * len(students),
-            out=str(options.out),
+            out=options.out,
             students=students,
-            roster=asdict(roster) if roster else None,
+            roster=roster,
             column=options.column,
             limits=str(limits),
             late=options.late,
         )
         write_feedback_zip(options.out, gathered, sheet.name)
-    summary += [f"Limits: {limits}.", *remarks]
+    summary += [f"Limits: {limits}.", *sorted(writer.remarks)]
     summary += [
         f"{student} reached a limit, also when graded alone: {'; '.join(why)}." for student, why in limited.items()
     ]
@@ -288,9 +268,9 @@ class Run:
     options: argparse.Namespace
     sheet: ReleasedSheet
     limits: Limits
-    reader: Reader
+    reader: StepProcesses
     store: ResultStore
-    sink: ResultSink
+    pool: Executor
 
     def grade(self, submissions: Sequence[Submission]) -> tuple[dict[str, BaseException], dict[str, Sequence[str]]]:
         """Grade what has no result yet, and store each result at once.
@@ -304,62 +284,52 @@ class Run:
 
         failures, limited, again = dict[str, BaseException](), dict[str, Sequence[str]](), list[Submission]()
         with tqdm(total=len(submissions), desc=self.sheet.name, bar_format=PROGRESS, disable=None) as bar:
-
-            def finish(job: GradingJob, outcome: Result | BaseException) -> None:
-                bar.update()
-                if isinstance(outcome, BaseException):
-                    failures[job.submission.student] = outcome
-                    return
-                result = job.complete(outcome)
-                if self.options.regrade and (old := self.store.load(result.student)):
-                    result = result.keeping(old, self.options.regrade)
-                if result.limits:
-                    limited[result.student] = result.limits
-                self.store.save(result, job.fingerprint)
-                self.sink.write(job.submission, result)
-
             jobs = self._jobs(submissions, bar.update)
             if (first := next(jobs, None)) is None:
                 return {}, {}  # without starting a sandbox
             with self._start_workers() as (submit, worker_count):
-                for job, outcome in run_bounded(submit, chain([first], jobs), PENDING_PER_WORKER * worker_count):
-                    if isinstance(outcome, Result) and outcome.limits:
-                        again.append(job.submission)  # without its bytes, of which many might not fit into memory
-                    else:
-                        finish(job, outcome)
-                for job, outcome in run_bounded(submit, self._jobs(again, bar.update, is_again=True), 1):
-                    finish(job, outcome)
+
+                def outcomes() -> Iterator[tuple[GradingJob, Result | BaseException]]:
+                    for job, outcome in run_bounded(submit, chain([first], jobs), PENDING_PER_WORKER * worker_count):
+                        if isinstance(outcome, Result) and outcome.limits:
+                            again.append(job.submission)  # without its bytes, of which many might not fit into memory
+                        else:
+                            yield job, outcome
+                    yield from run_bounded(submit, self._jobs(again, bar.update), 1)
+
+                for job, outcome in outcomes():
+                    bar.update()
+                    if isinstance(outcome, BaseException):
+                        failures[job.submission.student] = outcome
+                        continue
+                    result = self._store(job, outcome)
+                    if result.limits:
+                        limited[result.student] = result.limits
         return failures, limited
 
-    def _jobs(
-        self, submissions: Sequence[Submission], skip: Callable[[], Any], is_again: bool = False
-    ) -> Iterator[GradingJob]:
+    def _store(self, job: GradingJob, outcome: Result) -> Result:
+        result = job.complete(outcome)
+        if self.options.regrade and (old := self.store.load(result.student)):
+            result = result.keeping(old, self.options.regrade)
+        self.store.save(result, job.fingerprint)
+        return result
+
+    def _jobs(self, submissions: Sequence[Submission], skip: Callable[[], object]) -> Iterator[GradingJob]:
         """The jobs of the submissions that have no result yet."""
-
-        def has_result(student: str, fingerprint: str) -> bool:
-            return not is_again and self.options.regrade is None and self.store.load(student, fingerprint) is not None
-
-        for job in make_jobs(submissions, self.sheet, f"{self.limits}, {not self.options.unsafe}", has_result):
-            if job:
-                yield job
-            else:
+        for job in make_jobs(submissions, self.sheet, f"{self.limits}, {not self.options.unsafe}"):
+            if self.options.regrade is None and self.store.load(job.submission.student, job.fingerprint):
                 skip()
+            else:
+                yield job
 
     @contextmanager
     def _start_workers(self) -> Iterator[tuple[Callable[[GradingJob], Future[Result]], int]]:
         """A function that submits a job, and how many jobs run at a time: in threads with one grader, or on a cluster."""
-        is_safe, jobs = not self.options.unsafe, self.options.jobs
+        is_safe = not self.options.unsafe
         if self.options.cluster:
             with connect(self.options.cluster) as (executor, worker_count):
                 grade = partial(grade_on_worker, (self.sheet, self.limits, is_safe))
                 yield lambda job: executor.submit(grade_best, grade, *job.request), worker_count
             return
-        with (
-            ThreadPoolExecutor(jobs) as pool,
-            Grader(self.sheet, self.limits, is_safe, self.reader) as grader,
-        ):
-            try:
-                yield lambda job: pool.submit(grade_best, grader.grade, *job.request), jobs
-            except BaseException:
-                self.reader.close()  # so that no thread waits for it
-                raise
+        with Grader(self.sheet, self.limits, is_safe, self.reader) as grader:
+            yield lambda job: self.pool.submit(grade_best, grader.grade, *job.request), self.options.jobs

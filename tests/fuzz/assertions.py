@@ -1,5 +1,6 @@
 """Claims that several fuzz targets check: an error explains itself, a pose is rigid, a verdict is complete."""
 
+import json
 import math
 import re
 import signal
@@ -55,7 +56,6 @@ def limit_processor_time(seconds):
 
 def assert_verdict(verdict):
     from misstep.grading.publish.pages import STATE_LABELS  # grading cannot be imported on Windows
-    from misstep.grading.rpc import encode_message
 
     fraction, state = verdict["fraction"], verdict["state"]
     assert math.isfinite(fraction)
@@ -66,4 +66,4 @@ def assert_verdict(verdict):
     assert "could not be judged" not in verdict["text"], verdict["text"][-300:]
     assert state in {"right", "missing"} or len(verdict["text"].splitlines()) > 2, "there is no reason"
     assert len(verdict["text"]) < 5000, verdict["text"][:300]
-    encode_message(verdict)
+    json.dumps(verdict, allow_nan=False)

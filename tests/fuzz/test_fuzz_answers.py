@@ -66,7 +66,7 @@ def test_any_answer_data_gets_a_complete_verdict(case):
     sheet, k = TEMPLATES[place]
     template = sheet.problems[k]
     with limit_processor_time(Limits.answer_seconds):
-        verdict = judging._verdict(template, problem(place), address="", data=data)
+        verdict = judging.verdict_on(template, problem(place), data, "")
     assert_verdict(verdict)
     points = template.points * verdict["fraction"]
     shown = verdict["text"], verdict["statement"], verdict["mistakes"]

@@ -3,17 +3,15 @@
 The output of the sandbox is made up here and corrupted too; the judge, the gradebook and all pages are the real ones.
 """
 
-import io
 import json
 import math
+import pickle
 import tempfile
 import warnings
 import zipfile
-from base64 import b64encode
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from functools import cache
 from pathlib import Path
-from types import SimpleNamespace
 
 import nbformat
 from assertions import assert_explained, assert_verdict, limit_processor_time
@@ -38,19 +36,18 @@ from submissions import SHEET, as_bytes, handed_in, released, right
 from kincourse import COURSE, find_sheet
 from misstep.grading.collect.files import UnreadableFile
 from misstep.grading.collect.gather import WrongRoster, gather
-from misstep.grading.collect.notebook import UnusableNotebook
 from misstep.grading.collect.roster import read_roster
-from misstep.grading.collect.run_plan import read_released_sheet
+from misstep.grading.collect.run_plan import plan_run, read_released_sheet
 from misstep.grading.jobs import grade_best, make_jobs
 from misstep.grading.judging import judge_process as judging
 from misstep.grading.judging.grader import Grader
+from misstep.grading.judging.parse_output import parse_output
 from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata
-from misstep.grading.publish.publish import page_step, publish
+from misstep.grading.publish.publish import write_page, write_tables
 from misstep.grading.publish.result_store import ResultStore
-from misstep.grading.reading import do_step
-from misstep.grading.rpc import encode_message, receive_message
 from misstep.grading.sandbox.limits import Limits
 from misstep.grading.sandbox.runner import RunOutcome
+from misstep.grading.steps import do_step
 from misstep.storage.deserialize import MIME
 from misstep.storage.serialize import to_data
 
@@ -101,14 +98,24 @@ class Prompter:
         return outputs
 
 
-def read_here(step, seconds, **arguments):
-    """Do a step of a reader in this process."""
-    sent = {name: b64encode(each).decode() if isinstance(each, bytes) else each for name, each in arguments.items()}
-    with limit_processor_time(seconds):
-        answer = do_step(step, receive_message(io.BytesIO(encode_message(sent))))
-    if "unusable" in answer:
-        raise UnusableNotebook(answer["unusable"])
-    return receive_message(io.BytesIO(encode_message(answer)))["done"]
+class Here:
+    """Does steps in this process."""
+
+    is_spoiled = False
+
+    def __init__(self, steps):
+        self.steps = steps
+
+    def do(self, step, *, seconds, **arguments):
+        with limit_processor_time(seconds):
+            outcome, value = do_step(self.steps, step, pickle.loads(pickle.dumps(arguments)))
+        assert outcome != "failed", value
+        if outcome == "raised":
+            raise value
+        return pickle.loads(pickle.dumps(value))
+
+    def process(self):
+        return nullcontext(self)
 
 
 class Rehearsal(Grader):
@@ -116,19 +123,10 @@ class Rehearsal(Grader):
 
     def __init__(self, sheet):
         self.sheet, self.is_safe, self._runner, self._limits = sheet, False, Prompter(), Limits()
-        self._reader = SimpleNamespace(do=read_here)
+        self._reader = Here({"plan": plan_run, "parse": parse_output})
+        self._judge = Here(judging.steps_of(COURSE, sheet.name))
         self._covered = ()
-        self._templates = [(each.number, each.title, each.points) for each in find_sheet(sheet.name).problems]
-
-    def _ask_judge(self, message):
-        request = receive_message(io.BytesIO(encode_message(message)))
-        seconds = Limits.answer_seconds * len(self._templates)
-        with limit_processor_time(seconds):
-            parts = judging._answer_parts(COURSE, {**request, "sheet": self.sheet.name, "done": []})
-            answer = dict(item for part in parts for item in part.items())
-        assert "error" not in answer, answer
-        answer = {"verdicts": answer, "limits": []} if message["request"] == "verdicts" else answer
-        return receive_message(io.BytesIO(encode_message(answer)))
+        self._templates = judging.problems(COURSE, sheet.name)
 
 
 @cache
@@ -192,7 +190,7 @@ def test_every_student_of_any_submission_gets_valid_points_and_a_reason(case):
             assert_explained(error, ValueError, UnreadableFile)
             return
         store = ResultStore(Path(root) / "out")
-        for job in make_jobs(gathered.submissions, grader().sheet, "", lambda *_: False):
+        for job in make_jobs(gathered.submissions, grader().sheet, ""):
             result = job.complete(grade_best(grader().grade, *job.request))
             assert_fair(result)
             store.save(result, job.fingerprint)
@@ -208,8 +206,8 @@ def test_every_student_of_any_submission_gets_valid_points_and_a_reason(case):
         try:
             students = [submission.student for submission in gathered.submissions]
             for student in students:
-                page_step(str(store.folder.parent), student, "", is_short=False)
-            publish(Path(root) / "out", students, store, roster, None)
+                write_page(store.folder.parent, student, "")
+            write_tables(Path(root) / "out", students, roster)
         except ValueError as error:
             assert_explained(error)
 

@@ -293,7 +293,7 @@ def graders():
             for number, (file, content) in enumerate(handed_in_files(habit, name).items()):
                 (own / file).write_bytes(content)
                 os.utime(own / file, (1e9 + number, 1e9 + number))
-            (job,) = make_jobs(gather(Path(folder), name).submissions, sheet, "", lambda *_: False)
+            (job,) = make_jobs(gather(Path(folder), name).submissions, sheet, "")
             return job.complete(grade_best(started[name].grade, *job.request))
 
     def close():

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from typed_answers import typable
 
-from kincourse import find_sheet
+from kincourse import COURSE, find_sheet
 from misstep.answers.expression import ClosedForm
 
 ROOT = Path(__file__).parents[2]
@@ -136,6 +136,15 @@ def sandbox_lacks():
     return "" if ctypes.util.find_library("seccomp") else "the library libseccomp2"
 
 
+def verdicts(sheet, student, seed, answers, site=""):
+    """The judge's verdict on each problem of a sheet, for answers as data, by problem."""
+    from misstep.grading.judging import judge_process  # it needs Linux or macOS
+
+    numbers = range(1, len(find_sheet(sheet).problems) + 1)
+    common = {"seed": seed, "site": site}
+    return {k: judge_process.verdict(COURSE, sheet, student, k, answers.get(k), **common) for k in numbers}
+
+
 def descendants(grader):
     """The processes that a grader's server has started and that still are: one, its copy that forks, if all went well."""
 
@@ -143,4 +152,4 @@ def descendants(grader):
         children = Path(f"/proc/{process}/task/{process}/children").read_text().split()
         return [*children, *(one for child in children for one in below(child))]
 
-    return below(grader._runner._process.pid)
+    return below(grader._runner.server.process.pid)

@@ -4,6 +4,7 @@ import re
 import unicodedata
 from collections import defaultdict
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
@@ -28,40 +29,24 @@ class WrongRoster(RuntimeError):
 class Submission:
     """What one student submitted.
 
-    student   the course id, or without a roster the name that the platform gives
-    seed_id   the id from which the numbers are drawn; "" for the one that is typed in the notebook
-    notebook  the file to grade; None if nothing was submitted
-    notes     remarks on the files
-    others    further notebooks of this sheet; all are graded, and the best one counts
+    student    the course id, or without a roster the name that the platform gives
+    seed_id    the id from which the numbers are drawn; "" for the one that is typed in the notebook
+    notebooks  the files to grade, of which the best one counts; none if nothing was submitted
+    notes      remarks on the files
     """
 
     student: str
     seed_id: str
-    notebook: File | None
+    notebooks: Sequence[File] = ()
     notes: Sequence[str] = ()
-    others: Sequence[File] = ()
 
-    @property
-    def notebooks(self) -> Sequence[File]:
-        """All files that are graded."""
-        return [self.notebook, *self.others] if self.notebook else []
-
-    def read(self) -> bytes | None:
-        """The bytes of the notebook; None if nothing was submitted.
-
-        Raises UnreadableFile for a file that is not read.
-        """
-        return self.notebook.read() if self.notebook else None
-
-    def with_notebook(self, digest: str) -> "Submission":
-        """The submission with that one of its notebooks which has this SHA-256, so that `read` gives what was graded."""
-        for file in self.others:
-            try:
+    def notebook_with(self, digest: str) -> File | None:
+        """The notebook that has this SHA-256, or else the first one; None if nothing was submitted."""
+        for file in self.notebooks[1:]:
+            with suppress(UnreadableFile):
                 if sha256(file.read()).hexdigest() == digest:
-                    return replace(self, notebook=file)
-            except UnreadableFile:
-                continue
-        return self
+                    return file
+        return self.notebooks[0] if self.notebooks else None
 
 
 @dataclass(frozen=True)
@@ -93,7 +78,7 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
     if roster:
         submissions = _with_ids_of(roster, submissions)
         submitted = {submission.student for submission in submissions}
-        submissions += [Submission(student, student, None) for student in roster.ids if student not in submitted]
+        submissions += [Submission(student, student) for student in roster.ids if student not in submitted]
         unlisted = sorted(submitted - set(roster.ids))
         known = {name.lower() for name in roster.ids}
         if 2 * sum(name.lower() not in known for name in unlisted) > len(submitted):
@@ -161,7 +146,6 @@ def _remarks_on_ids(submissions: Sequence[Submission], kind: str) -> list[str]:
 
 def _submission(student: StudentFiles, sheet: str, layout: Layout, roster: Roster | None) -> Submission:
     notebooks, notes = _choose_notebooks(student.files, sheet)
-    first, others = (notebooks[0], notebooks[1:]) if notebooks else (None, [])
     name = seed_id = student.name
     if student.key:
         if course_id := roster and roster.id_for_key(student.key):
@@ -169,7 +153,7 @@ def _submission(student: StudentFiles, sheet: str, layout: Layout, roster: Roste
         else:
             is_key_readable = roster is None and layout.kind == "gradescope"
             name, seed_id = student.key if is_key_readable else f"{student.name}_{student.key}", ""
-    return Submission(name, seed_id, first, notes, others)
+    return Submission(name, seed_id, notebooks, notes)
 
 
 def _choose_notebooks(files: Sequence[tuple[str, File]], sheet: str) -> tuple[list[File], list[str]]:
@@ -213,8 +197,6 @@ def _merged(same_id: Sequence[Submission]) -> Submission:
     files = [file for submission in same_id for file in submission.notebooks]
     if len(same_id) == 1 or not files:
         return same_id[0]
-    first, *others = sorted(files, key=lambda file: (file.modified, file.path), reverse=True)[:MAX_NOTEBOOKS]
+    newest = sorted(files, key=lambda file: (file.modified, file.path), reverse=True)[:MAX_NOTEBOOKS]
     notes = [note for submission in same_id for note in submission.notes]
-    return replace(
-        same_id[0], notebook=first, others=others, notes=[*notes, f"{len(same_id)} submissions have this id."]
-    )
+    return replace(same_id[0], notebooks=newest, notes=[*notes, f"{len(same_id)} submissions have this id."])

@@ -9,13 +9,11 @@ import ast
 import builtins
 import re
 import warnings
-from base64 import b64decode
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import chdir, nullcontext, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from misstep.catalog import Course, course_in, course_of, find_course
 from misstep.grading.collect.notebook import CodeCell, UnusableNotebook, code_cells
@@ -194,19 +192,6 @@ def typed_id(cells: Sequence[CodeCell]) -> str:
     """The id that is typed in the cells; "" if there is none."""
     match = next((match for cell in cells if (match := STUDENT_ASSIGNMENT.search(cell.source))), None)
     return match[2].strip() if match else ""
-
-
-def plan_step(sheet: Mapping[str, Any], content: str) -> dict[str, Any]:
-    """`plan_run` as a step of a reader: the name, checks and opening of the sheet, and the notebook as base64."""
-    checks = {int(k): source for k, source in sheet["checks"].items()}
-    plan = plan_run(ReleasedSheet(sheet["name"], Path(), checks, "", opening=sheet["opening"]), b64decode(content))
-    return {"cells": [vars(cell) for cell in plan.cells], "remarks": plan.remarks, "typed_id": plan.typed_id}
-
-
-def plan_from_data(data: Mapping[str, Any]) -> RunPlan:
-    """The plan that `plan_step` has made, from JSON."""
-    remarks = {int(k): lines for k, lines in data["remarks"].items()}
-    return RunPlan([PlannedCell(**cell) for cell in data["cells"]], remarks, data["typed_id"])
 
 
 def _runnable(cell: CodeCell) -> str:

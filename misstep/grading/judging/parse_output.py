@@ -1,12 +1,11 @@
 """Parse the output of a run: lines that untrusted code may have written, so everything but the expected form is refused."""
 
 import json
-from base64 import b64decode
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE, RunPlan, plan_from_data
+from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE, RunPlan
 from misstep.grading.judging.result import RanCell
 from misstep.grading.sandbox.limits import MAX_ANSWER_CHARACTERS, SHOWN_KINDS
 from misstep.storage.deserialize import MIME
@@ -19,58 +18,33 @@ MAX_PASSED_OVER = 5
 
 
 @dataclass(frozen=True)
-class ParsedOutput:
-    """The cells that ran, the last answer to each problem (by its number as text), and the id typed in the sheet."""
+class ParsedRun:
+    """What was read of the output of a run.
+
+    cells         the cells that ran
+    answers       the last answer to each problem
+    typed_id      the id that is typed in the sheet
+    remarks       what an instructor who grades by hand would notice: another id, or cells that failed
+    check_errors  by problem without an answer, why its check cell gave none
+    has_timeout   whether a cell reached its limit of time
+    """
 
     cells: Sequence[RanCell]
-    answers: Mapping[str, Any]
+    answers: Mapping[int, Any]
     typed_id: str
-
-    @property
-    def limits(self) -> list[str]:
-        """The limits that cells reached, in words."""
-        errors = (error for cell in self.cells for error in _errors(cell))
-        return ["the time of a cell"] if any(error.startswith("CellTimeout: ") for error in errors) else []
-
-    def remarks(self, student: str) -> list[str]:
-        """What an instructor who grades by hand would notice: another id, or cells that failed."""
-        notes = []
-        if self.typed_id and self.typed_id.strip().casefold() != student.strip().casefold():
-            notes.append(f"The sheet was opened for {self.typed_id!r}, and graded with the numbers of {student!r}.")
-        elif self.answers and not self.typed_id:
-            notes.append("No id was found in the sheet: its opening cell is missing, failed, or asks for the id.")
-        own = [cell for cell in self.cells if cell.problem is None]
-        failed = [errors[0] for cell in own if cell.source != RERUN_SOURCE and (errors := _errors(cell))]
-        again = [errors for cell in own if cell.source == RERUN_SOURCE for errors in [_errors(cell)]]
-        if again and len(again[0]) < len(failed):
-            notes.append(
-                f"{_count_cells(len(failed))} failed at first. The cells that failed were run again at the end."
-            )
-            failed = again[0]
-        if failed:
-            which = "with" if len(failed) == 1 else "the first of them with"
-            notes.append(f"{_count_cells(len(failed))} failed, {which} {failed[0].rstrip('.')}.")
-        if passed := list(dict.fromkeys(what for cell in self.cells for what in _passed_over(cell))):
-            more = f"; and {len(passed) - MAX_PASSED_OVER} more" if len(passed) > MAX_PASSED_OVER else ""
-            notes.append(f"{PASSED_OVER}{'; '.join(passed[:MAX_PASSED_OVER])}{more}.")
-        return notes
-
-    def check_errors(self, problem: int) -> list[str]:
-        """Why the check cell of a problem gave no answer; an empty list if it gave one."""
-        if str(problem) in self.answers:
-            return []
-        errors = [error for cell in self.cells if cell.problem == problem for error in _errors(cell)]
-        return [f"Its check cell failed with {error}" for error in errors[-1:]]
+    remarks: Sequence[str]
+    check_errors: Mapping[int, str]
+    has_timeout: bool
 
 
-def parse_output(sheet: str, plan: RunPlan, output: bytes) -> ParsedOutput:
+def parse_output(sheet: str, plan: RunPlan, output: bytes, student: str) -> ParsedRun:
     """Parse the output of a run, up to the first line that does not have the expected form.
 
     An answer counts if it comes from the check cell of its problem, or from a check cell in the second pass. Of several
     answers, the last one counts. A blank one does not replace another, and that of a fallback replaces only a blank one.
     """
     cells: list[RanCell] = []
-    answers: dict[str, Any] = {}
+    answers: dict[int, Any] = {}
     typed_id = ""
     for planned, line in zip(plan.cells, output.split(b"\n"), strict=False):
         outputs = _parse_line(line, len(cells))
@@ -79,31 +53,46 @@ def parse_output(sheet: str, plan: RunPlan, output: bytes) -> ParsedOutput:
         displayed = [{**output, "data": _shown(output["data"])} if "data" in output else output for output in outputs]
         cells.append(RanCell(planned.source, planned.problem, planned.index, displayed))
         is_second_pass = planned.source == RERUN_SOURCE
-        given: dict[str, Any] = {}
+        given: dict[int, Any] = {}
         for cell_output in outputs:
             emission = cell_output.get("data", {}).get(MIME)
             for number in plan.problems if is_second_pass else [planned.problem]:
                 if number and _is_emission(emission, sheet, number):
                     typed_id = emission["student"][:200]
-                    given[str(number)] = emission["answer"]
+                    given[number] = emission["answer"]
         for k, answer in given.items():
             if answers.get(k) is None or not (answer is None or is_second_pass or planned.is_fallback):
                 answers[k] = answer
-    return ParsedOutput(cells, answers, typed_id)
+    errors = {cell.problem: f"Its check cell failed with {error}" for cell in cells for error in _errors(cell)}
+    check_errors = {k: errors[k] for k in plan.problems if k in errors and k not in answers}
+    has_timeout = any(error.startswith("CellTimeout: ") for cell in cells for error in _errors(cell))
+    remarks = _remarks_on_id(answers, typed_id, student) + _remarks_on_cells(cells)
+    return ParsedRun(cells, answers, typed_id, remarks, check_errors, has_timeout)
 
 
-def parse_step(sheet: str, plan: Mapping[str, Any], output: str, student: str) -> dict[str, Any]:
-    """`parse_output` as a step of a reader: the plan as its own step gave it, and the output as base64."""
-    run_plan = plan_from_data(plan)
-    parsed = parse_output(sheet, run_plan, b64decode(output))
-    return {
-        "outputs": [cell.outputs for cell in parsed.cells],
-        "answers": parsed.answers,
-        "typed_id": parsed.typed_id,
-        "remarks": parsed.remarks(student),
-        "check_errors": {k: errors for k in run_plan.problems if (errors := parsed.check_errors(k))},
-        "limits": parsed.limits,
-    }
+def _remarks_on_id(answers: Mapping[int, Any], typed_id: str, student: str) -> list[str]:
+    if typed_id and typed_id.strip().casefold() != student.strip().casefold():
+        return [f"The sheet was opened for {typed_id!r}, and graded with the numbers of {student!r}."]
+    if answers and not typed_id:
+        return ["No id was found in the sheet: its opening cell is missing, failed, or asks for the id."]
+    return []
+
+
+def _remarks_on_cells(cells: Sequence[RanCell]) -> list[str]:
+    notes = []
+    own = [cell for cell in cells if cell.problem is None]
+    failed = [errors[0] for cell in own if cell.source != RERUN_SOURCE and (errors := _errors(cell))]
+    again = [_errors(cell) for cell in own if cell.source == RERUN_SOURCE]
+    if again and len(again[0]) < len(failed):
+        notes.append(f"{_count_cells(len(failed))} failed at first. The cells that failed were run again at the end.")
+        failed = again[0]
+    if failed:
+        which = "with" if len(failed) == 1 else "the first of them with"
+        notes.append(f"{_count_cells(len(failed))} failed, {which} {failed[0].rstrip('.')}.")
+    if passed := list(dict.fromkeys(what for cell in cells for what in _passed_over(cell))):
+        more = f"; and {len(passed) - MAX_PASSED_OVER} more" if len(passed) > MAX_PASSED_OVER else ""
+        notes.append(f"{PASSED_OVER}{'; '.join(passed[:MAX_PASSED_OVER])}{more}.")
+    return notes
 
 
 def _count_cells(count: int) -> str:

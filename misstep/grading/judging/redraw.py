@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 
 from misstep.problem import MAX_DRAWS, Problem, Template
-from misstep.sheet import Sheet
 
 CANDIDATES = 16
 """How many variants are drawn, of which the one is taken that is most like the student's own. If none can be used, more are drawn."""
@@ -21,23 +20,11 @@ CANDIDATES = 16
 
 @dataclass(frozen=True)
 class Draw:
-    """Other numbers: the instructor's key, the number of the draw, from 0, and the problems that get them, as a text."""
+    """Other numbers: the instructor's key, the number of the draw, from 0, and the problems that get them."""
 
     key: str
     number: int
-    numbers: str
-
-    @property
-    def problems(self) -> set[int]:
-        """The problems that get other numbers."""
-        return set(map(int, self.numbers.split()))
-
-
-@dataclass(frozen=True)
-class RedrawnSheet(Sheet):
-    """A sheet with other numbers in some problems."""
-
-    draw: Draw
+    problems: frozenset[int] = frozenset()
 
 
 def redraw(template: Template, own: Problem, student: str, draw: Draw) -> Problem | None:

@@ -1,7 +1,6 @@
 """The notebook that formgrader shows: the submission as it ran, with the verdicts in it. It is written by a reader, within limits."""
 
 import json
-from base64 import b64decode
 from copy import deepcopy
 from dataclasses import replace
 from functools import cache
@@ -21,11 +20,12 @@ METADATA_KEY = "misstep"
 """The key in the metadata of an autograded notebook under which the digest of its result is stored."""
 
 
-def notebook_step(content: str | None, out: str, student: str, *, released: str, target: str, digest: str) -> None:
-    """Write the notebook of a stored result, as a step of a reader; the submission as base64."""
-    if result := ResultStore(Path(out)).load(student):
-        submitted = None if content is None else b64decode(content)
-        write_if_changed(Path(target), autograded_notebook(submitted, result, _read(released), digest))
+def write_notebook(
+    out: Path, student: str, content: bytes | None, *, released: Path, target: Path, digest: str
+) -> None:
+    """Write the notebook of a stored result."""
+    if result := ResultStore(out).load(student):
+        write_if_changed(target, autograded_notebook(content, result, _read(released), digest))
 
 
 def autograded_notebook(content: bytes | None, result: Result, released: NotebookNode, digest: str) -> str:
@@ -42,6 +42,6 @@ def autograded_notebook(content: bytes | None, result: Result, released: Noteboo
 
 
 @cache
-def _read(path: str) -> NotebookNode:
+def _read(path: Path) -> NotebookNode:
     released: NotebookNode = nbformat.read(path, as_version=4)
     return released

@@ -76,10 +76,10 @@ class GradebookWriter:
         self._overwrite = overwrite
         self.invalid_ids: list[str] = []
 
-    def record(self, result: Result) -> dict[str, str]:
+    def record(self, result: Result) -> dict[str, Any]:
         """Write the points of a result, in one transaction. A result that is already there is not written again.
 
-        Returns the arguments of `notebook_step`, which writes its notebook; none if there is nothing to write.
+        Returns the arguments of `write_notebook`, which writes its notebook; none if there is nothing to write.
         """
         if not FOLDER_NAME.fullmatch(result.student):
             self.invalid_ids.append(result.student)
@@ -90,7 +90,7 @@ class GradebookWriter:
         if not self._overwrite and _stored_digest(target) == digest:
             return {}
         _record_points(self._gradebook, self._assignment, result, _submission_time(self._course, result))
-        return {"released": str(self._released), "target": str(target), "digest": digest}
+        return {"released": self._released, "target": target, "digest": digest}
 
     def entered(self, problems: Sequence[str]) -> dict[str, list[Override]]:
         """The points and comments that were entered in formgrader, by student.

@@ -26,11 +26,8 @@ def write_feedback_zip(out: Path, gathered: Gathered, sheet: str) -> bool:
     pages = {}
     for submission in gathered.submissions:
         page = out / "feedback" / f"{file_name(submission.student)}.html"
-        if (
-            submission.notebook
-            and page.exists()
-            and (name := feedback_name(gathered.kind, submission.notebook.path, sheet))
-        ):
+        paths = [file.path for file in submission.notebooks[:1]]
+        if paths and page.exists() and (name := feedback_name(gathered.kind, paths[0], sheet)):
             pages[name] = page
     if not pages:
         return False

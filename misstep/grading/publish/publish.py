@@ -1,13 +1,12 @@
 """Publish: from the stored results to the pages and tables that people open."""
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from misstep.grading.collect.roster import Roster
-from misstep.grading.judging.result import ABSENT, Result
+from misstep.grading.judging.result import ABSENT
 from misstep.grading.marking import marking_page
 from misstep.grading.publish.feedback import feedback_page
 from misstep.grading.publish.grades import grades_table, record_changes
@@ -21,67 +20,47 @@ from misstep.grading.publish.shared_answers import find_matches, matches_table
 LEFT_OUT = "This page has only your points, because the rest of it could not be made within the limits. Please tell your instructor."
 
 
-def page_step(out: str, student: str, late: str, is_short: bool) -> None:
-    """Write a student's page from the stored result, as a step of a reader.
+def write_page(out: Path, student: str, late: str, is_short: bool = False) -> None:
+    """Write a student's page from the stored result, if there is one.
 
     late      the rule for late days as text, "" for none
     is_short  whether the page has the points only, because nothing else of this result can be read within the limits
     """
-    if result := ResultStore(Path(out)).load(student):
-        result = apply_overrides(result, read_overrides(Path(out)).get(student, ()), _late_rule(late))
-        write_if_changed(
-            Path(out) / "feedback" / f"{file_name(student)}.html", feedback_page(_shortened(result, is_short))
-        )
-
-
-def _by_hand(results: Sequence[Result]) -> str:
-    return ", ".join(result.student for result in results if result.changes)
-
-
-def _shortened(result: Result, is_short: bool) -> Result:
-    if not is_short:
-        return result
-    problems = [
-        replace(one, verdict=LEFT_OUT, notes=[], statement="", figure="", address="") for one in result.problems
-    ]
-    return replace(result, cells=[], notes=[LEFT_OUT], problems=problems, reason="")
-
-
-def tables_step(
-    out: str, students: Sequence[str], roster: Mapping[str, Any] | None, column: str | None, *, limits: str, late: str
-) -> list[str]:
-    """`publish` as a step of a reader; the roster as a mapping of its fields."""
-    store = ResultStore(Path(out))
-    return publish(
-        Path(out), students, store, Roster(**roster) if roster else None, column, limits=limits, late=_late_rule(late)
-    )
+    if result := ResultStore(out).load(student):
+        result = apply_overrides(result, read_overrides(out).get(student, ()), _late_rule(late))
+        if is_short:
+            problems = [
+                replace(one, verdict=LEFT_OUT, notes=[], statement="", figure="", address="") for one in result.problems
+            ]
+            result = replace(result, cells=[], notes=[LEFT_OUT], problems=problems, reason="")
+        write_if_changed(out / "feedback" / f"{file_name(student)}.html", feedback_page(result))
 
 
 def _late_rule(text: str) -> LateRule | None:
     return LateRule.parse(text) if text else None
 
 
-def publish(
+def write_tables(
     out: Path,
     students: Sequence[str],
-    store: ResultStore,
-    roster: Roster | None,
-    column: str | None,
+    roster: Roster | None = None,
+    column: str | None = None,
     *,
     limits: str = "",
-    late: LateRule | None = None,
+    late: str = "",
 ) -> list[str]:
     """Write all tables and the report, and return a short summary. Files whose content stays the same are not touched.
 
     column  the column of the sheet on the platform
     limits  what each submission might use, in words
-    late    the rule for late days
+    late    the rule for late days as text, "" for none
     """
+    store = ResultStore(out)
     # A thousand results with all pictures would not fit into memory.
     loaded = (replace(result, cells=()) for student in students if (result := store.load(student)))
     overrides = read_overrides(out)
     graded = list(loaded)
-    results = [apply_overrides(result, overrides.get(result.student, ()), late) for result in graded]
+    results = [apply_overrides(result, overrides.get(result.student, ()), _late_rule(late)) for result in graded]
     if not results:
         return ["Nothing is graded yet."]
     if to_mark := marking_page(graded, overrides):
@@ -100,13 +79,14 @@ def publish(
     mean = format_points(sum(result.points for result in present) / max(len(present), 1))
     suspects = sorted({match.student for match in matches if match.shared_count > 1})
     unknown = sorted({*overrides} - {*students})
+    by_hand = [result.student for result in results if result.changes]
     average = f"{mean} of {format_points(results[0].max)} points on average, of those who submitted something"
     return [
         f"{len(results)} of {len(students)} submissions: {counts}. {average}.",
         *([f"Several answers right for one other student (matches.csv): {', '.join(suspects)}."] if suspects else []),
         *([f"overrides.csv: there is no submission of {', '.join(unknown)}."] if unknown else []),
         *([f"{left} answers are not marked yet: open marking.html, and save its marks.csv in {out}."] if left else []),
-        *([f"By hand (overrides.csv, formgrader): {by_hand}."] if (by_hand := _by_hand(results)) else []),
+        *([f"By hand (overrides.csv, formgrader): {', '.join(by_hand)}."] if by_hand else []),
         *([f"Points that are others than after the last run (changes.csv): {changed}."] if changed else []),
         f"The results are in {out}: open report.html, then grades.csv.",
     ]

@@ -27,14 +27,12 @@ class CourseSetup:
     readable  folders that submissions may read: the packages that the course requires
     hidden    folders that they must not read: the engine and every course
     warm_up   cells to run once before the first submission, because first imports are slow
-    imports   further modules to import before, for submissions that use them
     """
 
     package: str
     readable: Sequence[str]
     hidden: Sequence[str]
     warm_up: Sequence[str]
-    imports: Sequence[str] = ()
 
 
 def setup_for(course: Course, *more_hidden: Path) -> CourseSetup:
@@ -114,7 +112,7 @@ def _withhold(self: Unavailable, *_: Any, **__: Any) -> Any:
     raise Withheld(repr(self))
 
 
-for _name in (
+for _name in [
     "call",
     "getitem",
     "iter",
@@ -128,9 +126,9 @@ for _name in (
     "exit",
     "contains",
     "neg",
-):
+]:
     setattr(Unavailable, f"__{_name}__", _withhold)
-for _name in ("add", "sub", "mul", "truediv", "matmul", "pow", "mod", "floordiv"):
+for _name in ["add", "sub", "mul", "truediv", "matmul", "pow", "mod", "floordiv"]:
     setattr(Unavailable, f"__{_name}__", _withhold)
     setattr(Unavailable, f"__r{_name}__", _withhold)
 

@@ -41,7 +41,8 @@ WARM_UP_CELLS = (
 )
 
 FIRST_FIGURE = "%matplotlib inline\nimport matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.close('all')"
-"""A further cell to run before the first submission, if matplotlib is imported by then."""
+"""A further cell to run before the first submission, if matplotlib is installed."""
+
 MAX_TRACEBACK_FRAMES = 20
 """How many frames of a traceback are kept, the last ones."""
 
@@ -58,19 +59,7 @@ SHELL_MAGICS = {"conda", "mamba", "micromamba", "pip", "uv", "sx", "system"}
 """Line magics that start other programs."""
 
 SHELL_CELL_MAGICS = {
-    "!",
-    "bash",
-    "cmd",
-    "perl",
-    "pypy",
-    "python",
-    "python2",
-    "python3",
-    "ruby",
-    "script",
-    "sh",
-    "sx",
-    "system",
+    *["!", "bash", "cmd", "perl", "pypy", "python", "python2", "python3", "ruby", "script", "sh", "sx", "system"]
 }
 """Cell magics that start other programs."""
 

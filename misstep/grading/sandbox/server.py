@@ -2,26 +2,22 @@
 
     python -m misstep.grading.sandbox.server DESCRIPTOR [--unsafe-no-sandbox]
 
-DESCRIPTOR is a Unix socket. The first message is a CourseSetup; it is no argument, because submissions can read the arguments
-of their process, and it names folders. Then there are two messages. "fork" has two pipes with it: the
-child reads the redacted sheet and its cells from the first one, and writes to the second one; the answer is the id of
-the child, with a descriptor of its process, because outside of the namespace it has another id. "end ID" kills that child;
-the answer has its exit status, its processor time in seconds, and its memory in MB.
-The server reads neither pipe, so no child inherits in its memory what another student submitted.
+Its setup is a CourseSetup. A child gets two pipes: it reads the redacted sheet and its cells from the first one, and writes to the second
+one. The server reads neither, so no child inherits in its memory what another student submitted.
 """
 
 import gc
-import json
 import os
 import signal
 import socket
 import sys
 from contextlib import suppress
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from misstep.grading.rpc import THREAD_VARIABLES, receive_message
+from misstep.grading.forks import THREAD_VARIABLES, greet, receive_setup, serve
 from misstep.grading.sandbox import libc_calls
 from misstep.grading.sandbox.course_stub import CourseSetup, CourseStub, install_stub
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, SandboxUnavailable
@@ -30,6 +26,9 @@ from misstep.grading.sandbox.rootfs import SCRATCH, enter_namespaces, enter_root
 if TYPE_CHECKING:
     from misstep.grading.sandbox.confine import Confinement
     from misstep.grading.sandbox.run_cells import SubmissionShell
+
+SLOW_IMPORTS = ("matplotlib.pyplot", "sympy")
+"""What submissions may use and what takes longer to import than everything else together."""
 
 ENVIRONMENT = {
     **dict.fromkeys(("HOME", "TMPDIR", "MPLCONFIGDIR", "IPYTHONDIR"), SCRATCH),
@@ -45,8 +44,7 @@ def main(descriptor: int, is_safe: bool) -> None:
     """Prepare, report that the server is ready or which layer is unavailable, and fork until the socket closes."""
     gc.disable()  # next to nothing of what is imported becomes garbage
     with socket.socket(fileno=descriptor) as parent:
-        with parent.makefile("rb") as stream:
-            setup = CourseSetup(**(receive_message(stream) or {}))
+        setup = CourseSetup(**receive_setup(parent))
         try:
             confinement = _enter_sandbox(setup) if is_safe else None
             shell, stub = _warm_up(setup)
@@ -54,12 +52,18 @@ def main(descriptor: int, is_safe: bool) -> None:
                 enter_root(readable_paths(setup.readable), setup.hidden)
                 _forget_paths()
         except SandboxUnavailable as error:
-            parent.send(json.dumps({"unavailable": str(error)}).encode())
+            greet(parent, unavailable=str(error))
             return
         gc.freeze()  # a collection in a child would touch every object, and so copy every page of memory
         gc.enable()
-        parent.send(b'{"unavailable": null}')
-        _serve(parent, confinement, shell, stub)
+        greet(parent)
+        from misstep.grading.sandbox.submission_process import run_child
+
+        child = partial(run_child, confinement, shell, stub)
+        if confinement:
+            serve(parent, child, confinement.prepare_fork)
+        else:
+            serve(parent, child, kill=_end_supervisor if sys.platform == "linux" else _kill_group)
 
 
 def _forget_paths() -> None:
@@ -97,7 +101,7 @@ def _warm_up(setup: CourseSetup) -> "tuple[SubmissionShell, CourseStub]":
     """
     stub = install_stub(setup.package)
     import_module("misstep.grading.sandbox.submission_process")
-    for module in setup.imports:
+    for module in SLOW_IMPORTS:
         with suppress(ModuleNotFoundError):  # not every course draws, or works with symbols
             import_module(module)
     from misstep.grading.sandbox.run_cells import new_shell
@@ -105,63 +109,15 @@ def _warm_up(setup: CourseSetup) -> "tuple[SubmissionShell, CourseStub]":
     return new_shell(setup.warm_up), stub
 
 
-def _serve(
-    parent: socket.socket, confinement: "Confinement | None", shell: "SubmissionShell", stub: CourseStub
-) -> None:
-    is_supervised = not confinement and sys.platform == "linux"
-    while True:
-        message, descriptors, _, _ = socket.recv_fds(parent, 100, 2)
-        match message.decode().split():
-            case ["fork"]:
-                child = _fork(parent, confinement)
-                if not child:
-                    _run_child(confinement, shell, stub, descriptors)
-                with suppress(AttributeError, OSError):  # a system without it counts no memory from outside
-                    descriptors.append(os.pidfd_open(child))
-                socket.send_fds(parent, [str(child).encode()], descriptors[2:])
-            case ["end", child_id]:
-                parent.send(json.dumps(_end_child(int(child_id), is_supervised)).encode())
-            case _:
-                return
-        for descriptor in descriptors:
-            os.close(descriptor)
+def _end_supervisor(child: int) -> None:
+    """Let the supervisor of a submission end it and all that it has started; in the sandbox, its pid namespace does so."""
+    os.kill(child, signal.SIGTERM)
 
 
-def _fork(parent: socket.socket, confinement: "Confinement | None") -> int:
-    """Fork; the id of the child in the server, and 0 in the child, which forgets the socket."""
-    if confinement:
-        confinement.prepare_fork()
-    child = os.fork()
-    if not child:
-        parent.detach()
-    return child
-
-
-def _run_child(
-    confinement: "Confinement | None", shell: "SubmissionShell", stub: CourseStub, descriptors: list[int]
-) -> None:
-    """Run a submission in this forked process, and never return."""
-    try:
-        from misstep.grading.sandbox.submission_process import run_child
-
-        run_child(confinement, shell, stub, *descriptors)
-    finally:
-        os._exit(1)
-
-
-def _end_child(child: int, is_supervised: bool) -> dict[str, float]:
-    """End a child and all that it started: its pid namespace ends with it, or without a sandbox its supervisor sees to it."""
-    for kill in (os.kill,) if is_supervised else (os.kill, os.killpg):
-        try:
-            kill(child, signal.SIGTERM if is_supervised else signal.SIGKILL)
-        except (ProcessLookupError, PermissionError):
-            continue
-    _, status, usage = os.wait4(child, 0)
-    return {
-        "status": os.waitstatus_to_exitcode(status),
-        "processor_seconds": usage.ru_utime + usage.ru_stime,
-        "memory_mb": usage.ru_maxrss / 1024,
-    }
+def _kill_group(child: int) -> None:
+    for kill in (os.kill, os.killpg):
+        with suppress(ProcessLookupError, PermissionError):
+            kill(child, signal.SIGKILL)
 
 
 if __name__ == "__main__":

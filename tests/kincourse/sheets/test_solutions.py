@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 import submissions
 
-from kincourse import COURSE, find_sheet, sheets
+from kincourse import COURSE, sheets
 
 if lacking := submissions.sandbox_lacks():
     pytest.skip(f"NO SOLUTION IS GRADED: this machine lacks {lacking}", allow_module_level=True)
@@ -33,11 +33,9 @@ def runner():
 def test_every_official_solution_has_full_marks_in_the_sandbox(name, runner):
     """Where a problem is read off a drawing, the solution has what the drawing of SAMPLE_ID shows: update it with the drawing."""
     path = SOLUTIONS / name / f"{name}.ipynb"
-    plan, sheet = plan_run(read_released_sheet(path), path.read_bytes()), find_sheet(name)
-    redacted = judge_process.redacted_sheet(COURSE, sheet, SAMPLE_ID)
-    outcome = runner.run(redacted["sheet"], [cell.source for cell in plan.cells], Limits())
-    parsed = parse_output(name, plan, outcome.output)
-    verdicts = judge_process.verdicts(COURSE, sheet, SAMPLE_ID, redacted["seed"], parsed.answers)
-    missed = [verdict["text"] for verdict in verdicts.values() if verdict["fraction"] < 1]
-    assert not missed
-    assert len(verdicts) == len(sheet.problems)
+    plan = plan_run(read_released_sheet(path), path.read_bytes())
+    seed, redacted = judge_process.redacted_sheet(COURSE, name, SAMPLE_ID)
+    outcome = runner.run(redacted, [cell.source for cell in plan.cells], Limits())
+    parsed = parse_output(name, plan, outcome.output, SAMPLE_ID)
+    verdicts = submissions.verdicts(name, SAMPLE_ID, seed, parsed.answers)
+    assert not [verdict["text"] for verdict in verdicts.values() if verdict["fraction"] < 1]

@@ -63,9 +63,14 @@ def by_student(gathered):
     return {handed.student: handed for handed in gathered.submissions}
 
 
+def read(handed):
+    """The bytes of what one student handed in; None if that is nothing."""
+    return handed.notebooks[0].read() if handed.notebooks else None
+
+
 def refusal(handed):
     with pytest.raises(UnreadableFile) as refused:
-        handed.read()
+        read(handed)
     return str(refused.value)
 
 
@@ -79,7 +84,7 @@ def test_a_folder_for_each_student(tmp_path):
         (root / "cyn").mkdir()
         gathered = gather(root, SHEET)
         assert gathered.kind == "folder"
-        assert [(h.student, h.seed_id, h.read()) for h in gathered.submissions] == [
+        assert [(h.student, h.seed_id, read(h)) for h in gathered.submissions] == [
             *(("ada", "ada", notebook("ada")), ("bob", "bob", notebook("bob")), ("cyn", "cyn", None))
         ]
         shutil.rmtree(tmp_path / "in")
@@ -97,7 +102,10 @@ def test_a_name_is_the_same_however_its_accents_are_written(tmp_path):
     root = folder(tmp_path / "in", **{f"zoe\u0301/{NAME}": "zoé"})
     Path(os.fsdecode(os.fsencode(root) + b"/x\xff.ipynb")).write_bytes(notebook("x"))
     gathered = gather(root, SHEET, read_roster(tmp_path / "r.csv"))
-    assert [(handed.student, bool(handed.notebook)) for handed in gathered.submissions] == [("x?", True), ("zoé", True)]
+    assert [(handed.student, bool(handed.notebooks)) for handed in gathered.submissions] == [
+        ("x?", True),
+        ("zoé", True),
+    ]
 
 
 def test_the_submitted_folder_of_nbgrader_holds_other_sheets_too(tmp_path):
@@ -106,8 +114,8 @@ def test_the_submitted_folder_of_nbgrader_holds_other_sheets_too(tmp_path):
     (tmp_path / "ada" / SHEET / "timestamp.txt").write_text("2026-11-01 10:00:00 UTC")
     gathered = gather(tmp_path, SHEET)
     assert gathered.kind == "nbgrader"
-    assert by_student(gathered)["ada"].read() == notebook("ada")
-    assert by_student(gathered)["bob"].read() is None
+    assert read(by_student(gathered)["ada"]) == notebook("ada")
+    assert read(by_student(gathered)["bob"]) is None
 
 
 CANVAS = {
@@ -181,7 +189,7 @@ def test_a_download_without_a_roster_goes_by_the_ids_in_the_sheets_and_says_so(t
         assert gathered.kind == kind
         assert "no --roster" in gathered.remarks[0]
         assert {handed.seed_id for handed in gathered.submissions} == {""}
-        assert {typed_id(handed.read()) for handed in gathered.submissions if handed.read()} == {"ada", "bob"}
+        assert {typed_id(read(handed)) for handed in gathered.submissions if read(handed)} == {"ada", "bob"}
         assert list(by_student(gathered)) == named
 
 
@@ -217,7 +225,7 @@ def test_a_worksheet_of_moodle_is_known_by_its_cells_in_every_language(tmp_path,
         assert (read.kind, read.columns) == ("moodle", titles)
         assert read.ids == (["0007", "0008"] if with_numbers else [row[2] for row in rows])
         source = zipped(tmp_path / "s.zip", MOODLE)
-        students = {handed.student for handed in gather(source, SHEET, read).submissions if handed.notebook}
+        students = {handed.student for handed in gather(source, SHEET, read).submissions if handed.notebooks}
         assert students == set(read.ids[:2])
         graded = [result(read.ids[0], 12.5, 24), result(read.ids[1], 0, 24, "absent")]
         filled = [line.split(";") for line in export(read, graded).splitlines()]  # separated as Moodle wrote it
@@ -310,7 +318,7 @@ def test_everybody_is_found_whatever_their_ids_are_and_who_handed_nothing_in(tmp
         source, known = class_on(platform, (*ids, "zoe"), tmp_path, absent=("zoe",))
         gathered = gather(source, SHEET, known)
         assert gathered.remarks == []
-        assert {one.student: one.read() for one in gathered.submissions} == {name: notebook(name) for name in ids} | {
+        assert {one.student: read(one) for one in gathered.submissions} == {name: notebook(name) for name in ids} | {
             "zoe": None
         }
         assert {one.seed_id for one in gathered.submissions} == {*ids, "zoe"}
@@ -325,7 +333,7 @@ def test_a_student_without_sid_is_found_by_the_email_address(tmp_path):
             "submission_metadata.yml": ("submission_1:\n  :submitters:\n  - :name: A\n    :email: 1@X\n"),
         },
     )
-    assert [one.student for one in gather(list_of, SHEET, known).submissions if one.notebook] == ["s1"]
+    assert [one.student for one in gather(list_of, SHEET, known).submissions if one.notebooks] == ["s1"]
 
 
 def test_a_roster_of_another_course_stops_the_run_and_says_why(tmp_path):
@@ -385,16 +393,16 @@ def test_of_several_files_all_are_graded_first_the_one_with_the_name_of_the_shee
         ]
     ):
         (handed,) = gather(folder(tmp_path / str(number), **{f"ada/{n}": "ada" for n in names}), SHEET).submissions
-        assert handed.notebook.path.name == chosen
+        assert handed.notebooks[0].path.name == chosen
         assert {file.path.name for file in handed.notebooks} == set(names)
     folder(tmp_path / "other", **{"ada/a.ipynb": "ada", "ada/b.ipynb": notebook("ada", "05_dh_standard")})
     (handed,) = gather(tmp_path / "other", SHEET).submissions
-    assert handed.notebook.path.name == "a.ipynb", "the one that opens the sheet"
+    assert handed.notebooks[0].path.name == "a.ipynb", "the one that opens the sheet"
 
 
 def test_a_file_that_is_no_notebook_is_handed_on_so_that_its_reason_is_told(tmp_path):
     (handed,) = gather(folder(tmp_path, **{"ada/sheet.pdf": b"%PDF-1.7"}), SHEET).submissions
-    assert handed.read() == b"%PDF-1.7"
+    assert read(handed) == b"%PDF-1.7"
     assert handed.notes == ["No notebook was handed in, only: sheet.pdf."]
 
 
@@ -415,7 +423,7 @@ def test_ids_that_are_almost_the_same_stay_two_students_and_are_named(tmp_path, 
     for form in ("{}.ipynb", f"{{}}/{NAME}"):
         root = tmp_path / str(len(form))
         gathered = gather(folder(root, **{form.format(name): name for name in names}), SHEET)
-        assert {one.student: typed_id(one.read()) for one in gathered.submissions} == {name: name for name in names}
+        assert {one.student: typed_id(read(one)) for one in gathered.submissions} == {name: name for name in names}
         assert "differ only in capitals or in the form of their letters" in gathered.remarks[0]
         assert all(repr(name) in gathered.remarks[0] for name in names)
 
@@ -424,12 +432,12 @@ def test_capitals_make_no_difference_to_the_roster_unless_two_students_want_one_
     (tmp_path / "r.csv").write_text("id\nada\nBob\nstra\u00dfe\nstrasse\n", "utf-8")
     read = read_roster(tmp_path / "r.csv")
     one = gather(folder(tmp_path / "one", **{f"ADA/{NAME}": "ada", f"strasse/{NAME}": "x"}), SHEET, read)
-    assert [(handed.student, bool(handed.notebook)) for handed in one.submissions] == [
+    assert [(handed.student, bool(handed.notebooks)) for handed in one.submissions] == [
         *[("ada", True), ("Bob", False), ("strasse", True), ("stra\u00dfe", False)]
     ]
     two = gather(folder(tmp_path / "two", **{f"ADA/{NAME}": "1", f"Ada/{NAME}": "2", f"Bob/{NAME}": "3"}), SHEET, read)
     students = by_student(two)
-    assert {name for name, handed in students.items() if handed.notebook} == {"ADA", "Ada", "Bob"}
+    assert {name for name, handed in students.items() if handed.notebooks} == {"ADA", "Ada", "Bob"}
     assert "Not in the roster, and so not in the file for the platform: ADA, Ada." in two.remarks
 
 
@@ -510,7 +518,7 @@ def test_a_zip_bomb_is_not_unpacked(tmp_path):
     assert source.stat().st_size < 100_000
     students = by_student(gather(source, SHEET))
     assert "unpacks to 34 MB" in refusal(students["ada"])
-    assert students["bob"].read() == notebook("bob")
+    assert read(students["bob"]) == notebook("bob")
 
 
 def test_a_member_that_lies_about_its_size_gives_no_more_than_it_says(tmp_path):
@@ -545,7 +553,7 @@ def test_a_damaged_member_costs_one_student_and_a_damaged_zip_is_told(tmp_path):
     source.write_bytes(data)
     students = by_student(gather(source, SHEET))
     assert "damaged" in refusal(students["ada"])
-    assert students["bob"].read() == notebook("bob")
+    assert read(students["bob"]) == notebook("bob")
     source.write_bytes(data[:-60])
     with pytest.raises(ValueError, match=r"neither a folder nor a zip|damaged"):
         gather(source, SHEET)

@@ -214,8 +214,8 @@ class Told:
 
 @pytest.fixture(scope="module")
 def reader():
-    """One process that reads, for all runs with the grader that is none."""
-    with command.Reader() as started:
+    """The processes that read, for all runs with the grader that is none."""
+    with command.start_reader() as started:
         yield started
 
 
@@ -223,8 +223,7 @@ def reader():
 def asked(reader, monkeypatch):
     """Whom the grader was asked about since the last look."""
     monkeypatch.setattr(command, "Grader", Told)
-    monkeypatch.setattr(command, "Reader", lambda: nullcontext(reader))
-    monkeypatch.setattr(reader, "close", lambda: None)
+    monkeypatch.setattr(command, "start_reader", lambda **_: nullcontext(reader))
     monkeypatch.setattr(Told, "broken", set())
 
     def look():

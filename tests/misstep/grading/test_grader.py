@@ -10,22 +10,23 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import submissions
-from submissions import as_bytes, code, handed_in, problem_of, right
+from submissions import as_bytes, code, handed_in, problem_of, right, verdicts
 from typed_answers import as_typed, typable
 
 from kincourse import COURSE, find_sheet, sheets
 from misstep.answers.number import Numbers
 from misstep.grading import redacted_sheet
 from misstep.grading.collect.notebook import UnusableNotebook
-from misstep.grading.collect.run_plan import PlannedCell, RunPlan, plan_run, read_released_sheet
+from misstep.grading.collect.run_plan import PlannedCell, ReleasedSheet, RunPlan, plan_run, read_released_sheet
+from misstep.grading.forks import child_environment
 from misstep.grading.judging import judge_process
-from misstep.grading.judging.grader import NOT_JUDGED, Grader
+from misstep.grading.judging.grader import NOT_JUDGED, Grader, start_judge
 from misstep.grading.judging.parse_output import parse_output
 from misstep.grading.publish.mathml import render_sentence
-from misstep.grading.rpc import ProcessEnded, Worker, child_environment
 from misstep.grading.sandbox.course_stub import setup_for
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable, sandbox_layer
 from misstep.grading.sandbox.runner import Runner
+from misstep.grading.steps import LEASES_PER_PROCESS, StepFailed
 from misstep.judge import judge
 from misstep.problem import Problem
 from misstep.storage.deserialize import MIME
@@ -64,17 +65,17 @@ def test_a_paper_holds_what_is_given_and_no_answer():
 @pytest.mark.parametrize("name", sheets())
 def test_the_judge_gives_full_points_for_right_answers_and_names_mistakes(name):
     made = find_sheet(name)
-    seed = judge_process.redacted_sheet(COURSE, made, "ada")["seed"]
+    seed, _ = judge_process.redacted_sheet(COURSE, name, "ada")
     problems = [template.variant("ada").with_inputs(seed) for template in made.problems]
     mistaken = {k: typable(problem)[0] for k, problem in enumerate(problems, start=1) if typable(problem)}
     for wanted, values in {
         "right": {k: problem.answer.value for k, problem in enumerate(problems, start=1)},
         "mistaken": {k: wrong.value for k, wrong in mistaken.items()},
     }.items():
-        data = {str(k): to_data(as_typed(value), problems[k - 1].answer.inputs) for k, value in values.items()}
-        told = judge_process.verdicts(COURSE, made, "ada", seed, json.loads(json.dumps(data)))
+        data = {k: to_data(as_typed(value), problems[k - 1].answer.inputs) for k, value in values.items()}
+        told = verdicts(name, "ada", seed, {k: json.loads(json.dumps(one)) for k, one in data.items()})
         for k in values:
-            verdict = told[str(k)]
+            verdict = told[k]
             assert (verdict["fraction"] == 1) == (wanted == "right")
             if wanted == "right":
                 assert not verdict["mistakes"]
@@ -86,7 +87,7 @@ def test_the_judge_gives_full_points_for_right_answers_and_names_mistakes(name):
 
 def test_a_paper_has_other_inputs_each_time_and_the_judge_knows_them_by_the_seed():
     made = find_sheet("03_poe_space")
-    seeds = [judge_process.redacted_sheet(COURSE, made, "ada")["seed"] for _ in range(2)]
+    seeds = [judge_process.redacted_sheet(COURSE, made.name, "ada")[0] for _ in range(2)]
     assert seeds[0] != seeds[1]
     inputs = [made.problems[6].variant("ada").with_inputs(seed).answer.inputs for seed in seeds]
     assert not np.isclose(inputs[0], inputs[1]).any()
@@ -95,14 +96,14 @@ def test_a_paper_has_other_inputs_each_time_and_the_judge_knows_them_by_the_seed
 def test_a_verdict_says_why_and_has_the_section_the_problem_and_its_figure_if_there_is_something_to_mend():
     sheet = find_sheet("03_poe_space")
     right = sheet.problems[2].variant("ada").answer
-    answers = {"2": [9, 9], "3": to_data(right.value, right.inputs)}
+    answers = {2: [9, 9], 3: to_data(right.value, right.inputs)}
     section = sheet.problems[1].lecture.partition("#")[2].lower().replace(" ", "-")
     for site in ("https://example.org/course/", ""):
-        told = judge_process.verdicts(COURSE, sheet, "ada", 0, answers, site=site)
+        told = verdicts(sheet.name, "ada", 0, answers, site=site)
         page = f"{site}lectures/03_poe_space.html#{section}" if site else ""
-        assert [told[k]["address"] for k in ("1", "2", "3")] == ["", page, ""]
-    assert [told[k]["statement"] for k in ("1", "2", "3")] == [t.variant("ada").statement for t in sheet.problems[:3]]
-    assert ["<figure" in told[k]["figure"] for k in ("1", "2", "3")] == [False, True, False]
+        assert [told[k]["address"] for k in (1, 2, 3)] == ["", page, ""]
+    assert [told[k]["statement"] for k in (1, 2, 3)] == [t.variant("ada").statement for t in sheet.problems[:3]]
+    assert ["<figure" in told[k]["figure"] for k in (1, 2, 3)] == [False, True, False]
     for data, words in [
         ({"score": 3}, "no known form"),
         ({"other": "frame"}, "got frame"),
@@ -113,11 +114,11 @@ def test_a_verdict_says_why_and_has_the_section_the_problem_and_its_figure_if_th
             for text in ("sin(exp(exp(30)))**2", "sign(sin(exp(exp(exp(4)))))", "log(exp(exp(exp(9))))")
         ),
     ]:
-        verdict = judge_process.verdicts(COURSE, sheet, "ada", 0, {"1": data})["1"]
+        verdict = judge_process.verdict(COURSE, sheet.name, "ada", 1, data, seed=0)
         assert verdict["fraction"] == 0
         assert words in verdict["text"]
-    hostile = {"6": {"list": [{"text": "<script>alert(1)</script>"}]}}
-    lines = judge_process.verdicts(COURSE, sheet, "ada", 0, hostile)["6"]["text"].splitlines()
+    hostile = {"list": [{"text": "<script>alert(1)</script>"}]}
+    lines = judge_process.verdict(COURSE, sheet.name, "ada", 6, hostile, seed=0)["text"].splitlines()
     quoted = "".join(map(str, map(render_sentence, lines)))
     assert "&lt;script&gt;" in quoted
     assert "<script" not in quoted
@@ -192,16 +193,17 @@ def slow_judge(tmp_path):
         path = tmp_path / "slow_course" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
-    worker = Worker("misstep.grading.judging.judge_process", tmp_path, str(tmp_path / "slow_course"))
+    sheet = ReleasedSheet("01_slow", tmp_path, {}, str(tmp_path / "slow_course"))
+    grader = SimpleNamespace(_templates=[(), ()], sheet=sheet, _limits=Limits())
+    with start_judge(sheet) as started:
 
-    def ask(student, first):
-        request = {"request": "verdicts", "sheet": "01_slow", "student": student, "seed": 0, "site": ""}
-        answers = {"1": {"number": first}, "2": {"number": 1.0}}
-        told = worker.request({**request, "answers": answers}, 600.0)["verdicts"]
-        return [told[k]["state"] for k in ("1", "2")], told["1"]["text"]
+        def ask(student, first):
+            with started.process() as judge:
+                told, _ = Grader._verdicts(grader, judge, student, 0, {1: {"number": first}, 2: {"number": 1.0}})
+            return [told[k]["state"] for k in (1, 2)], told[1]["text"]
 
-    yield ask
-    worker.stop()
+        ask.judge = started
+        yield ask
 
 
 def test_a_slow_answer_costs_its_own_problem_and_the_time_of_nobody_else(slow_judge):
@@ -212,13 +214,13 @@ def test_a_slow_answer_costs_its_own_problem_and_the_time_of_nobody_else(slow_ju
         assert not slow.done()
         states, text = slow.result()
     assert states == ["unreadable", "right"]
-    assert "got an answer that takes more than 4 s to judge" in text
+    assert "got an answer that cannot be judged: judging it takes more than 4 s of processor time" in text
 
 
 def test_an_answer_that_ends_the_judge_costs_its_own_problem(slow_judge):
     states, text = slow_judge("eve", 14)
     assert states == ["unreadable", "right"]
-    assert "got an answer that ends the process that judges it" in text
+    assert "got an answer that cannot be judged: judging it ends the process" in text
     assert slow_judge("eve", 15)[0] == ["wrong", "right"], (
         "the clock counts what the judge computes, not a busy machine"
     )
@@ -230,39 +232,30 @@ def test_what_an_unreadable_or_a_large_answer_leaves_in_the_judge_is_gone_for_th
         assert slow_judge("ada", 9)[0] == ["wrong", "right"]
 
 
-def test_each_student_of_a_long_row_gets_the_verdicts_that_the_student_would_get_alone(tmp_path):
+def test_each_student_of_a_long_row_gets_the_verdicts_that_the_student_would_get_alone():
     sheet = find_sheet(submissions.SHEET)
-    worker = Worker("misstep.grading.judging.judge_process", tmp_path, "kincourse")
-    try:
-        for k in range(judge_process.STUDENTS_PER_PROCESS + 2):  # so that one process ends and the next one begins
-            student = f"student {k}"
-            own = to_data(sheet.problems[0].variant("student 0").answer.value)
-            request = {"sheet": sheet.name, "student": student, "seed": 1, "site": "", "answers": {"1": own}}
-            told = worker.request({**request, "request": "verdicts"}, 60.0)["verdicts"]
-            alone = judge_process.verdicts(COURSE, sheet, student, 1, {"1": own})
+    own = to_data(sheet.problems[0].variant("student 0").answer.value)
+    with start_judge(ReleasedSheet(sheet.name, Path(), {}, "kincourse")) as judge:
+        for k in range(LEASES_PER_PROCESS + 2):  # so that one process ends and the next one begins
+            asked = {"student": f"student {k}", "k": 1, "data": own, "seed": 1}
+            told, alone = judge.do("verdict", **asked), judge_process.verdict(COURSE, sheet.name, **asked)
             for said in ("state", "fraction", "mistakes", "text", "statement", "right"):
-                assert told["1"][said] == alone["1"][said]
-            assert (told["1"]["state"] == "right") == (k == 0)
-    finally:
-        worker.stop()
+                assert told[said] == alone[said]
+            assert (told["state"] == "right") == (k == 0)
 
 
 def test_a_judge_that_ends_while_it_draws_says_so_and_draws_again_for_the_next_request(slow_judge, tmp_path):
-    request = {"request": "redacted sheet", "sheet": "01_slow", "student": "ada"}
-    worker = Worker("misstep.grading.judging.judge_process", tmp_path, str(tmp_path / "slow_course"))
-    try:
-        assert "seed" in worker.request({**request, "student": "bob"}, 60.0)
-        (tmp_path / "abort").touch()
-        assert "ended" in worker.request(request, 60.0)["error"]
-        (tmp_path / "abort").unlink()
-        assert "seed" in worker.request(request, 60.0)
-    finally:
-        worker.stop()
+    assert slow_judge.judge.do("redacted sheet", student="bob")
+    (tmp_path / "abort").touch()
+    with pytest.raises(StepFailed, match="judging it ends the process"):
+        slow_judge.judge.do("redacted sheet", student="ada")
+    (tmp_path / "abort").unlink()
+    assert slow_judge.judge.do("redacted sheet", student="ada")
 
 
 def test_a_problem_without_an_answer_earns_nothing():
     course = SimpleNamespace(_templates=[("01.1", "A pose", 2), ("01.2", "A rotation", 3)], _covered=())
-    for told in ({}, {"1": None}):
+    for told in ({}, {1: None}):
         results = Grader._problem_results(course, told, {}, {})
         assert [(one.number, one.points, one.max, one.state) for one in results] == [
             ("01.1", 0, 2, "missing"),
@@ -286,8 +279,10 @@ def shown(emission, **more):
 
 
 def test_the_last_answer_is_heard_from_the_check_cell_of_its_problem():
-    heard = parse_output("s", PLAN, line(0) + line(1, shown({**EMISSION, "answer": None}), shown(EMISSION)) + line(2))
-    assert heard.answers == {"1": {"number": 1.0}}
+    heard = parse_output(
+        "s", PLAN, line(0) + line(1, shown({**EMISSION, "answer": None}), shown(EMISSION)) + line(2), "ada"
+    )
+    assert heard.answers == {1: {"number": 1.0}}
     assert heard.typed_id == "ada"
     assert heard.cells[1].outputs[0]["data"] == {"text/plain": "x"}
 
@@ -311,7 +306,7 @@ def test_what_is_not_an_answer_of_ours_is_not_heard():
         b"\xff\xfe\n",
         b"",
     ):
-        assert not parse_output("s", PLAN, said).answers
+        assert not parse_output("s", PLAN, said, "ada").answers
 
 
 # --- what is planned ---
@@ -364,14 +359,6 @@ def test_a_process_that_we_start_sees_no_secrets(monkeypatch):
     assert "SECRET_TOKEN" not in child_environment()
 
 
-def test_a_judge_that_takes_too_long_is_ended(tmp_path):
-    worker = Worker("misstep.grading.judging.judge_process", tmp_path, "kincourse")
-    with pytest.raises(ProcessEnded, match="within 0 s"):
-        worker.request({"request": "problems", "sheet": "03_poe_space"}, 0.0)
-    with pytest.raises(ProcessEnded):
-        worker.request({"request": "problems", "sheet": "03_poe_space"}, 5.0)
-
-
 def test_a_layer_that_is_missing_is_named_with_its_remedy():
     told = f"'landlock'.*no such call.*Get a newer kernel.*Nothing was run.*{UNSAFE_OPTION}"
     with pytest.raises(SandboxUnavailable, match=told), sandbox_layer("landlock", "Get a newer kernel."):
@@ -392,33 +379,26 @@ def test_without_a_layer_the_server_refuses(monkeypatch, tmp_path):
 
 
 @on_linux
-def test_what_imports_matplotlib_runs_in_a_second_server_and_what_hides_the_import_runs_all_the_same():
-    """It takes longer to import than all else, and few submissions use it."""
-    runner, sheet = Runner(setup_for(COURSE)), judge_process.redacted_sheet(COURSE, find_sheet("01_frames"), "ada")
-    lines = "plt.switch_backend('TkAgg')\nplt.plot([1, 2])\nplt.show()\nimport sys"
-    loaded = "[name in sys.modules for name in ('mat' 'plotlib.pyplot', 'sym' 'py')]"
+def test_figures_are_drawn_inline_whatever_window_is_asked_for():
+    runner, (_, redacted) = Runner(setup_for(COURSE)), judge_process.redacted_sheet(COURSE, "01_frames", "ada")
+    lines = "import matplotlib.pyplot as plt\nplt.switch_backend('TkAgg')\nplt.plot([1, 2])\nplt.show()"
     try:
-        for first, second, modules in [
-            ("plt = __import__('mat' + 'plotlib.pyplot').pyplot", False, [True, False]),
-            ("from matplotlib import pyplot as plt", True, [True, True]),
-        ]:
-            ran = runner.run(sheet["sheet"], ["1", f"{first}\n{lines}", loaded], Limits())
-            _, figure, last = (json.loads(line)["outputs"] for line in ran.output.splitlines())
-            assert [[*output["data"]] for output in figure if "data" in output] == [["text/plain", "image/png"]]
-            assert last[0]["data"]["text/plain"] == str(modules)
-            assert bool(runner._second) == second
+        ran = runner.run(redacted, [lines], Limits())
     finally:
         runner.close()
+    (figure,) = (output for output in json.loads(ran.output)["outputs"] if "data" in output)
+    assert [*figure["data"]] == ["text/plain", "image/png"]
 
 
 @on_linux
 def test_without_a_sandbox_the_judge_is_still_somewhere_else():
-    made = find_sheet("03_poe_space")
     runner = Runner(setup_for(COURSE), is_safe=False)
     source = 'from kincourse import open_sheet\nopen_sheet("03_poe_space", "ada").problem(1).answer.value'
     try:
         ran = runner.run(
-            judge_process.redacted_sheet(COURSE, made, "ada")["sheet"], [source, "import os; os.listdir('/')"], Limits()
+            judge_process.redacted_sheet(COURSE, "03_poe_space", "ada")[1],
+            [source, "import os; os.listdir('/')"],
+            Limits(),
         )
     finally:
         runner.close()

@@ -77,7 +77,7 @@ def test_other_numbers_have_another_answer_and_the_same_form():
         t for name in ("03_poe_space", "07_frame_assignment", "09_urdf") for t in find_sheet(name).problems[:3]
     ):
         own = template.variant("ada")
-        first, second, again = (redraw(template, own, "ada", Draw(key, 0, "")) for key in (KEY, "another key", KEY))
+        first, second, again = (redraw(template, own, "ada", Draw(key, 0)) for key in (KEY, "another key", KEY))
         assert first
         assert second
         assert set(first.given) == set(own.given)
@@ -90,9 +90,9 @@ def test_other_numbers_have_another_answer_and_the_same_form():
 def test_other_numbers_are_drawn_until_they_can_be_used():
     """Of this problem, none of the first variants for this student shows all mistakes."""
     template = find_sheet("09_urdf").problems[3]
-    assert redraw(template, template.variant("probe 2"), "probe 2", Draw(KEY, 0, ""))
+    assert redraw(template, template.variant("probe 2"), "probe 2", Draw(KEY, 0))
 
 
 def test_what_is_read_from_a_drawing_keeps_its_numbers():
     template = find_sheet("03_poe_space").problems[4]
-    assert redraw(template, template.variant("ada"), "ada", Draw(KEY, 0, "")) is None
+    assert redraw(template, template.variant("ada"), "ada", Draw(KEY, 0)) is None

@@ -3,6 +3,7 @@
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import heavy_notebooks
 import pytest
@@ -14,10 +15,11 @@ if lacking := submissions.sandbox_lacks():
     pytest.skip(f"NOTHING IS READ: this machine lacks {lacking}", allow_module_level=True)
 
 from misstep.__main__ import main
-from misstep.grading.collect.run_plan import read_released_sheet
+from misstep.grading.collect.run_plan import ReleasedSheet, read_released_sheet
 from misstep.grading.judging.grader import Grader
 from misstep.grading.publish.result_store import ResultStore
-from misstep.grading.reading import Reader, StepFailed
+from misstep.grading.reading import start_reader
+from misstep.grading.steps import StepFailed
 
 SOLUTION = str(submissions.ROOT / "solutions" / SHEET / f"{SHEET}.ipynb")
 
@@ -50,15 +52,15 @@ def test_an_answer_that_is_slow_to_quote_or_to_walk_costs_only_its_problem(tmp_p
 
 
 def test_a_step_that_takes_too_long_or_ends_its_process_costs_itself_alone():
-    sheet = {"name": SHEET, "checks": {}, "opening": ""}
-    with Reader() as reader:
+    sheet = ReleasedSheet(SHEET, Path(), {}, "kincourse")
+    with start_reader() as reader:
         for _ in range(2):
             with pytest.raises(StepFailed, match=r"more than 0\.01 s of processor time"):
                 reader.do("plan", seconds=0.01, sheet=sheet, content=READABLE["an image of 20 MB"]("ada"))
-            assert reader.do("plan", sheet=sheet, content=honest("ada"))["typed_id"] == "ada"
+            assert reader.do("plan", sheet=sheet, content=honest("ada")).typed_id == "ada"
         with pytest.raises(StepFailed, match="reading it raises TypeError"):
             reader.do("plan", sheet=sheet)
-    with pytest.raises(StepFailed, match="nothing is read any more"):
+    with pytest.raises(StepFailed, match="reading it ends the process"):
         reader.do("plan", sheet=sheet, content=b"")
 
 

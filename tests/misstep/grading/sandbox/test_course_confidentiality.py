@@ -152,7 +152,7 @@ def run(course, sheet, is_safe, *attacks):
     sources = [attack.replace("{", "{{").replace("}", "}}") for attack in attacks]
     for name in names:
         sources = [source.replace("{{" + name + "}}", "{" + name + "}") for source in sources]
-    redacted = judge_process.redacted_sheet(course, course.find_sheet(sheet), "ada")["sheet"]
+    _, redacted = judge_process.redacted_sheet(course, sheet, "ada")
     runner = Runner(setup_for(course), is_safe)
     try:
         outcome = runner.run(redacted, [source.format(**names) for source in sources], Limits())

@@ -28,7 +28,7 @@ from misstep.grading.sandbox.allowed_syscalls import ALLOWED_COMMANDS, ALLOWED_S
 NEIGHBOUR = "neighbour"
 
 NEIGHBOUR_AFTER = 4
-"""After how many attacks an honest submission is graded: fewer than judge_process.STUDENTS_PER_PROCESS, so that what an attack leaves
+"""After how many attacks an honest submission is graded: fewer than steps.LEASES_PER_PROCESS, so that what an attack leaves
 behind in the judge would still be there."""
 
 
@@ -314,7 +314,7 @@ def test_many_at_a_time_do_not_mix(grader):
 
 
 def test_a_server_and_a_judge_that_were_killed_are_started_anew(grader):
-    for process in (grader._runner._process, grader._judge._process):
+    for process in (grader._runner.server.process, grader._judge.server.process):
         process.kill()
         process.wait()
     assert grader.grade("ada", as_bytes(full())).status in {"graded", "broken"}
