@@ -159,8 +159,10 @@ class ForkServer:
 
 
 def receive_setup(parent: socket.socket) -> dict[str, Any]:
-    """In a server: its setup."""
-    return dict(json.loads(parent.recv(MESSAGE_BYTES) or b"{}"))
+    """In a server: its setup. Raises BrokenPipeError if the process that grades has ended."""
+    if not (message := parent.recv(MESSAGE_BYTES)):
+        raise BrokenPipeError
+    return dict(json.loads(message))
 
 
 def greet(parent: socket.socket, unavailable: str = "") -> None:

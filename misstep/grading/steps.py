@@ -126,9 +126,9 @@ class StepProcess:
 
     def _start(self) -> None:
         ours, theirs = socket.socketpair()
-        with theirs:
+        with ours, theirs:
             self._child = self._server.fork(theirs.fileno())
-        self._connection = Connection(ours.detach())
+            self._connection = Connection(ours.detach())
         self._lease_count, self.is_spoiled = 0, False
 
     def _end(self) -> int:

@@ -63,7 +63,7 @@ def assert_verdict(verdict):
     assert state in STATE_LABELS
     assert (state == "right") == (fraction == 1)
     assert (state in {"blank", "unreadable", "wrong", "missing"}) == (fraction == 0)
-    assert "could not be judged" not in verdict["text"], verdict["text"][-300:]
-    assert state in {"right", "missing"} or len(verdict["text"].splitlines()) > 2, "there is no reason"
-    assert len(verdict["text"]) < 5000, verdict["text"][:300]
+    assert "could not be judged" not in verdict["verdict"], verdict["verdict"][-300:]
+    assert state in {"right", "missing"} or len(verdict["verdict"].splitlines()) > 2, "there is no reason"
+    assert len(verdict["verdict"]) < 5000, verdict["verdict"][:300]
     json.dumps(verdict, allow_nan=False)

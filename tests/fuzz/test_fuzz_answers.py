@@ -69,7 +69,7 @@ def test_any_answer_data_gets_a_complete_verdict(case):
         verdict = judging.verdict_on(template, problem(place), data, "")
     assert_verdict(verdict)
     points = template.points * verdict["fraction"]
-    shown = verdict["text"], verdict["statement"], verdict["mistakes"]
+    shown = verdict["verdict"], verdict["statement"], verdict["mistakes"]
     result = ProblemResult(template.number, template.title, points, template.points, verdict["state"], *shown)
     theirs = ProblemResult(**{**vars(result), "answer": data, "right": verdict["right"]})
     other = ProblemResult(**{**vars(result), "answer": answers(place)[0], "right": answers(place)[0], "state": "right"})

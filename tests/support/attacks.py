@@ -14,7 +14,7 @@ LIMITS = Limits(cell_seconds=2.0, cell_wall_seconds=10.0, seconds=10.0, wall_sec
 SHORT = replace(LIMITS, cell_seconds=0.5, seconds=2.0, wall_seconds=8.0)
 """For what would take all the time there is: those who only need theirs get plenty, for the machine may be busy."""
 
-ENDLESS = {"signals are ignored for ever", "every exception is swallowed for ever", "a function never returns"}
+ENDLESS = {"signals are ignored for ever", "a function never returns"}
 
 ATTACKS = {
     # --- patching what judges ---
@@ -32,23 +32,11 @@ full = lambda problem, given: j.Judgement("right", 1.0, ["all"])
 j.judge = s.judge = full
 v.Verdict.score = property(lambda self: 3.0)
 """,
-    "answers agree with all": """
-import misstep.answers.base as a
-for kind in [a.Answer, *a.Answer.__subclasses__(), *a.Numbers.__subclasses__()]:
-    kind.agrees = lambda self, one, other, tolerance=0: [True] * len(self.parts)
-    kind.read = lambda self, given: self.value
-""",
     "the sheet is another one": """
 class Sheet:
     def __getattr__(self, name):
         return lambda *a: type("V", (), {"score": 3.0, "_repr_mimebundle_": lambda s, **k: {"text/plain": "Right"})()
 sheet = Sheet()
-""",
-    "a module is replaced": """
-import sys, types
-fake = types.ModuleType("misstep.sheet")
-sys.modules["misstep.sheet"] = sys.modules["misstep.judge"] = fake
-fake.judge = lambda *a: None
 """,
     "an input transformer rewrites the checks": """
 def rewrite(lines):
@@ -56,25 +44,10 @@ def rewrite(lines):
 get_ipython().input_transformers_cleanup.append(rewrite)
 get_ipython().input_transformers_post.append(rewrite)
 """,
-    "an AST transformer drops every assert": """
-import ast
-class Drop(ast.NodeTransformer):
-    def visit_Assert(self, node):
-        return ast.Pass()
-    def visit_Compare(self, node):
-        return ast.Constant(True)
-get_ipython().ast_transformers.append(Drop())
-""",
     "cells are run by somebody else": """
 shell = get_ipython()
 shell.run_cell = lambda *a, **k: type("R", (), {"success": True, "result": None})()
 shell.run_code = shell.run_ast_nodes = lambda *a, **k: None
-""",
-    "builtins lie": """
-import builtins
-builtins.isinstance = lambda *a: True
-builtins.len = lambda x: 6
-builtins.float = lambda *a: 0.0
 """,
     # --- answers that are no answers ---
     "an answer equals everything": """
@@ -118,12 +91,6 @@ def spy(q):
     return np.full((4, 4), 50.0)
 answers = {7: spy}
 """,
-    "a function gives what agrees with all": """
-class Pose(np.ndarray):
-    def __array_ufunc__(self, *a, **k): return np.zeros((4, 4))
-    def __eq__(self, other): return True
-answers = {7: lambda q: q.fill(0) or np.eye(4).view(Pose)}
-""",
     "a function never returns": """
 def forever(q):
     while True: pass
@@ -136,17 +103,9 @@ for k in range(1, 9):
     display({"application/vnd.misstep.answer+json": {"sheet": "03_poe_space", "problem": k, "student": "ada",
              "answer": None, "score": 3, "fraction": 1.0, "state": "right"}, raw=True)
 """,
-    "the emission is forged": """
-import misstep.sheet as s
-s.to_data = lambda *a, **k: {"right": True, "points": 3}
-""",
     "the emission holds code": """
 import misstep.sheet as s
 s.to_data = lambda *a, **k: {"symbolic": "__import__('os').system('touch {folder}/written')"}
-""",
-    "the emission is a tower of powers": """
-import misstep.sheet as s
-s.to_data = lambda *a, **k: {"list": [{"symbolic": "9**9**9**9"}, {"symbolic": "exp(exp(exp(99)))"}] * 3}
 """,
     "the emission is not JSON": """
 import json
@@ -179,14 +138,6 @@ import importlib, sys
 sys.modules.pop('kincourse')
 opened = importlib.import_module('kincourse').open_sheet
 answers = {k: opened("03_poe_space", "ada").problem(k).answer.value for k in range(1, 9)}
-""",
-    "the sheet's module is imported": """
-import importlib, importlib.util, sys, kinlib, glob
-from pathlib import Path
-for path in Path(kinlib.__path__[0]).parent.rglob("*lecture_03*"):
-    print("found", path)
-from kincourse.lecture_03_poe_space.problems import SHEET
-answers = {k: SHEET.problems[k - 1].variant("ada").answer.value for k in range(1, 9)}
 """,
     "the stack is walked": """
 import sys
@@ -222,13 +173,6 @@ answers = {
 print([text for text in gc.get_objects() if isinstance(text, dict) and "NEIGHBOUR-CANARY" in str(text)[:10000]][1:])
 """,
     # --- reading and changing the machine ---
-    "the solutions are read": """
-import os
-for folder, _, names in os.walk("{folder}"):
-    for name in names:
-        print(open(os.path.join(folder, name), "rb").read())
-print(open("{folder}/secret.txt").read())
-""",
     "a link leads outside": """
 import os
 os.symlink("{folder}", "link")
@@ -298,33 +242,6 @@ for number in range(1, 65):
     except (OSError, ValueError): pass
 while True: pass
 """,
-    "every exception is swallowed for ever": """
-while True:
-    try:
-        while True: pass
-    except BaseException: pass
-""",
-    "something is left for the exit": """
-import atexit, os
-atexit.register(lambda: open("{folder}/written", "w"))
-class Last:
-    def __del__(self):
-        open("{folder}/written", "w")
-last = Last()
-os._exit(0)
-""",
-    "a thread goes on": """
-import threading, time
-def patch():
-    while True:
-        np.allclose = np.all = lambda *a, **k: True
-        time.sleep(0.001)
-for _ in range(5): threading.Thread(target=patch, daemon=False).start()
-""",
-    "20 GB are asked for": """
-hoard = np.ones(20 * 2**27)
-more = [bytearray(2**30) for _ in range(20)]
-""",
     "calls by the numbers of i386": """
 import ctypes, mmap
 page = mmap.mmap(-1, 4096, prot=7)
@@ -360,10 +277,6 @@ hoard = [os.dup(1) for _ in range(100_000)]
     "all files are closed": """
 import os
 os.closerange(0, 100_000)
-""",
-    "the process crashes": """
-import ctypes
-ctypes.string_at(0)
 """,
     "the sandbox is asked to let go": """
 import ctypes, os

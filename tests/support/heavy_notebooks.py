@@ -48,26 +48,30 @@ READABLE = {
     "halves of characters": lambda who: with_part(who, b'"' + rb"\ud800" * 900_000 + b'"'),
     "an image of 20 MB": lambda who: with_image(who, 15 * MB),
     "a number of 20 MB": lambda who: with_part(who, b"0." + b"7" * 20 * MB),
-    "shown formulas and quotes": lambda who: honest(
-        who, last="from IPython.display import Markdown\nfor mark in '$`*[<\\\\': display(Markdown(mark * 150_000))"
-    ),
-    "shown JSON": lambda who: honest(who, last="display({'text/plain': [[]] * 100_000, 'x/y': {}}, raw=True)"),
 }
-"""By name, a function that makes the notebook of a student. All answers in it count."""
+"""By name, a function that makes the notebook of a student, which is a sheet like any other."""
 
 FORMULA = f"""
 {NAME} = '$' + '\\\\frac{{' * 30_000 + '$' + '`$' * 50_000
 """
 
+SHOWN = """
+from IPython.display import Markdown
+for mark in '$`*[<\\': display(Markdown(mark * 150_000))
+display({'text/plain': [[]] * 100_000, 'x/y': {}}, raw=True)
+"""
+"""What a cell may show that is slow to parse for a careless reader."""
+
 UNREADABLE = {
-    "lists 8,000,000 deep": lambda who: with_part(who, b"[" * 8 * MB),
-    "8,000,000 lists": lambda who: with_part(who, b"[" + b"[]," * 8 * MB + b"[]]"),
-    "an integer of 20 MB": lambda who: with_part(who, b"7" * 20 * MB),
-    "100,000 cells": lambda who: with_cells(who, *["1"] * 100_000),
-    "40 MB": lambda who: with_part(who, b'"' + b"x" * 40 * MB + b'"'),
-    "markers of conflicts": lambda who: honest(who) + b"<<<<<<< \n" * 500_000,
+    "lists 8,000,000 deep": (lambda who: with_part(who, b"[" * 8 * MB), "more parts"),
+    "lists 200,000 deep": (lambda _: b"[" * 200_000, "nested too deeply"),
+    "8,000,000 lists": (lambda who: with_part(who, b"[" + b"[]," * 8 * MB + b"[]]"), "more parts"),
+    "an integer of 20 MB": (lambda who: with_part(who, b"7" * 20 * MB), "cut off or damaged"),
+    "20,000 cells": (lambda who: with_cells(who, *["1"] * 20_000), "a sheet has at most 1000"),
+    "40 MB": (lambda who: with_part(who, b'"' + b"x" * 40 * MB + b'"'), "Clear all outputs"),
+    "markers of conflicts": (lambda who: honest(who) + b"<<<<<<< \n" * 500_000, "merge conflict: 499999 marker"),
 }
-"""By name, a function that makes the bytes of a file that is no notebook of this course."""
+"""By name, a function that makes the bytes of a file that is no notebook of this course, and a part of the reason."""
 
 
 def heavy_answer(student):

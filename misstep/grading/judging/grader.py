@@ -193,28 +193,23 @@ class Grader:
     ) -> list[ProblemResult]:
         results = []
         for k, (number, title, max_points) in enumerate(self._templates, start=1):
-            verdict = verdicts.get(k) or NO_ANSWER
-            counting = min(verdict["fraction"], verdict.get("redrawn", 1.0))
-            own_points = max_points * float(verdict["fraction"])
-            typed = [TYPED_NOTE.format(own_points, number, k)] if counting < verdict["fraction"] else []
+            verdict = {**(verdicts.get(k) or NO_ANSWER)}
+            fraction = verdict.pop("fraction")
+            counting = min(fraction, verdict.pop("redrawn", 1.0))
+            if k not in answers:
+                verdict["state"] = "missing"
+            own_points = max_points * float(fraction)
+            typed = [TYPED_NOTE.format(own_points, number, k)] if counting < fraction else []
             results.append(
                 ProblemResult(
                     number,
                     title,
                     max_points * float(counting),
                     max_points,
-                    verdict["state"] if k in answers else "missing",
-                    verdict["text"],
-                    verdict.get("statement", ""),
-                    verdict["mistakes"],
-                    [*notes.get(k, ()), *typed],
-                    answers.get(k),
-                    verdict.get("right"),
-                    verdict["possible"],
-                    verdict["explanations"],
-                    verdict["address"],
-                    verdict.get("figure", ""),
-                    own_points if k in self._covered else None,
+                    notes=[*notes.get(k, ()), *typed],
+                    answer=answers.get(k),
+                    own_points=own_points if k in self._covered else None,
+                    **verdict,
                 )
             )
         return results
@@ -323,20 +318,12 @@ class Grader:
         return verdicts, limits
 
 
-def _zero_points(state: str, text: str) -> dict[str, Any]:
-    return {
-        "state": state,
-        "fraction": 0.0,
-        "mistakes": [],
-        "possible": [],
-        "explanations": [],
-        "address": "",
-        "text": text,
-    }
-
-
-NO_ANSWER = _zero_points("missing", "No answer was received for this problem.")
-NOT_JUDGED = _zero_points("unreadable", "This answer could not be judged. Please tell your instructor.")
+NO_ANSWER = {"state": "missing", "fraction": 0.0, "verdict": "No answer was received for this problem."}
+NOT_JUDGED = {
+    "state": "unreadable",
+    "fraction": 0.0,
+    "verdict": "This answer could not be judged. Please tell your instructor.",
+}
 
 
 def _status(plan: RunPlan, run: Run) -> tuple[str, str]:

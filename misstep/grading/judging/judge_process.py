@@ -74,7 +74,10 @@ def verdict(
 
 
 def verdict_on(template: Template, problem: Problem, data: Any, address: str) -> dict[str, Any]:
-    """Judge an answer to a variant of a problem. A verdict links to the address of its section."""
+    """Judge an answer to a variant of a problem: the fields of its ProblemResult, and the fraction of the points.
+
+    address  of the section that the verdict names
+    """
     made = Verdict(template, _judge_answer(problem, data), address=address)
     card, seen = made.card, observation(template, problem, [made.judgement])
     return {
@@ -83,7 +86,7 @@ def verdict_on(template: Template, problem: Problem, data: Any, address: str) ->
         "mistakes": [*made.judgement.mistakes],
         "possible": [*seen.possible],
         "explanations": seen.explanations,
-        "text": card.text(),
+        "verdict": card.text(),
         "statement": problem.statement,
         "figure": figure_html(problem) if made.judgement.state in UNSOLVED else "",
         "address": card.body[-1].address if isinstance(card.body[-1], Link) else "",

@@ -6,15 +6,12 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
+import nbformat
+from nbformat import NotebookNode
+
 from misstep.grading.judging.result import Result
-from misstep.grading.nbgrader.lazy_nbgrader import lazy_nbgrader
+from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata, text_cells
 from misstep.grading.publish.result_store import ResultStore, write_if_changed
-
-with lazy_nbgrader():
-    import nbformat
-    from nbformat import NotebookNode
-
-    from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata, text_cells
 
 METADATA_KEY = "misstep"
 """The key in the metadata of an autograded notebook under which the digest of its result is stored."""

@@ -1,4 +1,4 @@
-"""Write results into the gradebook of an nbgrader course, in one transaction for each submission.
+"""Write results into the gradebook of an nbgrader course.
 
 Afterwards formgrader, generate_feedback and export find what `nbgrader autograde` would have written: the points in
 gradebook.db, and a notebook in autograded/ for each student. Grades that were entered by hand stay.
@@ -13,25 +13,13 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from nbgrader.api import Gradebook, MissingEntry
+from nbgrader.coursedir import CourseDirectory
 from traitlets.config.loader import PyFileConfigLoader
 
 from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging.result import Result
-from misstep.grading.nbgrader.lazy_nbgrader import lazy_nbgrader
 from misstep.grading.publish.overrides import Override
-
-with lazy_nbgrader():
-    from nbgrader.api import (
-        Assignment,
-        Comment,
-        Grade,
-        Gradebook,
-        MissingEntry,
-        Student,
-        SubmittedAssignment,
-        SubmittedNotebook,
-    )
-    from nbgrader.coursedir import CourseDirectory
 
 FOLDER_NAME = re.compile(r"[^./\\\0+][^/\\\0+]{0,79}")
 """An id that can be the name of a student's folder; nbgrader does not allow a + either."""
@@ -64,20 +52,12 @@ class GradebookWriter:
     invalid_ids  the students whose ids cannot be names of folders; nothing is written for them
     """
 
-    def __init__(
-        self,
-        course: CourseDirectory,
-        gradebook: Gradebook,
-        assignment: Assignment,
-        released: Path,
-        overwrite: bool,
-    ) -> None:
-        self._course, self._gradebook, self._assignment, self._released = course, gradebook, assignment, released
-        self._overwrite = overwrite
+    def __init__(self, course: CourseDirectory, gradebook: Gradebook, released: Path, overwrite: bool) -> None:
+        self._course, self._gradebook, self._released, self._overwrite = course, gradebook, released, overwrite
         self.invalid_ids: list[str] = []
 
     def record(self, result: Result) -> dict[str, Any]:
-        """Write the points of a result, in one transaction. A result that is already there is not written again.
+        """Write the points of a result. A result that is already there is not written again.
 
         Returns the arguments of `write_notebook`, which writes its notebook; none if there is nothing to write.
         """
@@ -89,7 +69,7 @@ class GradebookWriter:
         digest = sha256(json.dumps(result.to_dict()).encode()).hexdigest()
         if not self._overwrite and _stored_digest(target) == digest:
             return {}
-        _record_points(self._gradebook, self._assignment, result, _submission_time(self._course, result))
+        _record_points(self._gradebook, result, _submission_time(self._course, result))
         return {"released": self._released, "target": target, "digest": digest}
 
     def entered(self, problems: Sequence[str]) -> dict[str, list[Override]]:
@@ -98,7 +78,7 @@ class GradebookWriter:
         problems  the numbers of the sheet's problems, such as "03.1"
         """
         found: dict[str, list[Override]] = {}
-        cells = self._gradebook.find_notebook(self._assignment.name, self._assignment.name)
+        cells = self._gradebook.find_notebook(self._released.stem, self._released.stem)
         numbers = {
             cell.id: problems[int(cell.name.rpartition("-")[2]) - 1]
             for cell in [*cells.grade_cells, *cells.solution_cells]
@@ -128,15 +108,13 @@ def open_gradebook(folder: Path, sheet: ReleasedSheet, overwrite: bool = False) 
         if not path.is_file():
             raise ValueError(f"{path} must exist; it does not. First run: {GENERATE.format(sheet.name)}")
     with Gradebook(course.db_url, course.course_id) as gradebook:
-        gradebook.db().expire_on_commit = False  # the assignment does not change from one submission to the next
         try:
-            assignment = gradebook.find_assignment(sheet.name)
             gradebook.find_notebook(sheet.name, sheet.name)
         except MissingEntry as error:
             raise ValueError(
                 f"The gradebook must have the assignment {sheet.name}; it has not. First run: {GENERATE.format(sheet.name)}"
             ) from error
-        yield GradebookWriter(course, gradebook, assignment, released, overwrite)
+        yield GradebookWriter(course, gradebook, released, overwrite)
 
 
 def _submission_time(course: CourseDirectory, result: Result) -> datetime | None:
@@ -161,37 +139,20 @@ def _stored_digest(path: Path) -> str | None:
     return None
 
 
-def _record_points(gradebook: Gradebook, assignment: Assignment, result: Result, submitted: datetime | None) -> None:
-    """Write all points and comments of one submission, or none of them."""
+def _record_points(gradebook: Gradebook, result: Result, submitted: datetime | None) -> None:
+    """Write all points and comments of one submission."""
     problems = {f"check-{k}": problem for k, problem in enumerate(result.problems, start=1)}
     blank = {
         f"answer-{k}" for k, problem in enumerate(result.problems, start=1) if problem.state in {"blank", "missing"}
     }
-    try:
-        notebook = _submitted_notebook(gradebook.db, assignment, result)
-        names = {cell.id: cell.name for cell in [*notebook.notebook.grade_cells, *notebook.notebook.solution_cells]}
-        notebook.assignment.timestamp = submitted or notebook.assignment.timestamp
-        for grade in notebook.grades:
-            grade.auto_score = problems[names[grade.cell_id]].points
-            grade.needs_manual_grade = grade.manual_score is not None  # the instructor should look at it again
-        for comment in notebook.comments:
-            comment.auto_comment = "No response." if names[comment.cell_id] in blank else None
-        gradebook.db.commit()
-    except BaseException:
-        gradebook.db.rollback()
-        raise
-
-
-def _submitted_notebook(session: Any, assignment: Assignment, result: Result) -> SubmittedNotebook:
-    """The student's notebook in the gradebook; if it is not there, it is added, with an entry for each grade and comment."""
-    with session.no_autoflush:
-        student = session.get(Student, result.student) or Student(id=result.student)
-        submission = next((found for found in student.submissions if found.assignment_id == assignment.id), None)
-        if submission is None:
-            submission = SubmittedAssignment(assignment=assignment, student=student)
-            for notebook in assignment.notebooks:
-                empty = SubmittedNotebook(notebook=notebook, assignment=submission)
-                session.add_all(Grade(cell_id=cell.id, notebook=empty) for cell in notebook.grade_cells)
-                session.add_all(Comment(cell_id=cell.id, notebook=empty) for cell in notebook.solution_cells)
-            session.add(submission)
-    return next(found for found in submission.notebooks if found.notebook.name == result.sheet)
+    gradebook.update_or_create_student(result.student)
+    gradebook.update_or_create_submission(result.sheet, result.student)
+    notebook = gradebook.find_submission_notebook(result.sheet, result.sheet, result.student)
+    names = {cell.id: cell.name for cell in [*notebook.notebook.grade_cells, *notebook.notebook.solution_cells]}
+    notebook.assignment.timestamp = submitted or notebook.assignment.timestamp
+    for grade in notebook.grades:
+        grade.auto_score = problems[names[grade.cell_id]].points
+        grade.needs_manual_grade = grade.manual_score is not None  # the instructor should look at it again
+    for comment in notebook.comments:
+        comment.auto_comment = "No response." if names[comment.cell_id] in blank else None
+    gradebook.db.commit()

@@ -14,7 +14,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from misstep.display.text import points
-from misstep.grading.judging.result import ProblemResult, RanCell
+from misstep.grading.judging.result import ProblemResult, RanCell, Result
 from misstep.grading.publish.mathml import render_markdown, render_sentence
 
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
@@ -96,6 +96,23 @@ def render_part(part: str, problem: ProblemResult) -> Markup:
 def render_page(template: str, **values: Any) -> str:
     """The HTML of a page from one of the templates."""
     return ENVIRONMENT.get_template(template).render(**values) + "\n"
+
+
+def feedback_page(result: Result) -> str:
+    """The page of one student: the student's code, its outputs, and the verdicts. It has no data of other students.
+
+    The right answers are not on it, so that the student can try again.
+    """
+    remarks = [line for line in (result.reason, *result.notes) if line]
+    return render_page(
+        "feedback.html",
+        result=result,
+        remarks=remarks,
+        patterns=[str(one) for one in result.recurrences if one.returns or one.is_slip],
+        unsolved=[(k, one) for k, one in enumerate(result.problems, start=1) if one.state != "right"],
+        solved=[(k, one) for k, one in enumerate(result.problems, start=1) if one.state == "right"],
+        is_safe=result.is_safe,
+    )
 
 
 ENVIRONMENT = Environment(

@@ -15,7 +15,6 @@ import numpy as np
 
 from misstep.grading.judging.result import Result
 from misstep.grading.publish.csv_table import format_csv
-from misstep.validation import Array
 
 TOLERANCE = 1e-3
 """The largest difference of equal numbers, relative to their size if that is above 1, as for the judge."""
@@ -60,43 +59,17 @@ def _matches_of_problem(results: Sequence[Result], k: int) -> Iterable[Match]:
             if form:
                 owners.setdefault(form, []).append(result.student)
                 rows.setdefault(form, []).append(numbers)
-    sorted_rows = {form: SortedRows(np.array(numbers, dtype=float)) for form, numbers in rows.items()}
+    arrays = {form: np.array(numbers, dtype=float) for form, numbers in rows.items()}
     for result in results:
         problem = result.problems[k]
         # An answer that the judge could not read may be any JSON, so only wrong and partly right ones are compared.
         form, numbers = split_numbers(problem.answer if problem.state in WRONG_STATES else None)
-        if form in sorted_rows:
-            equal = sorted_rows[form].close_to(np.array(numbers, dtype=float))
-            others = {owners[form][row] for row in equal} - {result.student}
+        if form in arrays:
+            right = arrays[form]
+            is_equal = (np.abs(right - numbers) <= TOLERANCE * np.maximum(np.abs(right), 1.0)).all(axis=-1)
+            others = {owners[form][row] for row in np.flatnonzero(is_equal)} - {result.student}
             if others:
                 yield Match(result.student, problem.number, sorted(others))
-
-
-class SortedRows:
-    """Rows of numbers, sorted by their most varied column, so that an answer is compared with its few neighbours.
-
-    Comparing it with all rows would take hours for a course with 100,000 students.
-    """
-
-    def __init__(self, rows: Array) -> None:
-        self._rows = rows
-        self._column = int(np.argmax([len(np.unique(column)) for column in rows.T])) if rows.size else None
-        self._order = np.arange(len(rows)) if self._column is None else np.argsort(rows[:, self._column])
-        self._keys = np.zeros(0) if self._column is None else rows[self._order, self._column]
-
-    def close_to(self, numbers: Array) -> Sequence[int]:
-        """The indices of the rows that are equal to some numbers, within TOLERANCE of each number of the row."""
-        near = self._order
-        if self._column is not None:
-            center = numbers[self._column]
-            width = (
-                TOLERANCE / (1 - TOLERANCE) * max(abs(center), 1.0)
-            )  # as the tolerance is relative to the row's number
-            bounds = np.searchsorted(self._keys, [center - width, center + width])
-            near = self._order[bounds[0] : bounds[1] + 1]
-        rows = self._rows[near]
-        is_close = (np.abs(rows - numbers) <= TOLERANCE * np.maximum(np.abs(rows), 1.0)).all(axis=-1)
-        return [int(row) for row in near[is_close]]
 
 
 def split_numbers(data: Any) -> tuple[str, list[float]]:

@@ -116,9 +116,9 @@ def test_a_verdict_says_why_and_has_the_section_the_problem_and_its_figure_if_th
     ]:
         verdict = judge_process.verdict(COURSE, sheet.name, "ada", 1, data, seed=0)
         assert verdict["fraction"] == 0
-        assert words in verdict["text"]
+        assert words in verdict["verdict"]
     hostile = {"list": [{"text": "<script>alert(1)</script>"}]}
-    lines = judge_process.verdict(COURSE, sheet.name, "ada", 6, hostile, seed=0)["text"].splitlines()
+    lines = judge_process.verdict(COURSE, sheet.name, "ada", 6, hostile, seed=0)["verdict"].splitlines()
     quoted = "".join(map(str, map(render_sentence, lines)))
     assert "&lt;script&gt;" in quoted
     assert "<script" not in quoted
@@ -200,7 +200,7 @@ def slow_judge(tmp_path):
         def ask(student, first):
             with started.process() as judge:
                 told, _ = Grader._verdicts(grader, judge, student, 0, {1: {"number": first}, 2: {"number": 1.0}})
-            return [told[k]["state"] for k in (1, 2)], told[1]["text"]
+            return [told[k]["state"] for k in (1, 2)], told[1]["verdict"]
 
         ask.judge = started
         yield ask
@@ -239,7 +239,7 @@ def test_each_student_of_a_long_row_gets_the_verdicts_that_the_student_would_get
         for k in range(LEASES_PER_PROCESS + 2):  # so that one process ends and the next one begins
             asked = {"student": f"student {k}", "k": 1, "data": own, "seed": 1}
             told, alone = judge.do("verdict", **asked), judge_process.verdict(COURSE, sheet.name, **asked)
-            for said in ("state", "fraction", "mistakes", "text", "statement", "right"):
+            for said in ("state", "fraction", "mistakes", "verdict", "statement", "right"):
                 assert told[said] == alone[said]
             assert (told["state"] == "right") == (k == 0)
 

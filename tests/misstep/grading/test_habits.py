@@ -12,7 +12,7 @@ if lacking := submissions.sandbox_lacks():
 
 from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE, read_released_sheet
 from misstep.grading.judging.grader import Grader
-from misstep.grading.publish.feedback import feedback_page
+from misstep.grading.publish.pages import feedback_page
 from misstep.sheet import SAMPLE_ID
 
 SHEET = "10_one_robot_four_ways"

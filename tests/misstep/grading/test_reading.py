@@ -3,7 +3,7 @@
 import subprocess
 import sys
 import time
-from pathlib import Path
+from functools import partial
 
 import heavy_notebooks
 import pytest
@@ -15,33 +15,35 @@ if lacking := submissions.sandbox_lacks():
     pytest.skip(f"NOTHING IS READ: this machine lacks {lacking}", allow_module_level=True)
 
 from misstep.__main__ import main
-from misstep.grading.collect.run_plan import ReleasedSheet, read_released_sheet
-from misstep.grading.judging.grader import Grader
+from misstep.grading.collect.notebook import UnusableNotebook
+from misstep.grading.collect.run_plan import read_released_sheet
 from misstep.grading.publish.result_store import ResultStore
-from misstep.grading.reading import start_reader
+from misstep.grading.reading import STEP_SECONDS, start_reader
 from misstep.grading.steps import StepFailed
 
+RELEASED = read_released_sheet(submissions.released())
 SOLUTION = str(submissions.ROOT / "solutions" / SHEET / f"{SHEET}.ipynb")
 
 
 @pytest.fixture(scope="module")
-def grader():
-    with Grader(read_released_sheet(submissions.released())) as started:
+def reader():
+    with start_reader() as started:
         yield started
 
 
-@pytest.mark.parametrize("name", [*READABLE, *UNREADABLE])
-def test_no_notebook_reaches_the_limit_of_what_reads_it(name, grader):
-    content = (READABLE | UNREADABLE)[name]("ada")
-    result = grader.grade("ada", content)
-    assert not [limit for limit in result.limits if "read" in limit]
-    assert result.points == (28 if name in READABLE else 0)
-    assert (result.status == "broken") == (name in UNREADABLE)
-    assert result.reason or name in READABLE
+def test_no_notebook_reaches_the_limit_of_what_reads_it(reader):
+    for name, make in READABLE.items():
+        plan = reader.do("plan", seconds=STEP_SECONDS, sheet=RELEASED, content=make("ada"))
+        assert (len(plan.problems), plan.typed_id) == (12, "ada"), name
+    for name, (make, reason) in UNREADABLE.items():
+        with pytest.raises(UnusableNotebook) as refused:
+            reader.do("plan", seconds=STEP_SECONDS, sheet=RELEASED, content=make("ada"))
+        assert reason in str(refused.value), name
 
 
 def test_an_answer_that_is_slow_to_quote_or_to_walk_costs_only_its_problem(tmp_path):
-    made = {"eve": heavy_notebooks.heavy_answer, "fay": heavy_notebooks.nested_answer, "ada": honest}
+    shown = partial(honest, last=heavy_notebooks.SHOWN)
+    made = {"eve": heavy_notebooks.heavy_answer, "fay": heavy_notebooks.nested_answer, "ada": shown}
     for student, make in made.items():
         (tmp_path / "in" / student).mkdir(parents=True)
         (tmp_path / "in" / student / "x.ipynb").write_bytes(make(student))
@@ -51,23 +53,23 @@ def test_an_answer_that_is_slow_to_quote_or_to_walk_costs_only_its_problem(tmp_p
     assert {path.stem for path in (tmp_path / "out" / "feedback").iterdir()} == {*made}
 
 
-def test_a_step_that_takes_too_long_or_ends_its_process_costs_itself_alone():
-    sheet = ReleasedSheet(SHEET, Path(), {}, "kincourse")
-    with start_reader() as reader:
-        for _ in range(2):
-            with pytest.raises(StepFailed, match=r"more than 0\.01 s of processor time"):
-                reader.do("plan", seconds=0.01, sheet=sheet, content=READABLE["an image of 20 MB"]("ada"))
-            assert reader.do("plan", sheet=sheet, content=honest("ada")).typed_id == "ada"
-        with pytest.raises(StepFailed, match="reading it raises TypeError"):
-            reader.do("plan", sheet=sheet)
+def test_a_step_that_takes_too_long_or_ends_its_process_costs_itself_alone(reader):
+    for _ in range(2):
+        with pytest.raises(StepFailed, match=r"reading it takes more than 0\.01 s of processor time"):
+            reader.do("plan", seconds=0.01, sheet=RELEASED, content=READABLE["an image of 20 MB"]("ada"))
+        assert reader.do("plan", sheet=RELEASED, content=honest("ada")).typed_id == "ada"
+    with pytest.raises(StepFailed, match="reading it raises TypeError"):
+        reader.do("plan", sheet=RELEASED)
+    with start_reader() as closed:
+        pass
     with pytest.raises(StepFailed, match="reading it ends the process"):
-        reader.do("plan", sheet=sheet, content=b"")
+        closed.do("plan", sheet=RELEASED, content=b"")
 
 
 # --- stopping ---
 
 
-@pytest.mark.parametrize("moment", [".lock", "results/ada.json", "feedback/ada.html"])
+@pytest.mark.parametrize("moment", [".lock", "results/ada.json"])
 def test_an_interrupt_ends_the_run_at_any_moment_and_says_so_in_a_sentence(moment, tmp_path):
     """A submission that would run for an hour does not keep it."""
     endless = submissions.as_bytes(submissions.handed_in("eve", first="import time\nwhile True: time.sleep(1)"))
