@@ -5,7 +5,6 @@ import os
 import re
 import tempfile
 from collections.abc import Callable, Mapping
-from contextlib import contextmanager
 from copy import deepcopy
 from functools import cache
 from pathlib import Path
@@ -14,9 +13,7 @@ from submissions import ROOT, as_bytes, code, names, problem_of, released
 
 from kincourse import sheets
 from misstep.grading.collect.gather import gather
-from misstep.grading.collect.run_plan import read_released_sheet
 from misstep.grading.jobs import grade_best, make_jobs
-from misstep.grading.judging.grader import Grader
 from misstep.sheet import SAMPLE_ID
 
 SHEETS = [name for name in sheets() if (ROOT / "solutions" / name).is_dir()]
@@ -126,12 +123,6 @@ def checks_first(cells):
     return moved
 
 
-def all_checks_below_the_opening(cells):
-    place = next(i for i, cell in enumerate(cells) if cell["id"] == "open") + 1
-    others = [cell for cell in cells if not is_check(cell)]
-    return [*others[:place], *(cell for cell in cells if is_check(cell)), *others[place:]]
-
-
 def renamed(notebook, name):
     """Another variable for each answer, in the answer cells and in the check cells."""
     for variable in names(name).values():
@@ -186,12 +177,9 @@ PLANTS = {
     "!pip install": first("!pip install kinlib"),
     "files = !ls": first("files = !ls\nprint(len(files))"),
     "%pip install": first("%pip install pandas"),
-    "%conda install": first("%conda install -y pandas"),
     "%matplotlib widget": first("%matplotlib widget"),
-    "%matplotlib notebook": first("%matplotlib notebook"),
     "%matplotlib qt": first("%matplotlib qt"),
     "matplotlib.use": first("import matplotlib\nmatplotlib.use('TkAgg')"),
-    "%cd": first("%cd ~/robotics"),
     "%autoreload": first("%load_ext autoreload\n%autoreload 2"),
     "an unknown magic": first("%load_ext nb_black\n%nbdev_export"),
     "import pandas": first("import pandas as pd\npd.set_option('display.precision', 3)"),
@@ -199,30 +187,18 @@ PLANTS = {
     "google.colab": first(
         "from google.colab import drive\ndrive.mount('/content/drive')\nhome = drive.path + '/x'\nprint(home)"
     ),
-    "try google.colab": first(
-        "try:\n    import google.colab\n    IN_COLAB = True\nexcept ImportError:\n    IN_COLAB = False\nassert not IN_COLAB"
-    ),
     "os.chdir": first("import os\nos.chdir('/content/drive/robotics')"),
     "open('notes.txt')": first("notes = open('notes.txt').read()\nprint(notes[:10])"),
-    "urlopen": first(
-        "from urllib.request import urlopen\npage = urlopen('https://example.org').read()\nprint(len(page))"
-    ),
     "os.system, subprocess": first("import os, subprocess\nos.system('ls')\nsubprocess.run(['ls'])"),
     "input()": in_line(f'student = "{SAMPLE_ID}"', "student = input('Your id: ')"),
     "open_sheet(input())": in_line(", student)", ", input('Your id: '))"),
     "another sheet opened": other_sheet_too,
     "%%bash": own_cell("%%bash\npip install kinlib\nls"),
-    "%%writefile, %run": own_cell("%run helpers.py"),
     "a half-typed cell": own_cell("for k in range(3", 1),
     # output, which costs nothing
     "plots at 150 dpi": own_cell(
         "import matplotlib.pyplot as plt\nimport numpy as np\nplt.rcParams['figure.dpi'] = 150\n"
-        "for k in range(12):\n    plt.figure(figsize=(8, 7))\n    plt.imshow(np.random.rand(900, 900))\n    plt.show()",
-        -1,
-    ),
-    "retina figures": own_cell(
-        "%config InlineBackend.figure_formats = ['retina']\nimport matplotlib.pyplot as plt\nimport numpy as np\n"
-        "for k in range(16):\n    plt.imshow(np.random.rand(300, 300))\n    plt.show()",
+        "for k in range(6):\n    plt.figure(figsize=(8, 7))\n    plt.imshow(np.random.rand(900, 900))\n    plt.show()",
         -1,
     ),
     "large tables": own_cell(
@@ -232,18 +208,14 @@ PLANTS = {
     "2,000 displays": own_cell("for k in range(2000):\n    display('x' * 5000)", -1),
     "long prints in many cells": in_answers("for _ in range(100): print('x' * 50_000)"),
     # lines in answer cells
-    "%matplotlib in answers": in_answers("%matplotlib widget"),
     "import in answers": in_answers("import seaborn as sns\nsns.set_theme()"),
     "%%time": in_answers("%%time"),
     "print the right answer": in_answers("print(sheet.problem({k}).answer.value)"),
-    "input() in answers": in_answers("go_on = input('Next? ')"),
     # the opening cell, the sheet, and the order of cells
     "opening cell deleted": rearranged(lambda cells: [cell for cell in cells if cell["id"] != "open"]),
     "opening cell at the end": opening_at_the_end,
     "sheet overwritten": after_answers("sheet = 'sheet {k}'"),
-    "sheet deleted": after_answers("del sheet"),
     "checks above answers": rearranged(checks_first),
-    "all checks at the top": rearranged(all_checks_below_the_opening),
     "all checks deleted": rearranged(lambda cells: [cell for cell in cells if not is_check(cell)]),
     "helper at the end": helper_at_the_end,
     "answer set again below": set_below,
@@ -278,29 +250,12 @@ def handed_in_files(habit, name):
     return {f"{name}.ipynb": as_bytes(notebook)}
 
 
-@contextmanager
-def graders():
-    """A function that grades a habit on a sheet, from files on the disk to the result. It keeps the grader of one sheet."""
-    started = {}
-
-    def grade(habit, name):
-        sheet = read_released_sheet(solution(name))
-        if name not in started:
-            close()
-            started[name] = Grader(sheet)
-        with tempfile.TemporaryDirectory() as folder:
-            (own := Path(folder, SAMPLE_ID)).mkdir()
-            for number, (file, content) in enumerate(handed_in_files(habit, name).items()):
-                (own / file).write_bytes(content)
-                os.utime(own / file, (1e9 + number, 1e9 + number))
-            (job,) = make_jobs(gather(Path(folder), name).submissions, sheet, "")
-            return job.complete(grade_best(started[name].grade, *job.request))
-
-    def close():
-        while started:
-            started.popitem()[1].close()
-
-    try:
-        yield grade
-    finally:
-        close()
+def grade_habit(grader, habit):
+    """The result of a habit on the sheet of a grader, from files on the disk."""
+    with tempfile.TemporaryDirectory() as folder:
+        (own := Path(folder, SAMPLE_ID)).mkdir()
+        for number, (file, content) in enumerate(handed_in_files(habit, grader.sheet.name).items()):
+            (own / file).write_bytes(content)
+            os.utime(own / file, (1e9 + number, 1e9 + number))
+        (job,) = make_jobs(gather(Path(folder), grader.sheet.name).submissions, grader.sheet, "")
+        return job.complete(grade_best(grader.grade, *job.request))

@@ -146,7 +146,8 @@ def _record_points(gradebook: Gradebook, result: Result, submitted: datetime | N
         f"answer-{k}" for k, problem in enumerate(result.problems, start=1) if problem.state in {"blank", "missing"}
     }
     gradebook.update_or_create_student(result.student)
-    gradebook.update_or_create_submission(result.sheet, result.student)
+    with gradebook.db.no_autoflush:  # nbgrader adds a submission to its assignment before it adds it to the session
+        gradebook.update_or_create_submission(result.sheet, result.student)
     notebook = gradebook.find_submission_notebook(result.sheet, result.sheet, result.student)
     names = {cell.id: cell.name for cell in [*notebook.notebook.grade_cells, *notebook.notebook.solution_cells]}
     notebook.assignment.timestamp = submitted or notebook.assignment.timestamp

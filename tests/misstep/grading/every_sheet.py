@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from habits import HABITS, SHEETS, solution, solved
+from habits import HABITS, SHEETS, grade_habit, solution, solved
 from submissions import ROOT, as_bytes, handed_in, right
 
 from misstep.grading.collect.run_plan import read_released_sheet
@@ -16,8 +16,9 @@ KEY_TABLE = {row[0]: row[1:] for row in re.findall(r"^\| (\d\d) \| (\d+) of (\d+
 
 
 @pytest.mark.parametrize("sheet", SHEETS)
-def test_no_habit_costs_a_point(sheet, grade_habit):
-    results = {habit: grade_habit(habit, sheet) for habit in HABITS}
+def test_no_habit_costs_a_point(sheet):
+    with Grader(read_released_sheet(solution(sheet))) as grader:
+        results = {habit: grade_habit(grader, habit) for habit in HABITS}
     assert {habit: one.points for habit, one in results.items() if one.points < one.max} == {}
 
 

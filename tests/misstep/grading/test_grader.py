@@ -186,9 +186,10 @@ SHEET = Sheet("01_slow", "Slow", [twice, one])
 }
 
 
-@pytest.fixture
-def slow_judge(tmp_path):
+@pytest.fixture(scope="module")
+def slow_judge(tmp_path_factory):
     """A function that asks a judge for the states of two answers, the first of which may take long to read."""
+    tmp_path = tmp_path_factory.mktemp("slow")
     for name, text in SLOW_COURSE.items():
         path = tmp_path / "slow_course" / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -202,7 +203,7 @@ def slow_judge(tmp_path):
                 told, _ = Grader._verdicts(grader, judge, student, 0, {1: {"number": first}, 2: {"number": 1.0}})
             return [told[k]["state"] for k in (1, 2)], told[1]["verdict"]
 
-        ask.judge = started
+        ask.judge, ask.folder = started, tmp_path
         yield ask
 
 
@@ -244,13 +245,13 @@ def test_each_student_of_a_long_row_gets_the_verdicts_that_the_student_would_get
             assert (told["state"] == "right") == (k == 0)
 
 
-def test_a_judge_that_ends_while_it_draws_says_so_and_draws_again_for_the_next_request(slow_judge, tmp_path):
+def test_a_judge_that_ends_while_it_draws_says_so_and_draws_again_for_the_next_request(slow_judge):
     assert slow_judge.judge.do("redacted sheet", student="bob")
-    (tmp_path / "abort").touch()
+    (slow_judge.folder / "abort").touch()
     with pytest.raises(StepFailed, match="judging it ends the process"):
-        slow_judge.judge.do("redacted sheet", student="ada")
-    (tmp_path / "abort").unlink()
-    assert slow_judge.judge.do("redacted sheet", student="ada")
+        slow_judge.judge.do("redacted sheet", student="fred")
+    (slow_judge.folder / "abort").unlink()
+    assert slow_judge.judge.do("redacted sheet", student="fred")
 
 
 def test_a_problem_without_an_answer_earns_nothing():

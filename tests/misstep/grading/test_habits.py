@@ -4,7 +4,7 @@ import re
 
 import pytest
 import submissions
-from habits import cells_of, solved, text
+from habits import cells_of, grade_habit, solution, solved, text
 from submissions import as_bytes, code, names
 
 if lacking := submissions.sandbox_lacks():
@@ -18,6 +18,7 @@ from misstep.sheet import SAMPLE_ID
 SHEET = "10_one_robot_four_ways"
 
 SAMPLE = {
+    "": "",
     "!pip install": "!pip install kinlib",
     "%matplotlib qt": "",
     "google.colab": "from google.colab import drive (ModuleNotFoundError",
@@ -31,39 +32,38 @@ SAMPLE = {
     "answers cleared at the end": "",
     "answers renamed": "",
     "helper at the end": "failed at first",
-    "plots at 150 dpi": "",
-    "large tables": "",
-    "2,000 displays": "",
-    "long prints in many cells": "",
     "X (1).ipynb beside blank X.ipynb": f"{SHEET} (1).ipynb counts, because no other has more points",
 }
 """Habits that are tried in every run, each with a part of the note."""
 
+LARGE = {
+    "plots at 150 dpi": r"\[\d+ outputs of this cell with \d+\.\d MB left out here; this costs no points\. At most 1 MB of a cell",
+    "2,000 displays": r"\[1,?8\d\d outputs of this cell with 9\.\d MB left out here; this costs no points\.",
+    "long prints in many cells": r"\[the rest of this output is left out\]",
+}
+"""Habits with more output than can be shown, and what the page says in its place."""
+
+
+@pytest.fixture(scope="module")
+def grader():
+    with Grader(read_released_sheet(solution(SHEET))) as started:
+        yield started
+
 
 @pytest.mark.parametrize("habit", SAMPLE)
-def test_a_habit_costs_nothing_and_the_note_says_what_was_passed_over(habit, grade_habit):
-    result = grade_habit(habit, SHEET)
+def test_a_habit_costs_nothing_and_the_note_says_what_was_passed_over(habit, grader):
+    result = grade_habit(grader, habit)
     assert result.points == result.max, result.notes
     assert SAMPLE[habit] in " ".join(result.notes)
+    if not habit:
+        assert (result.reason, result.notes, [*filter(None, (one.notes for one in result.problems))]) == ("", [], [])
 
 
-def test_an_honest_sheet_without_a_habit_has_no_note(grade_habit):
-    result = grade_habit("", SHEET)
-    assert (result.points, result.reason, result.notes) == (result.max, "", [])
-    assert not any(problem.notes for problem in result.problems)
-
-
-def test_what_is_left_out_of_the_output_is_said_on_the_page(grade_habit):
-    for habit, count, size in (
-        ("2,000 displays", r"1,?8\d\d outputs", "9"),
-        ("plots at 150 dpi", r"\d+ outputs", r"\d+"),
-    ):
-        page = feedback_page(grade_habit(habit, SHEET))
-        assert re.search(
-            rf"\[{count} of this cell with {size}\.\d MB left out here; this costs no points\. At most 1 MB of a cell",
-            page,
-        )
-    assert "[the rest of this output is left out]" in feedback_page(grade_habit("long prints in many cells", SHEET))
+@pytest.mark.parametrize("habit", LARGE)
+def test_much_output_costs_nothing_and_the_page_says_what_is_left_out(habit, grader):
+    result = grade_habit(grader, habit)
+    assert result.points == result.max, result.notes
+    assert re.search(LARGE[habit], feedback_page(result))
 
 
 # --- nothing is won ---
@@ -79,12 +79,6 @@ ABUSES = (
     "screw_1 = !solve 1",
     "1 / 0\nscrew_1 = kl.DHTable(given.rows, convention='standard').to_chain().screws[2]",
 )
-
-
-@pytest.fixture(scope="module")
-def grader():
-    with Grader(read_released_sheet(submissions.released(SHEET))) as started:
-        yield started
 
 
 def points_of_first(grader, *cells, below=()):

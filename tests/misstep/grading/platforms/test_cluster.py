@@ -23,7 +23,7 @@ from misstep.grading.publish.grades import grades_table
 from misstep.grading.publish.result_store import ResultStore
 from misstep.grading.sandbox.limits import Limits
 
-STUDENTS = [f"student{number}" for number in range(10)]
+STUDENTS = [f"student{number}" for number in range(6)]
 
 SLOW = "import time\ntime.sleep(0.5)"
 

@@ -243,20 +243,3 @@ def test_a_folder_that_is_no_course_yet_is_told_what_comes_first(ours, tmp_path,
             grade(folder)
         said = capsys.readouterr().err
         assert re.search("must have an nbgrader_config|First run: nbgrader generate_assignment .* --force", said)
-
-
-WHOLE = """
-import sys
-import misstep.grading.nbgrader.gradebook as ours
-assert not {"nbgrader", "nbconvert", "jupyter_server"} & {*sys.modules}, "the web server was imported"
-assert not {"isoduration", "webcolors"} & {*sys.modules}, "the formats were imported"
-import nbgrader
-from nbgrader.api import Gradebook
-assert ours.Gradebook is Gradebook
-assert nbgrader._jupyter_server_extension_points() == [{"module": "nbgrader"}]
-"""
-
-
-def test_the_gradebook_comes_without_the_web_server_and_leaves_nbgrader_whole():
-    """nbgrader's own `__init__` would be half of the memory that grading has, and a second of waiting."""
-    subprocess.run([sys.executable, "-c", WHOLE], cwd=ROOT, check=True)

@@ -181,6 +181,7 @@ def test_a_submission_opens_its_sheet_and_reads_nothing_of_the_course_and_of_the
     assert f"open: 0 1 2 {PIPE_DESCRIPTOR + 1}\\n" in descriptors
 
 
+@pytest.mark.parametrize("course", ["in an editable checkout"], indirect=True)
 def test_without_the_sandbox_the_same_attack_reads_the_course_but_finds_no_right_answer_in_the_memory(course):
     """So the test above tests the sandbox, and not attacks that would find nothing anywhere."""
     course, sheet = course
@@ -195,8 +196,7 @@ def test_every_place_of_the_course_the_engine_and_the_released_sheet_is_hidden(t
     assert {str(COURSE.folder.resolve()), str(engine_folder()), str(tmp_path)} <= set(hidden)
 
 
-def test_a_course_that_is_no_folder_is_refused(course, monkeypatch):
-    course, _ = course
-    monkeypatch.setattr(type(course), "folder", property(lambda _: engine_folder() / "course.zip"))
+def test_a_course_that_is_no_folder_is_refused(monkeypatch):
+    monkeypatch.setattr(type(COURSE), "folder", property(lambda _: engine_folder() / "course.zip"))
     with pytest.raises(ValueError, match="must be a folder on the disk"):
-        setup_for(course)
+        setup_for(COURSE)
