@@ -543,7 +543,7 @@ WRONG_FRAME_ADVICE = (
 )
 
 
-@problem("09.10", "An axis in the wrong frame", points=3, lecture="09_urdf#A fault that every reader accepts")
+@problem("09.10", "An axis in the wrong frame", points=3, lecture="09_urdf#An error that every reader accepts")
 def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
     joints, omega = _three_joints(sampler), _random_axis(sampler, (0.48, 0.6, 0.64))
     joints[2] = UrdfJoint("joint_3", joints[2].xyz, joints[2].rpy, omega)
@@ -593,7 +593,7 @@ LOOKALIKES = {
 """For a wrong origin, and for a wrong axis: what to say of the other element of the joint, and of the next joint's origin."""
 
 
-@problem("09.11", "Origin or axis?", points=2, lecture="09_urdf#A fault that every reader accepts")
+@problem("09.11", "Origin or axis?", points=2, lecture="09_urdf#An error that every reader accepts")
 def origin_or_axis(sampler: ArmSampler) -> Problem:
     meant = [_joint_across_its_rotation(sampler, f"joint_{k}") for k in (1, 2, 3)]
     joints = [*meant, UrdfJoint("weld", sampler.point(3), kind="fixed")]
