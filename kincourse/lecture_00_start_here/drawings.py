@@ -11,7 +11,7 @@ from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK, LINK_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import JOINT_KINDS, draw_arm
-from kinlib.view.figures.joint_bodies import draw_joint_bodies
+from kinlib.view.figures.joint_bodies import draw_joint_bodies, stations
 
 SHORTEST_LABELLED_SHARE = 0.08
 """A link that is shorter, as a share of the size of the arm, is not labelled: the label would cover its joints."""
@@ -26,23 +26,21 @@ def draw_parts(chain: Chain) -> Picture:
     >>> draw_parts(rpr()).alt[:98]
     'RPR: from the base through joint 1 (revolute), link 1, joint 2 (prismatic), link 2, joint 3 (revol'
     """
-    q = np.zeros(chain.n)
-    links, tool = chain.link_poses(q), chain.fk(q)
-    stations = np.array([np.zeros(3), *links[:, :3, 3], tool[:3, 3]])
-    canvas = Canvas(stations)
-    canvas.floor(stations)
-    canvas.line(stations, LINK_GREY, 6.0)
-    draw_joint_bodies(canvas, chain, links)
+    path = stations(chain)
+    canvas = Canvas(path)
+    canvas.floor(path)
+    canvas.line(path, LINK_GREY, 6.0)
+    draw_joint_bodies(canvas, chain, chain.link_poses(np.zeros(chain.n)))
     canvas.triad(np.eye(4), "s", 0.2 * canvas.size)
-    canvas.triad(tool, "b", 0.2 * canvas.size)
-    canvas.label(stations[0], "base", INK, [(-40, 4), (40, -22), (-40, -22), (44, 4)], 12)
-    canvas.label(stations[-1], "end-effector", INK, [(0, -24), (52, 20), (52, -20), (0, -40), (60, 0)], 12)
-    for i, (start, end) in enumerate(pairwise(stations[1:]), start=1):
+    canvas.triad(chain.home, "b", 0.2 * canvas.size)
+    canvas.label(path[0], "base", INK, [(-40, 4), (40, -22), (-40, -22), (44, 4)], 12)
+    canvas.label(path[-1], "end-effector", INK, [(0, -24), (52, 20), (52, -20), (0, -40), (60, 0)], 12)
+    for i, (start, end) in enumerate(pairwise(path[1:]), start=1):
         if i < chain.n and np.linalg.norm(end - start) > SHORTEST_LABELLED_SHARE * canvas.size:
             canvas.label((start + end) / 2, f"link {i}", VIOLET, LABELS_ABOVE, 12)
     kinds = [f"joint {i} ({JOINT_KINDS[letter]})" for i, letter in enumerate(chain.joint_types, start=1)]
     parts = [text for i, kind in enumerate(kinds, start=1) for text in (kind, f"link {i}")]
-    at = "; ".join(f"{i} at {vector_text(p)}" for i, p in enumerate(stations[1:-1], start=1))
+    at = "; ".join(f"{i} at {vector_text(p)}" for i, p in enumerate(path[1:-1], start=1))
     alt = f"{chain.name}: from the base through {', '.join(parts[:-1])} to the end-effector. Joints, in metres: {at}."
     return canvas.picture(alt, cropped=True)
 

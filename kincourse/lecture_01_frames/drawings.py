@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
-from kinlib.view.drawing.canvas import Canvas, view_axes
+from kinlib.view.drawing.canvas import Canvas, moved, view_axes
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GHOST_GREY, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 
@@ -36,10 +36,10 @@ def draw_three_readings(T: ArrayLike, point: ArrayLike) -> Picture:
     T, x_b = validation.poses(T, "T"), validation.vectors(point, "point", 3)
     if not np.allclose([*T[2], *T[:2, 2], x_b[2]], [0, 0, 1, 0, 0, 0, 0]):
         raise ValueError("T must be a rotation about z and a translation in x and y, and point must have z = 0.")
-    x_a = T[:3, :3] @ x_b + T[:3, 3]
+    x_a = moved(T, x_b)
     body = FLAG + x_b
     corners = np.concatenate(
-        [np.zeros((1, 3)), T[None, :3, 3], [x_a, x_b], body, _moved(T, body), T[:3, 3] + AXIS_LENGTH * T[:3, :2].T]
+        [np.zeros((1, 3)), T[None, :3, 3], [x_a, x_b], body, moved(T, body), T[:3, 3] + AXIS_LENGTH * T[:3, :2].T]
     )
     low, width = corners.min(axis=0), np.ptp(corners[:, 0]) + 0.7
     panels = [np.array([k * width, 0.0, 0.0]) for k in range(3)]
@@ -58,7 +58,7 @@ def draw_three_readings(T: ArrayLike, point: ArrayLike) -> Picture:
     canvas.label(change + x_a / 2, "$x_a$", ORANGE)
     canvas.label(change + (T[:3, 3] + x_a) / 2, "$x_b$", ORANGE)
     canvas.line(motion + body, GHOST_GREY, 3.0)
-    canvas.line(motion + _moved(T, body), INK, 3.0)
+    canvas.line(motion + moved(T, body), INK, 3.0)
     canvas.arrow(motion + x_b, motion + x_a, VIOLET, 2.0, style="--")
     canvas.dot(motion + x_b, GHOST_GREY, 7)
     canvas.dot(motion + x_a, INK, 7)
@@ -69,11 +69,6 @@ def draw_three_readings(T: ArrayLike, point: ArrayLike) -> Picture:
         f"{before} in {{b}} is {after} in {{a}}. Motion: a body at {before} moves to {after}.",
         cropped=True,
     )
-
-
-def _moved(T: Array, points: Array) -> Array:
-    moved: Array = points @ T[:3, :3].T + T[:3, 3]
-    return moved
 
 
 def _draw_axes(canvas: Canvas, T: Array, name: str, shift: Array) -> None:

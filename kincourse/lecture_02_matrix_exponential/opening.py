@@ -5,8 +5,8 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp, hat
 from kinlib.rigid.screw import screw
-from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import GREY, LINK_GREY, ORANGE, VIOLET
+from kinlib.view.drawing.canvas import Canvas, moved
+from kinlib.view.drawing.figure_colours import GREY, LINK_GREY, ORANGE
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.viewer.film import Film, film
 
@@ -33,13 +33,12 @@ def opening() -> Film:
     def draw(t: float) -> Picture:
         angle = max(0.0, t - 3) * RATE
         canvas = Canvas(around)
-        canvas.arrow(PLACE, PLACE + 0.9 * AXIS, VIOLET, 2.0, style="--")
-        canvas.label(PLACE + 0.9 * AXIS, "$S$", VIOLET)
+        canvas.axis(PLACE, PLACE + 0.9 * AXIS, "$S$", width=2, level=4)
         for p, v in zip(grid, _velocity(S, grid), strict=True):
             canvas.arrow(p, p + ARROW_S * v, GREY, 1.3)
         if t > 2:
-            body = _moved(exp(S * angle), BODY)
-            trace = np.array([_moved(exp(S * a), BODY[1:2])[0] for a in np.linspace(0, angle, 40)])
+            body = moved(exp(S * angle), BODY)
+            trace = np.array([moved(exp(S * a), BODY[1]) for a in np.linspace(0, angle, 40)])
             canvas.line(trace, ORANGE, 1.6, ":")
             canvas.line(body, LINK_GREY, 5)
             for p, v in zip(body[:-1], _velocity(S, body[:-1]), strict=True):
@@ -65,8 +64,3 @@ def opening() -> Film:
 def _velocity(S: Array, points: Array) -> Array:
     velocity: Array = points @ hat(S[:3]).T + S[3:]
     return velocity
-
-
-def _moved(T: Array, points: Array) -> Array:
-    moved: Array = points @ T[:3, :3].T + T[:3, 3]
-    return moved

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from kinlib.arrays.validation import Array
 from kinlib.chains.robots import plain_arm
 from kinlib.rigid.lie import inverse
-from kinlib.view.drawing.canvas import Canvas
+from kinlib.view.drawing.canvas import Canvas, moved
 from kinlib.view.drawing.figure_colours import LINK_GREY
 from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.figures.joint_bodies import stations
 from kinlib.view.viewer.film import Film, film, share
 
 END = np.array([1.2, 0.7, 0.15, -1.3])
@@ -32,9 +32,9 @@ def opening() -> Film:
     def draw(t: float) -> Picture:
         q = END * share(t, 2, 6)
         canvas = Canvas(around)
-        path = np.array([np.zeros(3), *arm.link_poses(q)[:, :3, 3], arm.fk(q)[:3, 3]])
+        path = stations(arm, q)
         seen = rest @ inverse(arm.fk(q))
-        for points, base, tool in ((path, np.eye(4), arm.fk(q)), (_moved(seen, path), seen, rest)):
+        for points, base, tool in ((path, np.eye(4), arm.fk(q)), (moved(seen, path), seen, rest)):
             canvas.line(points, LINK_GREY, 6)
             for joint in points[1:-1]:
                 canvas.dot(joint, LINK_GREY, 12)
@@ -53,8 +53,3 @@ def opening() -> Film:
             (1.0, "Which numbers would somebody write down who describes the joints from the tool?"),
         ],
     )
-
-
-def _moved(T: Array, points: Array) -> Array:
-    moved: Array = points @ T[:3, :3].T + T[:3, 3]
-    return moved

@@ -9,7 +9,7 @@ from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK, LINK_GREY, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.figures.joint_bodies import draw_joint_bodies
+from kinlib.view.figures.joint_bodies import draw_joint_bodies, stations
 
 VELOCITY_SHARE = 0.45
 """The length of the longest velocity, as a share of the size of the drawing."""
@@ -36,12 +36,11 @@ def draw_tool_velocities(chain: Chain, q: ArrayLike, *, around: ArrayLike | None
     """
     q = validation.vectors(q, "q", chain.n)
     tool, velocities = chain.fk(q)[:3, 3], tool_velocities(chain, q)
-    frames = chain.link_poses(q)
-    path = np.concatenate([np.zeros((1, 3)), frames[:, :3, 3], tool[None]])
+    path = stations(chain, q)
     canvas = Canvas(path if around is None else around)
     canvas.floor(path if around is None else around)
     canvas.line(path, LINK_GREY, 6.0)
-    draw_joint_bodies(canvas, chain, frames)
+    draw_joint_bodies(canvas, chain, chain.link_poses(q))
     canvas.triad(np.eye(4), "s", 0.13 * canvas.size)
     lost = lost_directions(velocities)
     for direction in lost:

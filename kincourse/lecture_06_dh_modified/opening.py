@@ -4,7 +4,7 @@ import numpy as np
 
 from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import LINK_GREY, VIOLET
+from kinlib.view.drawing.figure_colours import LINK_GREY
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.joint_bodies import carried_axes, draw_joint_body
 from kinlib.view.viewer.film import Film, film, share
@@ -29,8 +29,7 @@ def opening() -> Film:
         canvas.line([near[:3, 3], far[:3, 3]], LINK_GREY, 8)
         canvas.line([far[:3, 3], tip], LINK_GREY, 4)
         for number, axis, place in zip("12", carried_axes(chain, links), (near, far), strict=True):
-            canvas.arrow(place[:3, 3] - 0.45 * axis, place[:3, 3] + 0.45 * axis, VIOLET, 1.5, style="--", level=3.5)
-            canvas.label(place[:3, 3] + 0.45 * axis, f"axis {number}", VIOLET)
+            canvas.axis(place[:3, 3] - 0.45 * axis, place[:3, 3] + 0.45 * axis, f"axis {number}")
             draw_joint_body(canvas, "R", axis, place[:3, 3])
         for place in (near, far):
             canvas.triad(place, "", 0.22)

@@ -44,7 +44,7 @@ def opening() -> Film:
         canvas.line([-1.05 * X, CENTRE], LINK_GREY, 7)
         canvas.line([CENTRE, tip[:3, 3]], LINK_GREY, 5)
         for number, axis, place, end in zip("456", axes, PLACES, NAMED_ENDS, strict=True):
-            canvas.arrow(CENTRE - 0.8 * axis, CENTRE + 0.8 * axis, VIOLET, 1.5, style="--", level=3.5)
+            canvas.axis(CENTRE - 0.8 * axis, CENTRE + 0.8 * axis)
             canvas.label(CENTRE + end * axis, f"axis {number}", VIOLET)
             draw_joint_body(canvas, "R", axis, CENTRE + place * axis)
         canvas.triad(tip, "b", 0.22)

@@ -3,11 +3,11 @@
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from kinlib.chains.chain import Chain
 from kinlib.chains.robots import angled_arm, plain_arm
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GHOST_GREY, INK, LINK_GREY, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.figures.joint_bodies import stations
 from kinlib.view.viewer.film import Film, film, share
 
 END = np.array([1.3, 0.8, 0.15, -1.2])
@@ -31,11 +31,11 @@ def opening() -> Film:
         canvas = Canvas(around)
         canvas.floor(around)
         if t > 6.5:
-            canvas.line(_path(described, q), GHOST_GREY, 6)
+            canvas.line(stations(described, q), GHOST_GREY, 6)
             said = np.array([described.fk(at(s))[:3, 3] for s in np.linspace(0, 6, 40)])
             canvas.line(said, ORANGE, 1.8, "--")
             canvas.label(said[-1], "described", ORANGE)
-        canvas.line(_path(real, q), LINK_GREY, 6)
+        canvas.line(stations(real, q), LINK_GREY, 6)
         for s in np.arange(1, min(t, 6) + 0.01, 0.5):
             canvas.dot(real.fk(at(s))[:3, 3], INK, 7)
         tip = real.fk(q)[:3, 3]
@@ -57,7 +57,3 @@ def opening() -> Film:
             ),
         ],
     )
-
-
-def _path(chain: Chain, q: Array) -> Array:
-    return np.array([np.zeros(3), *chain.link_poses(q)[:, :3, 3], chain.fk(q)[:3, 3]])

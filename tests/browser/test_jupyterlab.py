@@ -1,14 +1,16 @@
-"""Lectures and sheets in JupyterLab: links to a section, explanations that wait for a prediction, and what is folded."""
+"""Lectures, sheets and viewers in JupyterLab: links to a section, explanations that wait, what is folded, and Python behind a viewer."""
 
 import contextlib
 import shutil
 
 import nbformat
+import numpy as np
 import pytest
-from browser import ROOT, contrast, jupyterlab, watched
+from browser import ROOT, TIMEOUT_MS, contrast, jupyterlab, pose, run_cell, watched
 from lessons import words_of
 
-from kincourse import find_question
+import kinlib as kl
+from kincourse import find_question, open_sheet
 
 SHEET = "exercises/01_frames/01_frames.ipynb"
 LECTURE = "notebooks/00_start_here.ipynb"
@@ -27,6 +29,47 @@ FOLDS = [
     nbformat.v4.new_markdown_cell("It may be skipped."),
     nbformat.v4.new_markdown_cell("## The main line"),
 ]
+VIEWER = """
+import kinlib as kl
+from kinlib.view import explore
+changes = []
+arm = explore(kl.robots.youbot())
+arm.observe(lambda change: changes.append(change.new), 'q')
+arm
+---
+arm.q = [0.1, 0.2, 0.3, 0.4, 0.5]
+---
+print('heard', len(changes), 'last', [round(x, 3) for x in arm.q])"""
+BY_HAND = """
+import kinlib as kl
+from kincourse import open_sheet
+from kinlib.view import assign, play_assignment
+sheet = open_sheet('07_frame_assignment', 'ada')
+given = sheet.given(2)
+robot = kl.Chain(given.screws, given.home, given.points)
+hand = assign(robot, 'standard')
+hand
+---
+right = kl.assign_frames(robot, convention='standard').frames.copy()
+wrong = right.copy()
+wrong[1, :3, 3] += right[1, :3, 0]
+hand.frames = wrong
+---
+print([(b.frame, b.rule) for b in hand.breaches])
+---
+hand.frames = right
+verdict = sheet.check(2, hand.frames)
+print(verdict.judgement.state, bool(kl.equivalent(hand.table, robot)))
+---
+player = play_assignment(robot, convention='standard')
+player
+---
+print(player.step)"""
+
+
+def cells_of(script):
+    return [nbformat.v4.new_code_cell(source.strip()) for source in script.split("---\n")]
+
 
 SIZE = {"width": 1200, "height": 900}
 HEADING_TOP = """() => {
@@ -44,7 +87,12 @@ def lab(chromium_without_webgl, tmp_path_factory):
     shutil.copytree(ROOT / "exercises" / "01_frames", folder / "exercises" / "01_frames")
     sheet = folder / SHEET
     sheet.write_text(sheet.read_text("utf-8").replace("back_5 = ...", "back_5 = np.eye(4)"), "utf-8")
-    for name, cells in {"folds": FOLDS, "placing": PLACING}.items():
+    for name, cells in {
+        "folds": FOLDS,
+        "placing": PLACING,
+        "viewer": cells_of(VIEWER),
+        "by_hand": cells_of(BY_HAND),
+    }.items():
         notebook = nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": KERNEL})
         nbformat.write(notebook, folder / f"{name}.ipynb")
     themes = folder / "config" / "lab" / "user-settings" / THEMES
@@ -164,3 +212,95 @@ def test_frames_placed_by_hand_stay_when_a_blank_is_checked_and_the_cell_runs_ag
     page.wait_for_function("select => !select.isConnected", arg=old, timeout=60_000)
     chosen.wait_for(timeout=60_000)
     assert chosen.input_value() == name
+
+
+# --- viewers ---
+
+MODEL = "document.querySelector('.kv').viewer.model"
+
+
+def run_first(page):
+    """Run the first cell, and wait for its viewer."""
+    page.get_by_text("| Idle").first.wait_for(timeout=60_000)
+    run_cell(page, 0)
+    page.wait_for_selector(".kv-canvas[data-pictures]", timeout=60_000)
+    return page
+
+
+def printed(page, which):
+    output = page.locator(".jp-CodeCell").nth(which).locator(".jp-OutputArea-output")
+    output.wait_for()
+    return output.inner_text().strip()
+
+
+def test_python_and_the_page_are_synchronized_without_echoes(lab):
+    page = run_first(lab("viewer.ipynb"))
+    page.evaluate(f"window.changes = 0; {MODEL}.on('change:q', () => {{ window.changes += 1; }})")
+    run_cell(page, 1)
+    page.wait_for_function(f"{MODEL}.get('q')[4] === 0.5", timeout=TIMEOUT_MS)
+    np.testing.assert_allclose(pose(page), kl.robots.youbot().fk([0.1, 0.2, 0.3, 0.4, 0.5]), atol=1e-12)
+    page.locator(".kv input[type=range]").nth(1).focus()
+    for _ in range(5):  # the lab would use the arrow keys itself if the slider did not handle them
+        page.keyboard.press("ArrowRight")
+    page.wait_for_timeout(500)  # time for an echo to arrive
+    assert page.evaluate("window.changes") == 6
+    run_cell(page, 2)
+    # While the kernel is busy with a value, the page waits; then it sends only the last of the values since.
+    heard, _, last = printed(page, 2).removeprefix("heard ").partition(" last ")
+    assert 2 <= int(heard) <= 6
+    assert last == str([0.1, round(0.2 + 5 * np.pi / 180, 3), 0.3, 0.4, 0.5])
+
+
+def test_python_checks_placed_frames_the_sheet_accepts_them_and_a_player_handles_arrow_keys(lab):
+    page = run_first(lab("by_hand.ipynb"))
+    given = open_sheet("07_frame_assignment", "ada").given(2)
+    check = page.get_by_role("button", name="Check the rules")
+    page.get_by_label("Direction of z 0", exact=True).select_option(index=1)
+    check.click()
+    page.get_by_text("No rule is broken so far. Not complete yet: frame 0, frame 1, frame 2, frame 3.").wait_for()
+    run_cell(page, 1)
+    page.get_by_role("button", name="Frame 3, placed").wait_for()
+    check.click()
+    breach = page.get_by_role("button", name="✕ joint 2")
+    breach.wait_for()
+    assert page.get_by_role("button", name="Frame 1, breaks a rule").is_visible()
+    red, green, blue = page.evaluate(
+        """point => { const { stage } = document.querySelector('.kv').viewer;
+            stage.paint();
+            const { x, y } = stage.camera.project(stage.camera.target.clone().set(...point));
+            const ratio = stage.canvas.width / stage.canvas.clientWidth;
+            return [...stage.context.getImageData(ratio * (x + 8), ratio * y, 1, 1).data].slice(0, 3); }""",
+        given.points[1].tolist(),
+    )
+    assert red - max(green, blue) > 100, "a red badge must be on joint 2"
+    run_cell(page, 2)
+    assert printed(page, 2).startswith("[(1, 'origin on axis')")
+    breach.click()
+    page.get_by_label("Origin of frame 1", exact=True).select_option(index=1)
+    page.get_by_text("Check again.").wait_for()
+    run_cell(page, 3)
+    assert printed(page, 3) == "right True"
+    check.click()
+    page.get_by_text("Every rule holds:").wait_for()
+    assert page.locator(".kv-dh tr").count() == 4
+    run_cell(page, 4)
+    player = page.locator(".kv").nth(1)
+    player.get_by_role("button", name="Next step").click()
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowRight")
+    player.get_by_text("step 4 of").wait_for()
+    for _ in range(20):  # the page sends a new value only when the kernel has answered the one before
+        run_cell(page, 5)
+        if printed(page, 5) == "3":
+            break
+        page.wait_for_timeout(500)
+    assert printed(page, 5) == "3"
+
+
+def test_a_viewer_follows_the_theme_of_the_lab(lab):
+    page = run_first(lab("viewer.ipynb"))
+    assert page.locator(".kv").get_attribute("data-theme") == "dark"
+    page.get_by_role("menuitem", name="Settings").click()
+    page.get_by_text("Theme", exact=True).hover()
+    page.get_by_text("JupyterLab Light", exact=True).click()
+    page.locator(".kv[data-theme=light]").wait_for()

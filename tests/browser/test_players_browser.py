@@ -1,15 +1,13 @@
-"""The players and the placing of frames in a real browser: by mouse, touch and keys, and synchronized with Python."""
+"""The players and the placing of frames in a real browser: by mouse, touch and keys. test_jupyterlab.py has them in a lab."""
 
-import nbformat
+from contextlib import ExitStack
+
 import numpy as np
 import pytest
 from browser import (
     TIMEOUT_MS,
     contrast,
-    jupyterlab,
-    open_notebook,
     overflowing,
-    run_cell,
     static_page,
     text_colours,
     wait_until_drawn,
@@ -36,22 +34,27 @@ STAGE = "document.querySelector('.kv').viewer.stage"
 
 
 @pytest.fixture
-def show(chromium, tmp_path):
+def show(chromium_without_webgl, tmp_path):
     """Show a viewer on a page without a kernel."""
-    opened = []
+    with ExitStack() as opened:
 
-    def open_page(*viewers, style="background:white", **settings):
-        opened.append(watched(chromium, **{"viewport": {"width": 1000, "height": 620}, **settings}))
-        page = opened[-1].__enter__()
-        page.goto(static_page(tmp_path, *viewers, style=style).as_uri())
-        page.locator(".kv").wait_for()
-        if page.locator(".kv-canvas").count():
-            wait_until_drawn(page)
-        return page
+        def open_page(viewer, style="background:white", **settings):
+            settings = {"viewport": {"width": 1000, "height": 620}, **settings}
+            page = opened.enter_context(watched(chromium_without_webgl, **settings))
+            page.goto(static_page(tmp_path, viewer, style=style).as_uri())
+            page.locator(".kv").wait_for()
+            if page.locator(".kv-canvas").count():
+                wait_until_drawn(page)
+            return page
 
-    yield open_page
-    for page in opened:
-        page.__exit__(None, None, None)
+        yield open_page
+
+
+def at(viewer, **traits):
+    """Set traits of a viewer, as a reader or Python would."""
+    for name, value in traits.items():
+        setattr(viewer, name, value)
+    return viewer
 
 
 def get(page, trait):
@@ -114,7 +117,7 @@ def test_buttons_and_keys_go_to_the_next_and_the_previous_step(show):
 
 
 def test_a_frame_appears_part_by_part_and_the_current_part_is_highlighted(show):
-    page = show(play_assignment(kl.robots.youbot(), convention="standard", step=2))
+    page = show(at(play_assignment(kl.robots.youbot(), convention="standard"), step=2))
     seen = []
     for _ in range(4):
         seen.append({name for name in drawn(page) if name in {"z1", "x1", "y1", "normal 1–2"}})
@@ -129,7 +132,7 @@ def test_a_frame_appears_part_by_part_and_the_current_part_is_highlighted(show):
 
 
 def test_the_convention_can_be_switched_and_the_table_is_filled(show):
-    player = play_assignment(kl.robots.youbot(), convention="standard", step=18)
+    player = play_assignment(kl.robots.youbot(), convention="standard")
     page = show(player)
     rows = page.locator(".kv-dh tr")
     first = player.assignment.steps.index(next(step for step in player.assignment.steps if step.kind == "row"))
@@ -185,20 +188,20 @@ def test_half_a_motion_is_half_of_its_angle_or_distance(show):
 
 
 def test_a_motion_is_animated_unless_reduced_motion_is_preferred(show):
-    page = show(play_row(ROW, convention="standard", done=3))
+    page = show(at(play_row(ROW, convention="standard"), done=3))
     seen = f"window.seen = new Set(); {MODEL}.on('change:done', () => window.seen.add({MODEL}.get('done')))"
     page.evaluate(seen)
     page.get_by_role("button", name="Play").click()
     wait_for(page, "done", 4)
     assert page.evaluate("window.seen.size") > 3
-    calm = show(play_row(ROW, convention="standard", done=3), reduced_motion="reduce")
+    calm = show(at(play_row(ROW, convention="standard"), done=3), reduced_motion="reduce")
     calm.evaluate(seen)
     calm.get_by_role("button", name="Next motion").click()
     assert calm.evaluate("[...window.seen]") == [4]
 
 
 def test_a_walk_shows_the_frames_of_both_conventions(show):
-    player = play_walk(WALK, done=2)
+    player = at(play_walk(WALK), done=2)
     page = show(player, reduced_motion="reduce")
     assert {"{1 mod}", "{1 std}"} <= drawn(page)
     assert "{2 mod}" not in drawn(page)
@@ -276,7 +279,7 @@ def test_frames_are_placed_by_touch(show):
 def test_an_origin_is_dragged_along_its_axis_and_x_around_its_dial(show):
     frames = np.array(assign(ARM, "standard").frames)
     frames[1] = RIGHT[1]
-    hand = assign(ARM, "standard", frames=frames)
+    hand = at(assign(ARM, "standard"), frames=frames)
     page = show(hand)
     page.get_by_role("button", name="Frame 1, placed").click()
     page.get_by_role("button", name="Place O 1 in the picture").click()
@@ -339,7 +342,7 @@ def test_frames_are_placed_with_keys_only(show):
 
 
 def test_without_python_the_frames_can_be_copied_and_a_message_says_how_to_check_them(show):
-    page = show(assign(ARM, "standard", frames=RIGHT), permissions=["clipboard-read", "clipboard-write"])
+    page = show(at(assign(ARM, "standard"), frames=RIGHT), permissions=["clipboard-read", "clipboard-write"])
     page.get_by_role("button", name="Check the rules").click()
     assert "Checking needs Python, and this page has none." in page.locator(".kv-verdict").inner_text()
     page.get_by_role("button", name="Copy the frames as Python").click()
@@ -350,7 +353,7 @@ def test_without_python_the_frames_can_be_copied_and_a_message_says_how_to_check
 
 
 def test_a_frame_is_cleared_and_restored(show):
-    page = show(assign(ARM, "standard", frames=RIGHT))
+    page = show(at(assign(ARM, "standard"), frames=RIGHT))
     page.get_by_role("button", name="Frame 2, placed").click()
     page.get_by_role("button", name="Clear this frame").click()
     assert get(page, "frames")[2] == [[None] * 4, [None] * 4, [None] * 4, [0, 0, 0, 1]]
@@ -372,7 +375,7 @@ def test_a_broken_rule_disappears_when_its_frame_changes_and_is_restored_with_it
 
 
 def test_an_x_that_is_not_perpendicular_to_a_new_z_is_removed(show):
-    page = show(assign(ARM, "standard", frames=RIGHT))
+    page = show(at(assign(ARM, "standard"), frames=RIGHT))
     page.get_by_role("button", name="Frame 3, placed").click()
     z = next(axis for axis in ARM.lines.axis if abs(axis @ RIGHT[3, :3, 0]) > 0.5)
     choose(page, "Direction of z 3", z)
@@ -387,14 +390,14 @@ def broken():
     """Return an arm with frames, one of which breaks a rule."""
     frames = RIGHT.copy()
     frames[1, :3, 3] += RIGHT[1, :3, 0]
-    hand = assign(ARM, "standard", frames=frames)
+    hand = at(assign(ARM, "standard"), frames=frames)
     hand.asked = 1
     return hand
 
 
 ALL = {
-    "assignment": lambda: play_assignment(kl.robots.puma560(), convention="modified", step=24),
-    "row": lambda: play_row(ROW, done=2),
+    "assignment": lambda: at(play_assignment(kl.robots.puma560(), convention="modified"), step=24),
+    "row": lambda: at(play_row(ROW), done=2),
     "by hand": broken,
 }
 
@@ -415,96 +418,3 @@ def test_contrast_narrow_pages_and_a_name_and_keys_for_each_control(show, kind, 
             (node.getAttribute('aria-label') || node.textContent).trim().length > 1, node.outerHTML])"""
     )
     assert not [html for keys, named, html in controls if keys != "true" or not named]
-
-
-# --- in JupyterLab ---
-
-FIRST = """
-import kinlib as kl
-from kincourse import open_sheet
-from kincourse.lecture_00_start_here.opening import opening
-from kinlib.view import assign, play_assignment
-sheet = open_sheet('07_frame_assignment', 'ada')
-given = sheet.given(2)
-robot = kl.Chain(given.screws, given.home, given.points)
-hand = assign(robot, 'standard')
-hand"""
-WRONG = """
-right = kl.assign_frames(robot, convention='standard').frames.copy()
-wrong = right.copy()
-wrong[1, :3, 3] += right[1, :3, 0]
-hand.frames = wrong"""
-RIGHT_AGAIN = """
-hand.frames = right
-verdict = sheet.check(2, hand.frames)
-print(verdict.judgement.state, bool(kl.equivalent(hand.table, robot)))"""
-PLAYER = "player = play_assignment(robot, convention='standard')\nplayer"
-BREACHES = "print([(b.frame, b.rule) for b in hand.breaches])"
-CELLS = [FIRST.strip(), WRONG.strip(), BREACHES, RIGHT_AGAIN.strip(), PLAYER, "print(player.step)"]
-
-
-@pytest.fixture(scope="module")
-def lab(chromium, tmp_path_factory):
-    """Open a notebook in JupyterLab with an arm on which no frame is placed."""
-    folder = tmp_path_factory.mktemp("lab")
-    with jupyterlab(folder) as address, watched(chromium, viewport={"width": 1100, "height": 900}) as page:
-        open_notebook(page, address, folder, [nbformat.v4.new_code_cell(source) for source in CELLS])
-        run_cell(page, 0)
-        page.wait_for_selector(".kv-canvas[data-pictures]", timeout=60_000)
-        yield page
-
-
-def printed(page, cell):
-    output = page.locator(".jp-CodeCell").nth(cell).locator(".jp-OutputArea-output")
-    output.wait_for()
-    return output.inner_text().strip()
-
-
-def test_in_the_lab_python_checks_the_frames_and_the_broken_rule_is_highlighted(lab):
-    page = lab
-    check = page.get_by_role("button", name="Check the rules")
-    page.get_by_label("Direction of z 0", exact=True).select_option(index=1)
-    check.click()
-    page.get_by_text("No rule is broken so far. Not complete yet: frame 0, frame 1, frame 2, frame 3.").wait_for()
-    run_cell(page, 1)
-    page.get_by_role("button", name="Frame 3, placed").wait_for()
-    check.click()
-    breach = page.get_by_role("button", name="✕ joint 2")
-    breach.wait_for()
-    assert page.get_by_role("button", name="Frame 1, breaks a rule").is_visible()
-    joint = place_of(page, ARM.joint_points[1])
-    box = page.locator(".kv-canvas").bounding_box()
-    page.evaluate(f"{STAGE}.paint()")
-    ratio = page.evaluate("document.querySelector('.kv-canvas').width") / box["width"]
-    red, green, blue = pixel(page, ratio * (joint[0] - box["x"] + 8), ratio * (joint[1] - box["y"]))
-    assert red - max(green, blue) > 100, "a red badge must be on joint 2"
-    run_cell(page, 2)
-    assert printed(page, 2).startswith("[(1, 'origin on axis')")
-    breach.click()
-    page.get_by_label("Origin of frame 1", exact=True).select_option(index=1)
-    page.get_by_text("Check again.").wait_for()
-
-
-def test_in_the_lab_page_and_sheet_accept_right_frames(lab):
-    page = lab
-    run_cell(page, 3)
-    assert printed(page, 3) == "right True"
-    page.get_by_role("button", name="Check the rules").click()
-    page.get_by_text("Every rule holds:").wait_for()
-    assert page.locator(".kv-dh tr").count() == 4
-
-
-def test_in_the_lab_the_player_handles_arrow_keys_and_python_reads_the_step(lab):
-    page = lab
-    run_cell(page, 4)
-    player = page.locator(".kv").nth(1)
-    player.get_by_role("button", name="Next step").click()
-    page.keyboard.press("ArrowRight")
-    page.keyboard.press("ArrowRight")
-    player.get_by_text("step 4 of").wait_for()
-    for _ in range(20):  # the page sends a new value only when the kernel has answered the one before
-        run_cell(page, 5)
-        if printed(page, 5) == "3":
-            break
-        page.wait_for_timeout(500)
-    assert printed(page, 5) == "3"

@@ -1,20 +1,20 @@
-"""The viewer in a real browser: moved by mouse, keys and Python, in JupyterLab and on a page without a kernel."""
+"""The viewer in a real browser, on a page without a kernel: moved by mouse and keys, read aloud, light and dark.
 
+Pictures are drawn without WebGL, which is much faster here, unless a test is about WebGL. test_jupyterlab.py has the viewer in a lab.
+"""
+
+from contextlib import ExitStack
 from io import BytesIO
 from itertools import pairwise
 
-import nbformat
 import numpy as np
 import pytest
 from browser import (
     TIMEOUT_MS,
     contrast,
     drawn_count,
-    jupyterlab,
-    open_notebook,
     overflowing,
     pose,
-    run_cell,
     static_page,
     text_colours,
     wait_until_drawn,
@@ -34,26 +34,48 @@ from kinlib.view.viewer.scene import LAYERS
 from kinlib.view.viewer.tree_viewer import explore_tree
 
 DEGREE = np.pi / 180
+YOUBOT = kl.robots.youbot()
 Q = [0.5, -0.6, 0.7, -0.8, 0.9, -1.0]
 
 
 @pytest.fixture
-def show(chromium, tmp_path):
+def show(chromium_without_webgl, tmp_path):
     """Show viewers on a static page, and wait until they are drawn."""
-    opened = []
+    with ExitStack() as opened:
 
-    def open_page(*viewers, count=None, style="background:white", before=None, **settings):
-        opened.append(watched(chromium, **settings))
-        page = opened[-1].__enter__()
-        if before:
-            page.add_init_script(before)
-        page.goto(static_page(tmp_path, *viewers, style=style).as_uri())
-        wait_until_drawn(page, len(viewers) if count is None else count)
-        return page
+        def open_page(*viewers, count=None, browser=chromium_without_webgl, **settings):
+            page = opened.enter_context(watched(browser, **settings))
+            page.goto(static_page(tmp_path, *viewers).as_uri())
+            wait_until_drawn(page, len(viewers) if count is None else count)
+            return page
 
-    yield open_page
-    for page in opened:
-        page.__exit__(None, None, None)
+        yield open_page
+
+
+@pytest.fixture(scope="module")
+def shared(chromium_without_webgl, tmp_path_factory):
+    """A page with a youBot, on which many tests change one thing each."""
+    with watched(chromium_without_webgl) as page:
+        page.goto(static_page(tmp_path_factory.mktemp("shared"), explore(YOUBOT)).as_uri())
+        wait_until_drawn(page)
+        yield page
+
+
+@pytest.fixture
+def youbot(shared):
+    """The shared page with its arm at home, in its first view and with its first layers."""
+    shared.emulate_media(reduced_motion="reduce")  # the camera flies back at once
+    shared.evaluate(
+        """async () => { const { model, stage } = document.querySelector('.kv').viewer;
+            document.body.style.background = 'white';
+            model.set('q', [0, 0, 0, 0, 0]);
+            model.set('shown', ['axes', 'base', 'tool']);
+            stage.camera.flyTo('3-D');
+            document.activeElement.blur();
+            await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))); }"""
+    )
+    shared.emulate_media(reduced_motion="no-preference")
+    return shared
 
 
 def sliders(page):
@@ -85,9 +107,9 @@ def shown_pixels(page):
 # --- the kinematics of the page ---
 
 
-def test_the_page_computes_the_pose_of_every_robot_as_chain_fk_does(show):
+def test_the_page_computes_the_pose_of_every_robot_as_chain_fk_does_and_all_share_one_webgl_context(show, chromium):
     """Compare the scene graph in JavaScript with Chain.fk in 100 configurations: at most 1e-12 apart."""
-    page = show(*map(explore, ROBOTS), count=1)
+    page = show(*map(explore, ROBOTS), count=1, browser=chromium)
     worst = {}
     for which, robot in enumerate(ROBOTS):
         page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
@@ -101,17 +123,21 @@ def test_the_page_computes_the_pose_of_every_robot_as_chain_fk_does(show):
             [which, q.tolist()],
         )
         worst[robot.name] = np.abs(np.array(found) - robot.fk(q)).max()
+        wait_until_drawn(page, which + 1)
     assert max(worst.values()) < 1e-12, worst
+    assert page.evaluate("globalThis[Symbol.for('kinlib.renderers')].length") == 1
+    colours = page.evaluate(
+        """[...document.querySelectorAll('.kv-canvas')].map((canvas) => {
+            const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+            return new Set(new Uint32Array(data.buffer)).size; })"""
+    )
+    assert min(colours) > 100  # no picture is blank
 
 
-def test_the_readout_shows_the_pose(show):
-    page = show(explore(kl.robots.puma560(), start=Q))
+def test_the_readout_shows_the_pose_and_copy_gives_python_code_with_all_digits(show):
+    page = show(explore(kl.robots.puma560(), start=Q), permissions=["clipboard-read", "clipboard-write"])
     cells = [float(text) for text in page.locator(".kv-pose td").all_inner_texts()]
     np.testing.assert_allclose(np.reshape(cells, (4, 4)), kl.robots.puma560().fk(Q), atol=5.1e-5)
-
-
-def test_copy_gives_python_code_with_all_digits(show):
-    page = show(explore(kl.robots.puma560(), start=Q), permissions=["clipboard-read", "clipboard-write"])
     page.get_by_role("button", name="Copy").click()
     page.get_by_text("copied").wait_for()
     copied = {}
@@ -123,8 +149,8 @@ def test_copy_gives_python_code_with_all_digits(show):
 # --- mouse and keys ---
 
 
-def test_a_slider_is_dragged_with_the_mouse(show):
-    page = show(explore(kl.robots.youbot()))
+def test_a_slider_is_dragged_with_the_mouse(youbot):
+    page = youbot
     box = sliders(page).nth(1).bounding_box()
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     page.mouse.down()
@@ -150,8 +176,8 @@ def test_keys_move_a_joint_by_a_degree_or_a_centimetre_and_to_its_ends(show):
         assert q_of(page)[joint] == pytest.approx(value, abs=1e-12)
 
 
-def test_a_number_can_be_typed_and_letters_change_nothing(show):
-    page = show(explore(kl.robots.youbot()))
+def test_a_number_can_be_typed_and_letters_change_nothing(youbot):
+    page = youbot
     field = page.get_by_label("Joint 2, radians, as a number")
     field.fill("1.25")
     field.press("Enter")
@@ -162,21 +188,23 @@ def test_a_number_can_be_typed_and_letters_change_nothing(show):
     assert q_of(page)[1] == 1.25
 
 
-def test_reset_goes_back_to_the_start_and_play_moves_every_joint(show):
-    page = show(explore(kl.robots.youbot(), joints=[2], start=[0, 0.5, 0, 0, 0]))
+def test_play_moves_one_joint_after_the_other_and_reset_goes_back_to_the_start(youbot):
+    page = youbot
+    set_q(page, [0, 0.5, 0, 0, 0])
     play = page.get_by_role("button", name="Play")
     settled(page, play.click)
-    page.wait_for_function("document.querySelector('.kv').viewer.model.get('q')[1] > 0.6", timeout=TIMEOUT_MS)
+    page.wait_for_function("document.querySelector('.kv').viewer.model.get('q')[0] > 0.1", timeout=TIMEOUT_MS)
     page.get_by_role("button", name="Pause").click()
     stopped = q_of(page)
+    assert stopped[1:] == [0.5, 0, 0, 0]
     page.wait_for_timeout(150)
     assert q_of(page) == stopped
     page.get_by_role("button", name="Reset").click()
-    assert q_of(page) == [0, 0.5, 0, 0, 0]
+    assert q_of(page) == [0, 0, 0, 0, 0]
 
 
-def test_the_view_is_rotated_panned_and_zoomed_by_mouse_and_by_keys(show):
-    page = show(explore(kl.robots.youbot()))
+def test_the_view_is_rotated_panned_and_zoomed_by_mouse_and_by_keys(youbot):
+    page = youbot
     canvas = page.locator(".kv-canvas")
     seen = {shown_pixels(page)}
 
@@ -201,29 +229,34 @@ def test_the_view_is_rotated_panned_and_zoomed_by_mouse_and_by_keys(show):
         seen.add(now)
 
 
-def test_a_wheel_scrolls_the_page_until_the_picture_has_the_focus(show):
-    page = show(explore(kl.robots.youbot()), style="height:3000px")
+def test_a_wheel_scrolls_the_page_until_the_picture_has_the_focus(youbot):
+    page = youbot
+    page.evaluate("document.body.style.height = '3000px'")
     page.mouse.move(200, 200)
     page.mouse.wheel(0, 200)
     page.wait_for_function("window.scrollY > 100", timeout=TIMEOUT_MS)
+    page.evaluate("document.body.style.height = ''; scrollTo(0, 0)")
 
 
-def test_a_named_view_looks_along_an_axis(show):
-    page = show(explore(kl.robots.youbot()), reduced_motion="reduce")
+def test_a_named_view_looks_along_an_axis(youbot):
+    page = youbot
+    page.emulate_media(reduced_motion="reduce")
     for name, axes in {"front": [(1, 0, 0), (0, 0, 1)], "top": [(1, 0, 0), (0, 1, 0)]}.items():
         page.get_by_role("button", name=name).click()
         columns = page.evaluate("document.querySelector('.kv').viewer.stage.camera.threeCamera.matrixWorld.elements")
         np.testing.assert_allclose(np.reshape(columns, (4, 4))[:2, :3], axes, atol=1e-12)
 
 
-def test_with_reduced_motion_views_change_at_once_and_play_goes_in_steps(show):
-    page = show(explore(kl.robots.youbot(), joints=[1]), reduced_motion="reduce")
+def test_with_reduced_motion_play_goes_in_steps(youbot):
+    page = youbot
+    page.emulate_media(reduced_motion="reduce")
     page.get_by_role("button", name="Play").click()
     seen = set()
     for _ in range(12):
         page.wait_for_timeout(40)
         seen.add(q_of(page)[0])
     assert len(seen) <= 2
+    page.get_by_role("button", name="Pause").click()
 
 
 # --- layers ---
@@ -243,8 +276,8 @@ def test_a_layer_is_switched_off_and_on(show):
         assert shown_pixels(page) != without
 
 
-def test_frames_are_chosen_from_a_list_and_named(show):
-    page = show(explore(kl.robots.youbot()))
+def test_frames_are_chosen_from_a_list_and_named(youbot):
+    page = youbot
     choose = page.get_by_label("Frames")
     names = "[...document.querySelector('.kv').viewer.stage.names].map((box) => box.name)"
     settled(page, lambda: choose.select_option(label="standard DH"))
@@ -253,35 +286,25 @@ def test_frames_are_chosen_from_a_list_and_named(show):
     assert set(page.evaluate(names)) == {f"S{i}" for i in range(1, 6)}
 
 
-def test_a_trail_follows_the_tool(show):
-    page = show(explore(kl.robots.youbot(), show=["trail"]))
+def test_a_trail_follows_the_tool(youbot):
+    page = youbot
     before = shown_pixels(page)
+    settled(page, page.get_by_role("button", name="trail").click)
     for angle in np.linspace(0.1, 1, 10):
         set_q(page, [angle, 0, 0, 0, 0])
     settled(page, lambda: set_q(page, [0, 0, 0, 0, 0]))
     assert shown_pixels(page) != before
 
 
-def test_a_ghost_is_drawn_where_python_sets_it(show):
-    page = show(explore(kl.robots.youbot(), show=[]))
-    before = shown_pixels(page)
-    model = "document.querySelector('.kv').viewer.model"
-    settled(page, lambda: page.evaluate(f"{model}.set('ghost', [1, 0.5, 0, 0, 0])"))
-    assert shown_pixels(page) != before
-    settled(page, lambda: page.evaluate(f"{model}.set('ghost', [])"))
-    assert shown_pixels(page) == before
-
-
 POSTURES = [np.zeros(6), Q, [0, -0.5, 0.5, 0, 1.2, 0], [2, -1, 2.5, 1, -1, 2]]
 
 
-@pytest.mark.parametrize(("frames", "width"), [("standard", 400), ("modified", 900)])
-def test_no_label_covers_another_or_leaves_the_picture(show, frames, width):
+def test_no_label_covers_another_or_leaves_the_picture(show):
     """The wrist of the PUMA 560 has three frames at one point, each with three letters, and there are six axes and five normals."""
-    page = show(
-        explore(kl.robots.puma560(), show=["axes", "normals", frames]), viewport={"width": width, "height": 700}
-    )
-    for q in POSTURES:
+    page = show(explore(kl.robots.puma560()))
+    for q, frames, width in zip(POSTURES, ("standard", "modified") * 2, (400, 400, 900, 900), strict=True):
+        page.set_viewport_size({"width": width, "height": 700})
+        page.evaluate(f"document.querySelector('.kv').viewer.model.set('shown', ['axes', 'normals', '{frames}'])")
         settled(page, lambda q=q: set_q(page, q))
         boxes, size = page.evaluate(
             "(() => { const { stage } = document.querySelector('.kv').viewer; return [stage.names, [stage.width, stage.height]]; })()"
@@ -308,16 +331,13 @@ def spoken(page):
     return page.locator(".kv-canvas").get_attribute("aria-label").partition(" Arrow keys")[0]
 
 
-@pytest.mark.parametrize("robot", [kl.robots.rppr(), kl.robots.hrr()], ids=lambda robot: robot.name)
-def test_the_text_alternative_describes_the_configuration_that_is_drawn(show, robot):
+def test_the_text_alternative_describes_the_configuration_that_is_drawn(show):
     """The page says what Python says of the same configuration, at home and away from it."""
+    robot = kl.robots.hrr()
     page = show(explore(robot))
-    texts = {describe_arm(robot, np.zeros(robot.n)): spoken(page)}
-    for q in np.random.default_rng(3).uniform(-2, 2, (3, robot.n)).round(3):
-        settled(page, lambda q=q: set_q(page, q))
-        texts[describe_arm(robot, q)] = spoken(page)
-    assert list(texts) == list(texts.values())
-    assert len(texts) == 4
+    for q in (np.zeros(3), *np.random.default_rng(3).uniform(-2, 2, (2, 3)).round(3)):
+        set_q(page, q)
+        assert spoken(page) == describe_arm(robot, q)
 
 
 def test_a_tree_is_drawn_and_described_branch_by_branch(show):
@@ -429,34 +449,16 @@ def test_the_slider_moves_along_its_curve_and_a_click_changes_to_the_other_curve
 # --- predictions ---
 
 
-def test_the_picture_stays_covered_until_a_prediction_is_committed(show):
-    viewer = explore(kl.robots.rpr(), predict=("Which way?", ["up", "down"]))
-    viewer.message = "It goes down."
-    page = show(viewer, count=0)
-    commit = page.get_by_role("button", name="Commit")
-    commit.wait_for()
-    assert not page.locator(".kv-canvas").is_visible()
-    assert not page.get_by_text("It goes down.").is_visible()
-    assert commit.is_disabled()
-    page.get_by_label("down").check()
-    commit.click()
-    wait_until_drawn(page)
-    assert page.get_by_text("It goes down.").is_visible()
-    assert page.evaluate("document.querySelector('.kv').viewer.model.get('choice')") == 1
-
-
-def test_the_arm_can_be_shown_without_a_prediction_and_nothing_is_recorded(show):
-    page = show(explore(kl.robots.rpr(), predict=("Which way?", ["up", "down"])), count=0)
-    page.get_by_role("button", name="Show anyway").click()
-    wait_until_drawn(page)
-    assert page.evaluate("document.querySelector('.kv').viewer.model.get('choice')") == -1
-
-
-def test_a_question_elsewhere_on_the_page_removes_the_cover(show):
-    page = show(explore(kl.robots.rpr(), after=Answered()), count=0)
-    page.get_by_text("Commit to your prediction above first").wait_for()
+def test_a_question_elsewhere_on_the_page_or_the_reader_removes_the_cover(show):
+    page = show(explore(kl.robots.rpr(), after=Answered()), explore(kl.robots.rpr(), after=Answered()), count=0)
+    covers = page.get_by_text("Commit to your prediction above first")
+    covers.first.wait_for()
+    assert not page.locator(".kv-canvas").first.is_visible()
     page.evaluate("document.querySelector('[data-kinlib-viewer]').dataset.uncovered = ''")
     wait_until_drawn(page)
+    assert not covers.first.is_visible()
+    page.get_by_role("button", name="Show anyway").last.click()
+    wait_until_drawn(page, 2)
 
 
 class Answered(HasTraits):
@@ -468,9 +470,10 @@ class Answered(HasTraits):
 # --- messages and failures ---
 
 
-def test_a_configuration_beyond_its_limits_is_shown_with_a_message(show):
+def test_a_configuration_beyond_its_limits_is_shown_with_a_message(show, chromium):
     rpr = kl.robots.rpr()
-    page = show(explore(kl.Chain(rpr.screws, rpr.home, limits=[(-1, 1), (-np.inf, np.inf), (0, np.inf)])))
+    limited = kl.Chain(rpr.screws, rpr.home, limits=[(-1, 1), (-np.inf, np.inf), (0, np.inf)])
+    page = show(explore(limited), browser=chromium)
     message = page.locator(".kv-message")
     assert not message.is_visible()
     set_q(page, [1.5, 0, -0.2])
@@ -495,46 +498,28 @@ def test_an_arm_that_cannot_be_shown_gives_a_message_on_the_page(show):
     assert page.get_by_role("alert").inner_text().startswith("The viewer cannot show this arm: ")
 
 
-def test_without_webgl_there_is_a_message_and_the_arm_still_moves(chromium_without_webgl, tmp_path):
-    with watched(chromium_without_webgl) as page:
-        page.goto(static_page(tmp_path, explore(kl.robots.puma560(), start=Q, ghost=np.zeros(6))).as_uri())
-        wait_until_drawn(page)
-        assert "WebGL is not available" in page.locator(".kv-message").inner_text()
-        before = shown_pixels(page)
-        sliders(page).first.focus()
-        settled(page, lambda: page.keyboard.press("PageUp"))
-        assert shown_pixels(page) != before
-        np.testing.assert_allclose(pose(page), kl.robots.puma560().fk(q_of(page)), atol=1e-12)
+def test_without_webgl_there_is_a_message_and_the_arm_still_moves(youbot):
+    assert "WebGL is not available" in youbot.locator(".kv-message").inner_text()
+    before = shown_pixels(youbot)
+    sliders(youbot).first.focus()
+    settled(youbot, lambda: youbot.keyboard.press("PageUp"))
+    assert shown_pixels(youbot) != before
+    np.testing.assert_allclose(pose(youbot), YOUBOT.fk(q_of(youbot)), atol=1e-12)
 
 
 # --- the page ---
 
 
-def test_eighteen_viewers_share_one_webgl_context(show):
-    page = show(*[explore(kl.robots.rpr()) for _ in range(18)], count=1)
-    for which in range(18):
-        page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
-        wait_until_drawn(page, which + 1)
-    contexts = page.evaluate("globalThis[Symbol.for('kinlib.renderers')].length")
-    assert contexts == 1
-    colours = page.evaluate(
-        """[...document.querySelectorAll('.kv-canvas')].map((canvas) => {
-            const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-            return new Set(new Uint32Array(data.buffer)).size; })"""
-    )
-    assert min(colours) > 100  # no picture is blank
-
-
-def test_a_lost_context_is_created_again(show):
-    page = show(explore(kl.robots.rpr()))
+def test_a_lost_context_is_created_again(show, chromium):
+    page = show(explore(kl.robots.rpr()), browser=chromium)
     before = shown_pixels(page)
     page.evaluate("globalThis[Symbol.for('kinlib.renderers')][0]()")
     settled(page, lambda: page.evaluate("document.querySelector('.kv').viewer.stage.draw()"))
     assert shown_pixels(page) == before
 
 
-def test_a_page_without_a_viewer_does_not_load_the_bundle(chromium, tmp_path):
-    with watched(chromium) as page:
+def test_a_page_without_a_viewer_does_not_load_the_bundle(chromium_without_webgl, tmp_path):
+    with watched(chromium_without_webgl) as page:
         asked = []
         page.on("request", lambda request: asked.append(request.url))
         page.goto(static_page(tmp_path, "<p>Nothing moves here.</p>").as_uri())
@@ -542,24 +527,15 @@ def test_a_page_without_a_viewer_does_not_load_the_bundle(chromium, tmp_path):
         assert not [url for url in asked if "viewer.js" in url]
 
 
-@pytest.mark.parametrize("style", ["background:white", "background:#111418"])
-def test_all_text_has_sufficient_contrast(show, style):
+def test_all_text_has_sufficient_contrast_in_both_themes_which_follow_the_page(youbot):
     """By WCAG 2 at least 4.5, for text on the page and labels in the picture, in the light and the dark theme."""
-    page = show(explore(kl.robots.puma560(), show=["axes", "base", "tool", "normals"]), style=style)
-    page.evaluate("document.querySelector('.kv').viewer.model.set('message', 'A word of warning.')")
-    pairs = text_colours(page)
-    theme = page.evaluate("document.querySelector('.kv').viewer.stage.theme")
-    named = ["ink", "quiet", "axis", "normal", "x", "y", "z", "trail"]
-    pairs += [[name, theme[name], theme["paper"]] for name in named]
-    faint = {text: contrast(ink, paper) for text, ink, paper in pairs if contrast(ink, paper) < 4.5}
-    assert not faint
-
-
-def test_the_theme_follows_the_page_from_light_to_dark(show):
-    page = show(explore(kl.robots.rpr()))
-    assert page.locator(".kv").get_attribute("data-theme") == "light"
-    settled(page, lambda: page.evaluate("document.body.style.background = '#111'"))
-    assert page.locator(".kv").get_attribute("data-theme") == "dark"
+    for background, name in (("white", "light"), ("#111418", "dark")):
+        youbot.evaluate("colour => { document.body.style.background = colour; }", background)
+        youbot.locator(f".kv[data-theme={name}]").wait_for()
+        theme = youbot.evaluate("document.querySelector('.kv').viewer.stage.theme")
+        labels = ["ink", "quiet", "axis", "normal", "x", "y", "z", "trail"]
+        pairs = [*text_colours(youbot), *([label, theme[label], theme["paper"]] for label in labels)]
+        assert not {text: contrast(ink, paper) for text, ink, paper in pairs if contrast(ink, paper) < 4.5}
 
 
 PAGES = {
@@ -572,22 +548,22 @@ PAGES = {
 }
 
 
-@pytest.mark.parametrize("case", PAGES)
-def test_a_figure_has_the_theme_of_the_page_and_is_printed_light(chromium, tmp_path, case):
-    attributes, preference, theme = PAGES[case]
-    with watched(chromium, color_scheme=preference) as page:
-        body = static_page(tmp_path, draw_arm(kl.robots.rpr()).html())
-        body.write_text(body.read_text("utf-8").replace("<body ", f"<body {attributes} "), "utf-8")
-        page.goto(body.as_uri())
-        paper = {"light": (255, 255, 255), "dark": (23, 27, 33)}
+def test_a_figure_has_the_theme_of_the_page_and_is_printed_light(chromium_without_webgl, tmp_path):
+    paper = {"light": (255, 255, 255), "dark": (23, 27, 33)}
+    with watched(chromium_without_webgl) as page:
 
         def corner():
             pixels = Image.open(BytesIO(page.locator("figure img").screenshot()))
             return pixels.convert("RGB").getpixel((3, 3))
 
-        assert corner() == paper[theme]
-        page.emulate_media(media="print")
-        assert corner() == paper["light"]
+        for case, (attributes, preference, theme) in PAGES.items():
+            body = static_page(tmp_path, draw_arm(kl.robots.rpr()).html())
+            body.write_text(body.read_text("utf-8").replace("<body ", f"<body {attributes} "), "utf-8")
+            page.emulate_media(color_scheme=preference, media="screen")
+            page.goto(body.as_uri())
+            assert corner() == paper[theme], case
+            page.emulate_media(media="print")
+            assert corner() == paper["light"], case
 
 
 def test_nothing_is_cut_off_on_a_narrow_page(show):
@@ -596,22 +572,23 @@ def test_nothing_is_cut_off_on_a_narrow_page(show):
     assert page.evaluate("document.documentElement.scrollWidth") <= 400
 
 
-def test_every_control_has_a_name_handles_its_keys_and_shows_the_focus(show):
-    page = show(explore(kl.robots.youbot()))
-    controls = page.locator(".kv :is(button, input, select, canvas)")
+def test_every_control_has_a_name_handles_its_keys_and_shows_the_focus(youbot):
+    page = youbot
+    controls = page.locator(".kv :is(button, input, select, canvas):visible")
     for k in range(controls.count()):
         control = controls.nth(k)
         assert control.get_attribute("data-lm-suppress-shortcuts") == "true"
         assert control.evaluate("node => (node.getAttribute('aria-label') || node.textContent).trim().length") > 1
-    page.keyboard.press("Tab")
+    controls.nth(1).focus()
+    page.keyboard.press("Shift+Tab")
     for _ in range(controls.count()):
         outline = page.evaluate("getComputedStyle(document.activeElement).outlineStyle")
         assert outline == "solid", page.evaluate("document.activeElement.outerHTML")
         page.keyboard.press("Tab")
 
 
-def test_a_screen_reader_gets_the_arm_and_the_position_of_its_tool(show):
-    page = show(explore(kl.robots.youbot()))
+def test_a_screen_reader_gets_the_arm_and_the_position_of_its_tool(youbot):
+    page = youbot
     sliders(page).nth(2).focus()
     page.keyboard.press("PageUp")
     # The arm at home is announced too, when its slider gets the focus: wait for the moved arm.
@@ -634,8 +611,8 @@ def ten_joints():
     return kl.Chain(screws, home, name="ten joints")
 
 
-def test_ten_joints_with_everything_shown_need_at_most_200_draw_calls(show):
-    page = show(explore(ten_joints(), show=LAYERS, ghost=np.full(10, 0.2)))
+def test_ten_joints_with_everything_shown_need_at_most_200_draw_calls(show, chromium):
+    page = show(explore(ten_joints(), show=LAYERS), browser=chromium)
     settled(page, lambda: set_q(page, np.full(10, 0.1)))
     assert 20 < page.evaluate("document.querySelector('.kv').viewer.stage.calls") <= 200
 
@@ -659,69 +636,3 @@ def test_a_thousand_updates_do_not_grow_the_heap(show):
     sizes = [heap_after_updates() for _ in range(3)]
     # On a busy machine a collection may stop early. But what leaks grows in each round.
     assert min(after - before for before, after in pairwise(sizes)) < 200_000, "bytes that 1000 updates left behind"
-
-
-# --- in JupyterLab ---
-
-FIRST = """
-import kinlib as kl
-from kinlib.view import explore
-changes = []
-arm = explore(kl.robots.youbot())
-arm.observe(lambda change: changes.append(change.new), 'q')
-arm"""
-CELLS = [
-    FIRST.strip(),
-    "arm.q = [0.1, 0.2, 0.3, 0.4, 0.5]",
-    "print('heard', len(changes), 'last', [round(x, 3) for x in arm.q])",
-]
-
-
-@pytest.fixture(scope="module")
-def lab(chromium, tmp_path_factory):
-    """Open a notebook in JupyterLab with a viewer in its first cell, and run that cell."""
-    folder = tmp_path_factory.mktemp("lab")
-    cells = [nbformat.v4.new_code_cell(source) for source in CELLS]
-    with jupyterlab(folder) as address, watched(chromium, viewport={"width": 1000, "height": 900}) as page:
-        open_notebook(page, address, folder, cells)
-        run_cell(page, 0)
-        page.wait_for_selector(".kv-canvas[data-pictures]", timeout=60_000)
-        yield page
-
-
-def printed(page, cell):
-    page.locator(".jp-CodeCell").nth(cell).locator(".jp-OutputArea-output").wait_for()
-    return page.locator(".jp-CodeCell").nth(cell).locator(".jp-OutputArea-output").inner_text().strip()
-
-
-def test_in_the_lab_python_and_the_page_are_synchronized_without_echoes(lab):
-    page = lab
-    page.evaluate(
-        """window.changes = 0; document.querySelector('.kv').viewer.model.on('change:q', () => { window.changes += 1; })"""
-    )
-    settled(page, lambda: run_cell(page, 1))
-    q = [0.1, 0.2, 0.3, 0.4, 0.5]
-    np.testing.assert_allclose(pose(page), kl.robots.youbot().fk(q), atol=1e-12)
-    sliders(page).nth(1).focus()
-    for _ in range(5):  # the lab would use the arrow keys itself if the slider did not handle them
-        settled(page, lambda: page.keyboard.press("ArrowRight"))
-    page.wait_for_timeout(500)  # time for an echo to arrive
-    assert page.evaluate("window.changes") == 6
-    run_cell(page, 2)
-    # While the kernel is busy with a value, the page waits; then it sends only the last of the values since.
-    heard, _, last = printed(page, 2).removeprefix("heard ").partition(" last ")
-    assert 2 <= int(heard) <= 6
-    assert last == str([0.1, round(0.2 + 5 * DEGREE, 3), 0.3, 0.4, 0.5])
-
-
-def test_in_the_lab_the_viewer_follows_its_theme(lab):
-    page = lab
-    assert page.locator(".kv").get_attribute("data-theme") == "light"
-    page.get_by_role("menuitem", name="Settings").click()
-    page.get_by_text("Theme", exact=True).hover()
-    settled(page, lambda: page.get_by_text("JupyterLab Dark", exact=True).click())
-    dark = "document.querySelectorAll('.kv[data-theme=dark]').length === 1"
-    page.wait_for_function(dark, timeout=TIMEOUT_MS)
-    page.evaluate("document.querySelector('.kv').dataset.theme = 'old'")
-    run_cell(page, 0)  # a viewer that is created in the dark theme
-    page.wait_for_function(dark, timeout=TIMEOUT_MS)

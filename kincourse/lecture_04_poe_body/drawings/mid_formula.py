@@ -14,6 +14,7 @@ from kinlib.view import slide
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.figures.joint_bodies import stations
 
 LANE_PX = 6.0
 """Perpendiculars that would lie on each other are drawn side by side, so many pixels apart."""
@@ -63,15 +64,14 @@ def draw_mid_formula(chain: Chain, k: int, caption: str = "") -> Picture:
     if k not in range(chain.n + 1):
         raise ValueError(f"k must be the number of joints whose screws are given in {{s}}, 0 to {chain.n}; got {k!r}.")
     feet = axis_perpendiculars(chain, k)
-    path = np.concatenate([np.zeros((1, 3)), chain.joint_points, chain.home[None, :3, 3]])
+    path = stations(chain)
     canvas = Canvas(np.concatenate([path, feet.reshape(-1, 3)]))
     canvas.floor(path)
     canvas.line(path, PALE_GREY, 6.0, level=1)
     lanes = _lanes(feet)
     for i, (point, axis) in enumerate(zip(chain.joint_points, chain.lines.axis, strict=True)):
         start, tip = np.array([[-0.16], [0.3]]) * canvas.size * axis + point
-        canvas.arrow(start, tip, VIOLET, 1.3, style="--", level=3.5)
-        canvas.label(tip, f"${_name(i, k)}$", VIOLET)
+        canvas.axis(start, tip, f"${_name(i, k)}$", width=1.3)
         canvas.dot(point, INK, 4)
         thread = canvas.beside(feet[i], LANE_PX * lanes[i])
         canvas.line(thread, ORANGE, 2.6, ":", level=4.5)

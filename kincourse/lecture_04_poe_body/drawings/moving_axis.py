@@ -12,6 +12,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.view import draw_arm, slide
 from kinlib.view.drawing.picture import vector_text
+from kinlib.view.figures.joint_bodies import stations
 
 
 def slide_axis(
@@ -42,7 +43,7 @@ def slide_axis(
     if joint not in range(1, chain.n + 1):
         raise ValueError(f"{chain.name} has joints 1 to {chain.n}; got {joint!r}.")
     q = validation.vectors(configurations, "configurations", chain.n)
-    points = np.concatenate([np.zeros((1, 3)), chain.fk(q)[:, :3, 3], chain.link_poses(q)[..., :3, 3].reshape(-1, 3)])
+    points = np.concatenate([stations(chain, now) for now in q])
     pictures = [draw_arm(chain, now, ghost=ghost, around=points, caption=axis_caption(chain, joint, now)) for now in q]
     return slide(pictures, label, values, after)
 

@@ -14,7 +14,7 @@ from kinlib.arrays.formatting import format_number
 from kinlib.arrays.validation import Array
 from kinlib.view.drawing import svg
 from kinlib.view.drawing.crop import crop
-from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, PALE_GREY
+from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, PALE_GREY, VIOLET
 from kinlib.view.drawing.labels import LABEL_OFFSETS, Label, Offset, place_labels
 from kinlib.view.drawing.picture import Picture
 
@@ -166,6 +166,21 @@ class Canvas:
         self._marks.append((level, svg.polygon(np.array([tip, neck + across, neck - across]), colour)))
         self._strokes.append(np.array([[tail, tip]]))
 
+    def axis(
+        self,
+        start: ArrayLike,
+        tip: ArrayLike,
+        name: str = "",
+        *,
+        width: float = 1.5,
+        level: float = 3.5,
+        size: float = 11,
+    ) -> None:
+        """Draw a joint axis: a dashed violet arrow in the positive direction, with its name at the tip."""
+        self.arrow(start, tip, VIOLET, width, style="--", level=level)
+        if name:
+            self.label(tip, name, VIOLET, size=size)
+
     def body(self, corners: ArrayLike, colour: str, level: float = 3.0, edge: str = INK) -> None:
         """Draw the outline of a convex body, given points on its surface."""
         hull = convex_hull(self.to_pixels(corners))
@@ -278,6 +293,16 @@ def _step(rough: float) -> float:
     """Round a length up to 1, 2 or 5 times a power of ten."""
     power: float = 10.0 ** np.floor(np.log10(rough))
     return next(power * digit for digit in (1, 2, 5, 10) if power * digit >= rough * 0.999)
+
+
+def moved(T: Array, points: Array) -> Array:
+    """Return points (..., 3) after the motion T.
+
+    >>> moved(np.array([[0, -1, 0, 1], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]]), np.array([1.0, 0, 0]))
+    array([1., 1., 0.])
+    """
+    places: Array = points @ T[:3, :3].T + T[:3, 3]
+    return places
 
 
 def convex_hull(points: Array) -> Array:

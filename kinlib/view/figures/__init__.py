@@ -1,7 +1,7 @@
 """Figures of robots as SVG, each with a text alternative; the function that makes it is called describe_... or _describe.
 
 arm.py                 arms, and arms at home whose screw axes can be read off
-frames.py              frames and points
+frames.py              frames
 lettered_chain.py      an open chain at home with a letter for each of its lengths
 joint_bodies.py        the cylinders, boxes and threads of joints
 screw_motions.py       paths of a frame along twists

@@ -12,7 +12,7 @@ from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, LINK_GREY, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.figures.joint_bodies import carried_axes, draw_joint_bodies
+from kinlib.view.figures.joint_bodies import carried_axes, draw_joint_bodies, stations
 
 ARM_LAYERS = {"axes", "body axes", "home axes", "links", "tool", "base"}
 JOINT_KINDS = {"R": "revolute", "P": "prismatic", "H": "helical"}
@@ -56,9 +56,9 @@ def draw_arm(
     home = np.zeros(chain.n)
     q = home if q is None else validation.single(chain.in_order(q), "q")
     ghost = None if ghost is None else validation.single(chain.in_order(ghost), "ghost")
-    path, shadow = _path(chain, q), _path(chain, q if ghost is None else ghost)
+    path, shadow = stations(chain, q), stations(chain, q if ghost is None else ghost)
     seen = np.concatenate([path, shadow]) if around is None else around
-    canvas = Canvas(seen, view, sizes=_path(chain, home))
+    canvas = Canvas(seen, view, sizes=stations(chain))
     canvas.floor(seen)
     if ghost is not None:
         canvas.line(shadow, GHOST_GREY, 6.0, level=1)
@@ -161,12 +161,6 @@ def frame_text(frame: tuple[str, ArrayLike]) -> str:
     return f"Frame {{{name}}} at {vector_text(T[:3, 3])}, {axes}."
 
 
-def _path(chain: Chain, q: Array) -> Array:
-    """Return the points through which the links run: the base, every joint, the tool."""
-    joints = chain.link_poses(q)[:, :3, 3]
-    return np.concatenate([np.zeros((1, 3)), joints, chain.fk(q)[None, :3, 3]])
-
-
 def _draw_axes(canvas: Canvas, chain: Chain, frames: Array, name: str, colour: str) -> None:
     """Draw each axis as a dashed arrow through its joint, in the positive direction, labelled at its tip."""
     for i, T in enumerate(frames):
@@ -175,6 +169,15 @@ def _draw_axes(canvas: Canvas, chain: Chain, frames: Array, name: str, colour: s
         canvas.arrow(before, after, colour, 1.5, style="--", level=3.5)
         if name:
             canvas.label(after, f"${name}_{i + 1}$", colour)
+
+
+def pose_text(T: Array) -> str:
+    """Write where a DH frame is: its origin, and the directions of x and z, from which y follows.
+
+    >>> pose_text(np.eye(4))
+    'at (0, 0, 0), x along (1, 0, 0), z along (0, 0, 1)'
+    """
+    return f"at {vector_text(T[:3, 3])}, x along {vector_text(T[:3, 0])}, z along {vector_text(T[:3, 2])}"
 
 
 def direction_text(axis: Array) -> str:

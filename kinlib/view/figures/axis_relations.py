@@ -71,8 +71,7 @@ def draw_axis_relation(first: tuple[ArrayLike, ArrayLike], second: tuple[ArrayLi
     for axis, place, name, reach in ((z, origin, "1", 0.95), (w, point, "2", 0.6)):
         before = max(0.35, (place - normal.end) @ axis / size + 0.15)
         canvas.line([place - before * size * axis, place], VIOLET, 1.6, "--", level=2)
-        canvas.arrow(place, place + reach * size * axis, VIOLET, 2.0, style="--", level=3.5)
-        canvas.label(place + reach * size * axis, f"$z_{name}$", VIOLET, size=12)
+        canvas.axis(place, place + reach * size * axis, f"$z_{name}$", width=2, size=12)
         draw_joint_body(canvas, "R", axis, place)
     _draw_normals(canvas, normal, z, size)
     name = NAMES.get(normal.case, normal.case)
@@ -124,8 +123,7 @@ def draw_moving_normal(tilt: float, side: float) -> Picture:
     canvas = Canvas([(-0.3, -0.7, -1.6), (1.3, 1.0, 1.5)])
     for axis, place, name, ends in ((Z, 0 * Z, "1", (-1.7, 1.5)), (w, point, "2", (-2.2, 1.1))):
         canvas.line([place + ends[0] * axis, place], VIOLET, 1.6, "--", level=2)
-        canvas.arrow(place, place + ends[1] * axis, VIOLET, 2.0, style="--", level=3.5)
-        canvas.label(place + ends[1] * axis, f"$z_{name}$", VIOLET, size=12)
+        canvas.axis(place, place + ends[1] * axis, f"$z_{name}$", width=2, size=12)
         draw_joint_body(canvas, "R", axis, place)
     if normal.is_unique and max(abs(normal.start[2]), abs(normal.end[2])) > FARTHEST_FOOT_M:
         where = f"The common normal is outside of the picture, from {vector_text(normal.start)} to {vector_text(normal.end)}"

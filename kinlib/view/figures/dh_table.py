@@ -7,15 +7,13 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
-from kinlib.dh.table import DHTable, dh_transform
+from kinlib.dh.table import DHTable
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.figures.arm import direction_text
+from kinlib.view.figures.arm import direction_text, pose_text
+from kinlib.view.figures.dh_row_motions import poses_along_row
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
-
-COLUMNS_DONE = ((3,), (3, 2), (3, 2, 0), (3, 2, 0, 1))
-"""The columns of a, alpha, d, theta that are carried out after 1, ..., 4 motions of a standard row: theta, d, a, alpha."""
 
 STANDARD_MOTION_NAMES = ("theta about z", "d along z", "a along x", "alpha about x")
 
@@ -37,16 +35,15 @@ def draw_row(row: ArrayLike, done: int = 4, *, caption: str = "") -> Picture:
     if done not in range(5):
         raise ValueError(f"done must be the number of motions carried out, 0 to 4; got {done!r}.")
     alpha, d, theta = row[1:]
-    foot, end = _after(row, 2), _after(row, 4)  # on z_{i-1}, and on z_i
-    moving = _after(row, done)
+    stops = poses_along_row(row, "standard")
+    foot, end, moving = stops[2], stops[4], stops[done]  # the foot is on z_{i-1}, the end on z_i
     seen = np.array([[0, 0, 0], foot[:3, 3], end[:3, 3]])
     canvas = Canvas(seen)
     length = 0.38 * canvas.size
     for T, name, low in ((np.eye(4), "$z_{i-1}$", -0.1), (end, "$z_i$", -0.45)):
         far = max(0.0, d) + 0.62 * canvas.size if name == "$z_{i-1}$" else 0.62 * canvas.size
         ends = T[:3, 3] + np.outer((low * canvas.size, far), T[:3, 2])
-        canvas.arrow(ends[0], ends[1], VIOLET, 1.4, style="--", level=2)
-        canvas.label(ends[1], name, VIOLET)
+        canvas.axis(ends[0], ends[1], name, width=1.4, level=2)
     canvas.line([foot[:3, 3], end[:3, 3]], ORANGE, 2.0, ":", level=2.5)
     canvas.arrow((0, 0, 0), (length, 0, 0), AXIS_COLOURS[0], 2.2)
     canvas.label((length, 0, 0), "$x_{i-1}$", AXIS_COLOURS[0])
@@ -132,15 +129,6 @@ def draw_table(
     return canvas.picture(_describe(table, frames), caption, cropped=around is None)
 
 
-def _after(row: Array, done: int) -> Array:
-    """Return the pose of a frame after the first motions of a standard row."""
-    carried = np.zeros(4)
-    if done:
-        columns = list(COLUMNS_DONE[done - 1])
-        carried[columns] = row[columns]
-    return dh_transform(*carried, convention="standard")
-
-
 def _arc(canvas: Canvas, centre: ArrayLike, plane: Array, angle: float, name: str) -> None:
     """Draw an angle, from the plane's first direction towards its second; their length is the radius."""
     angles = np.linspace(0, angle, 24)
@@ -166,8 +154,4 @@ def _corners(table: DHTable, frames: list[Array]) -> Array:
 
 
 def _describe(table: DHTable, frames: list[Array]) -> str:
-    sentences = [
-        f"Frame {i} at {vector_text(T[:3, 3])}, x along {vector_text(T[:3, 0])}, z along {vector_text(T[:3, 2])}."
-        for i, T in enumerate(frames)
-    ]
-    return " ".join([f"{table.name}.", *sentences])
+    return " ".join([f"{table.name}.", *(f"Frame {i} {pose_text(T)}." for i, T in enumerate(frames))])

@@ -6,8 +6,8 @@ from kinlib.dh.assignment import FrameAssignment
 from kinlib.rigid.screw import line
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, INK, ORANGE, VIOLET
-from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.figures.arm import describe_arm
+from kinlib.view.drawing.picture import Picture
+from kinlib.view.figures.arm import describe_arm, pose_text
 from kinlib.view.figures.assignment_steps import MAX_DISTANCE_IN_ARM_SIZES, row_segments, state_after, visible_features
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
 
@@ -80,9 +80,7 @@ class _Drawing:
 
     def describe(self) -> str:
         whole = [
-            f"frame {i} at {vector_text(T[:3, 3])}, x along {vector_text(T[:3, 0])}, z along {vector_text(T[:3, 2])}"
-            for i, T in enumerate(self.assignment.frames)
-            if "y" in self.state.frames[i]
+            f"frame {i} {pose_text(T)}" for i, T in enumerate(self.assignment.frames) if "y" in self.state.frames[i]
         ]
         return f"Drawn so far: {'; '.join(whole) or 'the joints and their axes'}."
 

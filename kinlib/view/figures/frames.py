@@ -1,4 +1,4 @@
-"""Drawings of frames and points."""
+"""Drawings of frames."""
 
 from collections.abc import Mapping
 from itertools import pairwise
@@ -9,13 +9,12 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE
+from kinlib.view.drawing.figure_colours import GREY, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
 
 
 def draw_frames(
     frames: Mapping[str, ArrayLike],
-    points: Mapping[str, ArrayLike] | None = None,
     *,
     arrows: bool = True,
     alt: str | None = None,
@@ -23,26 +22,22 @@ def draw_frames(
     numbers: bool = False,
     axis_length: float | None = None,
 ) -> Picture:
-    """Draw frames by name, with an arrow from each to the next, and points by name.
+    """Draw frames by name, with an arrow from each to the next.
 
     frames   {"s": T_ss, "b": T_sb, ...}, poses (4, 4) in one common frame
-    points   {"p": (x, y, z), ...} in that frame
     numbers  whether the grid has numbers and each origin a dotted line down to it, so that its coordinates can be read off
     axis_length  the length of the axes in metres; by default a quarter of the size of what is shown
 
-    Raises ValueError if a frame is not a pose, a point does not have three coordinates, or there is no frame.
+    Raises ValueError if a frame is not a pose, or there is no frame.
 
-    >>> draw_frames({"s": np.eye(4)}, {"p": (1, 0, 2)}).alt
-    'Frame {s} at (0, 0, 0). Point p at (1, 0, 2).'
+    >>> draw_frames({"s": np.eye(4)}).alt
+    'Frame {s} at (0, 0, 0).'
     """
     if not frames:
         raise ValueError("frames must contain at least one pose, such as {'s': np.eye(4)}; got none.")
     poses = {name: validation.poses(T, f"frame {name}") for name, T in frames.items()}
-    places = {name: validation.vectors(p, f"point {name}", 3) for name, p in (points or {}).items()}
     origins = [T[:3, 3] for T in poses.values()]
-    seen = np.array(
-        [*origins, *places.values(), *(T[:3, 3] + 0.5 * T[:3, k] for T in poses.values() for k in range(3))]
-    )
+    seen = np.array([*origins, *(T[:3, 3] + 0.5 * T[:3, k] for T in poses.values() for k in range(3))])
     if numbers:
         seen = np.concatenate([seen, seen * (1, 1, 0)])
     canvas = Canvas(seen)
@@ -53,16 +48,8 @@ def draw_frames(
         canvas.arrow(start, end, GREY, 1.2, level=1)
     for name, T in poses.items():
         canvas.triad(T, name, axis_length or 0.25 * canvas.size)
-    for name, p in places.items():
-        canvas.dot(p)
-        canvas.label(p, name, INK)
-    return canvas.picture(alt or _describe(poses, places), caption, cropped=True)
-
-
-def _describe(poses: Mapping[str, Array], points: Mapping[str, Array]) -> str:
-    sentences = [f"Frame {{{name}}} at {vector_text(T[:3, 3])}{_directions(T)}." for name, T in poses.items()]
-    sentences += [f"Point {name} at {vector_text(p)}." for name, p in points.items()]
-    return " ".join(sentences)
+    described = " ".join(f"Frame {{{name}}} at {vector_text(T[:3, 3])}{_directions(T)}." for name, T in poses.items())
+    return canvas.picture(alt or described, caption, cropped=True)
 
 
 def _directions(T: Array) -> str:

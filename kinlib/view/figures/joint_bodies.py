@@ -3,6 +3,7 @@
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -43,6 +44,20 @@ def draw_joint_body(canvas: Canvas, letter: str, z: Array, centre: Array) -> Non
         for (here, there), (low, high) in zip(pairwise(thread), pairwise(climb), strict=True):
             if canvas.eye @ (here + there) > 0:  # the far side of the thread is hidden
                 canvas.line([centre + here + low, centre + there + high], INK, 1.3, level=level + 2e-5)
+
+
+def stations(chain: Chain, q: ArrayLike | None = None) -> Array:
+    """Return the points (n + 2, 3) through which an arm runs: the base, every joint, the tool; at home by default.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> stations(rpr())[-1] + 0.0
+    array([0., 0., 1.])
+    """
+    if q is None:
+        joints, tool = chain.joint_points, chain.home
+    else:
+        joints, tool = chain.link_poses(q)[:, :3, 3], chain.fk(q)
+    return np.concatenate([np.zeros((1, 3)), joints, tool[None, :3, 3]])
 
 
 def carried_axes(chain: Chain, frames: Array) -> Array:

@@ -7,10 +7,10 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import GREY, INK, LINK_GREY, ORANGE, VIOLET
+from kinlib.view.drawing.figure_colours import GREY, INK, LINK_GREY, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import JOINT_KINDS, direction_text
-from kinlib.view.figures.joint_bodies import draw_joint_bodies
+from kinlib.view.figures.joint_bodies import draw_joint_bodies, stations
 
 
 def draw_lettered_chain(chain: Chain, letters: Sequence[str], home: bool = True) -> Picture:
@@ -29,7 +29,7 @@ def draw_lettered_chain(chain: Chain, letters: Sequence[str], home: bool = True)
     L_2 along x to joint 4 (revolute, axis along x); L_3 along x to the origin of {b}.
     In {s}, the axes of {b} are x = (1, 0, 0), y = (0, 1, 0), z = (0, 0, 1).
     """
-    path = np.concatenate([np.zeros((1, 3)), chain.joint_points, chain.home[None, :3, 3]])
+    path = stations(chain)
     steps = np.diff(path, axis=0)
     if [bool(letter) for letter in letters] != (np.linalg.norm(steps, axis=-1) > 1e-9).tolist():
         raise ValueError(
@@ -39,9 +39,8 @@ def draw_lettered_chain(chain: Chain, letters: Sequence[str], home: bool = True)
     canvas.line(path, LINK_GREY, 5.0)
     draw_joint_bodies(canvas, chain, chain.link_poses(np.zeros(chain.n)))
     for i, (axis, point) in enumerate(zip(chain.lines.axis, chain.joint_points, strict=True), start=1):
-        tip = point + 0.27 * canvas.size * axis
-        canvas.arrow(point - 0.13 * canvas.size * axis, tip, VIOLET, 1.6, style="--", level=3.5)
-        canvas.label(tip, f"$S_{i}$", VIOLET, size=12)
+        ends = point - 0.13 * canvas.size * axis, point + 0.27 * canvas.size * axis
+        canvas.axis(*ends, f"$S_{i}$", width=1.6, size=12)
     if home:
         canvas.arrow(path[0], path[-1], GREY, 1.4, style="--", level=1)
         canvas.label(path[[0, -1]].mean(axis=0), "$M$", INK, size=12)

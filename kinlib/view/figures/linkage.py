@@ -16,7 +16,7 @@ from kinlib.arrays.validation import Array
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.screw import line
-from kinlib.view.drawing.canvas import Canvas, view_axes
+from kinlib.view.drawing.canvas import Canvas, moved, view_axes
 from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, INK, LINK_GREY, ORANGE, PALE_GREY
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.drawing.svg import GREEK
@@ -74,19 +74,19 @@ def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None
     if wrong := [body for body, _ in (points or {}).values() if body not in poses]:
         raise ValueError(f"{mechanism.name} has the bodies {', '.join(poses)}; got {wrong[0]!r}.")
     named = {
-        name: _carried(poses[body], validation.vectors(p, f"point {name}", 3))
+        name: moved(poses[body], validation.vectors(p, f"point {name}", 3))
         for name, (body, p) in (points or {}).items()
     }
     corners: dict[str, list[Array]] = {body: [] for body in poses}
     first, second, axes = [], [], []
     for joint, own in zip(mechanism.joints, _split(mechanism, values), strict=True):
         here, there = (poses[body] for body in joint.bodies)
-        moved = reduce(np.matmul, exp(joint.screws * own[:, None]), here)
+        carried = reduce(np.matmul, exp(joint.screws * own[:, None]), here)
         # A prismatic joint moves its second body along; the other joints keep both bodies at one point.
-        first.append(_carried(moved, joint.position))
-        second.append(_carried(there @ inverse(joint.closing_offset), joint.position))
+        first.append(moved(carried, joint.position))
+        second.append(moved(there @ inverse(joint.closing_offset), joint.position))
         axes.append(here[:3, :3] @ line(joint.screws[0]).axis)
-        corners[joint.bodies[0]].append(_carried(here, joint.position))
+        corners[joint.bodies[0]].append(moved(here, joint.position))
         corners[joint.bodies[1]].append(second[-1])
     for name, (body, _) in (points or {}).items():
         corners[body].append(named[name])
@@ -191,11 +191,6 @@ def is_planar(mechanism: Mechanism) -> bool:
     """
     screws = np.concatenate([joint.screws for joint in mechanism.joints])
     return bool(np.allclose(screws[:, [0, 1, 5]], 0))
-
-
-def _carried(T: Array, point: Array) -> Array:
-    place: Array = T[:3, :3] @ point + T[:3, 3]
-    return place
 
 
 def _split(mechanism: Mechanism, q: Array) -> list[Array]:

@@ -7,7 +7,7 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import perpendicular
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE, VIOLET
+from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
 
 
@@ -81,8 +81,7 @@ def _rotating(w: Array, through: Array, at: Array) -> tuple[Canvas, Array]:
     canvas = Canvas([*circle, low, high, np.zeros(3), through], size=(560, 420))
     canvas.line(circle, GREY, 1.4, level=1)
     canvas.line([centre, at], GREY, 1.4, ":", level=1)
-    canvas.arrow(low, high, VIOLET, 1.8, style="--", level=2)
-    canvas.label(high, "$\\omega$", VIOLET, size=14)
+    canvas.axis(low, high, "$\\omega$", width=1.8, level=2, size=14)
     canvas.triad(np.eye(4), "s", 0.17 * canvas.size)
     return canvas, centre
 

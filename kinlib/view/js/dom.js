@@ -13,6 +13,28 @@ export function h(tag, settings = {}, ...children) {
 /** Attributes that keep JupyterLab from handling the arrow keys while the element has the focus. */
 export const NO_SHORTCUTS = { 'data-lm-suppress-shortcuts': 'true' };
 
+/** Make a button: button('▶ Play', start, { class: 'kv-play' }). */
+export function button(content, onclick, settings = {}) {
+  return h('button', { type: 'button', ...NO_SHORTCUTS, onclick, ...settings }, ...[content].flat());
+}
+
+/** The name of a control for screen readers, which is shown when the pointer rests on it. */
+export const named = (name) => ({ 'aria-label': name, title: name });
+
+/** Make a slider with the whole numbers from 0 to max. */
+export function slider(max, oninput, settings = {}) {
+  const range = { type: 'range', min: 0, max, step: 1, oninput: () => oninput(Number(input.value)) };
+  const input = h('input', { ...NO_SHORTCUTS, ...range, ...settings });
+  return input;
+}
+
+/** Move a slider, fill it up to its value, and say what it is at. */
+export function moveSlider(input, value, text) {
+  input.value = value;
+  input.style.setProperty('--share', `${(100 * value) / Math.max(1, input.max)}%`);
+  input.setAttribute('aria-valuetext', text);
+}
+
 /** Render a symbol with its index: q_1 becomes q with the subscript 1. */
 export function renderSymbol(name) {
   const [base, sub] = name.split('_');

@@ -1,5 +1,5 @@
 // A film: drawings that follow each other, with a button to play and stop them, a slider, and the caption of each scene.
-import { h, NO_SHORTCUTS, uniqueId } from './dom.js';
+import { button, h, moveSlider, slider, uniqueId } from './dom.js';
 import { isDark, onThemeChange } from './theme.js';
 
 /** @param model frames: [svg], order: [the frame at each tick], scenes: [{ end, caption, alt }], rate: ticks per second, at */
@@ -23,32 +23,19 @@ export function renderFilm({ model, el }) {
   };
   const caption = h('p', { class: 'kv-film-caption', 'aria-live': 'polite' });
   const time = h('output', { for: id });
-  const play = h('button', {
-    type: 'button',
-    class: 'kv-play',
-    ...NO_SHORTCUTS,
-    onclick: () => (playing ? stop() : start()),
-  });
-  const slider = h('input', {
-    ...NO_SHORTCUTS,
-    id,
-    type: 'range',
-    min: 0,
-    max: last,
-    step: 1,
-    'aria-label': 'Time',
-    oninput: () => {
-      stop();
-      set(Number(slider.value));
-    },
-  });
+  const play = button('▶ Play', () => (playing ? stop() : start()), { class: 'kv-play' });
+  const leaf = (index) => {
+    stop();
+    set(index);
+  };
+  const bar = slider(last, leaf, { id, 'aria-label': 'Time' });
   const picture = h('div', { class: 'kv-film-picture', role: 'img' }, ...images);
   const root = h(
     'div',
     { class: 'kv kv-film', role: 'group', 'aria-label': 'A short film' },
     picture,
     caption,
-    h('div', { class: 'kv-film-bar' }, play, slider, time),
+    h('div', { class: 'kv-film-bar' }, play, bar, time),
   );
   root.viewer = { model };
 
@@ -65,11 +52,8 @@ export function renderFilm({ model, el }) {
     });
     picture.setAttribute('aria-label', scene.alt);
     if (caption.textContent !== scene.caption) caption.textContent = scene.caption;
-    slider.value = index;
-    slider.style.setProperty('--share', `${(100 * index) / Math.max(1, last)}%`);
-    const seconds = `${(index / rate).toFixed(0)} of ${(last / rate).toFixed(0)} s`;
-    slider.setAttribute('aria-valuetext', seconds);
-    time.textContent = seconds;
+    time.textContent = `${(index / rate).toFixed(0)} of ${(last / rate).toFixed(0)} s`;
+    moveSlider(bar, index, time.textContent);
   }
   function start() {
     if (at() >= last) set(0);

@@ -12,7 +12,7 @@ import { orbitControls } from './render/camera.js';
 import { Stage } from './render/stage.js';
 import { describeArm, describeLinkage, describeTree, endEffectorText, frameText, tipsText } from './scene/describe.js';
 import { matrixOf, rows } from './scene/kinematic-tree.js';
-import { availableLayers, buildLayers, isSingleFrame, showGhost, showLayers } from './scene/layers.js';
+import { availableLayers, buildLayers, isSingleFrame, showLayers } from './scene/layers.js';
 import { Trail } from './scene/trail.js';
 import { isDark, onThemeChange, themeOf } from './theme.js';
 import css from './viewer.css';
@@ -79,7 +79,6 @@ function render({ model, el }) {
   root.append(cover.element, inside, message, announcement);
 
   let trail = null;
-  let hideGhost = null;
   let speaking = 0;
   const tip = new Vector3();
 
@@ -97,11 +96,7 @@ function render({ model, el }) {
     panel.update(values);
     mode.update?.(values, T);
     trail?.add(tip.set(T[0][3], T[1][3], T[2][3]));
-    showMessage(
-      [model.get('message'), stage.withoutWebGL && NO_WEBGL, limitMessage(data.limits, values)]
-        .filter(Boolean)
-        .join(' '),
-    );
+    showMessage([stage.withoutWebGL && NO_WEBGL, limitMessage(data.limits, values)].filter(Boolean).join(' '));
     describeLater();
   }
 
@@ -147,11 +142,6 @@ function render({ model, el }) {
     }
   }
 
-  function updateGhost() {
-    hideGhost?.();
-    hideGhost = model.get('ghost').length ? showGhost(stage, model.get('ghost')) : null;
-  }
-
   function applyTheme() {
     const theme = isDark(root) ? 'dark' : 'light';
     if (root.dataset.theme === theme) return; // pages change their classes for other reasons, too
@@ -159,7 +149,6 @@ function render({ model, el }) {
     stage.setTheme(themeOf(root));
     buildLayers(stage, model.get('shown'));
     stage.setQ(q());
-    updateGhost();
     trail?.applyTheme();
     mode.applyTheme?.();
   }
@@ -170,7 +159,7 @@ function render({ model, el }) {
     message.hidden = inside.hidden || !message.textContent; // the message could reveal what is to be predicted
   }
 
-  const changes = { q: update, message: update, shown: updateLayers, ghost: updateGhost, covered: updateCover };
+  const changes = { q: update, shown: updateLayers, covered: updateCover };
   for (const trait of ['step', 'convention', 'done', 'frames', 'at']) changes[trait] = describeLater; // of the modes
   for (const [name, listener] of Object.entries(changes)) model.on(`change:${name}`, listener);
   applyTheme();
@@ -204,7 +193,6 @@ function render({ model, el }) {
     clearTimeout(speaking);
     mode.dispose?.();
     trail?.dispose();
-    hideGhost?.();
     stage.dispose();
   };
 }

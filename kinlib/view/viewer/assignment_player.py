@@ -20,6 +20,7 @@ from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.assignment_steps import row_segments, state_after, visible_features
 from kinlib.view.figures.frame_assignment import draw_assignment
+from kinlib.view.figures.joint_bodies import stations
 from kinlib.view.viewer.scene import extent, scene
 from kinlib.view.viewer.viewer import Viewer
 
@@ -94,19 +95,17 @@ class Player(Viewer):
         return crop([draw_assignment(self.assignment, self.step)])[0]
 
 
-def play_assignment(
-    chain: Chain, *, convention: Convention, step: int = 0, rows: int | None = None, after: Any = None
-) -> Player:
+def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = None, after: Any = None) -> Player:
     """Show the assignment of DH frames to an arm step by step, forwards and back.
 
-    step   the first step shown, counted from 0; afterwards the trait `step` is synchronized with the page
     rows   how many rows of the table are read; the reader finds the others. By default all of them
     after  a question; the arm stays covered until a prediction is committed
 
-    Raises ValueError if the convention is unknown, a joint is helical, there is no such step, or rows is not one of 0, ..., n.
+    Raises ValueError if the convention is unknown, a joint is helical, or rows is not one of 0, ..., n.
 
     >>> from kinlib.chains.robots import youbot
-    >>> player = play_assignment(youbot(), convention="standard", step=3)
+    >>> player = play_assignment(youbot(), convention="standard")
+    >>> player.step = 3
     >>> player.alt[:62]
     'youBot, standard convention, step 4 of 25. O_1 lies on axis 2,'
     """
@@ -114,7 +113,6 @@ def play_assignment(
     if rows is not None and rows not in range(chain.n + 1):
         raise ValueError(f"rows must be the number of rows to show, 0 to {chain.n}; got {rows!r}.")
     player = Player(chain, rows, convention=validate_convention(convention))
-    player.step = step
     player.wait_for(after)
     return player
 
@@ -132,8 +130,8 @@ def table_cells(table: DHTable) -> list[list[str]]:
 def bare_scene(chain: Chain, points: Array) -> dict[str, Any]:
     """Return the scene of the arm at home without sliders, with a view that also contains points (m, 3)."""
     data = scene(chain, np.zeros(chain.n), joints=[])
-    stations = np.concatenate([points, chain.joint_points, chain.home[None, :3, 3], np.zeros((1, 3))])
-    low, high = stations.min(axis=0), stations.max(axis=0)
+    seen = np.concatenate([points, stations(chain)])
+    low, high = seen.min(axis=0), seen.max(axis=0)
     radius = VIEW_RADIUS_SHARE * float(np.linalg.norm(high - low)) / 2
     return {
         **data,

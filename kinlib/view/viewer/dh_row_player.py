@@ -4,7 +4,7 @@ The page treats a row as an arm whose joints are the motions, each about or alon
 Therefore the scene graph that moves a robot also plays a row, in the order of its convention.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -83,12 +83,11 @@ class RowPlayer(ViewerBase):
     done = traitlets.Float(0.0).tag(sync=True)
     _set_by_reader = ("done",)
 
-    def __init__(self, tracks: Sequence[dict[str, Any]], draw: Any, **traits: Any) -> None:
+    def __init__(self, tracks: Sequence[dict[str, Any]], draw: Callable[[int], Picture]) -> None:
         self.draw, self.motions = draw, len(tracks[0]["motions"])
         rest = np.zeros(len(tracks) * self.motions)
-        scene = _scene(tracks)
         mode = {"kind": "row", "tracks": list(tracks)}
-        super().__init__(scene=scene, q=rest, start=rest, shown=[], readout=False, mode=mode, **traits)
+        super().__init__(scene=_scene(tracks), q=rest, start=rest, shown=[], readout=False, mode=mode)
 
     @traitlets.validate("done")
     def _validate_done(self, proposal: Any) -> float:
@@ -102,24 +101,21 @@ class RowPlayer(ViewerBase):
         """The text alternative of the current picture."""
         return self._picture().alt
 
-    def _check(self, values: list[float]) -> None:
-        validation.array(values, "q")
-
     def _picture(self) -> Picture:
         return crop([self.draw(round(self.done))])[0]
 
 
-def play_row(row: ArrayLike, *, convention: Convention | None = None, done: float = 0, after: Any = None) -> RowPlayer:
+def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any = None) -> RowPlayer:
     """Play the four motions of a DH row in the order of one convention, or of both side by side.
 
     row         (4,) a, alpha, d, theta, in metres and radians
     convention  None shows both conventions, with the same four numbers
-    done        the number of motions carried out at first; afterwards the trait `done` is synchronized with the page
     after       a question; the picture stays covered until a prediction is committed
 
-    Raises ValueError if row does not have shape (4,), the convention is unknown, or done is not between 0 and 4.
+    Raises ValueError if row does not have shape (4,), or the convention is unknown.
 
-    >>> player = play_row([0.8, 0.6, 0.6, 1.4], convention="standard", done=2)
+    >>> player = play_row([0.8, 0.6, 0.6, 1.4], convention="standard")
+    >>> player.done = 2
     >>> player.alt
     'One row of a table, after theta about z, d along z. The frame is at (0, 0, 0.6), its x along (0.17, 0.985, 0), its z along z.'
     """
@@ -136,21 +132,22 @@ def play_row(row: ArrayLike, *, convention: Convention | None = None, done: floa
     def draw(count: int) -> Picture:
         return draw_row(values, count) if shown == ["standard"] else draw_row_motions(values, count, conventions=shown)
 
-    player = RowPlayer(tracks, draw, done=done)
+    player = RowPlayer(tracks, draw)
     player.wait_for(after)
     return player
 
 
-def play_walk(rows: ArrayLike, *, done: float = 0, after: Any = None) -> RowPlayer:
+def play_walk(rows: ArrayLike, *, after: Any = None) -> RowPlayer:
     """Play the product Z_1 X_1 Z_2 X_2 ... along an arm, with the frames of both conventions.
 
     rows   (m, 4) standard rows a, alpha, d, theta; each is two factors, and each factor is one screw motion
-    done   the number of factors carried out at first; afterwards the trait `done` is synchronized with the page
     after  a question; the picture stays covered until a prediction is committed
 
-    Raises ValueError if rows does not have shape (m, 4), or done is not between 0 and 2 m.
+    Raises ValueError if rows does not have shape (m, 4).
 
-    >>> play_walk([[0.4, 0, 0.1, 0]], done=2).alt
+    >>> player = play_walk([[0.4, 0, 0.1, 0]])
+    >>> player.done = 2
+    >>> player.alt
     'The path Z1 X1. {0} at (0, 0, 0); {1 mod} at (0, 0, 0.1); {1 std} at (0.4, 0, 0.1).'
     """
     values = np.atleast_2d(validation.vectors(rows, "rows", 4))
@@ -166,7 +163,7 @@ def play_walk(rows: ArrayLike, *, done: float = 0, after: Any = None) -> RowPlay
         flags += [_flag(2 * i - 1, f"{i} mod", stops[2 * i - 1]), _flag(2 * i, f"{i} std", stops[2 * i])]
         axes.append(_axis(stops[2 * i - 2], stops[2 * i - 1], f"axis {i}", size))
     track = _track("", np.eye(4), factors, stops, size, axes=axes, flags=flags)
-    player = RowPlayer([track], lambda count: draw_zx_factors(values, count), done=done)
+    player = RowPlayer([track], lambda count: draw_zx_factors(values, count))
     player.wait_for(after)
     return player
 

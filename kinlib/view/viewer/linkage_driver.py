@@ -19,6 +19,7 @@ from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import inverse
 from kinlib.rigid.screw import line
+from kinlib.view.drawing.canvas import moved
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.linkage import describe_linkage, draw_linkage, is_planar, linkage_geometry
 from kinlib.view.viewer.scene import half_height
@@ -198,9 +199,8 @@ def _pieces(mechanism: Mechanism, names: list[str]) -> list[dict[str, Any]]:
     pieces = []
     for joint in mechanism.joints:
         first, second = joint.bodies
-        there = inverse(joint.closing_offset)
         corners[first].append(joint.position)
-        corners[second].append(there[:3, :3] @ joint.position + there[:3, 3])
+        corners[second].append(moved(inverse(joint.closing_offset), joint.position))
         axis = line(joint.screws[0]).axis
         kind = "ball" if joint.dof > 1 else "box" if not joint.screws[0, :3].any() else "cylinder"
         drawn = {"name": joint.name, "joins": list(joint.bodies), "foot": first == mechanism.ground}

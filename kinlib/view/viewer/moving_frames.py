@@ -48,9 +48,6 @@ class FramesViewer(ViewerBase):
         """The text alternative of the current picture."""
         return " ".join([self.mode["captions"][self.at], *map(frame_text, self.poses.items())]).strip()
 
-    def _check(self, values: list[float]) -> None:
-        validation.array(values, "q")
-
     def _picture(self) -> Picture:
         length = self.mode["length"] * self.scene["size"]
         caption = self.mode["captions"][self.at]
@@ -65,7 +62,6 @@ def slide_frames(
     caption: Callable[[V], str] | None = None,
     arrows: bool = False,
     after: Any = None,
-    start: int = 0,
 ) -> FramesViewer:
     """Show frames in three dimensions, with one slider that moves them.
 
@@ -75,7 +71,6 @@ def slide_frames(
     caption    a function from a value to the caption
     arrows     whether an arrow leads from the origin of each frame to that of the next
     after      a question; the picture stays covered until a prediction is committed
-    start      the index of the value that is selected first
 
     Raises ValueError if there are no values, if a frame is not a pose, or if the names are not the same for all values.
 
@@ -103,7 +98,7 @@ def slide_frames(
         scene={
             "name": "frames",
             "size": radius,
-            "arms": [{"columns": [], "joints": [], "home": T.ravel().tolist()} for T in poses[start]],
+            "arms": [{"columns": [], "joints": [], "home": T.ravel().tolist()} for T in poses[0]],
             "sliders": [],
             "limits": [],
             "room": {"centre": middle.tolist(), "radius": radius, "constant": True},
@@ -124,7 +119,6 @@ def slide_frames(
             "arrows": arrows,
             "length": AXIS_SHARE * extent / radius,
         },
-        at=start,
     )
     viewer.wait_for(after)
     return viewer

@@ -21,7 +21,12 @@ NOTE_STYLE = (
     f"border-left:5px solid #0b5cad;background:color-mix(in srgb,#0b5cad 8%,{PAPER});color:{INK};"
     "padding:.6em 1em;margin:.4em 0;max-width:46em"
 )
-TITLE_STYLE = f"margin:0;font-weight:600;color:color-mix(in srgb,#0b5cad 50%,{INK})"
+NOT_RECORDED = (
+    f'<div role="status" style="{NOTE_STYLE}"><p style="margin:0;font-weight:600;color:color-mix(in srgb,#0b5cad 50%,{INK})">'
+    '<span aria-hidden="true">i</span> Shown without a prediction</p>'
+    '<p style="margin:.4em 0 0">Nothing was recorded. You can still commit to one above.</p></div>'
+)
+"""A framed note with an icon, in the colours of the notes in the course's feedback."""
 
 V = TypeVar("V")
 
@@ -72,7 +77,9 @@ def slide(
         index = slider.value
         return (drawn[index] if index in drawn else at(index)).html()
 
-    inside = _covered(_live(show, [slider], []), after)
+    screen = widgets.HTML(show())
+    slider.observe(lambda _: setattr(screen, "value", show()), "value")
+    inside = _covered(widgets.VBox([screen, slider]), after)
     if not is_without_kernel():
         return inside
     return Slides(inside, [(text, drawn[index].html()) for text, index in options], label, start, after)
@@ -102,20 +109,6 @@ class Slides(widgets.VBox):  # type: ignore[misc]  # ipywidgets ships no types
         return {**super()._repr_mimebundle_(**options), "text/html": self.html()}
 
 
-def _live(
-    draw: Callable[[], str], sliders: Sequence[widgets.Widget], buttons: Sequence[widgets.Widget]
-) -> widgets.VBox:
-    """Return a picture above its sliders, which is drawn again when one of them moves."""
-    screen = widgets.HTML(draw())
-
-    def redraw(_: Any) -> None:
-        screen.value = draw()
-
-    for slider in sliders:
-        slider.observe(redraw, "value")
-    return widgets.VBox([screen, *sliders, *buttons])
-
-
 def _covered(inside: widgets.VBox, after: Any) -> widgets.VBox:
     """Cover a widget until a question is committed. A button uncovers it without a prediction, and records nothing."""
     if after is None or after.committed:
@@ -125,19 +118,6 @@ def _covered(inside: widgets.VBox, after: Any) -> widgets.VBox:
     anyway = widgets.Button(description="Show anyway", tooltip="Uncover the picture without a prediction")
     box = widgets.VBox([widgets.HTML(note), anyway])
 
-    def uncover(_: Any) -> None:
-        box.children = [inside]
-
-    def peek(_: widgets.Button) -> None:
-        note = _note("Shown without a prediction", "Nothing was recorded. You can still commit to one above.")
-        box.children = [widgets.HTML(note), inside]
-
-    anyway.on_click(peek)
-    after.observe(uncover, "committed")
+    anyway.on_click(lambda _: setattr(box, "children", [widgets.HTML(NOT_RECORDED), inside]))
+    after.observe(lambda _: setattr(box, "children", [inside]), "committed")
     return box
-
-
-def _note(title: str, text: str) -> str:
-    """Return a framed note as HTML, with an icon, in the colours of the notes in the course's feedback."""
-    head = f'<p style="{TITLE_STYLE}"><span aria-hidden="true">i</span> {escape(title)}</p>'
-    return f'<div role="status" style="{NOTE_STYLE}">{head}<p style="margin:.4em 0 0">{escape(text)}</p></div>'

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import traitlets
-from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
@@ -17,8 +16,9 @@ from kinlib.dh.explanation import ACCURACY_SAMPLES
 from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.rigid.lie import inverse
-from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.figures.arm import draw_joints
+from kinlib.view.drawing.picture import Picture
+from kinlib.view.figures.arm import draw_joints, pose_text
+from kinlib.view.figures.joint_bodies import stations
 from kinlib.view.viewer.assignment_player import bare_scene, table_cells
 from kinlib.view.viewer.frame_candidates import frame_candidates
 from kinlib.view.viewer.viewer import Viewer
@@ -71,9 +71,8 @@ class ByHand(Viewer):
         arm = scene["arms"][0]
         arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would reveal the answer
         arm["normals"] = []
-        stations = [np.zeros(3), *chain.joint_points, chain.home[:3, 3]]
         # Straight links, because link paths with bends would show the normals.
-        arm["links"] = [np.array(pair).tolist() for pair in pairwise(stations)]
+        arm["links"] = [np.array(pair).tolist() for pair in pairwise(stations(chain))]
         self.convention = convention
         super().__init__(
             chain,
@@ -102,11 +101,7 @@ class ByHand(Viewer):
     @property
     def alt(self) -> str:
         """The text alternative of the current picture."""
-        whole = [
-            f"Frame {i} at {vector_text(T[:3, 3])}, x along {vector_text(T[:3, 0])}, z along {vector_text(T[:3, 2])}."
-            for i, T in enumerate(self.frames)
-            if not np.isnan(T).any()
-        ]
+        whole = [f"Frame {i} {pose_text(T)}." for i, T in enumerate(self.frames) if not np.isnan(T).any()]
         return f"{draw_joints(self.chain).alt} {' '.join(whole) or 'No frame is placed yet.'}"
 
     @traitlets.validate("frames")
@@ -138,26 +133,24 @@ class ByHand(Viewer):
         }
 
 
-def assign(chain: Chain, convention: Convention, *, frames: ArrayLike | None = None, after: Any = None) -> ByHand:
+def assign(chain: Chain, convention: Convention) -> ByHand:
     """Place DH frames 0 to n on an arm by hand, and check them by the rules of the convention.
-
-    frames  (n + 1, 4, 4) the initial frames, in {s} at home, NaN for what is not placed; by default none are placed
-    after   a question; the arm stays covered until a prediction is committed
 
     The frames are in `.frames`, the rules that they break in `.breaches`, and their table, once it is right, in `.table`.
 
-    Raises ValueError if the convention is unknown or frames has another shape.
+    Raises ValueError if the convention is unknown.
 
     >>> from kinlib.dh.assignment import assign_frames
     >>> from kinlib.chains.robots import rpr
-    >>> by_hand = assign(rpr(), "standard", frames=assign_frames(rpr(), convention="standard").frames)
+    >>> by_hand = assign(rpr(), "standard")
+    >>> by_hand.frames = assign_frames(rpr(), convention="standard").frames
     >>> by_hand.breaches
     []
     """
     bare = np.full((chain.n + 1, 4, 4), np.nan)
     bare[:, 3] = 0.0, 0.0, 0.0, 1.0
-    widget = ByHand(chain, validate_convention(convention), bare if frames is None else _from_page(frames))
-    widget.wait_for(after)
+    widget = ByHand(chain, validate_convention(convention), bare)
+    widget.wait_for(None)
     return widget
 
 

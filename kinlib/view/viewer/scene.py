@@ -16,13 +16,11 @@ from kinlib.dh.assignment import assign_frames
 from kinlib.dh.common_normal import common_normal
 from kinlib.rigid.lie import homogeneous, inverse, perpendicular
 from kinlib.view.drawing.canvas import VIEWS, axes_of_view
-from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes
+from kinlib.view.figures.assignment_steps import MAX_DISTANCE_IN_ARM_SIZES
+from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes, stations
 
 MAX_DETOUR_RATIO = 2.5
 """A link is drawn along its axes and their common normal, unless that is longer than the straight line by this factor."""
-
-MAX_DISTANCE_IN_ARM_SIZES = 4.0
-"""Frames and normals farther away than this are left out, as those of nearly parallel axes can be."""
 
 MIN_SIZE_IN_ROOM_RADII = 0.95
 """Joints, frames and arrows are drawn as for an arm of at least this size, relative to the radius of what is in view."""
@@ -48,7 +46,6 @@ def scene(
     *,
     joints: Sequence[int] | None = None,
     span: tuple[float, float] | None = None,
-    ghost: Array | None = None,
     frames: Mapping[str, ArrayLike] | None = None,
 ) -> dict[str, Any]:
     """Return all that the page needs of an arm: its geometry, its sliders, and the region in view.
@@ -56,7 +53,6 @@ def scene(
     start   (n,) the first joint values
     joints  the joints that get a slider, counted from 1
     span    the range of the sliders; by default the limits of each joint, or 180 degrees or one metre if it has none
-    ghost   (n,) another configuration, which must be in view
     frames  {"0": T, "1": T, ...} poses (4, 4) at start of frames that replace those of the arm; each is a layer "frame i"
 
     Raises ValueError if the arm does not have one of the joints, start does not have n values, span does not contain them, or
@@ -76,9 +72,8 @@ def scene(
         joint_slider(i, chain.joint_types[i] == "P", limits[i], float(start[i]), title=titles[i], span=span)
         for i in (joint - 1 for joint in joints)
     ]
-    configurations = [_stations(chain, np.zeros(chain.n)), _stations(chain, start)]
-    configurations += [] if ghost is None else [_stations(chain, ghost)]
-    view, floor = room(np.concatenate(configurations), _tips(chain, start), extent(chain))
+    configurations = np.concatenate([stations(chain), stations(chain, start)])
+    view, floor = room(configurations, _tips(chain, start), extent(chain))
     arm = arm_data(chain, range(chain.n))
     if frames:
         arm["frames"] = frames_on_links(chain, start, frames)
@@ -166,8 +161,7 @@ def extent(chain: Chain) -> float:
     >>> extent(youbot())
     0.5405
     """
-    stations = np.concatenate([np.zeros((1, 3)), chain.joint_points, chain.home[None, :3, 3]])
-    side = float(np.ptp(stations, axis=0).max())
+    side = float(np.ptp(stations(chain), axis=0).max())
     return side if side > COINCIDENT_TOL_M else 1.0
 
 
@@ -248,11 +242,6 @@ def finite_limits(limits: Array) -> list[list[float | None]]:
     [[0.0, None]]
     """
     return [[float(end) if np.isfinite(end) else None for end in pair] for pair in limits]
-
-
-def _stations(chain: Chain, q: Array) -> Array:
-    """Return the points through which an arm runs: the base, every joint, the tool."""
-    return np.concatenate([np.zeros((1, 3)), chain.link_poses(q)[:, :3, 3], chain.fk(q)[None, :3, 3]])
 
 
 def _tips(chain: Chain, q: Array) -> Array:

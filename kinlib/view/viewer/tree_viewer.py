@@ -17,10 +17,10 @@ from kinlib.rigid.lie import adjoint
 from kinlib.urdf.links_and_joints import UrdfJoint
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import INK, LINK_GREY, VIOLET
+from kinlib.view.drawing.figure_colours import INK, LINK_GREY
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import JOINT_KINDS, configuration_text, direction_text
-from kinlib.view.figures.joint_bodies import NUMBER_OFFSETS, carried_axes, draw_joint_body
+from kinlib.view.figures.joint_bodies import NUMBER_OFFSETS, carried_axes, draw_joint_body, stations
 from kinlib.view.viewer.scene import finite_limits, frame_data, joint_data, joint_slider, link_paths, room
 from kinlib.view.viewer.viewer import ViewerBase
 
@@ -54,6 +54,10 @@ class Branch:
         """Return the values of its own joints for values (n,) of the independent ones."""
         values: Array = self.multipliers * q[self.columns]
         return values
+
+    def stations(self, q: Array) -> Array:
+        """Return the points (k + 2, 3) through which its k joints run: the root, every joint, the tip."""
+        return stations(self.chain, self.values(q))
 
 
 def branches(tree: Tree) -> list[Branch]:
@@ -106,9 +110,9 @@ def draw_tree(tree: Tree, q: JointValues | None = None) -> Picture:
     """
     values = np.zeros(tree.n) if q is None else tree.in_order(q)
     found = branches(tree)
-    paths = [stations(branch, values) for branch in found]
+    paths = [branch.stations(values) for branch in found]
     seen = np.concatenate(paths)
-    canvas = Canvas(seen, sizes=np.concatenate([stations(branch, np.zeros(tree.n)) for branch in found]))
+    canvas = Canvas(seen, sizes=np.concatenate([branch.stations(np.zeros(tree.n)) for branch in found]))
     canvas.floor(seen)
     canvas.size *= _share(found)
     for branch, path in zip(found, paths, strict=True):
@@ -118,8 +122,7 @@ def draw_tree(tree: Tree, q: JointValues | None = None) -> Picture:
         for i in range(branch.shared, branch.chain.n):
             axis, point = axes[i], frames[i, :3, 3]
             draw_joint_body(canvas, branch.chain.joint_types[i], axis, point)
-            ends = point - 0.1 * canvas.size * axis, point + 0.2 * canvas.size * axis
-            canvas.arrow(*ends, VIOLET, 1.5, style="--", level=3.5)
+            canvas.axis(point - 0.1 * canvas.size * axis, point + 0.2 * canvas.size * axis)
             canvas.label(point, str(branch.columns[i] + 1), INK, NUMBER_OFFSETS, 11)
         if len(found) <= MAX_NAMED_TIPS:
             canvas.triad(branch.chain.fk(branch.values(values)), branch.tip, 0.1 * canvas.size)
@@ -190,7 +193,7 @@ def explore_tree(tree: Tree, start: JointValues | None = None) -> TreeViewer:
     """
     q = np.zeros(tree.n) if start is None else validation.single(tree.in_order(start), "q")
     found = branches(tree)
-    places = np.concatenate([stations(branch, q) for branch in found])
+    places = np.concatenate([branch.stations(q) for branch in found])
     size = max(float(np.ptp(places, axis=0).max()), 1e-3)
     tips = [branch.chain.fk(branch.values(q)) for branch in found]
     arrows = [T[:3, 3] + 0.2 * size * T[:3, :3].T for T in (np.eye(4), *tips)]
@@ -216,19 +219,6 @@ def explore_tree(tree: Tree, start: JointValues | None = None) -> TreeViewer:
     viewer = TreeViewer(tree, scene=scene, q=q, start=q, shown=shown, readout=False)
     viewer.wait_for(None)
     return viewer
-
-
-def stations(branch: Branch, q: Array) -> Array:
-    """Return the points (k + 2, 3) through which a branch of k joints runs at q (n,): the root, every joint, the tip.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> from kinlib.urdf.chains import to_urdf
-    >>> stations(branches(Tree.from_urdf(to_urdf(rpr())))[0], np.zeros(3))[-1] + 0.0
-    array([0., 0., 1.])
-    """
-    values = branch.values(q)
-    joints, tip = branch.chain.link_poses(values)[:, :3, 3], branch.chain.fk(values)[:3, 3]
-    return np.concatenate([np.zeros((1, 3)), joints, tip[None]])
 
 
 def _share(found: list[Branch]) -> float:

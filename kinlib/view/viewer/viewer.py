@@ -42,12 +42,8 @@ class ViewerBase(anywidget.AnyWidget):
 
     q           (n,) joint values; the page and Python can both set them
     start       (n,) the joint values that the button "Reset" restores
-    ghost       (n,) another configuration, drawn in grey, or empty
     shown       the layers that are drawn, any of kinlib.view.viewer.scene.LAYERS
     covered     whether the picture is covered until a prediction is committed
-    prediction  {"text", "options"}: the question on the cover; empty if the question is elsewhere
-    choice      the option that was committed on the cover, counted from 0; -1 before
-    message     a line below the picture, set by Python
     mode        {"kind", ...}: the data of a mode in kinlib/view/js/modes; empty for an arm with sliders
 
     >>> from traitlets import Bool, HasTraits
@@ -72,20 +68,15 @@ class ViewerBase(anywidget.AnyWidget):
     scene = traitlets.Dict().tag(sync=True)
     q = Values(traitlets.Float()).tag(sync=True)
     start = Values(traitlets.Float()).tag(sync=True)
-    ghost = Values(traitlets.Float()).tag(sync=True)
     shown = traitlets.List(traitlets.Unicode()).tag(sync=True)
     covered = traitlets.Bool(False).tag(sync=True)
-    prediction = traitlets.Dict().tag(sync=True)
-    choice = traitlets.Int(-1).tag(sync=True)
-    message = traitlets.Unicode("").tag(sync=True)
     readout = traitlets.Bool(True).tag(sync=True)
     mode = traitlets.Dict().tag(sync=True)
 
-    @traitlets.validate("q", "start", "ghost")
+    @traitlets.validate("q", "start")
     def _validate_values(self, proposal: Any) -> list[float]:
         values: list[float] = proposal["value"]
-        if values or proposal["trait"].name != "ghost":
-            self._check(values)
+        self._check(values)
         return values
 
     @traitlets.validate("shown")
@@ -119,7 +110,7 @@ class ViewerBase(anywidget.AnyWidget):
 
     def _check(self, values: list[float]) -> None:
         """Raise ValueError if joint values have another size or contain NaN."""
-        raise NotImplementedError
+        validation.array(values, "q")
 
     def _picture(self) -> Picture:
         """Return the drawing that is shown before the script starts, and in print."""
@@ -130,9 +121,9 @@ class ViewerBase(anywidget.AnyWidget):
 
         Or its current drawing, as .svg, .png or .pdf.
 
-        Raises ValueError for another ending, and if the viewer is covered until a question elsewhere is answered.
+        Raises ValueError for another ending, and if the viewer is covered until a question is answered.
         """
-        if self.covered and not self.prediction:
+        if self.covered:
             raise ValueError(
                 "The viewer must be uncovered before it is saved; it waits for a question that the file does not have. "
                 "Answer the question, or make the viewer without `after`."
@@ -160,14 +151,10 @@ class ViewerBase(anywidget.AnyWidget):
 
     def _covered_drawing(self) -> str:
         """Return what covers the drawing; on a page that must work without a kernel, a click opens the drawing."""
-        text = html.escape(
-            self.prediction.get("text", "Commit to your prediction first; then the picture appears here.")
-        )
-        return (
-            f"<details><summary>{text}</summary>{self._picture().html()}</details>"
-            if is_without_kernel()
-            else f"<p>{text}</p>"
-        )
+        text = "Commit to your prediction first; then the picture appears here."
+        if is_without_kernel():
+            return f"<details><summary>{text}</summary>{self._picture().html()}</details>"
+        return f"<p>{text}</p>"
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         data, metadata = super()._repr_mimebundle_(**options) or ({}, {})
@@ -195,20 +182,14 @@ class Viewer(ViewerBase):
     @property
     def alt(self) -> str:
         """The text alternative of the current picture."""
-        return describe_arm(
-            self.chain,
-            self.q,
-            ghost=self.ghost or None,
-            home_axes="home axes" in self.shown,
-            frames=self._shown_frames(),
-        )
+        return describe_arm(self.chain, self.q, home_axes="home axes" in self.shown, frames=self._shown_frames())
 
     def _check(self, values: list[float]) -> None:
         self.chain.fk(values)
 
     def _picture(self) -> Picture:
         drawn = [name for name in self.shown if name in ARM_LAYERS]
-        return draw_arm(self.chain, self.q, show=drawn, ghost=self.ghost or None, frames=self._shown_frames())
+        return draw_arm(self.chain, self.q, show=drawn, frames=self._shown_frames())
 
     def _shown_frames(self) -> dict[str, Array]:
         """Return the poses at q of those frames given to `explore` that are switched on."""
@@ -226,10 +207,8 @@ def explore(
     after: Any = None,
     start: JointValues | None = None,
     span: tuple[float, float] | None = None,
-    ghost: JointValues | None = None,
     frames: Mapping[str, ArrayLike] | None = None,
     readout: bool = True,
-    predict: tuple[str, Sequence[str]] | None = None,
 ) -> Viewer:
     """Show an arm in three dimensions, with sliders for its joints and the pose of its end-effector.
 
@@ -239,12 +218,10 @@ def explore(
     start    (n,) the first joint values, or a mapping from joint names to values; by default home. Afterwards `q` is
              synchronized with the page
     span     the range of the sliders, in radians or metres; by default the limits of the joints
-    ghost    (n,) another configuration, drawn in grey
     frames   {"0": T_00, "1": T_01, ...} frames on the links, which the reader switches on one by one; poses (4, 4) in {s} at
              `start`. Frame i is fixed to link i and moves with it; frames beyond the last link are fixed to that one. They
              replace {s}, {b} and the DH frames. The first one is shown at the beginning, or those in show: "frame 1"
     readout  whether the pose of the end-effector is shown beside the picture
-    predict  a question (text, options) on the cover itself; `choice` is the option that was committed
 
     Raises ValueError if the arm does not have one of the joints, values do not have shape (n,) or contain NaN, span does not
     contain the start, a layer is unknown, or a frame is not a pose or is not named by its link.
@@ -265,22 +242,17 @@ def explore(
     """
     validation.instance(chain, "chain", Chain)
     home = np.zeros(chain.n) if start is None else validation.single(chain.in_order(start), "q")
-    shade = None if ghost is None else validation.single(chain.in_order(ghost), "ghost")
-    text, options = predict or ("", ())
     layers = list(show)
     if frames:
         layers = [layer for layer in show if layer not in FRAME_LAYERS]
         layers += [] if any(f"frame {name}" in show for name in frames) else [f"frame {next(iter(frames))}"]
     viewer = Viewer(
         chain,
-        scene=scene(chain, home, joints=joints, span=span, ghost=shade, frames=frames),
+        scene=scene(chain, home, joints=joints, span=span, frames=frames),
         q=home,
         start=home,
-        ghost=[] if shade is None else shade,
         shown=layers,
         readout=readout,
-        covered=bool(text),
-        prediction={"text": text, "options": list(options)} if text else {},
     )
     viewer.wait_for(after)
     return viewer

@@ -64,7 +64,7 @@ def turning(x):
 
 
 def test_frames_at_each_value_are_those_of_the_function_and_are_described():
-    shown = slide_frames(turning, "angle", [0.0, 0.5, 1.0], caption=lambda x: f"Rotated by {x} rad.", start=1)
+    shown = slide_frames(turning, "angle", [0.0, 0.5, 1.0], caption=lambda x: f"Rotated by {x} rad.")
     texts = set()
     for index, x in enumerate((0.0, 0.5, 1.0)):
         shown.at = index

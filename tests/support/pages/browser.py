@@ -3,14 +3,12 @@
 An error on the console of a page, or a request to another host, fails the test that used the page.
 """
 
-import contextlib
 import os
 import re
 import shutil
 import socket
 import subprocess
 import sys
-import time
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -178,22 +176,6 @@ def jupyterlab(folder: Path):
     finally:
         server.terminate()
         server.wait(20)
-
-
-def open_notebook(page, address: str, folder: Path, cells):
-    """Write a notebook, open it in a JupyterLab that has just been started, and wait for its kernel."""
-    import nbformat
-
-    kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
-    nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata=kernel), folder / "notebook.ipynb")
-    for _ in range(120):
-        with contextlib.suppress(Exception):
-            page.request.get(f"{address}/api", timeout=1000)
-            break
-        time.sleep(0.5)
-    page.goto(f"{address}/doc/tree/notebook.ipynb?reset", timeout=60_000)
-    page.locator(".jp-Notebook .jp-CodeCell").nth(len(cells) - 1).wait_for(timeout=60_000)
-    page.get_by_text("| Idle").wait_for(timeout=60_000)
 
 
 def run_cell(page, which: int):

@@ -30,10 +30,6 @@ def test_the_moment_is_the_velocity_at_the_origin(omega, p):
     np.testing.assert_allclose(radius, np.linalg.norm(np.cross(omega, p)), rtol=5e-3)
 
 
-def test_the_text_alternative_differs_when_the_axis_does():
-    assert len({draw(*case).alt for case in CASES for draw in (draw_moment, draw_point_velocity)}) == 6
-
-
 def test_an_axis_through_the_point_is_refused():
     with pytest.raises(ValueError, match="must have a radius"):
         draw_moment((0, 0, 1), (0, 0, 3))

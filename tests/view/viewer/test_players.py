@@ -2,16 +2,18 @@
 
 import json
 import re
+from functools import partial
 
 import numpy as np
 import pytest
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
+from kincourse import open_sheet
 from kinlib.chains.robots import pose
 from kinlib.dh.rules import check_frames
 from kinlib.rigid.lie import exp
-from kinlib.view import assign, play_assignment, play_row, play_walk
+from kinlib.view import assign, drive, explore, play_assignment, play_row, play_walk, slide_frames
 from kinlib.view.figures.dh_row_motions import poses_along_arm, poses_along_row
 from kinlib.view.viewer.assignment_player import table_cells
 from kinlib.view.viewer.frame_candidates import frame_candidates
@@ -82,7 +84,8 @@ def test_the_cells_on_the_page_give_the_same_table(chain, convention):
 
 
 def test_python_sets_the_step_and_the_text_alternative_follows():
-    player = play_assignment(kl.robots.youbot(), convention="standard", step=3)
+    player = play_assignment(kl.robots.youbot(), convention="standard")
+    player.step = 3
     assert "step 4 of 25" in player.alt
     player.step = 24
     assert "This table describes the arm" in player.alt
@@ -100,37 +103,32 @@ def test_rows_that_the_reader_is_to_find_are_not_on_the_page():
         play_assignment(kl.robots.youbot(), convention="standard", rows=6)
 
 
-@pytest.mark.parametrize("step", [-1, 25])
-def test_a_step_that_does_not_exist_is_refused_and_the_old_one_stays(step):
-    player = play_assignment(kl.robots.youbot(), convention="standard", step=2)
-    with pytest.raises(ValueError, match="0 to 24"):
-        player.step = step
-    assert player.step == 2
+def test_a_step_that_does_not_exist_is_refused_and_the_old_one_stays():
+    player = play_assignment(kl.robots.youbot(), convention="standard")
+    for step in (-1, 25):
+        with pytest.raises(ValueError, match="0 to 24"):
+            player.step = step
+    assert player.step == 0
 
 
-def test_a_helical_joint_has_no_player():
-    with pytest.raises(ValueError, match="helical"):
-        play_assignment(kl.robots.hrr(), convention="standard")
-
-
-@pytest.mark.parametrize(
-    "make",
-    [
-        lambda question: play_assignment(kl.robots.rpr(), convention="standard", after=question),
-        lambda question: play_row(ROW, after=question),
-        lambda question: play_walk(WALK, after=question),
-        lambda question: assign(kl.robots.rpr(), "standard", after=question),
-    ],
-    ids=["assignment", "row", "walk", "by hand"],
-)
-def test_it_stays_covered_until_the_prediction_is_committed(make):
-    question = Answered()
-    player = make(question)
-    assert player.covered
-    assert "<img" not in player.html()
-    question.committed = True
-    assert not player.covered
-    assert "<img" in player.html()
+def test_a_viewer_stays_covered_until_the_prediction_is_committed():
+    linkage = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
+    closed = linkage.assembly_modes(hold={"A": 1.0})[0]
+    for make in (
+        partial(explore, kl.robots.rpr()),
+        partial(play_assignment, kl.robots.rpr(), convention="standard"),
+        partial(play_row, ROW),
+        partial(play_walk, WALK),
+        partial(slide_frames, lambda _: {"s": np.eye(4)}, "x", [0]),
+        partial(drive, linkage, closed, curves=[[closed]]),
+    ):
+        player = make(after=(question := Answered()))
+        assert player.covered
+        assert "<img" not in player.html()
+        question.committed = True
+        assert not player.covered
+        assert "<img" in player.html()
+        assert not make(after=question).covered
 
 
 @each_convention
@@ -153,16 +151,15 @@ def product(track, share=1.0):
     return T @ np.reshape(track["stops"][0], (4, 4))
 
 
-@pytest.mark.parametrize("row", [ROW, [0, 0, 0, 0], [-0.5, -2, 0, 3], [0, 1, -0.4, 0]])
-def test_the_motions_end_at_the_row_s_matrix_in_both_conventions(row):
+def test_the_motions_end_at_the_row_s_matrix_in_both_conventions():
     """Compare the product of exponentials with kl.dh_transform, which multiplies matrices."""
-    for track in play_row(row).mode["tracks"]:
-        start = np.reshape(track["stops"][0], (4, 4))
-        expected = start @ kl.dh_transform(*row, convention=track["title"])
-        np.testing.assert_allclose(product(track), expected, rtol=0, atol=1e-14)
-        np.testing.assert_allclose(
-            np.reshape(track["stops"], (-1, 4, 4)), start @ poses_along_row(row, track["title"]), atol=1e-15
-        )
+    for row in (ROW, [0, 0, 0, 0], [-0.5, -2, 0, 3], [0, 1, -0.4, 0]):
+        for track in play_row(row).mode["tracks"]:
+            start = np.reshape(track["stops"][0], (4, 4))
+            expected = start @ kl.dh_transform(*row, convention=track["title"])
+            np.testing.assert_allclose(product(track), expected, rtol=0, atol=1e-14)
+            stops = np.reshape(track["stops"], (-1, 4, 4))
+            np.testing.assert_allclose(stops, start @ poses_along_row(row, track["title"]), atol=1e-15)
 
 
 def test_each_factor_of_a_walk_is_one_screw_motion():
@@ -172,9 +169,8 @@ def test_each_factor_of_a_walk_is_one_screw_motion():
     assert [flag["name"] for flag in track["flags"]] == ["0", "1 mod", "1 std", "2 mod", "2 std"]
     half = exp(np.array(track["motions"][1]["screw"]) * track["motions"][1]["value"] / 2)
     there = kl.dh_transform(0.3, -0.45, 0, 0, convention="standard")
-    np.testing.assert_allclose(
-        half, there, atol=1e-14
-    )  # half a screw motion has half the angle and half the translation
+    # half a screw motion has half the angle and half the translation
+    np.testing.assert_allclose(half, there, atol=1e-14)
 
 
 def test_the_text_of_each_motion_contains_its_value():
@@ -185,25 +181,22 @@ def test_the_text_of_each_motion_contains_its_value():
     assert "0.6 m" in modified["motions"][3]["text"]
 
 
-@pytest.mark.parametrize(
-    ("player", "said"),
-    [
-        (play_row(ROW, convention="standard", done=2), "after theta about z, d along z"),
-        (play_row(ROW, convention="modified", done=1), "One DH row, motion 1 of 4. Modified: about x by alpha"),
-        (play_row(ROW, done=4), "two conventions, motion 4 of 4"),
-        (play_walk(WALK, done=3), "The path Z1 X1 Z2."),
-    ],
-    ids=["standard", "modified", "both", "walk"],
-)
-def test_the_text_alternative_says_which_motions_are_carried_out(player, said):
-    assert said in player.alt
-    assert state_of(player)["done"] == player.done
+def test_the_text_alternative_says_which_motions_are_carried_out():
+    for player, done, said in [
+        (play_row(ROW, convention="standard"), 2, "after theta about z, d along z"),
+        (play_row(ROW, convention="modified"), 1, "One DH row, motion 1 of 4. Modified: about x by alpha"),
+        (play_row(ROW), 4, "two conventions, motion 4 of 4"),
+        (play_walk(WALK), 3, "The path Z1 X1 Z2."),
+    ]:
+        player.done = done
+        assert said in player.alt
+        assert state_of(player)["done"] == done
 
 
-@pytest.mark.parametrize("done", [-0.1, 4.5, np.nan])
-def test_another_number_of_motions_is_refused(done):
-    with pytest.raises(ValueError, match="done must be the number of motions carried out, 0 to 4"):
-        play_row(ROW, done=done)
+def test_another_number_of_motions_is_refused():
+    for done in (-0.1, 4.5, np.nan):
+        with pytest.raises(ValueError, match="done must be the number of motions carried out, 0 to 4"):
+            play_row(ROW).done = done
 
 
 def test_two_rows_instead_of_one_are_refused():
@@ -212,6 +205,12 @@ def test_two_rows_instead_of_one_are_refused():
 
 
 # --- frames by hand ---
+
+
+def placed(chain, convention, frames):
+    hand = assign(chain, convention)
+    hand.frames = frames
+    return hand
 
 
 @each_arm
@@ -246,7 +245,7 @@ def test_the_page_does_not_receive_the_answer():
 @each_arm
 @each_convention
 def test_a_right_assignment_is_accepted_and_its_table_describes_the_arm(chain, convention):
-    hand = assign(chain, convention, frames=kl.assign_frames(chain, convention=convention).frames)
+    hand = placed(chain, convention, kl.assign_frames(chain, convention=convention).frames)
     assert hand.breaches == []
     assert kl.equivalent(hand.table, chain)
     hand.asked += 1
@@ -261,7 +260,7 @@ def test_an_opposite_z_is_right_and_negates_its_joint_variable(convention):
     """Every z and every x is negated by half a turn about y: the rules hold, and the table describes the arm with -q."""
     chain = kl.robots.puma560()
     frames = kl.assign_frames(chain, convention=convention).frames @ np.diag([-1, 1, -1, 1])
-    hand = assign(chain, convention, frames=frames)
+    hand = placed(chain, convention, frames)
     hand.asked = 1
     assert hand.verdict["breaches"] == []
     assert all("−q" in row[3] for row in hand.verdict["table"])
@@ -274,7 +273,7 @@ def test_a_broken_rule_is_reported_at_its_joint(convention):
     frames = kl.assign_frames(chain, convention=convention).frames.copy()
     i = 2
     frames[i, :3, 3] += 0.1 * frames[i, :3, 1]
-    hand = assign(chain, convention, frames=frames)
+    hand = placed(chain, convention, frames)
     hand.asked = 1
     reported = hand.verdict["breaches"]
     assert [b.text for b in check_frames(chain, frames, convention)] == [one["text"] for one in reported]
@@ -286,16 +285,14 @@ def test_a_broken_rule_is_reported_at_its_joint(convention):
 
 
 @each_convention
-@pytest.mark.parametrize("missing", [0, 1, 3, 5])
-def test_incomplete_frames_are_not_checked_and_do_not_affect_others(convention, missing):
+def test_incomplete_frames_are_not_checked_and_do_not_affect_others(convention):
     chain = kl.robots.youbot()
-    frames = kl.assign_frames(chain, convention=convention).frames.copy()
-    frames[missing, :3, 0] = np.nan
-    assert check_placed_frames(chain, frames, convention) == []
-    other = 4 if missing != 4 else 2
-    frames[other, :3, :2] *= -1
-    frames[other, :3, 1] *= -1
-    assert {breach.frame for breach in check_placed_frames(chain, frames, convention)} == {other}
+    for missing in (0, 1, 3, 5):
+        frames = kl.assign_frames(chain, convention=convention).frames.copy()
+        frames[missing, :3, 0] = np.nan
+        assert check_placed_frames(chain, frames, convention) == []
+        frames[4, :3, 0] *= -1  # no longer right-handed
+        assert {breach.frame for breach in check_placed_frames(chain, frames, convention)} == {4}
 
 
 def test_frames_with_open_entries_are_synchronized_with_the_page():
@@ -311,32 +308,26 @@ def test_frames_with_open_entries_are_synchronized_with_the_page():
     assert "Frame 3 at" in hand.alt
 
 
-@pytest.mark.parametrize(
-    ("frames", "message"),
-    [
+def test_an_invalid_array_of_frames_is_refused():
+    for frames, message in [
         (np.eye(4), r"shape \(4, 4, 4\).*got \(4, 4\)"),
         ("soon", "must be an array of numbers"),
         ([[1, 2], [3]], "must be an array of numbers"),
-    ],
-)
-def test_an_invalid_array_of_frames_is_refused(frames, message):
-    with pytest.raises(ValueError, match=message):
-        assign(kl.robots.rpr(), "standard", frames=frames)
+    ]:
+        with pytest.raises(ValueError, match=message):
+            placed(kl.robots.rpr(), "standard", frames)
     with pytest.raises(ValueError, match="convention"):
         assign(kl.robots.rpr(), "common")
 
 
-@pytest.mark.parametrize("missing", [[1], [0, 3]], ids=["one", "two"])
-def test_a_sheet_names_the_frames_that_are_not_placed(missing):
-    from kincourse import open_sheet
-
+def test_a_sheet_names_the_frames_that_are_not_placed():
     sheet = open_sheet("07_frame_assignment", "ada")
     given = sheet.given(2)
     chain = kl.Chain(given.screws, given.home, given.points)
     frames = kl.assign_frames(chain, convention="standard").frames.copy()
-    frames[missing, :3, 0] = np.nan
-    pasted = [... if i in missing else T for i, T in enumerate(frames)]
-    for answer in (frames, pasted, assign(chain, "standard", frames=frames).frames):
+    frames[[0, 3], :3, 0] = np.nan
+    pasted = [... if i in (0, 3) else T for i, T in enumerate(frames)]
+    for answer in (frames, pasted, placed(chain, "standard", frames).frames):
         verdict = sheet.check(2, answer)
         assert verdict.judgement.fraction == 0
-        assert f"{', '.join(map(str, missing))}. If you placed them by hand, press Copy" in repr(verdict)
+        assert "0, 3. If you placed them by hand, press Copy" in repr(verdict)

@@ -14,7 +14,6 @@ from kinlib.view.viewer.tree_viewer import (
     describe_tree,
     draw_tree,
     explore_tree,
-    stations,
 )
 
 
@@ -22,7 +21,7 @@ from kinlib.view.viewer.tree_viewer import (
     "axiom: a branch ends where Tree.poses, which pinocchio confirms, has its tip",
     branches,
     Branch.values,
-    stations,
+    Branch.stations,
 )
 @given(trees(mimic=True), st.integers(0, 2**32 - 1))
 def test_every_branch_ends_at_its_tip_and_every_joint_is_drawn_once(drawn, seed):
@@ -36,7 +35,7 @@ def test_every_branch_ends_at_its_tip_and_every_joint_is_drawn_once(drawn, seed)
     assert [branch.tip for branch in found] == list(tree.tips)
     for branch in found:
         np.testing.assert_allclose(branch.chain.fk(branch.values(q)), poses[branch.tip], atol=1e-9)
-        np.testing.assert_allclose(stations(branch, q)[-1], poses[branch.tip][:3, 3], atol=1e-9)
+        np.testing.assert_allclose(branch.stations(q)[-1], poses[branch.tip][:3, 3], atol=1e-9)
     arms = explore_tree(tree, q).scene["arms"]
     shown = [joint["name"] for arm in arms for joint in arm["joints"] if not joint["hidden"]]
     assert sorted(shown) == sorted({name for branch in found for name in branch.names})

@@ -3,6 +3,7 @@
 import gzip
 import json
 import re
+from itertools import product
 from pathlib import Path
 
 import modern_robotics as mr
@@ -11,7 +12,6 @@ import pytest
 from scipy.linalg import null_space
 from scipy.spatial import distance
 from strategies import ROBOTS, configurations
-from traitlets import Bool, HasTraits
 
 import kinlib as kl
 from kinlib.view import explore
@@ -37,22 +37,7 @@ ROOT = Path(__file__).parents[3]
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 
 
-class Answered(HasTraits):
-    """A question as the viewer sees it: all that it uses is this trait."""
-
-    committed = Bool(False)
-
-
 # --- the data of an arm ---
-
-
-@each_robot
-def test_the_links_run_from_the_base_over_every_joint_to_the_tool(robot):
-    paths = link_paths(robot)
-    stations = [np.zeros(3), *robot.joint_points, robot.home[:3, 3]]
-    for path, start, end in zip(paths, stations[:-1], stations[1:], strict=True):
-        np.testing.assert_allclose(path[0], start, atol=1e-12)
-        np.testing.assert_allclose(path[-1], end, atol=1e-9)
 
 
 @pytest.mark.oracle("modern_robotics", arm_data, scene, joint_data)
@@ -75,7 +60,9 @@ def test_the_extent_is_that_of_scipy_and_links_follow_the_common_normals(robot):
     stations = np.array([np.zeros(3), *robot.joint_points, robot.home[:3, 3]])
     assert extent(robot) == pytest.approx(distance.pdist(stations, "chebyshev").max(), rel=1e-12)
     axes = np.array([(0, 0, 1), *robot.lines.axis])
-    for i, path in enumerate(link_paths(robot)[:-1]):
+    paths = link_paths(robot)
+    np.testing.assert_allclose(paths[-1][[0, -1]], stations[-2:], atol=1e-9)
+    for i, path in enumerate(paths[:-1]):
         off = cdist_to_lines(path, stations[[i, i + 1]], axes[[i, i + 1]])
         np.testing.assert_allclose(path[[0, -1]], stations[[i, i + 1]], atol=1e-9)
         if len(path) > 2:
@@ -89,20 +76,16 @@ def cdist_to_lines(points, feet, axes):
 
 
 @each_robot
-def test_every_frame_is_fixed_to_a_body_of_the_arm(robot):
+def test_every_frame_is_fixed_to_a_body_and_dh_frames_are_those_of_the_assignment(robot):
     arm = explore(robot).scene["arms"][0]
     for frames in arm["frames"].values():
         for frame in frames:
             assert 0 <= frame["body"] <= robot.n
             kl.inverse(np.reshape(frame["pose"], (4, 4)))  # raises ValueError if the pose is not rigid
     assert ("standard" in arm["frames"]) == ("H" not in robot.joint_types)
-
-
-@each_robot
-def test_dh_frames_are_those_of_the_assignment(robot):
     if "H" in robot.joint_types:
         return
-    shown = {f["name"]: f["pose"] for f in explore(robot).scene["arms"][0]["frames"]["modified"]}
+    shown = {f["name"]: f["pose"] for f in arm["frames"]["modified"]}
     for i, T in enumerate(kl.assign_frames(robot, convention="modified").frames):
         np.testing.assert_array_equal(np.reshape(shown[str(i)], (4, 4)), T)
 
@@ -124,30 +107,23 @@ def test_only_the_chosen_joints_get_sliders_with_their_units():
 # --- arguments that are refused ---
 
 
-def test_a_start_outside_its_span_or_of_another_size_is_refused():
-    with pytest.raises(ValueError, match=r"contain the start of joint 1, 0; got 10 to 90. Is one of them in degrees"):
-        explore(kl.robots.rpr(), joints=[1], span=(10, 90))
-    with pytest.raises(ValueError, match="RPR has 3 joints"):
-        explore(kl.robots.rpr(), start=[0, 0])
+def test_what_cannot_be_shown_is_refused():
+    for settings, says in [
+        ({"joints": [1], "span": (10, 90)}, r"the start of joint 1, 0; got 10 to 90. Is one of them in degrees"),
+        ({"start": [0, 0]}, "RPR has 3 joints"),
+        ({"joints": [4]}, "RPR has joints 1 to 3; got 4"),
+        ({"show": ["wheels"]}, r"show may contain axes, .*; got 'wheels'"),
+    ]:
+        with pytest.raises(ValueError, match=says):
+            explore(kl.robots.rpr(), **settings)
 
 
-def test_a_joint_number_beyond_the_arm_is_refused():
-    with pytest.raises(ValueError, match="RPR has joints 1 to 3; got 4"):
-        explore(kl.robots.rpr(), joints=[4])
-
-
-@pytest.mark.parametrize("trait", ["q", "ghost", "start"])
-@pytest.mark.parametrize("values", [[1, 2], [1, 2, np.nan]])
-def test_invalid_values_are_refused_and_the_old_ones_stay(trait, values):
-    arm = explore(kl.robots.rpr(), start=[0.1, 0.2, 0.3], ghost=[0.1, 0.2, 0.3])
-    with pytest.raises(ValueError, match=r"RPR has 3 joints|NaN"):
-        setattr(arm, trait, values)
-    assert getattr(arm, trait) == [0.1, 0.2, 0.3]
-
-
-def test_an_unknown_layer_is_refused():
-    with pytest.raises(ValueError, match=r"show may contain axes, .*; got 'wheels'"):
-        explore(kl.robots.rpr(), show=["wheels"])
+def test_invalid_values_are_refused_and_the_old_ones_stay():
+    arm = explore(kl.robots.rpr(), start=[0.1, 0.2, 0.3])
+    for trait, values in product(("q", "start"), ([1, 2], [1, 2, np.nan])):
+        with pytest.raises(ValueError, match=r"RPR has 3 joints|NaN"):
+            setattr(arm, trait, values)
+        assert getattr(arm, trait) == [0.1, 0.2, 0.3]
 
 
 # --- traits ---
@@ -160,33 +136,12 @@ def test_values_may_be_an_array():
     assert "at q = (1, 2, 3)" in arm.alt
 
 
-def test_it_stays_covered_until_the_prediction_is_committed():
-    question = Answered()
-    arm = explore(kl.robots.rpr(), joints=[1], after=question)
-    assert arm.covered
-    assert "<img" not in arm.html()
-    question.committed = True
-    assert not arm.covered
-    assert "<img" in arm.html()
-
-
-def test_a_committed_question_covers_nothing():
-    assert not explore(kl.robots.rpr(), after=Answered(committed=True)).covered
-
-
-def test_a_prediction_on_the_cover_is_a_trait_that_python_reads():
-    arm = explore(kl.robots.rpr(), predict=("Up or down?", ["up", "down"]))
-    assert arm.covered
-    assert arm.choice == -1
-    assert arm.prediction == {"text": "Up or down?", "options": ["up", "down"]}
-
-
 # --- a page without a kernel ---
 
 
 @each_robot
 def test_a_static_page_gets_the_state_and_a_drawing_with_a_text_alternative(robot):
-    arm = explore(robot, ghost=np.zeros(robot.n), show=LAYERS)
+    arm = explore(robot, show=LAYERS)
     page = arm._repr_mimebundle_()[0]
     state = json.loads(re.search(r'<script type="application/json">(.*?)</script>', page["text/html"])[1])
     assert state["q"] == arm.q

@@ -1,6 +1,6 @@
 // One slider and one number field per joint, a play button and a reset button. A handler only sets q. Everything is
 // drawn when q changes, so that it makes no difference whether the page or Python changed it.
-import { formatNumber, h, NO_SHORTCUTS, renderSymbol, uniqueId } from '../dom.js';
+import { button, formatNumber, h, NO_SHORTCUTS, renderSymbol, uniqueId } from '../dom.js';
 import { playButton, ROUND_MS } from './play-button.js';
 
 const DEGREE = Math.PI / 180;
@@ -9,28 +9,16 @@ const DEGREE = Math.PI / 180;
 export function jointSliders(state) {
   const rows = state.sliders.map((slider) => sliderRow(slider, state));
   const motion = sweepJoints(state);
+  const reset = () => {
+    motion.stop();
+    state.set(state.start());
+  };
   const element = h(
     'fieldset',
     { class: 'kv-joints' },
     h('legend', {}, 'Joint values'),
     ...rows.map(({ element: line }) => line),
-    h(
-      'div',
-      { class: 'kv-buttons' },
-      motion.button,
-      h(
-        'button',
-        {
-          type: 'button',
-          ...NO_SHORTCUTS,
-          onclick: () => {
-            motion.stop();
-            state.set(state.start());
-          },
-        },
-        '↺ Reset',
-      ),
-    ),
+    h('div', { class: 'kv-buttons' }, motion.button, button('↺ Reset', reset)),
   );
   return {
     element,

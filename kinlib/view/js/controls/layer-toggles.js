@@ -1,6 +1,6 @@
 // Toggle buttons for the layers, a list of frame choices, and buttons for the named views.
 
-import { h, NO_SHORTCUTS } from '../dom.js';
+import { button, h, NO_SHORTCUTS } from '../dom.js';
 import { VIEWS } from '../render/camera.js';
 import { FRAME_LAYERS, FRAMES, frameChoiceOf, isSingleFrame, TOGGLES, without } from '../scene/layers.js';
 
@@ -12,21 +12,8 @@ export function layerToggles({ available, shown, setShown }) {
   const buttons = [...singleFrames, ...Object.entries(TOGGLES)]
     .filter(([name]) => available.includes(name))
     .map(([name, text, spoken]) => {
-      const button = h(
-        'button',
-        {
-          type: 'button',
-          class: 'kv-chip',
-          'aria-label': spoken,
-          ...NO_SHORTCUTS,
-          onclick: () => {
-            const now = shown();
-            setShown(now.includes(name) ? without(now, [name]) : [...now, name]);
-          },
-        },
-        text,
-      );
-      return { name, button };
+      const toggle = () => setShown(shown().includes(name) ? without(shown(), [name]) : [...shown(), name]);
+      return { name, chip: button(text, toggle, { class: 'kv-chip', 'aria-label': spoken }) };
     });
   const select = h(
     'select',
@@ -45,10 +32,10 @@ export function layerToggles({ available, shown, setShown }) {
       'div',
       { class: 'kv-toggles', role: 'group', 'aria-label': 'Show' },
       ...choices,
-      ...buttons.map(({ button }) => button),
+      ...buttons.map(({ chip }) => chip),
     ),
     update() {
-      for (const { name, button } of buttons) button.setAttribute('aria-pressed', String(shown().includes(name)));
+      for (const { name, chip } of buttons) chip.setAttribute('aria-pressed', String(shown().includes(name)));
       select.value = frameChoiceOf(shown());
     },
   };
@@ -58,8 +45,6 @@ export function viewButtons(camera) {
   return h(
     'div',
     { class: 'kv-views', role: 'group', 'aria-label': 'View' },
-    ...Object.keys(VIEWS).map((name) =>
-      h('button', { type: 'button', ...NO_SHORTCUTS, onclick: () => camera.flyTo(name) }, name),
-    ),
+    ...Object.keys(VIEWS).map((name) => button(name, () => camera.flyTo(name))),
   );
 }

@@ -1,5 +1,5 @@
 // A button that starts a periodic motion and stops it when it is pressed again.
-import { h, NO_SHORTCUTS } from '../dom.js';
+import { button } from '../dom.js';
 
 /** Period of the motion. */
 export const ROUND_MS = 4000;
@@ -14,28 +14,24 @@ export function playButton(begin, tick) {
   let frame = 0;
   let begun = 0;
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
-  const button = h(
-    'button',
-    { type: 'button', class: 'kv-play', ...NO_SHORTCUTS, onclick: () => (frame ? stop() : start()) },
-    '▶ Play',
-  );
+  const play = button('▶ Play', () => (frame ? stop() : start()), { class: 'kv-play' });
   function stop() {
     cancelAnimationFrame(frame);
     frame = 0;
-    button.textContent = '▶ Play';
+    play.textContent = '▶ Play';
   }
   function start() {
     begin();
     begun = performance.now();
-    button.textContent = '❚❚ Pause';
+    play.textContent = '❚❚ Pause';
     frame = requestAnimationFrame(step);
   }
   function step(now) {
     const time = Math.max(0, now - begun);
     const share = (time % ROUND_MS) / ROUND_MS;
     tick(time, calm.matches ? Math.floor(share * REDUCED_MOTION_STEPS) / REDUCED_MOTION_STEPS : share);
-    if (button.isConnected) frame = requestAnimationFrame(step);
+    if (play.isConnected) frame = requestAnimationFrame(step);
     else stop();
   }
-  return { button, stop };
+  return { button: play, stop };
 }

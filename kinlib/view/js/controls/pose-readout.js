@@ -1,5 +1,5 @@
 // The pose of the tool as a matrix, with its columns in the colours of the axes, and a button that copies it as Python.
-import { formatNumber, h, NO_SHORTCUTS, uniqueId } from '../dom.js';
+import { button, formatNumber, h, uniqueId } from '../dom.js';
 
 const COLUMNS = [
   ['x̂', 'x'],
@@ -13,22 +13,12 @@ export function poseReadout() {
   let now = { q: [], T: [] };
   const cells = Array.from({ length: 16 }, () => h('td'));
   const copied = h('span', { class: 'kv-small', role: 'status' });
-  const copy = h(
-    'button',
-    {
-      type: 'button',
-      ...NO_SHORTCUTS,
-      class: 'kv-copy',
-      title: 'Copy q and T(q) as Python',
-      onclick: async () => {
-        copied.textContent = (await copyToClipboard(formatPython(now))) ? 'copied' : 'no access to the clipboard';
-        setTimeout(() => {
-          copied.textContent = '';
-        }, 2000);
-      },
-    },
-    'Copy',
-  );
+  const copy = async () => {
+    copied.textContent = (await copyToClipboard(formatPython(now))) ? 'copied' : 'no access to the clipboard';
+    setTimeout(() => {
+      copied.textContent = '';
+    }, 2000);
+  };
   const id = uniqueId('pose');
   const element = h(
     'div',
@@ -38,7 +28,7 @@ export function poseReadout() {
       { class: 'kv-head' },
       h('span', { id, class: 'kv-title' }, 'Tool pose ', h('i', {}, 'T'), '(', h('i', {}, 'q'), ')'),
       copied,
-      copy,
+      button('Copy', copy, { class: 'kv-copy', title: 'Copy q and T(q) as Python' }),
     ),
     h(
       'table',

@@ -1,13 +1,13 @@
 // The steps of a frame assignment, forwards and backwards, each with its explanation and with its objects highlighted.
 
 import { renderMathText } from '../controls/math-text.js';
-import { h, NO_SHORTCUTS } from '../dom.js';
+import { button, h, moveSlider, NO_SHORTCUTS, named, slider } from '../dom.js';
 import { describeArm, frameText } from '../scene/describe.js';
 import { matrixOf, rows } from '../scene/kinematic-tree.js';
-import { dashedLine } from '../scene/shapes.js';
+import { dashedLine, label } from '../scene/shapes.js';
+import { add, middle, minus, norm } from '../vectors.js';
 import { dhTable } from './dh-table.js';
 import { axis, column, createHighlighter, drawPaleArm, frame, lengths, originOf } from './frame-drawing.js';
-import { add } from './vectors.js';
 
 const KEY_STEPS = {
   ArrowRight: 1,
@@ -32,21 +32,11 @@ export function assignmentSteps({ model, stage, data }) {
     model.set('step', wanted);
     model.save_changes();
   };
-  const button = (text, label, act) =>
-    h('button', { type: 'button', ...NO_SHORTCUTS, 'aria-label': label, title: label, onclick: act }, text);
-  const first = button('|◀', 'First step', () => go(0));
-  const back = button('◀ Back', 'One step back', () => go(model.get('step') - 1));
-  const next = button('Next ▶', 'Next step', () => go(model.get('step') + 1));
-  const end = button('▶|', 'Last step', () => go(last));
-  const slider = h('input', {
-    ...NO_SHORTCUTS,
-    type: 'range',
-    min: 0,
-    max: last,
-    step: 1,
-    'aria-label': 'Step',
-    oninput: () => go(Number(slider.value)),
-  });
+  const first = button('|◀', () => go(0), named('First step'));
+  const back = button('◀ Back', () => go(model.get('step') - 1), named('One step back'));
+  const next = button('Next ▶', () => go(model.get('step') + 1), named('Next step'));
+  const end = button('▶|', () => go(last), named('Last step'));
+  const bar = slider(last, go, { 'aria-label': 'Step' });
   const select = h(
     'select',
     {
@@ -80,7 +70,7 @@ export function assignmentSteps({ model, stage, data }) {
     },
     h('div', { class: 'kv-head' }, select, count),
     h('div', { class: 'kv-buttons' }, first, back, next, end),
-    slider,
+    bar,
     explanation,
     table,
   );
@@ -93,9 +83,7 @@ export function assignmentSteps({ model, stage, data }) {
     title.replaceChildren(...renderMathText(step.title));
     text.replaceChildren(...renderMathText(step.text));
     others.replaceChildren(...(step.others ? [h('b', {}, 'Also valid: '), ...renderMathText(step.others)] : []));
-    slider.value = model.get('step');
-    slider.style.setProperty('--share', `${(100 * model.get('step')) / last}%`);
-    slider.setAttribute('aria-valuetext', `${model.get('step') + 1} of ${last + 1}: ${step.title}`);
+    moveSlider(bar, model.get('step'), `${model.get('step') + 1} of ${last + 1}: ${step.title}`);
     for (const [control, off] of [
       [first, 0],
       [back, 0],
@@ -133,7 +121,7 @@ export function assignmentSteps({ model, stage, data }) {
       ...(step.axes.every(Boolean) ? [] : axes.filter((_, i) => step.axes[i]).map(([from, to]) => ({ from, to }))),
       ...normals.filter((_, i) => step.normals[i] && !step.strong.every(Boolean)).map((normal) => ends(normal, size)),
       ...shown.flatMap(({ pose, i }) =>
-        pose ? [...step.highlighted[i]].map((letter) => named(pose, letter, long[i] * size)) : [],
+        pose ? [...step.highlighted[i]].map((letter) => highlighted(pose, letter, long[i] * size)) : [],
       ),
       ...step.segments.map(({ from, to }) => ({ from, to })),
     ]);
@@ -171,32 +159,15 @@ export function assignmentSteps({ model, stage, data }) {
 
 /** A common normal; one of length 0 is drawn as a short line along its direction. */
 function ends({ from, to, along }, size) {
-  const half = Math.hypot(...add(to, from, -1)) < 1e-6 * size ? 0.16 * size : 0;
+  const half = norm(minus(to, from)) < 1e-6 * size ? 0.16 * size : 0;
   return { from: add(from, along, -half), to: add(to, along, half) };
 }
 
 function common(normal, i, { size, theme }, strong) {
   const { from, to } = ends(normal, size);
-  const middle = from.map((value, k) => (value + to[k]) / 2);
-  const line = {
-    body: i + 1,
-    from,
-    to,
-    radius: (strong ? 0.0105 : 0.006) * size,
-    colour: theme.normal,
-    dash: 0.02 * size,
-    gap: 0.011 * size,
-  };
-  const name = {
-    body: i + 1,
-    label: true,
-    at: middle,
-    text: `normal ${i + 1}–${i + 2}`,
-    sub: '',
-    colour: theme.normal,
-    italic: true,
-    weight: 3,
-  };
+  const radius = (strong ? 0.0105 : 0.006) * size;
+  const line = { body: i + 1, from, to, radius, colour: theme.normal, dash: 0.02 * size, gap: 0.011 * size };
+  const name = label(middle(from, to), `normal ${i + 1}–${i + 2}`, theme.normal, 3, { body: i + 1 });
   return [...dashedLine(line), ...(strong ? [name] : [])];
 }
 
@@ -204,14 +175,13 @@ function common(normal, i, { size, theme }, strong) {
 function segment(name, from, to, { size, theme }) {
   const colour = name.startsWith('d') ? theme.axis : theme.normal;
   const [base, sub] = name.split('_');
-  const at = from.map((value, k) => (value + to[k]) / 2);
   return [
     { body: 0, shape: 'capsule', from, to, radius: 0.012 * size, colour },
-    { body: 0, label: true, at, text: base, sub, colour, italic: true, weight: 5 },
+    label(middle(from, to), base, colour, 5, { body: 0, sub }),
   ];
 }
 
-function named(pose, letter, length) {
+function highlighted(pose, letter, length) {
   const from = originOf(pose);
   return letter === 'O' ? { from } : { from, to: add(from, column(pose, 'xyz'.indexOf(letter)), length) };
 }

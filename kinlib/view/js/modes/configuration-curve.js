@@ -1,7 +1,7 @@
 // A closed chain on the curves of its configuration space: a slider moves it along one, a click on the map to another.
 
 import { playButton } from '../controls/play-button.js';
-import { formatNumber, h, NO_SHORTCUTS, renderSymbol, uniqueId } from '../dom.js';
+import { formatNumber, h, moveSlider, NO_SHORTCUTS, renderSymbol, slider, uniqueId } from '../dom.js';
 
 const MAP_SIZE_PX = 260;
 const MAP_MARGIN_PX = 38;
@@ -16,14 +16,7 @@ export function configurationCurve({ stage, data, state }) {
   const id = uniqueId('curve');
   let at = nearest(curves, state.q());
   const go = (which, sample) => state.set(curves[which][sample]);
-  const driver = h('input', {
-    ...NO_SHORTCUTS,
-    id,
-    type: 'range',
-    min: 0,
-    step: 1,
-    oninput: () => go(at.which, Number(driver.value)),
-  });
+  const driver = slider(0, (sample) => go(at.which, sample), { id });
   const select = h(
     'select',
     {
@@ -164,10 +157,8 @@ export function configurationCurve({ stage, data, state }) {
     update(q) {
       at = nearest(curves, q, at);
       driver.max = curves[at.which].length - 1;
-      driver.value = at.sample;
+      moveSlider(driver, at.sample, data.all.map((name, k) => `${name} ${valueText(q[k], k)}`).join(', '));
       select.value = at.which;
-      driver.style.setProperty('--share', `${(100 * at.sample) / (curves[at.which].length - 1)}%`);
-      driver.setAttribute('aria-valuetext', data.all.map((name, k) => `${name} ${valueText(q[k], k)}`).join(', '));
       numbers.forEach((number, k) => {
         number.textContent = valueText(q[k], k);
       });

@@ -2,12 +2,12 @@
 // graph moves the frame. `done` counts the completed motions; during a motion it is a fraction.
 
 import { renderMathText } from '../controls/math-text.js';
-import { formatNumber, h, NO_SHORTCUTS } from '../dom.js';
+import { button, formatNumber, h, moveSlider, named, slider } from '../dom.js';
 import { frameText } from '../scene/describe.js';
-import { dashedLine } from '../scene/shapes.js';
+import { dashedLine, label } from '../scene/shapes.js';
+import { add, middle } from '../vectors.js';
 import { angleSectors } from './angle-sectors.js';
 import { frame, mixColours, originOf } from './frame-drawing.js';
-import { add } from './vectors.js';
 
 const FRAME_LENGTH = 0.34; // as a fraction of the size of the scene
 const MOTION_MS = 1100;
@@ -62,39 +62,25 @@ export function dhRowMotions({ model, stage, data }) {
     flight = requestAnimationFrame(tick);
   }
 
-  const button = (text, label, act) =>
-    h('button', { type: 'button', ...NO_SHORTCUTS, 'aria-label': label, title: label, onclick: act }, text);
-  const play = h(
-    'button',
-    {
-      type: 'button',
-      class: 'kv-play',
-      ...NO_SHORTCUTS,
-      onclick: () => {
-        if (flight) {
-          stop();
-          model.save_changes();
-        } else {
-          if (done() >= last) set(0);
-          fly(last);
-        }
-      },
-    },
-    '▶ Play',
-  );
-  const back = button('◀ Back', 'One motion back', () => fly(Math.ceil(done() - 1e-9) - 1));
-  const next = button('Next ▶', 'Next motion', () => fly(Math.floor(done() + 1e-9) + 1));
-  const slider = h('input', {
-    ...NO_SHORTCUTS,
-    type: 'range',
-    min: 0,
-    max: last,
+  function playOrPause() {
+    if (flight) {
+      stop();
+      model.save_changes();
+    } else {
+      if (done() >= last) set(0);
+      fly(last);
+    }
+  }
+  const drag = (value) => {
+    stop();
+    set(value);
+  };
+  const play = button('▶ Play', playOrPause, { class: 'kv-play' });
+  const back = button('◀ Back', () => fly(Math.ceil(done() - 1e-9) - 1), named('One motion back'));
+  const next = button('Next ▶', () => fly(Math.floor(done() + 1e-9) + 1), named('Next motion'));
+  const bar = slider(last, drag, {
     step: 'any',
     'aria-label': 'Motions done',
-    oninput: () => {
-      stop();
-      set(Number(slider.value));
-    },
     onkeydown: (event) => {
       const by = KEY_STEPS[event.key];
       if (!by || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -105,17 +91,10 @@ export function dhRowMotions({ model, stage, data }) {
   });
   const lines = tracks.map(({ title, motions }) => {
     const factors = motions.map((motion, k) =>
-      h(
-        'button',
-        {
-          type: 'button',
-          class: 'kv-factor',
-          ...NO_SHORTCUTS,
-          title: `Go to the end of motion ${k + 1}`,
-          onclick: () => fly(k + 1),
-        },
-        ...renderMathText(motion.symbol),
-      ),
+      button(renderMathText(motion.symbol), () => fly(k + 1), {
+        class: 'kv-factor',
+        title: `Go to the end of motion ${k + 1}`,
+      }),
     );
     const explanation = h('p', { class: 'kv-motion-text' });
     const head = title ? [h('p', { class: 'kv-title' }, `${title} convention`)] : [];
@@ -129,16 +108,14 @@ export function dhRowMotions({ model, stage, data }) {
     'section',
     { class: 'kv-player', role: 'group', 'aria-label': 'Motions of the row' },
     h('div', { class: 'kv-buttons' }, back, play, next),
-    slider,
+    bar,
     h('div', { 'aria-live': 'polite' }, ...lines.map((line) => line.element)),
   );
 
   function write() {
     const count = done();
     const at = Math.min(last, Math.ceil(count - 1e-9));
-    slider.value = count;
-    slider.style.setProperty('--share', `${(100 * count) / last}%`);
-    slider.setAttribute('aria-valuetext', `${formatNumber(count, Number.isInteger(count) ? 0 : 1)} of ${last} motions`);
+    moveSlider(bar, count, `${formatNumber(count, Number.isInteger(count) ? 0 : 1)} of ${last} motions`);
     back.setAttribute('aria-disabled', String(count <= 0));
     next.setAttribute('aria-disabled', String(count >= last));
     lines.forEach(({ factors, explanation }, k) => {
@@ -177,7 +154,9 @@ export function dhRowMotions({ model, stage, data }) {
                 ...kit,
                 strong: after === reached,
                 length: after ? FRAME_LENGTH : 0.9 * FRAME_LENGTH,
-              }).concat(name.includes(' ') ? [tag(name, pose, stage.theme.ink)] : []),
+              }).concat(
+                name.includes(' ') ? [label(originOf(pose), `{${name}}`, stage.theme.ink, 7, { italic: false })] : [],
+              ),
             ),
           ...motions.flatMap(({ symbol, travel, axis, value }, i) =>
             i < reached && travel * value ? [way(symbol, axis, stops[i], stops[i + 1], stage.theme)] : [],
@@ -214,16 +193,7 @@ export function dhRowMotions({ model, stage, data }) {
             (part) => !part.label,
           ),
           ...(title
-            ? [
-                {
-                  label: true,
-                  at: add(originOf(stops[0]), [0, 0, -0.5 * size]),
-                  text: title,
-                  sub: '',
-                  colour: theme.ink,
-                  weight: 9,
-                },
-              ]
+            ? [label(add(originOf(stops[0]), [0, 0, -0.5 * size]), title, theme.ink, 9, { italic: false })]
             : []),
         ].map(on(k)),
       ),
@@ -302,25 +272,12 @@ function line(from, to, name, joint, { size, theme }) {
   const colour = joint ? theme.axis : mixColours(theme.axis, theme.paper, 0.45);
   return [
     ...dashedLine({ from, to, radius: (joint ? 0.009 : 0.006) * size, colour, dash: 0.06 * size, gap: 0.03 * size }),
-    ...(name ? [{ label: true, at: to, from, text: name, sub: '', colour: theme.axis, italic: true, weight: 5 }] : []),
+    ...(name ? [label(to, name, theme.axis, 5, { from })] : []),
   ];
 }
 
 /** The name of a completed translation: d along z, a along x. */
 function way(symbol, axis, start, end, theme) {
-  const at = originOf(start).map((value, k) => (value + originOf(end)[k]) / 2);
   const letter = symbol.match(/\(([ad])\)/)?.[1] ?? symbol.replace('_', '');
-  return {
-    label: true,
-    at,
-    text: letter,
-    sub: '',
-    colour: axis === 'x' ? theme.normal : theme.axis,
-    italic: true,
-    weight: 6,
-  };
-}
-
-function tag(name, pose, colour) {
-  return { label: true, at: originOf(pose), text: `{${name}}`, sub: '', colour, weight: 7 };
+  return label(middle(originOf(start), originOf(end)), letter, axis === 'x' ? theme.normal : theme.axis, 6);
 }

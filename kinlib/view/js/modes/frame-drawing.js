@@ -1,8 +1,8 @@
 // Drawing functions for the modes about frames: a pale arm, joint axes, frames axis by axis, and a highlighter.
 import { Color, Vector3 } from 'three';
 import * as parts from '../scene/parts.js';
-import { dashedLine } from '../scene/shapes.js';
-import { add } from './vectors.js';
+import { arrow, label } from '../scene/shapes.js';
+import { add, minus, norm } from '../vectors.js';
 
 const HIGHLIGHT_WIDTH_PX = 17;
 const HIGHLIGHT_COLOURS = {
@@ -41,33 +41,13 @@ export function drawPaleArm(stage) {
 
 /** A joint axis between two points, dashed, with a tip and its number. */
 export function axis(i, from, to, { size, theme, strong = true, colour = theme.axis, beyond = 0 }) {
-  const along = add(to, from, -1);
-  const length = Math.hypot(...along);
-  const neck = add(from, along, 1 - (0.05 * size) / length);
+  const along = minus(to, from);
   const ink = strong ? colour : mixColours(colour, theme.paper, 0.45);
-  const line = {
-    body: i,
-    from,
-    to: neck,
-    radius: (strong ? 0.006 : 0.0042) * size,
-    colour: ink,
-    dash: 0.035 * size,
-    gap: 0.018 * size,
-  };
+  const radius = (strong ? 0.006 : 0.0042) * size;
+  const at = add(to, along, (beyond * size) / norm(along));
   return [
-    ...dashedLine(line),
-    { body: i, shape: 'cone', from: neck, to, radius: 0.014 * size, colour: ink },
-    {
-      body: i,
-      label: true,
-      at: add(to, along, (beyond * size) / length),
-      from,
-      text: `axis ${i + 1}`,
-      sub: '',
-      colour: strong ? colour : theme.quiet,
-      italic: true,
-      weight: 2.5,
-    },
+    ...arrow({ body: i, from, to, radius, colour: ink, ...parts.axisDashes(size) }),
+    label(at, `axis ${i + 1}`, strong ? colour : theme.quiet, 2.5, { body: i, from }),
   ];
 }
 
@@ -80,22 +60,11 @@ export function frame(i, pose, letters, { size, theme, strong = true, length = 0
     .flatMap((letter) => {
       const along = column(pose, 'xyz'.indexOf(letter));
       const ink = strong ? theme[letter] : mixColours(theme[letter], theme.paper, 0.35);
-      const neck = add(origin, along, (length - 0.045) * size);
-      const tip = add(origin, along, length * size);
+      const to = add(origin, along, length * size);
+      const radius = look.rod * size;
       return [
-        { body, shape: 'rod', from: origin, to: neck, radius: look.rod * size, colour: ink },
-        { body, shape: 'cone', from: neck, to: tip, radius: 2.3 * look.rod * size, colour: ink },
-        {
-          body,
-          label: true,
-          at: tip,
-          from: origin,
-          text: letter,
-          sub: `${i}`,
-          colour: theme[letter],
-          italic: true,
-          weight: strong ? 4 : 2,
-        },
+        ...arrow({ body, from: origin, to, radius, tip: 2.3 * radius, head: 0.045 * size, colour: ink }),
+        label(to, letter, theme[letter], strong ? 4 : 2, { body, from: origin, sub: `${i}` }),
       ];
     });
   if (letters.includes('O')) {
@@ -114,8 +83,7 @@ export function frame(i, pose, letters, { size, theme, strong = true, length = 0
 /** How long the rods of each frame are: frames that share an origin get rods of different length. */
 export function lengths(poses, drawn, size) {
   return poses.map((pose, i) => {
-    const here = (k) =>
-      drawn[k] && poses[k] && Math.hypot(...add(originOf(poses[k]), originOf(pose), -1)) < 1e-6 * size;
+    const here = (k) => drawn[k] && poses[k] && norm(minus(originOf(poses[k]), originOf(pose))) < 1e-6 * size;
     const rank = pose ? [...poses.keys()].slice(0, i).filter(here).length : 0;
     return 0.2 + 0.07 * rank;
   });

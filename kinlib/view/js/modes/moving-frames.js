@@ -1,9 +1,10 @@
 // Frames that one slider moves. Their poses for each value are in the data, so that no kernel is needed.
-import { h, NO_SHORTCUTS, uniqueId } from '../dom.js';
+import { h, moveSlider, slider, uniqueId } from '../dom.js';
 import { frameText } from '../scene/describe.js';
 import * as parts from '../scene/parts.js';
+import { arrow } from '../scene/shapes.js';
+import { minus, norm } from '../vectors.js';
 import { originOf } from './frame-drawing.js';
-import { add } from './vectors.js';
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
@@ -15,18 +16,11 @@ export function movingFrames({ model, stage, data }) {
   const id = uniqueId('value');
   const { size } = stage.data;
   const at = () => model.get('at');
-  const slider = h('input', {
-    ...NO_SHORTCUTS,
-    id,
-    type: 'range',
-    min: 0,
-    max: data.values.length - 1,
-    step: 1,
-    oninput: () => {
-      model.set('at', Number(slider.value));
-      model.save_changes();
-    },
-  });
+  const select = (index) => {
+    model.set('at', index);
+    model.save_changes();
+  };
+  const input = slider(data.values.length - 1, select, { id });
   const value = h('output', { for: id });
   const caption = h('p', { class: 'kv-values', 'aria-live': 'polite' });
   const texts = () => data.names.map((name, k) => frameText(name, stage.tree.pose(k))).join(' ');
@@ -39,9 +33,7 @@ export function movingFrames({ model, stage, data }) {
     });
     stage.tree.root.updateMatrixWorld(true);
     if (data.arrows) stage.setLayer('arrows', data.poses[at()].slice(1).flatMap(arrowTo), { through: true });
-    slider.value = at();
-    slider.style.setProperty('--share', `${(100 * at()) / Math.max(1, data.values.length - 1)}%`);
-    slider.setAttribute('aria-valuetext', data.values[at()]);
+    moveSlider(input, at(), data.values[at()]);
     value.textContent = data.values[at()];
     caption.textContent = data.captions[at()];
     stage.draw();
@@ -51,20 +43,15 @@ export function movingFrames({ model, stage, data }) {
   function arrowTo(pose, k) {
     const from = originOf(data.poses[at()][k]);
     const to = originOf(pose);
-    const along = add(to, from, -1);
-    const length = Math.hypot(...along);
+    const length = norm(minus(to, from));
     if (length < 1e-6 * size) return [];
-    const neck = add(from, along, 1 - Math.min(1, (0.06 * size) / length));
-    const look = { arm: 0, body: 0, colour: stage.theme.quiet };
-    return [
-      { ...look, shape: 'rod', from, to: neck, radius: 0.004 * size },
-      { ...look, shape: 'cone', from: neck, to, radius: 0.016 * size },
-    ];
+    const look = { arm: 0, body: 0, colour: stage.theme.quiet, radius: 0.004 * size, tip: 0.016 * size };
+    return arrow({ ...look, from, to, head: Math.min(length, 0.06 * size) });
   }
 
   model.on('change:at', move);
   return {
-    element: h('div', { class: 'kv-curve' }, h('label', { for: id }, `${data.label}: `, value), slider, caption),
+    element: h('div', { class: 'kv-curve' }, h('label', { for: id }, `${data.label}: `, value), input, caption),
     replacesSliders: true,
     describe: () => `${data.captions[at()]} ${texts()}`.trim(),
     update: move,

@@ -1,5 +1,5 @@
 // The handles that can be picked: ends of axes for z, rings on points for the origin, a dial for x.
-import { add, cross } from './vectors.js';
+import { add, cross } from '../vectors.js';
 
 const TURN = 2 * Math.PI;
 

@@ -2,11 +2,11 @@
 // verdict on the rules, and the DH table.
 
 import { renderMathText } from '../controls/math-text.js';
-import { h, NO_SHORTCUTS } from '../dom.js';
+import { button, h, NO_SHORTCUTS, named } from '../dom.js';
 import { roundStep } from '../render/stage.js';
 import { perpendicularTo } from '../scene/parts.js';
+import { add, columnOf, near, openPart, PARTS, rotatePerpendicular } from '../vectors.js';
 import { dhTable } from './dh-table.js';
-import { add, columnOf, near, openPart, PARTS, rotatePerpendicular } from './vectors.js';
 
 const ROTATION_STEP_DEG = 15; // for one press of a button
 const INSTRUCTIONS = {
@@ -40,11 +40,7 @@ export function placeFramesPanel({
   history,
 }) {
   const frames = () => model.get('frames');
-  const button = (text, label, act) =>
-    h('button', { type: 'button', ...NO_SHORTCUTS, 'aria-label': label, title: label, onclick: act }, text);
-  const tabs = frames().map((_, i) =>
-    h('button', { type: 'button', class: 'kv-tab', ...NO_SHORTCUTS, onclick: () => selectPart(i) }),
-  );
+  const tabs = frames().map((_, i) => button('', () => selectPart(i), { class: 'kv-tab' }));
   const bar = h(
     'div',
     {
@@ -85,12 +81,7 @@ export function placeFramesPanel({
   const lists = { z: groupDirections(data.z), origin: data.points.map(({ at: point, text }) => [point, text]) };
   const rows = Object.fromEntries(
     Object.keys(PARTS).map((part) => {
-      const choose = h('button', {
-        type: 'button',
-        class: 'kv-part',
-        ...NO_SHORTCUTS,
-        onclick: () => selectPart(selected().i, part),
-      });
+      const choose = button('', () => selectPart(selected().i, part), { class: 'kv-part' });
       const select = h('select', {
         ...NO_SHORTCUTS,
         onfocus: () => selected().part !== part && selectPart(selected().i, part),
@@ -102,25 +93,21 @@ export function placeFramesPanel({
       const nudge = {
         z: [],
         origin: [
-          button('−', `Move the origin by −${step} m along z`, () => moveOrigin(-1)),
-          button('+', `Move the origin by ${step} m along z`, () => moveOrigin(1)),
+          button('−', () => moveOrigin(-1), named(`Move the origin by −${step} m along z`)),
+          button('+', () => moveOrigin(1), named(`Move the origin by ${step} m along z`)),
         ],
         x: [
-          button('↺', `Rotate x by ${ROTATION_STEP_DEG} degrees about z`, () => rotateX(1)),
-          button('↻', `Rotate x by −${ROTATION_STEP_DEG} degrees about z`, () => rotateX(-1)),
+          button('↺', () => rotateX(1), named(`Rotate x by ${ROTATION_STEP_DEG} degrees about z`)),
+          button('↻', () => rotateX(-1), named(`Rotate x by −${ROTATION_STEP_DEG} degrees about z`)),
         ],
       }[part];
       return [part, { choose, select, nudge, element: h('div', { class: 'kv-place' }, choose, select, ...nudge) }];
     }),
   );
-  const check = h(
-    'button',
-    { type: 'button', class: 'kv-main', ...NO_SHORTCUTS, onclick: requestVerdict },
-    'Check the rules',
-  );
-  const back = button('↶ Undo', 'Undo the last change', undo);
-  const clearButton = button('Clear', 'Clear this frame', clear);
-  const copy = button('Copy', 'Copy the frames as Python', () => copyFrames());
+  const check = button('Check the rules', requestVerdict, { class: 'kv-main' });
+  const back = button('↶ Undo', undo, named('Undo the last change'));
+  const clearButton = button('Clear', clear, named('Clear this frame'));
+  const copy = button('Copy', () => copyFrames(), named('Copy the frames as Python'));
   const verdictBox = h('div', { class: 'kv-verdict', 'aria-live': 'polite' });
   const element = h(
     'section',
@@ -253,16 +240,10 @@ export function placeFramesPanel({
 
   function brokenRules(broken) {
     const items = broken.map((one) =>
-      h(
-        'button',
-        {
-          type: 'button',
-          class: 'kv-breach',
-          ...NO_SHORTCUTS,
-          onclick: () => selectPart(one.frame, partOfRule(one.rule)),
-        },
-        h('b', { class: 'kv-wrong' }, `✕ joint ${one.joint}: `),
-        ...renderMathText(one.text),
+      button(
+        [h('b', { class: 'kv-wrong' }, `✕ joint ${one.joint}: `), ...renderMathText(one.text)],
+        () => selectPart(one.frame, partOfRule(one.rule)),
+        { class: 'kv-breach' },
       ),
     );
     return [

@@ -3,7 +3,7 @@
 import { Vector3 } from 'three';
 import { roundStep } from '../render/stage.js';
 import { perpendicularTo } from '../scene/parts.js';
-import { add, cross, dot, minus, norm, rotatePerpendicular } from './vectors.js';
+import { add, cross, dot, minus, norm, rotatePerpendicular } from '../vectors.js';
 
 const HANDLE_RADIUS_PX = 18; // around a handle
 const POINT_RADIUS_PX = 14; // around a point, at which an origin on an axis snaps

@@ -1,11 +1,11 @@
 // Frames placed by hand on bare joint axes, part by part, by mouse, touch or keyboard. The frames are a trait, so that
 // Python reads them. Python also checks the rules, and a broken rule is highlighted in the picture.
 import { describeArm, frameText } from '../scene/describe.js';
+import { add, columnOf, openPart, withPart } from '../vectors.js';
 import { axis, createHighlighter, drawPaleArm, frame, lengths } from './frame-drawing.js';
 import { pickHandles } from './place-frames-handles.js';
 import { placeFramesPanel } from './place-frames-panel.js';
 import { framePicker } from './place-frames-picking.js';
-import { add, columnOf, openPart, withPart } from './vectors.js';
 
 const SILENCE_MS = 6000; // without an answer from Python, until the panel says so
 

@@ -158,13 +158,13 @@ export class Stage {
     else this.#buildLayer(name, parts, options);
   }
 
-  #buildLayer(name, parts, { tree = this.tree, material = this.solid, outlined = false, through = false }) {
+  #buildLayer(name, parts, { outlined = false, through = false }) {
     const meshes = [];
-    const bodyOf = (part) => tree.body(part.arm ?? 0, part.body);
+    const bodyOf = (part) => this.tree.body(part.arm ?? 0, part.body);
     const solids = parts.filter((part) => part.shape);
     for (const [body, group] of groupBy(solids, bodyOf)) {
       const geometry = mergeParts(group, outlined);
-      meshes.push([body, new Mesh(geometry, material)]);
+      meshes.push([body, new Mesh(geometry, this.solid)]);
       if (outlined) meshes.push([body, new Mesh(geometry, this.edge)], [body, new Mesh(geometry, this.shade)]);
       if (through) meshes.push([body, new Mesh(geometry, this.hidden)]);
     }
@@ -180,27 +180,26 @@ export class Stage {
       dimensions: flat.filter((part) => part.dimension),
       solids: solids.map((part) => ({ ...part, body: bodyOf(part) })),
       shown: true,
-      masked: material.colorWrite === false,
     });
     this.draw();
   }
 
   /** Set a layer of rods of prismatic joints: one mesh each, as long as the joint's translation. */
-  setRods(name, rods, { tree = this.tree, material } = {}) {
+  setRods(name, rods) {
     this.removeLayer(name);
     const up = new Vector3(0, 1, 0);
     const shape = new CylinderGeometry(1, 1, 1, 14);
     const meshes = rods.map((rod) => {
-      const mesh = new Mesh(shape, material ?? new MeshLambertMaterial({ color: rod.colour }));
+      const mesh = new Mesh(shape, new MeshLambertMaterial({ color: rod.colour }));
       const axis = new Vector3(...rod.axis);
-      const column = tree.arms[rod.arm ?? 0].columns[rod.joint];
+      const column = this.tree.arms[rod.arm ?? 0].columns[rod.joint];
       mesh.quaternion.copy(new Quaternion().setFromUnitVectors(up, axis));
-      tree.rodUpdates.push((q) => {
+      this.tree.rodUpdates.push((q) => {
         const way = rod.travel * q[column];
         mesh.position.set(...rod.start).addScaledVector(axis, way / 2);
         mesh.scale.set(rod.radius, Math.max(Math.abs(way), 1e-9), rod.radius);
       });
-      tree.body(rod.arm ?? 0, rod.body).add(mesh);
+      this.tree.body(rod.arm ?? 0, rod.body).add(mesh);
       return mesh;
     });
     const solids = rods.map((rod, k) => ({ rod: meshes[k], colour: rod.colour, radius: rod.radius }));
@@ -289,13 +288,7 @@ export class Stage {
     const shown = [...this.layers.values()].filter((layer) => layer.shown);
     const all = (kind) => shown.flatMap((layer) => layer[kind]);
     this.edge.userData.width.value = 1.1 * camera.scale;
-    if (flat)
-      drawWithoutWebGL(
-        context,
-        shown.flatMap((layer) => (layer.masked ? [] : layer.solids)),
-        camera,
-        theme,
-      );
+    if (flat) drawWithoutWebGL(context, all('solids'), camera, theme);
     else this.calls = renderScene(this.scene, camera.threeCamera, context, { width, height, ratio });
     const taken = [...this.reservedBoxes(), ...drawDimensions(context, all('dimensions'), camera, theme.halo)];
     this.names = drawLabels(context, all('labels'), taken, camera, { halo: theme.halo, leader: theme.quiet });

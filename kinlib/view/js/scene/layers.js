@@ -1,6 +1,4 @@
 // The layers of an arm on the stage: which ones exist, what each contains, and how they follow the theme.
-import { Color, MeshBasicMaterial, MeshLambertMaterial } from 'three';
-import { KinematicTree } from './kinematic-tree.js';
 import * as parts from './parts.js';
 
 /** Layers that the reader can switch on and off, with their names on the page. */
@@ -107,45 +105,4 @@ export function showLayers(stage, shown) {
   for (const name of ['axes', 'body axes', 'home axes', 'normals', 'dimensions'])
     stage.showLayer(name, shown.includes(name));
   for (const name of frameLayers(stage.data)) stage.showLayer(`frames ${name}`, shown.includes(name));
-}
-
-/** Draw the arm in a second configuration, grey and translucent. Returns a function that removes it. */
-export function showGhost(stage, q) {
-  const ghost = new KinematicTree(stage.data.arms);
-  stage.scene.add(ghost.root);
-  const colour = new Color(stage.theme.ghost);
-  const translucent = new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.55 });
-  // the mask fills the depth buffer first, so that no part of the ghost shows through another
-  const mask = new MeshBasicMaterial({ colorWrite: false });
-  mask.userData.order = 1;
-  translucent.userData.order = 2;
-  const { data, theme } = stage;
-  const plain = {
-    ...theme,
-    link: theme.ghost,
-    joint: theme.ghost,
-    cap: theme.ghost,
-    rod: theme.ghost,
-    ink: theme.ghost,
-  };
-  const each = (make) =>
-    data.arms.flatMap((arm, k) => (arm.links ? make(arm, data.size, plain).map((part) => ({ ...part, arm: k })) : []));
-  const body = [...each(parts.links), ...each(parts.joints), ...parts.pieces(data, data.size, plain)].filter(
-    (part) => part.shape,
-  );
-  stage.setLayer(
-    'ghost mask',
-    body.map((part) => ({ ...part })),
-    { tree: ghost, material: mask },
-  );
-  stage.setLayer('ghost', body, { tree: ghost, material: translucent });
-  stage.setRods('ghost rods', each(parts.rods), { tree: ghost, material: translucent });
-  ghost.setQ(q);
-  stage.draw();
-  return () => {
-    for (const name of ['ghost', 'ghost mask', 'ghost rods']) stage.removeLayer(name);
-    ghost.root.removeFromParent();
-    for (const material of [translucent, mask]) material.dispose();
-    stage.draw();
-  };
 }

@@ -1,6 +1,7 @@
 // The parts of each layer of an arm: solids and labels, fixed to the bodies and given in the home configuration.
 // A part is { body, shape, from, to, radius, colour }, a label { body, at, from, text, sub, colour, weight }.
-import { dashedLine } from './shapes.js';
+import { add, minus, norm } from '../vectors.js';
+import { arrow, dashedLine, label } from './shapes.js';
 
 export const COLOURS = {
   x: '#c1121f',
@@ -15,9 +16,6 @@ export const JOINT = 0.05;
 const LINK = 0.026;
 const ROD = 0.0066;
 
-const add = (p, q, s = 1) => p.map((value, k) => value + s * q[k]);
-const minus = (p, q) => add(p, q, -1);
-const norm = (p) => Math.hypot(...p);
 const unit = (p) => p.map((value) => value / (norm(p) || 1));
 
 /** Where a joint is drawn: joints with the same point and axis are drawn side by side along the axis. */
@@ -92,6 +90,9 @@ export function rods(arm, size, colours) {
   );
 }
 
+/** The dashes and the tip of a joint axis. */
+export const axisDashes = (size) => ({ dash: 0.035 * size, gap: 0.018 * size, head: 0.05 * size, tip: 0.014 * size });
+
 /** Screw axes: dashed, with a tip and a name; on the body before the joint, which does not move its own axis. */
 export function axes(arm, size, { letter, colour, onBody = (i) => i }) {
   return arm.joints.flatMap((joint, i) => {
@@ -99,23 +100,10 @@ export function axes(arm, size, { letter, colour, onBody = (i) => i }) {
     const body = onBody(i);
     const centre = jointCentre(joint, size);
     const from = add(centre, joint.axis, -0.26 * size);
-    const neck = add(centre, joint.axis, 0.31 * size);
-    const tip = add(centre, joint.axis, 0.36 * size);
-    const line = { body, from, to: neck, radius: 0.0048 * size, colour, dash: 0.035 * size, gap: 0.018 * size };
+    const to = add(centre, joint.axis, 0.36 * size);
     return [
-      ...dashedLine(line),
-      { body, shape: 'cone', from: neck, to: tip, radius: 0.014 * size, colour },
-      {
-        body,
-        label: true,
-        at: tip,
-        from: centre,
-        text: letter,
-        sub: `${joint.number ?? i + 1}`,
-        colour,
-        italic: true,
-        weight: 3,
-      },
+      ...arrow({ body, from, to, radius: 0.0048 * size, colour, ...axisDashes(size) }),
+      label(to, letter, colour, 3, { body, from: centre, sub: `${joint.number ?? i + 1}` }),
     ];
   });
 }
@@ -132,32 +120,23 @@ export function triads(frames, size, colours, { numbered = false, short = false,
     const own = numbered && /^\d+$/.test(name);
     const thick = own ? 0.85 : 1.15;
     const made = ['x', 'y', 'z'].flatMap((letter, k) => {
-      const axis = [pose[k], pose[4 + k], pose[8 + k]];
       const colour = colours[letter];
-      const neck = add(origin, axis, long - 0.035 * size);
-      const tip = add(origin, axis, long);
+      const to = add(origin, [pose[k], pose[4 + k], pose[8 + k]], long);
+      const radius = thick * ROD * size;
       return [
-        { body, shape: 'rod', from: origin, to: neck, radius: thick * ROD * size, colour },
-        { body, shape: 'cone', from: neck, to: tip, radius: thick * 2.3 * ROD * size, colour },
-        {
+        ...arrow({ body, from: origin, to, radius, tip: 2.3 * radius, head: 0.035 * size, colour }),
+        label(to, letter, colour, letter === 'y' ? 1 : 2, {
           body,
-          label: true,
-          at: tip,
           from: origin,
-          text: letter,
           sub: own || (short && name.length < 3) ? name : '',
-          colour,
-          italic: true,
-          weight: letter === 'y' ? 1 : 2,
-        },
+        }),
       ];
     });
     made.push({ body, shape: 'sphere', from: origin, to: origin, radius: 1.6 * ROD * size, colour: colours.ink });
     if (!own) {
       // opposite to the axes, where nothing else is drawn
       const middle = [0, 1, 2].map((row) => origin[row] + pose[4 * row] + pose[4 * row + 1] + pose[4 * row + 2]);
-      const tag = { body, label: true, at: origin, text: `{${name}}`, sub: '', colour: colours.ink, weight: 4 };
-      made.push(short ? { ...tag, from: middle } : tag);
+      made.push(label(origin, `{${name}}`, colours.ink, 4, { body, italic: false, from: short ? middle : undefined }));
     }
     return made;
   });
@@ -170,26 +149,9 @@ export function normals(arm, size, colours) {
     const half = short ? 0.09 * size : 0;
     const ends = { from: add(from, along, -half), to: add(to, along, half) };
     const middle = add(ends.from, minus(ends.to, ends.from), 0.5);
-    return [
-      ...dashedLine({
-        body,
-        ...ends,
-        radius: 0.0075 * size,
-        colour: colours.normal,
-        dash: 0.02 * size,
-        gap: 0.011 * size,
-      }),
-      {
-        body,
-        label: true,
-        at: short ? ends.to : middle,
-        text: 'a',
-        sub: `${i + 1}`,
-        colour: colours.normal,
-        italic: true,
-        weight: 2,
-      },
-    ];
+    const line = { body, ...ends, radius: 0.0075 * size, colour: colours.normal, dash: 0.02 * size, gap: 0.011 * size };
+    const name = label(short ? ends.to : middle, 'a', colours.normal, 2, { body, sub: `${i + 1}` });
+    return [...dashedLine(line), name];
   });
 }
 
@@ -231,7 +193,7 @@ export function pieces({ pieces: all = [], floor }, size, colours) {
     const made = [{ arm, body, ...PIECES[kind](piece, size, colours) }];
     if (name) {
       const [text, sub = ''] = name.replace(/^joint /, '').split('_');
-      made.push({ arm, body, label: true, at, text, sub, colour: colours.ink, italic: true, weight: 3 });
+      made.push(label(at, text, colours.ink, 3, { arm, body, sub }));
     }
     if (foot && at[2] > floor) {
       const ground = [at[0], at[1], floor];

@@ -14,6 +14,7 @@ import {
   TubeGeometry,
   Vector3,
 } from 'three';
+import { add, minus, norm } from '../vectors.js';
 
 const UP = new Vector3(0, 1, 0);
 const ONE = new Vector3(1, 1, 1);
@@ -69,6 +70,20 @@ export function dashedLine({ from, to, dash, gap, ...rest }) {
         .toArray();
     return { ...rest, shape: 'rod', from: at(k * (dash + gap)), to: at(k * (dash + gap) + dash) };
   });
+}
+
+/** An arrow: a rod, dashed if it has a dash, and a cone of length head and radius tip at its end. */
+export function arrow({ head, tip, dash, gap, ...line }) {
+  const way = minus(line.to, line.from);
+  const neck = add(line.to, way, -head / norm(way));
+  const stem = { ...line, to: neck };
+  const drawn = dash ? dashedLine({ ...stem, dash, gap }) : [{ ...stem, shape: 'rod' }];
+  return [...drawn, { ...line, shape: 'cone', from: neck, radius: tip }];
+}
+
+/** A name beside a point, away from another one if there is one; where there is little room, more weight comes first. */
+export function label(at, text, colour, weight, { sub = '', ...more } = {}) {
+  return { label: true, at, text, sub, colour, weight, italic: true, ...more };
 }
 
 /** Merge parts into one geometry with a colour per vertex and, if outlined, the normals of its outline. */

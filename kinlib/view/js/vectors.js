@@ -3,6 +3,7 @@
 export const add = (p, q, s = 1) => p.map((value, k) => value + s * q[k]);
 export const minus = (p, q) => add(p, q, -1);
 export const dot = (p, q) => p.reduce((sum, value, k) => sum + value * q[k], 0);
+export const middle = (p, q) => p.map((value, k) => (value + q[k]) / 2);
 export const norm = (p) => Math.hypot(...p);
 export const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
 export const near = (p, q, off = 1e-9) => norm(minus(p, q)) < off;
