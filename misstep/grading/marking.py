@@ -7,17 +7,11 @@ It shows one answer after the other, with the criteria of its rubric and a comme
 import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from misstep.grading.judging.result import Result
 
 PAGE = Path(__file__).with_name("marking.html")
-
-
-class _Mark(Protocol):
-    problem: str
-    points: float | None
-    comment: str
 
 
 def marking_page(results: Sequence[Result], marks: Mapping[str, Sequence[Any]]) -> str:
@@ -31,7 +25,7 @@ def marking_page(results: Sequence[Result], marks: Mapping[str, Sequence[Any]]) 
         for problem in result.problems:
             if problem.state != "unmarked":
                 continue
-            mark: _Mark | None = known.get((result.student, problem.number))
+            mark = known.get((result.student, problem.number))
             rubric = [[name, points["number"]] for name, points in problem.right["map"]]
             answers.append(
                 {

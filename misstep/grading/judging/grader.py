@@ -123,7 +123,6 @@ class Grader:
 
         No error in the submission makes it raise: each one becomes the reason of a result.
         """
-        start = time.monotonic()
         digest = sha256(content).hexdigest() if content is not None else ""
         with self._judge.process() as judge:
             try:
@@ -135,7 +134,7 @@ class Grader:
             except UnusableNotebook as error:
                 problems = self._problem_results({}, {}, {})
                 limits = [str(error)] if isinstance(error, UnreadInTime) else []
-                return self._result(student, "broken", str(error), problems, digest=digest, start=start, limits=limits)
+                return self._result(student, "broken", str(error), problems, digest=digest, limits=limits)
             answers = run.parsed.answers
             verdicts, limits = self._verdicts(judge, seed_id, seed, answers)
             limits = [*run.limits, *limits]
@@ -155,7 +154,6 @@ class Grader:
             notes=run.parsed.remarks,
             typed_id=run.parsed.typed_id,
             digest=digest,
-            start=start,
             cells=[cell for cell in run.parsed.cells if cell.index is not None or cell.problem],
             limits=list(dict.fromkeys(limits)),
         )
@@ -172,9 +170,7 @@ class Grader:
         except StepFailed as error:
             raise UnreadInTime(f"{what} could not be read: {error}.") from error
 
-    def _result(
-        self, student: str, status: str, reason: str, problems: Sequence[ProblemResult], *, start: float, **more: Any
-    ) -> Result:
+    def _result(self, student: str, status: str, reason: str, problems: Sequence[ProblemResult], **more: Any) -> Result:
         return Result(
             student,
             self.sheet.name,
@@ -184,7 +180,6 @@ class Grader:
             reason,
             problems,
             is_safe=self.is_safe,
-            seconds=time.monotonic() - start,
             **more,
         )
 

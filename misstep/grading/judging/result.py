@@ -86,7 +86,6 @@ class Result:
     typed_id: str = ""
     digest: str = ""
     is_safe: bool = True
-    seconds: float = 0.0
     cells: Sequence[RanCell] = field(default=(), repr=False)
     limits: Sequence[str] = ()
     changes: Sequence[str] = ()

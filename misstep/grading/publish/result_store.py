@@ -17,7 +17,7 @@ from misstep.grading.code_digest import code_digest
 from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging.result import ProblemResult, RanCell, Result
 
-FORMAT_VERSION = 4
+FORMAT_VERSION = 5
 """The version of the format of the files."""
 
 MAX_NAME_LENGTH = 100
