@@ -1,29 +1,19 @@
 """The census: what feedback says to many wrong answers of many students, and how much of it is true.
 
-For each problem and student it judges
-
-- every mutant of the solution, every mistake of the author, and every slip of the kind of answer, and
-- the answers from outside, from `outside_answers(number, given, answer, given of a neighbour)` of the module that --outside names.
-  They share no code with the engine, so that they may contradict it; each has `label`, `value`, `right`, `has_name`,
-  `earns_nothing`, `is_held_out` and `is_named_by(text)`,
-
-and counts full marks for a wrong answer, names that are not what was done, messages whose claim is false, and mistakes without a
-name; of the answers from outside also right answers that are refused.
+For each problem and student it judges every mutant of the solution, every mistake of the author, and every slip of the kind of
+answer, and counts full marks for a wrong answer, names that are not what was done, messages whose claim is false, and mistakes
+without a name.
 """
 
 import json
-import re
 import sys
 from argparse import ArgumentParser, Namespace
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
-from functools import partial
-from importlib import import_module
 from itertools import chain
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 from misstep.catalog import Course, course_in, find_course, installed_courses
@@ -41,9 +31,6 @@ COUNTS = {
 }
 """What is counted, with its heading."""
 
-OUTSIDE = ("wrong", "full marks", "unnamed", "false", "undeserved", "unreadable", "refused")
-"""What is counted of the answers from outside."""
-
 MAX_EXAMPLES = 5
 """How many examples of each count are kept for a problem."""
 
@@ -53,14 +40,12 @@ class Row:
     """The counts of one problem.
 
     wrong     the number of wrong answers that were judged
-    outside   what was counted of the answers from outside, "held out" of the half that is counted by itself
     examples  for each count, some answers that were counted: the student, what was done, and what feedback said
     """
 
     number: str
     wrong: int = 0
     counts: Counter[str] = field(default_factory=Counter)
-    outside: Counter[str] = field(default_factory=Counter)
     examples: dict[str, list[str]] = field(default_factory=dict)
 
     def count(self, what: str, example: str) -> None:
@@ -70,29 +55,8 @@ class Row:
             self.examples[what].append(example)
 
 
-@dataclass(frozen=True)
-class Tried:
-    """An answer to be judged.
-
-    fits  whether findings name what was done
-    """
-
-    label: str
-    value: Any
-    fits: Callable[[Sequence[Finding]], bool]
-
-
-def census_of(
-    template: Template,
-    students: Iterable[str],
-    outside: Callable[..., Any] | None = None,
-    *,
-    own: bool = True,
-) -> Row:
-    """Judge all answers of some students to one problem.
-
-    outside  makes the answers from outside
-    own      whether the answers that the engine itself makes are judged
+def census_of(template: Template, students: Iterable[str]) -> Row:
+    """Judge the wrong answers of some students to one problem.
 
     >>> import numpy as np
     >>> from misstep import problem
@@ -109,48 +73,11 @@ def census_of(
     row = Row(template.number)
     for student in students:
         problem = template.variant(student)
-        for tried in _by_engine(problem) if own else ():
-            _count(row, student, problem, tried)
-        if outside:
-            neighbour = SimpleNamespace(**template.variant(f"the neighbour of {student}").given)
-            given = SimpleNamespace(**problem.given)
-            for made in outside(template.number, given, problem.answer.value, neighbour):
-                _count_outside(row, student, problem, made)
+        for wrong in chain(problem.known_mistakes, problem.slips):
+            is_seen = wrong.name not in problem.invisible
+            if is_seen or not all(problem.answer.agrees(wrong.value, problem.answer.value)):
+                _count(row, student, problem, wrong)
     return row
-
-
-def _count_outside(row: Row, student: str, problem: Problem, made: Any) -> None:
-    judgement = judge(problem, made.value)
-    if made.right:
-        row.outside["right forms"] += 1
-        found = {"refused"} if judgement.state != "right" else set()
-    elif judgement.state == "unreadable":
-        found = {"unreadable"}
-    else:
-        named = [finding for finding in judgement.findings if finding.mistake]
-        said = " ".join(f"{finding.mistake} {finding.message}" for finding in named)
-        found = {"wrong"}
-        found |= {"full marks"} if judgement.state == "right" else set()
-        found |= {"unnamed"} if made.has_name and not named and judgement.state != "right" else set()
-        found |= {"false"} if any(map(says_a_fact, named)) and not made.is_named_by(said) else set()
-        found |= {"undeserved"} if made.earns_nothing and 0 < judgement.fraction < 1 else set()
-    row.outside.update(found)
-    row.outside.update(f"held out: {what}" for what in found if made.is_held_out and not made.right)
-    text = " | ".join(f"{finding.mistake}: {finding.message}" for finding in judgement.findings)
-    for what in found - {"wrong"}:
-        kept = row.examples.setdefault(f"outside, {what}", [])
-        if len(kept) < MAX_EXAMPLES:
-            kept.append(f"{student}: {made.label}: {text}")
-
-
-def says_a_fact(finding: Finding) -> bool:
-    """Return whether a message says what was done, and not only what leads to the same answer.
-
-    >>> says_a_fact(Finding((), "You left out M.")), says_a_fact(Finding((), "This is what you get if you leave out M."))
-    (True, False)
-    """
-    possible = ("This is what you get", "This is also what you get", "Several mistakes")
-    return bool(re.search(r"\bYou\b", finding.message)) and not finding.message.startswith(possible)
 
 
 def is_observation(problem: Problem, value: Any, finding: Finding) -> bool:
@@ -194,13 +121,6 @@ def is_true(problem: Problem, value: Any, finding: Finding) -> bool:
     return bool(told) and all(claims[text] for text in told)
 
 
-def _by_engine(problem: Problem) -> Iterator[Tried]:
-    for mistake in chain(problem.known_mistakes, problem.slips):
-        is_seen = mistake.name not in problem.invisible
-        if is_seen or not all(problem.answer.agrees(mistake.value, problem.answer.value)):
-            yield Tried(mistake.name, mistake.value, partial(_is_named, problem, mistake))
-
-
 def _is_named(problem: Problem, mistake: Mistake, findings: Sequence[Finding]) -> bool:
     """Return whether a finding has the name of a mistake, of the same one in other words, or the author's for its answer."""
     if mistake in problem.slips:
@@ -210,10 +130,10 @@ def _is_named(problem: Problem, mistake: Mistake, findings: Sequence[Finding]) -
     return any(one.names in finding.alternatives for finding in findings for one in (mistake, *same, *own))
 
 
-def _count(row: Row, student: str, problem: Problem, tried: Tried) -> None:
-    judgement = judge(problem, tried.value)
+def _count(row: Row, student: str, problem: Problem, wrong: Mistake) -> None:
+    judgement = judge(problem, wrong.value)
     said = " | ".join(f"{finding.mistake}: {finding.message}" for finding in judgement.findings)
-    example = f"{student}: {tried.label}: {said}"
+    example = f"{student}: {wrong.name}: {said}"
     row.wrong += 1
     if judgement.state == "right":
         row.count("full_marks", example)
@@ -224,10 +144,10 @@ def _count(row: Row, student: str, problem: Problem, tried: Tried) -> None:
         row.count("unnamed", example)
     if not named:
         return
-    value = problem.answer.read(tried.value)
+    value = problem.answer.read(wrong.value)
     if not all(is_true(problem, value, finding) for finding in named):
         row.count("false", example)
-    if not tried.fits(named) and any(_claims_a_method(problem, value, finding) for finding in named):
+    if not _is_named(problem, wrong, named) and any(_claims_a_method(problem, value, finding) for finding in named):
         row.count("misnamed", example)
 
 
@@ -279,15 +199,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--students", type=int, default=60, help="how many students (60)")
     parser.add_argument("--sheet", action="append", help="only this sheet; may be repeated")
     parser.add_argument("--examples", action="store_true", help="print examples of what was counted")
-    parser.add_argument(
-        "--outside",
-        metavar="MODULE",
-        help="a module with outside_answers(number, given, answer, neighbour), found from this folder",
-    )
-    parser.add_argument("--not-own", action="store_true", help="leave out the answers that the engine itself makes")
-    parser.add_argument(
-        "--save", type=Path, help="write the counts to this JSON file, from which the site makes its page"
-    )
+    parser.add_argument("--save", type=Path, help="write the counts into this JSON file")
 
 
 def _course_here() -> Course:
@@ -306,15 +218,13 @@ def run(options: Namespace) -> int:
     except ValueError as error:
         print(f"misstep census: {error}", file=sys.stderr)
         return 2
-    options.course = options.course or course.reference
     students = [f"student {k}" for k in range(options.students)]
     sheets = options.sheet or course.sheets()
-    jobs = [(options, sheet, k, students) for sheet in sheets for k in range(len(course.find_sheet(sheet).problems))]
+    reference = options.course or course.reference
+    jobs = [(reference, sheet, k, students) for sheet in sheets for k in range(len(course.find_sheet(sheet).problems))]
     with ProcessPoolExecutor() as pool:
         rows = list(pool.map(_row, *zip(*jobs, strict=True)))
     print(table(rows))
-    if options.outside:
-        print(f"\nFrom outside:\n\n{outside_table(rows)}")
     pairs = {}
     for sheet in sheets:
         problems = [template.variant(students[0]) for template in course.find_sheet(sheet).problems]
@@ -324,34 +234,14 @@ def run(options: Namespace) -> int:
     if options.examples:
         for row in rows:
             for what, examples in row.examples.items():
-                print(f"\n{row.number}, {COUNTS.get(what, what)}:", *examples, sep="\n- ")
+                print(f"\n{row.number}, {COUNTS[what]}:", *examples, sep="\n- ")
     if options.save:
         saved = json.loads(options.save.read_text("utf-8")) if options.save.exists() else {}
-        if not options.not_own:
-            counted = [{**vars(row), "outside": {}, "examples": {}} for row in rows]  # examples contain answers
-            saved |= {"students": len(students), "problems": counted, "inseparable": pairs}
-        if options.outside:
-            found = {row.number: dict(sorted(row.outside.items())) for row in rows if row.outside}
-            saved["outside"] = {"students": len(students), "problems": found}
+        counted = [{**vars(row), "examples": {}} for row in rows]  # examples contain answers
+        saved |= {"students": len(students), "problems": counted, "inseparable": pairs}
         options.save.write_text(json.dumps(saved, indent=1) + "\n", encoding="utf-8")
     return int(any(row.counts[what] for row in rows for what in ("full_marks", "misnamed", "false")))
 
 
-def _row(options: Namespace, sheet: str, position: int, students: Sequence[str]) -> Row:
-    if options.outside and "" not in sys.path:
-        sys.path.insert(0, "")  # the installed command does not look for modules in the folder where it is run
-    outside = import_module(options.outside).outside_answers if options.outside else None
-    template = find_course(options.course).find_sheet(sheet).problems[position]
-    return census_of(template, students, outside, own=not options.not_own)
-
-
-def outside_table(rows: Sequence[Row]) -> str:
-    """Return what was counted of the answers from outside as a table in Markdown, all of them and the half that is counted by itself."""
-    lines = [f"| problem | {' | '.join(OUTSIDE)} | held out: {' | held out: '.join(OUTSIDE)} |"]
-    lines.append("| --- " * (2 * len(OUTSIDE) + 1) + "|")
-    total = Row("**together**")
-    for row in (*rows, total):
-        counts = [str(row.outside[f"{half}{what}"]) for half in ("", "held out: ") for what in OUTSIDE]
-        lines.append(f"| {row.number} | {' | '.join(counts)} |")
-        total.outside += row.outside if row is not total else Counter()
-    return "\n".join(lines)
+def _row(reference: str, sheet: str, position: int, students: Sequence[str]) -> Row:
+    return census_of(find_course(reference).find_sheet(sheet).problems[position], students)

@@ -7,9 +7,11 @@ from typing import Any
 
 from kincourse import find_sheet, sheets
 from kinsite.execute import ROOT
-from misstep.census import COUNTS, OUTSIDE
+from misstep.census import COUNTS
 
 RESULTS = ROOT / "site" / "census.json"
+OUTSIDE = ("wrong", "full marks", "unnamed", "false", "undeserved", "unreadable", "refused")
+"""What the page shows of the answers from outside, which evidence/checks/judge_outside.py has counted."""
 
 HEAD = """\
 # Census of the feedback
@@ -43,7 +45,7 @@ form that were refused. You can repeat the census with two commands:
 
 ```text
 misstep census --students {students} --save site/census.json
-misstep census --students 2 --outside evidence.outside --not-own --save site/census.json
+python evidence/checks/judge_outside.py --students 2 --save site/census.json
 ```
 """
 
