@@ -165,6 +165,16 @@
     ];
   }
 
+  /** What stands in place of a picture or an explanation until a prediction is made: a line without a frame. */
+  function waitingLine(what, onclick) {
+    return h(
+      'p',
+      {},
+      `The ${what} appears here when you have committed to your prediction above. `,
+      h('button', { type: 'button', class: 'kinlib-button', onclick }, 'Show anyway'),
+    );
+  }
+
   /** Open the explanation of a prediction with the answer, or when the reader asks to see it without one. */
   function startExplanation(section) {
     const name = section.dataset.misstepExplain;
@@ -173,17 +183,14 @@
     const items = all('.misstep-options > li', section);
     const question = cloneChildren(section.querySelector('summary'));
     const lesson = section.querySelector('.misstep-lesson');
-    const waits = h(
-      'div',
-      {},
-      h('p', {}, 'You have not committed to your prediction yet. The explanation appears here afterwards.'),
-      h('button', { type: 'button', class: 'kinlib-button', onclick: () => show(null) }, 'Show anyway'),
-    );
+    const waits = waitingLine('explanation', () => show(null));
     const reply = h('div', { role: 'status' });
-    section.replaceChildren(h('p', {}, ...question), waits, reply);
+    section.classList.add('kinlib-waiting');
+    section.replaceChildren(waits, reply);
 
     function show(k) {
-      waits.remove();
+      section.classList.remove('kinlib-waiting');
+      waits.replaceWith(h('p', {}, ...question));
       reply.replaceChildren(
         ...explainAnswer(
           k,
@@ -234,14 +241,7 @@
     });
     const stage = h('div', {}, ...frames);
     const bar = h('label', {}, h('span', {}, element.dataset.label), range, value);
-    const anyway = h('button', { type: 'button', class: 'kinlib-button', onclick: () => uncover() }, 'Show anyway');
-    const cover = h(
-      'div',
-      {},
-      h('p', { class: 'kinlib-title' }, 'Commit to your prediction above first'),
-      h('p', {}, 'The picture appears here afterwards.'),
-      anyway,
-    );
+    const cover = waitingLine('picture', () => uncover());
     element.classList.add('kinlib-slides');
     element.replaceChildren(cover, stage, bar);
 
@@ -254,6 +254,7 @@
     }
 
     function uncover() {
+      element.classList.remove('kinlib-waiting');
       cover.hidden = true;
       stage.hidden = bar.hidden = false;
       bar.style.display = '';
@@ -262,6 +263,7 @@
     show(begin);
     cover.hidden = true;
     if (committed(name) || !waits(element)) return;
+    element.classList.add('kinlib-waiting');
     cover.hidden = false;
     stage.hidden = true;
     bar.style.display = 'none';
