@@ -1,10 +1,9 @@
 """`misstep new-course my_course`: write a small course that works, as the beginning of one's own.
 
-The folder `template` is this course, on alternating current, under the name my_course. It is copied, and the name replaced. The
-folders of `examples` have the lecture and the sheet of a course on another subject, which take the place of those of the template.
+The folder `template` is the course without a lecture, under the name my_course, as if its lecture were that on Ohm's law. Each
+folder of `examples` is a lecture with its sheet on another subject; its notebooks are made from lecture.md and solutions.toml.
 """
 
-import json
 import keyword
 import re
 import shutil
@@ -14,14 +13,11 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from misstep.catalog import FOLDER_PREFIX, forget_package, load_course
-from misstep.release.instructor_notebook import Entry, notebook
+from misstep.release.instructor_notebook import Entry, code, markdown, notebook, with_metadata
 
 TEMPLATE = Path(__file__).parent / "template"
-TEMPLATE_NAME = "my_course"
-TEMPLATE_LECTURE, TEMPLATE_QUESTION = "01_ohm", "01/brightness"
-
-EXAMPLES = {"alternating-current": "", "probability": "dice", "linear-algebra": "eigenvalues"}
-"""The subjects with which a course may begin, each with its folder in `examples`; the first one is that of the template."""
+EXAMPLES = {"alternating-current": "ohm", "probability": "dice", "linear-algebra": "eigenvalues"}
+"""The subjects with which a course may begin, each with its folder in `examples`."""
 
 OPENING = """import numpy as np
 
@@ -50,50 +46,46 @@ def write_course(folder: Path, subject: str = "alternating-current") -> None:
         raise ValueError(f"The name of a course must not be that of another package; got {name!r}. Try: {name}_course")
     if folder.exists():
         raise ValueError(f"A new course needs a folder that does not exist yet; {folder} exists. Try another name.")
-    shutil.copytree(TEMPLATE, folder, ignore=shutil.ignore_patterns("__pycache__"))
-    if EXAMPLES[subject]:
-        _take_example(folder, EXAMPLES[subject])
-    for file in sorted(path for path in folder.rglob("*") if path.is_file()):
-        file.write_text(file.read_text("utf-8").replace(TEMPLATE_NAME, name), "utf-8")
-    (folder / TEMPLATE_NAME).rename(folder / name)
-
-
-def _take_example(folder: Path, example: str) -> None:
-    """Replace the lecture and the sheet of the template by those of an example."""
-    source, lecture = TEMPLATE.with_name("examples") / example, f"01_{example}"
-    subject = next(name for name, one in EXAMPLES.items() if one == example).replace("-", " ")
-    for part in (f"{TEMPLATE_NAME}/{FOLDER_PREFIX}{TEMPLATE_LECTURE}", f"solutions/{TEMPLATE_LECTURE}"):
-        shutil.rmtree(folder / part)
-    package = folder / TEMPLATE_NAME / f"{FOLDER_PREFIX}{lecture}"
-    package.mkdir()
-    (package / "__init__.py").write_text(f'"""Lecture 01: {example}."""\n', "utf-8")
-    for name in ("problems.py", "questions.toml"):
-        shutil.copy(source / name, package)
-    question = f"01/{next(iter(tomllib.loads((source / 'questions.toml').read_text('utf-8'))))}"
-    old = folder / "notebooks" / f"{TEMPLATE_LECTURE}.ipynb"
-    content = json.loads(old.read_text("utf-8"))
-    first, opening, *_, ask, explain = content["cells"]
-    title, *sections = re.split(r"(?m)^(?=## )", (source / "lecture.md").read_text("utf-8"))
-    texts = [title.strip() + "\n\nRun each cell with Shift + Enter.", *map(str.strip, sections)]
-    cells = [{**first, "id": f"text-{k}", "source": text.splitlines(keepends=True)} for k, text in enumerate(texts)]
-    content["cells"] = [cells[0], opening, *cells[1:], ask, explain]
-    old.unlink()
-    text = json.dumps(content, indent=1, ensure_ascii=False).replace(TEMPLATE_QUESTION, question)
-    old.with_name(f"{lecture}.ipynb").write_text(text + "\n", "utf-8")
-    for file in (folder / "README.md", folder / "instructors.md", folder / TEMPLATE_NAME / "__init__.py"):
-        text = file.read_text("utf-8").replace(TEMPLATE_LECTURE, lecture).replace("electric circuits", subject)
-        file.write_text(text.replace("Electric circuits", subject.capitalize()), "utf-8")
+    ignored = shutil.ignore_patterns("__pycache__", "lecture.md", "solutions.toml")
+    source, lecture = TEMPLATE.with_name("examples") / EXAMPLES[subject], f"01_{EXAMPLES[subject]}"
+    shutil.copytree(TEMPLATE, folder, ignore=ignored)
+    package = folder / "my_course" / f"{FOLDER_PREFIX}{lecture}"
+    shutil.copytree(source, package, ignore=ignored)
+    (package / "__init__.py").write_text(f'"""Lecture 01: {EXAMPLES[subject]}."""\n', "utf-8")
+    (folder / "notebooks").mkdir()
+    (folder / "notebooks" / f"{lecture}.ipynb").write_text(_lecture(source), "utf-8")
+    entries = [Entry(**one) for one in tomllib.loads((source / "solutions.toml").read_text("utf-8"))["problem"]]
     try:
-        sheet = load_course(folder / TEMPLATE_NAME).find_sheet(lecture)
+        sheet = load_course(package.parent).find_sheet(lecture)
     finally:
-        forget_package(TEMPLATE_NAME)
+        forget_package(package.parent.name)
         for cache in list(folder.rglob("__pycache__")):
             shutil.rmtree(cache)
-    entries = [Entry(**one) for one in tomllib.loads((source / "solutions.toml").read_text("utf-8"))["problem"]]
     solutions = folder / "solutions" / lecture / f"{lecture}.ipynb"
-    solutions.parent.mkdir()
+    solutions.parent.mkdir(parents=True)
     intro = "Type your id, run the cells, and replace each `...` by your answer."
     solutions.write_text(notebook(sheet, entries, intro, OPENING), "utf-8")
+    words = {"my_course": name, "01_ohm": lecture, "electric circuits": subject.replace("-", " ")}
+    for file in [path for path in folder.rglob("*") if path.is_file()]:
+        text = file.read_text("utf-8")
+        for old, new in words.items():
+            text = text.replace(old, new)
+        file.write_text(text, "utf-8")
+    package.parent.rename(folder / name)
+
+
+def _lecture(source: Path) -> str:
+    """Write the notebook of a lecture from its text, which ends with the question of the lecture."""
+    title, *sections = re.split(r"(?m)^(?=## )", (source / "lecture.md").read_text("utf-8"))
+    question = f"01/{next(iter(tomllib.loads((source / 'questions.toml').read_text('utf-8'))))}"
+    cells = [
+        markdown("title", f"{title.strip()}\n\nRun each cell with Shift + Enter."),
+        code("open", "from my_course import ask, explain"),
+        *(markdown(f"section-{k}", text.strip()) for k, text in enumerate(sections, start=1)),
+        code("ask", f'ask("{question}")'),
+        code("explain", f'explain("{question}")'),
+    ]
+    return with_metadata(cells)
 
 
 def add_arguments(parser: ArgumentParser) -> None:

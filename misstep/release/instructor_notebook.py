@@ -40,13 +40,18 @@ def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str, a
     number = sheet.problems[0].number.partition(".")[0]
     opening = [imports, "", f'student = "{SAMPLE_ID}"', f'sheet = open_sheet("{sheet.name}", student)', "sheet"]
     title = f"# Sheet {number}: {sheet.title[0].lower()}{sheet.title[1:]}"
-    cells = [_markdown("title", f"{title}\n\n{intro}"), _code("open", "\n".join(opening))]
+    cells = [markdown("title", f"{title}\n\n{intro}"), code("open", "\n".join(opening))]
     for k, (template, entry) in enumerate(zip(sheet.problems, entries, strict=True), start=1):
         cells += problem_cells(k, template.title, template.points, entry)
         if k in after:
-            cells.append(_markdown(f"note-{k}", after[k]))
-    cells.append(_markdown("together", "## Together\n\nRun this cell last: it counts what you have."))
-    cells.append(_code("tally", "sheet.tally()"))
+            cells.append(markdown(f"note-{k}", after[k]))
+    cells.append(markdown("together", "## Together\n\nRun this cell last: it counts what you have."))
+    cells.append(code("tally", "sheet.tally()"))
+    return with_metadata(cells)
+
+
+def with_metadata(cells: Sequence[dict[str, Any]]) -> str:
+    """Write a notebook with these cells, as the text of a file."""
     kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
     metadata = {"kernelspec": kernel, "language_info": {"name": "python"}}
     content = {"cells": cells, "metadata": metadata, "nbformat": 4, "nbformat_minor": 5}
@@ -60,18 +65,20 @@ def problem_cells(k: int, title: str, points: int, entry: Entry) -> list[dict[st
     lines = [*given, f"{name} = ...", "### BEGIN SOLUTION", entry.solution.strip(), "### END SOLUTION"]
     scored = {"grade": True, "locked": True, "points": points, "solution": False}
     return [
-        _markdown(f"heading-{k}", f"## Problem {k}. {title}\n\n{entry.ask}".strip()),
-        _code(f"show-{k}", f"sheet.show({k})"),
-        _code(f"answer-{k}", "\n".join(lines), {"grade": False, "locked": False, "solution": True}),
-        _code(f"check-{k}", f"sheet.check({k}, {name})", scored),
+        markdown(f"heading-{k}", f"## Problem {k}. {title}\n\n{entry.ask}".strip()),
+        code(f"show-{k}", f"sheet.show({k})"),
+        code(f"answer-{k}", "\n".join(lines), {"grade": False, "locked": False, "solution": True}),
+        code(f"check-{k}", f"sheet.check({k}, {name})", scored),
     ]
 
 
-def _markdown(name: str, text: str) -> dict[str, Any]:
+def markdown(name: str, text: str) -> dict[str, Any]:
+    """Return a cell of text; its name is its id."""
     return {"cell_type": "markdown", "id": name, "metadata": {}, "source": text.splitlines(keepends=True)}
 
 
-def _code(name: str, text: str, nbgrader: Mapping[str, Any] | None = None) -> dict[str, Any]:
+def code(name: str, text: str, nbgrader: Mapping[str, Any] | None = None) -> dict[str, Any]:
+    """Return a cell of code; its name is its id, and its grade_id if it has metadata of nbgrader."""
     fields = {**nbgrader, "grade_id": name, "schema_version": SCHEMA, "task": False} if nbgrader else {}
     return {
         "cell_type": "code",

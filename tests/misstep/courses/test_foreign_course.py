@@ -14,6 +14,8 @@ from circuits_course import write_course
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+from misstep.new_course import write_course as write_new_course
+
 PACKAGE = Path(__file__).parents[3] / "misstep"
 
 
@@ -207,11 +209,13 @@ def test_a_command_without_its_extra_names_the_extra(minimal):
 
 def test_the_wheel_contains_the_whole_template_of_a_new_course(minimal, tmp_path):
     minimal.misstep("new-course", tmp_path / "circuits")
-    made = [path.relative_to(tmp_path / "circuits") for path in (tmp_path / "circuits").rglob("*") if path.is_file()]
-    template = PACKAGE / "new_course" / "template"
-    tracked = [path for path in template.rglob("*") if path.is_file() and "__pycache__" not in path.parts]
-    assert len(made) == len(tracked)
-    assert {"README.md", "pyproject.toml", ".github/workflows/site.yml"} <= {path.as_posix() for path in made}
+    write_new_course(tmp_path / "here" / "circuits")
+    made, here = (
+        sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
+        for folder in (tmp_path / "circuits", tmp_path / "here" / "circuits")
+    )
+    assert made == here
+    assert {"README.md", "pyproject.toml", ".github/workflows/site.yml", "solutions/01_ohm/01_ohm.ipynb"} <= set(made)
 
 
 # --- from the instructor's notebook to grades.csv ---

@@ -1,4 +1,4 @@
-"""Electric circuits: the example with which a new course begins."""
+"""A course that begins with electric circuits."""
 
 from misstep import Course
 

@@ -1,1 +1,0 @@
-"""Lecture 01: Ohm's law."""
