@@ -124,12 +124,6 @@ def test_joint_points_are_feet_of_perpendiculars_as_sympy_s_geometry_draws_them(
         close(found, np.array(before.evalf(30).args, dtype=float))
 
 
-def test_a_joint_point_that_is_not_given_is_the_one_nearest_the_joint_before():
-    Z, X = (0, 0, 1), (1, 0, 0)
-    chain = Chain([screw(Z, (1, 0, 5)), screw(X, (0, 2, 3)), screw(X, pitch=np.inf), screw(Z, (4, 4, 9))], np.eye(4))
-    assert chain.joint_points.tolist() == [[1, 0, 0], [1, 2, 3], [1, 2, 3], [4, 4, 3]]
-
-
 # --- how the tool moves ---
 
 
@@ -189,15 +183,6 @@ def test_a_chain_keeps_no_thread_to_the_arrays_it_was_made_from():
     close(chain.fk([1, 2, 3]), before, atol=0)
 
 
-def test_a_pose_that_was_returned_is_the_callers_own():
-    robot = robots.rpr()
-    robot.fk(np.zeros(3))[:] = 7
-    robot.jacobian(np.zeros(3))[:] = 7
-    robot.fk_mid(np.zeros(3), 0)[:] = 7
-    close(robot.fk(np.zeros(3)), robot.home, atol=1e-15)
-    close(robot.fk_body(np.zeros(3)), robot.home, atol=1e-15)
-
-
 # --- what is refused ---
 
 SCREWS = robots.youbot().screws
@@ -208,16 +193,10 @@ SCREWS = robots.youbot().screws
     [
         (SCREWS.T, r"screws must have shape \(\.\.\., 6\); got \(6, 5\).*try screws\.T"),
         (robots.puma560().screws.T, r"Screw axes go in rows, but yours are in columns: try screws\.T"),
-        (SCREWS[0], r"screws must have shape \(n, 6\), one row per joint; got \(6,\)"),
         (np.zeros((0, 6)), r"screws must have shape \(n, 6\), one row per joint; got \(0, 6\)"),
-        (SCREWS[None], r"screws must have shape \(n, 6\), one row per joint; got \(1, 5, 6\)"),
         (SCREWS * 2, r"In screws\[0\] the length of omega is 2\. .*divide all six numbers"),
         ([[0] * 6], r"In screws\[0\] the length of v .* is 0\. A revolute joint needs an axis"),
         ([[0, 0, 1, 0, np.nan, 0]], r"screws contains NaN or infinity at index \[0, 4\]"),
-        ([[0, 0, sympy.Symbol("w"), 0, 0, 0]], r"screws must be an array of real numbers; got list \[\[0, 0, w"),
-        (None, "screws must be an array of real numbers; got NoneType None"),
-        (["S1", "S2"], "screws must be an array of real numbers; got list"),
-        ([SCREWS[0], SCREWS[1][:3]], "a row of another length"),
     ],
 )
 def test_invalid_screws_are_refused(screws, message):
@@ -229,12 +208,8 @@ def test_invalid_screws_are_refused(screws, message):
     ("home", "message"),
     [
         (np.eye(3), r"home must be a pose \(\.\.\., 4, 4\); got a rotation"),
-        (np.diag([1, 1, -1, 1]), "home is a reflection"),
         (robots.youbot().home.T, r"home is not a pose: its last row .*got \[0\.5405 0\. .*Try the transpose"),
-        (np.diag([2, 2, 2, 1]), r"home is not rigid: R\^T R differs from the identity by 3"),
         (np.stack([np.eye(4)] * 5), r"home must be a single pose, \(4, 4\); got \(5, 4, 4\)"),
-        (np.full((4, 4), np.nan), r"home contains NaN or infinity at index \[0, 0\]"),
-        (None, "home must be an array of real numbers; got NoneType"),
     ],
 )
 def test_a_home_that_is_not_a_pose_is_refused(home, message):
@@ -246,16 +221,9 @@ def test_a_home_that_is_not_a_pose_is_refused(home, message):
     ("q", "message"),
     [
         ([1, 2, 3, 4], r"youBot has 5 joints \(RRRRR\), so q must have shape \(\.\.\., 5\); got \(4,\)"),
-        ([1, 2, 3, 4, 5, 6], r"got \(6,\)\. Pass one value per joint"),
-        (0.5, r"so q must have shape \(\.\.\., 5\); got \(\)"),
         (np.zeros((5, 100)), r"got \(5, 100\)\. Joints go in the last dimension: try q\.T"),
         ([0, 0, np.nan, 0, 0], r"q contains NaN or infinity at index \[2\]"),
-        ([0, 0, np.inf, 0, 0], r"q contains NaN or infinity at index \[2\]"),
-        ([0, 0, 1j, 0, 0], "q must be an array of real numbers; got list"),
-        (["0"] * 5, "q must be an array of real numbers; got list"),
         (sympy.symbols("q1:6"), r"q must be an array of real numbers; got tuple \(q1, q2, q3, q4, q5\).*symbol"),
-        (None, "q must be an array of real numbers; got NoneType None"),
-        ([[0] * 5, [0] * 4], "a row of another length"),
         ([0, 0, 1e9, 0, 0], r"A rotation angle must be at most 1e\+08 rad.*got 1e\+09 rad"),
     ],
 )
@@ -324,12 +292,6 @@ def test_invalid_limits_and_names_are_refused(fields, message):
         Chain(robot.screws, robot.home, **fields)
 
 
-@pytest.mark.parametrize("limits", [[[-1, 1], [0.5, 0.5], [0, 0]], [[-np.inf, np.inf], [0, np.inf], [-1, 1]]])
-def test_a_joint_may_be_limited_to_one_value_or_on_one_side(limits):
-    robot = robots.rpr()
-    np.testing.assert_array_equal(Chain(robot.screws, robot.home, limits=limits).limits, limits)
-
-
 # --- how descriptions of an arm are compared ---
 
 
@@ -384,12 +346,6 @@ def test_a_chain_says_its_joints_and_equals_one_with_equal_fields():
     assert len({arm, again, robots.rpr(), robots.rprr()}) == 3
     assert arm != robots.rpr()
     assert arm != 3
-
-
-@pytest.mark.parametrize("part", ["axis", "point", "pitch"])
-def test_cached_lines_cannot_be_written_to(part):
-    with pytest.raises(ValueError, match="read-only"):
-        getattr(robots.rpr().lines, part)[0] = 7
 
 
 def test_random_configurations_are_ones_that_fk_takes():

@@ -37,12 +37,6 @@ def test_random_configurations_are_within_the_limits_and_limits_can_be_asked(dra
     assert chain.within_limits(q)
 
 
-def test_random_configurations_depend_on_the_seed_only():
-    arm = youbot()
-    assert np.array_equal(arm.random_configurations(3), arm.random_configurations(3))
-    assert not np.array_equal(arm.random_configurations(3, 1), arm.random_configurations(3, 2))
-
-
 @pytest.mark.oracle("axiom: what is stored is read back", Chain.to_dict, Chain.from_dict)
 @given(chains_with_values())
 def test_a_chain_is_stored_as_json_and_read_back(drawn):

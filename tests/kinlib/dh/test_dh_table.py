@@ -172,34 +172,6 @@ def test_an_entry_is_what_sympy_makes_of_it(entries):
     close([table.columns[name][0] for name in exact], [float(value.evalf(30)) for value in exact.values()], atol=1e-13)
 
 
-@pytest.mark.oracle("printed: deck Example with n = 5", DHTable.link_transforms)
-def test_the_link_transforms_of_deck_n_5_come_out_as_printed_and_one_as_it_should_be():
-    table, _ = PRINTED["n = 5"]
-    q1, q2, q3, q4 = q = np.array([0.4, 0.7, -1.1, 2.0])
-    (c1, s1), (c3, s3), (c4, s4) = ((np.cos(x), np.sin(x)) for x in (q1, q3, q4))
-    printed = [
-        [[c1, -s1, 0, 0], [s1, c1, 0, 0], [0, 0, 1, 0]],
-        [[0, 1, 0, 0], [0, 0, 1, q2], [1, 0, 1, 0]],
-        [[c3, -s3, 0, 0.5], [0, 0, 1, 0], [-s3, -c3, 0, 0]],
-        [[c4, -s4, 0, 0], [0, 0, -1, 0], [s4, c4, 0, 0]],
-        [[1, 0, 0, -0.2], [0, 1, 0, 0], [0, 0, 1, 0.3]],
-    ]
-    wrong = np.argwhere(np.abs(table.link_transforms(q)[:, :3] - printed) > EXACT)
-    assert wrong.tolist() == [[1, 2, 2]]  # 1T2, third row: [1 0 0 0], where [1 0 1 0] is printed
-    assert abs(table.link_transforms(q)[1, 2, 2]) < EXACT
-
-
-@pytest.mark.oracle("printed: Kinematics under DH", dh_transform)
-def test_one_of_lecture_7_s_two_general_matrices_has_two_entries_exchanged():
-    """The first prints row 2 as (c s_alpha, c c_alpha, ...) and row 3 as (s s_alpha, s c_alpha, ...): no rotation at all."""
-    alpha, theta = 0.5, 0.7
-    ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
-    printed = np.array([[c, -s, 0], [c * sa, c * ca, -sa], [s * sa, s * ca, ca]])
-    right = dh_transform(0, alpha, 0, theta, convention="modified")[:3, :3]
-    assert np.abs(printed.T @ printed - np.eye(3)).max() > 0.1
-    assert np.argwhere(np.abs(printed - right) > EXACT).tolist() == [[1, 0], [2, 1]]
-
-
 # --- both conventions are one product ---
 
 
@@ -220,48 +192,12 @@ def test_a_table_is_its_chain_of_screws(table):
     close(table.to_chain().fk_body(q), table.fk(q))
 
 
-@pytest.mark.parametrize("convention", ["standard", "modified"])
-def test_the_chain_of_a_table_has_its_name_and_its_joints_where_the_frames_stand(convention):
-    rows = [[0.4, 0.1, 0.2, 0.3], [0.3, 0.7, 0.1, -0.4]]
-    table = DHTable(rows, convention=convention, base=kl.exp([0, 0, 1, 1, 2, 3]), name="elbow")
-    frames = [table.base]
-    for link in table.link_transforms([0, 0]):
-        frames.append(frames[-1] @ link)
-    chain = table.to_chain()
-    assert chain.name == "elbow"
-    close(chain.joint_points, [frame[:3, 3] for frame in (frames[:2] if convention == "standard" else frames[1:])])
-
-
-def test_the_columns_are_told_by_name():
-    columns = DHTable(
-        "a|alpha|d|theta\nl1|0.7|0.2|q1\n0.25|1.1|q2|0.5", convention="standard", lengths={"l1": 4}
-    ).columns
-    assert {name: values.tolist() for name, values in columns.items()} == {
-        "a": [4, 0.25],
-        "alpha": [0.7, 1.1],
-        "d": [0.2, 0],
-        "theta": [0, 0.5],
-    }
-
-
 def test_any_shape_of_joint_values_is_one_computation():
     table, _ = PRINTED["youBot"]
     q = values(5, 6).reshape(2, 3, 5)
     assert table.fk(q).shape == (2, 3, 4, 4)
     close(table.fk(q)[1, 2], table.fk(q[1, 2]))
     assert table.link_transforms(np.zeros((0, 5))).shape == (0, 5, 4, 4)
-
-
-def test_converting_to_the_convention_it_has_changes_nothing():
-    table, _ = PRINTED["youBot"]
-    assert table.converted("standard") is table
-
-
-def test_a_joint_may_turn_the_other_way():
-    table = DHTable("a | alpha | d | theta\n 1 | 0 | 0 | pi/2 - q1", convention="standard")
-    close(table.fk([np.pi / 2])[:3, 3], [1, 0, 0])
-    close(table.converted("modified").fk([0.3]), table.fk([0.3]))
-    close(table.to_chain().fk([0.3]), table.fk([0.3]))
 
 
 # --- as people type them ---
@@ -332,14 +268,6 @@ def test_a_length_or_an_angle_may_have_any_name(head, name):
     close(table.rows, [[0.25, 0, 0, np.radians(0.25)]], 1e-15)
 
 
-def test_the_largest_numbers_and_texts_that_are_read_are_those_that_the_messages_name():
-    for angle in (6.283, 2 * np.pi, 1.2345 + 2 * np.pi, 4 * np.pi, np.radians(397), 20 * np.pi):
-        close(DHTable([[1e12, angle, -1e12, -angle]], convention="standard").rows[0, [1, 3]], [angle, -angle])
-    entry = "0.5".ljust(200, "0")
-    table = DHTable(f"a|alpha|d|theta\n{entry}|0|0|q1".ljust(100_000), convention="standard")
-    assert table.rows.tolist() == [[0.5, 0, 0, 0]]
-
-
 def test_a_row_without_a_variable_has_no_joint_and_a_column_of_another_name_is_not_read():
     text = "joint | kind | a | alpha | d | theta\nA | turns | 0 | 0 | 0 | -q1\nB | none | 0.4 | 0 | 0.1 | 0"
     table = DHTable(text, convention="standard")
@@ -370,12 +298,6 @@ def test_a_table_may_be_laid_out_in_any_of_these_ways(text):
     assert table.joints == "RP"
 
 
-def test_degrees_in_the_head_of_a_column_count_for_its_numbers_and_not_for_its_variables():
-    table = DHTable("a | alpha [°] | d | theta (deg)\n 0 | 90 | 0 | q1\n 0 | pi/2 | q2 | 45", convention="standard")
-    close(table.rows[:, 1], [np.pi / 2, np.pi / 2])
-    close(table.rows[:, 3], [0, np.pi / 4])
-
-
 @pytest.mark.parametrize(
     ("entry", "degrees"),
     [("1e1", 10), ("5+5", 10), ("q1 + 10", 10), ("45/9", 5), ("10 - q1", 10), ("-.5", -0.5), ("−5", -5), ("5 °", 5)],
@@ -392,46 +314,29 @@ REFUSED = {
         r"^Row 1, alpha: an angle must be .*; got -90 rad\. -90 rad\? Write -90° if it is in",
     ),
     "degrees beside a variable": (HEAD + "0|0|0|q1 - 90", r"Row 1, theta: .*; got -90 rad\. -90 rad\? Write -90° if"),
-    "degrees in row 2": (
-        HEAD + "0|0|0|q1\n0|0|q2|90",
-        "Row 2, theta: an angle must be at most a full turn, .*; got 90 rad",
-    ),
     "a turn and a bit": ([[0, 0, 0, 6.3]], "Row 1, theta: an angle must be at most a full turn, 2 pi, .*; got 6.3 rad"),
-    "two turns and a bit": ([[0] * 4, [0, -12.57, 0, 0]], "Row 2, alpha: an angle must be .*; got -12.57 rad"),
     "a turn in uneven degrees": (
         HEAD + "0|1000.5°|0|q1",
         "got '1000.5°'. Subtract full turns: 280.5° is the same angle",
     ),
-    "eleven turns": (HEAD + "0|0|0|q1 + 22*pi", r"Row 1, theta: .*; got 'q1 \+ 22\*pi'. Subtract full turns: 0° is"),
     "a row too many numbers": (HEAD + "0|0|0|q1\n3|0|0|0|q2", "Row 2 must have 4 entries, one per heading; got 5: '3"),
-    "a missing entry": (HEAD + "0|0|q1", "Row 1 must have 4 entries, one per heading; got 3"),
     "a missing column": ("a|alpha|d\n0|0|0", "The heading must name the columns a, alpha, d, theta, each once"),
-    "a row without a column": (
-        [{"a": 0, "d": 0, "theta": "q1"}],
-        r"Row 1 has no alpha\. Each row must have all of a, alpha",
-    ),
     "a nameless row": ([{"a": 0, "alpha": 0, "d": 0, "theta": "q"}, None], "Row 2 has no a; it is NoneType"),
     "a list for a number": ([{"a": [1], "alpha": 0, "d": 0, "theta": 0}], "Row 1, a must be a single number; got list"),
     "no rows": (HEAD, "must have a heading, .* and at least one row"),
     "no joint": (HEAD + "0|0|0|0", "every row is fixed"),
     "two variables": (HEAD + "0|0|q1|q1", "Row 1: the joint variable must be in theta or in d, once"),
     "a variable in a": (HEAD + "q1|0|0|0", "Row 1: .* it is in a. Are the columns a and d swapped?"),
-    "a variable in alpha": (HEAD + "0|0|0|q1\n0|q2|0|0", "Row 2: the joint variable must be .*; it is in alpha"),
     "a gear": (HEAD + "0|0|0|2*q1", "must be q or -q, without a factor; its factor is 2"),
     "two joints in an angle": (HEAD + "1|0|0|q1\n1|0|0|q1+q2", "Row 2, theta: .* that of its own joint; got q1 and q2"),
     "an unknown length": (HEAD + "0|0|l7|q1", r"Row 1, d: .*; got 'l7'.*lengths=\{'l7': ...\}"),
     "an angle in a length": (HEAD + "0|0|30°|q1", "d is a length. Are two columns swapped"),
-    "a length in degrees": ("a (deg)|alpha|d|theta\n0.4|0|0|q1", "Row 1, a: '0.4' is an angle, but a is a length"),
     "millimetres in the heading": (
         "a (mm)|alpha|d|theta\n400|0|0|q1",
         r"in metres, but the heading 'a \(mm\)' says mm",
     ),
     "millimetres in an entry": (HEAD + "400 mm|0|0|q1", "Row 1, a: .*Lengths are in metres: write 0.4 for 400 mm"),
     "a decimal comma": (HEAD + "0,4|0|0|q1", r"Row 1, a: .*; got '0,4'\. The decimal sign is a point: write 0\.4\.$"),
-    "a decimal comma in a sum": (
-        HEAD + "0|0|0|q1 + 1,57",
-        r"Row 1, theta: .*The decimal sign is a point: write 1\.57\.$",
-    ),
     "swapped labels": (
         HEAD + "1|0|0|q2\n1|0|0|q1",
         r"^The joint variables must be numbered 1, 2, .*; got q2, q1\. Give the",
@@ -440,25 +345,16 @@ REFUSED = {
         HEAD + "1|0|0|q1\n1|0|0|q_1",
         r"; got q1, q1\. Two rows have the variable of joint 1, but each .*\.$",
     ),
-    "a gap between labels": (
-        HEAD + "1|0|0|θ1\n1|0|d_3|0",
-        r"; got theta1, d3\. Is a row missing\? The joints are counted",
-    ),
     "labels from 0": (HEAD + "1|0|0|q0\n1|0|0|q1", r"; got q0, q1\. Is a row missing\? The joints are counted from 1"),
-    "a label of another row": (HEAD + "1|0|0|q\n1|0|0|q1", r"; got q, q1\. Two rows have the variable of joint 1"),
     "rows in another order": (
         "i|a|alpha|d|theta\n2|1|0|0|q\n1|1|0|0|q",
         "in the order of their numbers, .*; got 2, 1. Sort",
     ),
     "NaN": ([[0, 0, np.nan, 0]], r"rows contains NaN or infinity at index \[0, 2\]"),
     "infinity": (HEAD + "1e400|0|0|q1", "Row 1, a: an entry must be a finite number; got '1e400'"),
-    "infinity less infinity": (HEAD + "1e400-1e400|0|0|q1", "Row 1, a: an entry must be a finite number; got"),
     "a transposed table": (np.zeros((4, 6)), r"rows must have shape \(..., 4\); got \(4, 6\).*rows.T"),
     "one row": (np.zeros(4), r"must have shape \(m, 4\)"),
     "a length beyond the planets": ([[1e200, 0, 0, 0]], r"Row 1: a must be at most 1e\+12 m; got 1e\+200 m"),
-    "an offset beyond the planets": ([[0] * 4, [0, 0, -1e13, 0]], r"Row 2: d must be at most 1e\+12 m; got -1e\+13 m"),
-    "a long head": ("a" * 10_000 + "\n0", "each once; got 'a{40}"),
-    "half a letter in the head": ("a|alpha|d|\ud800\n0|0|0|q1", r"each once; got 'a\|alpha\|d\|\\ud800'"),
     "an entry without end": (HEAD + "-" * 5000 + "1|0|0|q1", r"at most 200 characters; '-{20}'\.\.\. has 5001"),
     "a text without end": ("0 " * 60_000, "at most 100000 characters; got 120000"),
     # What is no entry; fuzzing found that some came as another error, or as a number that nobody had typed
@@ -473,7 +369,6 @@ REFUSED = {
         }.items()
     },
     "a product of variables": (HEAD + "0|0|0|q1*q1", "Row 1, theta: an entry must be a number"),
-    "a variable of another script": (HEAD + "0|0|0|q٣", "Row 1, theta: an entry must be .*; got 'q٣'"),
 }
 
 
@@ -501,22 +396,10 @@ def test_a_heading_of_the_other_convention_is_refused(names, place):
         assert read_rows(text).joints == "R"
 
 
-@pytest.mark.parametrize("entry", ["q_1 + 90°", "θ1* + 90º", "90 deg + q₁", "q1 + 450°", r"\theta_1^* + 90^{\circ}"])
-def test_degrees_are_added_to_a_joint_variable(entry):
-    table = DHTable(f"a|alpha|d|theta\n0|0|0|{entry}", convention="standard")
-    close(np.exp(1j * table.rows[0, 3]), 1j)
-    assert (table.joints, table.signs.tolist()) == ("R", [1])
-
-
 def test_a_column_that_counts_the_rows_may_begin_anywhere():
     for first in (0, 1, 4):
         text = f"i | a | alpha | d | theta\n{first} | 0.4 | 0 | 0 | q\n{first + 1} | 0.3 | 0 | 0 | q"
         assert DHTable(text, convention="standard").columns["a"].tolist() == [0.4, 0.3]
-
-
-def test_a_fixed_row_has_no_number_of_a_joint():
-    text = "a | alpha | d | theta\n0.4 | 0 | 0 | q1\n0.3 | 0 | 0 | pi/2\n0.2 | 0 | d_2 | 0"
-    assert DHTable(text, convention="standard").joints == "RFP"
 
 
 def test_a_table_means_nothing_without_its_convention():
@@ -542,8 +425,6 @@ def test_letters_that_contradict_the_variables_are_refused():
     ("lengths", "words"),
     [
         ({"l": np.nan}, r"lengths\['l'\] contains NaN"),
-        ({"l": "0.4"}, r"lengths\['l'\] must be an array of real numbers; got str '0.4'"),
-        ({"l": 10**400}, r"lengths\['l'\] must be"),
         ({"l": [0.4]}, r"lengths\['l'\] must be a single number; got list \[0.4\]"),
         ({"pi": 3}, "must not redefine pi"),
         (7, r"lengths must be a dictionary such as \{'l2': 0.5\}; got int 7"),
@@ -567,11 +448,6 @@ def test_a_row_s_number_that_is_none_is_refused_by_its_name(name):
     row = {"a": 0, "alpha": 0, "d": 0, "theta": 0, name: np.nan}
     with pytest.raises(ValueError, match=f"^{name} contains NaN"):
         dh_transform(**row, convention="standard")
-
-
-def test_too_few_joint_values_are_refused():
-    with pytest.raises(ValueError, match=r"q must have shape \(..., 5\); got \(4,\)"):
-        PRINTED["youBot"][0].fk(np.zeros(4))
 
 
 def test_a_table_cannot_be_written_to():

@@ -49,10 +49,6 @@ BROKEN = {
         drawn(3, np.diag([1, -1, 1, 1])),
         (3, "right-handed", "Frame 3 is left-handed: y_3 must be z_3 x x_3. Negate y_3."),
     ),
-    "axes that are not unit": (
-        drawn(3, np.diag([2, 1, 1, 1])),
-        (3, "right-handed", "The axes of frame 3 must be unit vectors perpendicular to each other."),
-    ),
     "z off its direction": (
         drawn(2, kl.exp([0.3, 0, 0, 0, 0, 0])),
         (2, "z along axis", "z_2 must be along the axis of joint 3, but is not."),
@@ -68,10 +64,6 @@ BROKEN = {
     "x along z": (
         along(2 * RIGHT[0, :3, 2]),
         (1, "x perpendicular to z", "x_1 must be perpendicular to z_0; the angle is 0 degrees."),
-    ),
-    "x against z": (
-        along(-2 * RIGHT[0, :3, 2]),
-        (1, "x perpendicular to z", "x_1 must be perpendicular to z_0; the angle is 180 degrees."),
     ),
     "x beside the common normal": (
         drawn(1, kl.exp([0, 0, 0, 0, 0, 0.2])),
@@ -103,15 +95,6 @@ def test_frames_of_the_other_convention_are_recognised():
         "z_1 must be along the axis of joint 1, but is not. It is along the axis of joint 2, as in the other convention.",
         "z_4 must be along the axis of joint 4, but is not. It is along the axis of joint 5, as in the other convention.",
     ]
-
-
-def test_before_the_first_joint_and_behind_the_last_there_is_no_other_axis():
-    """z_0 and z_n along the axis at the other end of the arm are off, and no sign of the other convention."""
-    frames = np.tile(np.eye(4), (ARM.n + 1, 1, 1))
-    frames[[0, -1], :3, :3] = np.eye(3)[:, [1, 2, 0]]  # z along x, as joint 5
-    assert off_axis(ARM, frames, "standard")[0] == "z_0 must be along the axis of joint 1, but is not."
-    frames[[0, -1], :3, :3] = np.eye(3)  # z along z, as joint 1
-    assert off_axis(ARM, frames, "modified")[-1] == "z_5 must be along the axis of joint 5, but is not."
 
 
 @given(rotations())

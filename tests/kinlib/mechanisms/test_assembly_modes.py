@@ -12,28 +12,6 @@ def circle_about_1(x):
     return ((x - [1, 0]) ** 2).sum(1, keepdims=True) - 1, 2 * (x - [1, 0])[:, None]
 
 
-def closure_of(equations, held, search_range):
-    """Two unknowns, of which the second one is held."""
-    return Closure(
-        *(equations, np.array([0.0, held]), np.array([0]), np.zeros(2, bool)),
-        *(np.full(2, search_range), 1e-13),
-    )
-
-
-@pytest.mark.parametrize(("once", "rounds"), [(1, 31), (2, 4)])
-def test_the_search_goes_on_while_a_mode_has_been_found_only_once(once, rounds):
-    calls = []
-
-    def poses(q):
-        """Another body is elsewhere in the first configurations, but not in those that follow."""
-        calls.append(len(q))
-        return (np.arange(len(q)) < once).astype(float)[:, None] * (len(calls) == 1)
-
-    line = closure_of(lambda x: (x[:, :1] - 0.25, np.tile([[1.0, 0.0]], (len(x), 1, 1))), 0.0, 0.5)
-    assert line.search_modes(poses).tolist() == [[0.25, 0.0]] * 2
-    assert len(calls) == rounds
-
-
 def test_a_motion_that_moves_no_body_is_no_degree_of_freedom():
     """As at a spherical joint two of whose axes coincide: only the sum of two angles matters."""
     ball = Closure(

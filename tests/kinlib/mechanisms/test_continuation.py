@@ -97,31 +97,6 @@ def test_a_curve_that_passes_near_its_start_is_not_closed():
     close(curve.length[-1], 2 * np.pi * np.sqrt(901))
 
 
-@pytest.mark.parametrize("count", [77])
-def test_a_curve_closes_if_a_step_ends_exactly_at_its_start(count):
-    """A last step that ends at the start to the last digit, or to all but the last, is the last one."""
-    path = plane_curve(lambda x, y: x - 2 * y - 1, lambda x, y: (1 + 0 * x, -2 + 0 * y), turns=(True, True))
-    length = 2 * np.pi * np.sqrt(5)
-    curve = path.follow(np.array([1.0, 0.0]), length / count, 1000)
-    assert curve.closed
-    assert len(curve.q) == count + 1
-    close(curve.length[-1], length)
-
-
-def test_a_prediction_with_curvature_is_corrected_in_two_steps():
-    """Ahead along the tangent it would take three; a step that overshoots would leave the circle in other places."""
-    asked = []
-    once = circle()
-
-    def counted(x):
-        asked.append(len(x))
-        return once.equations(x)
-
-    curve = CurveTracer(counted, 1e-13, once.is_angle).follow(np.array([1.0, 0.0]), 0.2, 1000)
-    assert np.count_nonzero(np.array(asked) == 1) <= 3 * len(curve.q) + 5
-    close(np.diff(curve.length)[:-1], 0.2, atol=4e-3)
-
-
 def test_a_steep_rise_between_level_parts_is_not_skipped():
     """Before and after it the curve has the same direction, so the tangents of a long step would not show it."""
     path = plane_curve(
@@ -133,17 +108,6 @@ def test_a_steep_rise_between_level_parts_is_not_skipped():
     assert curve.q[:, 0].max() > 1
     assert np.diff(curve.length).max() < 0.35
     assert np.abs(np.diff(curve.q[:, 1])).max() < 0.3
-
-
-def test_redundant_equations_give_the_same_curve():
-    once = circle()
-
-    def thrice(x):
-        r, J = once.equations(x)
-        return np.concatenate([r, -2 * r, r], axis=1), np.concatenate([J, -2 * J, J], axis=1)
-
-    path = CurveTracer(thrice, 1e-13, once.is_angle)
-    close(path.follow(np.array([1.0, 0.0]), 0.1, 1000).q, once.follow(np.array([1.0, 0.0]), 0.1, 1000).q)
 
 
 # --- branches that cross, and branches that almost do ---
@@ -169,17 +133,6 @@ def test_tracing_stays_on_its_branch_where_two_almost_meet(near, step):
         assert on_both_sides(curve) == (b > 1)
         if near >= 1e-2:
             close(straightened(cassini(b), curve), cassini_length(b), atol=1e-4)
-
-
-@pytest.mark.parametrize("near", [1e-1, 1e-5])
-def test_at_a_waist_the_opposite_side_is_not_taken_for_the_start(near):
-    """At its waist the oval is sqrt(b^2 - 1) wide on either side, and both sides are parallel."""
-    b = 1 + near
-    for step in STEPS:
-        curve = cassini(b).follow(np.array([0.0, np.sqrt(b * b - 1)]), step, 2000)
-        assert curve.closed
-        assert on_both_sides(curve)
-        assert curve.q[:, 1].min() < 0 < curve.q[:, 1].max()
 
 
 def test_a_start_at_a_crossing_is_refused():
@@ -282,11 +235,6 @@ def test_a_start_that_is_not_a_solution_is_refused():
         match=r"A curve must start at a solution; the residual of this start is 3\. Assemble the linkage first",
     ):
         circle().follow(np.array([2.0, 0.0]), 0.1, 1000)
-
-
-def test_a_start_typed_with_fewer_digits_is_corrected():
-    start = np.array([0.6, 0.8]) + 1e-11
-    close(np.linalg.norm(circle().follow(start, 0.1, 1000).q, axis=1), 1, atol=1e-15)
 
 
 def test_an_isolated_point_and_a_surface_are_refused():

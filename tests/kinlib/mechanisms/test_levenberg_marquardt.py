@@ -1,7 +1,5 @@
 """Levenberg-Marquardt: against SciPy's least squares, on systems that are over- or underdetermined or dependent."""
 
-from itertools import pairwise
-
 import numpy as np
 import pytest
 import scipy.linalg
@@ -59,25 +57,6 @@ def test_solve_finds_the_solution_that_scipy_finds():
     close(found.x, oracle)
 
 
-def damped(equations, x, steps):
-    """Fan and Yuan's iteration as it is printed, for one guess and a square or tall Jacobian of full rank."""
-    mu = 1.0
-    for _ in range(steps):
-        r, J = (part[0] for part in equations(x[None]))
-        dx = -np.linalg.solve(J.T @ J + mu * (r @ r) * np.eye(len(x)), J.T @ r)
-        promised = r @ r - np.sum((r + J @ dx) ** 2)
-        brought = r @ r - np.sum(equations((x + dx)[None])[0] ** 2)
-        better = brought > 1e-3 * promised
-        x, mu = (x + dx, max(mu / 4, 1e-8)) if better else (x, 4 * mu)
-    return x
-
-
-def test_each_step_is_that_of_fan_and_yuan():
-    guesses = np.random.default_rng(1).uniform(-3, 3, (20, 2))
-    for steps in range(1, 9):
-        close(solve(rosenbrock, guesses, 0.0, steps).x, [damped(rosenbrock, x, steps) for x in guesses], atol=1e-9)
-
-
 def test_a_step_that_achieves_far_less_than_predicted_is_rejected():
     """A slope that is stated 10,000 times too steep: its step decreases the residual by only 1 in 10,000."""
 
@@ -85,23 +64,6 @@ def test_a_step_that_achieves_far_less_than_predicted_is_rejected():
         return x, np.full((len(x), 1, 1), 1e4)
 
     assert solve(steep, np.ones((1, 1)), tolerance=0.1, iterations=1).x == 1
-
-
-@pytest.mark.parametrize("scale", [2.0**-60, 2.0**60])
-def test_steps_do_not_depend_on_the_unit_of_the_equations(scale):
-    """In powers of two, to the last digit: at the solution, and where nothing solves."""
-
-    def scaled(equations):
-        return lambda x: tuple(scale * part for part in equations(x))
-
-    def apart(x):
-        r, J = circle(x)
-        return np.concatenate([r, r + 2], axis=1), np.concatenate([J, J], axis=1)
-
-    for equations in (rosenbrock, apart):
-        guess = np.array([[-1.2, 1.0]])
-        found, same = solve(equations, guess, 1e-12), solve(scaled(equations), guess, 1e-12 * scale)
-        assert (found.x.tolist(), found.iterations) == (same.x.tolist(), same.iterations)
 
 
 def test_solve_converges_for_a_rank_deficient_jacobian():
@@ -122,12 +84,6 @@ def test_the_circle_is_reached_along_its_radius(a, b):
         close(found.x, guess / np.linalg.norm(guess), atol=1e-11)
 
 
-def test_redundant_equations_converge_quadratically():
-    sizes = [solve(repeated, np.array([[1.2, 0.0]]), tolerance=0.0, iterations=k).residual[0] for k in range(2, 6)]
-    for before, after in pairwise(sizes):
-        assert after < max(before**1.7, 1e-15)
-
-
 def test_without_a_solution_the_search_ends_at_the_least_residual():
     """Two circles 3 apart: the least that two equations leave over, as SciPy's least squares finds it."""
 
@@ -141,23 +97,6 @@ def test_without_a_solution_the_search_ends_at_the_least_residual():
     close(found.residual, np.sqrt(2 * oracle.cost), atol=1e-9)
     assert found.residual[0] > 1
     assert found.iterations < 100
-
-
-def test_the_search_ends_at_once_at_a_stationary_point():
-    """At the centre of the circle every direction is as good, and none is better to first order."""
-    found = solve(circle, np.zeros((1, 2)), tolerance=1e-12)
-    assert (found.x == 0).all()
-    assert found.residual[0] == 1
-    assert found.iterations == 1
-
-
-def test_several_guesses_give_the_same_as_one_at_a_time():
-    guesses = np.random.default_rng(2).uniform(-2, 2, (10, 2))
-    together = solve(rosenbrock, guesses, tolerance=1e-12)
-    for i, guess in enumerate(guesses):
-        alone = solve(rosenbrock, guess[None], tolerance=1e-12)
-        close(together.x[i], alone.x[0], atol=1e-13)
-        assert together.iterations >= alone.iterations
 
 
 def test_each_guess_may_have_its_own_tolerance():
@@ -177,20 +116,9 @@ def test_the_steps_are_counted_and_limited():
     assert solve(powell, np.ones((1, 4)), tolerance=0.0).iterations == 100
 
 
-def test_no_step_is_taken_from_a_solution():
-    assert solve(circle, np.array([[1.0, 0.0]]), tolerance=0.0).iterations == 0
-    assert solve(lambda x: (x - 1, np.ones((len(x), 1, 1))), np.array([[1 + 1e-9]]), tolerance=0.0).iterations == 1
-
-
 def test_the_jacobian_is_that_at_the_solution():
     found = solve(rosenbrock, np.array([[3, -2], [0, 1]]), tolerance=1e-13)
     close(found.jacobian, rosenbrock(found.x)[1])
-
-
-def test_the_guess_is_not_modified():
-    guess = np.array([[3.0, 4.0]])
-    solve(circle, guess, tolerance=1e-12)
-    assert guess.tolist() == [[3, 4]]
 
 
 @pytest.mark.oracle("scipy", null_space, is_nonzero)
@@ -204,10 +132,3 @@ def test_null_space_is_scipy_s(rows, columns, rank, seed):
     assert values.shape == (columns,)
     assert (np.diff(values) <= 0).all()
     assert np.count_nonzero(is_nonzero(values)) == columns - directions.shape[1]
-
-
-def test_singular_values_count_relative_to_the_largest():
-    assert is_nonzero(np.array([1e6, 1.0, 1e-2])).tolist() == [True, True, False]
-    assert is_nonzero(np.array([1e-30, 1e-35, 1e-40])).tolist() == [True, True, False]
-    assert is_nonzero(np.zeros(3)).tolist() == [False, False, False]
-    assert is_nonzero(np.array([[1.0, 1e-6], [1.0, 1e-8]])).tolist() == [[True, True], [True, False]]

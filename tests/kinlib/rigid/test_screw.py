@@ -32,19 +32,6 @@ def test_a_screw_agrees_with_modern_robotics(point, axis, pitch):
     close(screw(axis, point), mr.ScrewToAxis(point, axis, 0))
 
 
-def test_the_point_of_a_prismatic_axis_has_no_effect():
-    assert screw(Z, (1, 2, 3), np.inf).tolist() == screw(Z, pitch=np.inf).tolist() == [0, 0, 0, 0, 0, 1]
-
-
-@given(points(), directions(), st.floats(-1, 1))
-def test_line_is_the_inverse_of_screw(point, axis, pitch):
-    found = line(screw(axis, point, pitch))
-    close(found.axis, axis)
-    close(found.pitch, pitch)
-    close(found.point, point - axis * (axis @ point))  # the foot of the perpendicular from the origin
-    close(screw(*found), screw(axis, point, pitch))
-
-
 @pytest.mark.oracle("pytransform3d", line)
 @given(screws())
 def test_a_line_is_the_one_of_pytransform3d(S):
@@ -70,13 +57,6 @@ def test_what_is_a_screw_axis_to_pytransform3d_is_one_to_us_and_nothing_else_is(
         for check in (pt.check_screw_axis, lambda axis: axes(axis, "S")):
             with pytest.raises(ValueError, match=r"Norm of rotation axis|length of omega"):
                 check(scale * S)
-
-
-def test_a_prismatic_axis_has_pitch_infinity_and_no_line():
-    axis, point, pitch = line([0, 0, 0, 0, 0.6, 0.8])
-    assert axis.tolist() == [0, 0.6, 0.8]
-    assert point.tolist() == [0, 0, 0]
-    assert pitch == np.inf
 
 
 def test_a_batch_of_mixed_joints_is_its_elements():
@@ -129,14 +109,12 @@ def test_an_invalid_direction_point_or_pitch_is_refused(arguments, message):
     [
         ([0, 0, 2, 0, 0, 0], r"In S the length of omega is 2\. .*divide all six numbers"),
         ([[0, 0, 1, 0, 0, 0], [0, 0, 0, 0, 3, 4]], r"In S\[1\] the length of v \(omega is zero.*\) is 5\. "),
-        ([0, 0, 0, 2, 0, 0], r"In S the length of v \(omega is zero: a prismatic joint\) is 2\. "),
         (
             np.zeros(6),
             r"In S the length of v .* is 0\. A revolute joint needs an axis, and a prismatic joint needs a dir",
         ),
         ([1e-17, 0, 0, 0, 0, 1], r"length of omega is 1e-17\. Is it a prismatic joint with a rounding error in omega"),
         (np.zeros((6, 2)), r"S must have shape \(\.\.\., 6\); got \(6, 2\).*try S\.T"),
-        ([0, 0, 1, 0, 0], r"S must have shape \(\.\.\., 6\); got \(5,\)\. One vector has 6 components"),
         ([0, 0, 1, np.nan, 0, 0], r"S contains NaN or infinity at index \[3\]"),
     ],
 )

@@ -1,7 +1,5 @@
 """The inverse left Jacobian of SE(3): the Bernoulli series with 40 digits, an integral by SciPy, Pinocchio, and what is refused."""
 
-from fractions import Fraction
-
 import mpmath
 import mpmath_oracle
 import numpy as np
@@ -70,27 +68,12 @@ def test_left_jacobian_inverse_is_the_bernoulli_series_to_1e_13(angle):
     close(left_jacobian_inverse(x), [bernoulli_series(row) for row in x])
 
 
-@pytest.mark.parametrize("far", [1e3, 1e6])
-def test_the_error_is_proportional_to_the_translation(far):
-    for angle in (1e-7, SERIES_BELOW_RAD - 1e-4, SERIES_BELOW_RAD, 3.0):
-        x = twists_of_angle(angle, 1) * [1, 1, 1, far, far, far]
-        close(left_jacobian_inverse(x), [bernoulli_series(row) for row in x], atol=EXACT * far)
-
-
 def test_any_batch_shape_is_one_computation():
     x = twists_of_angle(1.0, 24).reshape(2, 3, 4, 6)
     x[0] *= 1e-3
     assert left_jacobian_inverse(x).shape == ad(x).shape == (2, 3, 4, 6, 6)
     close(left_jacobian_inverse(x)[1, 2, 3], left_jacobian_inverse(x[1, 2, 3]), atol=1e-15)
     assert left_jacobian_inverse(np.empty((0, 6))).shape == (0, 6, 6)
-
-
-@pytest.mark.parametrize("function", [ad, left_jacobian_inverse])
-def test_numbers_of_another_kind_are_computed_in_doubles(function):
-    """A rotation angle computed in single precision would be off by 1e-8."""
-    x = np.array([0.1, 0.7, -0.3, 1, 2, 3], dtype=np.float32)
-    for same in (x, [Fraction(float(value)) for value in x]):
-        close(function(same), function(x.tolist()), atol=0)
 
 
 @pytest.mark.parametrize("function", [ad, left_jacobian_inverse])

