@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property, reduce, wraps
+from functools import cached_property, partial, reduce, wraps
 from inspect import signature
 from typing import TYPE_CHECKING, Any
 
@@ -20,17 +20,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table, latex_array
-from kinlib.arrays.joint_values import JointValues, TakesLimitedValues
-from kinlib.arrays.limits import validate_limits
-from kinlib.arrays.validation import Array
+from kinlib.arrays.limits import TakesLimitedValues, validate_limits
+from kinlib.arrays.validation import Array, JointValues
+from kinlib.rigid import lie
 from kinlib.rigid.lie import _adjoint, _inverse, _screw_constants, _screw_motions, adjoint, homogeneous, inverse
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
 
 SCREW_HEADINGS = ["i", "joint", "omega", "v"]
-
-
-MAX_CHUNK = 1000
-"""Number of configurations in a chunk: the sixteen entries of so many poses fit into a core's cache."""
 
 
 def _in_chunks(equation: Callable[[Chain, Array], Array]) -> Callable[[Chain, JointValues], Array]:
@@ -39,11 +35,9 @@ def _in_chunks(equation: Callable[[Chain, Array], Array]) -> Callable[[Chain, Jo
     @wraps(equation)
     def method(self: Chain, q: JointValues) -> Array:
         q = self.in_order(q)
-        if q.size <= MAX_CHUNK * self.n:
+        if q.size <= lie.MAX_CHUNK * self.n:
             return equation(self, q)
-        rows = q.reshape(-1, self.n)
-        results = [equation(self, rows[i : i + MAX_CHUNK]) for i in range(0, len(rows), MAX_CHUNK)]
-        return np.concatenate(results).reshape(q.shape[:-1] + results[0].shape[1:])
+        return lie.in_chunks(partial(equation, self), q, 1)
 
     # `help` shows what the method takes, and not what the equation does.
     own, q = (shown := signature(equation)).parameters.values()

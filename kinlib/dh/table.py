@@ -31,9 +31,8 @@ from kinlib.arrays.formatting import (
     html_table,
     latex_array,
 )
-from kinlib.arrays.joint_values import JointValues, TakesJointValues
 from kinlib.arrays.tolerances import ROUNDING_ERROR
-from kinlib.arrays.validation import Array
+from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
 from kinlib.dh.formatting import format_rows, headings, in_latex
 from kinlib.dh.parsing import COLUMNS, Rows, read_rows

@@ -21,8 +21,7 @@ import numpy as np
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_vector, html_table, latex_array
-from kinlib.arrays.joint_values import JointValues, TakesJointValues
-from kinlib.arrays.validation import Array
+from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
 from kinlib.mechanisms.closure import Assembly, Closure
 from kinlib.mechanisms.continuation import Curve

@@ -7,12 +7,16 @@ distinguishes the two groups by the last dimensions: 3 and 3x3 for rotations, 6 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
+
+MAX_CHUNK = 1000
+"""Larger batches are computed in chunks of so many elements, because all that belongs to so many poses stays in a core's cache."""
 
 SERIES_BELOW_RAD = 1e-4
 """For smaller angles, coefficients that divide by theta^2 are the first two terms of their series; the third is below 1e-17."""
@@ -86,6 +90,8 @@ def exp(x: ArrayLike) -> Array:
            [ 0.,  0.,  0.,  1.]])
     """
     x = _generator(x)
+    if x.size > MAX_CHUNK * x.shape[-1]:
+        return in_chunks(exp, x, 1)
     with np.errstate(over="ignore"):  # an angle that overflows is refused, too
         theta = validation.rotation_angles(_length(x[..., :3]))[..., None, None]
     small = theta < SERIES_BELOW_RAD
@@ -121,6 +127,10 @@ def log(X: ArrayLike) -> Array:
     array([0.      , 0.      , 1.570796, 1.      , 0.      , 0.      ])
     """
     X = validation.rotations_or_poses(X, "X")
+    return in_chunks(_log, X, 2) if X.size > MAX_CHUNK * X.shape[-1] ** 2 else _log(X)
+
+
+def _log(X: Array) -> Array:
     q = _quaternion(X[..., :3, :3])
     w, axis = q[..., :1], q[..., 1:]
     sine = _length(axis)[..., None]
@@ -245,6 +255,24 @@ def perpendicular(axis: ArrayLike) -> Array:
     across = cross(farthest, axis)
     unit: Array = across / np.linalg.norm(across, axis=-1, keepdims=True)
     return unit
+
+
+def in_chunks(function: Callable[[Array], Array], x: Array, trailing: int) -> Array:
+    """Evaluate a function of arrays for a chunk of their elements at a time.
+
+    trailing  how many dimensions an element has; those before are the batch
+
+    >>> in_chunks(inverse, np.tile(np.eye(4), (3, 1000, 1, 1)), 2).shape
+    (3, 1000, 4, 4)
+    """
+    rows = x.reshape(-1, *x.shape[-trailing:])
+    step = math.ceil(len(rows) / math.ceil(len(rows) / MAX_CHUNK))
+    first = function(rows[:step])
+    results = np.empty((len(rows), *first.shape[1:]))
+    results[:step] = first
+    for start in range(step, len(rows), step):
+        results[start : start + step] = function(rows[start : start + step])
+    return results.reshape(*x.shape[:-trailing], *first.shape[1:])
 
 
 def _generator(x: ArrayLike) -> Array:

@@ -11,9 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from kinlib.arrays import validation
-from kinlib.arrays.joint_values import suggest_name
 from kinlib.arrays.limits import look_like_degrees
-from kinlib.arrays.validation import Array
+from kinlib.arrays.validation import Array, suggest_name
 from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
 from kinlib.urdf.xml_elements import Element

@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import aligned_table, format_number, html_table
-from kinlib.arrays.joint_values import JointValues, TakesLimitedValues
-from kinlib.arrays.validation import Array
+from kinlib.arrays.limits import TakesLimitedValues
+from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint, exp, inverse
 from kinlib.rigid.screw import screw

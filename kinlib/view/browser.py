@@ -9,8 +9,7 @@ from pathlib import Path
 from tempfile import mkdtemp
 from typing import Any
 
-from kinlib.arrays.joint_values import JointValues
-from kinlib.arrays.validation import describe
+from kinlib.arrays.validation import JointValues, describe
 from kinlib.chains.chain import Chain
 from kinlib.dh.table import DHTable
 from kinlib.mechanisms.mechanism import Mechanism

@@ -6,8 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
-from kinlib.arrays.joint_values import JointValues
-from kinlib.arrays.validation import Array
+from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, LINK_GREY, ORANGE, VIOLET

@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
-from kinlib.arrays.joint_values import JointValues
-from kinlib.arrays.validation import Array
+from kinlib.arrays.validation import Array, JointValues
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.screw import line

@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
-from kinlib.arrays.joint_values import JointValues
-from kinlib.arrays.validation import Array
+from kinlib.arrays.validation import Array, JointValues
 from kinlib.mechanisms.joints import chain_along, spanning_tree
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.angles import wrap_angle

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays import validation
-from kinlib.arrays.joint_values import JointValues
-from kinlib.arrays.validation import Array
+from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint
 from kinlib.urdf.links_and_joints import UrdfJoint

@@ -17,8 +17,7 @@ import traitlets
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
-from kinlib.arrays.joint_values import JointValues
-from kinlib.arrays.validation import Array
+from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
 from kinlib.view.drawing.picture import Picture, page
 from kinlib.view.drawing.static_page import is_without_kernel

@@ -131,7 +131,7 @@ def describe(module: ModuleType, name: str, member: Any) -> str:
 
 def attributes(kind: type) -> Iterator[tuple[str, str, Any]]:
     """Yield the public methods and properties that a class defines and documents, or shares with others that take joint values."""
-    documented = [base for base in kind.__mro__ if base is kind or base.__module__ == "kinlib.arrays.joint_values"]
+    documented = [base for base in kind.__mro__ if base is kind or base.__name__.startswith("Takes")]
     for name, value in {name: value for base in reversed(documented) for name, value in vars(base).items()}.items():
         if name.startswith("_"):
             continue

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 import kinlib as kl
-from kinlib.arrays.joint_values import TakesLimitedValues
-from kinlib.arrays.limits import look_like_degrees, validate_limits
+from kinlib.arrays.limits import TakesLimitedValues, look_like_degrees, validate_limits
 
 ONE_JOINT = """<robot name="r"> <link name="a"/> <link name="b"/>
 <joint name="j" type="{kind}"> <parent link="a"/> <child link="b"/> <limit lower="{lower}" upper="{upper}"/> </joint> </robot>"""

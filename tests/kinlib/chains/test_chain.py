@@ -13,8 +13,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import ROBOTS, chains_with_values, configurations, poses, screws
 
-from kinlib import Chain, exp, robots, screw
-from kinlib.chains.chain import MAX_CHUNK, largest_difference, random_configurations
+from kinlib import Chain, exp, log, robots, screw
+from kinlib.chains.chain import largest_difference, random_configurations
+from kinlib.rigid.lie import MAX_CHUNK, in_chunks
 
 EXACT = 1e-13
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
@@ -151,14 +152,15 @@ def test_a_batch_is_its_configurations_one_at_a_time(shape):
             close(batch[index], f(q[index]), atol=1e-14)
 
 
-def test_long_batches_are_whole_where_the_chunks_meet():
-    """More rows than one chunk, and not a multiple of it; fk_body and the 'one row' of the others know no chunks."""
+@pytest.mark.oracle("axiom: a batch is its parts, one after the other", in_chunks)
+def test_long_batches_are_their_parts():
+    """2103 elements are three chunks, of which the last one is shorter."""
     robot = robots.puma560()
-    q = configurations(robot, 2 * MAX_CHUNK + 3)
-    close(robot.fk(q), robot.fk_body(q))
-    for i in (0, MAX_CHUNK - 1, MAX_CHUNK, 2 * MAX_CHUNK, -1):
-        close(robot.link_poses(q)[i], robot.link_poses(q[i]), atol=1e-14)
-        close(robot.jacobian(q)[i], robot.jacobian(q[i]), atol=1e-14)
+    q = configurations(robot, 2103).reshape(3, 701, 6)
+    for function, x in ((robot.fk, q), (robot.link_poses, q), (robot.jacobian, q), (exp, q), (log, exp(q))):
+        parts = [function(part) for part in x]
+        assert in_chunks(function, x, x.ndim - 2).shape == function(x).shape
+        close(function(x), parts, atol=1e-14)
 
 
 # --- a chain stays what it is ---

@@ -12,7 +12,7 @@ from urdf_files import ARMS, link_poses_by_pinocchio, poses_by_pinocchio, trees,
 
 import kinlib as kl
 from kinlib import Tree, to_urdf
-from kinlib.arrays.joint_values import TakesJointValues
+from kinlib.arrays.validation import TakesJointValues
 from kinlib.mechanisms.linkages import four_bar
 from kinlib.urdf.links_and_joints import resolve_mimic_joints
 

@@ -18,7 +18,7 @@ from urdf_files import ARMS, poses_by_pinocchio, trees, urdf_text
 
 import kinlib as kl
 from kinlib import load_urdf, robots, to_urdf
-from kinlib.arrays.joint_values import suggest_name
+from kinlib.arrays.validation import suggest_name
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
 from kinlib.urdf.links_and_joints import LinkTree, UrdfJoint, read_tree
 from kinlib.urdf.xml_elements import MAX_BYTES, MAX_DEPTH, Element, read_robot
