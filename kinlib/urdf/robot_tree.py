@@ -90,7 +90,8 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         return cls(robot.text("name"), read_tree(robot))
 
     def __repr__(self) -> str:
-        return f"Tree({self._title})"
+        types = [self._moving_joints[name].type for name in self.joint_names]
+        return f"Tree({self._title}: {', '.join(types)})" if types else f"Tree({self._title})"
 
     def __str__(self) -> str:
         """Write the links below each other, each with the joint above it and the value of this joint."""

@@ -174,7 +174,7 @@ def test_a_tree_prints_its_links_and_the_values_of_its_joints():
     ]
     assert tree._repr_html_().count("<tr>") == 7
     assert "<td>-grip + 0.5</td>" in tree._repr_html_()
-    assert repr(tree) == "Tree(hand, 6 links, 1 independent joint)"
+    assert repr(tree) == "Tree(hand, 6 links, 1 independent joint: revolute)"
 
 
 def test_a_mimic_joint_may_mimic_a_mimic_joint():
