@@ -389,6 +389,13 @@ def rolled(column):
 
 
 MOVED = {
+    "The table is in the standard convention, but was read as modified.": TILTED.changed(convention="modified"),
+    "The columns a and alpha are one row too high: a_{i-1} and a_i were confused.": TILTED.changed(
+        rows=np.hstack([np.roll(TILTED.rows[:, :2], -1, axis=0), TILTED.rows[:, 2:]])
+    ),
+    "The columns a and d are swapped: a is measured along x, d along z.": TILTED.changed(
+        rows=TILTED.rows[:, [2, 1, 0, 3]]
+    ),
     "Rows 2 and 3 are swapped.": TILTED.changed(rows=TILTED.rows[[0, 2, 1, 3]]),
     "Rows 2 and 3: the entries of d are swapped.": with_entries(TILTED, (2, "d", 0.22), (3, "d", 0.37)),
     "The column a is one row too high.": rolled(0),
@@ -494,3 +501,9 @@ def test_few_corrections_of_a_table_with_three_wrong_numbers_are_compared_joint_
     assert not diagnose(wrong, right, fixed).right
     assert len(compared) <= 6 * diagnosis.MAX_COMPARED + 2
     assert len(through_rounding) <= 3 * diagnosis.MAX_COMPARED
+
+
+def test_angles_in_degrees_are_told():
+    right = TILTED.changed(rows=TILTED.rows * (1, 0.1, 1, 0.1))
+    wrong = right.changed(rows=right.rows * (1, np.degrees(1), 1, np.degrees(1)))
+    assert diagnose(wrong, right).faults[0].text == "The angles are in degrees, but were read as radians."
