@@ -11,8 +11,10 @@
     robot: 2.5,
     notation: 2,
     sheet: 1.5,
+    instructors: 1.5,
     mistake: 1.3,
     function: 0.7,
+    misstep: 0.1, // for authors of other courses
     table: 0.3,
     contributing: 0.2,
     performance: 0.1,
@@ -42,14 +44,16 @@
   const STOP_WORDS = new Set(
     (
       'a an and any are as at be by can did do does for from have how i in is it its me my of on or shall should that the ' +
-      'there these this to was what when where which who why will with you your der die das und ein eine ist wie was'
+      'there these this to was what when where which who why will with you your compute find get make mean need use ' +
+      'der die das und ein eine ist wie was'
     ).split(' '),
   );
   const GREEK =
     'alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma sigma tau upsilon phi chi psi omega';
   const LETTERS = Object.fromEntries(GREEK.split(' ').map((name, k) => [String.fromCharCode(0x3b1 + k), name]));
-  const SYMBOL = /^[\u0391-\u03c9]$/; // one letter: the notation says what it stands for
-  const CODE = /^(?:\w+\.)*(\w+)(?:\(.*\))?$/; // kl.robots.rpr, assign_frames, equivalent(a, b)
+  const SYMBOL = /^(?:[\u0391-\u03c9]|\[\w\]|\w_\w+)$/; // ω, [S], T_ab: the notation says what it stands for
+  const CODE = /^(?:\w+\.)*(\w+)(?:\(.*)?$/; // kl.robots.rpr, assign_frames, equivalent(a, b)
+  const FEW = 3; // so few results are no choice
   const MOST = 60; // results in the list
   const EXCERPT = 180; // characters
 
@@ -68,58 +72,59 @@
     return plain.length > 3 ? plain.replace(/(?<![su])s$/, '') : plain;
   }
 
+  /** The index of the entries. What is shown of an entry is not spelled, so the index does not store it. */
   function makeIndex(entries, Engine) {
     const index = new Engine({
       idField: 'url',
       fields: Object.keys(WEIGHTS),
       extractField: (entry, field) => (field === 'url' ? entry.url : spell(entry[field] ?? '')),
-      storeFields: ['title', 'page', 'kind', 'text'],
       processTerm: normalize,
     });
     index.addAll(entries);
+    index.entries = new Map(entries.map((entry) => [entry.url, entry]));
     return index;
   }
 
   /** How much more an entry counts whose title is what was searched; case tells the group SE(3) from its algebra se(3). */
-  function titleBoost(title, query, name) {
-    if (title === query) return 12;
+  function titleBoost({ title, kind }, query, name) {
+    if (kind === 'function') return 1; // a word of the language is no name of a function
+    if (spell(title) === spell(query)) return 20;
     if (spell(title).toLowerCase() === spell(query).toLowerCase()) return 8;
     return normalize(title) === name ? 3 : 1;
   }
 
-  /** The entries that contain all words, or, if there are none, those that contain one of them. */
+  /** The entries that contain all words, or, if there are few, those that contain one of them. */
   function find(index, query) {
     const wanted = query.trim();
     const [, name] = CODE.exec(wanted) ?? [];
     const isCode = name && /[_.(]/.test(wanted) && !/^s[eo]\(/i.test(wanted);
+    const isFunction = ({ id }) => index.entries.get(id).kind === 'function' && index.entries.get(id).title === name;
     if (isCode) {
-      const exact = index.search(name, {
-        fields: ['title'],
-        filter: ({ kind, title }) => kind === 'function' && title === name,
-      });
-      const rest = index.search(name, {
-        boost: WEIGHTS,
-        filter: ({ kind, title }) => kind !== 'function' || title !== name,
-      });
-      const depth = ({ id }) => id.split('#')[0].split('.').length;
-      if (exact.length) return [...exact.sort((a, b) => depth(a) - depth(b)), ...rest];
+      const exact = index.search(name, { fields: ['title'], filter: isFunction });
+      const rest = index.search(name, { boost: WEIGHTS, filter: (result) => !isFunction(result) });
+      const owner = wanted.replace(/\(.*/, ''); // Chain.fk: the fk of Chain before others
+      const depth = ({ id }) => id.split('#')[0].split('.').length + 10 * id.includes('.symbolic.');
+      const place = (result) => depth(result) - 100 * result.id.endsWith(`.${owner}`);
+      if (exact.length) return [...exact.sort((a, b) => place(a) - place(b)), ...rest];
     }
     const lower = wanted.toLowerCase();
     const same = Object.entries(SYNONYMS).find(([words]) => lower.includes(words));
+    const title = same ? same[1] : wanted;
     const options = {
       boost: WEIGHTS,
       prefix: (term) => term.length > 2,
       fuzzy: (term) => (term.length > 5 ? 0.2 : false),
-      boostDocument: (_, __, { kind, title }) =>
-        (kind === 'notation' && SYMBOL.test(wanted) ? 100 : 1) *
-        (KINDS[kind] ?? 1) *
-        titleBoost(title, same ? same[1] : wanted, normalize(same ? same[1] : wanted)),
+      boostDocument(id) {
+        const entry = index.entries.get(id);
+        const symbol = entry.kind === 'notation' && SYMBOL.test(wanted) ? 100 : 1;
+        return symbol * (KINDS[entry.kind] ?? 1) * titleBoost(entry, title, normalize(title));
+      },
     };
     const written = wanted.replace(/\w+/g, (word) => ABBREVIATIONS[word.toLowerCase()] ?? word);
     const forms = [wanted, written, ...(same ? [same[1]] : [])].map(spell);
     const queries = [...new Set(forms)].map((text) => ({ queries: [text], combineWith: 'AND' }));
     const all = index.search({ queries, combineWith: 'OR' }, options);
-    return all.length ? all : index.search(spell(wanted), options);
+    return all.length >= FEW ? all : index.search(spell(wanted), options);
   }
 
   /** The part of a text around the first word that was found, and that word apart. */
@@ -148,7 +153,10 @@
   status.textContent = 'Searching …';
   const data = document.createElement('script'); // 200 kB, loaded only if there is something to find
   data.src = new URL('search-data.js', document.currentScript.src);
-  data.onload = () => show(find(makeIndex(root.kinlibSearchData, root.MiniSearch), query));
+  data.onload = () => {
+    const index = makeIndex(root.kinlibSearchData, root.MiniSearch);
+    show(find(index, query).map((result) => ({ ...index.entries.get(result.id), ...result })));
+  };
   data.onerror = () => {
     status.textContent = 'The index of the search could not be loaded. Check the connection, then reload the page.';
   };
