@@ -5,11 +5,15 @@ The document is composed of the pages that have been built, so it has the same t
 
 import re
 from collections.abc import Collection, Mapping, Sequence
+from copy import deepcopy
 from datetime import UTC, datetime
-from html import unescape
+from html import escape
 from pathlib import Path
 from posixpath import dirname, join, normpath
 from types import MappingProxyType
+
+from lxml.html import HtmlElement, document_fromstring, tostring
+from lxml.html.builder import P
 
 import kinlib
 from kinsite.late_formulas import show_all
@@ -18,21 +22,10 @@ from kinsite.sphinx_source import LECTURES
 PAGES = (*(f"lectures/{path.stem}.html" for path in LECTURES), "notation.html", "glossary.html")
 """The pages to print. Sheets are left out because each student has other numbers, and robots because they are interactive."""
 
-ARTICLE = re.compile(r'<article role="main"[^>]*>(.*?)</article>', re.DOTALL)
-SCREEN_ONLY = re.compile(
-    r'<p class="kinlib-bar">.*?</p>|<div class="kinlib-done".*?</div>|<a class="headerlink".*?</a>'
-    r"|<script.*?</script>",
-    re.DOTALL,
-)
-IDS = re.compile(r'\b(id|for|aria-labelledby|aria-describedby)="([^"]+)"')
-LINKS = re.compile(r'\b(href|src)="(?![a-z]+:|//)([^"#]*)(#[^"]*)?"')
-QUESTION = re.compile(r'data-misstep-question="([^"]+)"[^>]*data-right="(\d)".*?</ol></div>', re.DOTALL)
-EXPLANATION = re.compile(r'<div [^>]*data-misstep-explain="([^"]+)".*?</details></div>', re.DOTALL)
-REASON = re.compile(r'<p class="misstep-why"><strong>[^<]*</strong>\s*(.*?)</p>', re.DOTALL)
-SLIDES = re.compile(r"<div data-kinlib-slides.*?</figure></div>(?!<div data-value)", re.DOTALL)
-WAITING = re.compile(r'<div data-kinlib-slides[^>]*data-kinlib-after="([^"]+)".*?</details></div>', re.DOTALL)
-SLIDE = re.compile(r"<div data-value=.*?</figure></div>", re.DOTALL)
-LESSON = re.compile(r'<div class="misstep-lesson">(.*?)</div>', re.DOTALL)
+SCREEN_ONLY = ("kinlib-bar", "kinlib-done", "headerlink")
+"""The classes of what is not printed."""
+REFERENCES = {"id", "for", "aria-labelledby", "aria-describedby"}
+"""The attributes that contain ids."""
 OPTION_LETTERS = "ABCDEFGH"
 OUTLINE_ENTRY = (rb"/Title (\(.*?(?<!\\)\)|<[^>]+>)", rb"/Dest \[(\d+) 0 R", rb"/Parent (\d+) 0 R")
 """The title of an entry of a PDF's outline, the page that it leads to, and the entry above it."""
@@ -101,39 +94,47 @@ def compose_document(
     address  the address of the published site; links to pages that are not printed lead there, or nowhere if it is empty
     numbers  for the squeezed title of each page the number of the sheet of paper on which it begins, once that is known
     """
-    built_pages = {page: show_all((built / page).read_text("utf-8")) for page in pages}
-    texts = {page: found[1] for page, html in built_pages.items() if (found := ARTICLE.search(html))}
-    titles = {
-        page: re.sub(r"<h1>(.*?)</h1>.*", r"\1", SCREEN_ONLY.sub("", text[text.index("<h1") :]), flags=re.DOTALL)
-        for page, text in texts.items()
-    }
+    articles = {page: read_article(built / page) for page in pages}
+    titles = {page: article.find(".//h1") for page, article in articles.items()}
     contents = "".join(
-        f'<li><a href="#{anchor(page)}">{label(page, title)}</a> <span>{numbers.get(squeeze(plain(title)), "")}</span></li>'
+        f'<li><a href="#{anchor(page)}">{label(page, inner_html(title))}</a> '
+        f"<span>{numbers.get(squeeze(title.text_content()), '')}</span></li>"
         for page, title in titles.items()
     )
     heads = "\n".join(
-        RUNNING_HEAD.format(name=f"head{k}", anchor=anchor(page), title=plain(label(page, title)).replace('"', ""))
+        RUNNING_HEAD.format(
+            name=f"head{k}", anchor=anchor(page), title=label(page, title.text_content().strip()).replace('"', "")
+        )
         for k, (page, title) in enumerate(titles.items())
     )
-    articles = "\n".join(
-        f'<article id="{anchor(page)}">{adapt(text, page, texts, folder, address)}</article>'
-        for page, text in texts.items()
+    printed = "\n".join(
+        f'<article id="{anchor(page)}">{adapt(article, page, articles, folder, address)}</article>'
+        for page, article in articles.items()
     )
     website = f': <a href="{address}">{address}</a>' if address else "."
     today = datetime.now(UTC).date().isoformat()
     return DOCUMENT.format(
-        folder=folder, website=website, contents=contents, articles=articles, heads=heads, fit=FIT,
+        folder=folder, website=website, contents=contents, articles=printed, heads=heads, fit=FIT,
         author="The kinlib authors", version=kinlib.__version__, date=today,
     )  # fmt: skip
 
 
-def plain(title: str) -> str:
-    """Return a title without the elements of HTML.
+def read_article(page: Path) -> HtmlElement:
+    """Read the article of a page, without what is for the screen only."""
+    (article,) = document_fromstring(show_all(page.read_text("utf-8"))).xpath('//article[@role="main"]')
+    for element in [*article.iter("script"), *(one for name in SCREEN_ONLY for one in article.find_class(name))]:
+        element.drop_tree()
+    return article
 
-    >>> plain("<em>DH</em> &amp; more")
-    'DH & more'
+
+def inner_html(element: HtmlElement) -> str:
+    """Return the HTML within an element.
+
+    >>> inner_html(document_fromstring("<h1>D &amp; H: <em>four</em> numbers</h1>").find(".//h1"))
+    'D &amp; H: <em>four</em> numbers'
     """
-    return unescape(re.sub(r"<[^>]+>", "", title)).strip()
+    text = escape(element.text or "", quote=False)
+    return text + "".join(tostring(child, encoding="unicode") for child in element)
 
 
 def squeeze(title: str) -> str:
@@ -191,62 +192,75 @@ def anchor(page: str) -> str:
     return page.removesuffix(".html").replace("/", "-")
 
 
-def adapt(html: str, page: str, printed: Collection[str], folder: str, address: str) -> str:
+def adapt(article: HtmlElement, page: str, printed: Collection[str], folder: str, address: str) -> str:
     """Adapt a page's text to the document: make its ids unique, redirect its links, append the answers."""
 
-    def redirect(found: re.Match[str]) -> str:
-        attribute, path, fragment = found[1], found[2], found[3] or ""
+    def redirect(attribute: str, link: str) -> str:
+        path, _, fragment = link.partition("#")
         target = normpath(join(dirname(page), path)) if path else page
         if attribute == "src":
-            return f'src="{folder}/{target}"'
+            return f"{folder}/{target}"
         if target in printed:
-            return f'href="#{anchor(target)}{"--" + fragment[1:] if fragment else ""}"'
-        return f'href="{address}{target}{fragment}"' if address else ""
+            return f"#{anchor(target)}{'--' + fragment if fragment else ''}"
+        return f"{address}{target}{'#' + fragment if fragment else ''}" if address else ""
 
-    html = SCREEN_ONLY.sub("", html)
-    html = IDS.sub(lambda found: f'{found[1]}="{anchor(page)}--{found[2]}"', LINKS.sub(redirect, html))
-    html = html.replace(' loading="lazy"', "")
-    # pictures that wait for a prediction, sections and code that may be skipped
-    html = re.sub(r'<details(?! class="misstep-option")', "<details open", html)
-    return move_answers(SLIDES.sub(lambda found: thin_out(found[0]), html))
+    for element in article.iter("*"):
+        attributes = element.attrib
+        for name in REFERENCES.intersection(attributes):
+            attributes[name] = " ".join(f"{anchor(page)}--{one}" for one in attributes[name].split())
+        for name in {"href", "src"}.intersection(attributes):
+            if not re.match(r"[a-z]+:|//", attributes[name]):
+                attributes[name] = redirect(name, attributes[name])
+                if not attributes[name]:
+                    del attributes[name]
+        attributes.pop("loading", None)
+    for fold in article.iter("details"):
+        if fold.get("class") != "misstep-option":  # pictures that wait, sections and code that may be skipped
+            fold.set("open", "")
+    for slides in article.xpath(".//div[@data-kinlib-slides]"):
+        thin_out(slides)
+    return move_answers(article)
 
 
-def thin_out(slides: str) -> str:
+def thin_out(slides: HtmlElement) -> None:
     """Keep at most MAX_SLIDES pictures of a slider, evenly from the first to the last."""
-    pictures = SLIDE.findall(slides)
+    pictures = slides.xpath(".//div[@data-value]")
     gaps = max(1, min(MAX_SLIDES, len(pictures)) - 1)
     kept = {round(k * (len(pictures) - 1) / gaps) for k in range(gaps + 1)}
-    numbers = iter(range(len(pictures)))
-    return SLIDE.sub(lambda found: found[0] if next(numbers) in kept else "", slides)
+    for number, picture in enumerate(pictures):
+        if number not in kept:
+            picture.drop_tree()
 
 
-def move_answers(html: str) -> str:
+def move_answers(article: HtmlElement) -> str:
     """Move the explanations of predictions to the end of the lecture, with the right answer to every question and its reason.
 
     The pictures of a slider that waits for a prediction show the answer, so they are moved there as well.
+
+    Returns the HTML of the lecture.
     """
     pictures: dict[str, str] = {}
-    for found in WAITING.finditer(html):
-        pictures[found[1]] = pictures.get(found[1], "") + found[0]
-    html = WAITING.sub("", html)
-    explanations = {found[1]: found[0] for found in EXPLANATION.finditer(html)}
-    answers, numbers = [], {}
-    for number, found in enumerate(QUESTION.finditer(html), start=1):
-        numbers[found[1]] = number
-        explanation = explanations.get(found[1], found[0])
-        reason = REASON.findall(explanation)[int(found[2])]
-        lesson = LESSON.search(explanation)
-        letter = OPTION_LETTERS[int(found[2])]
+    for slides in article.xpath(".//div[@data-kinlib-slides][@data-kinlib-after]"):
+        name = slides.get("data-kinlib-after")
+        pictures[name] = pictures.get(name, "") + tostring(slides, encoding="unicode", with_tail=False)
+        slides.drop_tree()
+    explanations = {one.get("data-misstep-explain"): one for one in article.xpath(".//*[@data-misstep-explain]")}
+    questions = article.xpath(".//*[@data-misstep-question]")
+    answers = []
+    for number, question in enumerate(questions, start=1):
+        name, right = question.get("data-misstep-question"), int(question.get("data-right"))
+        explanation = explanations.get(name, question)
+        reason = deepcopy(explanation.find_class("misstep-why")[right])
+        reason[0].drop_tree()  # the verdict
+        lesson = "".join(inner_html(one) for one in explanation.find_class("misstep-lesson"))
         answers.append(
-            f'<div class="kinlib-answer"><p><strong>{number} {letter}.</strong> {reason}</p>'
-            f"{lesson[1] if lesson else ''}{pictures.get(found[1], '')}</div>"
+            f'<div class="kinlib-answer"><p><strong>{number} {OPTION_LETTERS[right]}.</strong> {inner_html(reason).strip()}</p>'
+            f"{lesson}{pictures.get(name, '')}</div>"
         )
-    html = EXPLANATION.sub(
-        lambda found: (
-            f"<p>Compare with answer {numbers[found[1]]}{' and its pictures' * (found[1] in pictures)} at the end of this lecture.</p>"
-            if found[1] in numbers
-            else ""
-        ),
-        html,
-    )
-    return f"{html}<h2>Answers</h2>{''.join(answers)}" if answers else html
+    numbers = {question.get("data-misstep-question"): number for number, question in enumerate(questions, start=1)}
+    for name, explanation in explanations.items():
+        if name in numbers:
+            where = f"answer {numbers[name]}{' and its pictures' * (name in pictures)}"
+            explanation.addprevious(P(f"Compare with {where} at the end of this lecture."))
+        explanation.drop_tree()
+    return inner_html(article) + (f"<h2>Answers</h2>{''.join(answers)}" if answers else "")

@@ -7,6 +7,7 @@ from pathlib import Path
 import furo
 import pytest
 from browser import CHROMIUM, NO_CHROMIUM
+from lxml.html import fromstring
 
 import kinlib
 
@@ -26,11 +27,11 @@ ONE = """<p id="here"><a href="#here">here</a> <a href="two.html#there">there</a
 <details class="kinlib-side"><summary><h2>Side track: more</h2></summary>skipped</details>
 <div data-kinlib-drawing><details><summary>Commit first</summary><figure></figure></details></div>
 {questions}"""
-WAITING = """<div data-kinlib-slides data-kinlib-after="01/b"><details open><summary>Commit first</summary>\
+WAITING = """<div data-kinlib-slides data-kinlib-after="01/b"><details open=""><summary>Commit first</summary>\
 <div data-value="0"><figure>the answer</figure></div></details></div>"""
 OPTIONS = [Option("one", "It is too small."), Option("two", "It is twice one.", right=True)]
 QUESTIONS = [Item("a", "check", "Twice one?", OPTIONS), Item("b", "predict", "And now?", OPTIONS, "It *grows*.")]
-QUESTIONS_HTML = "".join(question_html(f"01/{item.name}", item) for item in QUESTIONS) + WAITING.replace(" open", "")
+QUESTIONS_HTML = "".join(question_html(f"01/{item.name}", item) for item in QUESTIONS) + WAITING.replace(' open=""', "")
 QUESTIONS_HTML += explanation_html("01/b", QUESTIONS[1])
 
 
@@ -70,8 +71,8 @@ PRINTED_PARTS = (
     "#lectures-two { page: head1; }",
     f"The kinlib authors. Version {kinlib.__version__}, printed on 20",
     "Lectures: Creative Commons Attribution 4.0. Code: MIT licence.",
-    '<details open class="kinlib-side">',
-    "<div data-kinlib-drawing><details open>",
+    '<details class="kinlib-side" open="">',
+    '<div data-kinlib-drawing><details open="">',
     '<details class="misstep-option"><summary>two',
     "<p>Compare with answer 2 and its pictures at the end of this lecture.</p><h2>Answers</h2>",
     "<p><strong>1 B.</strong> It is twice one.</p></div>",
@@ -88,17 +89,15 @@ def test_links_are_redirected_answers_are_at_the_end_and_parts_for_the_screen_ar
 
 def test_without_an_address_no_link_leads_to_a_page_that_is_not_printed(built):
     printed = document(built, address="")
-    assert "<a >arm</a>" in printed
+    assert "<a>arm</a>" in printed
     assert "run every cell.</p>" in printed
 
 
 def test_few_pictures_of_a_slider_are_printed_from_the_first_to_the_last():
-    slides = "<div data-kinlib-slides>{}</div>".format
-    picture = '<div data-value="{}" hidden><figure>a</figure></div>'.format
-    printed = thin_out(slides("".join(map(picture, range(37)))))
-    assert printed == slides("".join(map(picture, (0, 7, 14, 22, 29, 36))))
-    few = slides("".join(map(picture, range(3))))
-    assert thin_out(few) == few
+    for count, kept in ((37, (0, 7, 14, 22, 29, 36)), (3, range(3))):
+        slides = fromstring(f"<div>{''.join(f'<div data-value={k}></div>' for k in range(count))}</div>")
+        thin_out(slides)
+        assert [int(picture.get("data-value")) for picture in slides] == list(kept)
 
 
 @pytest.mark.skipif(CHROMIUM is None, reason=NO_CHROMIUM)
