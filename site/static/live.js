@@ -11,6 +11,7 @@
   const KEY = `kinlib-live:${location.pathname}`; // in localStorage: the code that the reader has changed
   const MAX_TEXT = 100_000; // characters that one cell may print
   const STALLED_S = 20; // without a byte, until a message says so
+  const PASSING_MS = 300; // what is in view for less is passed by
   const MB = 1e6;
 
   const h = window.kinlibElement; // of course.js
@@ -28,6 +29,7 @@
   const SHEET = note.dataset.kinlibSheet; // the address of the notebook, on the page of a sheet
   const SHEET_INTRODUCTION =
     'Work on this sheet here: write your id, type an answer below each problem, and press Check. ' +
+    'The numbers of a problem appear when you come to it. ' +
     'Your answers are kept in this browser. When you are done, download the notebook with your answers and hand it in. ' +
     `The first check loads Python, ${PYTHON_SIZE}, which this browser keeps. `;
   const SAMPLE_ID = /^(student = )"([^"\\\n]*)"$/m; // in the cell that opens the sheet
@@ -129,6 +131,7 @@
   let queue = []; // the cells to run, the current one first
   let executed = new Map(); // each cell that this Python has run, with the code that it had
   let widgets = null;
+  let inView; // what observes the problems of a sheet
 
   function startPython(cell) {
     if (worker) return;
@@ -163,6 +166,7 @@
     worker?.terminate();
     worker = null;
     executed = new Map();
+    inView?.disconnect();
     for (const { kinlibModel } of document.querySelectorAll('[data-kinlib-viewer], [data-kinlib-film]'))
       kinlibModel?.connect(null);
     clearTimeout(stalled);
@@ -228,6 +232,21 @@
     if (cell.role === 'open') executed.clear(); // other numbers for all problems
     executed.set(cell, cell.source());
     worker.postMessage({ source: cell.source(), cell: cell.key });
+  }
+
+  /** Show each problem of a sheet when the reader comes to it: some need more of Python than others. */
+  function showInView() {
+    inView?.disconnect();
+    const onScroll = (entries) => {
+      for (const { isIntersecting, target } of entries) {
+        const cell = cells.find(({ element }) => element === target);
+        clearTimeout(cell.passing);
+        if (isIntersecting)
+          cell.passing = setTimeout(() => (isCurrent(cells[0]) && isCurrent(cell)) || run(cell), PASSING_MS);
+      }
+    };
+    inView = new IntersectionObserver(onScroll);
+    for (const { role, element } of cells) if (role === 'show') inView.observe(element);
   }
 
   const isCurrent = (cell) => executed.get(cell) === cell.source();
@@ -303,7 +322,11 @@
         const text = this.source().replace(SAMPLE_ID, (_, before) => `${before}${JSON.stringify(field.value.trim())}`);
         this.edit(text, false);
         if (!agreed) ask(this, use);
-        else for (const cell of cells) if (cell === this || cell.role === 'show') run(cell);
+        else {
+          run(this);
+          run(cells.find(({ role }) => role === 'show'));
+          showInView();
+        }
       };
       field.addEventListener('keydown', (event) => {
         if (event.key !== 'Enter') return;

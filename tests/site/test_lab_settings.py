@@ -1,6 +1,7 @@
 """The files of the lab: every hash is checked, and a file that cannot be downloaded is reported."""
 
 import hashlib
+import importlib
 import json
 import re
 from urllib.error import URLError
@@ -9,6 +10,7 @@ from zipfile import ZipFile
 import pytest
 from built_site import lab
 from kinsite.browser_lab import pyodide, wheels
+from kinsite.browser_lab.precompile import precompile
 from packaging.requirements import Requirement
 
 
@@ -120,6 +122,34 @@ def test_a_package_whose_hash_is_not_that_of_the_lock_file_is_refused(tmp_path):
     own = wheel(tmp_path / "kinlib", "kinlib", ["kinlib/__init__.py"], ["numpy"])
     with pytest.raises(ValueError, match=r"numpy\.whl must have the sha256 [0-9a-f]{64}; got .*incomplete"):
         pyodide.install(source, [own], tmp_path / "out")
+
+
+# --- compiled modules ---
+
+
+def test_loaded_modules_are_compiled_and_nothing_is_kept_that_no_cell_can_use(tmp_path, monkeypatch):
+    sources = {
+        "arm_one/__init__.py": "from arm_one import link\nfrom arm_one.rest import y",
+        "arm_one/link.py": "x = 1",
+        "arm_one/rest.py": "y = 2",
+        "arm_one/table.csv": "1,2",
+    }
+    unused = ["arm_one/tests/test_link.py", "arm_one/link.pyi", "arm_one-1.dist-info/RECORD", "arm-1.data/share/lab.js"]
+    with ZipFile(tmp_path / "arm.whl", "w") as archive:
+        for name, text in (sources | dict.fromkeys(unused, "")).items():
+            archive.writestr(name, text)
+    loaded = {"arm_one/__init__.py", "arm_one/link.py"}
+    for name, with_sources in (("small.whl", False), ("again.whl", False), ("whole.whl", True)):
+        precompile(str(tmp_path / "arm.whl"), str(tmp_path / name), with_sources, loaded)
+    assert (tmp_path / "small.whl").read_bytes() == (tmp_path / "again.whl").read_bytes()
+    small, whole = (set(ZipFile(tmp_path / name).namelist()) for name in ("small.whl", "whole.whl"))
+    assert small == {"arm_one/__init__.pyc", "arm_one/link.pyc", "arm_one/rest.py", "arm_one/table.csv"}
+    assert set(sources) < whole
+    assert len(whole) == len(sources) + len(loaded)
+    monkeypatch.syspath_prepend(tmp_path / "small.whl")
+    arm_one = importlib.import_module("arm_one")
+    assert (arm_one.link.x, arm_one.y) == (1, 2)
+    assert arm_one.__file__.endswith(".pyc")
 
 
 # --- the lab ---

@@ -7,6 +7,7 @@ The environment variable KINLIB_LAB chooses the release of Python for the browse
 If the variable is not set, the official release is tried, and if it cannot be downloaded the site is built without a lab.
 """
 
+import gzip
 import hashlib
 import json
 import math
@@ -23,7 +24,7 @@ from packaging.utils import canonicalize_name
 
 from kinsite.browser_lab import pyodide, wheels
 from kinsite.browser_lab.wheels import Unreachable
-from kinsite.execute import ROOT, package_hash
+from kinsite.execute import PACKAGES, ROOT, package_hash
 
 VARIABLE = "KINLIB_LAB"
 DISTRIBUTIONS = {"official": pyodide.official, "offline": pyodide.offline}
@@ -38,6 +39,18 @@ EXTENSIONS = (
     SITE / "lab" / "extension",
 )
 """The kernel, the widgets, and the extension of the course, which adds messages and records solved problems."""
+
+NEVER = ("jedi", "prompt-toolkit", "wcwidth")
+"""What IPython requires for typing in a terminal and for completion, which a page has not (live/shell.py)."""
+
+WARM_UP = """
+import matplotlib.pyplot, sympy
+from kincourse import open_sheet
+sheet = open_sheet("03_poe_space", "a student")
+sheet.show(1)
+sheet.check(1, sheet.problem(1).answer.value)
+"""
+"""What loads the modules that are compiled while the lab is built, after live/shell.py has. What only one lecture has is not."""
 
 LIVE_PACKAGES = ("ipython", "kincourse", "mpmath")
 """What a page loads before its first cell runs, with all that they require; a cell may load more. SymPy, which is loaded later,
@@ -93,7 +106,8 @@ def build_with_jupyterlite(kind: str, folder: Path) -> None:
     shutil.rmtree(folder, ignore_errors=True)
     kernel = sorted((EXTENSIONS[0] / "static" / "pypi").glob("*.whl"))
     distribution = DISTRIBUTIONS[kind]()
-    packages = pyodide.install(distribution, [*wheels.build(folder / "wheel"), *kernel], folder / "static" / "pyodide")
+    packages = pyodide.install(distribution, [*wheels.build(folder / "wheel"), *kernel], folder / "python")
+    precompile(folder / "python", folder / "static" / "pyodide")
     for path in contents():
         target = folder / "contents" / path.relative_to(ROOT)
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -137,6 +151,38 @@ def build_with_jupyterlite(kind: str, folder: Path) -> None:
         complete_page(folder / "html" / app / "index.html")
 
 
+def precompile(source: Path, target: Path) -> None:
+    """Write the files of Python again, with compiled modules and without what no cell can use, as precompile.py says.
+
+    The WebAssembly of Python is there twice: pages load it compressed, because not every server compresses it.
+
+    Raises ValueError if the modules cannot be compiled.
+    """
+    target.mkdir(parents=True)
+    archives = {path.name for path in source.iterdir() if path.suffix == ".whl" or path.name == "python_stdlib.zip"}
+    for path in source.iterdir():
+        if path.name not in archives:
+            shutil.copy(path, target)
+    warm_up = source.parent / "warm_up.py"
+    warm_up.write_text((SITE / "lab" / "live" / "shell.py").read_text("utf-8") + WARM_UP, "utf-8")
+    settings = {"packages": LIVE_PACKAGES, "archives": {name: name.startswith(PACKAGES) for name in sorted(archives)}}
+    command = (
+        shutil.which("node") or "node", Path(__file__).with_name("precompile.mjs"),
+        source, target, warm_up, json.dumps(settings),
+    )  # fmt: skip
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise ValueError(f"The modules of Python could not be compiled:\n{done.stderr[-2000:]}")
+    lock = json.loads((target / "pyodide-lock.json").read_text("utf-8"))
+    for entry in lock["packages"].values():
+        entry["sha256"] = wheels.sha256_of(target / entry["file_name"])
+    (target / "pyodide-lock.json").write_text(json.dumps(lock), "utf-8")
+    wasm = target / "pyodide.asm.wasm"
+    packed = gzip.compress(wasm.read_bytes(), mtime=0)
+    pyodide.write_sizes(target)
+    (target / f"{wasm.name}.packed").write_bytes(packed)
+
+
 def add_own_files(built: Path) -> None:
     """Add what the course's pages run in Python, what the lab runs before JupyterLab, and the store of loaded files."""
     shutil.copytree(SITE / "lab" / "live", built / "live")
@@ -144,10 +190,11 @@ def add_own_files(built: Path) -> None:
     python = built / "static" / "pyodide"
     lock = json.loads((python / "pyodide-lock.json").read_text("utf-8"))["packages"]
     sizes = json.loads((python / "sizes.json").read_text("utf-8"))
-    # the same lock file, in which nothing requires what is loaded later
+    sizes |= {packed.stem: packed.stat().st_size for packed in python.glob("*.packed")}
+    # the same lock file, in which nothing requires what is loaded later or never
     whole = json.loads((python / "pyodide-lock.json").read_text("utf-8"))
     for entry in whole["packages"].values():
-        entry["depends"] = [name for name in entry["depends"] if canonicalize_name(name) not in LATER]
+        entry["depends"] = [name for name in entry["depends"] if canonicalize_name(name) not in (*LATER, *NEVER)]
     for name in whole["packages"].keys() & set(LATER):
         whole["packages"][name]["imports"] = []  # shell.py loads it
     own_lock = python / "live-lock.json"
@@ -191,12 +238,12 @@ def what_a_page_loads(lock: dict[str, Any], sizes: dict[str, int]) -> dict[str, 
 
 
 def required(lock: dict[str, Any], names: Iterable[str], wanted: Iterable[str] = ()) -> set[str]:
-    """Return packages and all that they require, without what is loaded later unless it is wanted."""
+    """Return packages and all that they require, without what is loaded never, or later unless it is wanted."""
     needed: set[str] = set()
     todo = list(names)
     while todo:
         name = canonicalize_name(todo.pop())
-        if name not in needed and (name not in LATER or name in wanted):
+        if name not in needed and name not in NEVER and (name not in LATER or name in wanted):
             needed.add(name)
             todo += lock[name]["depends"]
     return needed
@@ -244,7 +291,7 @@ def input_hash() -> str:
     """Hash everything that the lab is built from."""
     digest = hashlib.sha256(package_hash().encode())
     extension = [path for path in (SITE / "lab").rglob("*") if path.is_file()]
-    modules = [Path(module.__file__ or "") for module in (wheels, pyodide, sys.modules[__name__])]
+    modules = sorted(path for path in Path(__file__).parent.iterdir() if path.is_file())
     for path in (*contents(), *sorted(extension), *modules, SITE / "package-lock.json"):
         digest.update(path.read_bytes())
     return digest.hexdigest()

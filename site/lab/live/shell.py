@@ -25,6 +25,8 @@ os.environ["NOTEBOOK_STATIC_PAGE"] = (
 os.environ["JUPYTER_WIDGETS_ECHO"] = "0"  # the page knows what it has set
 os.environ["MPLBACKEND"] = "agg"
 sys.modules["jedi"] = None  # type: ignore[assignment]  # only completion needs it, and its import takes a second
+sys.modules["IPython.terminal.embed"] = terminal = ModuleType("IPython.terminal.embed")  # there is no terminal
+terminal.embed = None  # type: ignore[attr-defined]
 logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # "building the font cache"
 
 import comm  # noqa: E402

@@ -13,12 +13,16 @@ self.onmessage = ({ data }) => {
 const originalFetch = self.fetch;
 const beside = (name) => originalFetch(new URL(name, self.location.href));
 
-/** Count the bytes of every response, also of those that Python itself requests, and report them with the total. */
+/**
+ * Count the bytes of every response, also of those that Python itself requests, and report them with the total.
+ * The WebAssembly of Python is loaded compressed, because not every server compresses it.
+ */
 function countBytes({ modules, total }) {
   let received = modules; // these are not fetched
-  self.fetch = async (...request) => {
-    const response = await originalFetch(...request);
-    if (!response.body) return response;
+  self.fetch = async (address, settings) => {
+    const isPacked = String(address).endsWith('.wasm') && 'DecompressionStream' in self;
+    const response = await originalFetch(isPacked ? `${address}.packed` : address, settings);
+    if (!response.body || !response.ok) return response;
     const counter = new TransformStream({
       transform(chunk, controller) {
         received += chunk.byteLength;
@@ -26,8 +30,10 @@ function countBytes({ modules, total }) {
         controller.enqueue(chunk);
       },
     });
-    const { status, statusText, headers } = response;
-    return new Response(response.body.pipeThrough(counter), { status, statusText, headers });
+    const counted = response.body.pipeThrough(counter);
+    if (!isPacked) return new Response(counted, { headers: response.headers });
+    const unpacked = counted.pipeThrough(new DecompressionStream('gzip'));
+    return new Response(unpacked, { headers: { 'Content-Type': 'application/wasm' } });
   };
 }
 
