@@ -84,7 +84,7 @@ def draw_motions(point: Array, right: Array, typed: Array) -> Picture:
         np.array([(exp(S * angle) @ link)[:3].T for angle in np.linspace(0.0, TURN_RAD, 25)]) for S in (right, typed)
     )
     axis = point + np.outer((-1.5, 2.0), right[:3])
-    canvas = Canvas(np.concatenate([true.reshape(-1, 3), said.reshape(-1, 3), axis]), size=(520, 300))
+    canvas = Canvas(np.concatenate([true.reshape(-1, 3), said.reshape(-1, 3), axis]), size=(780, 460))
     canvas.line(axis, ORANGE, 2.0)
     canvas.label(axis[1], "joint", ORANGE)
     canvas.line(true[0], GREY, 4.0)
@@ -94,7 +94,7 @@ def draw_motions(point: Array, right: Array, typed: Array) -> Picture:
     moved = f"The joint turns its link by 90 degrees. Its tool moves from {vector_text(start)} to {vector_text(true[-1, 1])} m."
     if np.allclose(right, typed):
         return canvas.picture(
-            f"{moved} The screw axis that was typed says the same.", "The tool goes where the answer says."
+            f"{moved} The screw axis that was typed says the same.", "The tool goes where the answer says.", cropped=True
         )
     canvas.line(said[:, 1], GHOST_GREY, 1.2, "--")
     canvas.line(said[-1], GHOST_GREY, 6.0, "--", level=2.5)
@@ -103,4 +103,5 @@ def draw_motions(point: Array, right: Array, typed: Array) -> Picture:
     return canvas.picture(
         f"{moved} The screw axis that was typed takes the tool to {vector_text(said[-1, 1])} m, {off:.1f} m away.",
         f"Dashed: where this answer would take the link, {off:.1f} m off.",
+        cropped=True,
     )
