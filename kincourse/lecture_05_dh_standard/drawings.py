@@ -36,15 +36,9 @@ def draw_last_frame(joint: str, d: float, a: float = 0.0) -> Picture:
     joint  "R" or "P"
     d, a   the entries of row n in metres; alpha_n is 0
 
-    Raises ValueError if joint is neither "R" nor "P", or d and a are both 0.
-
     >>> draw_last_frame("R", d=0.8).alt
     'Joint n, revolute, along z. Frame n is at (0, 0, 0.8), its z along z, its x along x. Row n: a = 0, alpha = 0, d = 0.8 m.'
     """
-    if joint not in KINDS:
-        raise ValueError(f'joint must be "R" or "P"; got {joint!r}.')
-    if d == a == 0:
-        raise ValueError("d and a must not both be 0, because frame n would cover frame n-1.")
     T = dh_transform(a, 0.0, d, 0.0, convention="standard")
     end, foot, length = T[:3, 3], d * Z, 0.42
     canvas = Canvas([-0.2 * Z, (max(d, 0) + 0.5) * Z, end + 0.3 * X, 0.3 * X, 0 * Z], size=(250, 270))
@@ -86,16 +80,12 @@ def slide_offset(
 
     The caption says along which direction z of the last frame points.
 
-    Raises ValueError if the table does not have the row.
-
     >>> from kinlib.dh.assignment import assign_frames
     >>> from kinlib.chains.robots import youbot
     >>> table = assign_frames(youbot(), convention="standard").table
     >>> type(slide_offset(table, 4, range(0, 181, 90))).__name__
     'VBox'
     """
-    if row not in range(1, table.n + 1):
-        raise ValueError(f"{table.name} has rows 1 to {table.n}; got {row!r}.")
 
     def with_offset(angle: float) -> DHTable:
         rows = table.rows.copy()

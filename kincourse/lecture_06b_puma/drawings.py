@@ -23,13 +23,9 @@ def rotation_axes(order: str, angles: ArrayLike) -> Array:
     order   the axes of the moving frame, such as "zyz"
     angles  (3,) in radians: the rotation is R_1(angles[0]) R_2(angles[1]) R_3(angles[2])
 
-    Raises ValueError if order is not three of the letters x, y and z, or angles does not have shape (3,).
-
     >>> rotation_axes("zyx", [0, np.pi / 2, 0]).round(6)[2] + 0.0
     array([ 0.,  0., -1.])
     """
-    if len(order) != 3 or not set(order) <= set("xyz"):
-        raise ValueError(f'order must be three of the letters x, y and z, such as "zyz"; got {order!r}.')
     units = np.eye(3)[["xyz".index(letter) for letter in order]]
     first, second, _ = exp(validation.vectors(angles, "angles", 3)[:, None] * units)
     return np.stack([units[0], first @ units[1], first @ second @ units[2]])
@@ -41,8 +37,6 @@ def draw_rotation_axes(order: str, angles: ArrayLike, names: tuple[str, str, str
     order   the axes of the moving frame, such as "zyz"
     angles  (3,) in radians
     names   the names of the axes, such as the joints of a wrist
-
-    Raises ValueError if order is not three of the letters x, y and z, or angles does not have shape (3,).
 
     >>> draw_rotation_axes("zyz", [0, 0, 0.3]).alt[-65:]
     'Axes 1 and 3 are collinear: the sequence is at its singular case.'

@@ -22,19 +22,15 @@ DISTANCE_M = 0.5
 def draw_nearly_parallel_axes(degrees: float) -> Picture:
     """Draw a vertical axis 1, and an axis 2 that is inclined to it, seen along their common normal.
 
-    degrees  the angle between the axes
+    degrees  the angle between the axes, at least 0 and less than 90
 
     Seen along the common normal the two axes cross, and the normal is the point where they do: DISTANCE_M / tan(angle) above
     the floor. The scale is the same for every angle, so that the point leaves the picture.
-
-    Raises ValueError if the angle is not between 0 and 90 degrees, 0 included.
 
     >>> draw_nearly_parallel_axes(5).alt                                # doctest: +NORMALIZE_WHITESPACE
     'Two axes, seen along their common normal. Axis 2 is 0.5 m beside axis 1 at the floor and inclined by 5 degrees. They
     cross, and have their common normal, 5.72 m above the floor, above the picture.'
     """
-    if not 0 <= degrees < 90:
-        raise ValueError(f"degrees must be at least 0 and less than 90; got {degrees!r}.")
     height = np.inf if degrees == 0 else DISTANCE_M / np.tan(np.radians(degrees))
     top = (FLOOR[1] - 14) / PX_PER_M
     drawn = [svg.polyline(np.array([(20, FLOOR[1]), (WIDTH_PX - 20, FLOOR[1])]), INK, 1.6)]

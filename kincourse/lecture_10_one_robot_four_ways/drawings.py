@@ -29,15 +29,11 @@ def draw_two_arms(
     width            the width of the tray along x of {t}, in metres: the left arm holds its end at -x, the right arm that at x
     base             (4, 4) the pose of the base of the right arm
 
-    Raises ValueError if the two arms do not hold the tray at the same pose.
-
     >>> from kinlib.chains.robots import pose, rppr, X, Y, Z
     >>> draw_two_arms(rppr(), rppr(), np.zeros(4), np.zeros(4), width=0.4, base=np.eye(4)).alt[:46]
     'Two arms hold one tray at (2, 0, 0), 0.4 m wid'
     """
     tray = left.fk(q_left)
-    if not np.allclose(tray, right.fk(q_right), atol=1e-6):
-        raise ValueError("Both arms must hold the tray at the same pose; the poses of their tools differ.")
     ends = [tray[:3, 3] + side * width / 2 * tray[:3, 0] for side in (-1, 1)]
     arms = [(left, left.link_poses(q_left), np.zeros(3)), (right, right.link_poses(q_right), base[:3, 3])]
     paths = [

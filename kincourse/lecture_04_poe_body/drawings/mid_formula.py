@@ -55,14 +55,10 @@ def draw_mid_formula(chain: Chain, k: int, caption: str = "") -> Picture:
     written beside it, is the distance of the axis from the origin; if the pitch is 0, it is the length of v. A prismatic joint
     has no such line, because its screw has a direction but no position.
 
-    Raises ValueError if k is not one of 0, 1, ..., n.
-
     >>> from kinlib.chains.robots import mid_formula_arm
     >>> draw_mid_formula(mid_formula_arm(), 2).alt
     'mid-formula arm at home. Read from {s}: S_1 at 0 m, S_2 at 0.4 m. Read from {b}: B_3 at 0 m, B_4 at 0.2 m.'
     """
-    if k not in range(chain.n + 1):
-        raise ValueError(f"k must be the number of joints whose screws are given in {{s}}, 0 to {chain.n}; got {k!r}.")
     feet = axis_perpendiculars(chain, k)
     path = stations(chain)
     canvas = Canvas(np.concatenate([path, feet.reshape(-1, 3)]))

@@ -76,8 +76,6 @@ def slide_curve(
 
     The text alternative of each picture says both angles in degrees, and so does the caption if none is given.
 
-    Raises ValueError if the linkage has no joint value of a given name, or a part or the captions do not have m entries.
-
     >>> from kinlib.mechanisms.linkages import four_bar
     >>> linkage = four_bar(0.4, 0.1, 0.35, 0.3)
     >>> q = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0], points=13).q
@@ -85,14 +83,8 @@ def slide_curve(
     'VBox'
     """
     q = validation.vectors(configurations, "configurations", mechanism.n)
-    if unknown := [name for name in pair if name not in mechanism.names]:
-        raise ValueError(f"{mechanism.name} has joint values {', '.join(mechanism.names)}; got {unknown[0]!r}.")
     angles = q[:, [mechanism.names.index(name) for name in pair]]
     masks = {name: np.asarray(mask, dtype=bool) for name, mask in (parts or {"curve": np.ones(len(q))}).items()}
-    if wrong := [name for name, mask in masks.items() if mask.shape != (len(q),)]:
-        raise ValueError(f"part {wrong[0]!r} must have shape ({len(q)},); got {masks[wrong[0]].shape}.")
-    if captions and len(captions) != len(q):
-        raise ValueError(f"captions must have one entry per configuration, {len(q)}; got {len(captions)}.")
     points = np.concatenate([linkage_geometry(mechanism, now).all for now in q])
 
     shown = range(0, len(q), 2)  # every second configuration is near enough to the last one

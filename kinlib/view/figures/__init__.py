@@ -4,7 +4,6 @@ arm.py                 arms, and arms at home whose screw axes can be read off
 frames.py              frames
 lettered_chain.py      an open chain at home with a letter for each of its lengths
 joint_bodies.py        the cylinders, boxes and threads of joints
-screw_motions.py       paths of a frame along twists
 point_velocity.py      the velocity of a point of a rotating body
 axis_relations.py      how two joint axes can be related, and their common normals
 dh_table.py            a DH table, and what the four numbers of a row measure

@@ -35,6 +35,16 @@ export function moveSlider(input, value, text) {
   input.setAttribute('aria-valuetext', text);
 }
 
+const KEY_STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, Home: -Infinity, End: Infinity };
+
+/** The steps that a pressed key asks for, with more keys of one's own; 0 for any other key, which is left to the page. */
+export function stepsOf(event, more = {}) {
+  const steps = { ...KEY_STEPS, ...more }[event.key];
+  if (!steps || event.ctrlKey || event.metaKey || event.altKey) return 0;
+  event.preventDefault();
+  return steps;
+}
+
 /** Render a symbol with its index: q_1 becomes q with the subscript 1. */
 export function renderSymbol(name) {
   const [base, sub] = name.split('_');

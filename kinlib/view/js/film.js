@@ -1,5 +1,6 @@
 // A film: drawings that follow each other, with a button to play and stop them, a slider, and the caption of each scene.
 import { button, h, moveSlider, slider, uniqueId } from './dom.js';
+import { listen } from './model.js';
 import { isDark, onThemeChange } from './theme.js';
 
 /** @param model frames: [svg], order: [the frame at each tick], scenes: [{ end, caption, alt }], rate: ticks per second, at */
@@ -86,8 +87,7 @@ export function renderFilm({ model, el }) {
   stop();
   applyTheme();
   update();
-  model.on('change:at', update);
-  const stopTheme = onThemeChange(applyTheme);
+  const stops = [listen(model, { at: update }), onThemeChange(applyTheme)];
   // JupyterLab attaches the element only now; and what nobody sees need not move.
   const observer = new IntersectionObserver((entries) => {
     applyTheme();
@@ -96,8 +96,7 @@ export function renderFilm({ model, el }) {
   observer.observe(root);
   return () => {
     stop();
-    model.off('change:at', update);
-    stopTheme();
+    for (const end of stops) end();
     observer.disconnect();
   };
 }

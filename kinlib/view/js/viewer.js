@@ -7,6 +7,7 @@ import { poseReadout } from './controls/pose-readout.js';
 import { predictionCover } from './controls/prediction-cover.js';
 import { formatNumber, h, NO_SHORTCUTS } from './dom.js';
 import { renderFilm } from './film.js';
+import { listen, save } from './model.js';
 import { MODES } from './modes/index.js';
 import { orbitControls } from './render/camera.js';
 import { Stage } from './render/stage.js';
@@ -23,11 +24,12 @@ const SPEECH_DELAY_MS = 700; // a screen reader announces the pose when nothing 
 function render({ model, el }) {
   const data = model.get('scene');
   const q = () => model.get('q');
-  const set = (values) => {
-    model.set('q', values);
-    model.save_changes();
+  const state = {
+    sliders: data.sliders,
+    q,
+    set: (values) => save(model, 'q', values),
+    start: () => model.get('start'),
   };
-  const state = { sliders: data.sliders, q, set, start: () => model.get('start') };
 
   const canvas = h('canvas', { class: 'kv-canvas', tabindex: 0, role: 'img', ...NO_SHORTCUTS });
   const message = h('p', { class: 'kv-message', role: 'status', hidden: true });
@@ -46,10 +48,7 @@ function render({ model, el }) {
   const switches = layerToggles({
     available: availableLayers(data, model.get('shown')),
     shown: () => model.get('shown'),
-    setShown: (names) => {
-      model.set('shown', names);
-      model.save_changes();
-    },
+    setShown: (names) => save(model, 'shown', names),
   });
   const modeData = model.get('mode') ?? {};
   const mode = MODES[modeData.kind]?.({ model, stage, data: modeData, state, showMessage }) ?? {};
@@ -161,7 +160,7 @@ function render({ model, el }) {
 
   const changes = { q: update, shown: updateLayers, covered: updateCover };
   for (const trait of ['step', 'convention', 'done', 'frames', 'at']) changes[trait] = describeLater; // of the modes
-  for (const [name, listener] of Object.entries(changes)) model.on(`change:${name}`, listener);
+  const stopListening = listen(model, changes);
   applyTheme();
   updateLayers();
   updateCover();
@@ -181,8 +180,8 @@ function render({ model, el }) {
   });
   visibilityObserver.observe(frame);
   return () => {
-    for (const [name, listener] of Object.entries(changes)) model.off(`change:${name}`, listener);
     for (const stop of [
+      stopListening,
       stopTheme,
       stopOrbit,
       () => resizeObserver.disconnect(),

@@ -48,9 +48,6 @@ def test_what_cannot_be_drawn_is_refused():
             draw_three_readings(T, point)
     with pytest.raises(ValueError, match="0, 1 or 2, for x, y or z; got 3"):
         draw_rotation(3, 20)
-    left, right, base = pair(0.8)
-    with pytest.raises(ValueError, match="same pose"):
-        draw_two_arms(left, right, TRAY_Q, TRAY_Q + 0.1, width=0.8, base=base)
 
 
 def test_the_text_alternative_gives_the_rotation_that_scipy_computes_and_where_the_axis_points():

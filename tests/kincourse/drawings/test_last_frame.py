@@ -1,7 +1,5 @@
 """The last frame: the text says what is drawn, for a revolute and a prismatic joint."""
 
-import pytest
-
 from kincourse.lecture_05_dh_standard.drawings import draw_last_frame, draw_last_frames
 
 
@@ -18,9 +16,3 @@ def test_the_description_follows_what_is_drawn():
     assert "Frame n is at (0, 0, 0.4)" in draw_last_frame("P", d=0.4).alt
     assert "Frame n is at (0.3, 0, 0.9)" in draw_last_frame("P", d=0.9, a=0.3).alt
     assert draw_last_frame("R", d=0.4).svg != draw_last_frame("P", d=0.4).svg
-
-
-def test_what_cannot_be_drawn_is_refused():
-    for joint, d in [("H", 1.0), ("R", 0.0)]:
-        with pytest.raises(ValueError, match="must"):
-            draw_last_frame(joint, d)

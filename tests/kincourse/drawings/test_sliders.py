@@ -79,7 +79,6 @@ def test_frames_at_each_value_are_those_of_the_function_and_are_described():
 
 
 def test_wrong_arguments_are_refused():
-    curve = np.zeros((3, 4))
     for make, says in [
         (lambda: slide_frames(turning, "value", []), "at least one value; got none"),
         (
@@ -87,13 +86,7 @@ def test_wrong_arguments_are_refused():
             r"names for all values, \['0'\]; got \['1'\]",
         ),
         (lambda: slide_frames(lambda _: {"s": np.eye(3)}, "value", [0]), "frame s"),
-        (lambda: slide_axis(ARM, 5, np.zeros((1, 4)), "q", [0]), "has joints 1 to 4; got 5"),
         (lambda: slide_axis(ARM, 1, np.zeros((2, 4)), "q", [0]), r"must be 2 values, one for each picture; got \[0\]"),
-        (lambda: slide_offset(TABLE, 6, [0]), "rows 1 to 5; got 6"),
-        (lambda: slide_curve(WIDE, curve, ("A", "E")), "got 'E'"),
-        (lambda: slide_curve(WIDE, curve, ("A", "D"), parts={"all": [True]}), r"shape \(3,\); got \(1,\)"),
-        (lambda: slide_curve(WIDE, curve, ("A", "D"), captions=["one"]), "one entry per configuration, 3; got 1"),
-        (lambda: plot_series([0, 0, 1, 0, 0, 0], 1, (1, 0, 0), 1), "at least 2; got 1"),
     ]:
         with pytest.raises(ValueError, match=says):
             make()

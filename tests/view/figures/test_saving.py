@@ -18,7 +18,7 @@ from traitlets import Bool, HasTraits
 import kinlib as kl
 from kincourse.lecture_08_closed_chains.drawings.torus import side_by_side
 from kinlib import view
-from kinlib.view import Gallery, Picture
+from kinlib.view import Picture
 from kinlib.view.drawing import svg
 from kinlib.view.drawing.png_and_pdf import figure_from_svg, image_bytes
 from kinlib.view.figures.arm import describe_arm
@@ -68,11 +68,6 @@ def test_a_saved_drawing_contains_its_text_alternative_and_a_saved_page_needs_no
 def test_the_title_is_the_first_sentence_or_the_caption(tmp_path):
     for caption, title in (("", "A curve &amp; its &lt;tangent&gt;, 0.5 m long."), ("At a < b", "At a &lt; b")):
         assert f"<title>{title}</title>" in Picture("<svg></svg>", ALT, caption).labelled_svg()
-
-
-def test_a_gallery_is_saved_as_a_page(tmp_path):
-    Gallery((Picture("<svg></svg>", ALT), Picture("<svg></svg>", ALT))).save(tmp_path / "both.html")
-    assert (tmp_path / "both.html").read_text("utf-8").count("<img ") == 2
 
 
 @pytest.mark.parametrize("shown", ["a drawing", "a viewer"])

@@ -19,23 +19,6 @@ def test_each_motion_is_about_or_along_the_frame_s_own_x_or_z(convention):
     assert used == (standard if convention == "standard" else [turn_x, slide_x, turn_z, slide_z])
 
 
-def test_the_product_passes_the_frames_of_both_conventions():
-    """After Z_i the pose is the modified frame i, after X_i the standard one."""
-    table = kl.DHTable(ROWS, convention="standard")
-    other = table.converted("modified")
-    for first, links in ((2, table.link_transforms(np.zeros(3))), (1, other.link_transforms(np.zeros(3)))):
-        T = np.eye(4)
-        for link, stop in zip(links, poses_along_arm(ROWS)[first::2], strict=True):
-            T = T @ link
-            np.testing.assert_allclose(stop, T, atol=1e-14)
-
-
-def test_the_text_alternative_gives_the_origin_of_each_frame():
-    alt = draw_zx_factors([[0.4, 0, 0.1, 0], [0.3, 0, 0, 0]], 3).alt
-    assert "The path Z1 X1 Z2." in alt
-    assert "{1 mod} at (0, 0, 0.1); {1 std} at (0.4, 0, 0.1); {2 mod} at (0.4, 0, 0.1)." in alt
-
-
 def test_the_start_is_drawn_before_any_motion():
     assert "no motion yet" in draw_row_motions(ROWS[0], 0).alt
     assert "before its first factor" in draw_zx_factors(ROWS, 0).alt

@@ -1,6 +1,6 @@
 // One slider and one number field per joint, a play button and a reset button. A handler only sets q. Everything is
 // drawn when q changes, so that it makes no difference whether the page or Python changed it.
-import { button, formatNumber, h, NO_SHORTCUTS, renderSymbol, uniqueId } from '../dom.js';
+import { button, formatNumber, h, NO_SHORTCUTS, renderSymbol, stepsOf, uniqueId } from '../dom.js';
 import { playButton, ROUND_MS } from './play-button.js';
 
 const DEGREE = Math.PI / 180;
@@ -52,9 +52,8 @@ function sliderRow(slider, state) {
     'aria-label': label,
     oninput: () => set(Number(range.value)),
     onkeydown: (event) => {
-      const steps = KEY_STEPS[event.key];
-      if (!steps || event.ctrlKey || event.metaKey || event.altKey) return;
-      event.preventDefault();
+      const steps = stepsOf(event, { PageDown: -10, PageUp: 10 });
+      if (!steps) return;
       const value = Math.abs(steps) === Infinity ? Math.sign(steps) * Infinity : state.q()[column] + steps * step;
       set(Math.max(low, Math.min(high, value)));
     },
@@ -99,17 +98,6 @@ function sliderRow(slider, state) {
     },
   };
 }
-
-const KEY_STEPS = {
-  ArrowLeft: -1,
-  ArrowDown: -1,
-  ArrowRight: 1,
-  ArrowUp: 1,
-  PageDown: -10,
-  PageUp: 10,
-  Home: -Infinity,
-  End: Infinity,
-};
 
 /** Move one joint after the other to its upper limit, to its lower limit and back. */
 function sweepJoints(state) {

@@ -17,6 +17,12 @@ export function renderMathText(sentence) {
   return [...nodes, text.slice(done)].filter((node) => node !== '');
 }
 
+/** Set a sentence in an element. A screen reader announces changes, so an unchanged one is not set again. */
+export function setSentence(element, sentence) {
+  if (element.dataset.text !== sentence) element.replaceChildren(...renderMathText(sentence));
+  element.dataset.text = sentence;
+}
+
 function name(base, index) {
   return h(
     'span',

@@ -1,19 +1,16 @@
 // Covers a viewer whose motion is to be predicted, until the reader has committed to a prediction in a question above.
 // The reader may also uncover it without an answer; then nothing is recorded.
 import { button, h } from '../dom.js';
+import { save } from '../model.js';
 
 /** @param model with covered @returns { element, update() } */
 export function predictionCover(model) {
-  const uncover = () => {
-    model.set('covered', false);
-    model.save_changes();
-  };
   const element = h(
     'div',
     { class: 'kv-cover', role: 'group', 'aria-label': 'Prediction' },
     h('p', { class: 'kv-title' }, 'Commit to your prediction above first'),
     h('p', {}, 'The arm appears here afterwards.'),
-    button('Show anyway', uncover, { class: 'kv-quiet' }),
+    button('Show anyway', () => save(model, 'covered', false), { class: 'kv-quiet' }),
   );
   return {
     element,

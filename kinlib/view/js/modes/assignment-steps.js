@@ -1,7 +1,8 @@
 // The steps of a frame assignment, forwards and backwards, each with its explanation and with its objects highlighted.
 
 import { renderMathText } from '../controls/math-text.js';
-import { button, h, moveSlider, NO_SHORTCUTS, named, slider } from '../dom.js';
+import { button, h, moveSlider, NO_SHORTCUTS, named, slider, stepsOf } from '../dom.js';
+import { listen, save } from '../model.js';
 import { describeArm, frameText } from '../scene/describe.js';
 import { matrixOf, rows } from '../scene/kinematic-tree.js';
 import { dashedLine, label } from '../scene/shapes.js';
@@ -9,16 +10,7 @@ import { add, middle, minus, norm } from '../vectors.js';
 import { dhTable } from './dh-table.js';
 import { axis, column, createHighlighter, drawPaleArm, frame, lengths, originOf } from './frame-drawing.js';
 
-const KEY_STEPS = {
-  ArrowRight: 1,
-  ArrowDown: 1,
-  ArrowLeft: -1,
-  ArrowUp: -1,
-  PageDown: 5,
-  PageUp: -5,
-  Home: -Infinity,
-  End: Infinity,
-};
+const LIST_KEYS = { ArrowDown: 1, ArrowUp: -1, PageDown: 5, PageUp: -5 };
 
 /** @param kit.data { conventions: { standard, modified } }, each { axes, normals, frames, table, steps } */
 export function assignmentSteps({ model, stage, data }) {
@@ -28,9 +20,7 @@ export function assignmentSteps({ model, stage, data }) {
   const last = now().steps.length - 1;
   const go = (step) => {
     const wanted = Math.max(0, Math.min(last, step));
-    if (wanted === model.get('step')) return;
-    model.set('step', wanted);
-    model.save_changes();
+    if (wanted !== model.get('step')) save(model, 'step', wanted);
   };
   const first = button('|◀', () => go(0), named('First step'));
   const back = button('◀ Back', () => go(model.get('step') - 1), named('One step back'));
@@ -42,10 +32,7 @@ export function assignmentSteps({ model, stage, data }) {
     {
       ...NO_SHORTCUTS,
       'aria-label': 'Convention',
-      onchange: () => {
-        model.set('convention', select.value);
-        model.save_changes();
-      },
+      onchange: () => save(model, 'convention', select.value),
     },
     ...Object.keys(data.conventions).map((name) => h('option', { value: name }, `${name} convention`)),
   );
@@ -62,10 +49,8 @@ export function assignmentSteps({ model, stage, data }) {
       role: 'group',
       'aria-label': 'Steps of the assignment',
       onkeydown: (event) => {
-        const by = KEY_STEPS[event.key];
-        if (!by || event.target === select || event.ctrlKey || event.metaKey || event.altKey) return;
-        event.preventDefault();
-        go(model.get('step') + by);
+        const by = event.target === select ? 0 : stepsOf(event, LIST_KEYS);
+        if (by) go(model.get('step') + by);
       },
     },
     h('div', { class: 'kv-head' }, select, count),
@@ -131,8 +116,7 @@ export function assignmentSteps({ model, stage, data }) {
     write();
     draw();
   };
-  const names = ['change:step', 'change:convention'];
-  for (const name of names) model.on(name, changed);
+  const stopListening = listen(model, { step: changed, convention: changed });
   return {
     element,
     replacesSliders: true,
@@ -151,7 +135,7 @@ export function assignmentSteps({ model, stage, data }) {
       changed();
     },
     dispose() {
-      for (const name of names) model.off(name, changed);
+      stopListening();
       highlighter.dispose();
     },
   };

@@ -1,8 +1,9 @@
 // The motions of a DH row, one after the other. Each track is an arm whose joints are the motions, so that the scene
 // graph moves the frame. `done` counts the completed motions; during a motion it is a fraction.
 
-import { renderMathText } from '../controls/math-text.js';
-import { button, formatNumber, h, moveSlider, named, slider } from '../dom.js';
+import { renderMathText, setSentence } from '../controls/math-text.js';
+import { button, formatNumber, h, moveSlider, named, slider, stepsOf } from '../dom.js';
+import { listen } from '../model.js';
 import { frameText } from '../scene/describe.js';
 import { dashedLine, label } from '../scene/shapes.js';
 import { add, middle } from '../vectors.js';
@@ -11,7 +12,6 @@ import { frame, mixColours, originOf } from './frame-drawing.js';
 
 const FRAME_LENGTH = 0.34; // as a fraction of the size of the scene
 const MOTION_MS = 1100;
-const KEY_STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, Home: -Infinity, End: Infinity };
 
 /**
  * @param kit.data { tracks: [{ title, stops, axes, flags,
@@ -82,9 +82,8 @@ export function dhRowMotions({ model, stage, data }) {
     step: 'any',
     'aria-label': 'Motions done',
     onkeydown: (event) => {
-      const by = KEY_STEPS[event.key];
-      if (!by || event.ctrlKey || event.metaKey || event.altKey) return;
-      event.preventDefault();
+      const by = stepsOf(event);
+      if (!by) return;
       stop();
       set(by > 0 ? Math.floor(done() + 1e-9) + by : Math.ceil(done() - 1e-9) + by);
     },
@@ -125,9 +124,7 @@ export function dhRowMotions({ model, stage, data }) {
         else factor.removeAttribute('aria-current');
       });
       const text = at ? tracks[k].motions[at - 1].text : 'No motion is complete yet: the frame is at its start.';
-      // a screen reader announces changes, so an unchanged text must not be set again
-      if (explanation.dataset.text !== text) explanation.replaceChildren(...renderMathText(text));
-      explanation.dataset.text = text;
+      setSentence(explanation, text);
     });
   }
 
@@ -242,7 +239,7 @@ export function dhRowMotions({ model, stage, data }) {
     write();
     move();
   };
-  model.on('change:done', changed);
+  const stopListening = listen(model, { done: changed });
   write();
   return {
     element,
@@ -252,7 +249,7 @@ export function dhRowMotions({ model, stage, data }) {
     update: move, // the joint values follow from `done`
     dispose() {
       stop();
-      model.off('change:done', changed);
+      stopListening();
       sectors.dispose();
     },
   };

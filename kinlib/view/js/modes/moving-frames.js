@@ -1,5 +1,6 @@
 // Frames that one slider moves. Their poses for each value are in the data, so that no kernel is needed.
 import { h, moveSlider, slider, uniqueId } from '../dom.js';
+import { listen, save } from '../model.js';
 import { frameText } from '../scene/describe.js';
 import * as parts from '../scene/parts.js';
 import { arrow } from '../scene/shapes.js';
@@ -16,11 +17,7 @@ export function movingFrames({ model, stage, data }) {
   const id = uniqueId('value');
   const { size } = stage.data;
   const at = () => model.get('at');
-  const select = (index) => {
-    model.set('at', index);
-    model.save_changes();
-  };
-  const input = slider(data.values.length - 1, select, { id });
+  const input = slider(data.values.length - 1, (index) => save(model, 'at', index), { id });
   const value = h('output', { for: id });
   const caption = h('p', { class: 'kv-values', 'aria-live': 'polite' });
   const texts = () => data.names.map((name, k) => frameText(name, stage.tree.pose(k))).join(' ');
@@ -49,7 +46,7 @@ export function movingFrames({ model, stage, data }) {
     return arrow({ ...look, from, to, head: Math.min(length, 0.06 * size) });
   }
 
-  model.on('change:at', move);
+  const stopListening = listen(model, { at: move });
   return {
     element: h('div', { class: 'kv-curve' }, h('label', { for: id }, `${data.label}: `, value), input, caption),
     replacesSliders: true,
@@ -67,6 +64,6 @@ export function movingFrames({ model, stage, data }) {
       );
       move();
     },
-    dispose: () => model.off('change:at', move),
+    dispose: stopListening,
   };
 }

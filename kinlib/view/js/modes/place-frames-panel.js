@@ -1,7 +1,7 @@
 // The panel for placing frames: the choice of frame, its three parts as lists for keyboards and screen readers, the
 // verdict on the rules, and the DH table.
 
-import { renderMathText } from '../controls/math-text.js';
+import { renderMathText, setSentence } from '../controls/math-text.js';
 import { button, h, NO_SHORTCUTS, named } from '../dom.js';
 import { roundStep } from '../render/stage.js';
 import { perpendicularTo } from '../scene/parts.js';
@@ -192,8 +192,7 @@ export function placeFramesPanel({
     });
     const missing = part === 'x' && ['z', 'origin'].find((needed) => !state[needed]);
     const text = withIndex(missing ? MISSING[missing] : INSTRUCTIONS[part], i);
-    if (instruction.dataset.text !== text) instruction.replaceChildren(...renderMathText(text));
-    instruction.dataset.text = text;
+    setSentence(instruction, text);
     for (const name of Object.keys(rows)) updatePart(name, rows[name], state);
     check.setAttribute('aria-disabled', String(waiting));
     back.disabled = !history.length;

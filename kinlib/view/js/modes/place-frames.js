@@ -1,5 +1,6 @@
 // Frames placed by hand on bare joint axes, part by part, by mouse, touch or keyboard. The frames are a trait, so that
 // Python reads them. Python also checks the rules, and a broken rule is highlighted in the picture.
+import { listen, save } from '../model.js';
 import { describeArm, frameText } from '../scene/describe.js';
 import { add, columnOf, openPart, withPart } from '../vectors.js';
 import { axis, createHighlighter, drawPaleArm, frame, lengths } from './frame-drawing.js';
@@ -77,8 +78,7 @@ export function placeFrames({ model, stage, data }) {
   function requestVerdict() {
     sentFrames = snapshot();
     clearTimeout(selection.timer);
-    model.set('asked', model.get('asked') + 1);
-    model.save_changes();
+    save(model, 'asked', model.get('asked') + 1);
     // a page of the site may have to load Python first, which it says itself
     selection.waiting = !model.withoutKernel || model.wake(onRefused);
     if (!model.withoutKernel) selection.timer = setTimeout(() => panel.showNoAnswer(), SILENCE_MS);
@@ -176,8 +176,7 @@ export function placeFrames({ model, stage, data }) {
     clearTimeout(selection.timer);
     redraw();
   }
-  model.on('change:frames', redraw);
-  model.on('change:verdict', onVerdict);
+  const stopListening = listen(model, { frames: redraw, verdict: onVerdict });
   const first = frames().findIndex((T) => openPart(T));
   if (first >= 0) Object.assign(selection, { i: first, part: openPart(frames()[first]) });
   panel.update();
@@ -201,8 +200,7 @@ export function placeFrames({ model, stage, data }) {
     },
     dispose() {
       clearTimeout(selection.timer);
-      model.off('change:frames', redraw);
-      model.off('change:verdict', onVerdict);
+      stopListening();
       for (const one of [highlighter, picker, handles]) one.dispose();
     },
   };

@@ -6,11 +6,11 @@ const JOINT_KINDS = { R: 'revolute', P: 'prismatic', H: 'helical' };
 const ROUNDING = 1e-5;
 
 /** Three significant digits, and 0 for rounding errors, as Python writes them. */
-export function numberText(value) {
+function numberText(value) {
   return Math.abs(value) > ROUNDING ? `${Number(value.toPrecision(3))}` : '0';
 }
 
-export function vectorText(values) {
+function vectorText(values) {
   return `(${values.map(numberText).join(', ')})`;
 }
 

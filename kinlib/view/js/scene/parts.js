@@ -12,14 +12,14 @@ export const COLOURS = {
 };
 
 /** Radii, as fractions of the arm's size. */
-export const JOINT = 0.05;
+const JOINT = 0.05;
 const LINK = 0.026;
 const ROD = 0.0066;
 
 const unit = (p) => p.map((value) => value / (norm(p) || 1));
 
 /** Where a joint is drawn: joints with the same point and axis are drawn side by side along the axis. */
-export function jointCentre(joint, size) {
+function jointCentre(joint, size) {
   return add(joint.point, joint.axis, 3.3 * JOINT * size * joint.shift);
 }
 

@@ -44,7 +44,7 @@ const MAKERS = {
 };
 
 /** The geometry of a part { shape, from, to, radius, ... }, in metres, between its two points. */
-export function makeSolid(part) {
+function makeSolid(part) {
   const from = new Vector3(...part.from);
   const along = new Vector3(...part.to).sub(from);
   const length = along.length();
