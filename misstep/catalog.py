@@ -339,11 +339,13 @@ def course_of(sheet: str) -> Course:
 
 
 def course_in(folder: Path) -> Course:
-    """Return the only course in a folder.
+    """Return the only course in a folder, or else the only one that is installed.
 
     Raises ValueError if there is none, or more than one.
     """
     found = [path.parent for path in sorted(folder.glob("*/__init__.py")) if "COURSE = " in path.read_text("utf-8")]
+    if not found and len(installed := installed_courses()) == 1:
+        return installed[0]
     if len(found) != 1:
         names = ", ".join(path.name for path in found) or "none"
         raise ValueError(

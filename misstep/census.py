@@ -16,7 +16,7 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
-from misstep.catalog import Course, course_in, find_course, installed_courses
+from misstep.catalog import course_in, find_course
 from misstep.diagnosis.bugs import inseparable_pairs
 from misstep.diagnosis.explanation import CONSEQUENCES, SAME_CONSEQUENCE
 from misstep.judge import BY_CHANCE, Finding, judge
@@ -202,19 +202,10 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--save", type=Path, help="write the counts into this JSON file")
 
 
-def _course_here() -> Course:
-    try:
-        return course_in(Path.cwd())
-    except ValueError:
-        if len(installed := installed_courses()) == 1:
-            return installed[0]
-        raise
-
-
 def run(options: Namespace) -> int:
     """Take the census of a course, print it, and return 0 if nothing wrong has full marks, a wrong name or a false claim."""
     try:
-        course = find_course(options.course) if options.course else _course_here()
+        course = find_course(options.course) if options.course else course_in(Path.cwd())
     except ValueError as error:
         print(f"misstep census: {error}", file=sys.stderr)
         return 2

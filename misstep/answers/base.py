@@ -8,28 +8,7 @@ answers/ of a course. It defines:
     read              how a student's value is read, or refused by Unreadable
     agrees            how two values are compared, part by part
 
-and only where the default is not enough:
-
-    slips             wrong answers that need no solution: a sign, two rows swapped
-    appearance        what is seen in an answer before any mistake is looked for: a placeholder, another unit, too few digits
-    arrangement       whether the whole is the right one in another order
-    explanation       a mistake that is found by looking at the answer itself, as in a table
-    description       how a wrong part that nothing else explains differs from the right one
-    check             what a student can check on the own numbers, where nothing says how they came about
-    is_rounded        whether a wrong part is the right one, rounded too much
-    hint              what to say about a wrong part that no mistake explains
-    shown             how an author sees a value that was read
-    from_author       how a value of the author or of a mutant is read, if not as one of a student
-    rubric            the criteria by which a person marks it
-    precision         how many digits are asked for, in a sentence
-    remark            what to say about a right answer that differs from ours
-    pins_down         whether a part has enough digits to be explained by two mistakes at once
-    expressions       the solution at each input, if the answer is a function or a formula
-    collect           the answer that has given values at the inputs
-    may_be            whether an answer may have a value at the first input
-    may_share         the same of any of its parts, or of all, in another tolerance
-    with_inputs       other inputs, if the answer is a function
-    stored_objects    the classes of objects that are answers, each with the function that makes an object from its fields
+and of the other methods of Answer only those whose default is not enough.
 
 Storing: a check cell stores the answer as JSON (`misstep.storage`), so that a grader reads data and never runs what made it.
 Numbers, arrays, text, lists, dictionaries, SymPy expressions and the outputs of functions are stored without further ado.

@@ -1,7 +1,7 @@
 """Choices as answers: one of several named options."""
 
 import unicodedata
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -37,13 +37,11 @@ class Choice(Answer):
     value: str
     options: Mapping[str, str]
 
+    parts = ("the choice",)
+
     @property
     def expected(self) -> str:
         return f"one of {', '.join(map(repr, self.options))}"
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["the choice"]
 
     def read(self, given: Any) -> str:
         texts = [(plain(text), option) for option, text in self.options.items()]

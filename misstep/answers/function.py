@@ -87,13 +87,11 @@ class Function(Answer):
         generator = np.random.default_rng(seed)
         return replace(self, inputs=[self.sample(generator) for _ in range(CALL_COUNT)])
 
+    parts = ("the function",)
+
     @property
     def expected(self) -> str:
         return f"a function whose every call gives {self.output.expected}"
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["the function"]
 
     def read(self, given: Any) -> FunctionCalls:
         if isinstance(given, FunctionCalls):

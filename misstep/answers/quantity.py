@@ -1,7 +1,7 @@
 """Quantities as answers: a number with a unit, in any unit that fits. The units are those of Pint, `pip install misstep[units]`."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
 from math import log10
@@ -76,14 +76,12 @@ class Quantity(Answer):
     def _numbers(self) -> Numbers:
         return Numbers(self.value, accuracy=self.accuracy)
 
+    parts = ("the quantity",)
+
     @property
     def expected(self) -> str:
         number = self._numbers.expected.removeprefix("one ")
         return f"a {number}, with its unit, as text such as '12.5 m/s'"
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["the quantity"]
 
     @property
     def precision(self) -> str:

@@ -47,6 +47,8 @@ class Text(Answer):
     also: Sequence[str] = ()
     strict: bool = False
 
+    parts = ("the text",)
+
     @property
     def expected(self) -> str:
         return (
@@ -54,10 +56,6 @@ class Text(Answer):
             if self.strict
             else "a word or a short text in quotes"
         )
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["the text"]
 
     def read(self, given: Any) -> str:
         if not isinstance(given, str) or len(given) > MAX_LENGTH:
@@ -104,15 +102,13 @@ class Prose(Answer):
             raise ValueError(f"A rubric needs criteria, each with its points; got {dict(self.value)!r}.")
         object.__setattr__(self, "rubric", self.value)
 
+    parts = ("the text",)
+
     @property
     def expected(self) -> str:
         return "a text in quotes, marked for: " + ", ".join(
             f"{name} ({points:g})" for name, points in self.value.items()
         )
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["the text"]
 
     def read(self, given: Any) -> Any:
         if given is self.value:

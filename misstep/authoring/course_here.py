@@ -15,12 +15,13 @@ class FaultOfCourse(ValueError):
 def add_course_argument(parser: ArgumentParser) -> None:
     """Add the option that names another course."""
     parser.add_argument(
-        "--course", help="the folder of the package, or the name of an installed course (default: the one here)"
+        "--course",
+        help="the name of an installed course, or its folder (default: the one here, or the only installed one)",
     )
 
 
 def find_course_here(reference: str | None, here: Path) -> Course:
-    """Find a course by its reference, or the only one in a folder.
+    """Find a course by its reference, or the only one in a folder, or the only one that is installed.
 
     Raises ValueError if there is none, or more than one.
     """

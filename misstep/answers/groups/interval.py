@@ -20,10 +20,7 @@ MAX_LENGTH = 300
 
 _INFINITY = {"oo": inf, "inf": inf, "infty": inf, "infinity": inf, "∞": inf}
 _BRACKETS = re.compile(r"([\[(\]])([^\[\](){}]+?)[,;]([^\[\](){}]+?)([\])\[])")
-_BETWEEN = re.compile(r"([^<>=]+)(<=?)[a-z](<=?)([^<>=]+)")
-_DOWNWARDS = re.compile(r"([^<>=]+)(>=?)([a-z])(>=?)([^<>=]+)")
-_BEYOND = re.compile(r"[a-z](<=?|>=?)([^<>=]+)")
-_BEFORE = re.compile(r"([^<>=]+)(<=?|>=?)([a-z])")
+_CONDITION = re.compile(r"(?:(?P<before>[^<>=]+)(?P<one><=?|>=?))?[a-z](?:(?P<two><=?|>=?)(?P<after>[^<>=]+))?")
 _EQUAL = re.compile(r"[a-z]=([^<>=]+)")
 _IN = re.compile(r"[a-z]in(?=[\[\](){}])")
 _POINTS = re.compile(r"\{([^{}]*)\}")
@@ -49,7 +46,6 @@ _SIGNS = {
     "\\in": " in ",
 }
 """Signs, words and commands of LaTeX, with what is read in their place."""
-_MIRRORED = str.maketrans("<>", "><")
 
 
 @dataclass(frozen=True)
@@ -83,13 +79,8 @@ class Interval(Answer):
     def __post_init__(self) -> None:
         pieces(self.value)  # a mistake of the author is one of now, not of the first answer
 
-    @property
-    def expected(self) -> str:
-        return "an interval as text, such as '[2, 5)' or '(-oo, 1/2] u (3, oo)'"
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["the interval"]
+    parts = ("the interval",)
+    expected = "an interval as text, such as '[2, 5)' or '(-oo, 1/2] u (3, oo)'"
 
     def read(self, given: Any) -> Pieces:
         if isinstance(given, tuple) and all(isinstance(one, Piece) for one in given):
@@ -160,21 +151,14 @@ def pieces(text: str) -> Pieces:
 
 def _piece(text: str) -> list[Piece]:
     typed, text = " ".join(text.split())[:40], _IN.sub("", "".join(text.split()))
-    if down := _DOWNWARDS.fullmatch(text):
-        text = f"{down[5]}{down[4].translate(_MIRRORED)}{down[3]}{down[2].translate(_MIRRORED)}{down[1]}"
-    elif before := _BEFORE.fullmatch(text):
-        text = f"{before[3]}{before[2].translate(_MIRRORED)}{before[1]}"
     if text in ("∅", "{}", "empty"):
         return []
     if text in ("r", "ℝ"):
         return [Piece(-inf, False, inf, False)]
     if match := _BRACKETS.fullmatch(text):
         piece = Piece(_bound(match[2]), match[1] == "[", _bound(match[3]), match[4] == "]")
-    elif match := _BETWEEN.fullmatch(text):
-        piece = Piece(_bound(match[1]), match[2] == "<=", _bound(match[4]), match[3] == "<=")
-    elif match := _BEYOND.fullmatch(text):
-        bound, is_closed = _bound(match[2]), "=" in match[1]
-        piece = Piece(-inf, False, bound, is_closed) if "<" in match[1] else Piece(bound, is_closed, inf, False)
+    elif (match := _CONDITION.fullmatch(text)) and (sides := _sides(match)):
+        piece = Piece(*sides.get("low", (-inf, False)), *sides.get("high", (inf, False)))
     elif match := _EQUAL.fullmatch(text) or _POINTS.fullmatch(text):
         return [Piece(bound, True, bound, True) for bound in map(_bound, re.split("[,;]", match[1]))]
     else:
@@ -184,6 +168,15 @@ def _piece(text: str) -> list[Piece]:
     if (piece.has_low and piece.low == -inf) or (piece.has_high and piece.high == inf):
         raise ValueError("Infinity does not belong to an interval: write ( or ) there.")
     return [piece] if piece.low < piece.high or (piece.has_low and piece.has_high) else []
+
+
+def _sides(condition: re.Match[str]) -> dict[str, tuple[Fraction | float, bool]]:
+    """Return the bounds of a condition such as 0 <= x < 1, each with whether it belongs; none if the signs contradict each other."""
+    before, one, two, after = condition.group("before", "one", "two", "after")
+    if one and two and one[0] != two[0]:
+        return {}
+    bounds = [(before, one, "<"), (after, two, ">")]
+    return {"low" if sign[0] == below else "high": (_bound(text), "=" in sign) for text, sign, below in bounds if sign}
 
 
 def _bound(text: str) -> Fraction | float:

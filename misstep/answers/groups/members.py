@@ -1,7 +1,7 @@
 """Sets and multisets as answers: elements in any order, such as the solutions of an equation, or eigenvalues."""
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -57,14 +57,12 @@ class Members(Answer):
         is_counted = numbers.dtype.kind in "iuO"
         return Numbers(numbers[0], accuracy=self.accuracy, scale=None if is_counted else scale_of(numbers))
 
+    parts = ("the set",)
+
     @property
     def expected(self) -> str:
         kind = "texts" if isinstance(self.item, Text) else "numbers"
         return f"a list of {kind} in any order" + (", each as often as it appears" if self.repeated else "")
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["the set"]
 
     def read(self, given: Any) -> Read:
         if isinstance(given, str):

@@ -25,13 +25,11 @@ class Ordering(Answer):
 
     value: Sequence[str]
 
+    parts = ("the order",)
+
     @property
     def expected(self) -> str:
         return f"a list of the {len(self.value)} names {', '.join(sorted(self.value))}, each once"
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["the order"]
 
     def read(self, given: Any) -> list[str]:
         if isinstance(given, str):
