@@ -18,11 +18,8 @@ from misstep.grading.collect.layouts import CANVAS, MOODLE
 from misstep.grading.publish.result_store import file_name
 
 
-def write_feedback_zip(out: Path, gathered: Gathered, sheet: str) -> bool:
-    """Write feedback.zip with the page of every student who submitted something.
-
-    Returns False, and writes nothing, if the submissions are not a download of Moodle or Canvas.
-    """
+def write_feedback_zip(out: Path, gathered: Gathered, sheet: str) -> None:
+    """Write feedback.zip with the page of every student who submitted something, if it was a download of Moodle or Canvas."""
     pages = {}
     for submission in gathered.submissions:
         page = out / "feedback" / f"{file_name(submission.student)}.html"
@@ -30,7 +27,7 @@ def write_feedback_zip(out: Path, gathered: Gathered, sheet: str) -> bool:
         if paths and page.exists() and (name := feedback_name(gathered.kind, paths[0], sheet)):
             pages[name] = page
     if not pages:
-        return False
+        return
     target = out / "feedback.zip"
     partial = target.with_name(f".{target.name}.partial")
     with ZipFile(partial, "w") as archive:
@@ -41,7 +38,6 @@ def write_feedback_zip(out: Path, gathered: Gathered, sheet: str) -> bool:
         partial.unlink()
     else:
         partial.replace(target)
-    return True
 
 
 def feedback_name(kind: str, path: PurePosixPath, sheet: str) -> str | None:

@@ -33,28 +33,12 @@ class TruncatedStream(io.StringIO):
         return len(text)
 
 
-class TruncatedDisplays(CapturingDisplayPublisher):
-    """Records displays in the forms that pages show, and answers, until a cell has too many of them.
-
-    left_out  the sizes in bytes of the displays that were not kept
-    """
-
-    def start_cell(self) -> None:
-        """Forget the displays of the cell before."""
-        self.outputs: list[dict[str, Any]] = []
-        self.left_out: list[int] = []
-        self._kept_bytes = 0
+class ShownDisplays(CapturingDisplayPublisher):
+    """Records displays in the forms that pages show, and answers."""
 
     def publish(self, data: Mapping[str, Any], *_: Any, **__: Any) -> None:
         """Record a display."""
-        size = sum(len(value) for value in data.values() if isinstance(value, str | bytes))
         shown: dict[str, Any] = {kind: _text(value) for kind, value in data.items() if kind in SHOWN_KINDS}
-        shown_size = sum(map(len, shown.values()))
-        if self._kept_bytes + shown_size <= MAX_CELL_BYTES:
-            self._kept_bytes += shown_size
-        else:
-            self.left_out.append(size)
-            shown = {}
         if MIME in data:
             shown[MIME] = data[MIME]
         if shown:
@@ -72,12 +56,9 @@ class OutputBudget:
     def __init__(self) -> None:
         self._left = MAX_BYTES
 
-    def encode_cell(self, number: int, outputs: Sequence[Mapping[str, Any]], left_out: Sequence[int] = ()) -> bytes:
-        """The outputs of a cell as a line of JSON. What JSON cannot hold is left out.
-
-        left_out  the sizes of the displays that have been left out already
-        """
-        lines, dropped, left = list[bytes](), list(left_out), min(self._left, MAX_CELL_BYTES)
+    def encode_cell(self, number: int, outputs: Sequence[Mapping[str, Any]]) -> bytes:
+        """The outputs of a cell as a line of JSON. What JSON cannot hold is left out."""
+        lines, dropped, left = list[bytes](), list[int](), min(self._left, MAX_CELL_BYTES)
         last_answers = {_problem(output): place for place, output in enumerate(outputs) if _problem(output)}
         for place, output in enumerate(outputs):
             line = _encode(output)

@@ -27,7 +27,7 @@ from misstep.display.shell import CellShell
 from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE
 from misstep.grading.redacted_sheet import AnswerWithheld
 from misstep.grading.sandbox.course_stub import Unavailable, Withheld
-from misstep.grading.sandbox.kept_output import OutputBudget, TruncatedDisplays, TruncatedStream
+from misstep.grading.sandbox.kept_output import OutputBudget, ShownDisplays, TruncatedStream
 from misstep.grading.sandbox.limits import Limits
 from misstep.sheet import OpenSheet
 from misstep.storage.deserialize import MIME
@@ -82,7 +82,7 @@ class SubmissionShell(CellShell):
     """An IPython shell that records displays and errors instead of printing them."""
 
     no_input = "input() cannot be used while a sheet is graded. Write the value into the cell instead."
-    display_pub_class = Type(TruncatedDisplays)
+    display_pub_class = Type(ShownDisplays)
     errors: Sequence[dict[str, Any]] = ()
     passed_over: Sequence[str] = ()
     source = ""
@@ -192,7 +192,6 @@ def run_cells(shell: SubmissionShell, sources: Sequence[str], limits: Limits, re
     budget = OutputBudget()
     opened: OpenSheet | None = None
     done: list[list[dict[str, Any]]] = []
-    left_out: list[int] = []
 
     def run(source: str) -> list[dict[str, Any]]:
         nonlocal opened
@@ -209,14 +208,12 @@ def run_cells(shell: SubmissionShell, sources: Sequence[str], limits: Limits, re
         finally:
             signal.setitimer(signal.ITIMER_PROF, 0)
             signal.setitimer(signal.ITIMER_REAL, 0)
-        left_out.extend(cast("TruncatedDisplays", shell.display_pub).left_out)
         if isinstance(sheet := shell.user_ns.get("sheet"), OpenSheet):
             opened = sheet
         notes = "".join(f"{PASSED_OVER}{what}\n" for what in shell.passed_over)
         return [*outputs, {"output_type": "stream", "name": "stderr", "text": notes}] if notes else outputs
 
     for number, source in enumerate(sources):
-        left_out.clear()
         if source == RERUN_SOURCE:
             outputs = []
             for k, first in enumerate(done):
@@ -227,7 +224,7 @@ def run_cells(shell: SubmissionShell, sources: Sequence[str], limits: Limits, re
         else:
             outputs = run(source)
             done.append(outputs)
-        report(budget.encode_cell(number, outputs, left_out))
+        report(budget.encode_cell(number, outputs))
 
 
 def _needs_second_pass(outputs: Sequence[Mapping[str, Any]]) -> bool:
@@ -240,9 +237,8 @@ def _needs_second_pass(outputs: Sequence[Mapping[str, Any]]) -> bool:
 
 
 def _run_cell(shell: SubmissionShell, source: str) -> list[dict[str, Any]]:
-    publisher = cast("TruncatedDisplays", shell.display_pub)
-    publisher.start_cell()
-    shell.errors = []
+    publisher = cast("ShownDisplays", shell.display_pub)
+    publisher.outputs, shell.errors = [], []
     captured = {"stdout": TruncatedStream(), "stderr": TruncatedStream()}
     originals = sys.stdout, sys.stderr
     sys.stdout, sys.stderr = captured.values()
