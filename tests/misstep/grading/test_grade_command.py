@@ -100,6 +100,7 @@ def test_everybody_gets_the_points_and_the_reason_they_deserve(out):
     assert "Returning mistake: “omega x p” explains answers in 5 of the 5" in pages["boris"]
     assert "Returning mistake: " not in pages["alice"]
     assert "The id 'alice' is in 2 sheets." in told["erika"]["reason"]
+    assert not (out / "feedback.zip").exists()
 
 
 def test_whoever_has_the_answers_of_another_is_on_the_list(out):
@@ -457,47 +458,6 @@ def test_a_change_in_the_sheet_of_another_lecture_grades_nothing_again(tmp_path,
     (tmp_path / "circuits" / "laws.py").write_text("V = 1\n")
     assert not {*second} & {*digests()}
     code_digest.code_digest.cache_clear()
-
-
-def as_moodle_finds(name):
-    """Whose a file of a zip is for Moodle, and what it is called for the student, as its importziplib.php tells."""
-    _, participant, *plugin, called = name.split("_", 4)
-    assert plugin == ["assignfeedback", "file"]
-    return int(participant), called
-
-
-def as_canvas_finds(name):
-    """Whose a file of a zip is for Canvas, and to which of the files handed in it belongs, as its assignments tell."""
-    parts = name.split("_")
-    assert not parts[-1].startswith("link")
-    return tuple([int(part) for part in parts if part.isdecimal()][:2])
-
-
-def test_the_pages_of_a_download_go_back_as_a_zip_in_which_the_platform_finds_everybody(tmp_path, asked):
-    html = [(1815, f"{SHEET}.html"), (1816, f"{SHEET}.html")]
-    for case, (name, finds, found) in enumerate(
-        [
-            ("Ada_{}_assignsubmission_file_/any.ipynb", as_moodle_finds, html),
-            ("Ada_{}_assignsubmission_file_any.ipynb", as_moodle_finds, html),
-            ("ada_LATE_{}_99_03_poe_space-1.ipynb", as_canvas_finds, [(1815, 99), (1816, 99)]),
-            ("student{}/03_poe_space.ipynb", None, None),
-        ]
-    ):
-        source, out = tmp_path / f"{case}.zip", tmp_path / f"out{case}"
-        with zipfile.ZipFile(source, "w") as archive:
-            for number in (1815, 1816):
-                archive.writestr(name.format(number), as_bytes(handed_in(f"student{number}")))
-        assert grade(source, out) == 0
-        if finds is None:
-            assert not (out / "feedback.zip").exists()
-            continue
-        with zipfile.ZipFile(out / "feedback.zip") as archive:
-            assert [finds(name) for name in archive.namelist()] == found
-            pages = {archive.read(name) for name in archive.namelist()}
-        assert pages == {path.read_bytes() for path in (out / "feedback").iterdir()}
-    written = (tmp_path / "out0" / "feedback.zip").stat().st_mtime_ns
-    assert grade(tmp_path / "0.zip", tmp_path / "out0") == 0
-    assert (tmp_path / "out0" / "feedback.zip").stat().st_mtime_ns == written
 
 
 @pytest.mark.usefixtures("asked")

@@ -5,6 +5,7 @@ import io
 import re
 from dataclasses import replace
 from html.parser import HTMLParser
+from pathlib import PurePosixPath
 
 import pytest
 from browser import browsers, watched
@@ -14,6 +15,7 @@ from hypothesis import strategies as st
 from misstep.grading.collect.roster import Roster
 from misstep.grading.judging.result import ProblemResult, RanCell, Result
 from misstep.grading.publish.csv_table import escape_formula, format_csv
+from misstep.grading.publish.feedback_zip import feedback_name
 from misstep.grading.publish.grades import grades_table
 from misstep.grading.publish.mathml import render_formula, render_markdown, render_sentence
 from misstep.grading.publish.pages import feedback_page
@@ -388,3 +390,15 @@ def test_each_platform_takes_back_who_and_the_points_in_its_own_form():
         "First Name,Last Name,SID,Email,Sections,03_poe_space,03_poe_space - Max Points\nAda,L,ada,a@b,A,4.5,6\n"
     )
     assert exported("own", ["id"], [["ada"]], "id") is None
+
+
+def test_a_page_that_goes_back_is_assigned_by_the_platform_to_its_student():
+    """Moodle's importziplib.php splits the name at underscores; Canvas takes the first two numbers between them."""
+    for top in ("Ada_B_1815_assignsubmission_file_", "Ada_B_1815_assignsubmission_file_any.ipynb"):
+        name = feedback_name("moodle", PurePosixPath(top, "any.ipynb"), "03_poe_space")
+        assert name.split("_", 4) == ["Ada B", "1815", "assignfeedback", "file", "03_poe_space.html"]
+    for top in ("ada_LATE_1815_99_03_poe_space-1.ipynb", "ada_1815_99_x.ipynb"):
+        parts = feedback_name("canvas", PurePosixPath(top), "03_poe_space").split("_")
+        assert [int(part) for part in parts if part.isdecimal()][:2] == [1815, 99]
+        assert not parts[-1].startswith("link")
+    assert feedback_name("folder", PurePosixPath("ada/x.ipynb"), "03_poe_space") is None

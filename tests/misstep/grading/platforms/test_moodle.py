@@ -82,6 +82,10 @@ def test_each_student_who_handed_something_in_gets_a_page_back_and_what_is_said_
     _, results, printed = walk
     with zipfile.ZipFile(results / "feedback.zip") as archive:
         names = archive.namelist()
+        pages = {archive.read(name) for name in names}
+    assert pages < {
+        path.read_bytes() for path in (results / "feedback").iterdir()
+    }  # who submitted nothing has a page, too
     handed = [key for key, (files, _) in enumerate(CLASS.values(), start=501) if files]
     assert sorted(int(name.split("_")[1]) for name in names) == handed
     assert printed.startswith("12 of 12 submissions: 1 absent, 3 broken, 8 graded. ")
