@@ -173,18 +173,6 @@ def test_numbers_are_read_up_to_the_largest_one():
     assert Numbers(np.zeros((0, 6))).read(np.zeros((0, 6))).shape == (0, 6)
 
 
-def test_orders_and_choices_are_judged():
-    order = Ordering(["e_a", "M"])
-    assert [judge(Problem("", order, []), given).state for given in (["e_a", "M"], ("e_a", "M"), ["M", "e_a"])] == [
-        *("right", "right", "wrong")
-    ]
-    assert judge(Problem("", order, []), ["M", "e_a"]).findings[0].message == "Your order is the right one, reversed."
-    choice = Choice("b", {"a": "left", "b": "right"})
-    assert [judge(Problem("", choice, []), given).state for given in ("b", " B\n", " " * 98 + "b", "a")] == [
-        *("right", "right", "right", "wrong")
-    ]
-
-
 def test_a_card_names_score_mistake_and_section_and_its_findings_are_in_the_order_of_the_parts():
     @problem("99.3", "Two rows", points=4, lecture="01_ohm#Currents")
     def template(draw):

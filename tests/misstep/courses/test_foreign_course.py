@@ -16,18 +16,7 @@ from packaging.utils import canonicalize_name
 
 from misstep.new_course import write_course as write_new_course
 
-PACKAGE = Path(__file__).parents[3] / "misstep"
-
-
 # --- environments ---
-
-
-@pytest.fixture(scope="module")
-def wheel(tmp_path_factory):
-    """The wheel of misstep, built from its own pyproject.toml without a network."""
-    out = tmp_path_factory.mktemp("wheel")
-    run([sys.executable, "-P", "-m", "hatchling", "build", "-t", "wheel", "-d", str(out)], cwd=PACKAGE)
-    return next(out.glob("*.whl"))
 
 
 class Environment:
@@ -216,6 +205,3 @@ def test_the_wheel_contains_the_whole_template_of_a_new_course(minimal, tmp_path
     )
     assert made == here
     assert {"README.md", "pyproject.toml", ".github/workflows/site.yml", "solutions/01_ohm/01_ohm.ipynb"} <= set(made)
-
-
-# --- from the instructor's notebook to grades.csv ---
