@@ -12,8 +12,9 @@ from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention
 from kinlib.rigid.lie import inverse
 from misstep.answers.base import TOLERANCE, Unreadable
+from misstep.answers.entries import wrong_slips
 from misstep.answers.likeness import UNTOUCHED, Named
-from misstep.answers.number import Numbers, wrong_slips
+from misstep.answers.number import Numbers
 from misstep.mistakes import Mistake
 
 

@@ -8,8 +8,9 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from misstep.answers.base import TOLERANCE
+from misstep.answers.entries import Slip, entries_hint, is_nearly_all, scale_of
 from misstep.answers.likeness import Likeness, Named
-from misstep.answers.number import Numbers, Slip, entries_hint, is_nearly_all, scale_of
+from misstep.answers.number import Numbers
 
 XYZ = ("$x$", "$y$", "$z$")
 

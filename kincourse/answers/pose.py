@@ -11,9 +11,10 @@ from kincourse.answers.point import REORDERED, XYZ
 from kinlib.rigid.lie import homogeneous, inverse, log, nearest_rotation
 from kinlib.rigid.rpy import origin
 from misstep.answers.base import TOLERANCE
+from misstep.answers.entries import Slip, entries_hint
 from misstep.answers.equivalent import Equivalent
 from misstep.answers.likeness import IDENTITY, UNTOUCHED, Likeness, Named
-from misstep.answers.number import LENGTH, PURE, Numbers, Slip, entries_hint
+from misstep.answers.number import LENGTH, PURE, Numbers
 from misstep.validation import Array
 
 NOT_A_ROTATION = "It is no rotation at all."

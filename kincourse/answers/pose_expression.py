@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from kincourse.answers.point import REORDERED, XYZ
+from misstep.answers.entries import entries_hint
 from misstep.answers.expression import ClosedForm
 from misstep.answers.likeness import Likeness
-from misstep.answers.number import entries_hint
 from misstep.formulas.evaluation import Formula
 
 

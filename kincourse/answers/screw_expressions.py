@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from kincourse.answers.screws import CHECK_TOLERANCE, ENTRY_NAMES, THUMB
+from misstep.answers.entries import entries_hint
 from misstep.answers.expression import ClosedForm
-from misstep.answers.number import entries_hint
 from misstep.formulas.evaluation import Formula
 
 

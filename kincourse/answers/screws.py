@@ -7,8 +7,9 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from misstep.answers.entries import ROUND_OFF, Slip
 from misstep.answers.likeness import Likeness, Named
-from misstep.answers.number import LENGTH, PURE, ROUND_OFF, Numbers, Slip
+from misstep.answers.number import LENGTH, PURE, Numbers
 from misstep.validation import Array
 
 ENTRY_NAMES = tuple(f"${half}_{axis}$" for half in (r"\omega", "v") for axis in "xyz")

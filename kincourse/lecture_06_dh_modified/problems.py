@@ -31,9 +31,10 @@ from kinlib.rigid.lie import exp
 from kinlib.view import draw_arm, draw_frames, draw_joints
 from misstep.answers.base import TOLERANCE
 from misstep.answers.choice import Choice
+from misstep.answers.entries import Slip
 from misstep.answers.equivalent import Equivalent
 from misstep.answers.likeness import Likeness, Named
-from misstep.answers.number import LENGTH, PURE, Numbers, Slip
+from misstep.answers.number import LENGTH, PURE, Numbers
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import Expression, given, product

@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep.answers.base import TOLERANCE
+from misstep.answers.entries import Slip
 from misstep.answers.likeness import Named
-from misstep.answers.number import Numbers, Slip
-from misstep.answers.numerals import numeral
+from misstep.answers.number import Numbers
+from misstep.formulas.numerals import numeral
 from misstep.validation import Array
 
 TURNS = {"rad": 2 * np.pi, "radians": 2 * np.pi, "degrees": 360.0, "°": 360.0, "gon": 400.0, "turns": 1.0}

@@ -6,8 +6,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from misstep.answers.base import TOLERANCE
+from misstep.answers.entries import scale_of
 from misstep.answers.likeness import DEGREES, FACTORS, Named
-from misstep.answers.number import Numbers, scale_of
+from misstep.answers.number import Numbers
 from misstep.mistakes import Mistake
 from misstep.validation import Array
 

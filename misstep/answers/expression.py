@@ -13,8 +13,8 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from misstep.answers.base import TOLERANCE, Answer, Quantifier, Unreadable
+from misstep.answers.entries import Slip, entries_hint, place_of, scale_of, wrong_slips
 from misstep.answers.likeness import Likeness, Named, copied_row
-from misstep.answers.number import Slip, entries_hint, place_of, scale_of, wrong_slips
 from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
 from misstep.mistakes import Mistake

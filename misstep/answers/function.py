@@ -11,8 +11,9 @@ import numpy as np
 
 from misstep import validation
 from misstep.answers.base import TOLERANCE, Answer, Quantifier, Unreadable
+from misstep.answers.entries import wrong_slips
 from misstep.answers.likeness import Likeness, Named
-from misstep.answers.number import Numbers, wrong_slips
+from misstep.answers.number import Numbers
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
 from misstep.storage.deserialize import Outputs

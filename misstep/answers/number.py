@@ -1,12 +1,11 @@
 """Numbers and arrays of numbers as answers: real, complex, or exact as whole numbers and fractions."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
-from math import floor, log10
 from typing import Any, ClassVar
 
 import numpy as np
@@ -15,13 +14,22 @@ from numpy.typing import NDArray
 from misstep import validation
 from misstep.answers.accuracy import Accuracy, exact
 from misstep.answers.base import MAX_NUMBER, TOLERANCE, Answer, Unreadable
+from misstep.answers.entries import (
+    ROUND_OFF,
+    Slip,
+    entries_hint,
+    equal_entries,
+    is_nearly_all,
+    looks_rounded,
+    neighbours_swapped,
+    place_of,
+    scale_of,
+    wrong_slips,
+)
 from misstep.answers.likeness import LENGTH_UNITS, Likeness, Named, copied_row
-from misstep.answers.numerals import numeral
+from misstep.formulas.numerals import numeral
 from misstep.mistakes import Mistake
 from misstep.validation import Array
-
-ROUND_OFF = 1e-12
-"""Smaller absolute values are zeros with an error of the computer's arithmetic."""
 
 HIDDEN = 1e-6
 """Smaller sizes are 0 for an explanation, whatever the tolerance of the answer is."""
@@ -31,9 +39,6 @@ LENGTH = 1
 
 PURE = 0
 """The kind of numbers of size 1: directions, entries of a rotation, angles beside lengths."""
-
-Slip = tuple[str, Any, str, str]
-"""A mistake that people make by hand: its name, the wrong answer, and what is true of such an answer and of a part of it."""
 
 MAX_EXACT = 10**300
 """The largest number of an answer with an accuracy of its own. The number of orders of 150 books is smaller."""
@@ -287,7 +292,7 @@ class Numbers(Answer):
         mine, right = (_real_numbers(array[piece]) for array in (given, self._right))
         kinds = np.resize(self.kinds()[piece], mine.shape)
         groups = [(mine[kinds == kind], right[kinds == kind]) for kind in set(kinds.ravel().tolist())]
-        changed = [group for group in groups if not _equal(*group).all()]
+        changed = [group for group in groups if not equal_entries(*group).all()]
         return bool(changed) and all(looks_rounded(*group) for group in changed)
 
     def hint(self, given: Array, part: int) -> str:
@@ -317,7 +322,7 @@ class Numbers(Answer):
         if X.ndim == 2:
             if X.shape[0] == X.shape[1]:
                 yield ("transposed", X.T, "Your answer is the transpose of the right one.", "")
-            yield from _neighbours_swapped(X)
+            yield from neighbours_swapped(X)
         sign = "the wrong sign" if X.ndim == 0 else "all its signs wrong"
         yield (
             "all signs",
@@ -378,142 +383,6 @@ class Numbers(Answer):
     def place(self, index: Sequence[Any]) -> str:
         """Name the place of an entry of the whole array."""
         return place_of(index)
-
-
-def scale_of(values: Array) -> float:
-    """Return the scale of numbers of one kind: the power of ten above the largest of them, and at most 1.
-
-    A thousandth of it is one unit in the third digit of the largest number. Three decimals are always enough, so it is at most 1;
-    and it is 1 if all numbers are zero.
-
-    >>> scale_of(np.array([0.32, 0.0])), scale_of(np.array(0.032)), scale_of(np.array([7.0, 90.0])), scale_of(np.array(1e-17))
-    (1.0, 0.1, 1.0, 1.0)
-    """
-    largest = float(np.abs(values).max(initial=0.0))
-    return 10.0 ** (floor(log10(largest)) + 1) if ROUND_OFF < largest < 1 else 1.0
-
-
-def looks_rounded(given: Array, right: Array) -> bool:
-    """Return whether numbers of one kind are the right ones, rounded to two or more significant digits.
-
-    Each number must equal the right one, or the right one rounded to two or more digits; and at least one of them must be
-    rounded. A number with fewer digits, such as 0, counts as rounded only beside such a number, if it is rounded to the same
-    decimal.
-
-    >>> looks_rounded(np.array([0.71, 0.0]), np.array([0.7071, 0.0032]))
-    True
-    >>> looks_rounded(np.array([0.7071, 0.0]), np.array([0.7071, 0.0203]))  # a length is missing
-    False
-    >>> looks_rounded(np.array(0.7), np.array(0.7071)), looks_rounded(np.array(0.72), np.array(0.7071))
-    (False, False)
-    """
-    mine, exact = np.ravel(given), np.ravel(right)
-    changed = ~_equal(mine, exact)
-    units = [_rounding_unit(g, r) for g, r in zip(mine[changed], exact[changed], strict=True)]
-    coarsest = max(filter(None, units), default=None)
-    if coarsest is None:
-        return False
-    return all(
-        unit or _is_rounded_to(g, r, coarsest) for unit, g, r in zip(units, mine[changed], exact[changed], strict=True)
-    )
-
-
-def entries_hint(same: NDArray[np.bool_], names: Sequence[str] | None = None) -> str:
-    """Return how many entries are right, and where others are wrong; "" if all or none is right.
-
-    names  the names of the entries of a vector
-
-    >>> entries_hint(np.array([True, False, True])), entries_hint(np.array([True, False, False]), names="xyz")
-    ('2 of the 3 entries are right. Look at entry 2.', '1 of the 3 entries is right. Look at y and z.')
-    """
-    right = int(np.count_nonzero(same))
-    if right in (0, same.size):
-        return ""
-    wrong = [names[index[0]] if names else place_of(index) for index in np.argwhere(~same).tolist()]
-    where = " and ".join(wrong) if len(wrong) < 3 else f"{wrong[0]} first"
-    return f"{right} of the {same.size} entries {'is' if right == 1 else 'are'} right. Look at {where}."
-
-
-def is_nearly_all(same: NDArray[np.bool_]) -> bool:
-    """Return whether so few entries are wrong that their places help: one, or at most a third.
-
-    >>> is_nearly_all(np.array([True, False])), is_nearly_all(np.array([True, True, True, False, False]))
-    (True, False)
-    """
-    return bool(np.count_nonzero(~same) <= max(1, same.size // 3))
-
-
-def place_of(index: Sequence[Any]) -> str:
-    """Name the place of an entry, counted from 1.
-
-    >>> place_of([1]), place_of([0, 1]), place_of([0, 1, 2])
-    ('entry 2', 'row 1, column 2', 'entry (1, 2, 3)')
-    """
-    counted = [int(i) + 1 for i in index]
-    if len(counted) == 2:
-        return f"row {counted[0]}, column {counted[1]}"
-    return f"entry {counted[0]}" if len(counted) == 1 else f"entry {tuple(counted)}"
-
-
-def wrong_slips(
-    answer: Answer, slips: Iterable[Slip], entries: Callable[[Any], Any] = np.asarray, pieces: Sequence[Any] = (...,)
-) -> Iterator[Mistake]:
-    """Yield the slips that lead to a wrong answer, each answer once, and each wrong part with one text only.
-
-    entries  gives the entries of an answer that was read, as an array
-    pieces   for each part, the index of its entries
-    """
-
-    def digests(array: Any) -> list[bytes]:
-        if array.dtype.kind == "O":
-            return [repr(np.asarray(array[piece]).tolist()).encode() for piece in pieces]
-        array = array if array.dtype.kind == "U" else np.round(array / size, 9) + 0.0
-        return [array[piece].tobytes() for piece in pieces]
-
-    right = entries(answer.read(answer.value))
-    size = 1.0 if right.dtype.kind in "OU" else np.abs(right).max(initial=0.0) or 1.0
-    known = set(enumerate(digests(right)))
-    known_wholes = set()
-    for name, given, text, part_text in slips:
-        value = answer.read(given)
-        whole = digests(entries(value))
-        if tuple(whole) in known_wholes or all(answer.agrees(value, answer.value)):
-            continue
-        known_wholes.add(tuple(whole))
-        is_new = bool(set(enumerate(whole)) - known)
-        known |= set(enumerate(whole)) if part_text else set()
-        yield Mistake(name, value, text, part_text if is_new else "")
-
-
-def _neighbours_swapped(X: Array) -> Iterator[Slip]:
-    for axis, name in enumerate(("row", "column")):
-        for i in range(X.shape[axis] - 1):
-            order = np.arange(X.shape[axis])
-            order[[i, i + 1]] = i + 1, i
-            yield (
-                f"{name}s swapped",
-                np.take(X, order, axis=axis),
-                f"{name.capitalize()}s {i + 1} and {i + 2} are swapped.",
-                "",
-            )
-
-
-def _equal(one: Array, other: Array) -> NDArray[np.bool_]:
-    return np.asarray(np.abs(one - other) <= 1e-9 * np.abs(other) + ROUND_OFF)
-
-
-def _rounding_unit(given: float, right: float) -> float | None:
-    """Return the decimal to which a number was rounded, 0.01 for 0.71 and 0.7071; None if fewer than two digits are left."""
-    if abs(right) <= ROUND_OFF:
-        return None
-    first = floor(log10(abs(right)))
-    units = (10.0 ** (first + 1 - digits) for digits in range(2, 9))
-    return next((unit for unit in units if _is_rounded_to(given, right, unit)), None)
-
-
-def _is_rounded_to(given: float, right: float, unit: float) -> bool:
-    counted = given / unit
-    return bool(abs(given - right) <= 0.5 * unit * (1 + 1e-6) and abs(counted - round(counted)) < 1e-6)
 
 
 def _objects(entries: Sequence[Any], shape: tuple[int, ...]) -> NDArray[Any]:

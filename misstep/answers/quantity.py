@@ -13,7 +13,7 @@ from misstep import validation
 from misstep.answers.accuracy import Accuracy
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
 from misstep.answers.number import Numbers
-from misstep.answers.numerals import numeral
+from misstep.formulas.numerals import numeral
 from misstep.mistakes import Mistake
 
 MAX_LENGTH = 100

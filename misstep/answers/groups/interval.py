@@ -13,7 +13,7 @@ from typing import Any
 from misstep import validation
 from misstep.answers.accuracy import Accuracy, exact
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
-from misstep.answers.numerals import numeral, on_one_line
+from misstep.formulas.numerals import numeral, on_one_line
 
 MAX_LENGTH = 300
 """The most characters of an interval."""

@@ -11,9 +11,10 @@ import numpy as np
 from misstep import validation
 from misstep.answers.accuracy import Accuracy
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
-from misstep.answers.number import Numbers, scale_of
-from misstep.answers.numerals import numeral
+from misstep.answers.entries import scale_of
+from misstep.answers.number import Numbers
 from misstep.answers.text import Text
+from misstep.formulas.numerals import numeral
 from misstep.mistakes import Mistake
 
 MAX_MEMBERS = 200

@@ -10,7 +10,7 @@ import numpy as np
 
 from misstep import validation
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
-from misstep.answers.number import wrong_slips
+from misstep.answers.entries import wrong_slips
 from misstep.answers.text import forgiving
 from misstep.mistakes import Mistake
 
