@@ -83,7 +83,6 @@ class ForkServer:
             except ProcessEnded:
                 if self._is_closed:
                     raise
-            self._stop()
             self._start()
             return self._fork(descriptors)
 
@@ -100,7 +99,9 @@ class ForkServer:
     def close(self) -> None:
         """End the server and all that it has forked. Whoever waits for it gets ProcessEnded."""
         self._is_closed = True
-        self._stop()
+        self._stop()  # so that nobody waits for it
+        with self._lock:
+            self._stop()  # one that was started meanwhile
         self._scratch.cleanup()
 
     def _start(self) -> None:
@@ -148,12 +149,14 @@ class ForkServer:
         except OSError:
             answer = b""
         if not answer:
+            self._stop()  # a late answer must not be taken for that to a later message
             raise ProcessEnded("The server of processes has ended.")
         return answer, handles
 
     def _stop(self) -> None:
         with suppress(ProcessLookupError):
-            os.killpg(self.process.pid, signal.SIGKILL)
+            if self.process.poll() is None:
+                os.killpg(self.process.pid, signal.SIGKILL)
         self.process.wait()
         self._socket.close()
 

@@ -69,28 +69,36 @@ def names(name=SHEET):
     return {k: re.search(r", *(\w+)\)", source)[1] for k, source in checks.items()}
 
 
+@cache
 def right(student, name=SHEET):
     """Lines with the right answers, typed in, by problem."""
     return typed(student, lambda problem: problem.answer.value, "kl.Chain({screws}, {home}).fk", name)
 
 
+@cache
 def mistaken(student, made="omega x p", name=SHEET):
     """Lines with the answers that a mistake leads to, by problem: this one where it can be made, or else the first."""
     home_first = "lambda q: {home} @ kl.Chain({screws}, np.eye(4)).fk(q)"
 
-    def wrong(problem):
+    def mistake_in(problem):
         return max(typable(problem), key=lambda mistake: mistake.name == made).value
 
-    return typed(student, wrong, home_first, name)
+    return typed(student, mistake_in, home_first, name)
 
 
 def attacking(student, attack):
     """A notebook that runs an attack, and hands in what the attack put into `answers`, or else what is wrong."""
-    wrong = typed(student, lambda problem: far(problem.answer.value), "lambda q: np.full((4, 4), 50.0)")
     lines = {
-        k: f"{line}\n{names()[k]} = globals().get('answers', {{}}).get({k}, {names()[k]})" for k, line in wrong.items()
+        k: f"{line}\n{names()[k]} = globals().get('answers', {{}}).get({k}, {names()[k]})"
+        for k, line in wrong(student).items()
     }
     return handed_in(student, lines, first=attack)
+
+
+@cache
+def wrong(student):
+    """Lines with answers that are wrong in every part, by problem."""
+    return typed(student, lambda problem: far(problem.answer.value), "lambda q: np.full((4, 4), 50.0)")
 
 
 def typed(student, answer, function, name=SHEET):
