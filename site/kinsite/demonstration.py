@@ -94,7 +94,9 @@ def draw_motions(point: Array, right: Array, typed: Array) -> Picture:
     moved = f"The joint turns its link by 90 degrees. Its tool moves from {vector_text(start)} to {vector_text(true[-1, 1])} m."
     if np.allclose(right, typed):
         return canvas.picture(
-            f"{moved} The screw axis that was typed says the same.", "The tool goes where the answer says.", cropped=True
+            f"{moved} The screw axis that was typed says the same.",
+            "The tool goes where the answer says.",
+            cropped=True,
         )
     canvas.line(said[:, 1], GHOST_GREY, 1.2, "--")
     canvas.line(said[-1], GHOST_GREY, 6.0, "--", level=2.5)

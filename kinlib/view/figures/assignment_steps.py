@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.dh.assignment import FrameAssignment
@@ -98,6 +98,17 @@ def visible_features(assignment: FrameAssignment) -> tuple[NDArray[np.bool_], Ar
     feet = np.array([foot for normal in assignment.normals for foot in (normal.start, normal.end)]).reshape(-1, 3)
     near: NDArray[np.bool_] = np.linalg.norm(assignment.frames[:, :3, 3] - middle, axis=-1) < radius
     return near, feet[np.linalg.norm(feet - middle, axis=-1) < radius]
+
+
+def span_on_axis(z: Array, point: Array, places: ArrayLike) -> tuple[float, float]:
+    """Return from where to where an axis must be drawn, measured from its point, to contain those of the places that are on it.
+
+    >>> span_on_axis(np.array([0.0, 0, 1]), np.zeros(3), [(0, 0, 2), (1, 0, 5)])
+    (0.0, 2.0)
+    """
+    off = np.reshape(places, (-1, 3)) - point
+    along = [0.0, *(off[np.linalg.norm(np.cross(z, off), axis=-1) < 1e-9] @ z).tolist()]
+    return min(along), max(along)
 
 
 def _parts(i: int, n: int, done: set[tuple[str, int | None]]) -> str:

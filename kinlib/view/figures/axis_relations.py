@@ -1,8 +1,5 @@
 """The six ways in which two joint axes can be related, drawn: the axes, their common normals, and what these leave open."""
 
-from collections.abc import Mapping
-from types import MappingProxyType
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -17,30 +14,24 @@ from kinlib.view.figures.joint_bodies import draw_joint_body
 
 X, Y, Z = np.eye(3)
 
-NAMES: Mapping[Case, str] = MappingProxyType({"anti-coincident": "coincident, opposite"})
-"""The names of relations, where they differ from the one in kinlib.dh.common_normal."""
+RELATIONS: dict[Case, str] = {
+    "skew": "skew: one common normal",
+    "intersecting": "intersecting: one common normal, of length 0",
+    "parallel": "parallel: many common normals, all alike",
+    "antiparallel": "antiparallel: many common normals, all alike",
+    "coincident": "coincident: every perpendicular direction",
+    "anti-coincident": "coincident, opposite: every perpendicular direction",
+}
+"""Each relation of two axes in words, with what their common normals are."""
 
-NORMALS: Mapping[Case, str] = MappingProxyType(
-    {
-        "skew": "one common normal",
-        "intersecting": "one common normal, of length 0",
-        "parallel": "many common normals, all alike",
-        "antiparallel": "many common normals, all alike",
-        "coincident": "every perpendicular direction",
-        "anti-coincident": "every perpendicular direction",
-    }
-)
-
-SECOND_AXES: Mapping[Case, tuple[Array, Array]] = MappingProxyType(
-    {
-        "skew": ((Z + Y) / np.sqrt(2), 0.8 * X + 0.5 * Z),
-        "intersecting": (X, X + 0.6 * Z),
-        "parallel": (Z, 0.8 * X + 0.3 * Z),
-        "antiparallel": (-Z, 0.8 * X + 0.3 * Z),
-        "coincident": (Z, 0.9 * Z),
-        "anti-coincident": (-Z, 0.9 * Z),
-    }
-)
+SECOND_AXES: dict[Case, tuple[Array, Array]] = {
+    "skew": ((Z + Y) / np.sqrt(2), 0.8 * X + 0.5 * Z),
+    "intersecting": (X, X + 0.6 * Z),
+    "parallel": (Z, 0.8 * X + 0.3 * Z),
+    "antiparallel": (-Z, 0.8 * X + 0.3 * Z),
+    "coincident": (Z, 0.9 * Z),
+    "anti-coincident": (-Z, 0.9 * Z),
+}
 """For each relation an axis, as direction and point, that has it with the z axis."""
 
 
@@ -74,8 +65,7 @@ def draw_axis_relation(first: tuple[ArrayLike, ArrayLike], second: tuple[ArrayLi
         canvas.axis(place, place + reach * size * axis, f"$z_{name}$", width=2, size=12)
         draw_joint_body(canvas, "R", axis, place)
     _draw_normals(canvas, normal, z, size)
-    name = NAMES.get(normal.case, normal.case)
-    return canvas.picture(_describe(normal, (z, origin), (w, point)), f"{name}: {NORMALS[normal.case]}")
+    return canvas.picture(_describe(normal, (z, origin), (w, point)), RELATIONS[normal.case])
 
 
 def _draw_normals(canvas: Canvas, normal: CommonNormal, z: Array, size: float) -> None:
@@ -98,7 +88,7 @@ def _describe(normal: CommonNormal, first: tuple[Array, Array], second: tuple[Ar
     axes = [f"along {direction_text(z)} through {vector_text(point)}" for z, point in (first, second)]
     length = format_number(float(np.linalg.norm(normal.end - normal.start)), 3)
     return (
-        f"Axis 1 {axes[0]}, axis 2 {axes[1]}. They are {NAMES.get(normal.case, normal.case)}: {NORMALS[normal.case]}. The one "
+        f"Axis 1 {axes[0]}, axis 2 {axes[1]}. They are {RELATIONS[normal.case]}. The one "
         f"that is drawn leads from {vector_text(normal.start)} to {vector_text(normal.end)}, its length is {length} m, and its x "
         f"points along {direction_text(normal.x)}."
     )

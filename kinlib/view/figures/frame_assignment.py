@@ -8,7 +8,13 @@ from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import describe_arm, pose_text
-from kinlib.view.figures.assignment_steps import MAX_DISTANCE_IN_ARM_SIZES, row_segments, state_after, visible_features
+from kinlib.view.figures.assignment_steps import (
+    MAX_DISTANCE_IN_ARM_SIZES,
+    row_segments,
+    span_on_axis,
+    state_after,
+    visible_features,
+)
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
 
 
@@ -87,14 +93,11 @@ class _Drawing:
     def _lines(self) -> None:
         """Draw the joint axes, long enough to reach the feet of the normals on them."""
         for i, (z, point) in enumerate(zip(self.axes, self.chain.joint_points, strict=True)):
-            on_it = [foot for foot in self.feet if np.linalg.norm(np.cross(z, foot - point)) < 1e-9]
-            along = [0.0, *((foot - point) @ z for foot in on_it)]
-            low, high = min(along) - 0.18 * self.canvas.size, max(along) + 0.3 * self.canvas.size
+            low, high = span_on_axis(z, point, self.feet)
+            ends = point + (low - 0.18 * self.canvas.size) * z, point + (high + 0.3 * self.canvas.size) * z
             strong = self.state.axes[i]
-            colour = VIOLET if strong else _faded(VIOLET)
-            self.canvas.arrow(
-                point + low * z, point + high * z, colour, 1.8 if strong else 1.2, style="--", level=1.5 + strong
-            )
+            colour, width = (VIOLET, 1.8) if strong else (_faded(VIOLET), 1.2)
+            self.canvas.arrow(*ends, colour, width, style="--", level=1.5 + strong)
 
     def _normal(self, pair: int, strong: bool) -> None:
         normal = self.assignment.normals[pair]

@@ -18,7 +18,7 @@ from kinlib.dh.formatting import format_rows
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.figures.assignment_steps import row_segments, state_after, visible_features
+from kinlib.view.figures.assignment_steps import row_segments, span_on_axis, state_after, visible_features
 from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.figures.joint_bodies import stations
 from kinlib.view.viewer.scene import extent, scene
@@ -177,9 +177,8 @@ def axis_ends(chain: Chain, feet: Array) -> Iterator[tuple[Array, Array]]:
     """Yield both ends of each joint axis, long enough to contain the tool and the feet of normals that are on it."""
     size = extent(chain)
     for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
-        on_it = [foot for foot in (*feet, chain.home[:3, 3]) if np.linalg.norm(np.cross(z, foot - point)) < 1e-9]
-        along = [0.0, *((foot - point) @ z for foot in on_it)]
-        yield point + (min(along) - 0.24 * size) * z, point + (max(along) + 0.34 * size) * z
+        low, high = span_on_axis(z, point, [*feet, chain.home[:3, 3]])
+        yield point + (low - 0.24 * size) * z, point + (high + 0.34 * size) * z
 
 
 def _step(assignment: FrameAssignment, k: int, step: AssignmentStep) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from kinlib.chains.chain import Chain
 from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.rigid.lie import perpendicular
 from kinlib.view.drawing.picture import vector_text
+from kinlib.view.figures.assignment_steps import span_on_axis
 from kinlib.view.viewer.scene import extent
 
 COINCIDENT_TOL = 1e-9
@@ -34,8 +35,8 @@ def frame_candidates(chain: Chain) -> dict[str, Any]:
     size, points = extent(chain), _origins(chain)
     lines = []
     for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
-        along = [(at - point) @ z for at, _ in points if np.linalg.norm(np.cross(at - point, z)) < COINCIDENT_TOL]
-        ends = [point + distance * z for distance in (min([0.0, *along]) - 0.3 * size, max([0.0, *along]) + 0.3 * size)]
+        low, high = span_on_axis(z, point, [at for at, _ in points])
+        ends = point + (low - 0.3 * size) * z, point + (high + 0.3 * size) * z
         lines.append({"point": _list(point), "along": _list(z), "from": _list(ends[0]), "to": _list(ends[1])})
     return {
         "axes": lines,
