@@ -219,14 +219,16 @@ class Course:
             asked = self._asked[name] = Question(item, name)
         return asked
 
-    def explain(self, name: str) -> "Explanation":
+    def explain(self, name: str, output: str = "") -> "Explanation":
         """Return the explanation of the prediction at ask(name), which displays itself and opens when the reader has answered.
+
+        output  text that a computation has given; it is shown with the explanation, because it tells the answer
 
         Raises ValueError for an unknown name.
         """
         from misstep.questions.widget import Explanation, Question
 
-        return Explanation(self._asked.get(name) or Question(self._question_of_reader(name), name))
+        return Explanation(self._asked.get(name) or Question(self._question_of_reader(name), name), output)
 
     def _question_of_reader(self, name: str) -> Item:
         """The question with its options in the order of this reader, where a JupyterHub says who it is."""

@@ -28,19 +28,22 @@ def question_html(name: str, item: Item) -> str:
     )
 
 
-def explanation_html(name: str, item: Item) -> str:
+def explanation_html(name: str, item: Item, output: str = "") -> str:
     """Return the explanation of a prediction and the reasons of all its options, closed until the reader has made it.
+
+    output  text that a computation has given, shown below the explanation
 
     >>> options = [Option("3", "One more."), Option("4", "Yes.", right=True)]
     >>> explanation_html("00/sum", Item("sum", "predict", "2 + 2?", options)).count("<li>")
     2
     """
+    shown = f"<pre>{escape(output)}</pre>" if output else ""
     explanations = "".join(f"<li><p>{inline(option.text)}</p>{_why(option)}</li>" for option in item.options)
     return (
         f'<div role="group" class="misstep-explanation" data-misstep-explain="{escape(name)}" aria-label="The explanation of a prediction">'
         f"<details><summary>Compare with your prediction: {inline(item.text)}</summary>"
         f'<ol class="misstep-options" type="A">{explanations}</ol>'
-        f'<div class="misstep-lesson">{markdown_html(item.explanation)}</div></details></div>'
+        f'<div class="misstep-lesson">{markdown_html(item.explanation)}{shown}</div></details></div>'
     )
 
 

@@ -48,15 +48,16 @@ class Question(HasTraits):
             self.choice = choice
             self.committed = True
 
-    def explanation(self, anyway: bool = False) -> Card:
+    def explanation(self, anyway: bool = False, output: str = "") -> Card:
         """Return a card that compares the chosen option with the right one, and explains a prediction.
 
         anyway  whether the explanation is shown to a reader who has not committed to an option
+        output  text that a computation has given, shown below the explanation
         """
         item = self.item
         right = item.options[item.right]
         correction = f"The correct answer is {LETTERS[item.right]}: {right.text.rstrip('.')}. {right.why}"
-        lesson = [("markdown", item.explanation)] if item.explanation else []
+        lesson = [("markdown", item.explanation)] * bool(item.explanation) + [("pre", output)] * bool(output)
         if not self.committed and anyway:
             return Card("note", "Shown without a prediction", [correction, *lesson])
         if not self.committed:
@@ -84,24 +85,24 @@ class Question(HasTraits):
 class Explanation:
     """The explanation of a prediction, as a card that opens when the reader commits to an option, or asks to see it anyway."""
 
-    def __init__(self, question: Question) -> None:
-        self.question = question
+    def __init__(self, question: Question, output: str = "") -> None:
+        self.question, self.output = question, output
         self._widget: widgets.Widget | None = None
 
     @property
     def card(self) -> Card:
         """The current explanation."""
-        return self.question.explanation()
+        return self.question.explanation(output=self.output)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         if self._widget is None:
-            self._widget = _make_explanation(self.question)
+            self._widget = _make_explanation(self.question, self.output)
         question = self.question
-        static_html = {"text/html": explanation_html(question.name, question.item)} if is_page() else {}
+        static_html = {"text/html": explanation_html(question.name, question.item, self.output)} if is_page() else {}
         return {**self._widget._repr_mimebundle_(**options), **static_html, "text/plain": self.card.text()}
 
 
-def _make_explanation(question: Question) -> "widgets.Widget":
+def _make_explanation(question: Question, output: str) -> "widgets.Widget":
     """Return the card, and until it is opened a button below it. JupyterLab follows the links of an output, not of a widget."""
     import ipywidgets as widgets  # questions are not shown where sheets are graded, so it need not be installed there
 
@@ -116,9 +117,9 @@ def _make_explanation(question: Question) -> "widgets.Widget":
         box.children = [card]
         show(shown)
 
-    anyway.on_click(lambda _: uncover(question.explanation(anyway=True)))
-    question.observe(lambda _: uncover(question.explanation()), "committed")
-    show(question.explanation())
+    anyway.on_click(lambda _: uncover(question.explanation(anyway=True, output=output)))
+    question.observe(lambda _: uncover(question.explanation(output=output)), "committed")
+    show(question.explanation(output=output))
     if question.committed:
         box.children = [card]
     return box

@@ -46,7 +46,7 @@ def test_every_prediction_is_asked_and_then_explained():
     for (lecture, key), item in QUESTIONS.items():
         if item.kind == "predict":
             code = "\n".join(source for _, source in cells(lecture, "code"))
-            asked, explained = (code.find(f'{verb}("{lecture}/{key}")') for verb in ("ask", "explain"))
+            asked, explained = (code.find(f'{verb}("{lecture}/{key}"') for verb in ("ask", "explain"))
             assert 0 <= asked < explained, (lecture, key)
             assert len(item.explanation) > 100, (lecture, key)
             for address in re.findall(r"\]\(([^)#]+)[^)]*\)", item.explanation):

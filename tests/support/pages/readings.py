@@ -121,25 +121,28 @@ def window(reading: Reading, mark: Mark, whole: bool) -> list[tuple[Passage, str
     whole  whether all above counts, and the titles of the sections below, which a table of contents lists; otherwise only the
            section does, because the sections before it teach the answer
 
-    It ends where the answer is explained; without an explanation, with the source of the next cell, or with the section.
+    It ends where the answer is explained; without an explanation, with the section. The source of the next cell counts, too.
     """
     at = reading.index(mark)
     own, section = (_last(reading[:at], kind) for kind in ("cell", "section"))
+    cells = [k for k in range(at + 1, len(reading)) if _is(reading[k], "cell")]
+    sections = [k for k in range(at, len(reading)) if _is(reading[k], "section")]
     if Mark("explained", mark.name) in reading[at:]:
         end = reading.index(Mark("explained", mark.name), at)
+        after = [k for k in cells if k > end][:2]
+        below = reading[after[0] : after[-1]] if after and not any(k < after[-1] for k in sections) else []
     else:
-        cells = [k for k in range(at + 1, len(reading)) if _is(reading[k], "cell")]
         begin, after = [*cells, len(reading), len(reading)][:2]
         outputs = (k for k in range(begin, after) if _is(reading[k], "asked") or not _is_source(reading[k]))
-        sections = (k for k in range(at, len(reading)) if _is(reading[k], "section"))
-        end = min(next(outputs, after), next(sections, after))
+        end, below = min(next(outputs, after), *sections[:1]), []
     headings = [(Passage("heading", one.name, ""), "section") for one in reading[end:] if _is(one, "section")]
     before = [
         (one, "own" if k >= own or (k >= section and not _is_source(one)) else "section" if k >= section else "above")
         for k, one in enumerate(reading[:end])
         if isinstance(one, Passage) and (whole or k >= section)
     ]
-    return before + headings * whole
+    sources = [(one, "section") for one in below if isinstance(one, Passage) and one.kind == "code"]
+    return before + sources + headings * whole
 
 
 def _last(reading: Reading, kind: str) -> int:
