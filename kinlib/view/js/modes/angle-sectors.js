@@ -1,5 +1,6 @@
 // The angles of motions as sectors over the picture, from the initial to the current direction of x (or z).
 import { Vector3 } from 'three';
+import { haloText, strokeLines } from '../render/pen.js';
 
 const ARC_SEGMENTS = 24;
 
@@ -30,11 +31,7 @@ export function angleSectors(stage, tracks, shares, radius) {
         for (const { x, y } of points) context.lineTo(x, y);
         if (!translates) context.fill(); // the line of a screw motion is a helix, which has no sector
         context.globalAlpha = now ? 1 : 0.55;
-        context.strokeStyle = colour;
-        context.lineWidth = 2;
-        context.beginPath();
-        for (const { x, y } of points) context.lineTo(x, y);
-        context.stroke();
+        strokeLines(context, [points.map(({ x, y }) => [x, y])], colour, 2);
         drawAngleName(
           context,
           translates ? '' : motion.symbol,
@@ -71,9 +68,5 @@ function drawAngleName(context, symbol, { x, y }, colour, halo) {
   context.font = 'italic 600 15px "Cambria Math", Cambria, "DejaVu Serif", Georgia, serif';
   context.textAlign = 'center';
   context.textBaseline = 'middle';
-  context.strokeStyle = halo;
-  context.lineWidth = 3.5;
-  context.strokeText(letter, x, y);
-  context.fillStyle = colour;
-  context.fillText(letter, x, y);
+  haloText(context, letter, x, y, colour, halo);
 }

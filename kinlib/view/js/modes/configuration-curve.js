@@ -2,6 +2,7 @@
 
 import { playButton } from '../controls/play-button.js';
 import { formatNumber, h, moveSlider, NO_SHORTCUTS, renderSymbol, slider, uniqueId } from '../dom.js';
+import { disc, strokeLines } from '../render/pen.js';
 
 const MAP_SIZE_PX = 260;
 const MAP_MARGIN_PX = 38;
@@ -107,21 +108,12 @@ export function configurationCurve({ stage, data, state }) {
     context.strokeStyle = theme.grid;
     context.strokeRect(MAP_MARGIN_PX, 8, MAP_SIZE_PX - MAP_MARGIN_PX - 8, MAP_SIZE_PX - MAP_MARGIN_PX - 8);
     curves.forEach((samples, which) => {
-      context.strokeStyle = which === at.which ? theme.axis : theme.quiet;
-      context.lineWidth = which === at.which ? 2.5 : 1.5;
-      context.setLineDash(which === at.which ? [] : [5, 3]);
-      context.beginPath();
-      for (const sample of samples) context.lineTo(...place(sample));
-      context.stroke();
+      const [colour, width, dash] = which === at.which ? [theme.axis, 2.5, []] : [theme.quiet, 1.5, [5, 3]];
+      context.setLineDash(dash);
+      strokeLines(context, [samples.map(place)], colour, width);
     });
     context.setLineDash([]);
-    context.beginPath();
-    context.arc(...place(q), 6, 0, 2 * Math.PI);
-    context.fillStyle = theme.normal;
-    context.fill();
-    context.strokeStyle = theme.ink;
-    context.lineWidth = 1.5;
-    context.stroke();
+    disc(context, ...place(q), 6, theme.normal, theme.ink, 1.5);
     context.fillStyle = theme.ink;
     context.font = 'italic 600 13px sans-serif';
     context.textAlign = 'center';

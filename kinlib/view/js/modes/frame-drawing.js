@@ -1,5 +1,6 @@
 // Drawing functions for the modes about frames: a pale arm, joint axes, frames axis by axis, and a highlighter.
 import { Color, Vector3 } from 'three';
+import { strokeLines } from '../render/pen.js';
 import * as parts from '../scene/parts.js';
 import { arrow, label } from '../scene/shapes.js';
 import { add, minus, norm } from '../vectors.js';
@@ -101,12 +102,12 @@ export function createHighlighter(stage) {
     for (const { from, to = from, wrong } of strokes) {
       camera.project(p.set(...from), p);
       camera.project(q.set(...to), q);
-      context.strokeStyle = HIGHLIGHT_COLOURS[dark ? 'dark' : 'light'][wrong ? 'wrong' : 'named'];
-      context.lineWidth = from === to ? 1.7 * HIGHLIGHT_WIDTH_PX : HIGHLIGHT_WIDTH_PX;
-      context.beginPath();
-      context.moveTo(p.x, p.y);
-      context.lineTo(q.x + 0.01, q.y); // a canvas draws no line of length 0
-      context.stroke();
+      const colour = HIGHLIGHT_COLOURS[dark ? 'dark' : 'light'][wrong ? 'wrong' : 'named'];
+      const ends = [
+        [p.x, p.y],
+        [q.x + 0.01, q.y],
+      ]; // a canvas draws no line of length 0
+      strokeLines(context, [ends], colour, (from === to ? 1.7 : 1) * HIGHLIGHT_WIDTH_PX);
     }
     context.restore();
   };

@@ -1,5 +1,6 @@
 // The handles that can be picked: ends of axes for z, rings on points for the origin, a dial for x.
-import { add, cross } from '../vectors.js';
+import { disc, strokeLines } from '../render/pen.js';
+import { add, near, rotatePerpendicular } from '../vectors.js';
 
 const TURN = 2 * Math.PI;
 
@@ -40,66 +41,39 @@ const DRAW_HANDLES = {
       const [x, y] = picker.toPixels(at);
       const [dx, dy] = picker.toPixels(add(at, along, 1e-3 * picker.radius));
       const angle = Math.hypot(dx - x, dy - y) > 1e-5 ? Math.atan2(dy - y, dx - x) : null;
-      drawDisc(context, x, y, 10, theme, theme.axis, z && same(along, z));
-      drawArrow(context, x, y, angle, z && same(along, z) ? theme.paper : theme.axis);
+      const chosen = z && near(along, z);
+      disc(context, x, y, 10, chosen ? theme.axis : theme.paper, theme.axis, 2);
+      drawArrow(context, x, y, angle, chosen ? theme.paper : theme.axis);
     }
   },
   origin({ context, theme, data, picker, origin }) {
     for (const { at } of data.points)
-      drawDisc(context, ...picker.toPixels(at), 6.5, theme, theme.ink, origin && same(at, origin));
-    if (origin) drawCircle(context, ...picker.toPixels(origin), 11, theme.normal, 3);
+      disc(context, ...picker.toPixels(at), 6.5, origin && near(at, origin) ? theme.ink : theme.paper, theme.ink, 2);
+    if (origin) disc(context, ...picker.toPixels(origin), 11, null, theme.normal, 3);
   },
   x({ context, theme, picker, z, origin, x }) {
     if (!z || !origin) return;
     const u = picker.namedDirections(z)[0]?.along ?? x;
     if (!u) return;
-    const v = cross(z, u);
-    context.beginPath();
-    for (let k = 0; k <= 72; k += 1) {
-      const angle = (TURN * k) / 72;
-      const at = add(add(origin, u, picker.radius * Math.cos(angle)), v, picker.radius * Math.sin(angle));
-      context[k ? 'lineTo' : 'moveTo'](...picker.toPixels(at));
-    }
-    context.strokeStyle = theme.x;
+    const tip = (along) => picker.toPixels(add(origin, along, picker.radius));
+    const dial = Array.from({ length: 73 }, (_, k) => tip(rotatePerpendicular(u, z, (TURN * k) / 72)));
     context.setLineDash([2, 4]);
-    context.lineWidth = 2;
-    context.stroke();
+    strokeLines(context, [dial], theme.x, 2);
     context.setLineDash([]);
     for (const { along } of picker.namedDirections(z))
-      drawDisc(context, ...picker.toPixels(add(origin, along, picker.radius)), 7, theme, theme.x, x && same(along, x));
-    if (x) drawCircle(context, ...picker.toPixels(add(origin, x, picker.radius)), 12, theme.normal, 3);
+      disc(context, ...tip(along), 7, x && near(along, x) ? theme.x : theme.paper, theme.x, 2);
+    if (x) disc(context, ...tip(x), 12, null, theme.normal, 3);
   },
 };
 
-function drawDisc(context, x, y, radius, theme, colour, filled) {
-  context.beginPath();
-  context.arc(x, y, radius, 0, TURN);
-  context.fillStyle = filled ? colour : theme.paper;
-  context.fill();
-  context.strokeStyle = colour;
-  context.lineWidth = 2;
-  context.stroke();
-}
-
-function drawCircle(context, x, y, radius, colour, width) {
-  context.beginPath();
-  context.arc(x, y, radius, 0, TURN);
-  context.strokeStyle = colour;
-  context.lineWidth = width;
-  context.stroke();
-}
-
 /** A cross at a joint where a rule is broken. */
 function drawCross(context, x, y, theme) {
-  drawDisc(context, x, y, 11, theme, theme.x, true);
-  context.strokeStyle = theme.paper;
-  context.lineWidth = 2.5;
-  context.beginPath();
-  for (const side of [-1, 1]) {
-    context.moveTo(x - 4.5, y - 4.5 * side);
-    context.lineTo(x + 4.5, y + 4.5 * side);
-  }
-  context.stroke();
+  disc(context, x, y, 11, theme.x, theme.x, 2);
+  const strokes = [-4.5, 4.5].map((half) => [
+    [x - 4.5, y - half],
+    [x + 4.5, y + half],
+  ]);
+  strokeLines(context, strokes, theme.paper, 2.5);
 }
 
 /** The direction of z as an arrow; a dot if z points towards the camera or away from it. */
@@ -125,7 +99,7 @@ function drawTooltip(context, picker, stage) {
   if (!found) return;
   const [x, y] = picker.toPixels(found.at);
   const { theme, width } = stage;
-  drawCircle(context, x, y, 13, theme.normal, 3);
+  disc(context, x, y, 13, null, theme.normal, 3);
   context.font = '600 13px "Segoe UI", "Helvetica Neue", "DejaVu Sans", Arial, sans-serif';
   const [first, second, ...more] = found.text.split('; ');
   const text = [first, ...(second ? [second] : []), ...(more.length ? ['…'] : [])].join('; ');
@@ -140,8 +114,4 @@ function drawTooltip(context, picker, stage) {
   context.textAlign = 'left';
   context.textBaseline = 'middle';
   context.fillText(text, left + 7, top + 12);
-}
-
-function same(p, q) {
-  return p.every((value, k) => Math.abs(value - q[k]) < 1e-9);
 }

@@ -1,5 +1,6 @@
 // Without WebGL the same parts are drawn as strokes on the 2-D canvas, the farther ones first. Everything still moves.
 import { Vector3 } from 'three';
+import { strokeLines } from './pen.js';
 
 const ROUND = new Set(['capsule', 'sphere', 'rod']);
 
@@ -21,12 +22,8 @@ function stroke(context, p, q, width, { shape, colour }, theme) {
     [theme.outline, width > 6 ? 2 : 0],
     [colour, 0],
   ]) {
-    context.strokeStyle = ink;
-    context.lineWidth = width + grown;
-    context.beginPath();
-    context.moveTo(p.x, p.y);
-    context.lineTo(q.x + (ROUND.has(shape) ? 0.01 : 0), q.y); // a canvas draws no line of length 0
-    context.stroke();
+    const end = [q.x + (ROUND.has(shape) ? 0.01 : 0), q.y]; // a canvas draws no line of length 0
+    strokeLines(context, [[[p.x, p.y], end]], ink, width + grown);
   }
 }
 

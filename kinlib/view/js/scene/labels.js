@@ -1,6 +1,7 @@
 // Labels are drawn on the 2-D canvas over the solids, each beside its point, where it covers as little as possible.
 // A label that has to be placed far from its point gets a thin leader line.
 import { Vector3 } from 'three';
+import { haloText, strokeLines } from '../render/pen.js';
 
 const FONT_SIZE_PX = 14;
 const RING_RADII_PX = [12, 19, 29, 42, 58, 78, 100];
@@ -96,12 +97,7 @@ function placeLabel(item, taken, anchors, camera) {
 
 function drawLeader(context, [x, y], box, colour) {
   const end = [Math.max(box.left, Math.min(box.right, x)), Math.max(box.top, Math.min(box.bottom, y))];
-  context.strokeStyle = colour;
-  context.lineWidth = 1;
-  context.beginPath();
-  context.moveTo(x, y);
-  context.lineTo(...end);
-  context.stroke();
+  strokeLines(context, [[[x, y], end]], colour, 1);
 }
 
 function drawText(context, { label }, box, halo) {
@@ -151,26 +147,15 @@ export function drawDimensions(context, dimensions, camera, halo) {
     drawDimensionLine(context, p, q, [nx, ny], off, colour);
     context.textAlign = 'center';
     context.textBaseline = 'middle';
-    context.strokeStyle = halo;
-    context.lineWidth = 5;
-    context.strokeText(text, box.x, box.y);
-    context.fillStyle = colour;
-    context.fillText(text, box.x, box.y);
+    haloText(context, text, box.x, box.y, colour, halo, 5);
   }
   return taken;
 }
 
 function drawDimensionLine(context, p, q, [nx, ny], off, colour) {
-  context.strokeStyle = colour;
-  context.lineWidth = 1;
-  context.beginPath();
-  for (const end of [p, q]) {
-    context.moveTo(end.x + (off - 5) * nx, end.y + (off - 5) * ny);
-    context.lineTo(end.x + (off + 5) * nx, end.y + (off + 5) * ny);
-  }
-  context.moveTo(p.x + off * nx, p.y + off * ny);
-  context.lineTo(q.x + off * nx, q.y + off * ny);
-  context.stroke();
+  const beside = ({ x, y }, far) => [x + far * nx, y + far * ny];
+  const ticks = [p, q].map((end) => [beside(end, off - 5), beside(end, off + 5)]);
+  strokeLines(context, [...ticks, [beside(p, off), beside(q, off)]], colour, 1);
 }
 
 function overlap(a, b) {

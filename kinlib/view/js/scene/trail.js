@@ -8,6 +8,7 @@ import {
   Quaternion,
   Vector3,
 } from 'three';
+import { strokeLines } from '../render/pen.js';
 
 const MAX_SEGMENTS = 900; // the oldest segment is replaced first
 const UP = new Vector3(0, 1, 0);
@@ -62,15 +63,8 @@ export class Trail {
 
   #drawWithoutWebGL(context, camera) {
     if (!this.stage.withoutWebGL || this.points.length < 2) return;
-    context.strokeStyle = this.stage.theme.trail;
-    context.lineWidth = 2;
-    context.beginPath();
-    this.points.forEach((point, k) => {
-      const { x, y } = camera.project(point, new Vector3());
-      if (k) context.lineTo(x, y);
-      else context.moveTo(x, y);
-    });
-    context.stroke();
+    const path = this.points.map((point) => camera.project(point, new Vector3())).map(({ x, y }) => [x, y]);
+    strokeLines(context, [path], this.stage.theme.trail, 2);
   }
 
   dispose() {
