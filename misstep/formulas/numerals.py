@@ -111,7 +111,7 @@ def _computed(plain: str) -> Fraction | complex | None:
     if "°" in plain and not re.search(r"(sin|cos|tan|exp|e\^)[({]", plain):  # 30° alone is an angle, and not 0.52
         return None
     plain = re.sub(r"(?<![a-z])([ij])(?=[\d.])", r"\1*", plain)
-    plain = re.sub(r"(?<![\w.])(\d{1,3})!(?!!)", lambda number: str(factorial(int(number[1]))), plain)
+    plain = re.sub(r"(?<![\w.])(\d{1,3})\s*!(?!!)", lambda number: str(factorial(int(number[1]))), plain)
     try:
         value = Walker(_Arithmetic(), 60).value(parse(plain, MAX_LENGTH + 100))
     except (ValueError, ArithmeticError, RecursionError):
