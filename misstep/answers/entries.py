@@ -1,5 +1,6 @@
 """The entries of an array: where one is, how large they are, which of them are right or rounded, and slips that are made in them."""
 
+from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from math import floor, log10
 from typing import Any
@@ -7,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from misstep.answers.base import Answer
+from misstep.answers.base import TOLERANCE, Answer
 from misstep.mistakes import Mistake
 from misstep.validation import Array
 
@@ -16,6 +17,26 @@ ROUND_OFF = 1e-12
 
 Slip = tuple[str, Any, str, str]
 """A mistake that people make by hand: its name, the wrong answer, and what is true of such an answer and of a part of it."""
+
+
+class Entries(Answer):
+    """An answer that is an array. By default all entries are one part."""
+
+    @abstractmethod
+    def same_entries(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
+        """Return, for each entry, whether two answers are the same there."""
+
+    def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
+        same = self.same_entries(one, other, tolerance)
+        return [bool(same[piece].all()) for piece in self.part_indices()]
+
+    def part_indices(self) -> list[Any]:
+        """Return, for each part, the index of its entries in the array."""
+        return [...]
+
+    def core_indices(self) -> list[Any]:
+        """Return, for each part, the index of the entries that make it up, without those that are always the same."""
+        return self.part_indices()
 
 
 def scale_of(values: Array) -> float:

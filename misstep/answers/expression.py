@@ -12,8 +12,8 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from misstep.answers.base import TOLERANCE, Answer, Quantifier, Unreadable
-from misstep.answers.entries import Slip, entries_hint, place_of, scale_of, wrong_slips
+from misstep.answers.base import TOLERANCE, Quantifier, Unreadable
+from misstep.answers.entries import Entries, Slip, entries_hint, place_of, scale_of, wrong_slips
 from misstep.answers.likeness import Likeness, Named, copied_row
 from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
@@ -26,7 +26,7 @@ EXACT_TOLERANCE = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class ClosedForm(Answer):
+class ClosedForm(Entries):
     """A formula, or a vector or matrix of formulas, given as SymPy or as text.
 
     value    the right formula; its symbols may be used
@@ -67,10 +67,6 @@ class ClosedForm(Answer):
         except Exception as error:  # reading a student's object may raise any error
             raise Unreadable(f"Expected {self.expected}; got {type(given).__name__}.") from error
 
-    def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
-        same = self.same_entries(one, other, tolerance)
-        return [bool(same[piece].all()) for piece in self.part_indices()]
-
     def appearance(self, given: Formula, part: int | None) -> Named | None:
         return self.likeness(given, part).placeholder()
 
@@ -97,10 +93,6 @@ class ClosedForm(Answer):
             tolerance=tolerance,
             is_formula=True,
         )
-
-    def core_indices(self) -> list[Any]:
-        """Return, for each part, the index of the entries that make it up, without those that are always the same."""
-        return self.part_indices()
 
     def hint(self, given: Formula, part: int) -> str:
         same = self.same_entries(given, self.value)[self.part_indices()[part]]
@@ -196,7 +188,3 @@ class ClosedForm(Answer):
     @property
     def _shape(self) -> tuple[int, ...]:
         return self._right.values.shape[:-1]
-
-    def part_indices(self) -> list[Any]:
-        """Return, for each part, the index of its entries in the array of values."""
-        return [...]

@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 
 from misstep import validation
 from misstep.answers.accuracy import Accuracy, exact
-from misstep.answers.base import MAX_NUMBER, TOLERANCE, Answer, Unreadable
+from misstep.answers.base import MAX_NUMBER, TOLERANCE, Unreadable
 from misstep.answers.entries import (
     ROUND_OFF,
+    Entries,
     Slip,
     entries_hint,
     equal_entries,
@@ -56,7 +57,7 @@ SMALLER_UNITS = {
 
 
 @dataclass(frozen=True, eq=False)
-class Numbers(Answer):
+class Numbers(Entries):
     """A number, or an array of numbers of a given shape.
 
     value     whole numbers and fractions (`int`, `Fraction`, text such as "1/3") are exact; others are real or complex
@@ -172,10 +173,6 @@ class Numbers(Answer):
         unit = self.unit if self.unit and plain.endswith(self.unit) else ""
         return numeral(plain[: len(plain) - len(unit)], may_compute=not unit)
 
-    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
-        same = self.same_entries(one, other, tolerance)
-        return [bool(same[piece].all()) for piece in self.part_indices()]
-
     def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         """Return, for each entry, whether two arrays have the same number there."""
         if self.accuracy is not None:
@@ -183,10 +180,6 @@ class Numbers(Answer):
             return np.asarray(np.abs(one - other) <= bound, dtype=bool)
         size = np.maximum(self._scales, np.maximum(np.abs(one), np.abs(other)))
         return np.asarray(np.abs(one - other) <= tolerance * size)
-
-    def part_indices(self) -> list[Any]:
-        """Return, for each part, the index of its entries in the array."""
-        return [...]
 
     def may_be(self, given: Array, value: Any) -> bool:
         if value is None or np.shape(value) != np.shape(given):
@@ -273,10 +266,6 @@ class Numbers(Answer):
         lengths, angles = (np.atleast_1d(mask[piece]) for mask in (self.length_entries(), self.angle_entries()))
         unit = self.unit if self.unit in LENGTH_UNITS else "m"
         return Likeness(mine, right, lengths, angles, unit, lambda index: self.place(places[tuple(index)]))
-
-    def core_indices(self) -> list[Any]:
-        """Return, for each part, the index of the entries that make it up, without those that are always the same."""
-        return self.part_indices()
 
     def length_entries(self) -> NDArray[np.bool_]:
         """Return which entries are lengths in `unit`."""

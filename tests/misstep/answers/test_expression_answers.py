@@ -64,13 +64,17 @@ def test_forms_agree_where_sympy_proves_it():
 
 
 @pytest.mark.oracle("text: written out in the test", ClosedForm.expected, ClosedForm.parts, ClosedForm.hint, shaped)
-def test_the_expected_shape_is_described_in_words():
+def test_the_expected_form_is_described_with_its_shape_and_the_symbols_of_the_problem():
     matrix = ClosedForm(sp.eye(2) * q_1)
-    assert [shaped(shape) for shape in ((), (3,), (2, 2))] == [
-        "one formula",
-        "a vector of 3 formulas",
-        "a 2x2 matrix of formulas",
-    ]
+    expected = {
+        RIGHT: "one formula in a_2, q_1, q_2: text such as '2*sin(q_2)', or SymPy",
+        ClosedForm(sp.Rational(1, 2)): "one formula in numbers: text such as '1/2', or SymPy",
+        ClosedForm(sp.Matrix([q_1, 1])): "a vector of 2 formulas in q_1: text such as '[2*sin(q_1), 0, ...]', or SymPy",
+        matrix: "a 2x2 matrix of formulas in q_1: text such as '[[2*sin(q_1), 0, ...], ...]', or SymPy",
+    }
+    assert [form.expected for form in expected] == list(expected.values())
+    assert shaped((4, 4)) == "a 4x4 matrix of formulas"
+    assert matrix.parts == ["the formula"]
     assert matrix.hint(matrix.read("[[q1, 0], [1, q1]]"), 0) == "3 of the 4 entries are right. Look at row 2, column 1."
 
 
@@ -190,18 +194,6 @@ def test_the_hint_gives_the_values_of_both_formulas_or_the_place_and_mistakes_ar
     problem = Problem("", ClosedForm(sp.cos(2 * theta)), [mistake("half", sp.cos(theta), "The angle is doubled.")])
     assert judge(problem, "1 - 2 sin(theta/2)^2").mistakes == ["half"]
     assert judge(problem, "1 - 2 sin(theta)^2").state == "right"
-
-
-def test_the_expected_form_is_described_with_the_symbols_of_the_problem():
-    expected = {
-        RIGHT: "one formula in a_2, q_1, q_2: text such as '2*sin(q_2)', or SymPy",
-        ClosedForm(sp.Rational(1, 2)): "one formula in numbers: text such as '1/2', or SymPy",
-        ClosedForm(sp.Matrix([q_1, 1])): "a vector of 2 formulas in q_1: text such as '[2*sin(q_1), 0, ...]', or SymPy",
-        ClosedForm(
-            sp.eye(4) * q_1
-        ): "a 4x4 matrix of formulas in q_1: text such as '[[2*sin(q_1), 0, ...], ...]', or SymPy",
-    }
-    assert [form.expected for form in expected] == list(expected.values())
 
 
 # --- refused ---
