@@ -21,7 +21,7 @@ from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.assignment_steps import row_segments, span_on_axis, state_after, visible_features
 from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.figures.joint_bodies import stations
-from kinlib.view.viewer.scene import extent, scene
+from kinlib.view.viewer.scene import extent, scene, still_room
 from kinlib.view.viewer.viewer import Viewer
 
 CONVENTIONS: tuple[Convention, ...] = get_args(Convention)
@@ -130,15 +130,8 @@ def table_cells(table: DHTable) -> list[list[str]]:
 def bare_scene(chain: Chain, points: Array) -> dict[str, Any]:
     """Return the scene of the arm at home without sliders, with a view that also contains points (m, 3)."""
     data = scene(chain, np.zeros(chain.n), joints=[])
-    seen = np.concatenate([points, stations(chain)])
-    low, high = seen.min(axis=0), seen.max(axis=0)
-    radius = VIEW_RADIUS_SHARE * float(np.linalg.norm(high - low)) / 2
-    return {
-        **data,
-        "size": max(extent(chain), radius),
-        "room": {"centre": ((low + high) / 2).tolist(), "radius": radius, "constant": True},
-        "offered": ["dimensions"],
-    }
+    room = still_room(np.concatenate([points, stations(chain)]), VIEW_RADIUS_SHARE)
+    return {**data, "size": max(extent(chain), room["radius"]), "room": room, "offered": ["dimensions"]}
 
 
 def _points(assignments: Iterable[FrameAssignment]) -> Array:

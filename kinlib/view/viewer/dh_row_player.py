@@ -5,7 +5,6 @@ Therefore the scene graph that moves a robot also plays a row, in the order of i
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -31,6 +30,7 @@ from kinlib.view.figures.dh_row_motions import (
     poses_along_row,
 )
 from kinlib.view.figures.dh_table import draw_row
+from kinlib.view.viewer.scene import still_room
 from kinlib.view.viewer.viewer import ViewerBase
 
 SYMBOLS = {ROTATE_Z: "R_z(theta)", TRANSLATE_Z: "T_z(d)", TRANSLATE_X: "T_x(a)", ROTATE_X: "R_x(alpha)"}
@@ -56,22 +56,6 @@ AXIS_NAMES: dict[Convention, tuple[str, str]] = {"standard": ("axis i", "axis i+
 
 VIEW_RADIUS_SHARE = {1: 0.94, 2: 0.79}
 """The radius in view, as a share of the sphere around all that is drawn, for one track and for two side by side."""
-
-
-@dataclass(frozen=True)
-class Motion:
-    """One motion about and along an axis of the moving frame, "x" or "z". Both together are a screw motion."""
-
-    axis: str
-    angle: float
-    distance: float
-    symbol: str
-    text: str
-
-    @property
-    def twist(self) -> Array:
-        unit = np.eye(3)["xz".index(self.axis) * 2]
-        return np.concatenate([self.angle * unit, self.distance * unit])
 
 
 class RowPlayer(ViewerBase):
@@ -153,16 +137,16 @@ def play_walk(rows: ArrayLike, *, after: Any = None) -> RowPlayer:
     values = np.atleast_2d(validation.vectors(rows, "rows", 4))
     stops = poses_along_arm(values)
     size = max(float(np.ptp(stops[:, :3, 3], axis=0).max()), 0.2)
-    factors, axes, flags = [], [], [_flag(0, "0", stops[0])]
+    factors, axes, flags, start = [], [], [_flag(0, "0", stops[0])], np.eye(4)
     for i, (a, alpha, d, theta) in enumerate(values, start=1):
         along, across = f"Z_{i}: along and about the axis of joint {i}.", f"X_{i}: along and about the common normal."
         factors += [
-            Motion("z", theta, d, f"Z_{i}", f"{along} Frame {i} of the modified convention is here."),
-            Motion("x", alpha, a, f"X_{i}", f"{across} Frame {i} of the standard convention is here."),
+            _motion(start, "z", (theta, d), f"Z_{i}", f"{along} Frame {i} of the modified convention is here."),
+            _motion(start, "x", (alpha, a), f"X_{i}", f"{across} Frame {i} of the standard convention is here."),
         ]
         flags += [_flag(2 * i - 1, f"{i} mod", stops[2 * i - 1]), _flag(2 * i, f"{i} std", stops[2 * i])]
         axes.append(_axis(stops[2 * i - 2], stops[2 * i - 1], f"axis {i}", size))
-    track = _track("", np.eye(4), factors, stops, size, axes=axes, flags=flags)
+    track = _track("", factors, stops, size, axes=axes, flags=flags)
     player = RowPlayer([track], lambda count: draw_zx_factors(values, count))
     player.wait_for(after)
     return player
@@ -174,17 +158,11 @@ def _row_track(row: Array, convention: Convention, place: Array, size: float) ->
     stops = start @ poses_along_row(row, convention)
     motions = []
     for kind in MOTION_ORDER[convention]:
-        rotates, value = kind in (ROTATE_X, ROTATE_Z), row[kind]
-        shown = f"{np.degrees(value):.4g}°" if rotates else f"{value:.4g} m"
-        motions.append(
-            Motion(
-                "x" if kind in (TRANSLATE_X, ROTATE_X) else "z",
-                value if rotates else 0.0,
-                0.0 if rotates else value,
-                SYMBOLS[kind],
-                MOTION_TEXTS[convention][kind].format(value=shown.replace("-", "−")),
-            )
-        )
+        value, axis = float(row[kind]), "x" if kind in (TRANSLATE_X, ROTATE_X) else "z"
+        way = (value, 0.0) if kind in (ROTATE_X, ROTATE_Z) else (0.0, value)
+        shown = f"{np.degrees(value):.4g}°" if kind in (ROTATE_X, ROTATE_Z) else f"{value:.4g} m"
+        text = MOTION_TEXTS[convention][kind].format(value=shown.replace("-", "−"))
+        motions.append(_motion(start, axis, way, SYMBOLS[kind], text))
     # The d of a standard row runs along the axis where it starts, that of a modified one where it ends.
     joint = [_axis(stops[0], stops[2], "", size), _axis(stops[4], stops[4], "", size)]
     if convention == "modified":
@@ -194,42 +172,28 @@ def _row_track(row: Array, convention: Convention, place: Array, size: float) ->
         for line, name in zip(joint, AXIS_NAMES[convention], strict=True)
     ]
     flags = [_flag(0, "i-1", stops[0]), _flag(4, "i", stops[4])]
-    return _track(convention, start, motions, stops, size, axes=axes, flags=flags)
+    return _track(convention, motions, stops, size, axes=axes, flags=flags)
 
 
-def _track(
-    title: str,
-    start: Array,
-    motions: Sequence[Motion],
-    stops: Array,
-    size: float,
-    *,
-    axes: list[dict[str, Any]],
-    flags: list[dict[str, Any]],
-) -> dict[str, Any]:
-    return {
-        "title": title,
-        "size": size,
-        "stops": [(T + 0.0).ravel().tolist() for T in stops],
-        "motions": [_motion_data(motion, start) for motion in motions],
-        "axes": axes,
-        "flags": flags,
-    }
+def _track(title: str, motions: list[dict[str, Any]], stops: Array, size: float, **drawn: Any) -> dict[str, Any]:
+    """Return a track as data; drawn are its axes and the flags at its poses."""
+    poses = [(T + 0.0).ravel().tolist() for T in stops]
+    return {"title": title, "size": size, "stops": poses, "motions": motions, **drawn}
 
 
-def _motion_data(motion: Motion, start: Array) -> dict[str, Any]:
-    """Return a motion as a joint: its screw in the start pose, and its joint value."""
-    unit, rotates = motion.twist, abs(motion.angle) > tolerances.UNIT_LENGTH_TOL
-    value = motion.angle if rotates else motion.distance
-    screw = unit / value if value else np.concatenate([np.zeros(3), np.eye(3)["xz".index(motion.axis) * 2]])
+def _motion(start: Array, axis: str, way: tuple[float, float], symbol: str, text: str) -> dict[str, Any]:
+    """Return a motion about and along x or z of the moving frame as a joint: its screw in the start pose, and its joint value."""
+    unit, (angle, distance) = np.eye(3)["xz".index(axis) * 2], way
+    value = angle if abs(angle) > tolerances.UNIT_LENGTH_TOL else distance
+    screw = np.concatenate([angle * unit, distance * unit]) / value if value else np.concatenate([0 * unit, unit])
     return {
         "screw": (adjoint(start) @ screw).tolist(),
         "value": value,
-        "axis": motion.axis,
-        "angle": motion.angle,
-        "travel": motion.distance / value if value else 0.0,
-        "symbol": motion.symbol,
-        "text": motion.text,
+        "axis": axis,
+        "angle": angle,
+        "travel": distance / value if value else 0.0,
+        "symbol": symbol,
+        "text": text,
     }
 
 
@@ -249,7 +213,6 @@ def _scene(tracks: Sequence[dict[str, Any]]) -> dict[str, Any]:
     ends = [end for track in tracks for line in track["axes"] for end in (line["from"], line["to"])]
     stops = [np.reshape(stop, (4, 4))[:3, 3] for track in tracks for stop in track["stops"]]
     points = np.array([*ends, *stops])
-    low, high = points.min(axis=0), points.max(axis=0)
     count = len(tracks[0]["motions"])
     return {
         "name": "a row of a DH table",
@@ -264,11 +227,7 @@ def _scene(tracks: Sequence[dict[str, Any]]) -> dict[str, Any]:
         ],
         "sliders": [],
         "limits": [],
-        "room": {
-            "centre": ((low + high) / 2).tolist(),
-            "radius": VIEW_RADIUS_SHARE[len(tracks)] * float(np.linalg.norm(high - low)) / 2,
-            "constant": True,
-        },
+        "room": still_room(points, VIEW_RADIUS_SHARE[len(tracks)]),
         "floor": float(points[:, 2].min()) - 0.1 * tracks[0]["size"],
         "offered": [],
     }

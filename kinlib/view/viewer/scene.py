@@ -269,6 +269,17 @@ def room(configurations: Array, tips: Array, size: float) -> tuple[dict[str, Any
     return {"centre": centre.tolist(), "radius": radius}, floor
 
 
+def still_room(points: Array, share: float) -> dict[str, Any]:
+    """Return the region in view of what does not leave its place: a share of the sphere around points (m, 3).
+
+    >>> still_room(np.array([[0, 0, 0], [0, 0, 2.0]]), 0.5)
+    {'centre': [0.0, 0.0, 1.0], 'radius': 0.5, 'constant': True}
+    """
+    low, high = points.min(axis=0), points.max(axis=0)
+    radius = share * float(np.linalg.norm(high - low)) / 2
+    return {"centre": ((low + high) / 2).tolist(), "radius": radius, "constant": True}
+
+
 def _path(points: list[Array]) -> Array:
     """Return the path through points without repeated ones, or the straight line if the path is a detour."""
     corners = [points[0]]

@@ -29,6 +29,7 @@ from kinlib.view.viewer.scene import (
     link_paths,
     room,
     scene,
+    still_room,
 )
 from kinlib.view.viewer.viewer import STATIC
 
@@ -192,7 +193,7 @@ def test_a_frame_on_a_link_is_where_it_was_given_after_the_motion_of_its_link():
         np.testing.assert_allclose(T @ np.reshape(frame["pose"], (4, 4)), given[name], atol=1e-12)
 
 
-@pytest.mark.oracle("text: written out in the test", half_height, room)
+@pytest.mark.oracle("text: written out in the test", half_height, room, still_room)
 def test_the_height_of_a_view_fits_what_lies_upwards_and_sideways():
     assert half_height(np.array([[0.0, 0, 3], [0, 0, -1]])) == pytest.approx(3, rel=1e-12)  # upright from the front
     assert half_height(np.array([[0.0, 2, 0]])) == pytest.approx(2, rel=1e-12)  # upright from above
@@ -202,3 +203,4 @@ def test_the_height_of_a_view_fits_what_lies_upwards_and_sideways():
         pytest.approx(2.05, rel=1e-12),
         pytest.approx(-1.1, rel=1e-12),
     )
+    assert still_room(np.array([[0.0, 0, -1], [0, 0, 3]]), 0.5) == {"centre": [0, 0, 1], "radius": 1, "constant": True}
