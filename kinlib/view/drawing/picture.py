@@ -75,13 +75,8 @@ class Picture:
         Raises ValueError for another ending.
         """
         title = self.caption or first_sentence(self.alt)
-        contents: dict[str, Callable[[], str | bytes]] = {
-            "svg": self.labelled_svg,
-            "html": lambda: page(self.alt, self.html()),
-        }
-        for kind in KINDS:
-            contents[kind] = partial(image_bytes, self.figure or self.svg, kind, title, self.alt)
-        save(path, contents)
+        images = {kind: partial(image_bytes, self.figure or self.svg, kind, title, self.alt) for kind in KINDS}
+        save(path, {"svg": self.labelled_svg, "html": lambda: page(self.alt, self.html()), **images})
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         return {"text/html": self.html(), "text/plain": self.alt}

@@ -4,6 +4,7 @@ They are taken from all features of the drawing, so they include right and wrong
 """
 
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.rigid.lie import perpendicular
 from kinlib.view.drawing.picture import vector_text
 from kinlib.view.figures.assignment_steps import span_on_axis
+from kinlib.view.figures.joint_bodies import stations
 from kinlib.view.viewer.scene import extent
 
 COINCIDENT_TOL = 1e-9
@@ -80,40 +82,37 @@ def _origins(chain: Chain) -> list[tuple[Array, str]]:
 
 
 def _x_directions(chain: Chain) -> list[tuple[Array, str]]:
-    candidates: list[tuple[Array, str]] = []
+    both = [one for along, to, fro in _lines_for_x(chain) for one in ((along, to), (-along, fro))]
+    return [(along, f"{vector_text(along)}: {text}") for along, text in _merge(both)]
+
+
+def _lines_for_x(chain: Chain) -> Iterator[tuple[Array, str, str]]:
+    """Yield the unit vectors of normals, frames, axes and links, each with its description and that of the opposite one."""
     for i, normal in _normals(chain):
-        pair = f"{i + 1}–{i + 2}"
+        one, other = i + 1, i + 2
         if normal.case == "intersecting":
-            candidates += _with_opposite(
-                normal.x,
-                f"perpendicular to axes {i + 1} and {i + 2}",
-                f"perpendicular to axes {i + 1} and {i + 2}, opposite",
-            )
+            text = f"perpendicular to axes {one} and {other}"
+            yield normal.x, text, f"{text}, opposite"
         elif normal.case in {"skew", "parallel", "antiparallel"}:
-            candidates += _with_opposite(normal.x, f"normal {pair}, to axis {i + 2}", f"normal {pair}, to axis {i + 1}")
+            yield normal.x, f"normal {one}–{other}, to axis {other}", f"normal {one}–{other}, to axis {one}"
     for name, R in (("{s}", np.eye(3)), ("{b}", chain.home[:3, :3])):
         for letter, along in zip("xyz", R.T, strict=True):
-            candidates += _with_opposite(along, f"{letter} of {name}", f"−{letter} of {name}")
-    for i, axis in enumerate(chain.lines.axis):
-        candidates += _with_opposite(axis, f"along axis {i + 1}", f"opposite to axis {i + 1}")
+            yield along, f"{letter} of {name}", f"−{letter} of {name}"
+    for i, axis in enumerate(chain.lines.axis, start=1):
+        yield axis, f"along axis {i}", f"opposite to axis {i}"
     for i, name, there in ((0, "{s}", np.zeros(3)), (chain.n - 1, "{b}", chain.home[:3, 3])):
         z, off = chain.lines.axis[i], there - chain.joint_points[i]
         across = off - z * (z @ off)
         if (length := float(np.linalg.norm(across))) > COINCIDENT_TOL:
-            candidates += _with_opposite(
-                across / length,
+            text, opposite = (
                 f"from axis {i + 1} perpendicularly to {name}",
                 f"from {name} perpendicularly to axis {i + 1}",
             )
-    stations = [*chain.joint_points, chain.home[:3, 3]]
+            yield across / length, text, opposite
     names = [*(f"joint {i + 1}" for i in range(chain.n)), "{b}"]
-    for i in range(chain.n):
-        link = stations[i + 1] - stations[i]
+    for (start, end), link in zip(pairwise(names), np.diff(stations(chain)[1:], axis=0), strict=True):
         if (length := float(np.linalg.norm(link))) > COINCIDENT_TOL:
-            candidates += _with_opposite(
-                link / length, f"from {names[i]} to {names[i + 1]}", f"from {names[i + 1]} to {names[i]}"
-            )
-    return [(along, f"{vector_text(along)}: {text}") for along, text in _merge(candidates)]
+            yield link / length, f"from {start} to {end}", f"from {end} to {start}"
 
 
 def _normals(chain: Chain) -> Iterator[tuple[int, CommonNormal]]:
@@ -125,10 +124,6 @@ def _normals(chain: Chain) -> Iterator[tuple[int, CommonNormal]]:
         yield i, at_next
         if not at_next.is_unique:
             yield i, common_normal(axes[i], axes[i + 1], across, at_other_point=False)
-
-
-def _with_opposite(along: Array, text: str, opposite: str) -> list[tuple[Array, str]]:
-    return [(along, text), (-along, opposite)]
 
 
 def _merge(candidates: list[tuple[Array, str]]) -> list[tuple[Array, str]]:
