@@ -12,6 +12,7 @@ import nbformat
 import pytest
 from gate import LECTURES, QUESTIONS, giveaways, given_away, given_away_by_itself
 from giveaways import Passage
+from lxml.html import fragment_fromstring
 from notebook_runs import run_of
 from readings import Mark, notebook_reading, page_reading
 
@@ -150,7 +151,7 @@ def cell_of_page(kind, source, output):
 def in_pdf(page):
     from kinsite.pdf_document import adapt
 
-    return adapt(page, "lectures/one.html", (), "html", "")
+    return adapt(fragment_fromstring(page, create_parent="article"), "lectures/one.html", (), "html", "")
 
 
 def test_a_question_that_gives_its_own_answer_away_is_found(monkeypatch):
