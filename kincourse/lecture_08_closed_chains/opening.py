@@ -23,7 +23,7 @@ def opening() -> Film:
     around = np.array([(-0.1, -0.05, 0), (0.55, 0.35, 0)])
 
     def draw(t: float) -> Picture:
-        angle = 0.35 * last + share(t, 1, 4.5) * (0.9999 - 0.35) * last
+        angle = 0.35 * last + share(t, 1, 4.5) * 0.65 * last
         return draw_linkage(linkage, _configuration(angle), around=around)
 
     return film(

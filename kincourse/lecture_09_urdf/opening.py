@@ -46,7 +46,10 @@ def opening() -> Film:
                 canvas.label(end, LINES[k][0], INK)
         canvas.triad(np.eye(4), "base", 0.15)
         tip = bent[shown, :3, 3]
-        return canvas.picture(f"{shown} of {len(LINES)} joints; the last frame is at {vector_text(tip)} from the base.")
+        grey = " In grey, the arm as it was." if changed else ""
+        return canvas.picture(
+            f"{shown} of {len(LINES)} joints; the last frame is at {vector_text(tip)} from the base.{grey}"
+        )
 
     return film(
         draw,
