@@ -287,11 +287,11 @@ def suggest_name(name: object, names: Sequence[str], what: str) -> str:
     from difflib import get_close_matches
 
     close = get_close_matches(str(name), names, n=1)
-    return f" Did you mean {close[0]}?" if close else f" The {what} are {_listed(names)}" + "." * (len(names) <= 12)
+    return f" Did you mean {close[0]}?" if close else f" The {what} are {_listed(names)}."
 
 
 def _listed(names: Sequence[str]) -> str:
-    return ", ".join(names[:12]) + ", ..." * (len(names) > 12)
+    return ", ".join(names[:12]) + f" and {len(names) - 12} more" * (len(names) > 12)
 
 
 def read_only_copy(values: ArrayLike) -> Array:

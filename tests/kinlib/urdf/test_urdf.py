@@ -395,7 +395,7 @@ def linked(links, *joints):
             'Line 4, <child> in <joint name="j0">: joint j0 must join links of this file; there is no link "β"',
         ),
         (linked(["base", "arm"], ["bsae", "arm"]), "Did you mean base"),
-        (linked("abcdefghijklm", "aβ"), r"The links are a, b, c, d, e, f, g, h, i, j, k, l, \.\.\.$"),
+        (linked("abcdefghijklm", "aβ"), r"The links are a, b, c, d, e, f, g, h, i, j, k, l and 1 more\.$"),
         (
             linked("abcd", "ab", "bc", "cd", "db"),
             "Line 9, <child> in <joint .*link b is already the child of joint j0 in line 6.*cannot describe loops",
