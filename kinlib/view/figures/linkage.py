@@ -78,7 +78,8 @@ def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None
     }
     corners: dict[str, list[Array]] = {body: [] for body in poses}
     first, second, axes = [], [], []
-    for joint, own in zip(mechanism.joints, _split(mechanism, values), strict=True):
+    own_values = np.split(values, np.cumsum([joint.dof for joint in mechanism.joints])[:-1])
+    for joint, own in zip(mechanism.joints, own_values, strict=True):
         here, there = (poses[body] for body in joint.bodies)
         carried = reduce(np.matmul, exp(joint.screws * own[:, None]), here)
         # A prismatic joint moves its second body along; the other joints keep both bodies at one point.
@@ -190,11 +191,6 @@ def is_planar(mechanism: Mechanism) -> bool:
     """
     screws = np.concatenate([joint.screws for joint in mechanism.joints])
     return bool(np.allclose(screws[:, [0, 1, 5]], 0))
-
-
-def _split(mechanism: Mechanism, q: Array) -> list[Array]:
-    """Split joint values by joint."""
-    return np.split(q, np.cumsum([joint.dof for joint in mechanism.joints])[:-1])
 
 
 def _joint_label(name: str) -> str:

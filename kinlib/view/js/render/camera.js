@@ -22,10 +22,6 @@ export class Camera {
     this.threeCamera.up.set(0, 0, 1);
     this.width = 100; // until the picture has its size
     this.height = 78;
-    this.reset();
-  }
-
-  reset() {
     Object.assign(this, { ...this.directionOf('3-D'), zoom: 1, target: new Vector3(...this.room.centre) });
     this.radius = this.room.radius;
     this.update();

@@ -24,36 +24,30 @@ export class Trail {
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     this.mesh.frustumCulled = false;
     this.points = [];
-    this.clear();
+    this.mesh.count = 0;
+    this.next = 0; // the number of the segment that is replaced next
     stage.scene.add(this.mesh);
     this.onPaint = (context, camera) => this.#drawWithoutWebGL(context, camera);
     stage.overlays.add(this.onPaint);
   }
 
-  clear() {
-    this.mesh.count = 0;
-    this.next = 0;
-    this.last = null;
-    this.points.length = 0;
-  }
-
   /** Add a position of the tool. Steps too short to see are left out. */
   add(point) {
     const { size } = this.stage.data;
-    if (this.last && this.last.distanceTo(point) < 0.002 * size) return;
-    if (this.last) {
-      const along = new Vector3().subVectors(point, this.last);
+    const last = this.points.at(-1);
+    if (last?.distanceTo(point) < 0.002 * size) return;
+    if (last) {
+      const along = new Vector3().subVectors(point, last);
       const length = along.length();
       const turned = new Quaternion().setFromUnitVectors(UP, along.divideScalar(length));
-      const middle = new Vector3().lerpVectors(this.last, point, 0.5);
+      const middle = new Vector3().lerpVectors(last, point, 0.5);
       const scale = new Vector3(0.005 * size, 1.02 * length, 0.005 * size);
       this.mesh.setMatrixAt(this.next, new Matrix4().compose(middle, turned, scale));
       this.mesh.instanceMatrix.needsUpdate = true;
       this.next = (this.next + 1) % MAX_SEGMENTS;
       this.mesh.count = Math.min(MAX_SEGMENTS, this.mesh.count + 1);
     }
-    this.last = point.clone();
-    this.points.push(this.last);
+    this.points.push(point.clone());
     if (this.points.length > MAX_SEGMENTS) this.points.shift();
   }
 
