@@ -117,6 +117,11 @@ class Machine:
         """The prescribed frames 0 to n of the table in {s}, at home: (n + 1, 4, 4)."""
         return frames_of(self.table)
 
+    @property
+    def file_frames(self) -> Array:
+        """The frames of its file in {s}, at home: the base, the joints and the tool, (n + 2, 4, 4)."""
+        return np.array([np.eye(4), *self.seats, self.chain.home])
+
 
 def draw_machine(student: str, kind: int | None = None) -> Machine:
     """Draw the machine of a student; the same id always gives the same machine.

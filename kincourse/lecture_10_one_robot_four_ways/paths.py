@@ -1,6 +1,5 @@
 """Joint paths of the project: one writes on the table, one hits it, one leaves the joint limits, and one stays above it."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,14 +11,22 @@ from misstep.sampling import Sampler
 STEPS = 25
 """The number of configurations of a path."""
 
-STROKE_M, HOVER_M, DIP_M = 0.14, 0.02, 0.03
-"""The length of the line that is written, and how far the other paths are above the table and below it."""
+SHARES = np.linspace(0, 1, STEPS)[:, None]
+
+STROKE_M = 0.14
+"""The length of the line that is written, and of those above the table and into it."""
+
+HOVER_MM, DIP_MM = (6, 25), (12, 35)
+"""How far these two are above the table and below it, from and to."""
 
 CONTACT_M = 1e-3
 """A pen this near to the table touches it."""
 
-BEYOND = 0.12
-"""How far the path that leaves the limits does so, in radians and metres."""
+BEYOND = (0.03, 0.3)
+"""How far the path that leaves the limits does so, from and to, in radians and metres; its pen writes all the while."""
+
+TRIES, MAX_ITERATIONS = 20, 20
+"""How often a path that leaves the limits is drawn for one table, and how many steps lead to a point of a path."""
 
 EFFECTS = {
     "writes": "puts the pen on the paper",
@@ -31,10 +38,9 @@ EFFECTS = {
 
 @dataclass(frozen=True, eq=False)
 class JointPath:
-    """A path of the joints, (STEPS, n), what it does, one of EFFECTS, and the height of the table in {s}."""
+    """A path of the joints, (STEPS, n), and the height of the table in {s}."""
 
     q: Array
-    effect: str
     table_m: float
 
 
@@ -43,7 +49,8 @@ def draw_paths(chain: Chain, limits: Array, sampler: Sampler) -> dict[str, Joint
 
     >>> from kincourse.lecture_10_one_robot_four_ways.arms import draw_machine
     >>> machine, sampler = draw_machine("ada"), Sampler("ada", "10.paths")
-    >>> sorted(path.effect for path in draw_paths(machine.chain, machine.limits, sampler).values())
+    >>> paths = draw_paths(machine.chain, machine.limits, sampler)
+    >>> sorted(effect_of(machine.chain, path) for path in paths.values())
     ['hits', 'hovers', 'leaves', 'writes']
     """
     paths = None
@@ -69,23 +76,28 @@ def _try(chain: Chain, limits: Array, sampler: Sampler) -> dict[str, JointPath] 
     """Draw a configuration, and follow four lines from it; None if one of them cannot be followed."""
     q = _within(limits, sampler, 0.25)
     tip = chain.fk(q)[:3, 3]
-    angle = np.radians(sampler.integer(0, 11) * 30)
-    along = np.array([np.cos(angle), np.sin(angle), 0.0])
-    share = np.linspace(0, 1, STEPS)[:, None]
-    dip = np.sin(np.pi * share) * (0, 0, 1)
-    line = tip + STROKE_M * share * along
+    along = _drawn_line(sampler)
+    hover, dip = (sampler.integer(*heights) / 1000 for heights in (HOVER_MM, DIP_MM))
+    below = dip * np.sin(np.pi * SHARES) * (0, 0, 1)
     found = {
-        "writes": _follow(chain, q, line),
-        "hovers": _follow(chain, q, line[::-1] + np.array([0, 0, HOVER_M])),
-        "hits": _follow(chain, q, tip - STROKE_M * share * along - DIP_M * dip),
-        "leaves": _leave(chain, limits, sampler, tip[2]),
+        "writes": _follow(chain, q, tip + along),
+        "hovers": _follow(chain, q, tip + along[::-1] + np.array([0, 0, hover])),
+        "hits": _follow(chain, q, tip - along - below),
     }
-    paths = {
-        effect: JointPath(path.round(4), effect, float(tip[2])) for effect, path in found.items() if path is not None
-    }
+    if any(path is None for path in found.values()):
+        return None
+    tries = (_leave(chain, limits, sampler, tip[2]) for _ in range(TRIES))
+    found["leaves"] = next((path for path in tries if path is not None), None)
+    paths = {effect: JointPath(path.round(4), float(tip[2])) for effect, path in found.items() if path is not None}
     if len(paths) < len(EFFECTS) or any(effect_of(chain, path) != effect for effect, path in paths.items()):
         return None
     return paths
+
+
+def _drawn_line(sampler: Sampler) -> Array:
+    """The points of a line in the plane of the table, (STEPS, 3), from 0 on."""
+    angle = np.radians(sampler.integer(0, 11) * 30)
+    return STROKE_M * SHARES * (np.cos(angle), np.sin(angle), 0.0)
 
 
 def _within(limits: Array, sampler: Sampler, margin: float) -> Array:
@@ -95,10 +107,10 @@ def _within(limits: Array, sampler: Sampler, margin: float) -> Array:
 
 
 def _follow(chain: Chain, start: Array, points: Array) -> Array | None:
-    """Follow points with the tool by damped least squares, from the configuration `start`; None if it cannot."""
+    """Follow points with the tool by damped least squares, from the configuration `start`; None if it cannot, or jumps."""
     q, path = start.copy(), []
     for point in points:
-        for _ in range(60):
+        for _ in range(MAX_ITERATIONS):
             error = point - chain.fk(q)[:3, 3]
             if np.linalg.norm(error) < 1e-6:
                 break
@@ -108,8 +120,21 @@ def _follow(chain: Chain, start: Array, points: Array) -> Array | None:
             return None
         path.append(q.copy())
     found = np.array(path)
-    smooth = np.abs(np.diff(found, axis=0)).max() < 0.2
-    return found if smooth and chain.within_limits(found).all() else None
+    return found if np.abs(np.diff(found, axis=0)).max() < 0.2 else None
+
+
+def _leave(chain: Chain, limits: Array, sampler: Sampler, table_m: float) -> Array | None:
+    """Write a line on the table on which a joint leaves its limits: from the height of the pen alone it looks right."""
+    start = _within(limits, sampler, 0.15)
+    joint, side = sampler.integer(0, chain.n - 1), sampler.integer(0, 1)
+    start[joint] = limits[joint, side]
+    x, y, _ = chain.fk(start)[:3, 3]
+    path = _follow(chain, start, np.array([x, y, table_m]) + _drawn_line(sampler))
+    if path is None:
+        return None
+    low, high = limits.T
+    outside = float(np.maximum(low - path, path - high).max())
+    return path if BEYOND[0] < outside < BEYOND[1] else None
 
 
 def _position_jacobian(chain: Chain, q: Array) -> Array:
@@ -117,19 +142,3 @@ def _position_jacobian(chain: Chain, q: Array) -> Array:
     J, p = chain.jacobian(q), chain.fk(q)[:3, 3]
     velocity: Array = np.cross(J[:3].T, p).T + J[3:]
     return velocity
-
-
-def _leave(chain: Chain, limits: Array, sampler: Sampler, table_m: float) -> Array | None:
-    """Move one joint beyond a limit, while the pen stays above the table."""
-    start = _within(limits, sampler, 0.15)
-    for joint, side in _shuffled_pairs(chain.n, sampler):
-        end = start.copy()
-        end[joint] = limits[joint, side] + (BEYOND if side else -BEYOND)
-        path = start + np.linspace(0, 1, STEPS)[:, None] * (end - start)
-        if chain.fk(path)[:, 2, 3].min() > table_m + 0.01:
-            return path
-    return None
-
-
-def _shuffled_pairs(n: int, sampler: Sampler) -> Iterator[tuple[int, int]]:
-    yield from sampler.shuffled([(joint, side) for joint in range(n) for side in (0, 1)])

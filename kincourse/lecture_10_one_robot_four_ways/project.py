@@ -7,7 +7,6 @@ from another one. `verify` holds them against each other, against the log and ag
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
 from typing import Any, TypeGuard
 
 import numpy as np
@@ -26,9 +25,7 @@ from kincourse.lecture_10_one_robot_four_ways.verification import (
 )
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
-from kinlib.chains.chain import Chain
 from kinlib.dh.table import DHTable
-from kinlib.rigid.lie import inverse
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
 from kinlib.urdf.chains import load_urdf
 from kinlib.urdf.robot_tree import Tree
@@ -52,7 +49,6 @@ class Received:
 
     body_screws: Array
     home: Array
-    joint: int
 
 
 class Project:
@@ -139,7 +135,7 @@ class Project:
             omega = B[joint - 1, :3]
             across = np.eye(3)[sampler.choice([k for k in range(3) if abs(omega[k]) < 0.5])]
             B[joint - 1, 3:] -= np.cross(omega, sampler.choice((-1, 1)) * sampler.choice((0.02, 0.03, 0.05)) * across)
-        return Received(B.round(6) + 0.0, chain.home.round(6) + 0.0, joint)
+        return Received(B.round(6) + 0.0, chain.home.round(6) + 0.0)
 
     @cached_property
     def paths(self) -> dict[str, JointPath]:
@@ -205,25 +201,6 @@ class Project:
                 return name
         return "the tool" if np.abs(load_urdf(text).home - self._machine.chain.home).max() > MARK_M else ""
 
-    def reference(self) -> "Reference":
-        """The right descriptions, for instructors and tests; no page of the course shows them."""
-        machine = self._machine
-        frames = np.array([np.eye(4), *machine.seats, machine.chain.home])
-        origins = inverse(frames[:-1]) @ frames[1:]
-        urdf = write_urdf(frames, self.joints, self.limits)
-        return Reference(machine.chain, machine.table, machine.points, origins, urdf)
-
-
-@dataclass(frozen=True, eq=False)
-class Reference:
-    """The right descriptions of a project."""
-
-    chain: Chain
-    table: DHTable
-    points: Array
-    origins: Array
-    urdf: str
-
 
 def open_project(student: str) -> Project:
     """Open the project of a student; the same id always gives the same one.
@@ -254,31 +231,6 @@ def joint_frames(text: str) -> tuple[Array, Array]:
             poses.append(T)
             axes.append(joint.axis)
     return np.reshape(poses, (-1, 4, 4)), np.reshape(axes, (-1, 3))
-
-
-def write_urdf(frames: Array | Sequence[Array], joints: str, limits: Array) -> str:
-    """Write a URDF from frames in {s}: the base, one for each joint with its axis along z, and the tool."""
-    names = ["base", *(f"link_{i}" for i in range(1, len(joints) + 1)), "tool"]
-    lines = ['<robot name="project">', *(f'  <link name="{name}"/>' for name in names)]
-    for i, (parent, child) in enumerate(pairwise(names)):
-        step = inverse(frames[i]) @ frames[i + 1]
-        xyz, rpy = (
-            " ".join(f"{x:.6g}" for x in np.round(v, 9) + 0.0) for v in (step[:3, 3], roll_pitch_yaw(step[:3, :3]))
-        )
-        kind = "fixed" if i == len(joints) else "prismatic" if joints[i] == "P" else "revolute"
-        lines += [
-            f'  <joint name="joint_{i + 1}" type="{kind}">',
-            f'    <parent link="{parent}"/> <child link="{child}"/>',
-        ]
-        lines += [f'    <origin xyz="{xyz}" rpy="{rpy}"/>']
-        if kind != "fixed":
-            low, high = limits[i]
-            lines += [
-                '    <axis xyz="0 0 1"/>',
-                f'    <limit lower="{low:.4f}" upper="{high:.4f}" effort="1" velocity="1"/>',
-            ]
-        lines += ["  </joint>"]
-    return "\n".join([*lines, "</robot>"])
 
 
 def _first_off(own: Array, drawn: Array, names: Sequence[str]) -> str:

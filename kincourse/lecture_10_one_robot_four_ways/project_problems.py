@@ -15,6 +15,8 @@ from kincourse.answers.dh_row import DHEntriesAnswer
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.screws import joint_screws
+from kincourse.lecture_10_one_robot_four_ways.arms import draw_machine
+from kincourse.lecture_10_one_robot_four_ways.paths import effect_of
 from kincourse.lecture_10_one_robot_four_ways.project import Project, open_project
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
@@ -76,8 +78,7 @@ def _begin(project: Project) -> str:
 
 @problem("10.8", "Project: the marks of the axes", points=2, lecture=f"{LECTURE}The project")
 def marks_of_the_axes(sampler: ArmSampler) -> Problem:
-    project = open_project(sampler.student)
-    right = project.reference()
+    project, right = open_project(sampler.student), draw_machine(sampler.student)
     points = np.array([*right.points, right.chain.home[:3, 3]])
     names = [*(f"P{i}" for i in range(1, len(points))), "T"]
     return Problem(
@@ -91,8 +92,7 @@ def marks_of_the_axes(sampler: ArmSampler) -> Problem:
 
 @problem("10.9", "Project: the screws", points=2, lecture=f"{LECTURE}The project")
 def screws_of_the_project(sampler: ArmSampler) -> Problem:
-    project = open_project(sampler.student)
-    right = project.reference()
+    project, right = open_project(sampler.student), draw_machine(sampler.student)
     pitches = np.array([np.inf if letter == "P" else 0.0 for letter in project.joints])
     S = joint_screws(right.chain.lines.axis, right.points, pitches)
     return Problem(
@@ -107,8 +107,7 @@ def screws_of_the_project(sampler: ArmSampler) -> Problem:
 
 @problem("10.10", "Project: the table", points=3, lecture=f"{LECTURE}The project")
 def table_of_the_project(sampler: ArmSampler) -> Problem:
-    project = open_project(sampler.student)
-    table = project.reference().table
+    project, table = open_project(sampler.student), draw_machine(sampler.student).table
     rows, names = table.rows, [f"{column}_{i}" for i in range(1, table.n + 1) for column in COLUMNS]
     modified = table.converted("modified").rows
 
@@ -152,15 +151,16 @@ def table_of_the_project(sampler: ArmSampler) -> Problem:
 
 @problem("10.11", "Project: the file", points=3, lecture=f"{LECTURE}The project")
 def origins_of_the_file(sampler: ArmSampler) -> Problem:
-    project = open_project(sampler.student)
+    project, frames = open_project(sampler.student), draw_machine(sampler.student).file_frames
+    origins = inverse(frames[:-1]) @ frames[1:]
     return Problem(
         statement=f"{_begin(project)}Sheet 3 of the drawing shows the frames of the file: the frame of joint i has its origin at Fi, its "
         "z along the axis of the joint, and its x along the arrow. The base is {s}, and the last frame is that of the tool at T, with the "
         "arrows xT and zT. Give the origins of the joints and of the tool, each as a pose in the frame before it: an array of shape "
         f"({len(project.joints) + 1}, 4, 4).",
         figure=lambda: project.drawing("URDF"),
-        answer=OriginsAnswer(project.reference().origins),
-        mistakes=_listed(misread_origins(project.reference().origins)),
+        answer=OriginsAnswer(origins),
+        mistakes=_listed(misread_origins(origins)),
     ).without_duplicates()
 
 
@@ -168,12 +168,13 @@ def origins_of_the_file(sampler: ArmSampler) -> Problem:
 def wrong_joint(sampler: ArmSampler) -> Problem:
     project = open_project(sampler.student)
     received, names = project.received, {str(i): f"joint {i}" for i in range(1, len(project.joints) + 1)}
+    right = str(1 + np.abs(received.body_screws - draw_machine(sampler.student).chain.body_screws).max(axis=1).argmax())
     return Problem(
         statement=f"{_begin(project)}You received its home pose, which is right, and its body screws\n\n"
         f"$$B = {matrix(received.body_screws)},$$\n\none row for each joint. Exactly one is wrong. Which one? Answer with its number, "
         "as a text.",
         given={"body_screws": received.body_screws, "home": received.home},
-        answer=Choice(str(received.joint), names),
+        answer=Choice(right, names),
         mistakes=[
             mistake(
                 number,
@@ -181,7 +182,7 @@ def wrong_joint(sampler: ArmSampler) -> Problem:
                 f"You answered {name}. The body screw of this joint is that of your own screws: $B_i = \\mathrm{{Ad}}_{{M^{{-1}}}} S_i$.",
             )
             for number, name in names.items()
-            if number != str(received.joint)
+            if number != right
         ],
     )
 
@@ -230,8 +231,9 @@ def how_far_off(sampler: ArmSampler) -> Problem:
 @problem("10.14", "Project: the pen", points=2, lecture=f"{LECTURE}The pen")
 def which_path_writes(sampler: ArmSampler) -> Problem:
     project = open_project(sampler.student)
-    paths = project.paths
-    (right,) = (name for name, path in paths.items() if path.effect == "writes")
+    paths, chain = project.paths, draw_machine(sampler.student).chain
+    effects = {name: effect_of(chain, path) for name, path in paths.items()}
+    (right,) = (name for name, effect in effects.items() if effect == "writes")
     table = next(iter(paths.values())).table_m
     said = {
         "hits": "On this path the pen goes below the table.",
@@ -245,9 +247,9 @@ def which_path_writes(sampler: ArmSampler) -> Problem:
         given={**{name: path.q for name, path in paths.items()}, "limits": project.limits, "table": table},
         answer=Choice(right, {name: f"path {name}" for name in paths}),
         mistakes=[
-            mistake(path.effect, name, f"You answered {name}. {said[path.effect]}")
-            for name, path in paths.items()
-            if path.effect != "writes"
+            mistake(effect, name, f"You answered {name}. {said[effect]}")
+            for name, effect in effects.items()
+            if effect != "writes"
         ],
     )
 

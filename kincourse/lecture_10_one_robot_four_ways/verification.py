@@ -137,8 +137,8 @@ class Finding:
             return f"{self.name}: agrees with the log (at worst {self.worst_mm:.1f} mm), and with the drawing."
         if self.agrees:
             return (
-                f"{self.name}: the tool agrees with the log (at worst {self.worst_mm:.1f} mm), but {self.off_mark} is not as the "
-                "drawing prescribes it. A description that is computed from another one does not know its marks: read them off the drawing."
+                f"{self.name}: the tool agrees with the log (at worst {self.worst_mm:.1f} mm), but not all marks are where the "
+                "drawing has them. A description that is computed from another one does not know its marks: read them off the drawing."
             )
         head = f"{self.name}: off by {self.worst_mm:.0f} mm and {self.worst_deg:.0f}° at worst. "
         if not self.places:

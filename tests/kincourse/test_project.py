@@ -2,30 +2,59 @@
 
 import re
 from functools import reduce
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
-from kincourse.lecture_10_one_robot_four_ways.arms import KINDS
-from kincourse.lecture_10_one_robot_four_ways.paths import EFFECTS, effect_of
-from kincourse.lecture_10_one_robot_four_ways.project import Project, joint_frames, write_urdf
+from kincourse.lecture_10_one_robot_four_ways.arms import KINDS, draw_machine
+from kincourse.lecture_10_one_robot_four_ways.paths import CONTACT_M, EFFECTS, effect_of
+from kincourse.lecture_10_one_robot_four_ways.project import Project, joint_frames
 from kinlib.chains.robots import pose
 from kinlib.dh.assignment import assign_frames
-from kinlib.rigid.lie import adjoint, exp
+from kinlib.rigid.lie import adjoint, exp, inverse
+from kinlib.rigid.rpy import roll_pitch_yaw
 from kinlib.urdf.chains import load_urdf, to_urdf
 
 MACHINES = range(len(KINDS))
 
 
-def descriptions(project):
-    right = project.reference()
-    return {"screws": (right.chain.screws, right.chain.home, right.points), "table": right.table, "urdf": right.urdf}
+def write_urdf(frames, joints, limits):
+    """Write a URDF from frames in {s}: the base, one for each joint with its axis along z, and the tool."""
+    names = ["base", *(f"link_{i}" for i in range(1, len(joints) + 1)), "tool"]
+    lines = ['<robot name="project">', *(f'  <link name="{name}"/>' for name in names)]
+    for i, (parent, child) in enumerate(pairwise(names)):
+        step = inverse(frames[i]) @ frames[i + 1]
+        xyz, rpy = (
+            " ".join(f"{x:.6g}" for x in np.round(v, 9) + 0.0) for v in (step[:3, 3], roll_pitch_yaw(step[:3, :3]))
+        )
+        kind = "fixed" if i == len(joints) else "prismatic" if joints[i] == "P" else "revolute"
+        lines += [
+            f'  <joint name="joint_{i + 1}" type="{kind}">',
+            f'    <parent link="{parent}"/> <child link="{child}"/>',
+        ]
+        lines += [f'    <origin xyz="{xyz}" rpy="{rpy}"/>']
+        if kind != "fixed":
+            low, high = limits[i]
+            lines += [
+                '    <axis xyz="0 0 1"/>',
+                f'    <limit lower="{low:.4f}" upper="{high:.4f}" effort="1" velocity="1"/>',
+            ]
+        lines += ["  </joint>"]
+    return "\n".join([*lines, "</robot>"])
+
+
+def descriptions(student, kind=None):
+    """The right descriptions of a student's machine."""
+    right = draw_machine(student, kind)
+    urdf = write_urdf(right.file_frames, right.table.joints, right.limits)
+    return {"screws": (right.chain.screws, right.chain.home, right.points), "table": right.table, "urdf": urdf}
 
 
 @pytest.mark.parametrize("kind", MACHINES)
 def test_right_descriptions_agree_with_the_log_and_with_each_other(kind):
     project = Project("ada", kind)
-    result = project.verify(**descriptions(project))
+    result = project.verify(**descriptions("ada", kind))
     assert result.passed, str(result)
     assert str(result).count("agrees") == 9 + 3
 
@@ -65,8 +94,7 @@ def planted_in_urdf(right):
 @pytest.mark.parametrize("kind", MACHINES)
 @pytest.mark.parametrize("name", ["screws", "table", "urdf"])
 def test_a_planted_fault_is_found_and_named_at_its_joint(name, kind):
-    project = Project("grace", kind)
-    right = descriptions(project)
+    project, right = Project("grace", kind), descriptions("grace", kind)
     faults = {"screws": planted_in_screws, "table": planted_in_table, "urdf": planted_in_urdf}[name](right)
     shown = "URDF" if name == "urdf" else name
     for place, wrong in faults:
@@ -88,8 +116,7 @@ def product_poses(name, description, q):
 
 @pytest.mark.parametrize("kind", MACHINES)
 def test_two_faults_are_not_blamed_on_one_joint(kind):
-    project = Project("emmy", kind)
-    right = descriptions(project)
+    project, right = Project("emmy", kind), descriptions("emmy", kind)
     rows = right["table"].rows.copy()
     rows[0, 0], rows[3, 2] = rows[0, 0] + 0.05, rows[3, 2] - 0.06
     rows[1, 1] += 0.4
@@ -101,9 +128,12 @@ def test_two_faults_are_not_blamed_on_one_joint(kind):
 
 @pytest.mark.parametrize("kind", MACHINES)
 def test_no_description_passes_that_is_computed_from_another(kind):
-    project = Project("alan", kind)
-    right = descriptions(project)
-    from_screws, from_file, from_table = project.reference().chain, load_urdf(right["urdf"]), right["table"].to_chain()
+    project, right = Project("alan", kind), descriptions("alan", kind)
+    from_screws, from_file, from_table = (
+        draw_machine("alan", kind).chain,
+        load_urdf(right["urdf"]),
+        right["table"].to_chain(),
+    )
     for chain in (from_screws, from_file, from_table):
         for name, computed in {
             "screws": (chain.screws, chain.home, chain.joint_points),
@@ -127,26 +157,33 @@ def test_the_received_description_is_wrong_at_one_joint(kind):
         received = project.received
         finding = project.verify(received=(received.body_screws, received.home))["body screws"]
         assert not finding.agrees
-        assert finding.place == f"joint {received.joint}"
-        right = project.reference().chain
         computed = received.body_screws @ adjoint(received.home).T
-        wrong = np.abs(computed - right.screws).max(axis=1) > 1e-3
-        assert np.flatnonzero(wrong).tolist() == [received.joint - 1]
+        wrong = np.abs(computed - draw_machine(student, kind).chain.screws).max(axis=1) > 1e-3
+        (joint,) = np.flatnonzero(wrong)
+        assert finding.place == f"joint {joint + 1}"
 
 
 @pytest.mark.parametrize("kind", MACHINES)
 def test_each_path_has_its_effect_and_no_other(kind):
-    project = Project("ada", kind)
-    chain = project.reference().chain
-    assert sorted(path.effect for path in project.paths.values()) == sorted(EFFECTS)
-    for path in project.paths.values():
-        assert effect_of(chain, path) == path.effect
-        assert effect_of(load_urdf(project.reference().urdf), path) == path.effect  # limits are in the file too
+    paths, chain = Project("ada", kind).paths.values(), draw_machine("ada", kind).chain
+    effects = [effect_of(chain, path) for path in paths]
+    assert sorted(effects) == sorted(EFFECTS)
+    file = load_urdf(descriptions("ada", kind)["urdf"])
+    assert [effect_of(file, path) for path in paths] == effects  # limits are in the file too
+    (leaves,) = (path for path, effect in zip(paths, effects, strict=True) if effect == "leaves")
+    assert np.abs(chain.fk(leaves.q)[:, 2, 3] - leaves.table_m).max() < CONTACT_M  # so the pen alone does not show it
+
+
+def test_nothing_that_a_student_can_print_says_the_answers():
+    """A cell that ends in `received` or `project.paths` shows their repr."""
+    project = Project("ada")
+    for shown in (project, project.received, *project.paths.values()):
+        names = set(re.findall(r"(\w+)=", repr(shown))) | {name for name in vars(shown) if not name.startswith("_")}
+        assert names <= {"body_screws", "home", "q", "table_m", "log", "received", "paths"}, names
 
 
 def test_the_drawing_says_in_words_what_the_descriptions_need():
-    project = Project("ada")
-    machine = project.reference()
+    project, machine = Project("ada"), draw_machine("ada")
     chains = {}
     for letter, steps in re.findall(r"Along (.): (.*?)\.", project.drawing("screws").alt):
         value, values = 0.0, {}
@@ -171,14 +208,13 @@ def test_a_written_file_is_read_back():
 def test_bad_input_is_refused(given):
     project = Project("ada")
     if given.get("table"):
-        given = {"table": project.reference().table.changed(convention="modified")}
+        given = {"table": draw_machine("ada").table.changed(convention="modified")}
     with pytest.raises(ValueError, match=r"standard convention|XML"):
         project.verify(**given)
 
 
 def test_what_is_not_written_yet_is_left_out():
-    project = Project("ada")
-    right = descriptions(project)
+    project, right = Project("ada"), descriptions("ada")
     result = project.verify(screws=(..., right["screws"][1], ...), table=..., urdf=right["urdf"])
     assert [finding.name for finding in result.findings] == ["URDF"]
     nothing = project.verify(screws=(..., ..., ...))

@@ -5,7 +5,7 @@ dimensions is a chain: it leads from one mark to the next, and a coordinate in {
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
@@ -29,6 +29,9 @@ CHARACTER_PX, ROW_PX, COLUMN_PX = 6.2, 15.0, 30.0
 
 AXIS_PX, ARROW_PX = 34.0, 26.0
 """The lengths on the sheet of one half of a joint axis, and of an arrow that shows a direction."""
+
+DOT_PX, RING_PX = 3.0, 8.0
+"""The radius of a mark, and that of an axis which leads towards the viewer or away."""
 
 SLANT = np.array([3.0, -3.0])
 """Half of the stroke across the end of a dimension, in pixels."""
@@ -89,28 +92,39 @@ def draw_dimensions(
     low, high = around.min(axis=0), around.max(axis=0)
     extent = np.maximum(high - low, 0.05)
     scale = float(min(WIDTH_PX / extent[0], TALLEST_PX / extent[1], TALLEST_PX / extent[2]))
-    marks_px, labels, strokes = [], list[Label](), list[Array]()
+    marks_px, layout = [], _Layout()
     top, left = 0.0, ROOM_PX + 3 * COLUMN_PX
     for title, (right, up, depth) in VIEWS.items():
         corner = np.array([left, top + ROOM_PX + scale * extent[up]])
         view = _View(corner, low[[right, up]], scale, right, up, depth)
         bottom = top + 2 * ROOM_PX + scale * float(extent[up])
-        marks_px.append(svg.text([left - 2.2 * COLUMN_PX, top + 8], title, GREY, 10))
+        for k, text in enumerate((title, f"{'xyz'[right]} →, {'xyz'[up]} ↑")):
+            marks_px.append(svg.text([left - 2.2 * COLUMN_PX, top + 8 + ROW_PX * k], text, GREY, 10))
         marks_px += _links(view, line)
         for axis in axes:
-            marks_px += _axis(view, axis, labels, strokes)
+            marks_px += _axis(view, axis, layout)
         for name, (point, direction) in arrows.items():
-            marks_px += _arrow(view, np.asarray(point, dtype=float), np.asarray(direction, dtype=float), name, labels)
-        marks_px += _dots(view, points, labels)
+            ends = np.asarray(point, dtype=float), np.asarray(direction, dtype=float)
+            marks_px += _arrow(view, *ends, name, layout)
+        marks_px += _dots(view, points, layout)
         if title == "Front view":
             marks_px += _chain_below(view, points, bottom)
         marks_px += _chain_at_left(view, points, left - ROOM_PX)
         top = bottom + (GAP_PX - ROOM_PX if title == "Top view" else 3 * ROW_PX)
     sheet = np.array([left + scale * extent[0] + 2 * ROOM_PX, top + ROW_PX])
-    lines = np.concatenate([np.zeros((0, 2, 2)), *strokes])
-    for label, centre in place_labels(labels, lines, np.zeros((0, 2, 2)), sheet):
+    lines = np.array(layout.strokes).reshape(-1, 2, 2)
+    for label, centre in place_labels(layout.labels, lines, np.array(layout.covered), sheet):
         marks_px.append(svg.text(centre, label.text, label.colour, 10.5))
     return Picture(svg.document(marks_px, *sheet), _describe(axes, points, arrows))
+
+
+@dataclass(frozen=True)
+class _Layout:
+    """The labels that are still to be placed, and what they should not cover: lines, and boxes around marks."""
+
+    labels: list[Label] = field(default_factory=list)
+    strokes: list[Array] = field(default_factory=list)
+    covered: list[Array] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -141,16 +155,19 @@ def _links(view: _View, line: Array) -> Iterator[str]:
     yield svg.polyline(path, "white", 4)
 
 
-def _axis(view: _View, axis: DrawnAxis, labels: list[Label], strokes: list[Array]) -> Iterator[str]:
+def _axis(view: _View, axis: DrawnAxis, layout: _Layout) -> Iterator[str]:
     centre, name = view.at(axis.point), f"axis {axis.name}"
     if facing := round(view.towards(axis.direction)):
-        yield svg.circle(centre, 8, "none", edge=VIOLET)
+        yield svg.circle(centre, RING_PX, "none", edge=VIOLET)
+        layout.covered.append(_box(centre, RING_PX))
         if facing > 0:
             yield svg.circle(centre, 3.2, VIOLET)
         else:
             for end in ((5.5, 5.5), (5.5, -5.5)):
                 yield svg.polyline(np.array([centre - end, centre + end]), VIOLET, 1.6)
-        labels.append(Label(centre, name, VIOLET, [(30, 14), (-30, 14), (30, -14), (-30, -14), *LABEL_OFFSETS], 12))
+        layout.labels.append(
+            Label(centre, name, VIOLET, [(30, 14), (-30, 14), (30, -14), (-30, -14), *LABEL_OFFSETS], 12)
+        )
         return
     along = axis.direction[[view.right, view.up]] * (1, -1)
     ends = np.array([centre - AXIS_PX * along, centre + AXIS_PX * along])
@@ -158,21 +175,31 @@ def _axis(view: _View, axis: DrawnAxis, labels: list[Label], strokes: list[Array
     yield _head(ends[1], along, VIOLET)
     if axis.slides:  # two heads: it translates
         yield _head(ends[1] - 7 * along, along, VIOLET)
-    strokes.append(ends[None])
-    labels.append(Label(ends[1], name, VIOLET, [(0, 12), (0, -14), (30, 0), (-30, 0), *LABEL_OFFSETS], 12))
+    layout.strokes.append(ends)
+    layout.labels.append(Label(ends[1], name, VIOLET, [(0, 12), (0, -14), (30, 0), (-30, 0), *LABEL_OFFSETS], 12))
 
 
-def _arrow(view: _View, point: Array, direction: Array, name: str, labels: list[Label]) -> Iterator[str]:
+def _arrow(view: _View, point: Array, direction: Array, name: str, layout: _Layout) -> Iterator[str]:
     colour, start = AXIS_COLOURS[0], view.at(point)
     if facing := round(view.towards(direction)):
         text = f"{name} {'towards you' if facing > 0 else 'away'}"
-        labels.append(Label(start, text, colour, [(0, -28), (0, 28), (48, -20), (-48, -20), *LABEL_OFFSETS], 12))
+        layout.labels.append(
+            Label(
+                start, text, colour, [(0, -28), (0, 28), (60, -16), (-60, -16), (60, 16), (-60, 16), *LABEL_OFFSETS], 12
+            )
+        )
         return
     along = direction[[view.right, view.up]] * (1, -1)
     tip = start + ARROW_PX * along
     yield svg.polyline(np.array([start, tip]), colour, 1.8)
     yield _head(tip, along, colour)
-    labels.append(Label(tip, name, colour, [(0, 10), (0, -12), (12, 0), (-12, 0), *LABEL_OFFSETS], 12))
+    layout.strokes.append(np.array([start, tip + 7 * along]))
+    beyond = (16 * along[0], -16 * along[1])
+    layout.labels.append(Label(tip, name, colour, [beyond, (14, 0), (-14, 0), (0, 12), (0, -12), *LABEL_OFFSETS], 12))
+
+
+def _box(centre: Array, half: float) -> Array:
+    return np.array([centre - half, centre + half])
 
 
 def _head(tip: Array, along: Array, colour: str) -> str:
@@ -180,15 +207,16 @@ def _head(tip: Array, along: Array, colour: str) -> str:
     return svg.polygon(np.array([tip + 7 * along, tip + 3 * across, tip - 3 * across]), colour)
 
 
-def _dots(view: _View, points: Mapping[str, Array], labels: list[Label]) -> Iterator[str]:
+def _dots(view: _View, points: Mapping[str, Array], layout: _Layout) -> Iterator[str]:
     """A dot at each mark; marks that cover each other in this view share a label."""
     together: dict[tuple[int, int], list[str]] = {}
     for name, point in points.items():
         pixel = view.at(point)
-        yield svg.circle(pixel, 3, INK)
+        yield svg.circle(pixel, DOT_PX, INK)
+        layout.covered.append(_box(pixel, DOT_PX))
         together.setdefault((round(pixel[0]), round(pixel[1])), []).append(name)
     for place, names in together.items():
-        labels.append(Label(np.array(place, dtype=float), ", ".join(names), INK, LABEL_OFFSETS, 12))
+        layout.labels.append(Label(np.array(place, dtype=float), ", ".join(names), INK, LABEL_OFFSETS, 12))
 
 
 def _steps(shown: Mapping[str, Array], coordinate: int) -> list[tuple[float, list[str]]]:
