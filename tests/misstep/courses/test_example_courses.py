@@ -32,21 +32,9 @@ def engine(wheel, tmp_path_factory):
     return folder
 
 
-def hand_in(course, sheet, solutions, student, wrong):
-    notebook = json.loads((course / "exercises" / sheet / f"{sheet}.ipynb").read_text("utf-8"))
-    for cell in notebook["cells"]:
-        source = "".join(cell["source"]).replace('"your id"', repr(student))
-        if found := re.search(r"^(\w+_\d+) = \.\.\.$", source, re.MULTILINE):
-            source = source.replace(found[0], wrong.get(found[1], solutions[found[1]]))
-        cell["source"] = source
-    file = course / "submissions" / student / f"{sheet}.ipynb"
-    file.parent.mkdir(parents=True)
-    file.write_text(json.dumps(notebook), "utf-8")
-
-
 @pytest.mark.skipif(bool(submissions.sandbox_lacks()), reason=f"this machine lacks {submissions.sandbox_lacks()}")
 @pytest.mark.parametrize("subject", SUBJECTS)
-def test_an_example_course_from_the_wheel_to_the_platform(tmp_path, engine, subject):
+def test_an_example_course_from_the_wheel_to_the_platform(tmp_path, engine, hand_in, subject):
     sheet, slip, mistake = SUBJECTS[subject]
     course = tmp_path / "mine"
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(engine), str(course)])}
@@ -77,7 +65,7 @@ def test_an_example_course_from_the_wheel_to_the_platform(tmp_path, engine, subj
             solutions[found[1]] = found[2]
     for student in STUDENTS:
         wrong = {name: f"{name} = {answer}" for name, answer in slip.items()} if student == STUDENTS[3] else {}
-        hand_in(course, sheet, solutions, student, wrong)
+        hand_in(course, sheet, student, {**solutions, **wrong})
     roster = "Student,ID,SIS User ID,SIS Login ID,Section,Sheet (1)\n    Points Possible,,,,,10\n"
     (course / "roster.csv").write_text(
         roster + "".join(f'"{one}",{k},{one},{one},A,\n' for k, one in enumerate(STUDENTS)), "utf-8"

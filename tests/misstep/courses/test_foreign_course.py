@@ -6,7 +6,6 @@ import subprocess
 import sys
 import zipfile
 from importlib import metadata
-from importlib.util import cache_from_source
 from pathlib import Path
 
 import pytest
@@ -66,20 +65,9 @@ def closure(distribution, extras=()):
 
 
 def link(distribution, site_packages):
-    """Put the files of an installed distribution into another environment, without copying their bytes where possible."""
-    for file in distribution.files:
-        if ".." in file.parts or "__pycache__" in file.parts:
-            continue
-        source, target = Path(file.locate()), site_packages / file
-        pairs = [(source, target)]
-        if source.suffix == ".py" and (compiled := Path(cache_from_source(source))).is_file():
-            pairs.append((compiled, target.parent / "__pycache__" / compiled.name))
-        for origin, link in pairs:
-            link.parent.mkdir(parents=True, exist_ok=True)
-            try:
-                os.link(origin, link)
-            except OSError:  # another file system
-                shutil.copy2(origin, link)
+    """Put an installed distribution into another environment."""
+    for name in {file.parts[0] for file in distribution.files if ".." not in file.parts} - {"__pycache__"}:
+        (site_packages / name).symlink_to(distribution.locate_file(name))
 
 
 @pytest.fixture(scope="module")
