@@ -5,19 +5,17 @@ and the engine find the lecture by its folder; README.md and the paper, which li
 """
 
 import argparse
-import json
 import re
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from kincourse.catalog import COURSE
 from misstep.answers.number import Numbers
 from misstep.problem import Problem, Template
-from misstep.release.instructor_notebook import Entry, notebook
+from misstep.release.instructor_notebook import Entry, notebook, notebook_of
 from misstep.sheet import Sheet
 
 TEMPLATE = Path(__file__).parent / "template"
@@ -79,29 +77,6 @@ def new_lecture(name: str, title: str, question: str, root: Path) -> list[Path]:
         (root / place).parent.mkdir(parents=True, exist_ok=True)
         (root / place).write_text(text, "utf-8", newline="\n")
     return [root / place for place in files]
-
-
-def notebook_of(markdown: str) -> str:
-    r"""Make a notebook of a text whose Python blocks are its code cells.
-
-    >>> [cell["cell_type"] for cell in json.loads(notebook_of("# Title\n\n```python\n1 + 1\n```\n"))["cells"]]
-    ['markdown', 'code']
-    """
-    cells: list[dict[str, Any]] = []
-    for k, part in enumerate(re.split(r"^```python\n(.*?)^```$", markdown, flags=re.MULTILINE | re.DOTALL)):
-        if part.strip():
-            source = part.strip().splitlines(keepends=True)
-            cell: dict[str, Any] = {
-                "cell_type": ("markdown", "code")[k % 2],
-                "id": f"cell-{k}",
-                "metadata": {},
-                "source": source,
-            }
-            cells.append(cell | ({"execution_count": None, "outputs": []} if k % 2 else {}))
-    kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
-    metadata = {"kernelspec": kernel, "language_info": {"name": "python"}}
-    content = {"cells": cells, "metadata": metadata, "nbformat": 4, "nbformat_minor": 5}
-    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
 
 
 def solution_of(name: str, title: str) -> str:

@@ -5,7 +5,6 @@ folder of `examples` is a lecture with its sheet on another subject; its noteboo
 """
 
 import keyword
-import re
 import shutil
 import sys
 import tomllib
@@ -13,7 +12,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from misstep.catalog import FOLDER_PREFIX, forget_package, load_course
-from misstep.release.instructor_notebook import Entry, code, markdown, notebook, with_metadata
+from misstep.release.instructor_notebook import Entry, notebook, notebook_of
 
 TEMPLATE = Path(__file__).parent / "template"
 EXAMPLES = {"alternating-current": "ohm", "probability": "dice", "linear-algebra": "eigenvalues"}
@@ -53,7 +52,8 @@ def write_course(folder: Path, subject: str = "alternating-current") -> None:
     shutil.copytree(source, package, ignore=ignored)
     (package / "__init__.py").write_text(f'"""Lecture 01: {EXAMPLES[subject]}."""\n', "utf-8")
     (folder / "notebooks").mkdir()
-    (folder / "notebooks" / f"{lecture}.ipynb").write_text(_lecture(source), "utf-8")
+    text = (source / "lecture.md").read_text("utf-8")
+    (folder / "notebooks" / f"{lecture}.ipynb").write_text(notebook_of(text), "utf-8")
     entries = [Entry(**one) for one in tomllib.loads((source / "solutions.toml").read_text("utf-8"))["problem"]]
     try:
         sheet = load_course(package.parent).find_sheet(lecture)
@@ -72,20 +72,6 @@ def write_course(folder: Path, subject: str = "alternating-current") -> None:
             text = text.replace(old, new)
         file.write_text(text, "utf-8")
     package.parent.rename(folder / name)
-
-
-def _lecture(source: Path) -> str:
-    """Write the notebook of a lecture from its text, which ends with the question of the lecture."""
-    title, *sections = re.split(r"(?m)^(?=## )", (source / "lecture.md").read_text("utf-8"))
-    question = f"01/{next(iter(tomllib.loads((source / 'questions.toml').read_text('utf-8'))))}"
-    cells = [
-        markdown("title", f"{title.strip()}\n\nRun each cell with Shift + Enter."),
-        code("open", "from my_course import ask, explain"),
-        *(markdown(f"section-{k}", text.strip()) for k, text in enumerate(sections, start=1)),
-        code("ask", f'ask("{question}")'),
-        code("explain", f'explain("{question}")'),
-    ]
-    return with_metadata(cells)
 
 
 def add_arguments(parser: ArgumentParser) -> None:

@@ -4,6 +4,7 @@ The metadata of the cells tell nbgrader what to clear, to lock and to score. `st
 """
 
 import json
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -40,18 +41,29 @@ def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str, a
     number = sheet.problems[0].number.partition(".")[0]
     opening = [imports, "", f'student = "{SAMPLE_ID}"', f'sheet = open_sheet("{sheet.name}", student)', "sheet"]
     title = f"# Sheet {number}: {sheet.title[0].lower()}{sheet.title[1:]}"
-    cells = [markdown("title", f"{title}\n\n{intro}"), code("open", "\n".join(opening))]
+    cells = [_markdown("title", f"{title}\n\n{intro}"), _code("open", "\n".join(opening))]
     for k, (template, entry) in enumerate(zip(sheet.problems, entries, strict=True), start=1):
         cells += problem_cells(k, template.title, template.points, entry)
         if k in after:
-            cells.append(markdown(f"note-{k}", after[k]))
-    cells.append(markdown("together", "## Together\n\nRun this cell last: it counts what you have."))
-    cells.append(code("tally", "sheet.tally()"))
-    return with_metadata(cells)
+            cells.append(_markdown(f"note-{k}", after[k]))
+    cells.append(_markdown("together", "## Together\n\nRun this cell last: it counts what you have."))
+    cells.append(_code("tally", "sheet.tally()"))
+    return _with_metadata(cells)
 
 
-def with_metadata(cells: Sequence[dict[str, Any]]) -> str:
-    """Write a notebook with these cells, as the text of a file."""
+def notebook_of(text: str) -> str:
+    r"""Write a notebook of a text in Markdown, whose Python blocks are its code cells.
+
+    >>> [cell["cell_type"] for cell in json.loads(notebook_of("# Title\n\n```python\n1 + 1\n```\n"))["cells"]]
+    ['markdown', 'code']
+    """
+    parts = re.split(r"^```python\n(.*?)^```$", text, flags=re.MULTILINE | re.DOTALL)
+    return _with_metadata(
+        [(_markdown, _code)[k % 2](f"cell-{k}", part.strip()) for k, part in enumerate(parts) if part.strip()]
+    )
+
+
+def _with_metadata(cells: Sequence[dict[str, Any]]) -> str:
     kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
     metadata = {"kernelspec": kernel, "language_info": {"name": "python"}}
     content = {"cells": cells, "metadata": metadata, "nbformat": 4, "nbformat_minor": 5}
@@ -65,20 +77,18 @@ def problem_cells(k: int, title: str, points: int, entry: Entry) -> list[dict[st
     lines = [*given, f"{name} = ...", "### BEGIN SOLUTION", entry.solution.strip(), "### END SOLUTION"]
     scored = {"grade": True, "locked": True, "points": points, "solution": False}
     return [
-        markdown(f"heading-{k}", f"## Problem {k}. {title}\n\n{entry.ask}".strip()),
-        code(f"show-{k}", f"sheet.show({k})"),
-        code(f"answer-{k}", "\n".join(lines), {"grade": False, "locked": False, "solution": True}),
-        code(f"check-{k}", f"sheet.check({k}, {name})", scored),
+        _markdown(f"heading-{k}", f"## Problem {k}. {title}\n\n{entry.ask}".strip()),
+        _code(f"show-{k}", f"sheet.show({k})"),
+        _code(f"answer-{k}", "\n".join(lines), {"grade": False, "locked": False, "solution": True}),
+        _code(f"check-{k}", f"sheet.check({k}, {name})", scored),
     ]
 
 
-def markdown(name: str, text: str) -> dict[str, Any]:
-    """Return a cell of text; its name is its id."""
+def _markdown(name: str, text: str) -> dict[str, Any]:
     return {"cell_type": "markdown", "id": name, "metadata": {}, "source": text.splitlines(keepends=True)}
 
 
-def code(name: str, text: str, nbgrader: Mapping[str, Any] | None = None) -> dict[str, Any]:
-    """Return a cell of code; its name is its id, and its grade_id if it has metadata of nbgrader."""
+def _code(name: str, text: str, nbgrader: Mapping[str, Any] | None = None) -> dict[str, Any]:
     fields = {**nbgrader, "grade_id": name, "schema_version": SCHEMA, "task": False} if nbgrader else {}
     return {
         "cell_type": "code",
