@@ -18,6 +18,7 @@ from misstep.authoring.course_here import (
     FaultOfCourse,
     add_course_argument,
     find_course_here,
+    headings_of,
     import_sheet,
     place_of,
 )
@@ -92,9 +93,7 @@ def _of_lecture(template: Template, course: Course) -> Iterator[str]:
     file = course.folder.parent / "notebooks" / f"{lecture}.ipynb"
     if not file.is_file():
         yield f"{_line(template)}: problem {template.number} names the lecture {lecture!r}, but there is no {file}."
-    elif f"# {section}" not in "".join(
-        "".join(cell["source"]) for cell in json.loads(file.read_text("utf-8"))["cells"]
-    ):
+    elif section not in headings_of(file):
         yield f"{_line(template)}: problem {template.number} names the section {section!r}, which is no heading of {file}."
 
 

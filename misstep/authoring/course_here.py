@@ -1,5 +1,7 @@
 """The course on which an author works, the one in the folder where a command runs, and where it raised an error."""
 
+import json
+import re
 import traceback
 from argparse import ArgumentParser
 from pathlib import Path
@@ -36,6 +38,13 @@ def import_sheet(course: Course, name: str) -> Sheet:
         raise FaultOfCourse(
             f"{place_of(error, course)}sheet {name} cannot be imported: {type(error).__name__}: {error}"
         ) from error
+
+
+def headings_of(lecture: Path) -> list[str]:
+    """Return the headings of the notebook of a lecture, in order; none if there is no such file."""
+    cells = json.loads(lecture.read_text("utf-8"))["cells"] if lecture.is_file() else []
+    texts = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
+    return [heading.strip() for text in texts for heading in re.findall(r"(?m)^#+ (.+)", text)]
 
 
 def place_of(error: BaseException, course: Course) -> str:

@@ -12,7 +12,7 @@ import unicodedata
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from misstep.authoring.course_here import add_course_argument, find_course_here, import_sheet
+from misstep.authoring.course_here import add_course_argument, find_course_here, headings_of, import_sheet
 from misstep.catalog import FOLDER_PREFIX, Course
 from misstep.release.instructor_notebook import Entry, problem_cells
 
@@ -57,11 +57,12 @@ def add_problem(course: Course, sheet: str, title: str, points: int) -> tuple[Pa
     content = json.loads(notebook.read_text("utf-8"))
     text = source.read_text("utf-8")
     name = _free_name(title, text)
+    headings = headings_of(course.folder.parent / "notebooks" / f"{sheet}.ipynb") or ["A heading of the lecture"]
     skeleton = SKELETON.format(
         number=f"{sheet.partition('_')[0]}.{position}",
         title=title,
         points=points,
-        lecture=f"{sheet}#{_last_heading(course.folder.parent / 'notebooks' / f'{sheet}.ipynb')}",
+        lecture=f"{sheet}#{headings[-1]}",
         name=name,
         placeholder=PLACEHOLDER,
     ).replace("'", '"')
@@ -114,11 +115,6 @@ def _free_name(title: str, text: str) -> str:
     name = re.sub(r"[^a-z0-9]+", "_", "".join(one for one in letters if not unicodedata.combining(one))).strip("_")[:40]
     name = name if name.isidentifier() else f"problem_{name}".rstrip("_")
     return name if not re.search(rf"\b{name}\b", text) else f"{name}_{len(text)}"
-
-
-def _last_heading(lecture: Path) -> str:
-    headings = re.findall(r'"#+ (.+?)(?:\\n)?"', lecture.read_text("utf-8")) if lecture.is_file() else []
-    return headings[-1] if headings else "A heading of the lecture"
 
 
 def add_arguments(parser: ArgumentParser) -> None:

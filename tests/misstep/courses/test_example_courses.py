@@ -119,7 +119,7 @@ def test_check_names_the_problem_the_line_and_what_collides(tmp_path, monkeypatc
     for old, new, said in [
         ("Fraction(rolls, 6), ", "1 - Fraction(5, 6) ** rolls, ", "the mistake 'added' gave the same answer as the right answer"),
         ("Fraction(rolls, 6), ", "Fraction(1, 6) ** rolls, ", "the mistake 'added' gave the same answer as the mistake 'all'"),
-        ("#Independent events", "#Nothing", "names the section 'Nothing', which is no heading of"),
+        ("#Independent events", "#Independent", "names the section 'Independent', which is no heading of"),
         ("points=2, lecture=\"01_dice#Ind", "points=3, lecture=\"01_dice#Ind", "has 3 points, and its check cell 2"),
         ("sampler.integer(2, 4)", "sampler.integers(2, 4)", "AttributeError"),
         ('Problem, Sampler', 'Problems, Sampler', "cannot be imported: ImportError"),
