@@ -1,4 +1,4 @@
-"""The robots of the documents: every number that a deck prints and that is right comes out, every wrong one is proved wrong."""
+"""The robots of the documents: what a deck prints and is right comes out; notebooks/errata.ipynb proves what is wrong."""
 
 import numpy as np
 import pytest
@@ -246,9 +246,3 @@ def test_B1_and_B4_of_example_2_are_as_printed():
     # The same points in {s}, by way of M: there the chain has its joints.
     M = robots.rppr().home
     np.testing.assert_array_equal(robots.rppr().joint_points[[0, 3]], [(M @ [*q, 1])[:3] for q in (q1, q4)])
-
-
-# --- Forward kinematics II, the exponential and (3.88) ---
-
-
-# --- both decks, from the space form to the body form ---

@@ -1,4 +1,4 @@
-"""Common normals: their feet against least squares, and each case of two lines by what makes it one."""
+"""Common normals: each case of two lines by what makes it one; test_frame_assignment.py compares their feet with SciPy."""
 
 import numpy as np
 import pytest
