@@ -43,8 +43,9 @@ def absolute(error: float) -> Accuracy:
 def relative(error: float) -> Accuracy:
     """Up to a given share of the right number.
 
-    >>> bool(abs(98 - 100) <= relative(0.05).bound(100)), bool(abs(90 - 100) <= relative(0.05).bound(100))
-    (True, False)
+    >>> five_percent = relative(0.05)
+    >>> five_percent.words, bool(abs(98 - 100) <= five_percent.bound(100)), bool(abs(90 - 100) <= five_percent.bound(100))
+    ('with an error of at most 5 %', True, False)
     """
     return Accuracy(f"with an error of at most {100 * _positive(error):g} %", lambda right: error * np.abs(right))
 

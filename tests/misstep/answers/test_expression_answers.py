@@ -321,6 +321,11 @@ def test_the_slips_of_formulas_are_named_by_their_places():
     assert vector.same_entries(vector.read("[theta, 0, 1]"), vector.value).tolist() == [True, False, True]
     signs = [slip for slip in vector.slips() if all(vector.agrees(vector.read("[theta, -cos(theta), 1]"), slip.value))]
     assert [slip.message for slip in signs] == ["Only one formula has the wrong sign: entry 2."]
+    square = ClosedForm(sp.Matrix([[theta, 1], [0, 2]]))
+    same = [
+        slip.name for slip in square.slips() if square.agrees(square.read("[[theta, 0], [1, 2]]"), slip.value) == [True]
+    ]
+    assert same == ["transposed"]
 
 
 class Rows(ClosedForm):

@@ -88,6 +88,8 @@ def test_the_hint_counts_the_inputs_at_which_a_function_is_right():
     judgement = judge(problem, lambda x: x**2 if np.array_equal(x, first) else 0 * x)
     assert judgement.findings[0].message == f"It is right at 1 of {CALL_COUNT} inputs that were tried."
     assert judge(problem, lambda x: 0 * x).findings[0].mistake == "placeholder"
+    swapped = judge(Problem("Square.", squares()), lambda x: x[::-1] ** 2).findings[0].message
+    assert swapped == "At every input that was tried: these are the right numbers, but not in the right order."
 
 
 def test_a_function_cannot_change_the_inputs_of_other_calls():
