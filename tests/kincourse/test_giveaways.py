@@ -49,7 +49,7 @@ PLANTED = [
     ("03/climb", "next", "height = 0.1 * 2 * np.pi  # 0.628 m"),
     ("01/own-fixed", "text", "The same orientation comes from the fixed axes: y first, then z."),
     ("00/joint-3", "alt", "The youBot after the motion: {b} is straight above joint 3."),
-    ("07/opposite", "output", "3 | 0.3 | 180° | -0.2 | q3"),
+    ("07/opposite", "output", "3 | 0.3 | 180° | \N{MINUS SIGN}0.2 | q3"),
     ("08/bennett", "heading", "A ring that moves all the way round"),
     ("02/rotation", "folded", "# at certain angles the partial sum rotates, by the wrong angle"),
     ("08/dead", "next", "# the crank reverses, and C goes on into the other mode"),
@@ -76,6 +76,7 @@ PLANTED = [
     ("10.b", "caption", "joint 3 at (4, -2, 0) of its parent"),
     ("02.d", "output", "[[ 0.    -1.     0.     0.5 ]\n [ 1.     0.     0.     0.5 ]\n [ 0.     0.     1.     0.  ]]"),
     ("07.b", "text", "So $O_4$ is at $(0.8, 0.35, 0.8)$."),
+    ("06.a", "output", r"$\begin{pmatrix} 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & q_2 \\ 1 & 0 & 0 & 0 \end{pmatrix}$"),
     ("02.b", "own", "R = [[0.25, -0.6124, 0.75], [0.6124, -0.5, -0.6124], [0.75, 0.6124, 0.25]]"),
     ("07.a", "folded", "row = dict(a=0.3, alpha=180, d=-0.2, theta=0)"),
 ]
