@@ -105,7 +105,7 @@ def is_true(problem: Problem, value: Any, finding: Finding) -> bool:
     claims: dict[str, bool] = {}
     message = finding.message.replace(SAME_CONSEQUENCE, CONSEQUENCES[0])
     for mistake in known:
-        agrees = problem.answer.agrees(value, mistake.value)
+        agrees = problem.answer.shows(value, mistake.value)
         in_parts = all(agrees[part] for part in parts)
         for text, holds in (
             (mistake.message, all(agrees)),

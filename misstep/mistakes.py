@@ -32,7 +32,7 @@ class Step:
         Two given values are the same one if they are equal.
         """
         is_nested = bool(self.changed & other.within or other.changed & self.within)
-        if self.values or other.values:
+        if self.values and other.values:
             return is_nested and (self.name, self.values) == (other.name, other.values)
         is_nested = is_nested and self.changed != other.changed
         return is_nested and (self.name == other.name or self.words == other.words)

@@ -95,7 +95,9 @@ class OpenSheet:
         template, problem = self._template(k), self.problem(k)
         given = "".join(f"`given.{name}` " for name in problem.given)
         note = f"\n\nFrom `given = sheet.given({k})` you have {given}" if given else ""
-        text = f"**{template.title}** ({template.points} points)\n\n{problem.statement}{note}"
+        text = (
+            f"**{template.title}** ({template.points} point{'s' * (template.points != 1)})\n\n{problem.statement}{note}"
+        )
         try:
             from IPython import get_ipython
             from IPython.display import Markdown, display

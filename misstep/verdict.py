@@ -7,7 +7,8 @@ from typing import Any
 from misstep.diagnosis.bugs import Observation, Recurrence
 from misstep.display.card import TITLES, Card, Link
 from misstep.display.text import points
-from misstep.judge import Finding, Judgement
+from misstep.judge import Judgement
+from misstep.paragraphs import paragraphs
 from misstep.problem import Problem, Template
 from misstep.storage.deserialize import MIME
 
@@ -39,10 +40,9 @@ class Verdict:
         judgement, template = self.judgement, self.template
         title = f"Problem {template.number}: {TITLES[judgement.state]}"
         body: list[str | Link] = [f"{points(self.score)} of {template.points} point{'s' * (template.points != 1)}."]
-        if judgement.state == "partly":
-            body.append(f"Right: {_enumeration(judgement.right_parts)}.")
         is_on_whole = judgement.state != "partly" and len(judgement.findings) == 1
-        body += [_finding_text(finding, is_on_whole) for finding in judgement.findings]
+        right_parts = judgement.right_parts if judgement.state == "partly" else ()
+        body += paragraphs(judgement.findings, right_parts, is_on_whole=is_on_whole)
         if judgement.state not in ("right", "blank", "unmarked"):
             notebook, _, section = template.lecture.partition("#")
             body.append(Link(f"Re-read: lecture {notebook}, section “{section}”.", self.address))
@@ -109,15 +109,3 @@ def observation(template: Template, problem: Problem, judgements: Sequence[Judge
         finding.alternatives for judgement in read for finding in judgement.findings if finding.alternatives
     ]
     return Observation(template.number, sorted(possible.difference(problem.invisible)), explanations)
-
-
-def _finding_text(finding: Finding, is_on_whole: bool) -> str:
-    parts = _enumeration(finding.parts)
-    if is_on_whole:
-        return finding.text
-    is_symbol = parts[1:2] in {"_", "^"}  # q_2 is not Q_2
-    return f"{parts if is_symbol else parts[:1].upper() + parts[1:]}: {finding.text}"
-
-
-def _enumeration(names: Sequence[str]) -> str:
-    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)

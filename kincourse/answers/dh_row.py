@@ -12,7 +12,7 @@ from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, is_plausible_angle
 from misstep.answers.base import TOLERANCE
 from misstep.answers.entries import Slip
-from misstep.answers.likeness import Likeness
+from misstep.answers.likeness import Likeness, copied_row
 from misstep.answers.number import LENGTH, PURE, Numbers
 
 
@@ -46,6 +46,11 @@ class DHEntriesAnswer(Numbers):
         # A card capitalizes the first word of a sentence, and "A_1" (a link transform) is not a_1 (a length).
         return [name if " " in name else f"entry {symbol(name)}" for name in self.names]
 
+    def read(self, given: Any) -> Array:
+        # Rows of four entries may be given as a table.
+        shape = (len(self._rows(self.value)), len(COLUMNS))
+        return super().read(np.ravel(given) if shape[0] > 1 and _has_shape(given, shape) else given)
+
     def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         angles_agree = _same_angle(one, other, tolerance)
         return np.where(self.kinds() == PURE, angles_agree, super().same_entries(one, other, tolerance))
@@ -70,6 +75,11 @@ class DHEntriesAnswer(Numbers):
         return np.asarray(self.kinds() == PURE)
 
     def explanation(self, given: Array, part: int) -> tuple[str, str] | None:
+        if len(rows := self._rows(given)) > 1:
+            row = part // len(COLUMNS)
+            typed, ours = (list(self._rows(X)[..., None]) for X in (given, self.value))
+            if copied := copied_row(typed, ours, row, [f"row {k + 1}" for k in range(len(rows))]):
+                return copied
         mine, right = float(given[part]), float(self.value[part])
         cases: tuple[tuple[Any, str, str], ...]
         if self._is_angle(part):
@@ -103,10 +113,14 @@ class DHEntriesAnswer(Numbers):
     def arrangement(self, given: Array) -> tuple[str, str] | None:
         """Return how the rows of a table that are listed one after the other are the right ones in another order."""
         found = None
-        if len(self.names) > len(COLUMNS) and len(self.names) % len(COLUMNS) == 0:
-            mine, right = (np.reshape(X, (-1, len(COLUMNS), 1)) for X in (given, self.value))
-            found = Likeness(mine, right).order()
+        if len(self._rows(given)) > 1:
+            mine, right = (self._rows(X)[..., None] for X in (given, self.value))
+            found = Likeness(mine, right, columns=[symbol(name) for name in COLUMNS]).order()
         return found or super().arrangement(given)
+
+    def _rows(self, entries: Array) -> Array:
+        """The entries as whole rows of a table, (n, 4); none if they are not such rows."""
+        return np.reshape(entries, (-1, len(COLUMNS))) if len(entries) % len(COLUMNS) == 0 else np.empty((0, 4))
 
     def hint(self, given: Array, part: int) -> str:
         if self._is_angle(part) and not is_plausible_angle(given[part]):
@@ -115,6 +129,13 @@ class DHEntriesAnswer(Numbers):
 
     def _is_angle(self, part: int) -> bool:
         return any(angle in self.names[part] for angle in ANGLE_COLUMNS)
+
+
+def _has_shape(given: Any, shape: tuple[int, int]) -> bool:
+    try:
+        return bool(np.shape(given) == shape)
+    except Exception:  # reading the shape of a student's object may raise any error
+        return False
 
 
 def _same_angle(one: Any, other: Any, tolerance: float = TOLERANCE) -> Any:

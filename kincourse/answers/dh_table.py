@@ -200,10 +200,8 @@ class DHTableAnswer(Answer):
                     "copied row",
                     f"Rows {i + 1} and {j + 1} of your table are the same, number for number. Is one a copy?",
                 )
-        return None
-
-    def hint(self, given: DHTable, part: int) -> str:
-        return self._diagnose(given).difference.replace("the table", "your table")
+        difference = self._diagnose(given).difference.replace("the table", "your table")
+        return ("other axes", difference) if difference else None
 
     def check(self, given: DHTable, part: int) -> str:
         """Return where the table ends at q = 0, which is drawn, if base, tool and joint values are those of the problem."""

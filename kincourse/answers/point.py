@@ -57,7 +57,7 @@ class VectorsAnswer(Numbers):
         return REORDERED.format("coordinates" if self.unit else "components")
 
     def likeness(self, given: Array, part: int | None) -> Likeness:
-        return replace(super().likeness(given, part), reordered=self._reordered)
+        return replace(super().likeness(given, part), reordered=self._reordered, columns=XYZ)
 
     def check(self, given: Array, part: int) -> str:
         mine, right = (float(np.linalg.norm(X[self.part_indices()[part]])) for X in (given, self.value))
@@ -65,7 +65,27 @@ class VectorsAnswer(Numbers):
             return ""
         return f"A direction is a unit vector; the length of yours is {mine:.3g}."
 
+    def arrangement(self, given: Array) -> Named | None:
+        if (found := super().arrangement(given)) or not self.unit or np.ndim(self.value) < 2:
+            return found
+        steps = np.diff(self.value, axis=0, prepend=0 * self.value[:1])
+        for name, points, text in (
+            ("steps", steps, "These are the steps from each point to the next one."),
+            ("points added", np.cumsum(self.value, axis=0), "Each row is the sum of all right points up to this one."),
+        ):
+            if all(self.agrees(given, points)) and not all(self.agrees(points, self.value)):
+                return name, f"{text} The points are wanted, each from the same origin."
+        return None
+
     def description(self, given: Array, part: int) -> Named | None:
+        if self.unit and self.names:
+            for k, name in enumerate(self.names[:part]):
+                for text, right in (
+                    (f"This is the difference to {name}.", self.value[part] - self.value[k]),
+                    (f"This is the sum of the rows from {name} on.", self.value[k : part + 1].sum(axis=0)),
+                ):
+                    if np.allclose(given[part], right, rtol=TOLERANCE, atol=TOLERANCE):
+                        return "another origin", f"{text} It is measured from another point."
         if self.check(given, part):
             return "not a unit vector", "This is not a unit vector."
         return super().description(given, part)

@@ -17,7 +17,7 @@ from misstep.answers.likeness import IDENTITY, UNTOUCHED, Likeness, Named
 from misstep.answers.number import LENGTH, PURE, Numbers
 from misstep.validation import Array
 
-NOT_A_ROTATION = "It is no rotation at all."
+NOT_A_ROTATION = "This is not a rotation matrix."
 
 INVERSE = (
     "The rotation is that of the inverse pose, and the position has only its signs changed. The inverse of $(R, p)$ is "
@@ -120,7 +120,7 @@ class PoseAnswer(Numbers):
 
     def description(self, given: Array, part: int) -> Named | None:
         if not np.allclose(given[3], (0, 0, 0, 1), atol=TOLERANCE) and self._core_is_right(given, part):
-            return "last row", "The last row of a pose is 0 0 0 1, whatever is above it."
+            return "last row", "The numbers above the last row are right, but the last row of a pose is 0 0 0 1."
         named = _rotation_description(given[:3, :3], self.value[:3, :3]) if part == 0 else None
         if named and named[1] in (OTHER_AXES.format("columns"), OTHER_AXES.format("rows")):
             return named[0], f"{named[1][:-1]}, so the axes of a frame are named or directed in another way."
@@ -155,8 +155,8 @@ class PoseAnswer(Numbers):
         yield (
             "position negated",
             homogeneous(R, -p),
-            "The rotation is right; the position has all signs wrong.",
-            "The position has all signs wrong.",
+            "The rotation is right; every sign of the position is wrong.",
+            "The position has the right sizes, but every sign is wrong.",
         )
         yield (
             "not rotated",
@@ -221,11 +221,20 @@ class OriginAnswer(Equivalent):
     def parts(self) -> Sequence[str]:
         return ["the origin"]
 
-    def hint(self, given: Array, part: int) -> str:
+    def explanation(self, given: Array, part: int) -> Named | None:
+        right = np.asarray(self.value)
+        if np.allclose(origin(*given), inverse(origin(*right)), atol=TOLERANCE):
+            return "inverse", "This is the inverse: the origin of the parent, seen from the child."
+        return super().explanation(given, part)
+
+    def description(self, given: Array, part: int) -> Named | None:
         right = np.asarray(self.value)
         if self.agrees(np.stack([given[0], right[1]]), right)[0]:
-            return "The xyz is right, but the rpy is another rotation."
-        return "The rpy is right, but the xyz is not." if self.agrees(np.stack([right[0], given[1]]), right)[0] else ""
+            return "another rpy", "The xyz is right, but the rpy is another rotation."
+        if not self.agrees(np.stack([right[0], given[1]]), right)[0]:
+            return None
+        same = self.same_entries(given, right)[0]
+        return "another xyz", f"The rpy is right, but the xyz is not. {entries_hint(same, XYZ)}".rstrip()
 
 
 def _position_mask() -> NDArray[np.int_]:

@@ -134,8 +134,8 @@ class ScrewsAnswer(Numbers):
         yield (
             "opposite direction",
             -S,
-            "Every screw axis has the opposite direction: all signs are wrong.",
-            "It has the opposite direction: all signs are wrong.",
+            "Every screw axis has the opposite direction: every sign is wrong.",
+            "It has the opposite direction: every sign is wrong.",
         )
         yield (
             "sign of v",

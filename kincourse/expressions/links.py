@@ -193,22 +193,6 @@ def _rows_swapped(node: Expression) -> Changes:
     yield Change("rows swapped", "put the joint first"), node[::-1]
 
 
-def mounted(label: str, T: Array) -> Expression:
-    """A given pose at which an arm or a tool is mounted, (4, 4).
-
-    >>> [change.name for change, _ in mounted("T_{s0}", np.eye(4)).changes()][-1]
-    'inverted'
-    """
-    turned, shifted = T.copy(), T.copy()
-    turned[:3, 3], shifted[:3, :3] = 0.0, np.eye(3)
-    return (
-        given(label, T)
-        .mistaken_for(shifted, "rotation left out", f"leave out the rotation of ${label}$")
-        .mistaken_for(turned, "position left out", f"leave out the position of ${label}$")
-        .mistaken_for(np.linalg.inv(T), "inverted", f"use the inverse of ${label}$, which belongs there as it is")
-    )
-
-
 def _link_changes(convention: Convention, node: Expression) -> Changes:
     a, alpha, d, theta = node.arguments
     other: Convention = "modified" if convention == "standard" else "standard"

@@ -234,10 +234,13 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
             (9 - d) * (N - 1 - J) + J,
         ),
         ("sign", "give the negative of the number", -right.value),
+        ("number of bodies", "give the number of bodies", N),
+        ("number of joints", "give the number of joints", J),
+        ("loops", "take $d$ for each leg as if it were one joint", d * (N - 1) + F - d * len(legs)),
         ("off by one", "count one too many or one too few", right.value + 1),
         ("off by one", "count one too many or one too few", right.value - 1),
     ):
-        if name not in ("loops", "negative number", "sign") or wrong != right.value:
+        if wrong != right.value:
             right = right.mistaken_for(wrong, name, text)
     return right.also_by(_leg_by_leg(d, legs))
 

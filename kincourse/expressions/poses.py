@@ -18,7 +18,7 @@ def pose(label: str, T: Array) -> Expression:
     """A given pose, (4, 4).
 
     >>> [change.name for change, _ in pose("T_{ab}", np.eye(4)).changes()]
-    ['inverted', 'transposed', 'rotation transposed']
+    ['inverted', 'transposed', 'rotation transposed', 'only moved', 'only rotated']
     """
     return given(label, T, _POSE)
 
@@ -69,6 +69,12 @@ def _pose_changes(node: Expression) -> Changes:
     yield Change("transposed", f"use the transpose of ${node.latex}$ instead of ${node.latex}$"), transpose(node)
     transposed = _of_pose("rotation transposed", lambda T: homogeneous(T[:3, :3].T, T[:3, 3]), "{0}")
     yield Change("rotation transposed", f"use ${node.latex}$ with the transpose of its rotation"), transposed(node)
+    R, p = node.value[:3, :3], node.value[:3, 3]
+    for name, what, wrong in (
+        ("only moved", "rotation", homogeneous(np.eye(3), p)),
+        ("only rotated", "position", homogeneous(R, 0 * p)),
+    ):
+        yield Change(name, f"leave out the {what} of ${node.latex}$", alone=True), given(node.latex, wrong)
 
 
 def _rotation_changes(node: Expression) -> Changes:
@@ -168,6 +174,8 @@ def _point_map_changes(node: Expression) -> Changes:
     advice = "A point has a 1 as its last entry, which adds $p$: $R\\,x + p$."
     yield Change("point as a direction", f"leave out the position of ${T.latex}$ for a point", advice=advice), R @ x
     yield Change("sign", f"take the position of ${T.latex}$ with the opposite sign"), R @ x - p
+    text = f"take ${x.latex}$, rotated, with the opposite sign"
+    yield Change("sign", text, alone=True), p - R @ x
     yield Change("order", f"add the position of ${T.latex}$ in the wrong order, before rotating"), R @ (x + p)
     yield from _map_changes(T, x, to_point)
 

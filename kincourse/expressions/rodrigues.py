@@ -7,6 +7,7 @@ import numpy as np
 from numpy import cos, sin
 
 from kinlib.arrays.validation import Array
+from kinlib.rigid.lie import exp as exponential
 from misstep.mutants.expression import Change, Changes, Expression, Operation, given
 from misstep.mutants.operations import ANGLE, unit
 
@@ -34,6 +35,7 @@ _ROTATIONS: list[tuple[str, str, Coefficients]] = [
     ("cos for 1 - cos", "write $1 + \\cos \\theta$ instead of $1 - \\cos \\theta$", lambda q: (1, sin(q), 1 + cos(q))),
     ("no identity", "leave out the identity $I$", lambda q: (0, sin(q), 1 - cos(q))),
     ("term left out", "leave out the term with $[\\omega]^2$", lambda q: (1, sin(q), 0)),
+    ("term left out", "leave out the term $(1 - \\cos \\theta)\\,\\omega\\,\\omega^T$", lambda q: (cos(q), sin(q), 0)),
     ("sign", "take the term with $[\\omega]^2$ with the opposite sign", lambda q: (1, sin(q), cos(q) - 1)),
     ("series cut short", "stop the series after two terms", lambda q: (1, q, 0)),
     ("series cut short", "stop the series after three terms", lambda q: (1, q, q**2 / 2)),
@@ -200,6 +202,12 @@ def _rotation_changes(node: Expression) -> Changes:
     by_entry = Change("exponential of each entry", "take the exponential entry by entry (`np.exp`)", advice=SERIES)
     yield by_entry, _entrywise(omega, theta)
     if raw := _raw_axis(omega):
+        once = partial(_formula, lambda q: (1, sin(q), _size(raw.value) * (1 - cos(q))), _squared, 1.0)
+        text = f"divide by the length only once in the square of $[{raw.latex}]$"
+        yield (
+            Change("divided once", text, advice=UNIT_AXIS, alone=True),
+            Operation("divided once", once, "{0}".format)(unit(raw), theta),
+        )
         text = f"use ${raw.latex}$, which is no unit vector, in Rodrigues' formula"
         yield Change("formula for a unit axis", text, FOR_UNIT_AXES, UNIT_AXIS), _printed_rotation(raw, theta)
 
@@ -274,8 +282,13 @@ def _twist_changes(node: Expression) -> Changes:
             "The diagonal of $[S]$ is zero; $I + [S]$ is the beginning of the series of $e^{[S]}$.",
             lambda S: S + np.eye(4),
         ),
+        ("exponential", "take the exponential of $[S]$", "The matrix $[S]$ itself is wanted.", _exponential),
     ):
         yield Change(name, text, advice=advice), Operation(name, wrong, "{0}".format)(node)
+
+
+def _exponential(S: Array) -> Array:
+    return exponential(np.array([S[2, 1], S[0, 2], S[1, 0], *S[:3, 3]]))
 
 
 def _column(S: Array) -> Array:

@@ -1,14 +1,15 @@
 """Screw axes in solutions: axes of joints, the adjoint, and the product of exponentials."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from itertools import combinations
 
 import numpy as np
 
-from kincourse.expressions.poses import exp, inverse
+from kincourse.expressions.poses import exp, inverse, with_position
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp as exponential
-from kinlib.rigid.lie import hat
+from kinlib.rigid.lie import hat, homogeneous
 from misstep.mutants.expression import (
     SUM,
     Change,
@@ -128,6 +129,11 @@ def forward_kinematics(before: Sequence[Expression], home: Expression, after: Se
             "take every joint value with the opposite sign",
         )
         .mistaken_for(with_values(values[::-1]), "joint values reversed", "use the joint values in the reverse order")
+        .mistaken_for(
+            product(home, *factors, inverse(home)),
+            "home and its inverse",
+            f"put ${home.latex}$ in front and its inverse at the end",
+        )
         .mistaken_for(home, "at home", f"give ${home.latex}$, the pose at home", "The joints have moved since.")
     )
 
@@ -162,11 +168,12 @@ def joint_screws(
 
     rows = rows_with(places)
     if len(places) > 1:
-        text = "combine each axis with the point of the next joint"
-        rows = rows.mistaken_for(rows_with([*places[1:], places[0]]), "another point", text)
+        for which, order in (("next", [*places[1:], places[0]]), ("previous", [places[-1], *places[:-1]])):
+            text = f"combine each axis with the point of the {which} joint"
+            rows = rows.mistaken_for(rows_with(order), "another point", text)
     if isinstance(points, np.ndarray):
         for text, wrong in (
-            ("measure each point from joint 1", points - points[0]),
+            *((f"measure each point from joint {i}", points - p) for i, p in zip(numbers, points, strict=True)),
             ("add up the points, as if each were measured from the one before", points.cumsum(axis=0)),
             ("take the steps from point to point as the points", np.diff(points, axis=0, prepend=0 * points[:1])),
         ):
@@ -333,6 +340,10 @@ def _change_of_frame_changes(node: Expression) -> Changes:
     text = "rotate both halves in the opposite direction, without the change of origin"
     yield Change("only rotated", text), _rotate_back_only(T, S)
     yield Change("only moved", "change the origin without rotating the axes"), _translate_only(T, S)
+    for text, wrong in _WRONG_PLACES.items() if T.operation is not inverse else ():
+        yield Change("position of the inverse", f"{text} ${T.latex}$", alone=True), change_frame(wrong(T), S)
+    for text, added in _WITHOUT_BRACKETS.items():
+        yield Change("p without brackets", f"add {text} to $R\\,v$", advice=ADJOINT_ADVICE, alone=True), added(T, S)
     yield Change("only omega rotated", "rotate $\\omega$ only, with $v$ unchanged"), _rotate_omega(T, S)
     yield Change("no moment", "rotate $\\omega$, with $v$ left at zero"), _rotate_omega(T, _without_v(S))
     yield Change("frame not changed", f"use ${S.latex}$ as it is given"), S
@@ -428,6 +439,35 @@ _r_before_p = Operation("swapped block", lambda T, S: _by_blocks(T, S, swapped=T
 _p_alone = Operation(
     "p alone", lambda T, S: _rotated(T, S) + _joined(0 * S[..., :3], np.cross(T[:3, 3], S[..., :3])), "{1}".format
 )
+
+
+def _unbracketed(sign: int, of_inverse: bool, T: Array, S: Array) -> Array:
+    p = -T[:3, :3].T @ T[:3, 3] if of_inverse else T[:3, 3]
+    return _rotated(T, S) + _joined(0 * S[..., :3], sign * np.cross(S[..., :3], p))
+
+
+_WITHOUT_BRACKETS = {
+    f"${'-' * (sign < 0)}\\omega \\times p$, with the $p$ of the {which} pose,": Operation(
+        "p without brackets", partial(_unbracketed, sign, of_inverse), "{1}".format
+    )
+    for sign in (1, -1)
+    for of_inverse, which in ((False, "given"), (True, "inverse"))
+}
+"""What is added to R v in place of [p] R omega."""
+
+_WRONG_PLACES = {
+    "use $-p$ and $R^T$ instead of $p$ and $R$ of": Operation(
+        "R^T and -p", lambda T: homogeneous(T[:3, :3].T, -T[:3, 3]), "{0}".format
+    ),
+    "use $R^T p$ instead of the position $p$ of": Operation(
+        "R^T p", lambda T: with_position(T, T[:3, :3].T @ T[:3, 3]), "{0}".format
+    ),
+    "use $-R^T p$, the position of the inverse, instead of the position $p$ of": Operation(
+        "-R^T p", lambda T: with_position(T, -T[:3, :3].T @ T[:3, 3]), "{0}".format
+    ),
+}
+"""Poses that people put into the adjoint in place of a given one."""
+
 _rotate_omega = Operation("omega rotated", lambda T, S: _joined(S[..., :3] @ T[:3, :3].T, S[..., 3:]), "{1}".format)
 _without_v = Operation("without v", lambda S: _joined(S[..., :3], 0 * S[..., 3:]), "{0}".format)
 _rotate_back_only = Operation("only rotated back", lambda T, S: _rotated(T.T, S), "{1}".format)

@@ -5,6 +5,7 @@ from itertools import combinations
 import numpy as np
 
 from kinlib.arrays.validation import Array
+from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.rpy import origin
 from misstep.mutants.expression import Change, Changes, Expression, Operation, given, transpose
 
@@ -55,6 +56,14 @@ def _rpy_changes(node: Expression) -> Changes:
             Change("yaw first", text, text, "The first of the three is the roll, about $x$."),
             _rpy_rotation(rpy[::-1]),
         )
+    if len(rotated) > 1:
+        advice = "Roll, pitch and yaw are three rotations, one after the other, and not one rotation vector."
+        yield (
+            Change(
+                "rotation vector", f"take the angles of ${label}$ as one rotation vector", advice=advice, alone=True
+            ),
+            _one_rotation(rpy),
+        )
     text = f"transpose ${label}$, which takes coordinates in the joint's frame to the parent's"
     yield Change("rotation transposed", text, "transpose every rotation"), transpose(node)
     yield (
@@ -88,4 +97,5 @@ def _scaled(rpy: Expression, factor: float | Array) -> Expression:
 
 
 _rpy_rotation = Operation("roll, pitch, yaw", _rotation, "R({0})".format, _rpy_changes)
+_one_rotation = Operation("one rotation", exponential, "R({0})".format)
 _moving = Operation("moving axes", _about_moving_axes, "R({0})".format)

@@ -363,7 +363,7 @@ FLAWS_REFUTED = {
 """Why each answer is wrong where it is wrong, without the right answer."""
 
 
-@problem("01.9", "Is it a rigid motion?", points=2, lecture="01_frames#Bug hunt")
+@problem("01.9", "Is it a rigid motion?", points=2, lecture="01_frames#Columns and rows")
 def rigid_or_not(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(FLAWS))
     T = np.eye(4)

@@ -79,6 +79,13 @@ def turn_about_a_line(sampler: ArmSampler) -> Problem:
     degrees = sampler.choice([degrees for degrees in range(35, 165, 5) if degrees not in (45, 90, 120)])
     angle = given("\\theta", degrees, ANGLE).mistaken_for(180 - degrees, "supplement", "rotate by $180° - \\theta$")
     R = rotation_exp(unit(point("d", direction)), radians(angle))
+    turns = np.diag(direction / length * np.radians(degrees))
+    R = R.mistaken_for(
+        exp(turns[0]) @ exp(turns[1]) @ exp(turns[2]),
+        "three rotations",
+        "rotate about $x$, $y$ and $z$ one after the other",
+        "One rotation about an axis is not a product of rotations by its components.",
+    )
     return Problem(
         statement=f"A body rotates by {degrees} degrees about an axis with the direction ${vector(direction)}$. Give its "
         f"rotation matrix $R$.",
@@ -188,6 +195,11 @@ def three_terms(sampler: ArmSampler) -> Problem:
     ):
         distance = distance.mistaken_for(wrong, name, text)
     error = given("1000", 1000.0).mistaken_for(100.0, "centimetres", "give the number in centimetres") * r * distance
+    error = error.mistaken_for(100 * distance, "percentage", "give the error in percent of the radius")
+    error = error.mistaken_for(1000 * square(r * distance), "root left out", "give the square of the distance")
+    error = error.mistaken_for(
+        error * np.sqrt(2), "norm of a matrix", "take the norm of the difference of the matrices"
+    )
     return Problem(
         statement="You stop the series of $e^{[\\omega]\\theta}$ after three terms, $I + [\\omega]\\theta + [\\omega]^2\\theta^2/2$, "
         f"with $|\\omega| = 1$ and $\\theta = {number(angle)}$ rad. Then you apply the sum to a point that "
@@ -209,7 +221,7 @@ def three_terms(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("02.6", "A motion with constant velocity", points=3, lecture="02_matrix_exponential#Bug hunt")
+@problem("02.6", "A motion with constant velocity", points=3, lecture="02_matrix_exponential#From rotations to screws")
 def gyroscope(sampler: ArmSampler) -> Problem:
     size, seconds = sampler.choice([2.0, 3.0, 0.5]), sampler.choice([0.4, 0.5, 0.6, 0.7, 0.8])
     omega, v = size * sampler.choice(AXIS_DIRECTIONS), sampler.point(3)
@@ -297,6 +309,12 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
     for value, name, text in (
         (axial(R_given).value, "R - R^T alone", "give the components of $R - R^T$"),
         (half.value, "R - R^T alone", "give the components of $(R - R^T) / 2$"),
+        (
+            np.pi * np.sqrt((np.diag(R) + 1) / 2),
+            "half a turn",
+            "take half a turn, and the sizes from the diagonal of $R$",
+        ),
+        (np.diag(R), "diagonal of R", "give the diagonal of $R$"),
         (np.array([R[2, 1], R[0, 2], R[1, 0]]), "entries of R", "take entries of $R$ instead of those of $R - R^T$"),
         (np.abs(u) * angle, "signs left out", "leave out the signs of the axis"),
     ):
@@ -371,6 +389,15 @@ def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
                 "climb along p",
                 "add a climb along the point $p$",
                 "The body climbs along the axis.",
+            ),
+            *(
+                (
+                    turned + pitch * q * omega[[(i + k) % 3 for i in range(3)]],
+                    "climb along another axis",
+                    f"let the body climb along the {'xyz'[(int(np.flatnonzero(d)[0]) - k) % 3]} axis",
+                    "The body climbs along the axis.",
+                )
+                for k in (1, 2)
             ),
         ):
             column = column.mistaken_for(wrong, name, text, advice)

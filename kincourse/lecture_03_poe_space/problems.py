@@ -36,6 +36,7 @@ from kincourse.sampling.arms import ArmSampler, shows_transposes
 from kincourse.sampling.lettered_arms import LetteredArm, draw_lettered_arm
 from kincourse.text.joint_table import joint_table
 from kinlib.chains.robots import SLIDE, X, Y, Z, angled_arm, arm, pose
+from kinlib.rigid.lie import adjoint
 from kinlib.rigid.lie import homogeneous as pose_of
 from kinlib.symbolic.merge_rotations import homogeneous
 from kinlib.symbolic.numbers import exact
@@ -43,7 +44,7 @@ from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
 from misstep.answers.function import Function
 from misstep.answers.groups.order import Ordering
 from misstep.display.text import matrix, number, vector
-from misstep.mutants.expression import Expression, given, negative, total
+from misstep.mutants.expression import Expression, given, negative, product, total
 from misstep.mutants.operations import ANGLE, LENGTH, radians, unit
 from misstep.problem import Problem
 from misstep.sheet import Sheet
@@ -272,12 +273,26 @@ def longer_tool(sampler: ArmSampler) -> Problem:
             pose((X, Y, Z), longer * axis), "another axis", f"extend the tool along its ${name}$"
         )
     extended = extended.mistaken_for(
+        pose((X, Y, Z), longer * (X + Y + Z)), "another axis", "extend the tool along its $x$, $y$ and $z$"
+    )
+    extended = extended.mistaken_for(
         pose((X, Y, Z), -longer * Z), "sign of a length", "shorten the tool instead of extending it"
     )
     extended = extended.mistaken_for(pose((X, Y, Z), 2 * longer * Z), "extended twice", "extend the tool twice")
     home = (given_pose("M", robot.home) @ extended).named("M'")
-    factors = exponentials(robot.screws, values_in_radians(robot.joint_types, q))
+    at_length = robot.home.copy()
+    at_length[2, 3] = longer
+    home = home.mistaken_for(at_length, "replaced", "put the added length in the place of the $z$ of $M$")
+    values = values_in_radians(robot.joint_types, q)
+    factors = exponentials(robot.screws, values)
+    moved = robot.screws @ adjoint(extended.value).T
     T = forward_kinematics(factors, home).mistaken_for(
+        product(*exponentials(moved, values), home),
+        "screws changed",
+        "change the screws with the tool as well",
+        "The joints are where they were, so the screws in {s} stay.",
+    )
+    T = T.mistaken_for(
         extended @ forward_kinematics(factors, given_pose("M", robot.home)),
         "order",
         "extend the tool along the $z$ of {s}, after the motion",
@@ -432,7 +447,10 @@ def _with_mistakes_of_problem_10(S: Expression, kind: str, point: np.ndarray) ->
         ("opposite direction", "take {} with the opposite direction", -S.value)
     ]
     if kind == "P":
-        wrong_ones += [("direction in omega", "put the direction of {} into $\\omega$", np.concatenate([v, w]))]
+        wrong_ones += [
+            ("direction in omega", "put the direction of {} into $\\omega$", np.concatenate([v, w])),
+            ("prismatic as revolute", "treat the joint of {} as revolute", np.concatenate([v, -np.cross(v, point)])),
+        ]
     else:
         wrong_ones += [
             ("omega x q", "take $\\omega \\times q$ for the moment of {}", np.concatenate([w, -v])),

@@ -146,6 +146,7 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
     while [names[:k], names[k:]] == [sorted(names[:k]), sorted(names[k:])]:  # too close to the alphabet
         names = sampler.shuffled("abcd")
     left, right = names[:k], names[k:]
+    by_alphabet = ["e_a", "e_b", "e_c", "e_d"]
     orders = {
         "reversed": ((names[::-1][:k], names[::-1][k:]), "The joints are in the reverse order."),
         "sides swapped": ((right, left), "The factors of {s} and {b} are on the wrong sides of $M$."),
@@ -178,10 +179,9 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
                     "home first": (0, f"You put $M$ in front, as in the body form. {MIDDLE_ADVICE}"),
                 },
             ),
-            mistake(
-                "by the alphabet",
-                ["e_a", "e_b", "e_c", "e_d", "M"],
-                f"The joints are in the order of the alphabet. {BASE_ADVICE}",
+            *(
+                mistake("by the alphabet", order, f"The joints are in the order of the alphabet. {BASE_ADVICE}")
+                for order in ([*by_alphabet, "M"], ["M", *by_alphabet])
             ),
         ],
     )
@@ -225,11 +225,9 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
         "put the factors of {b} to the left of $M$, and those of {s} to its right",
         MIDDLE_ADVICE,
     )
-    unrotated = given_pose("M", homogeneous(np.eye(3), robot.home[:3, 3]))
     for name, text, wrong in (
         ("M twice", "multiply by $M$ twice, after joint 2 and at the end", [*e[:k], home, *e[k:], home]),
         ("M twice", "multiply by $M$ twice, in front and after joint 2", [home, *e[:k], home, *e[k:]]),
-        ("rotation left out", "leave out the rotation of $M$", [*e[:k], unrotated, *e[k:]]),
     ):
         T = T.mistaken_for(product(*wrong).value, name, text)
     return Problem(
@@ -243,7 +241,7 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.7", "A new tool", points=3, lecture="04_poe_body#Check yourself")
+@problem("04.7", "A new tool", points=3, lecture="04_poe_body#The adjoint")
 def new_tool(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
     turn = _rotation(sampler.choice([X, Y]), sampler.choice([30, 40, -50, -60, 70]))
@@ -498,10 +496,12 @@ def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         R = chain.home[:3, :3]
         shifted = chain.screws @ adjoint(homogeneous(np.eye(3), -chain.home[:3, 3])).T
         rotated = np.hstack([chain.screws[:, :3] @ R, chain.screws[:, 3:] @ R])
+        turned_back = shifted @ adjoint(homogeneous(R, np.zeros(3))).T
         for name, text, wrong in (
             ("rows reversed", "list the screws from the last joint to the first", B.value[::-1]),
             ("frame not changed", "give the screws in {s}", chain.screws),
             ("only moved", "measure from the origin of {b}, but along the axes of {s}", shifted),
+            ("rotation transposed", "rotate with $R$ instead of $R^T$", turned_back),
             ("only rotated", "use the axes of {b}, but the origin of {s}", rotated),
         ):
             B = B.mistaken_for(wrong, name, text, "Directions and points of body screws are given in {b}.")

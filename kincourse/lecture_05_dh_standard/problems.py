@@ -7,8 +7,9 @@ import numpy as np
 from kincourse.answers.dh_row import DHEntriesAnswer, DHRowAnswer
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.pose import PoseAnswer
-from kincourse.expressions.links import dh_row, link, links, mounted, table_product
-from kincourse.expressions.poses import inverse
+from kincourse.expressions.links import dh_row, link, links, table_product
+from kincourse.expressions.poses import inverse, with_position
+from kincourse.expressions.poses import pose as given_pose
 from kincourse.lecture_05_dh_standard.drawn_problem import scara
 from kincourse.mistakes.dh import base_in_a_row, entry_names, other_entries, table_mistakes, tool_in_a_row
 from kincourse.problem import problem
@@ -74,6 +75,8 @@ def one_row(sampler: ArmSampler) -> Problem:
     a, d = sampler.length(0.2, 0.9), sampler.length(0.2, 0.9)
     alpha, theta = sampler.choice([90, -90, 60, -60, 30, -30]), sampler.degrees(-75, 75)
     A = link([a, np.radians(alpha), d, np.radians(theta)], "standard", label="A_i")
+    twice = 2 * np.radians(theta)
+    turned_twice = with_position(A.value, np.array([a * np.cos(twice), a * np.sin(twice), d]))
     mirrored = A.value.copy()
     mirrored[[0, 1], [1, 0]] = mirrored[[1, 0], [0, 1]]
     return Problem(
@@ -81,9 +84,9 @@ def one_row(sampler: ArmSampler) -> Problem:
         f"| {number(a)} | {alpha}° | {number(d)} | {theta}° |\n\nin the standard convention. Lengths are in metres.",
         given={"a": a, "alpha_degrees": alpha, "d": d, "theta_degrees": theta},
         answer=PoseAnswer(A.value),
-        solution=A.mistaken_for(inverse(A), "inverted", "give the inverse").mistaken_for(
-            mirrored, "entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$"
-        ),
+        solution=A.mistaken_for(inverse(A), "inverted", "give the inverse")
+        .mistaken_for(mirrored, "entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$")
+        .mistaken_for(turned_twice, "rotated twice", "rotate $a$ by $\\theta$ twice"),
     )
 
 
@@ -346,10 +349,12 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
     tool = pose(looks, (sampler.length(0.1, 0.3), 0, sampler.length(0.1, 0.3)))
     table = DHTable(rows, convention="standard", base=base, tool=tool, name="your arm")
     q = np.array([np.radians(sampler.degrees(20, 80)), np.radians(sampler.degrees(-80, -20))]).round(3)
-    T_s0, T_2b = mounted("T_{s0}", base), mounted("T_{2b}", tool)
+    T_s0, T_2b = given_pose("T_{s0}", base), given_pose("T_{2b}", tool)
     A = links(rows, "RR", q, "standard")
     T = table_product(rows, "RR", q, "standard", [T_s0], [T_2b])
+    unrotated = with_position(T.value, sum(factor.value[:3, 3] for factor in (T_s0, *A, T_2b)))
     for name, text, wrong in (
+        ("positions added", "add the positions without rotating them", unrotated),
         ("base and tool swapped", "swap $T_{s0}$ and $T_{2b}$", product(T_2b, *A, T_s0)),
         ("base behind the rows", "put $T_{s0}$ behind the rows", product(*A, T_s0, T_2b)),
         ("tool in front of the rows", "put $T_{2b}$ in front of the rows", product(T_s0, T_2b, *A)),

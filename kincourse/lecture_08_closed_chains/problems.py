@@ -120,12 +120,16 @@ def both_ways(sampler: ArmSampler) -> Problem:
     D = with_other_bars(lambda four: both_modes(*rocker_directions(four, A)), bars(four_bar))
     coupler, rocker = coupler_directions(bars(four_bar), A), D.arguments
     line = direction_of(np.array([four_bar.ground, 0.0]) - polar(given("a", four_bar.crank), A))
+    pins = [polar(given("d", four_bar.rocker), q) + np.array([four_bar.ground, 0.0]) for q in rocker]
     at_D, at_B = rocker[1] - line - np.pi, coupler[0] - line
     for name, text, angles in (
         ("coupler's angles", "give the coupler's angles from the $x$ axis", coupler),
         ("coupler's angles", "give the coupler's angles from the crank", tuple(k - A for k in coupler)),
         ("coupler's angles", "give the coupler's angles from the rocker", tuple(map(sub, coupler, rocker))),
         ("coupler's angles", "give the coupler's angles in degrees", tuple(180 / np.pi * k for k in coupler)),
+        ("crank's angle", "give the crank's angle and its negative", (A, -A)),
+        ("angles at A", "give the angles of C as seen from A", tuple(map(direction_of, pins))),
+        ("angles from the crank", "measure the rocker's angle from the crank", tuple(q - A for q in rocker)),
         ("angles from BD", "give the angles from the line BD instead of the $x$ axis", tuple(q - line for q in rocker)),
         ("angles from DB", "give the angles from the line DB instead of the $x$ axis", (-at_D, at_D)),
         ("coupler's angles", "give the coupler's angles from the line BD", (at_B, -at_B)),
@@ -199,11 +203,9 @@ def coupler_point(sampler: ArmSampler) -> Problem:
         P * np.array([1.0, -1.0]), "mirror image", "give the mirror image of P in the ground line", MIRRORED
     )
     P = P.mistaken_for(P - np.array([four_bar.ground, 0.0]), "from D", "measure P from D instead of A")
-    P = P.mistaken_for(
-        four_bar.crank * np.array([np.cos(in_degrees), np.sin(in_degrees)]) + rotated(180 / np.pi * angle, p),
-        "degrees",
-        "use degrees as radians",
-    )
+    wrong_B = four_bar.crank * np.array([np.cos(in_degrees), np.sin(in_degrees)])
+    for text, k in (("", 180 / np.pi * angle), (" for the crank's angle in the position of B", angle)):
+        P = P.mistaken_for(wrong_B + rotated(k, p), "degrees", f"use degrees as radians{text}")
     drawn = {"P": ("coupler", (four_bar.crank + along, left, 0.0))}
 
     def distance_from_B(P: Array) -> str:
@@ -240,6 +242,11 @@ def slider(sampler: ArmSampler) -> Problem:
         length("offset", offset, LENGTH),
         radians(given("A", degrees, ANGLE)),
     )
+    for text, wrong in (
+        ("measure $x$ from the leftmost place of B", x + crank),
+        ("measure $x$ from B", x - crank * np.cos(np.radians(degrees))),
+    ):
+        x = x.mistaken_for(wrong, "another origin", text, "$x$ is measured from A.")
     linkage = linkages.slider_crank(crank, rod, offset)
     side = "above" if offset > 0 else "below"
     A = np.radians(degrees)
@@ -468,6 +475,7 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
                 "This is the count of the formula for all three. The formula is right only if the equations of the loops are "
                 "independent. The infinitesimal mobility is the number of joint variables minus the rank of $J$.",
                 "This is the count of the formula, which is right only if the equations of the loops are independent.",
+                spoils=True,
             ),
             mistake(
                 "rank",
@@ -517,8 +525,10 @@ class CountsAnswer(Numbers):
     names: Sequence[str] = ()
 
     def appearance(self, given: Array, part: int | None) -> Named | None:
-        """Return whether all are still 1. A single 1 is a count like any other, and so is 0, even three times."""
-        return self.likeness(given, None).placeholder() if part is None and given.all() else None
+        """Return whether all are 1. A single 1 is a count like any other, and so is 0, even three times."""
+        if part is not None or (given != 1).any() or all(self.agrees(given, self.value)):
+            return None
+        return "placeholder", "All three numbers are 1, but each of them is found in its own way."
 
     def arrangement(self, given: Array) -> None:
         """Return nothing: counts that are equal to others are no order."""

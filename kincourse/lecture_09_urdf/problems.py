@@ -113,8 +113,10 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
         (p1 + R1 @ p2, "another joint", "give the origin of `joint_2`"),
         (p1 + R1 @ p3, "joint left out", "leave out `joint_2`"),
         (p2 + R2 @ p3, "joint left out", "leave out `joint_1`"),
+        (p2 + R2 @ (p1 + R1 @ p3), "order", "swap `joint_1` and `joint_2`"),
         (p1 + R1 @ p2 + R2 @ p3, "rotation left out", "rotate each step by the `rpy` of its parent only"),
-        (R1 @ p1 + R2 @ p2 + R3 @ p3, "translation rotated", "rotate each step by its own `rpy`"),
+        (R1 @ p1 + R2 @ p2 + R3 @ p3, "translation rotated", "rotate each step by its own `rpy` alone"),
+        (R1 @ (p1 + R2 @ (p2 + R3 @ p3)), "translation rotated", "rotate each step by its own `rpy` as well"),
         (p3 + R3 @ p2 + R3 @ R2 @ p1, "reversed", "go from the tip to the base"),
         (p1 + R1 @ (p2 + p3), "rotation left out", "leave out $R_2$ for the step of `joint_3`"),
         (p1 + R1 @ p2 + p3, "rotation left out", "leave out the rotation of the step of `joint_3`"),
@@ -239,7 +241,7 @@ UNIT_AXES = ("0.6 0 -0.8", "0 -0.8 0.6", "-0.6 0.8 0")
 """Axes of length 1 that do not look it, for the joint without a fault."""
 
 
-@problem("09.6", "Which line is wrong?", points=2, lecture="09_urdf#Bug hunt")
+@problem("09.6", "Which line is wrong?", points=2, lecture="09_urdf#Who notices a fault?")
 def which_line(sampler: ArmSampler) -> Problem:
     fault = sampler.choice(list(FAULTY_ELEMENTS))
     where = 2 if fault == "second parent" else sampler.choice([1, 2])
@@ -555,7 +557,10 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
         (w, "frame not changed", "leave the axis as it is, with its components in the frame of the base"),
         (R3.T @ w, "frame not changed", "use the `rpy` of `joint_3` only"),
         (R3 @ w, "rotation transposed", "use the `rpy` of `joint_3` only, without the transpose"),
+        (R1.T @ w, "frame not changed", "use the `rpy` of `joint_1` only"),
+        (transpose(R1 @ R2) @ w, "frame not changed", "leave out the `rpy` of `joint_3`"),
         (absolute(transpose(R1 @ R2 @ R3) @ w), "signs left out", "leave out the signs"),
+        (R1 @ R2 @ R3 @ given("z", Z), "another axis", "give the $z$ axis of the joint's frame"),
     ):
         axis = axis.mistaken_for(other, name, words, WRONG_FRAME_ADVICE)
     return Problem(

@@ -27,6 +27,7 @@ from kincourse.lecture_10_one_robot_four_ways.project_problems import PROJECT_PR
 from kincourse.problem import problem
 from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler
 from kincourse.text.joint_table import joint_table
+from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.dh.formatting import format_rows, markdown_table
 from kinlib.dh.table import DHTable
@@ -127,7 +128,7 @@ def another_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("10.3", "One of four is wrong", points=3, lecture="10_one_robot_four_ways#Bug hunt")
+@problem("10.3", "One of four is wrong", points=3, lecture="10_one_robot_four_ways#Do they agree?")
 def one_of_four(sampler: ArmSampler) -> Problem:
     names = {"a": "space screws", "b": "body screws", "c": "table", "d": "file"}
     wrong = sampler.choice("abcd")
@@ -236,6 +237,10 @@ def _formulas(a: sp.Expr, b: sp.Expr, slides: bool, q1: sp.Expr, q2: sp.Expr) ->
     return sp.Matrix([radius * sp.cos(q1), radius * sp.sin(q1), height])
 
 
+def _tool_on_a_boom_of(slides: bool, a: float, b: float, q1: float, q2: float) -> Array:
+    return np.array(_formulas(a, b, slides, q1, q2), dtype=float).ravel()
+
+
 def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> Expression:
     """The same as an expression."""
     first, second = given("q_1", q1, ANGLE), given("q_2", q2, SLIDE if slides else ANGLE)
@@ -251,6 +256,9 @@ def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> E
             ("slide as turn", "let joint 2 rotate", place(offset * cos(second), up + offset * sin(second))),
             ("lengths swapped", "swap the two lengths", place(abs(b) + second, a * np.sign(b) * given("1", 1.0))),
             ("product for sum", "multiply the length of the boom by $q_2$", place(offset * second, up)),
+            ("slide as turn", "let joint 2 rotate about $z$", place(offset, up, first + second)),
+            ("length left out", "leave out the length of the boom", place(second, up)),
+            ("height added", "add the height to the length of the boom", place(offset + up + second, up)),
         )
         if slides
         else (
@@ -262,6 +270,8 @@ def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> E
             ("turn as slide", "let joint 2 translate", place(boom + second, offset)),
             ("joint 2 left out", "leave joint 2 at 0", place(boom, offset)),
             ("angles added", "add the two angles, as for parallel axes", place(boom, height, first + second)),
+            ("slide as turn", "let joint 2 rotate about $z$", place(boom, offset, first + second)),
+            ("not shortened", "leave out that the raised boom reaches less far", place(boom, height)),
         )
     )
     p = place(radius, height)
@@ -271,6 +281,21 @@ def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> E
     for name, text, wrong in (
         *own,
         ("height left out", "leave out the height", place(radius, 0.0)),
+        ("radius left out", "leave out the distance from the axis of joint 1", place(1.0, height)),
+        ("angles added", "add the angles $q_1$ and $q_2$", place(radius, height, first + second)),
+        (
+            "another kind of joint",
+            f"take joint 2 as a {'revolute' if slides else 'prismatic'} one",
+            _tool_on_a_boom_of(not slides, a, b, q1, q2),
+        ),
+        ("at home", "give the place at $q = 0$", stack(a if slides else abs(b), 0.0, b if slides else a)),
+        (
+            "degrees",
+            "convert both angles, which are in radians, as if they were in degrees",
+            place(radius, height, radians(first))
+            if slides
+            else _tool_on_a_boom_of(slides, a, b, *np.radians([q1, q2])),
+        ),
         ("joint 1 left out", "leave out joint 1", stack(radius, 0.0 * radius, height)),
         ("joint values swapped", "swap $q_1$ and $q_2$", swapped),
         (
@@ -312,6 +337,7 @@ def three_arms(sampler: ArmSampler) -> Problem:
         ("the object", "add one degree of freedom for the object", right + 1),
         ("the object", "give the degrees of freedom of the object alone", float(d)),
         ("one arm", "give the degrees of freedom of one arm", float(arms[0])),
+        ("one arm", "give the smallest number of joints of an arm", float(min(arms))),
         (
             "redundancy",
             "add up the joints that each arm has beyond the degrees of freedom of the object",
@@ -350,7 +376,26 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
     T = forward_kinematics(e, M)
     bent = np.array([screw(w, p) for w, p in zip(robot.lines.axis, robot.joint_points, strict=True)])
     straight = np.where(is_turn[:, None] & (np.arange(6) > 2), 0.0, S)
+    places, axes = robot.joint_points, robot.lines.axis
+
+    def with_moments(moments: Array) -> Expression:
+        wrong = np.where(is_turn[:, None], np.concatenate([axes, moments], axis=1), S)
+        return product(*exponentials(wrong, q), M)
+
+    last, first = np.flatnonzero(is_turn)[[-1, 0]]
+    moved = np.where(np.arange(3)[:, None] == last, places[first], places)
     for name, text, wrong in (
+        ("point as moment", "take the points as the moments", with_moments(places)),
+        (
+            "another point",
+            "use the point of the next joint for each axis",
+            with_moments(np.cross(np.roll(places, -1, axis=0), axes)),
+        ),
+        (
+            "another point",
+            "use the point of the first revolute joint for the last one",
+            with_moments(np.cross(moved, axes)),
+        ),
         ("body screws", "use the body screws with $M$ last", product(*b, M)),
         ("body screws", "multiply the body screws from the last joint to the first", product(M, *b[::-1])),
         (

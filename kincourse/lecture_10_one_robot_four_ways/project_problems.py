@@ -13,6 +13,7 @@ import numpy as np
 
 from kincourse.answers.dh_row import DHEntriesAnswer
 from kincourse.answers.point import VectorsAnswer
+from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.screws import joint_screws
 from kincourse.lecture_10_one_robot_four_ways.arms import draw_machine
@@ -20,13 +21,15 @@ from kincourse.lecture_10_one_robot_four_ways.paths import effect_of
 from kincourse.lecture_10_one_robot_four_ways.project import Project, open_project
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
-from kincourse.sampling.drawn_machines import misread
+from kincourse.sampling.drawn_machines import misread, table_mistakes
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.parsing import COLUMNS
 from kinlib.rigid.lie import adjoint, inverse
 from misstep.answers.choice import Choice
+from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers
+from misstep.diagnosis.explanation import explain
 from misstep.display.text import matrix
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
@@ -51,6 +54,20 @@ class OriginsAnswer(Numbers):
     def part_indices(self) -> list[int]:
         return list(range(len(self.value)))
 
+    @property
+    def rows_are_alike(self) -> bool:
+        return True
+
+    def explanation(self, given: Array, part: int) -> Named | None:
+        """Return what is to be said of this pose alone."""
+        pose = PoseAnswer(self.value[part])
+        wrong = [k for k, is_right in enumerate(pose.agrees(given[part], pose.value)) if not is_right]
+        found = explain(Problem("", pose), given[part], wrong)
+        told = [f"{pose.parts[k].capitalize()}: {one.message}" for one in found for k in one.parts]
+        if len(found) == 1 and (found[0].is_whole or len(found[0].parts) > 1):
+            told = [found[0].message]
+        return (" and ".join(one.mistakes[0].name for one in found), " ".join(told)) if found else None
+
 
 def misread_origins(T: Array) -> Iterator[tuple[str, Array, str]]:
     """Yield how people get the origins (k, 4, 4) of a drawn file wrong: the name, the wrong poses, and what is true of them."""
@@ -61,6 +78,9 @@ def misread_origins(T: Array) -> Iterator[tuple[str, Array, str]]:
     yield "inverse", inverse(T), "Every pose is the inverse: the parent seen from the child."
     yield "R^T", transposed, "In every origin, the rotation is the transpose of the right one."
     yield "no rpy", straight, "Every xyz is right, and every rpy is left at 0."
+    moved = T.copy()
+    moved[1:, :3, 3] = np.diff(in_base[:, :3, 3], axis=0)
+    yield "not rotated", moved, "Every xyz is in the axes of {s}. It is wanted in those of the frame of the parent."
     yield "in the base", in_base, "Every pose is in the frame of the base. An origin is in the frame of the parent."
 
 
@@ -95,6 +115,7 @@ def screws_of_the_project(sampler: ArmSampler) -> Problem:
     project, right = open_project(sampler.student), draw_machine(sampler.student)
     pitches = np.array([np.inf if letter == "P" else 0.0 for letter in project.joints])
     S = joint_screws(right.chain.lines.axis, right.points, pitches)
+    S = S.mistaken_for(right.chain.body_screws, "body screws", "give the body screws", "The screws in {s} are wanted.")
     return Problem(
         statement=f"{_begin(project)}Give the screw axes in {{s}}, one in each row, from the same sheet. The arrow at an axis is its "
         "positive direction: a ring with a dot points towards you, a ring with a cross away from you.",
@@ -109,43 +130,14 @@ def screws_of_the_project(sampler: ArmSampler) -> Problem:
 def table_of_the_project(sampler: ArmSampler) -> Problem:
     project, table = open_project(sampler.student), draw_machine(sampler.student).table
     rows, names = table.rows, [f"{column}_{i}" for i in range(1, table.n + 1) for column in COLUMNS]
-    modified = table.converted("modified").rows
-
-    def wrong_rows() -> Iterator[tuple[str, Array, str]]:
-        yield (
-            "the other convention",
-            modified,
-            "These are the rows of the modified convention, with a and alpha of the link before.",
-        )
-        yield (
-            "every alpha",
-            rows * (1, -1, 1, 1),
-            "Every alpha has the wrong sign. It leads from one z to the next, about x.",
-        )
-        yield (
-            "every theta",
-            rows * (1, 1, 1, -1),
-            "Every theta has the wrong sign. It leads from one x to the next, about z.",
-        )
-        yield (
-            "alpha and theta swapped",
-            rows[:, [0, 3, 2, 1]],
-            "alpha and theta are swapped: alpha is about x, theta about z.",
-        )
-        yield "a and d swapped", rows[:, [2, 1, 0, 3]], "a and d are swapped: a is along x, d along z."
-        yield (
-            "no theta",
-            rows * (1, 1, 1, 0),
-            "Every theta is 0. Theta is the angle from one x axis to the next, at home.",
-        )
-
     return Problem(
         statement=f"{_begin(project)}Sheet 2 of the drawing shows frames 0 to {table.n} of the controller, in the standard convention: "
-        "the origin of frame i is Di, z_i is the axis of joint i + 1, and the arrow is x_i; z_{table.n} is parallel to "
+        "the origin of frame i is Di, z_i is the axis of joint i + 1, and the arrow is x_i; "
+        f"z_{table.n} is parallel to "
         f"z_{table.n - 1}. Give the rows a, alpha, d, theta at home one after the other: {rows.size} numbers, in metres and radians.",
         figure=lambda: project.drawing("table"),
         answer=DHEntriesAnswer(rows.ravel(), names=names),
-        mistakes=[mistake(name, value.ravel(), text) for name, value, text in wrong_rows()],
+        mistakes=table_mistakes(table),
     ).without_duplicates()
 
 
@@ -192,39 +184,53 @@ def how_far_off(sampler: ArmSampler) -> Problem:
     project = open_project(sampler.student)
     received, log = project.received, project.log
     wrong = Chain(received.body_screws @ adjoint(received.home).T, received.home)
-    gaps = log.distances_mm(wrong.fk(log.q))
-    turned = np.degrees(
-        np.arccos(np.clip((np.einsum("kij,kij->k", wrong.fk(log.q)[:, :3, :3], log.poses[:, :3, :3]) - 1) / 2, -1, 1))
-    )
-    worst = float(gaps.max())
+    fk = wrong.fk(log.q)
+    gaps, off = log.distances_mm(fk), 1000 * np.abs(fk[:, :3, 3] - log.poses[:, :3, 3])
+    traces = np.einsum("kij,kij->k", fk[:, :3, :3], log.poses[:, :3, :3])
+    turned = np.degrees(np.arccos(np.clip((traces - 1) / 2, -1, 1)))
+    in_space = log.distances_mm(Chain(received.body_screws, received.home).fk(log.q))
+    of_degrees = log.distances_mm(wrong.fk(np.where(np.array(list(project.joints)) == "P", 1.0, np.pi / 180) * log.q))
+    mistakes = {
+        "mean": (gaps.mean(), "This is the mean of the distances. The question is about the largest one."),
+        "median": (np.median(gaps), "This is the median of the distances. The question is about the largest one."),
+        "sum": (gaps.sum(), "This is the sum of all distances. The question is about the largest one."),
+        "root mean square": (
+            np.sqrt((gaps**2).mean()),
+            "This is the root mean square of the distances. The question is about the largest one.",
+        ),
+        "first pose": (gaps[0], "This is the distance at the first pose of the log, and not the largest one."),
+        "last pose": (gaps[-1], "This is the distance at the last pose of the log, and not the largest one."),
+        "least": (gaps.min(), "This is the smallest of the distances."),
+        "degrees": (turned.max(), "This is the largest angle in degrees by which the tool is rotated."),
+        "largest component": (
+            off.max(),
+            "This is the largest difference along x, y or z alone. The distance is the length of the difference.",
+        ),
+        "components added": (
+            off.sum(axis=1).max(),
+            "This adds the differences along x, y and z. The distance is the length of the difference.",
+        ),
+        "root left out": (
+            gaps.max() ** 2 / 1000,
+            "This is 1000 times the square of the distance in metres. Take its root first.",
+        ),
+        "own screws": (
+            log.distances_mm(draw_machine(sampler.student).chain.fk(log.q)).max(),
+            "This is what your own screws give. The question is about the received ones.",
+        ),
+        "body screws": (in_space.max(), "This uses the body screws as space screws, with $M$ last."),
+        "from home": (
+            log.distances_mm(np.broadcast_to(received.home, fk.shape)).max(),
+            "This is the largest distance of a measured pose from the home pose.",
+        ),
+        "radians as degrees": (of_degrees.max(), "This takes the angles of the log as degrees. They are in radians."),
+    }
     return Problem(
         statement=f"{_begin(project)}With the received body screws, how far is the tool at worst from where the tracker measured it? "
         "`given.q` has the joint values of the log, one row for each pose in `given.poses`. Answer in millimetres.",
         given={"body_screws": received.body_screws, "home": received.home, "q": log.q, "poses": log.poses},
-        answer=Numbers(np.array(worst), unit="mm"),
-        mistakes=[
-            mistake(
-                "mean",
-                np.array(float(gaps.mean())),
-                "This is the mean of the distances. The question is about the largest one.",
-            ),
-            mistake(
-                "first pose",
-                np.array(float(gaps[0])),
-                "This is the distance at the first pose of the log, and not the largest one.",
-            ),
-            mistake("least", np.array(float(gaps.min())), "This is the smallest of the distances."),
-            mistake(
-                "degrees",
-                np.array(float(turned.max())),
-                "This is the largest angle in degrees by which the tool is rotated.",
-            ),
-            mistake(
-                "largest component",
-                np.array(float(1000 * np.abs(wrong.fk(log.q)[:, :3, 3] - log.poses[:, :3, 3]).max())),
-                "This is the largest difference along x, y or z alone. The distance is the length of the difference.",
-            ),
-        ],
+        answer=Numbers(np.array(float(gaps.max())), unit="mm"),
+        mistakes=[mistake(name, np.array(float(value)), text) for name, (value, text) in mistakes.items()],
     ).without_duplicates()
 
 

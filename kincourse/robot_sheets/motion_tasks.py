@@ -7,7 +7,7 @@ import numpy as np
 
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import PoseAnswer
-from kincourse.expressions.poses import inverse, pose, to_point
+from kincourse.expressions.poses import inverse, pose, to_point, with_position
 from kincourse.expressions.screws import exponentials, forward_kinematics, joint_values
 from kincourse.robot_sheets.sampling import random_arm, random_configuration, random_tilted_base, random_tool, rebased
 from kincourse.robot_sheets.task import RobotTask
@@ -48,6 +48,8 @@ def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
     while not shows_transposes(rebased(robot, T_sr, T_fb)):
         T_sr, T_fb = random_tilted_base(sampler, robot), random_tool(sampler, robot)
     M = pose("T_{sr}", T_sr) @ pose("T_{rf}", T_rf) @ pose("T_{fb}", T_fb)
+    unrotated = with_position(M.value, T_sr[:3, 3] + T_rf[:3, 3] + T_fb[:3, 3])
+    M = M.mistaken_for(unrotated, "positions added", "add the positions without rotating them")
     return Problem(
         statement=f"In its file, {robot.name} has a base frame {{r}} and a flange with the frame {{f}}, whose pose at $q = 0$ is "
         "$T_{rf}$. In your lab its base has the pose $T_{sr}$. A tool with the frame {b} is mounted on the flange at $T_{fb}$. Give the "
@@ -144,6 +146,7 @@ def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     position = position.mistaken_for(
         to_point(inverse(T), tip), "inverted", "use the inverse of $T(q)$, from {s} to {b}"
     )
+    position = position.mistaken_for(to_point(T, -tip), "sign of a vector", "take $x$ with the opposite sign")
     return Problem(
         statement=f"The tool of {robot.name} holds a pencil, whose tip is at ${vector(tip)}$ m in {{b}}. The joint values are "
         f"{at.words}. Give the coordinates of the tip in {{s}}.\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(M)}$$",

@@ -129,9 +129,20 @@ def table_mistakes(table: DHTable) -> list[Mistake]:
         ),
         ("a and d swapped", rows[:, [2, 1, 0, 3]], "a and d are swapped: a is along x, d along z."),
         (
+            "alpha and theta swapped",
+            rows[:, [0, 3, 2, 1]],
+            "alpha and theta are swapped: alpha is about x, theta about z.",
+        ),
+        (
+            "no theta",
+            rows * (1, 1, 1, 0),
+            "Every theta is 0. Theta is the angle from one x axis to the next, at home.",
+        ),
+        (
             "d from the floor",
             from_floor,
             "Every d is a height above the floor. It is the step along z from one x to the next.",
         ),
     )
-    return [mistake(name, value.ravel(), text) for name, value, text in wrong]
+    by_luck = {"the other convention", "a and d swapped", "alpha and theta swapped"}
+    return [mistake(name, value.ravel(), text, spoils=name in by_luck) for name, value, text in wrong]

@@ -1,7 +1,7 @@
 """Angles as answers: compared modulo a full turn, and if there are several, in any order if the problem allows it."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import permutations
 from typing import Any, ClassVar
@@ -106,15 +106,33 @@ class Angles(Numbers):
         return np.asarray(np.abs(difference) <= bound, dtype=bool)
 
     def appearance(self, given: Array, part: int | None) -> Named | None:
+        if part is None and (seen := self._placeholder(given)):
+            return seen
         if part is not None or not self.any_order:
             return super().appearance(given, part)
         # The order in which most angles are right does not count if none is, as with degrees.
         orders = (given[list(order)] for order in permutations(range(len(given))))
         return next(filter(None, (self.likeness(angles, None).at_sight() for angles in orders)), None)
 
+    def _placeholder(self, given: Array) -> Named | None:
+        if not self.is_plain:
+            return None
+        return replace(self.likeness(given, None), mine=self._within_half_a_turn(given)[..., None]).placeholder()
+
     def arrangement(self, given: Array) -> Named | None:
         found = super().arrangement(given)
-        return found if found and found[0] not in {"doubled", "halved"} else None  # a full turn more has another half
+        if found and found[0] not in {"doubled", "halved"}:
+            return found
+        # A full turn more has another half.
+        halves = [angles / 2 for angles in (self._within_half_a_turn(self._right), self._right % self._turn)]
+        for name, text, values in (("doubled", "twice", [2 * self._right]), ("halved", "half of", halves)):
+            if len(self.parts) > 1 and any(self._are_the_same(given, value) for value in values):
+                return name, f"These are {text} the right angles."
+        return None
+
+    def _are_the_same(self, given: Array, angles: Array) -> bool:
+        orders = permutations(range(len(angles))) if self.any_order else [range(len(angles))]
+        return any(self.same_entries(given, angles[list(order)]).all() for order in orders)
 
     def _factor_slips(self) -> Iterator[Slip]:
         # Twice an angle is the same angle for all its numbers; half of it is not.
@@ -123,7 +141,7 @@ class Angles(Numbers):
             if name == "doubled":
                 also = ", up to full turns." if 2 * largest > self._turn / 2 else "."
                 yield (name, value, *(text.removesuffix(".") + also for text in texts))
-            elif largest <= self._turn / 2:
+            elif name == "halved" and largest <= self._turn / 2:
                 yield (name, value, *texts)
 
     def place(self, index: Sequence[Any]) -> str:

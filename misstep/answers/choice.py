@@ -5,6 +5,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from misstep import validation
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
 
@@ -49,6 +51,8 @@ class Choice(Answer):
         options = {text: option for text, option in texts if text and [one for one, _ in texts].count(text) == 1}
         options |= {plain(option) + text: option for text, option in texts}
         options |= {word + plain(option): option for word in ("option", "answer", "") for option in self.options}
+        if isinstance(given, int | np.integer) and not isinstance(given, bool):
+            given = str(given)
         if not isinstance(given, str) or len(given) >= MAX_LENGTH or plain(given) not in options:
             raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.")
         return options[plain(given)]

@@ -79,7 +79,21 @@ class ClosedForm(Entries):
 
     def description(self, given: Formula, part: int) -> Named | None:
         same = self.same_entries(given, self.value)[self.core_indices()[part]]
-        return ("one entry", self.hint(given, part)) if np.size(same) > 1 and np.count_nonzero(~same) == 1 else None
+        if np.size(same) > 1 and np.count_nonzero(~same) == 1:
+            return "one entry", self.hint(given, part)
+        if same.ndim == 2 and same.shape[0] == same.shape[1] and (same | np.eye(len(same), dtype=bool)).all():
+            return "the diagonal", "Only entries of the diagonal are wrong."
+        names = [sp.latex(symbol) for symbol in self._declared]
+        wanted = dict(zip(self._reader.points[0], names, strict=True))
+        for name, symbols, which in (
+            ("letters missing", self._right.symbols - given.symbols, "contain {}, and yours do not"),
+            ("letters too many", given.symbols - self._right.symbols, "do not contain {}, and yours do"),
+        ):
+            if symbols and given.given is not None:
+                listed = " and ".join(f"${wanted[symbol]}$" for symbol in sorted(symbols))
+                trial = "" if same.ndim else f" {self.hint(given, part)}"
+                return name, f"The right formulas {which.format(listed)}.{trial}"
+        return None
 
     def likeness(self, given: Formula, part: int | None) -> Likeness:
         """Return a part of an answer, or with None the whole, beside the right one, by their values."""

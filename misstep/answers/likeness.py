@@ -20,6 +20,12 @@ RELATIVE = 1e-3
 MAX_PLACES = 3
 """How many wrong entries are named one by one."""
 
+MIN_DIGITS = 4
+"""How many digits a number has at least, so that one wrong digit is no coincidence."""
+
+MAX_ROWS = 12
+"""Of how many rows the order is looked for."""
+
 Named = tuple[str, str]
 """The name of what is wrong, and a sentence that is true of the part."""
 
@@ -32,6 +38,7 @@ class Likeness:
     unit             the unit of the lengths
     place            names an entry by its index
     reordered        what is said of the right numbers in another order
+    columns          the names of the columns, if they have any
     is_formula       whether the entries are formulas, which are compared exactly
 
     >>> right = np.array([[0.5], [-0.25], [0.0]])
@@ -50,6 +57,7 @@ class Likeness:
     unit: str = "m"
     place: Callable[[Sequence[int]], str] = lambda index: f"entry {', '.join(str(i + 1) for i in index)}"
     reordered: str = "These are the right numbers, but not in the right order."
+    columns: Sequence[str] = ()
     tolerance: float = RELATIVE
     is_formula: bool = False
 
@@ -67,10 +75,18 @@ class Likeness:
             return "placeholder", ZERO if is_one else UNTOUCHED.format("Every number is 0")
         if not is_one and (mine == 1).all() and not (right == 1).all():
             return "placeholder", UNTOUCHED.format("Every number is 1")
+        is_filled = np.atleast_1d(mine.any(axis=-1))
+        if np.count_nonzero(is_filled) == 1 and mine.max() == 1 and self._is_far_from(is_filled):
+            return "placeholder", UNTOUCHED.format("Every number but one is 0")
         is_square = mine.ndim == 3 and mine.shape[1] == n
         if is_square and (mine == np.eye(n)[..., None]).all() and not self._equal(mine, right).all():
             return "placeholder", IDENTITY
         return None
+
+    def _is_far_from(self, place: NDArray[np.bool_]) -> bool:
+        """Return whether the number at a place is wrong, and so are at least three others."""
+        wrong = np.atleast_1d(~self._equal(self.mine, self.right))
+        return bool(wrong[place].all() and np.count_nonzero(wrong & ~place) >= MAX_PLACES)
 
     def resemblance(self) -> Named | None:
         """Return how the numbers differ from the right ones as a whole: by signs, by a factor, or by their order."""
@@ -104,10 +120,35 @@ class Likeness:
     def _rounded(self) -> Named | None:
         if self.is_formula or self._equal(self.mine, self.right).all() or not self.mine.any():
             return None
-        for decimals in (3, 2, 1, 0):
-            if (np.abs(self.mine - np.round(self.right, decimals)) < 1e-9).all():
+        mine, right = (x.reshape(-1, x.shape[-1]) for x in (self.mine, self.right))
+        wrong = np.ravel(~self._equal(mine, right))
+        # A number that is left at 0 is not rounded, and one short number may be another one.
+        is_short = np.asarray(has_three_digits(mine, right, or_zeros=True).all(axis=-1))
+        is_rounded = bool((mine[wrong] != 0).all() and (np.count_nonzero(wrong) > 2 or is_short[wrong].all()))
+        if (is_short | ~wrong).all() and has_three_digits(mine, right)[wrong].any():
+            return "rounded", ROUNDED
+        for decimals in (3, 2, 1, 0) if is_rounded else ():
+            if (np.abs(mine - np.round(right, decimals)) < 1e-9).all():
                 return "rounded", ROUNDED
         return None
+
+    def typing(self) -> Named | None:
+        """Return whether each wrong number has a slip of typing: its sign, one of its digits, two exchanged digits, the point."""
+        if self.is_formula or self.mine.shape[-1] != 1:
+            return None
+        wrong = ~self._equal(self.mine, self.right)
+        if not 0 < np.count_nonzero(wrong) <= MAX_PLACES:
+            return None
+        mine, right = (np.atleast_1d(x[..., 0])[np.atleast_1d(wrong)].tolist() for x in (self.mine, self.right))
+        seen = [slip_of_typing(one, other) for one, other in zip(mine, right, strict=True)]
+        if seen.count("") > (len(seen) > 1 and "sign" in seen):
+            return None
+        if wrong.size == 1:
+            return seen[0], f"This looks like a slip of typing: {SLIPS_OF_TYPING[seen[0]]}."
+        places = [self.place(index) for index in np.argwhere(wrong).tolist()]
+        told = [f"{place}: {SLIPS_OF_TYPING[slip]}" for place, slip in zip(places, seen, strict=True)]
+        text = "; ".join(told)
+        return " and ".join(filter(None, dict.fromkeys(seen))), f"{text[:1].upper()}{text[1:]}."
 
     def _signs(self) -> Named | None:
         mine, right = self.mine, self.right
@@ -118,7 +159,7 @@ class Likeness:
             return None
         count, seen = np.count_nonzero(wrong), np.count_nonzero(self._is_seen(right).any(axis=-1))
         if count == seen:
-            return "all signs", "The sizes are right, and all signs are wrong."
+            return "all signs", "The sizes are right, but every sign is wrong."
         if not self.is_formula and (mine >= 0).all():
             return "signs", "The sizes are right, but no minus sign is left."
         if count > MAX_PLACES:
@@ -132,24 +173,29 @@ class Likeness:
         if np.count_nonzero(seen.any(axis=-1)) < 2:
             return None
         factor = float(np.median(self.mine[seen] / self.right[seen]))
-        if not 0.01 < abs(factor) < 100 or not self._relative(self.mine, factor * self.right).all():
+        if not 1e-3 <= abs(factor) <= 1e3 or not self._relative(self.mine, factor * self.right).all():
             return None
         for size, (name, text) in FACTORS.items():
             if abs(factor - size) < 0.005 * size:
-                return name, f"This is {text} the right one."
+                return name, f"Every number is {text} the right one."
         return "factor", "These are the right numbers, all multiplied by the same factor."
 
     def order(self) -> Named | None:
         """Return whether these are the right numbers in another order."""
-        return self._reordered() or self._moved_rows()
-
-    def _reordered(self) -> Named | None:
-        mine, right = self.mine, self.right
-        if mine.ndim == 1:
+        if self.mine.ndim == 1:
             return None
-        for name, text, changed in _arrangements(right):
+        return self._arranged() or self._permuted_rows() or self._renumbered() or self._moved_rows()
+
+    def _arranged(self) -> Named | None:
+        mine = self.mine
+        for name, text, changed in _arrangements(self.right, self.columns):
             if changed.shape == mine.shape and self._equal(mine, changed).all():
                 return name, text
+        return None
+
+    def _renumbered(self) -> Named | None:
+        """Return whether a few numbers are the right ones, each once, in another order or with other signs."""
+        mine, right = self.mine, self.right
         one, other = (np.sort(x.reshape(-1, x.shape[-1]), axis=0) for x in (mine, right))
         count = one.shape[0]
         if mine.ndim == 2 and 1 < count <= 4:
@@ -164,9 +210,27 @@ class Likeness:
                 return "order and signs", "These are the right sizes, but their order and their signs are not right."
         return None
 
+    @property
+    def _rows(self) -> tuple[Array, Array]:
+        """The answer and the right one as rows; a matrix in a list of matrices is one row."""
+        return tuple(x.reshape(len(x), -1, x.shape[-1]) if x.ndim > 3 else x for x in (self.mine, self.right))  # type: ignore[return-value]
+
+    def _permuted_rows(self) -> Named | None:
+        """Return whether the rows are the right ones, each once, in another order."""
+        mine, right = self._rows
+        if mine.ndim != 3 or not 1 < len(mine) <= MAX_ROWS:
+            return None
+        order: list[int] = []
+        for k, row in enumerate(mine):
+            places = [j for j, other in enumerate(right) if j not in order and self._equal(row, other).all()]
+            if not places:
+                return None
+            order.append(k if k in places else places[0])
+        return _order_of("row", order)
+
     def _moved_rows(self) -> Named | None:
         """Return whether all rows are moved by one, so that one of them falls out, and another one fills the gap."""
-        mine, right = self.mine, self.right
+        mine, right = self._rows
         if mine.ndim != 3 or len(mine) < 3:
             return None
         is_right: NDArray[np.bool_] = np.all(self._equal(mine, right), axis=1)
@@ -200,47 +264,112 @@ class Likeness:
         return bool((np.abs(difference) <= (0.5 if is_whole else 0.05 + 5e-4 * np.abs(mine))).all() and mine.any())
 
 
+def has_three_digits(given: Array, value: Array, *, or_zeros: bool = False) -> NDArray[np.bool_]:
+    """Return, for each entry, whether a typed number is a value, rounded to three significant digits; a whole 9 is not 8.998.
+
+    or_zeros  whether the last digits may be zeros, which a number does not show
+
+    >>> has_three_digits(np.array([1.23, 1.2, 0.0512, 9]), np.array([1.2345, 1.2345, 0.05123, 8.998]))
+    array([ True, False,  True, False])
+    """
+    unit = 10.0 ** (np.floor(np.log10(np.maximum(np.abs(value), 1e-12))) - 2)
+    is_short, is_shorter = (np.abs(given / x - np.round(given / x)) < 1e-6 for x in (unit, 10 * unit))
+    return np.asarray(is_short & (or_zeros | ~is_shorter) & (np.abs(given - value) <= 0.5 * unit * (1 + 1e-6)))
+
+
+def slip_of_typing(mine: float, right: float) -> str:
+    """Return how a number differs from the right one as slips of typing make it; "" if it does in no such way.
+
+    >>> [slip_of_typing(mine, 0.3474) for mine in (-0.347, 0.3744, 0.3874, 3.474, 0.5384)]
+    ['sign', 'digits exchanged', 'digit', 'decimal point', '']
+    """
+    decimals = next((k for k in range(13) if abs(mine - round(mine, k)) < 1e-9), 12)
+    one, other = (f"{abs(x):.{decimals}f}" for x in (mine, right))
+    if mine * right == 0 or abs(right) < 1e-3:
+        return ""
+    if one == other or abs(abs(mine) - abs(right)) <= RELATIVE * abs(right):
+        return "sign"
+    if any(abs(mine - factor * right) <= RELATIVE * abs(factor * right) for factor in (10.0, 0.1, 100.0, 0.01)):
+        return "decimal point"
+    if mine * right < 0 or len(one) != len(other) or len(one.strip("0.").replace(".", "")) < MIN_DIGITS:
+        return ""
+    places = [k for k, (a, b) in enumerate(zip(one, other, strict=True)) if a != b]
+    if len(places) == 1:
+        return "digit"
+    is_pair = len(places) == 2 and one[places[0]] == other[places[1]] and one[places[1]] == other[places[0]]
+    return "digits exchanged" if is_pair and places[1] - places[0] <= 2 else ""
+
+
 def copied_row(mine: Sequence[Array], right: Sequence[Array], part: int, names: Sequence[str]) -> Named | None:
     """Return whether a row of an answer is another row of the same answer, where the right rows differ.
 
     mine, right  the parts of an answer and of the right one, each with one more axis
     """
     for other, name in enumerate(names):
-        if other == part or mine[part].ndim < 2 or mine[part].shape != mine[other].shape:
+        if other == part or mine[part].ndim < 2 or mine[part].shape != mine[other].shape or not mine[part].any():
             continue
         if np.allclose(mine[part], mine[other], rtol=0, atol=1e-9) and not np.allclose(right[part], right[other]):
             return "copied row", f"It is the same as your {name.removeprefix('the ')}, number for number."
     return None
 
 
-def _arrangements(X: Array) -> Iterator[tuple[str, str, Array]]:
+def _arrangements(X: Array, names: Sequence[str]) -> Iterator[tuple[str, str, Array]]:
     """Yield an array with its rows or columns in another order, with the name and the sentence for it."""
-    if X.ndim == 3:
-        rows, columns = X.shape[:2]
-        if rows == columns:
-            yield "transposed", "This is the transpose of the right one.", X.swapaxes(0, 1)
-        for axis, what, count in ((1, "column", columns), (0, "row", rows)):
-            if 1 < count <= 4:
-                for order in list(permutations(range(count)))[1:]:
-                    listed = ", ".join(str(k + 1) for k in order)
-                    text = (
-                        f"The {what}s are right, but their order is not: yours are {what}s {listed} of the right one."
-                    )
-                    is_swap = sum(k == place for place, k in enumerate(order)) > 1
-                    name = f"two {what}s swapped" if is_swap else f"{what}s in another order"
-                    yield name, text, np.take(X, order, axis=axis)
-            elif count > 4:
-                for shift, where in ((1, "down"), (-1, "up")):
-                    text = f"The {what}s are right, but moved one {what} {where}."
-                    yield f"{what}s shifted", text, np.roll(X, shift, axis=axis)
-                yield f"{what}s reversed", f"The {what}s are right, but in the reverse order.", np.flip(X, axis=axis)
+    if X.ndim != 3:
+        return
+    rows, columns = X.shape[:2]
+    if rows == columns:
+        yield "transposed", "This is the transpose of the right one.", X.swapaxes(0, 1)
+    if 1 < columns <= 4:
+        for order in list(permutations(range(columns)))[1:]:
+            yield *_order_of("column", order, names), X[:, list(order)]
+    for axis, what, count in ((1, "column", columns), (0, "row", rows)):
+        if count > 4:
+            for shift, where in (
+                (1, "down" if axis == 0 else "to the right"),
+                (-1, "up" if axis == 0 else "to the left"),
+            ):
+                text = f"The {what}s are right, but moved one {what} {where}."
+                yield f"{what}s shifted", text, np.roll(X, shift, axis=axis)
+            yield f"{what}s reversed", f"The {what}s are right, but in the reverse order.", np.flip(X, axis=axis)
+
+
+def _order_of(what: str, order: Sequence[int], names: Sequence[str] = ()) -> Named:
+    """Return the name and the sentence for right rows or columns in another order.
+
+    names  their names; by default they are numbered
+    """
+    moved = [k + 1 for k, place in enumerate(order) if k != place]
+    some = "two" if len(moved) == 2 else "some"
+    name = f"{some} {what}s moved" if len(order) - len(moved) > 1 else f"{what}s in another order"
+    if names:
+        theirs, ours = (", ".join(names[k] for k in ks) for ks in (order, range(len(order))))
+        return name, f"Each row is in the order {theirs}. Give it in the order {ours}."
+    if len(moved) == 2:
+        return name, f"{what.capitalize()}s {moved[0]} and {moved[1]} are swapped."
+    listed = ", ".join(str(k + 1) for k in order)
+    return name, f"The {what}s are right, but their order is not: yours are {what}s {listed} of the right one."
 
 
 ROWS_MOVED = "rows moved"
 """The name of rows of which one fell out."""
 
-REORDERED = {ROWS_MOVED, "rows in another order", "rows shifted", "rows reversed"}
-"""The names of orders in which at most one row keeps its place: one that stands right does so by chance."""
+REORDERED = {
+    ROWS_MOVED,
+    *(f"rows {how}" for how in ("in another order", "shifted", "reversed")),
+    *(f"columns {how}" for how in ("in another order", "shifted", "reversed")),
+    *(f"{some} columns moved" for some in ("two", "some")),
+}
+"""The names of orders in which a row that stands right does so by chance: at most one keeps its place, or columns are mixed up."""
+
+SLIPS_OF_TYPING = {
+    "sign": "its sign is wrong",
+    "digit": "one of its digits is wrong",
+    "digits exchanged": "two of its digits are exchanged",
+    "decimal point": "its decimal point is at another place",
+    "": "another number belongs here",
+}
+"""What is said of each slip of typing, and of a wrong number beside a slip."""
 
 DEGREES = ("degrees", "This is right in degrees. Give it in radians.")
 

@@ -27,7 +27,7 @@ from misstep.answers.entries import (
     scale_of,
     wrong_slips,
 )
-from misstep.answers.likeness import LENGTH_UNITS, Likeness, Named, copied_row
+from misstep.answers.likeness import LENGTH_UNITS, Likeness, Named, copied_row, has_three_digits
 from misstep.formulas.numerals import numeral
 from misstep.mistakes import Mistake
 from misstep.validation import Array
@@ -135,6 +135,8 @@ class Numbers(Entries):
             shape = np.shape(given)
         except Exception as error:  # reading the shape of a student's object may raise any error
             raise Unreadable(f"Expected {self.expected}; got {_kind(given)} whose rows differ in length.") from error
+        if not expected_shape and 0 < len(shape) <= 2 and np.prod(shape) == 1:
+            return self.read(np.asarray(given).ravel()[0])  # [x] can only mean x
         if len(expected_shape) == 1 and shape in (column := (*expected_shape, 1), column[::-1]):
             given = np.ravel(given)  # a column or a row of a matrix lists the same numbers
         elif shape != expected_shape:
@@ -222,7 +224,8 @@ class Numbers(Entries):
         if self.rows_are_alike or len(self.parts) == len(np.atleast_2d(self.value)) > 1:
             return self.likeness(given, None).order()
         is_list = np.ndim(self.value) == 1 and len(self.parts) == np.size(self.value) > 1
-        if not is_list or any(self.agrees(given, self.value)):
+        is_found = self.same_entries(given, self.value) & (np.abs(self.value) > HIDDEN)
+        if not is_list or is_found.any():
             return None
         likeness = self.likeness(given, None)
         factor = likeness.factor()
@@ -232,9 +235,15 @@ class Numbers(Entries):
         # A number that is hidden in the tolerance is no 0: one of the two was not found by the method of the other.
         hidden = np.asarray((np.abs(given) < HIDDEN) == (np.abs(value) < HIDDEN))
         pieces = self.part_indices()
-        return [
-            fine and bool(np.all(hidden[piece])) for fine, piece in zip(self.agrees(given, value), pieces, strict=True)
-        ]
+        agrees = self.agrees(given, value)
+        if self.is_plain and not all(agrees):
+            same, is_typed = self.same_entries(given, value), has_three_digits(given, value)
+            typed = same | has_three_digits(given, value, or_zeros=True)
+            agrees = [
+                fine or bool(np.all(typed[piece]) and np.any(is_typed[piece] & ~same[piece]))
+                for fine, piece in zip(agrees, pieces, strict=True)
+            ]
+        return [fine and bool(np.all(hidden[piece])) for fine, piece in zip(agrees, pieces, strict=True)]
 
     def explanation(self, given: Array, part: int) -> Named | None:
         if not self.is_plain:
@@ -252,6 +261,8 @@ class Numbers(Entries):
                 order = [other if k == part else k for k in range(len(self.parts))]
                 if other != part and self.agrees(given, self.value[order])[part]:
                     return "another row", f"This is what belongs to {name}."
+        if self.is_plain and (typed := self.likeness(given, part).typing()):
+            return typed
         if np.size(same) > 1:
             return ("one entry", self.hint(given, part)) if np.count_nonzero(~same) == 1 else None
         if self.agrees(given, self.value).count(False) == 1 < len(self.parts):
@@ -293,7 +304,7 @@ class Numbers(Entries):
         """Return a sentence on how to repair an answer of this wrong shape, with a leading space; "" if there is none."""
         expected = np.shape(self.value)
         if not expected:
-            return " Give the number alone, without brackets." if np.prod(shape) == 1 else ""
+            return ""
         if len(shape) == 2 and shape[::-1] == expected:
             return " Rows and columns are swapped: try .T."
         if np.prod(shape) == np.prod(expected):
@@ -312,12 +323,12 @@ class Numbers(Entries):
             if X.shape[0] == X.shape[1]:
                 yield ("transposed", X.T, "Your answer is the transpose of the right one.", "")
             yield from neighbours_swapped(X)
-        sign = "the wrong sign" if X.ndim == 0 else "all its signs wrong"
+        is_one = X.ndim == 0
         yield (
             "all signs",
             -X,
-            f"Your answer has the right size and {sign}.",
-            "The sizes are right, and all signs are wrong.",
+            f"The {'size is right, but the sign' if is_one else 'sizes are right, but every sign'} is wrong.",
+            "The sizes are right, but every sign is wrong.",
         )
         if X.dtype.kind == "c":
             text = "Your answer is the conjugate of the right one: the sign of the imaginary part is wrong."
@@ -335,6 +346,9 @@ class Numbers(Entries):
         if (self.kinds() != PURE).all() and (self.unit or (_real_numbers(X) % 1).any()):
             yield ("doubled", 2 * X, "Your answer is twice the right one.", "This is twice the right one.")
             yield ("halved", X / 2, "Your answer is half the right one.", "This is half the right one.")
+            for factor in (10, 100, 1000) if X.ndim == 0 else ():
+                for number, text in ((X * factor, f"{factor} times"), (X / factor, f"1/{factor} of")):
+                    yield ("power of ten", number, f"Your answer is {text} the right one.", "")
 
     def entry_slips(self) -> Iterator[Slip]:
         """Yield the slips in one entry, or in two of the same row or column of a part."""

@@ -16,7 +16,8 @@ def preview(template: Template, student: str) -> Iterator[str]:
     """Yield the parts of a problem with the numbers of a student: statement, given values, answer, and each mistake with its card."""
     problem = template.variant(student)
     shown = problem.answer.shown
-    yield f"{template.number} {template.title} ({template.points} points), with the numbers of {student!r}\n\n{problem.statement}"
+    points = f"{template.points} point{'s' * (template.points != 1)}"
+    yield f"{template.number} {template.title} ({points}), with the numbers of {student!r}\n\n{problem.statement}"
     yield "Given: " + (", ".join(f"{name} = {value}" for name, value in problem.given.items()) or "nothing")
     yield f"Expected: {problem.answer.expected}\nRight: {shown(problem.answer.value)}"
     for k, mistake in enumerate([*problem.known_mistakes, *problem.slips], start=1):

@@ -9,7 +9,7 @@ the right one, and only then two mistakes at once are tried: two changes lead to
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import compress, groupby
+from itertools import groupby
 from typing import Any
 
 from misstep.answers.base import Answer
@@ -165,15 +165,28 @@ def _explain_parts(
     problem: Problem, value: Any, wrong: Collection[int], groups: Iterable[Sequence[Mistake]]
 ) -> Iterator[tuple[list[int], list[Mistake]]]:
     """Explain each wrong part by the mistakes that explain the most of the parts that are left."""
+    answer, left = problem.answer, set(wrong)
+    # A single number is too often that of some mutant, which is told only if no part that is right speaks against it.
+    is_short = not any(answer.pins_down(value, part) for part in wrong)
+
+    def is_refuted(mistake: Mistake) -> bool:
+        kept = answer.agrees(mistake.value, answer.value)
+        return (
+            bool(mistake.steps)
+            and is_short
+            and any(part not in wrong and not is_kept for part, is_kept in enumerate(kept))
+        )
+
     matching = [
         [
-            (mistake, {part for part, is_same in enumerate(problem.answer.shows(value, mistake.value)) if is_same})
+            (mistake, parts)
             for mistake in group
             if mistake.part
+            and (parts := {part for part, is_same in enumerate(answer.shows(value, mistake.value)) if is_same} & left)
+            and not is_refuted(mistake)
         ]
         for group in groups
     ]
-    left = set(wrong)
     while left:
         count, rank = max(
             ((len(parts & left), -rank) for rank, group in enumerate(matching) for _, parts in group), default=(0, 0)
@@ -218,11 +231,11 @@ def message_of(mistakes: Sequence[Mistake], whole: bool, is_sure: bool = True) -
     >>> message_of([halved], whole=True, is_sure=False)
     'This is what you get if you take half.'
     """
+    mistakes = [one for k, one in enumerate(mistakes) if not any(one.retells(other) for other in mistakes[:k])]
     texts = [mistake.message if whole else mistake.part for mistake in mistakes]
     if whole and not (is_sure and len(mistakes[0].names) == 1 and len(set(texts)) == 1):
         texts = [mistake.possible or mistake.message for mistake in mistakes]
-    is_new = [not any(mistake.retells(other) for other in mistakes[:k]) for k, mistake in enumerate(mistakes)]
-    texts = list(dict.fromkeys(compress(texts, is_new)))
+    texts = list(dict.fromkeys(texts))
     # The same sentence with advice behind it says it all.
     texts = [text for text in texts if not any(other.startswith(f"{text} ") for other in texts)]
     if len(texts) == 1:

@@ -45,11 +45,16 @@ Values = tuple[Any, ...]
 
 @dataclass(frozen=True)
 class Formula:
-    """A formula or a matrix of formulas: as it was given, its values (..., POINT_COUNT), and whether it has rounded decimals."""
+    """A formula or a matrix of formulas: as it was given, its values (..., POINT_COUNT), and what occurs in it.
+
+    rounded  whether it has rounded decimals
+    symbols  the names of its symbols, without underscores and braces
+    """
 
     given: Any
     values: Array
     rounded: bool
+    symbols: frozenset[str] = frozenset()
 
 
 class Reader:
@@ -98,7 +103,8 @@ class Reader:
             values = [[_real(value) for value in walker.value(entry)] for entry in entries]
         except RecursionError as error:
             raise ValueError("This is nested too deeply to be a closed form.") from error
-        return Formula(given, np.array(values, dtype=float).reshape(*given_shape, POINT_COUNT), algebra.has_rounded)
+        numbers = np.array(values, dtype=float).reshape(*given_shape, POINT_COUNT)
+        return Formula(given, numbers, algebra.has_rounded, frozenset(algebra.symbols))
 
 
 class _NumericAlgebra:
@@ -107,6 +113,7 @@ class _NumericAlgebra:
     points       the values of each symbol, by its name without underscores and braces
     names        the names of the symbols, for messages
     has_rounded  whether a number with decimals has occurred
+    symbols      the names of the symbols that have occurred
     """
 
     functions = MPMATH_FUNCTIONS
@@ -115,6 +122,7 @@ class _NumericAlgebra:
         self._points = points
         self._names = names
         self.has_rounded = False
+        self.symbols: set[str] = set()
 
     def number(self, number: Any) -> Values:
         """Return the number, the same at every point."""
@@ -145,7 +153,11 @@ class _NumericAlgebra:
 
     def _symbol(self, key: str) -> Values | None:
         other = re.sub(r"^(q|theta)(?=\d)", lambda letter: "theta" if letter[0] == "q" else "q", key)
-        return self._points.get(key) or self._points.get(other)
+        found = next((name for name in (key, other) if name in self._points), None)
+        if found is None:
+            return None
+        self.symbols.add(found)
+        return self._points[found]
 
     def _shorthand(self, key: str) -> Values | None:
         """Return the values of c_23, s_1 or s_theta, or None if there are no such angles."""
@@ -220,7 +232,7 @@ def _unpacked(given: Any, depth: int = 0) -> tuple[tuple[int, ...], list[Any]]:
         return _unpacked(given.args[0], depth)
     if isinstance(given, ast.List | ast.Tuple):
         given = given.elts
-    if isinstance(given, sp.MatrixBase):
+    if isinstance(given, sp.MatrixBase | sp.NDimArray):
         given = given.tolist()
     if isinstance(given, np.ndarray) and given.ndim == 0:
         return _unpacked(given.item(), depth)

@@ -18,6 +18,9 @@ import numpy as np
 SUM, PRODUCT, ATOM = 1, 2, 3
 """How tightly an operation binds: a sum within a product needs brackets, and both need them before an exponent."""
 
+MAX_FACTORS = 7
+"""Of how many factors one is taken for another."""
+
 PAST_TENSES = {
     "forget": "forgot",
     "give": "gave",
@@ -332,17 +335,25 @@ def _product_changes(node: Expression) -> Changes:
                     Change(f"{place} factor", f"put {_quoted(factor)} {place}", advice=advice),
                     product(*_moved(factors, i, end)),
                 )
-    for factor in factors if last > 1 else ():
-        if not factor.arguments:
-            for wrong in ((*factors, factor), (factor, *factors)):
-                if wrong[0] is not wrong[1] and wrong[-1] is not wrong[-2]:
-                    yield (
-                        Change("factor twice", f"multiply by {_quoted(factor)} once more", alone=True),
-                        product(*wrong),
-                    )
+    yield from _factors_confused(factors)
     if all(np.ndim(factor.value) == 2 for factor in factors):
         by_entry = "multiply entry by entry (`*` instead of `@`)"
         yield Change("entry by entry", by_entry, everywhere=by_entry), _entrywise(*factors)
+
+
+def _factors_confused(factors: tuple[Expression, ...]) -> Changes:
+    """Yield the products with a factor once more, or with a factor in the place of another one of its kind."""
+    for i, factor in enumerate(factors) if len(factors) > 2 else ():
+        for place in {0, i, len(factors)} if not factor.arguments else {i}:
+            twice = product(*factors[:place], factor, *factors[place:])
+            yield Change("factor twice", f"multiply by {_quoted(factor)} once more", alone=True), twice
+    for i, factor in enumerate(factors):
+        for other in factors:
+            is_sibling = other.operation is factor.operation and np.shape(other.value) == np.shape(factor.value)
+            if other is not factor and factor.arguments and is_sibling and len(factors) <= MAX_FACTORS:
+                text = f"use {_quoted(other)}, where {_quoted(factor)} belongs"
+                taken = product(*factors[:i], other, *factors[i + 1 :])
+                yield Change("another factor", text, alone=True), taken
 
 
 def _sum_changes(node: Expression) -> Changes:

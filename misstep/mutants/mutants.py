@@ -232,9 +232,11 @@ def mutant(
     names = tuple(change.name for change in changes)
     advice_of = dict.fromkeys(advice.get(change.text, advice.get(change.name, change.advice)) for change in changes)
     further = list(filter(None, advice_of))
-    sentence = f"You {', and you '.join(change.past for change in changes)}."
+    texts = list(dict.fromkeys(change.text for change in changes))
+    twice = ", twice" * (len(texts) < len(changes))
+    sentence = f"You {', and you '.join(dict.fromkeys(change.past for change in changes))}{twice}."
     also = "also " * (len(changes) > 1)
-    part = f"This is {also}what you get if you {', and you '.join(change.text for change in changes)}."
+    part = f"This is {also}what you get if you {', and you '.join(texts)}{twice}."
     in_parts = part * all(change.in_parts for change in changes)
     return Mistake(
         " and ".join(names),

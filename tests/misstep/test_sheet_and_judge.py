@@ -11,10 +11,11 @@ from misstep.answers.groups.order import Ordering
 from misstep.answers.number import Numbers
 from misstep.judge import STEP_BY_STEP, UNKNOWN, Finding, Judgement, judge
 from misstep.mistakes import mistake
+from misstep.paragraphs import paragraphs
 from misstep.problem import Problem, problem
 from misstep.sampling import Sampler
 from misstep.sheet import OpenSheet, Sheet
-from misstep.verdict import Verdict, _finding_text
+from misstep.verdict import Verdict
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,7 +197,7 @@ def test_a_card_names_score_mistake_and_section_and_its_findings_are_in_the_orde
 
 def test_a_symbol_keeps_its_letter_where_a_part_begins_a_sentence():
     for parts, begins in ((["row 2"], "Row 2: "), (["q_2", "the rate"], "q_2 and the rate: "), (["$L$"], "$L$: ")):
-        assert _finding_text(Finding(parts, "It is wrong."), is_on_whole=False) == f"{begins}It is wrong."
+        assert paragraphs([Finding(parts, "It is wrong.")]) == [f"{begins}It is wrong."]
 
 
 class Remarked(Numbers):

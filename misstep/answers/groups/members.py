@@ -78,6 +78,8 @@ class Members(Answer):
         read: list[Any] = []
         for one in given:
             try:
+                if isinstance(one, list | tuple | np.ndarray):
+                    raise Unreadable("An element is no list.")
                 element = self.item.read(one)
             except Unreadable as error:
                 raise Unreadable(f"Expected {self.expected}. Element {validation.brief(one)}: {error}") from error

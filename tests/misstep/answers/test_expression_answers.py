@@ -350,13 +350,13 @@ def test_what_is_seen_in_a_wrong_formula_is_described():
     assert vector.appearance(vector.read("[0, 0, 0]"), 0) == zero
     hint = "2 of the 3 entries are right. Look at entry 2."
     assert vector.description(vector.read("[theta, 0, 1]"), 0) == ("one entry", hint)
-    doubled = ("doubled", "This is twice the right one.")
+    doubled = ("doubled", "Every number is twice the right one.")
     assert vector.explanation(vector.read("[2*theta, 2*cos(theta), 2]"), 0) == doubled
     rows = Rows(sp.Matrix([[theta, 1], [sp.cos(theta), 2]]))
 
     reversed_rows = (
         "rows in another order",
-        "The rows are right, but their order is not: yours are rows 2, 1 of the right one.",
+        "Rows 1 and 2 are swapped.",
     )
     assert rows.arrangement(rows.read("[[cos(theta), 2], [theta, 1]]")) == reversed_rows
     assert vector.arrangement(vector.read("[cos(theta), theta, 1]")) is None

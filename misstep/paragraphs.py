@@ -1,0 +1,111 @@
+"""The paragraphs of a card: what the findings say, each sentence once, and not more than a student reads."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import groupby
+
+from misstep.diagnosis.explanation import MAX_LENGTH, SENTENCE_END
+from misstep.judge import Finding
+
+MANY = 3
+"""More parts of one kind than this are listed with the name of the kind said once."""
+
+AND_MORE = "Other parts are not right either; begin with this one."
+"""What is said where there is no room for all findings."""
+
+
+@dataclass(frozen=True)
+class _Paragraph:
+    """What is said of some parts: their names, the sentences, and what the student can check."""
+
+    parts: Sequence[str]
+    sentences: Sequence[str]
+    check: str = ""
+
+    def text(self, is_on_whole: bool) -> str:
+        said = " ".join(filter(None, [*self.sentences, self.check]))
+        return said if is_on_whole else f"{_capitalized(enumeration(self.parts))}: {said}"
+
+
+def paragraphs(findings: Sequence[Finding], right_parts: Sequence[str] = (), *, is_on_whole: bool = False) -> list[str]:
+    r"""Return what findings say, in at most MAX_LENGTH characters together: checks go first, then further sentences and findings.
+
+    The first message is never cut.
+
+    right_parts  the names of the parts that are right, to be listed in front
+    is_on_whole  whether the only finding is on the whole answer, so that its parts need no names
+
+    >>> paragraphs([Finding(["x"], "It is 0. Put in numbers."), Finding(["z"], "It is 0. Put in numbers.")], ["y"])
+    ['Right: y.', 'X and z: It is 0. Put in numbers.']
+    >>> paragraphs([Finding(["x"], "It is 0. Look up."), Finding(["z"], "It is 0. Look down.")])
+    ['X: It is 0. Look up.', 'Z: Look down.']
+    >>> long = [Finding([name], f"{name} is {'very ' * 30}wrong. Look up.", check="Count.") for name in "abcd"]
+    >>> sum(map(len, paragraphs(long))) <= MAX_LENGTH
+    True
+    """
+    listed = enumeration(right_parts)
+    shown = listed if len(listed) < MAX_LENGTH / 4 else f"{len(right_parts)} parts"
+    before = [f"Right: {shown}."] * bool(right_parts)
+    merged = _each_sentence_once(_merged(findings))
+
+    def texts(some: Sequence[_Paragraph]) -> list[str]:
+        return before + [one.text(is_on_whole) for one in some]
+
+    def is_long(*further: str) -> bool:
+        return sum(map(len, [*texts(merged), *further])) > MAX_LENGTH
+
+    for k in reversed(range(len(merged))):
+        if is_long():
+            merged[k] = replace(merged[k], check="")
+    for k in reversed(range(1, len(merged))):
+        if is_long():
+            merged[k] = replace(merged[k], sentences=merged[k].sentences[:1])
+    if len(merged) == 1 or not is_long():
+        return texts(merged)
+    while len(merged) > 1 and is_long(AND_MORE):
+        merged.pop()
+    return [*texts(merged), AND_MORE]
+
+
+def enumeration(names: Sequence[str]) -> str:
+    """Return names as a list in words: "entries 1, 2, 3 and 4".
+
+    >>> enumeration(["x"]), enumeration(["x", "y", "z"]), enumeration([f"entry {k}" for k in range(4)])
+    ('x', 'x, y and z', 'entries 0, 1, 2 and 3')
+    """
+    kinds = {name.partition(" ")[0] for name in names if name.count(" ") == 1}
+    if len(names) > MANY and len(kinds) == 1 and all(name.count(" ") == 1 for name in names) and kinds != {"the"}:
+        [kind] = kinds
+        plural = f"{kind[:-1]}ies" if kind.endswith("y") else f"{kind}s"
+        return f"{plural} {enumeration([name.partition(' ')[2] for name in names])}"
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
+def _merged(findings: Sequence[Finding]) -> list[_Paragraph]:
+    """Return one paragraph for all findings with the same message, with the first check among them."""
+    merged = []
+    order = {finding.message: k for k, finding in reversed(list(enumerate(findings)))}
+    by_message = sorted(findings, key=lambda finding: order[finding.message])
+    for message, group in groupby(by_message, key=lambda finding: finding.message):
+        several = list(group)
+        parts = [part for finding in several for part in finding.parts]
+        name, check = next(((one.parts[0], one.check) for one in several if one.check), ("", ""))
+        if check and len({one.check for one in several}) > 1:
+            check = f"{_capitalized(name)}: {check}"
+        merged.append(_Paragraph(parts, SENTENCE_END.split(message), check))
+    return merged
+
+
+def _each_sentence_once(said: Sequence[_Paragraph]) -> list[_Paragraph]:
+    told: set[str] = set()
+    kept = []
+    for one in said:
+        sentences = [sentence for sentence in one.sentences if sentence not in told] or one.sentences
+        kept.append(replace(one, sentences=sentences, check=one.check if one.check not in told else ""))
+        told.update([*one.sentences, one.check])
+    return kept
+
+
+def _capitalized(text: str) -> str:
+    is_symbol = text[1:2] in {"_", "^"}  # q_2 is not Q_2
+    return text if is_symbol else text[:1].upper() + text[1:]
