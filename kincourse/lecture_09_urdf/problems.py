@@ -241,7 +241,7 @@ UNIT_AXES = ("0.6 0 -0.8", "0 -0.8 0.6", "-0.6 0.8 0")
 """Axes of length 1 that do not look it, for the joint without a fault."""
 
 
-@problem("09.6", "Which line is wrong?", points=2, lecture="09_urdf#Who notices a fault?")
+@problem("09.6", "Which line is wrong?", points=2, lecture="09_urdf#Who notices an error?")
 def which_line(sampler: ArmSampler) -> Problem:
     fault = sampler.choice(list(FAULTY_ELEMENTS))
     where = 2 if fault == "second parent" else sampler.choice([1, 2])
