@@ -39,6 +39,7 @@ def question():
 
 def test_a_prediction_is_recorded_and_not_judged(question):
     face = question._repr_mimebundle_()
+    assert (question.committed, question.choice) == (False, -1)
     question.commit(0)
     assert (question.committed, question.choice) == (True, 0)
     reply = question._widget.children[-1].value
