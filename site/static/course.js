@@ -43,9 +43,13 @@
     try {
       localStorage.setItem(KEY, JSON.stringify(progress));
     } catch {
-      if (storageWorks) showNotice(NO_STORAGE);
-      storageWorks = false;
+      sayNotStored();
     }
+  }
+
+  function sayNotStored() {
+    if (storageWorks) showNotice(NO_STORAGE);
+    storageWorks = false;
   }
 
   /** Show a message at the lower edge of the window until it is closed. */
@@ -594,6 +598,11 @@
     await Promise.all(scopes.map((scope) => navigator.serviceWorker.register(script, { scope })));
     if (isKept) return;
     await navigator.serviceWorker.ready;
+    if (!navigator.serviceWorker.controller) {
+      await new Promise((resolve) => {
+        navigator.serviceWorker.addEventListener('controllerchange', resolve, { once: true });
+      });
+    }
     const loaded = performance.getEntriesByType('resource').map(({ name }) => name);
     const own = [location.href, ...loaded].filter((address) => address.startsWith(root.href));
     for (const address of new Set(own.map((one) => one.replace(/#.*/, '')))) await fetch(address);
@@ -608,6 +617,7 @@
   startBar();
   // live.js adds outputs of cells that the reader runs; a self-check that was run again can be answered again
   document.addEventListener('kinlib-content', ({ detail }) => startContent(detail.root, detail.again));
+  document.addEventListener('kinlib-not-stored', sayNotStored);
   // and the problems of a sheet that were solved on its page
   document.addEventListener('kinlib-solved', ({ detail }) => {
     const names = detail.map(({ sheet, problem }) => `${sheet}/${problem}`);

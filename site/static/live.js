@@ -52,23 +52,34 @@
 
   // --- what the reader typed: { original code: changed code } ---
 
-  let typed = {};
-  try {
-    typed = JSON.parse(localStorage.getItem(KEY)) ?? {};
-  } catch {
-    /* no storage, or nothing in it that can be read */
+  function loadTyped() {
+    try {
+      return JSON.parse(localStorage.getItem(KEY)) ?? {};
+    } catch {
+      return null; // no storage, or nothing in it that can be read
+    }
   }
 
+  let typed = loadTyped() ?? {};
+
   function keep(key, text) {
+    typed = loadTyped() ?? typed; // another tab may have changed other cells
     if (text === null) delete typed[key];
     else typed[key] = text;
     try {
       if (Object.keys(typed).length) localStorage.setItem(KEY, JSON.stringify(typed));
       else localStorage.removeItem(KEY);
     } catch {
-      /* what is typed is then lost when the page is closed */
+      document.dispatchEvent(new Event('kinlib-not-stored')); // course.js says so
     }
   }
+
+  addEventListener('storage', ({ key }) => {
+    if (key !== KEY) return;
+    typed = loadTyped() ?? typed;
+    for (const cell of cells)
+      if (cell.key in typed && typed[cell.key] !== cell.source()) cell.edit(typed[cell.key], false);
+  });
 
   // --- the status of Python, below the cell that was run ---
 
@@ -88,10 +99,15 @@
   // --- the reader is asked before Python is loaded for the first time ---
 
   let agreed = false;
-  try {
-    agreed = localStorage.getItem(CONSENT) === 'yes';
-  } catch {
-    /* the reader is asked on each page */
+
+  /** Whether the reader has agreed, here or in another tab. */
+  function hasAgreed() {
+    try {
+      agreed ||= localStorage.getItem(CONSENT) === 'yes';
+    } catch {
+      /* the reader is asked on each page */
+    }
+    return agreed;
   }
 
   /** Say how much will be loaded, and go on with `then` if the reader agrees. */
@@ -254,7 +270,7 @@
   /** Run a cell, and before it the cells above on which it depends, unless this Python has run them as they are. */
   function run(cell, refused) {
     if (queue.includes(cell)) return;
-    if (!agreed) {
+    if (!hasAgreed()) {
       ask(cell, () => run(cell, refused), refused);
       return;
     }
@@ -321,7 +337,7 @@
       const use = () => {
         const text = this.source().replace(SAMPLE_ID, (_, before) => `${before}${JSON.stringify(field.value.trim())}`);
         this.edit(text, false);
-        if (!agreed) ask(this, use);
+        if (!hasAgreed()) ask(this, use);
         else {
           run(this);
           run(cells.find(({ role }) => role === 'show'));

@@ -143,20 +143,23 @@ def stops_a_cell_that_never_ends(page):
     expect(endless.get_by_role("button", name=f"Run cell {BLANK}")).to_have_text("Run")
 
 
-def test_nothing_is_loaded_by_touching_scrolling_or_answering_until_the_reader_agrees(chromium, site_address, lecture):
-    """A finger moves over every figure of lecture 03, and every question is answered. Then Run says what it will load."""
-    with watched(chromium, viewport=PHONE, has_touch=True) as page:
+def test_nothing_is_loaded_by_touching_scrolling_or_answering_until_the_reader_agrees(
+    chromium_without_webgl, site_address, lecture
+):
+    """A finger moves over a thing of each kind, and every question is answered. Then Run says what it will load."""
+    with watched(chromium_without_webgl, viewport=PHONE, has_touch=True) as page:
         asked = []
         page.on("request", lambda request: asked.append(request.url))
         page.goto(f"{site_address}/lectures/03_poe_space.html")
         touch = page.context.new_cdp_session(page)
-        for figure in page.locator("div.cell_output").all():
+        for kind in ("[data-kinlib-viewer]", "figure", "[data-kinlib-slides]", ".misstep-question", ".stream", "pre"):
+            figure = page.locator(f"article div.cell {kind}").first
             figure.scroll_into_view_if_needed()
             box = figure.bounding_box()
-            for kind, y in (("touchStart", 0.5), ("touchMove", 0.3), ("touchEnd", 0.3)):
+            for event, y in (("touchStart", 0.5), ("touchMove", 0.3), ("touchEnd", 0.3)):
                 point = {"x": box["x"] + 40, "y": box["y"] + y * min(box["height"], 300)}
-                points = [] if kind == "touchEnd" else [point]
-                touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+                points = [] if event == "touchEnd" else [point]
+                touch.send("Input.dispatchTouchEvent", {"type": event, "touchPoints": points})
         questions = page.locator(".misstep-question")
         for question in questions.all():
             question.locator(".kinlib-choice").first.tap()
@@ -169,6 +172,20 @@ def test_nothing_is_loaded_by_touching_scrolling_or_answering_until_the_reader_a
         page.get_by_role("button", name="Not now").tap()
         expect(run).to_be_focused()
         assert not [url for url in asked if "/lab/" in url]
+
+
+def test_two_tabs_of_a_sheet_keep_what_is_typed_in_both(chromium_without_webgl, site_address, lecture):
+    typed = {".kinlib-cell-answer-1 textarea": "screws_1 = 1", ".kinlib-cell-answer-2 textarea": "screw_2 = 2"}
+    with watched(chromium_without_webgl) as page:
+        tabs = [page, page.context.new_page()]
+        for tab in tabs:
+            tab.goto(f"{site_address}/sheets/03_poe_space.html")
+        for tab, (field, text) in zip(tabs, typed.items(), strict=True):
+            tab.locator(field).fill(text)
+        for _ in range(2):
+            for field, text in typed.items():
+                expect(page.locator(field)).to_have_value(text)
+            page.reload()
 
 
 def test_the_page_says_how_much_is_loaded_and_when_nothing_arrives(chromium_without_webgl, lecture):
