@@ -28,6 +28,7 @@
     link.href = page;
     link.textContent = folder === 'notebooks' ? 'Back to the lecture' : 'Back to the page of the sheet';
     const built = new DOMParser().parseFromString(await (await fetch(page)).text(), 'text/html');
+    keepTitle(built.title);
     const article = built.querySelector('article[role=main]');
     for (const part of article.querySelectorAll('.kinlib-bar, .kinlib-ran, .headerlink')) part.remove();
     const styles = [...built.querySelectorAll('link[rel=stylesheet]')].map((style) => style.outerHTML).join('');
@@ -38,6 +39,15 @@
       `<!doctype html><html lang="en"><base href="${page}">${styles}<body data-theme="auto" ` +
       `style="max-width:50rem;margin:0 auto;padding:0 1rem">${article.outerHTML}</body></html>`;
     preview.lastElementChild.replaceWith(frame);
+  }
+
+  /** Call the tab as the page is called: JupyterLite gives all notebooks the name of the course. */
+  function keepTitle(title) {
+    const keep = () => {
+      if (document.title !== title) document.title = title;
+    };
+    keep();
+    new MutationObserver(keep).observe(document.querySelector('title'), { childList: true });
   }
 
   const hasKernel = new Promise((resolve) => {
@@ -128,6 +138,7 @@
 
   async function startServiceWorker() {
     const { serviceWorker } = navigator;
+    if (serviceWorker) serviceWorker.getRegistrations = async () => []; // JupyterLite would end those of the pages, too
     // the same address as JupyterLite's, which finds it registered already
     await serviceWorker?.register(new URL('service-worker.js?enableCache=false', LAB));
     if (!serviceWorker || serviceWorker.controller) return;
