@@ -51,24 +51,41 @@ def test_frames_that_are_placed_by_keyboard_are_judged_by_the_rules_on_the_page(
         expect(check).to_be_focused()
 
 
-def test_a_sheet_is_answered_on_its_page_and_graded_with_the_points_of_the_page(
-    chromium_without_webgl, pages, tmp_path
+class QuietHandler(SimpleHTTPRequestHandler):
+    def log_message(self, *arguments):
+        pass
+
+
+def test_a_sheet_is_answered_on_its_page_graded_with_its_points_and_opened_without_a_network(
+    chromium_without_webgl, pages, site_folder, tmp_path
 ):
-    with watched(chromium_without_webgl) as page:
-        page.goto(f"{pages}/sheets/{SHEET}.html")
+    """One visit by keyboard, because Python takes long to start; then the server ends."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(QuietHandler, directory=str(site_folder)))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    errors = []
+    with unwatched(chromium_without_webgl) as page:
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
+        page.goto(f"http://127.0.0.1:{server.server_address[1]}/sheets/{SHEET}.html")
+        page.wait_for_function("navigator.serviceWorker.controller")
         page.get_by_label("Your id").fill(STUDENT)
-        press(page, page.get_by_role("button", name="Show my numbers"))
+        show = page.get_by_role("button", name="Show my numbers")
+        press(page, show)
         press(page, page.get_by_role("button", name="Load Python and run"))
         statement, answer, check, tally = (
             page.locator(f".kinlib-cell-{name}") for name in ("show-1", "answer-1", "check-1", "tally")
         )
         expect(statement.locator(".kinlib-live-note")).to_have_text("Done.", timeout=PYTHON_TIMEOUT_MS)
         expect(statement.locator("td .katex")).not_to_have_count(0)
+        last = page.locator("[class*=kinlib-cell-show-] .kinlib-live-note").last
+        expect(last).to_have_text("")  # its numbers appear when the student comes to it
         right = np.array(open_sheet(SHEET, STUDENT).problem(1).answer.value)
-        for screws, title in ((-right, "Not yet"), (right, "Right")):
+        for screws, title in ((-right, "Not yet"), (right, "03.1: Right")):
             answer.locator("textarea").fill(f"screws_1 = np.array({screws.tolist()})")
             press(page, check.get_by_role("button", name="Check"))
             expect(check.locator(".cell_output [role=status]")).to_contain_text(title, timeout=PYTHON_TIMEOUT_MS)
+        last.scroll_into_view_if_needed()
+        expect(last).to_have_text("Done.", timeout=PYTHON_TIMEOUT_MS)
         press(page, tally.get_by_role("button", name="Run"))
         expect(tally.locator(".cell_output")).to_contain_text(
             f"3 of {find_sheet(SHEET).points}", timeout=PYTHON_TIMEOUT_MS
@@ -77,45 +94,22 @@ def test_a_sheet_is_answered_on_its_page_and_graded_with_the_points_of_the_page(
             press(page, page.get_by_role("button", name="Download with my answers"))
         folder = tmp_path / "submitted" / STUDENT
         taken.value.save_as(folder / taken.value.suggested_filename)
-        page.reload()
-        assert "screws_1 = np.array" in answer.locator("textarea").input_value()
-    sheet = ROOT / "solutions" / SHEET / f"{SHEET}.ipynb"
-    command = [
-        sys.executable,
-        "-m",
-        "misstep",
-        "grade",
-        sheet,
-        folder.parent,
-        "--out",
-        tmp_path / "results",
-        "--jobs",
-        "1",
-    ]
-    subprocess.run(command, check=True, capture_output=True, cwd=ROOT)
-    with (tmp_path / "results" / "grades.csv").open(encoding="utf-8") as file:
-        [graded] = csv.DictReader(file)
-    assert (graded["student"], graded["points"], graded["03.1"]) == (STUDENT, "3", "3")
-
-
-class QuietHandler(SimpleHTTPRequestHandler):
-    def log_message(self, *arguments):
-        pass
-
-
-def test_a_page_and_its_python_open_again_without_a_network(chromium_without_webgl, pages, site_folder):
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(QuietHandler, directory=str(site_folder)))
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    with unwatched(chromium_without_webgl) as page:
-        page.goto(f"http://127.0.0.1:{server.server_address[1]}/sheets/{SHEET}.html")
-        page.wait_for_function("navigator.serviceWorker.controller")
-        statement = page.locator(".kinlib-cell-show-1 .kinlib-live-note")
-        page.get_by_label("Your id").fill(STUDENT)
-        press(page, page.get_by_role("button", name="Show my numbers"))
-        press(page, page.get_by_role("button", name="Load Python and run"))
-        expect(statement).to_have_text("Done.", timeout=PYTHON_TIMEOUT_MS)
+        assert not errors
         server.shutdown()
         server.server_close()
         page.reload()
-        press(page, page.get_by_role("button", name="Show my numbers"))
-        expect(statement).to_have_text("Done.", timeout=PYTHON_TIMEOUT_MS)
+        assert "screws_1 = np.array" in answer.locator("textarea").input_value()
+        press(page, show)
+        expect(statement.locator(".kinlib-live-note")).to_have_text("Done.", timeout=PYTHON_TIMEOUT_MS)
+    assert_graded(folder, "3")
+
+
+def assert_graded(folder, points):
+    """Grade the sheet in the folder of one student, and compare the points of its first problem."""
+    out = folder.parents[1] / "results"
+    sheet = ROOT / "solutions" / SHEET / f"{SHEET}.ipynb"
+    command = (sys.executable, "-m", "misstep", "grade", sheet, folder.parent, "--out", out, "--jobs", "1")
+    subprocess.run(command, check=True, capture_output=True, cwd=ROOT)
+    with (out / "grades.csv").open(encoding="utf-8") as file:
+        [graded] = csv.DictReader(file)
+    assert (graded["student"], graded["points"], graded["03.1"]) == (STUDENT, points, points)

@@ -44,7 +44,7 @@ NEVER = ("jedi", "prompt-toolkit", "wcwidth")
 """What IPython requires for typing in a terminal and for completion, which a page has not (live/shell.py)."""
 
 WARM_UP = """
-import matplotlib.pyplot, sympy
+import sympy
 from kincourse import open_sheet
 sheet = open_sheet("03_poe_space", "a student")
 sheet.show(1)
@@ -152,20 +152,20 @@ def build_with_jupyterlite(kind: str, folder: Path) -> None:
 
 
 def precompile(source: Path, target: Path) -> None:
-    """Write the files of Python again, with compiled modules and without what no cell can use, as precompile.py says.
+    """Copy the files of Python; those that a page loads with compiled modules and without what no cell can use (precompile.py).
 
     The WebAssembly of Python is there twice: pages load it compressed, because not every server compresses it.
 
     Raises ValueError if the modules cannot be compiled.
     """
-    target.mkdir(parents=True)
-    archives = {path.name for path in source.iterdir() if path.suffix == ".whl" or path.name == "python_stdlib.zip"}
-    for path in source.iterdir():
-        if path.name not in archives:
-            shutil.copy(path, target)
+    lock = json.loads((source / "pyodide-lock.json").read_text("utf-8"))
+    entries = {canonicalize_name(name): entry for name, entry in lock["packages"].items()}
+    loaded = sorted(required(entries, (*LIVE_PACKAGES, "sympy"), {"sympy"}))
+    archives = {"python_stdlib.zip": False} | {entries[name]["file_name"]: name in PACKAGES for name in loaded}
+    shutil.copytree(source, target)
     warm_up = source.parent / "warm_up.py"
     warm_up.write_text((SITE / "lab" / "live" / "shell.py").read_text("utf-8") + WARM_UP, "utf-8")
-    settings = {"packages": LIVE_PACKAGES, "archives": {name: name.startswith(PACKAGES) for name in sorted(archives)}}
+    settings = {"packages": LIVE_PACKAGES, "archives": archives}
     command = (
         shutil.which("node") or "node", Path(__file__).with_name("precompile.mjs"),
         source, target, warm_up, json.dumps(settings),
@@ -173,8 +173,7 @@ def precompile(source: Path, target: Path) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         raise ValueError(f"The modules of Python could not be compiled:\n{done.stderr[-2000:]}")
-    lock = json.loads((target / "pyodide-lock.json").read_text("utf-8"))
-    for entry in lock["packages"].values():
+    for entry in entries.values():
         entry["sha256"] = wheels.sha256_of(target / entry["file_name"])
     (target / "pyodide-lock.json").write_text(json.dumps(lock), "utf-8")
     wasm = target / "pyodide.asm.wasm"

@@ -11,8 +11,7 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 UNUSED = re.compile(
     r"""
-    ^(?!jedi/).*\.pyi$                                  # for type checkers, and for completion by jedi
-    | \.(?:pxd|[ach])$ | /include/ | numpy/f2py/        # for compilers
+    \.(?:pyi|pxd|[ach])$ | /include/ | numpy/f2py/      # for compilers and type checkers
     | \.data/ | /(?:lab|nb)extension/ | kinlib/view/js/ # scripts that are in the lab and on the pages already
     | /tests?/ | /RECORD$ | misstep/grading/
     | pygments/(?:lexers|styles)/(?!_|python|default)   # for other languages than Python
