@@ -66,11 +66,17 @@ def test_without_scripts_each_formula_is_shown_as_mathml(chromium, site_address,
     assert min(widths) > 3
 
 
-def test_the_first_screen_of_every_page_is_complete_without_scripts(chromium, site_folder, site_address):
-    pages = [path for path in site_folder.rglob("*.html") if late_formulas.BEGIN in path.read_text("utf-8")]
-    assert len(pages) > 20
+def test_the_first_screen_is_complete_without_scripts(chromium, site_folder, site_address):
+    """On the pages that have least text before their first formula that waits."""
+    texts = {path: path.read_text("utf-8") for path in site_folder.rglob("*.html")}
+    before = {
+        path: html.index(late_formulas.BEGIN) - html.index("<article")
+        for path, html in texts.items()
+        if late_formulas.BEGIN in html
+    }
+    assert len(before) > 20
     with watched(chromium, viewport={"width": 1920, "height": 1200}, java_script_enabled=False) as page:
-        for path in pages:
+        for path in sorted(before, key=before.get)[:8]:
             page.goto(f"{site_address}/{path.relative_to(site_folder).as_posix()}")
             assert page.evaluate(WAITING_IN_SIGHT) == 0, path
 
