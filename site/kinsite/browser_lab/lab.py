@@ -159,7 +159,7 @@ def precompile(source: Path, target: Path) -> None:
     Raises ValueError if the modules cannot be compiled.
     """
     lock = json.loads((source / "pyodide-lock.json").read_text("utf-8"))
-    entries = {canonicalize_name(name): entry for name, entry in lock["packages"].items()}
+    entries: dict[str, Any] = {canonicalize_name(name): entry for name, entry in lock["packages"].items()}
     loaded = sorted(required(entries, (*LIVE_PACKAGES, "sympy"), {"sympy"}))
     archives = {"python_stdlib.zip": False} | {entries[name]["file_name"]: name in PACKAGES for name in loaded}
     shutil.copytree(source, target)

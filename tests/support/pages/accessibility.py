@@ -2,6 +2,9 @@
 
 from built_site import SITE
 
+COLOUR_RULES = "['color-contrast', 'link-in-text-block']"
+"""What differs between the themes."""
+
 
 def violations(page):
     """List what axe finds on the open page, as (theme, rule, start of the element).
@@ -11,7 +14,7 @@ def violations(page):
     page.wait_for_load_state("networkidle")
     page.evaluate((SITE / "node_modules" / "axe-core" / "axe.min.js").read_text("utf-8"))
     found = []
-    for theme, only in (("light", "undefined"), ("dark", "['cat.color']")):  # the themes differ in their colours only
+    for theme, only in (("light", "undefined"), ("dark", COLOUR_RULES)):
         page.emulate_media(color_scheme=theme)
         page.wait_for_timeout(300)  # colours fade from one theme to the other
         rules = page.evaluate(f"axe.run(document, {{ resultTypes: ['violations'], runOnly: {only} }})")["violations"]
