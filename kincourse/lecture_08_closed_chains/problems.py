@@ -204,7 +204,12 @@ def coupler_point(sampler: ArmSampler) -> Problem:
     )
     P = P.mistaken_for(P - np.array([four_bar.ground, 0.0]), "from D", "measure P from D instead of A")
     wrong_B = four_bar.crank * np.array([np.cos(in_degrees), np.sin(in_degrees)])
-    for text, k in (("", 180 / np.pi * angle), (" for the crank's angle in the position of B", angle)):
+    C = start.value + four_bar.coupler * np.array([np.cos(angle.value), np.sin(angle.value)])
+    for text, k in (
+        ("", 180 / np.pi * angle),
+        (" for the crank's angle in the position of B", angle),
+        (" for the position of B, and point from there to C", direction_of(given("BC", C - wrong_B))),
+    ):
         P = P.mistaken_for(wrong_B + rotated(k, p), "degrees", f"use degrees as radians{text}")
     drawn = {"P": ("coupler", (four_bar.crank + along, left, 0.0))}
 
@@ -241,6 +246,12 @@ def slider(sampler: ArmSampler) -> Problem:
         length("rod", rod),
         length("offset", offset, LENGTH),
         radians(given("A", degrees, ANGLE)),
+    )
+    swapped = rod * np.cos(np.radians(degrees)) + np.sqrt(
+        abs(crank**2 - (rod * np.sin(np.radians(degrees)) - offset) ** 2)
+    )
+    x = x.mistaken_for(
+        swapped, "lengths swapped", "swap crank and rod, and take the root of the size of a negative number"
     )
     for text, wrong in (
         ("measure $x$ from the leftmost place of B", x + crank),

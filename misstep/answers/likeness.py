@@ -122,9 +122,10 @@ class Likeness:
             return None
         mine, right = (x.reshape(-1, x.shape[-1]) for x in (self.mine, self.right))
         wrong = np.ravel(~self._equal(mine, right))
-        # A number that is left at 0 is not rounded, and one short number may be another one.
+        # Numbers that are left at 0 are not rounded, and one short number may be another one.
         is_short = np.asarray(has_three_digits(mine, right, or_zeros=True).all(axis=-1))
-        is_rounded = bool((mine[wrong] != 0).all() and (np.count_nonzero(wrong) > 2 or is_short[wrong].all()))
+        is_filled = 2 * np.count_nonzero(mine[wrong]) >= np.count_nonzero(wrong)
+        is_rounded = is_filled and (np.count_nonzero(wrong) > 2 or bool(is_short[wrong].all()))
         if (is_short | ~wrong).all() and has_three_digits(mine, right)[wrong].any():
             return "rounded", ROUNDED
         for decimals in (3, 2, 1, 0) if is_rounded else ():
