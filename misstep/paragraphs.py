@@ -10,6 +10,9 @@ from misstep.judge import Finding
 MANY = 3
 """More parts of one kind than this are listed with the name of the kind said once."""
 
+MAX_LIST = 60
+"""A longer list of all parts that are wrong is not told, as the right ones are listed."""
+
 AND_MORE = "Other parts are not right either; begin with this one."
 """What is said where there is no room for all findings."""
 
@@ -47,6 +50,8 @@ def paragraphs(findings: Sequence[Finding], right_parts: Sequence[str] = (), *, 
     shown = listed if len(listed) < MAX_LENGTH / 4 else f"{len(right_parts)} parts"
     before = [f"Right: {shown}."] * bool(right_parts)
     merged = _each_sentence_once(_merged(findings))
+    if len(merged) == 1 and right_parts and len(enumeration(merged[0].parts)) > MAX_LIST:
+        merged[0] = replace(merged[0], parts=["the others"])
 
     def texts(some: Sequence[_Paragraph]) -> list[str]:
         return before + [one.text(is_on_whole) for one in some]
