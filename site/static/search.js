@@ -101,7 +101,8 @@
     const isFunction = ({ id }) => index.entries.get(id).kind === 'function' && index.entries.get(id).title === name;
     if (isCode) {
       const exact = index.search(name, { fields: ['title'], filter: isFunction });
-      const rest = index.search(name, { boost: WEIGHTS, filter: (result) => !isFunction(result) });
+      const boostDocument = (id) => KINDS[index.entries.get(id).kind] ?? 1;
+      const rest = index.search(name, { boost: WEIGHTS, boostDocument, filter: (result) => !isFunction(result) });
       const owner = wanted.replace(/\(.*/, ''); // Chain.fk: the fk of Chain before others
       const depth = ({ id }) => id.split('#')[0].split('.').length + 10 * id.includes('.symbolic.');
       const place = (result) => depth(result) - 100 * result.id.endsWith(`.${owner}`);

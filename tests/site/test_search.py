@@ -7,7 +7,7 @@ import pytest
 from browser import watched
 
 QUERIES = json.loads(Path(__file__).with_name("search_queries.json").read_text("utf-8"))
-"""Words that readers type, each with the beginnings of the addresses that are right first; the ranking was tuned on one half."""
+"""Words that readers type, each with the beginnings of the addresses that are right first. The ranking was tuned on some."""
 
 FIGURES = ("performance.html", "census.html", "independent_checks.html")
 
@@ -26,19 +26,27 @@ def results(chromium, site_address):
         )
 
 
-def test_the_page_that_is_looked_for_is_first_for_fifty_of_sixty_queries(results):
+def test_the_page_that_is_looked_for_is_first_for_five_of_six_queries(results):
     missed = {
         (query, wanted if isinstance(wanted, str) else wanted[0]): results[query][:3]
         for half in QUERIES.values()
         for query, wanted in half.items()
         if not results[query] or not results[query][0].startswith(wanted if isinstance(wanted, str) else tuple(wanted))
     }
-    assert len(results) == 60
-    assert len(missed) <= 10, missed
+    assert len(results) > 140
+    assert len(missed) <= len(results) / 6, missed
 
 
-def test_no_page_of_figures_is_above_a_lecture(results):
+def test_no_page_of_figures_is_above_a_lecture_unless_it_is_looked_for(results):
+    looked_for = {
+        query
+        for half in QUERIES.values()
+        for query, wanted in half.items()
+        if any(page in str(wanted) for page in FIGURES)
+    }
     for query, addresses in results.items():
+        if query in looked_for:
+            continue
         kinds = ["figures" if address.startswith(FIGURES) else address.partition("/")[0] for address in addresses]
         if "figures" in kinds and "lectures" in kinds:
             assert kinds.index("lectures") < kinds.index("figures"), query
