@@ -57,7 +57,7 @@ class Course:
     fallback_hint  what to try if the fallback finds nothing, with {name} for the name of the sheet
     site      the address of the course's site, https://..., which has the pages lectures/01_frames.html; "" if it has none
 
-    A complete course with one problem, which is also a blank step:
+    A complete course, with one problem, one blank step and one question:
 
     >>> from tempfile import TemporaryDirectory
     >>> temporary = TemporaryDirectory()
@@ -74,17 +74,33 @@ class Course:
     ...     wrong = [mistake("doubled", np.array(2.0 * x), "You multiplied by 2. Divide by 2.")]
     ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), wrong, given={"x": x})
     ... '''
+    >>> question = '''
+    ... [even]
+    ... kind = "check"
+    ... text = "Half of which number is a whole number?"
+    ... options = [{text = "4", right = true, why = "It is even."}, {text = "3", why = "It is odd."}]
+    ... '''
+    >>> definition = 'from misstep import Course\nCOURSE = Course("halves_course")'
     >>> files = {
-    ...     lecture.parent / "__init__.py": 'from misstep import Course\nCOURSE = Course("halves_course")',
+    ...     lecture.parent / "__init__.py": definition,
     ...     lecture / "problems.py": problem + 'SHEET = Sheet("01_halves", "Halves", [half])',
     ...     lecture / "blanks.py": problem.replace("01.1", "01.a") + "BLANKS = [half]",
+    ...     lecture / "questions.toml": question,
     ... }
     >>> for file, text in files.items():
     ...     _ = file.write_text(text)
     >>> course = load_course(lecture.parent)
+    >>> course.sheets(), course.find_sheet("01_halves").points, list(course.blanks())
+    (['01_halves'], 2, ['01.a'])
     >>> sheet = course.open_sheet("01_halves", "ada")
-    >>> sheet.check(1, 2 * sheet.given(1).x).judgement.mistakes, course.attempt("01.a", None).judgement.state
-    (['doubled'], 'blank')
+    >>> sheet.check(1, 2 * sheet.given(1).x).judgement.mistakes
+    ['doubled']
+    >>> course.attempt("01.a", None).judgement.state
+    'blank'
+    >>> course.questions()["01"]["even"] is course.find_question("01/even")
+    True
+    >>> type(course.ask("01/even")).__name__, type(course.explain("01/even")).__name__
+    ('Question', 'Explanation')
     >>> temporary.cleanup()
     """
 
