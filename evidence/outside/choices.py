@@ -138,12 +138,6 @@ def one_of_four(g: Any) -> str:
     return max(reports, key=lambda k: float(np.median([np.abs(reports[k] - T).max() for T in reports.values()])))
 
 
-def how_far_off(g: Any) -> list[float]:
-    """The distances of 10.13, in millimetres."""
-    said = [product(g.home, *map(exp, g.body_screws, row)) for row in g.q]
-    return [float(1000 * np.linalg.norm(T[:3, 3] - X[:3, 3])) for T, X in zip(said, g.poses, strict=True)]
-
-
 def shared_orders(X: list[str]) -> Kinds:
     """Return the wrong orders that fit every problem."""
     made: Kinds = {
@@ -234,14 +228,3 @@ def other_lines(g: Any, X: float) -> Kinds:
         if joint and not line.startswith("</"):
             made[f"gave the {element} of joint {joint}"] = (i, words)
     return made
-
-
-@kinds_of("10.13")
-def wrong_distances(g: Any, X: float) -> Kinds:
-    gaps = how_far_off(g)
-    along = max(np.abs(product(g.home, *map(exp, g.body_screws, q))[:3, 3] - T[:3, 3]).max() for q, T in zip(g.q, g.poses, strict=True))
-    return {
-        "gave the mean": (float(np.mean(gaps)), "mean|average"), "gave the least": (min(gaps), "least|smallest|largest|-"),
-        "gave the sum": (sum(gaps), "sum|largest"), "gave the first": (gaps[0], "first|largest"),
-        "measured along one axis": (float(1000 * along), "component|along|length"), "gave the median": (float(np.median(gaps)), "mean|-"),
-    }

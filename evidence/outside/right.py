@@ -398,7 +398,7 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "10.10": ("flat rows", in_the_drawing),
     "10.11": ("frames", in_the_drawing),
     "10.12": ("letter", in_the_drawing),
-    "10.13": ("millimetres", lambda g: max(choices.how_far_off(g))),
+    "10.13": ("millimetres", in_the_drawing),
     "10.14": ("letter", in_the_drawing),
     "robot.home_pose": ("pose", lambda g: product(g.T_sr, g.T_rf, g.T_fb)),
     "robot.where_is_the_tool": ("pose", lambda g: poe(g, g.screws, g.home, radians_of(g.values, g.screws))),

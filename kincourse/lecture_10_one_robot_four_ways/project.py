@@ -5,7 +5,6 @@ from another one. `verify` holds them against each other, against the log and ag
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeGuard
 
@@ -41,14 +40,6 @@ MARK_M = 2e-3
 
 PRINTED_MM, PRINTED_DEG = 1.0, 0.1
 """To what the tracker rounds positions and angles."""
-
-
-@dataclass(frozen=True, eq=False)
-class Received:
-    """A description that somebody else made: body screws (n, 6) and the home pose, with a fault at one joint."""
-
-    body_screws: Array
-    home: Array
 
 
 class Project:
@@ -124,8 +115,8 @@ class Project:
         return Log(q, np.array([origin(p, np.radians(angles)) for p, angles in zip(xyz, rpy, strict=True)]))
 
     @cached_property
-    def received(self) -> Received:
-        """The description by somebody else: one joint is wrong, by a length or by the sign of its direction."""
+    def received(self) -> Array:
+        """The body screws (n, 6) by somebody else: one is wrong, by a length or by the sign of its direction."""
         sampler = Sampler(self._student, "10.received")
         joint, chain = sampler.integer(1, self._machine.n), self._machine.chain
         B = chain.body_screws.copy()
@@ -135,7 +126,7 @@ class Project:
             omega = B[joint - 1, :3]
             across = np.eye(3)[sampler.choice([k for k in range(3) if abs(omega[k]) < 0.5])]
             B[joint - 1, 3:] -= np.cross(omega, sampler.choice((-1, 1)) * sampler.choice((0.02, 0.03, 0.05)) * across)
-        return Received(B.round(6) + 0.0, chain.home.round(6) + 0.0)
+        return B.round(6) + 0.0
 
     @cached_property
     def paths(self) -> dict[str, JointPath]:

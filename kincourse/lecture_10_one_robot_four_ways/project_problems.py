@@ -160,12 +160,11 @@ def origins_of_the_file(sampler: ArmSampler) -> Problem:
 def wrong_joint(sampler: ArmSampler) -> Problem:
     project = open_project(sampler.student)
     received, names = project.received, {str(i): f"joint {i}" for i in range(1, len(project.joints) + 1)}
-    right = str(1 + np.abs(received.body_screws - draw_machine(sampler.student).chain.body_screws).max(axis=1).argmax())
+    right = str(1 + np.abs(received - draw_machine(sampler.student).chain.body_screws).max(axis=1).argmax())
     return Problem(
-        statement=f"{_begin(project)}You received its home pose, which is right, and its body screws\n\n"
-        f"$$B = {matrix(received.body_screws)},$$\n\none row for each joint. Exactly one is wrong. Which one? Answer with its number, "
-        "as a text.",
-        given={"body_screws": received.body_screws, "home": received.home},
+        statement=f"{_begin(project)}You received its body screws\n\n$$B = {matrix(received)},$$\n\none row for each joint. Exactly one "
+        "is wrong. Which one? Answer with its number, as a text.",
+        given={"body_screws": received},
         answer=Choice(right, names),
         mistakes=[
             mistake(
@@ -182,13 +181,13 @@ def wrong_joint(sampler: ArmSampler) -> Problem:
 @problem("10.13", "Project: how far off", points=2, lecture=f"{LECTURE}The report")
 def how_far_off(sampler: ArmSampler) -> Problem:
     project = open_project(sampler.student)
-    received, log = project.received, project.log
-    wrong = Chain(received.body_screws @ adjoint(received.home).T, received.home)
+    received, log, right = project.received, project.log, draw_machine(sampler.student).chain
+    wrong = Chain(received @ adjoint(right.home).T, right.home)
     fk = wrong.fk(log.q)
     gaps, off = log.distances_mm(fk), 1000 * np.abs(fk[:, :3, 3] - log.poses[:, :3, 3])
     traces = np.einsum("kij,kij->k", fk[:, :3, :3], log.poses[:, :3, :3])
     turned = np.degrees(np.arccos(np.clip((traces - 1) / 2, -1, 1)))
-    in_space = log.distances_mm(Chain(received.body_screws, received.home).fk(log.q))
+    in_space = log.distances_mm(Chain(received, right.home).fk(log.q))
     of_degrees = log.distances_mm(wrong.fk(np.where(np.array(list(project.joints)) == "P", 1.0, np.pi / 180) * log.q))
     mistakes = {
         "mean": (gaps.mean(), "This is the mean of the distances. The question is about the largest one."),
@@ -215,20 +214,22 @@ def how_far_off(sampler: ArmSampler) -> Problem:
             "This is 1000 times the square of the distance in metres. Take its root first.",
         ),
         "own screws": (
-            log.distances_mm(draw_machine(sampler.student).chain.fk(log.q)).max(),
+            log.distances_mm(right.fk(log.q)).max(),
             "This is what your own screws give. The question is about the received ones.",
         ),
         "body screws": (in_space.max(), "This uses the body screws as space screws, with $M$ last."),
         "from home": (
-            log.distances_mm(np.broadcast_to(received.home, fk.shape)).max(),
+            log.distances_mm(np.broadcast_to(right.home, fk.shape)).max(),
             "This is the largest distance of a measured pose from the home pose.",
         ),
         "radians as degrees": (of_degrees.max(), "This takes the angles of the log as degrees. They are in radians."),
     }
     return Problem(
-        statement=f"{_begin(project)}With the received body screws, how far is the tool at worst from where the tracker measured it? "
-        "`given.q` has the joint values of the log, one row for each pose in `given.poses`. Answer in millimetres.",
-        given={"body_screws": received.body_screws, "home": received.home, "q": log.q, "poses": log.poses},
+        statement=f"{_begin(project)}With the received body screws and your own home pose, how far is the tool at worst from where the "
+        "tracker measured it? The origin of the home pose is T, and the arrows xT and zT are two of its axes. `given.q` has the joint "
+        "values of the log, one row for each pose in `given.poses`. Answer in millimetres.",
+        figure=lambda: project.drawing("screws"),
+        given={"body_screws": received, "q": log.q, "poses": log.poses},
         answer=Numbers(np.array(float(gaps.max())), unit="mm"),
         mistakes=[mistake(name, np.array(float(value)), text) for name, (value, text) in mistakes.items()],
     ).without_duplicates()
