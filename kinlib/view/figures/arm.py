@@ -102,7 +102,7 @@ def draw_joints(chain: Chain, tool: bool = False) -> Picture:
     canvas.triad(np.eye(4), "s", 0.16 * canvas.size)
     if tool:
         canvas.triad(chain.home, "b", 0.16 * canvas.size)
-    return canvas.picture(describe_arm(chain, home), cropped=True)
+    return canvas.picture(describe_arm(chain, home, frames={"b": chain.home} if tool else None), cropped=True)
 
 
 def describe_arm(
