@@ -322,8 +322,8 @@ def three_arms(sampler: ArmSampler) -> Problem:
     n, right = sum(arms), float(sum(arms) - 2 * d)
     joints, loops, equations = given("n", float(n)), given("L", 2.0), given("d", float(d))
     for name, text, count in (
-        ("one loop", "close one loop", 1.0),
-        ("three loops", "close three loops, one for each arm", 3.0),
+        ("one loop", "count one loop", 1.0),
+        ("three loops", "count three loops, one for each arm", 3.0),
     ):
         loops = loops.mistaken_for(
             count, name, text, "The second and the third arm each close a loop with the first one."
@@ -332,8 +332,8 @@ def three_arms(sampler: ArmSampler) -> Problem:
     equations = equations.mistaken_for(9.0 - d, "another d", f"take {9 - d} equations for a loop", place)
     mobility = joints - loops * equations
     for name, text, wrong in (
-        ("three loops, another d", f"close three loops with {9 - d} equations each", n - 3.0 * (9 - d)),
-        ("one loop, another d", f"close one loop with {9 - d} equations", n - (9.0 - d)),
+        ("three loops, another d", f"count three loops with {9 - d} equations each", n - 3.0 * (9 - d)),
+        ("one loop, another d", f"count one loop with {9 - d} equations", n - (9.0 - d)),
         ("the object", "add one degree of freedom for the object", right + 1),
         ("the object", "give the degrees of freedom of the object alone", float(d)),
         ("one arm", "give the degrees of freedom of one arm", float(arms[0])),
