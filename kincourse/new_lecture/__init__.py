@@ -1,10 +1,11 @@
 """`kincourse new-lecture 11_dynamics "Dynamics" "Which torques move an arm?"`: a small lecture that passes all tests.
 
 It writes one folder of kincourse, one notebook and one solution, from which the students' sheet is released. The site, the tests
-and the engine find the lecture by its folder; README.md and the paper, which list the lectures, are brought up to date.
+and the engine find the lecture by its folder; README.md, the paper and lecture 00, which list the lectures, are brought up to date.
 """
 
 import argparse
+import json
 import re
 import subprocess
 import sys
@@ -27,6 +28,10 @@ the cell, and then run the check below it. You may check as often as you like; t
 SOLUTION = """\
 theta = np.radians(given.degrees)
 position_1 = np.array([given.upper_arm + given.forearm * np.cos(theta), given.forearm * np.sin(theta)])"""
+
+TABLE_OF_TIMES = "notebooks/00_start_here.ipynb"
+MINUTES = 10
+"""The lecture that lists how long each takes, and how long the small one takes."""
 
 UPDATE_LISTS = "from pathlib import Path; from kincourse.table_of_lectures import write_lists; write_lists(Path())"
 
@@ -68,15 +73,34 @@ def new_lecture(name: str, title: str, question: str, root: Path) -> list[Path]:
         return text
 
     folder = f"kincourse/lecture_{name}"
-    files = {f"{folder}/{part}.py": filled(part) for part in ("problems", "blanks", "drawings")}
+    files = {f"{folder}/{part}.py": filled(part) for part in ("problems", "blanks", "drawings", "opening")}
     files[f"{folder}/__init__.py"] = filled("init")
     files[f"{folder}/questions.toml"] = filled("questions")
     files[f"notebooks/{name}.ipynb"] = notebook_of(filled("lecture"))
     files[f"solutions/{name}/{name}.ipynb"] = solution_of(name, title)
+    files[TABLE_OF_TIMES] = with_row(
+        (root / TABLE_OF_TIMES).read_text("utf-8"), f"| [{number} {title}]({name}.ipynb) | {question} | {MINUTES} |"
+    )
     for place, text in files.items():
         (root / place).parent.mkdir(parents=True, exist_ok=True)
         (root / place).write_text(text, "utf-8", newline="\n")
     return [root / place for place in files]
+
+
+def with_row(notebook: str, row: str) -> str:
+    r"""Put the row of a lecture into the table of lecture 00, in the order of the numbers.
+
+    >>> table = json.dumps({"source": ["| [01 Frames](01_frames.ipynb) | Where? | 85 |\n", "the end"]}, indent=1)
+    >>> json.loads(with_row(table, "| [02 More](02_more.ipynb) | Why? | 10 |"))["source"][1]
+    '| [02 More](02_more.ipynb) | Why? | 10 |\n'
+    """
+    rows = re.findall(r'^ *"\| \[\d\d.*\n', notebook, re.MULTILINE)
+    number = row.partition("[")[2]
+    before = max(
+        (other for other in rows if other.partition("[")[2] < number), key=lambda other: other.partition("[")[2]
+    )
+    indent = before[: before.index('"')]
+    return notebook.replace(before, f"{before}{indent}{json.dumps(row + chr(10), ensure_ascii=False)},\n")
 
 
 def solution_of(name: str, title: str) -> str:

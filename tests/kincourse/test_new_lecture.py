@@ -16,7 +16,12 @@ PARTS = "kinlib misstep kincourse notebooks solutions exercises tests tools evid
 FILES = ("README.md", "pyproject.toml", "conftest.py", "course.py")
 TESTS = (
     *("tests/kincourse/test_lecture_folders.py", "tests/kincourse/test_lecture_questions.py"),
-    *("tests/kincourse/answers", "tests/kincourse/sheets/test_sheets.py", "tests/kincourse/sheets/test_exercises.py"),
+    *(
+        "tests/kincourse/test_giveaways.py",
+        "tests/kincourse/answers",
+        "tests/kincourse/sheets/test_sheets.py",
+        "tests/kincourse/sheets/test_exercises.py",
+    ),
     *("tests/repository/test_notebooks.py", "tests/evidence/test_formulas.py", "tests/evidence/test_prose.py"),
     *("kincourse/lecture_11_dynamics", "notebooks/11_dynamics.ipynb", "solutions/11_dynamics/11_dynamics.ipynb"),
 )
@@ -45,7 +50,7 @@ def test_a_new_lecture_is_found_everywhere_and_passes_the_tests_at_once(tmp_path
     )
     for check in (["ruff", "check"], ["ruff", "format", "--check"]):
         run(*check, "kincourse/lecture_11_dynamics", "notebooks/11_dynamics.ipynb", "solutions/11_dynamics")
-    chosen = "11_dynamics or 11/ or 11- or 11.1 or 11.a or test_lecture or cells_and_its_points"
+    chosen = "11_dynamics or 11/ or 11- or 11.1 or 11.a or test_lecture or cells_and_its_points or stated_times"
     passed = run("pytest", "-q", "-n0", "-p", "no:cacheprovider", *TESTS, "-k", chosen)
     assert int(passed.rpartition(" passed")[0].split()[-1]) > 25
 
