@@ -140,8 +140,9 @@ class Quantity(Answer):
         return None
 
     def slips(self) -> Iterator[Mistake]:
-        """Yield the slips of the number, in the unit of the author."""
-        return (replace(slip, value=self.from_author(slip.value)) for slip in self._numbers.slips())
+        """Yield the slips of the number, in the unit of the author; `explanation` says more of a power of ten."""
+        slips = (slip for slip in self._numbers.slips() if slip.name != "power of ten")
+        return (replace(slip, value=self.from_author(slip.value)) for slip in slips)
 
     def _number(self, given: Any) -> Any:
         try:

@@ -312,6 +312,7 @@ NOT_REHEARSED = {
     "kincourse new-lecture": "adds a lecture; a test of kincourse does so",
     "misstep grade ": "the same program with files that a person has; graded with other files",
     "misstep census": "the census takes long; a new course runs one",
+    "python evidence/checks/judge_outside.py": "judges for minutes; a test judges a third of each sheet",
     "misstep new-course": "run with a name",
     "misstep unnamed": "needs the results of a graded class; a test of misstep has some",
     ".venv/bin/misstep release": "the same program as `misstep release`",
