@@ -6,7 +6,7 @@ Twelve jobs, with kinlib imported as kl and numpy as np:
 >>> arm = kl.load_urdf(kl.to_urdf(kl.robots.puma560()))                # 1, 2  load a URDF file or its text; export an arm
 >>> own = kl.Chain(kl.screw(axis=[[0, 0, 1], [0, 1, 0]], point=[[0, 0, 0], [1, 0, 0]]), np.eye(4))        # 3  write an arm
 >>> q = arm.random_configurations(1000)                                # or {"joint_1": 0.5, ...}, a value for each name
->>> arm.fk(q).shape, arm.link_poses(q).shape                           # 4  the poses of the tool, and of all links
+>>> arm.fk(q).shape, arm.link_poses(q).shape                           # 4  of the tool; how far each link has moved
 ((1000, 4, 4), (1000, 6, 4, 4))
 >>> arm.jacobian(q).shape, arm.body_jacobian(q).shape                  # 5  Jacobians in {s} and in {b}
 ((1000, 6, 6), (1000, 6, 6))
@@ -35,21 +35,22 @@ Rigid motions
 Open chains
     Chain(screws, home)  n screw axes (n, 6) and M (4, 4): fk, link_poses, jacobian, limits; print(arm) lists its axes
     robots               the arms of the course, and robots.arm and robots.pose to write your own
-    load_urdf(file), to_urdf(arm), Tree          URDF; Tree.from_urdf(file) has all branches of a robot
+    load_urdf(file), to_urdf(arm), Tree          URDF; Tree.from_urdf(file) has all branches, and poses(q) of all links
 Denavit-Hartenberg
     DHTable(rows, convention), dh_transform(a, alpha, d, theta, convention)
-    assign_frames(arm, convention)               a FrameAssignment, with its table and the reason for each frame
+    assign_frames(arm, convention)               a FrameAssignment, with its table and .steps, the reason for each frame
     equivalent(one, other), diagnose(table, arm), check_frames(arm, frames, convention)
                          compare: an Equivalence, a Diagnosis, a list of Breach
 Closed chains
-    Mechanism(joints), Joint, linkages           linkages: assemble, trace, mobility
+    Mechanism(joints), Joint, linkages           a Mechanism, also of linkages: assemble, trace, mobility
 Also
     symbolic             the same formulas in SymPy
     show(robot)          an arm, a table, a tree or a closed chain in pictures and three dimensions; more in kinlib.view
 
-A twist and a screw axis are (omega, v), as in Modern Robotics; T_ab takes coordinates in {b} to coordinates in {a}; radians and
-metres. An array of shape (..., n) holds any number of configurations. `NOTATION.md` lists the conventions, and for example
-`help(kl.Chain.fk)` says shapes, units, frames and errors. The folders are in the order of the lectures.
+A twist and a screw axis are (omega, v), as in Modern Robotics. {s} is the frame of the base, {b} that of the end-effector, and T_ab
+takes coordinates in {b} to coordinates in {a}; radians and metres. An array of shape (..., n) holds any number of configurations.
+`to_dict` and `from_dict` write an arm or a table as JSON data and read it. `help(kl.Chain.fk)`, for example, says shapes, units,
+frames and errors.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -70,7 +71,7 @@ from kinlib.urdf.chains import load_urdf, to_urdf
 from kinlib.urdf.robot_tree import Tree
 
 if TYPE_CHECKING:
-    from kinlib import symbolic
+    from kinlib import symbolic, view
     from kinlib.view.browser import show
 
     # For type checkers only: `help` would print every class and function named here, 1,700 lines.
@@ -106,20 +107,21 @@ if TYPE_CHECKING:
         "symbolic",
         "to_urdf",
         "vee",
+        "view",
     ]
 else:
 
     def __getattr__(name: str) -> Any:
-        """Import kl.symbolic and kl.show when they are first used, because SymPy and widgets take long to import."""
-        if name not in {"show", "symbolic"}:
+        """Import kl.symbolic, kl.view and kl.show when they are first used, because SymPy and widgets take long to import."""
+        if name not in {"show", "symbolic", "view"}:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
         from importlib import import_module
 
-        return import_module("kinlib.symbolic") if name == "symbolic" else import_module("kinlib.view").show
+        return import_module("kinlib.view").show if name == "show" else import_module(f"kinlib.{name}")
 
     def __dir__() -> list[str]:
         names = {name for name in globals() if not name.startswith("_")} - {"Any", "TYPE_CHECKING"}
-        return sorted(names | {"__version__", "show", "symbolic"})
+        return sorted(names | {"__version__", "show", "symbolic", "view"})
 
 
 __version__ = "0.1.0"

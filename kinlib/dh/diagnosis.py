@@ -192,10 +192,13 @@ class Diagnosis:
         }
         texts = [[fault.text for fault in explanation.faults] for explanation in reversed(told.values())]
         lines = texts[0]
+        if len(texts) == 1 < len(lines):  # other pairs may lead to the same motions, so this one is no fact
+            lines = ["The table agrees with the arm after these changes:", *lines]
         if len(texts) > 1:
             lines = ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
         if len(texts) > MAX_TOLD:
-            lines.append(f"({len(texts) - MAX_TOLD} more are as simple.)")
+            more = len(texts) - MAX_TOLD
+            lines.append(f"({more} more {'is' if more == 1 else 'are'} as simple.)")
         return lines
 
     def _describe_agreement(self) -> str:

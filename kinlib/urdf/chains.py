@@ -60,8 +60,9 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
 
 
 def to_urdf(robot: Chain | Tree) -> str:
-    """Write a chain or a tree as the text of a URDF that load_urdf or Tree.from_urdf reads back as the same robot.
+    """Write a chain or a tree as the text of a URDF, which load_urdf or Tree.from_urdf reads.
 
+    A chain that is read back has the same motion of the tool, and a tree the same poses of all links.
     At the home position of a chain every frame is parallel to {s}, so an axis has the same components as in the base, and an origin
     is the vector from one joint's point to the next. A fixed joint at the end completes the home pose, unless the last link of the
     chain is the tool itself. Joints without names are called joint_1, joint_2, ..., and links base_link, link_1, ..., tool. The

@@ -1,4 +1,7 @@
-"""Angles as answers: compared modulo a full turn, and if there are several, in any order if the problem allows it."""
+"""Angles as answers: compared modulo a full turn, and if there are several, in any order if the problem allows it.
+
+What a card says of degrees for radians is in likeness.py.
+"""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

@@ -2,7 +2,8 @@
 
 A browser draws an image for the color-scheme of the element that shows it, so a rule on the page switches every drawing,
 as an image and without a script; in print, drawings are light. A browser that does not pass the color-scheme on to images
-uses the theme of the system. The drawing stays legible, because it paints its own paper.
+uses the theme of the system. The drawing stays legible, because it paints its own paper. The colours of the 3-D viewer are in
+js/theme.js.
 """
 
 import colorsys

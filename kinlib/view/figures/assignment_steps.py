@@ -19,7 +19,7 @@ FINISHED = ("accuracy", None)
 class AssignmentState:
     """An assignment after some of its steps: what the current step names is strong, what came before is pale.
 
-    kind     the kind of the current step, as in kinlib.dh.explanation
+    kind     the kind of the current step, as in kinlib.dh.assignment_steps
     axes     (n,) whether the axis of each joint is strong
     normals  (n - 1,) whether each common normal is strong; None if it is not drawn yet
     frames   (n + 1,) which of O, z, x, y of each frame have been assigned

@@ -13,7 +13,7 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment, assign_frames
-from kinlib.dh.explanation import AssignmentStep
+from kinlib.dh.assignment_steps import AssignmentStep
 from kinlib.dh.formatting import format_rows
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.view.drawing.crop import crop

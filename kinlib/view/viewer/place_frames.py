@@ -12,7 +12,7 @@ import traitlets
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.explanation import ACCURACY_SAMPLES
+from kinlib.dh.assignment_steps import ACCURACY_SAMPLES
 from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.rigid.lie import inverse

@@ -1,5 +1,7 @@
 """What is kept of the output of a submission: enough to show on its page, and never so much that it costs a point.
 
+How much this is, limits.py says.
+
 Answers are always kept. Of the other output, what a cell or the whole notebook has too much of is left out, and a line in its
 place says so.
 """

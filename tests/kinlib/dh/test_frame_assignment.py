@@ -14,7 +14,7 @@ import kinlib as kl
 from kinlib import robots
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.common_normal import CommonNormal, common_normal
-from kinlib.dh.explanation import explain_assignment
+from kinlib.dh.assignment_steps import explain_assignment
 
 CONVENTIONS = ("standard", "modified")
 COUNT = 300

@@ -12,7 +12,7 @@ import kinlib as kl
 from kinlib import DHTable
 from kinlib.arrays import formatting
 from kinlib.dh.equivalence import describe_pose
-from kinlib.dh.explanation import AssignmentStep
+from kinlib.dh.assignment_steps import AssignmentStep
 
 CONVENTIONS = ["standard", "modified"]
 
