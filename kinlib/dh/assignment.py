@@ -22,8 +22,8 @@ from kinlib.arrays import validation
 from kinlib.arrays.tolerances import INTERSECTION_TOL_M, PARALLEL_TOL_RAD, RELOCATE_PRISMATIC_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.dh.assignment_steps import ACCURACY_SAMPLES, AssignmentStep, explain_assignment
+from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.dh.parsing import MAX_LENGTH_M
 from kinlib.dh.table import Convention, DHTable, joint_transform, normal_transform, validate_convention
 from kinlib.rigid.lie import cross, homogeneous
@@ -78,7 +78,7 @@ class FrameAssignment(validation.ReadOnly):
 
     @cached_property
     def steps(self) -> list[AssignmentStep]:
-        """The assignment as a person does it, in the usual order; print(*steps, sep="\\n") prints them.
+        r"""The assignment as a person does it, in the usual order; print(*steps, sep="\n") prints them.
 
         Each step has a `text`, its case, choice and numbers, and `others`, what would also be right.
 

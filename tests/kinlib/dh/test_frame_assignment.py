@@ -13,8 +13,8 @@ from test_dh_table import PRINTED
 import kinlib as kl
 from kinlib import robots
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.dh.assignment_steps import explain_assignment
+from kinlib.dh.common_normal import CommonNormal, common_normal
 
 CONVENTIONS = ("standard", "modified")
 COUNT = 300

@@ -11,8 +11,8 @@ from strategies import ROBOTS, chains_with_values
 import kinlib as kl
 from kinlib import DHTable
 from kinlib.arrays import formatting
-from kinlib.dh.equivalence import describe_pose
 from kinlib.dh.assignment_steps import AssignmentStep
+from kinlib.dh.equivalence import describe_pose
 
 CONVENTIONS = ["standard", "modified"]
 
