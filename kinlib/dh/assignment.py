@@ -78,7 +78,7 @@ class FrameAssignment(validation.ReadOnly):
 
     @cached_property
     def steps(self) -> list[AssignmentStep]:
-        r"""The assignment as a person does it, in the usual order; print(*steps, sep="\n") prints them.
+        """The assignment as a person does it, in the usual order; each step prints as one line.
 
         Each step has a `text`, its case, choice and numbers, and `others`, what would also be right.
 
