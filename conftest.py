@@ -33,7 +33,7 @@ def pytest_configure(config):
 
 # --- how long it takes, and what --quick leaves out ---
 
-PROCESSOR_MINUTES = {False: 22, True: 3}
+PROCESSOR_MINUTES = {False: 18, True: 3}
 """Minutes of one core that the whole suite and --quick keep busy, with their browsers and servers: on two cores, half of that."""
 
 SLOW = (
