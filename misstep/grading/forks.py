@@ -97,7 +97,7 @@ class ForkServer:
             return dict(json.loads(self._request(b"end %d" % child.number)[0]))
 
     def close(self) -> None:
-        """End the server and all that it has forked. Whoever waits for it gets ProcessEnded."""
+        """End the server and all that it has forked. A thread that waits for it gets ProcessEnded."""
         self._is_closed = True
         self._stop()  # so that nobody waits for it
         with self._lock:
@@ -118,7 +118,7 @@ class ForkServer:
             )
         self._is_ready = False
         self._socket.settimeout(START_SECONDS)
-        with suppress(OSError):  # it has ended already, and whoever waits for it is told
+        with suppress(OSError):  # it has ended already, and the next call that waits for it says so
             self._socket.sendall(self._setup)
 
     def _wait(self) -> None:

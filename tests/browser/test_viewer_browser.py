@@ -296,13 +296,13 @@ def test_a_trail_follows_the_tool(youbot):
     assert shown_pixels(page) != before
 
 
-POSTURES = [np.zeros(6), Q, [0, -0.5, 0.5, 0, 1.2, 0], [2, -1, 2.5, 1, -1, 2]]
+CONFIGURATIONS = [np.zeros(6), Q, [0, -0.5, 0.5, 0, 1.2, 0], [2, -1, 2.5, 1, -1, 2]]
 
 
 def test_no_label_covers_another_or_leaves_the_picture(show):
     """The wrist of the PUMA 560 has three frames at one point, each with three letters, and there are six axes and five normals."""
     page = show(explore(kl.robots.puma560()))
-    for q, frames, width in zip(POSTURES, ("standard", "modified") * 2, (400, 400, 900, 900), strict=True):
+    for q, frames, width in zip(CONFIGURATIONS, ("standard", "modified") * 2, (400, 400, 900, 900), strict=True):
         page.set_viewport_size({"width": width, "height": 700})
         page.evaluate(f"document.querySelector('.kv').viewer.model.set('shown', ['axes', 'normals', '{frames}'])")
         settled(page, lambda q=q: set_q(page, q))

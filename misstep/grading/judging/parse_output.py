@@ -24,7 +24,7 @@ class ParsedRun:
     cells         the cells that ran
     answers       the last answer to each problem
     typed_id      the id that is typed in the sheet
-    remarks       what an instructor who grades by hand would notice: another id, or cells that failed
+    remarks       what an instructor would notice when grading by hand: another id, or cells that failed
     check_errors  by problem without an answer, why its check cell gave none
     has_timeout   whether a cell reached its limit of time
     """

@@ -1,4 +1,4 @@
-"""CSV tables for spreadsheets, in which no cell is executed as a formula, whoever typed it."""
+"""CSV tables for spreadsheets, in which no cell is executed as a formula, also if a student typed it."""
 
 import csv
 import io

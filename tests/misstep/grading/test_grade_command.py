@@ -103,7 +103,7 @@ def test_everybody_gets_the_points_and_the_reason_they_deserve(out):
     assert not (out / "feedback.zip").exists()
 
 
-def test_whoever_has_the_answers_of_another_is_on_the_list(out):
+def test_a_student_with_the_answers_of_another_is_on_the_list(out):
     told = rows(out / "matches.csv")
     assert {row["student"] for row in told[:7]} <= {"david", "erika"}
     assert "alice" in told[0]["right for"]

@@ -262,7 +262,7 @@ def test_a_strange_submission_gets_what_its_answers_deserve_and_a_reason(name, g
     assert re.search(reason, told) if reason else not told
     assert (result.status == "broken") == (not result.cells)
     assert len(result.problems) == 12
-    json.dumps(asdict(result), allow_nan=False, ensure_ascii=False).encode()  # whoever keeps it needs no care
+    json.dumps(asdict(result), allow_nan=False, ensure_ascii=False).encode()  # so it can be stored as it is
 
 
 WINDOW = "import matplotlib.pyplot as plt\nplt.switch_backend('TkAgg')\nplt.plot([1, 2])\nplt.show()"
