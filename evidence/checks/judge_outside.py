@@ -22,8 +22,11 @@ from misstep.judge import judge
 
 STUDENTS = ["a student of the tests", "another one"]
 
-MAX_SHARE = {"full marks": 0.0, "refused": 0.0, "false": 0.03, "undeserved": 0.0, "unnamed": 0.1}
-"""The largest share of the wrong answers to one problem of which this may be said; a few names are false by coincidence."""
+MAX_SHARE = {"full marks": 0.0, "refused": 0.0, "false": 0.01, "undeserved": 0.0, "unnamed": 0.1}
+"""The largest share of the wrong answers to one problem of which this may be said."""
+
+FALSE_BY_COINCIDENCE = {"01.2": 0.05, "09.2": 0.05}
+"""The problems with more false claims: with the numbers of one student, another mistake leads to the same answer."""
 
 
 def a_third_of_each_sheet():
@@ -104,7 +107,7 @@ def assert_feedback_is_true(template, students):
     counts, examples = judge_outside(template, students)
     wrong = counts["wrong"]
     assert wrong, f"no answers to {template.number}"
-    for what, share in MAX_SHARE.items():
+    for what, share in (MAX_SHARE | {"false": FALSE_BY_COINCIDENCE.get(template.number, MAX_SHARE["false"])}).items():
         assert counts[what] <= share * wrong, examples[what][:5]
 
 

@@ -53,7 +53,7 @@ def rotation_from_a_drawing(g: Any, R: Any) -> Kinds:
         "measured from the other axis": (rot(k, 90 - d), "sin|cos|90|complement|other axis|angle"),
         "added a right angle": (rot(k, d + 90), "90|right angle|turn|quarter|sin|angle"),
         "rotated about the next axis": (rot((k + 1) % 3, d), "axis|" + ORDER),
-        "misread the angle by 15 degrees": (rot(k, d + 15), "angle|axis is right"),
+        "misread the angle by ten degrees": (rot(k, d + 10), "angle|axis is right"),
         "wrote the sine without a sign": (np.where(np.eye(3) > 0, R, np.abs(R)), SIGN + "|" + PLACE + "|no rotation"),
     }
 
