@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property, partial, reduce, wraps
+from functools import cached_property, reduce, wraps
 from inspect import signature
 from typing import TYPE_CHECKING, Any
 
@@ -23,21 +23,24 @@ from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector
 from kinlib.arrays.limits import TakesLimitedValues, validate_limits
 from kinlib.arrays.validation import Array, JointValues
 from kinlib.rigid import lie
-from kinlib.rigid.lie import _adjoint, _inverse, _screw_constants, _screw_motions, adjoint, homogeneous, inverse
+from kinlib.rigid.lie import _moved, _product, _running_products, _screw_constants, _screw_motions, adjoint, inverse
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
 
 SCREW_HEADINGS = ["i", "joint", "omega", "v"]
 
 
 def _in_chunks(equation: Callable[[Chain, Array], Array]) -> Callable[[Chain, JointValues], Array]:
-    """Read q, and evaluate an equation of `Chain` for a chunk of the configurations at a time, which stays in the cache."""
+    """Read q (..., n), and evaluate an equation of `Chain` for a chunk of the configurations at a time, which stays in the cache.
+
+    The equation takes q (n, N), and its result has the N configurations in its last dimension, too: see `lie._product`.
+    """
 
     @wraps(equation)
     def method(self: Chain, q: JointValues) -> Array:
-        q = self.in_order(q)
-        if q.size <= lie.MAX_CHUNK * self.n:
-            return equation(self, q)
-        return lie.in_chunks(partial(equation, self), q, 1)
+        def of_rows(rows: Array) -> Array:
+            return np.ascontiguousarray(np.moveaxis(equation(self, rows.T), -1, 0))
+
+        return lie.in_chunks(of_rows, self.in_order(q), 1)
 
     # `help` shows what the method takes, and not what the equation does.
     own, q = (shown := signature(equation)).parameters.values()
@@ -246,10 +249,8 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         >>> rprr().fk(np.zeros((1000, 4))).shape
         (1000, 4, 4)
         """
-        T = np.eye(4)
-        for E_i in _screw_motions(self._constants, q):  # E_i = e^[Si]qi
-            T = T @ E_i
-        return T @ self.home
+        motions = _screw_motions(self._constants, q)  # e^[S1]q1, ..., e^[Sn]qn
+        return reduce(_product, [*motions, self.home])
 
     @_in_chunks
     def fk_body(self, q: Array) -> Array:
@@ -264,10 +265,8 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         >>> np.allclose(rppr().fk_body([1, 2, 3, 4]), rppr().fk([1, 2, 3, 4]), atol=1e-13)
         True
         """
-        T = self.home
-        for E_i in _screw_motions(self._body_constants, q):  # E_i = e^[Bi]qi
-            T = T @ E_i
-        return T
+        motions = _screw_motions(self._body_constants, q)  # e^[B1]q1, ..., e^[Bn]qn
+        return reduce(_product, [self.home, *motions])
 
     def fk_mid(self, q: JointValues, k: int) -> Array:
         """Compute the pose of the tool with M after the first k joints: e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn.
@@ -283,11 +282,14 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         """
         q = self.in_order(q)
         k = validation.whole_number(k, "k", self.n)  # the number of joints to the left of M
+        rows = q.reshape(-1, self.n).T
         before, after = (
-            _screw_motions(self._constants[:k], q[..., :k]),
-            _screw_motions(self._body_constants[k:], q[..., k:]),
+            _screw_motions(self._constants[:k], rows[:k]),
+            _screw_motions(self._body_constants[k:], rows[k:]),
         )
-        return reduce(np.matmul, [*before, self.home, *after])
+        T: Array = reduce(_product, [*before, self.home, *after])
+        poses: Array = np.moveaxis(T, -1, 0).reshape(*q.shape[:-1], 4, 4)
+        return poses
 
     @_in_chunks
     def link_poses(self, q: Array) -> Array:
@@ -304,11 +306,9 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         >>> youbot().link_poses(np.zeros(5))[3, :3, 3]       # joint 4 of the youBot at home
         array([0.323, 0.   , 0.147])
         """
-        links, T = [], np.eye(4)
-        for E_i, point in zip(_screw_motions(self._constants, q), self.joint_points, strict=True):
-            T = T @ E_i
-            links.append(T @ homogeneous(np.eye(3), point))
-        return np.stack(links, axis=-3)
+        T = _running_products(_screw_motions(self._constants, q))[1:]  # e^[S1]q1 ... e^[Si]qi
+        T[:, :3, 3] += np.einsum("aijn,aj->ain", T[:, :3, :3], self.joint_points)  # ... M_i
+        return T
 
     @_in_chunks
     def jacobian(self, q: Array) -> Array:
@@ -324,26 +324,26 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         >>> bool((rpr().jacobian([0, 0, 0]) == rpr().screws.T).all())      # at home no axis has moved yet
         True
         """
-        columns, T = [], np.broadcast_to(np.eye(4), (*np.shape(q)[:-1], 4, 4))
-        for S_i, E_i in zip(self.screws, _screw_motions(self._constants, q), strict=True):
-            columns.append(_adjoint(T) @ S_i)
-            T = T @ E_i
-        return np.stack(columns, axis=-1)
+        before = _running_products(_screw_motions(self._constants, q))[:-1]  # e^[S1]q1 ... e^[Si-1]qi-1
+        return np.swapaxes(_moved(before, self.screws), 0, 1)
 
     @_in_chunks
     def body_jacobian(self, q: Array) -> Array:
         """Compute the body Jacobian, the same twists in {b}: J_b = Ad(T^-1) J_s.
 
-        q (..., n) -> (..., 6, n).
+        q (..., n) -> (..., 6, n). Column i is the screw axis of joint i in {b}, moved back by the joints after it:
+        J_bi = Ad(e^-[Bn]qn ... e^-[Bi+1]qi+1) B_i.
 
         Raises ValueError for joint values of another size, and for NaN.
-        Source: Modern Robotics, (5.22).
+        Source: Modern Robotics, (5.18) and (5.22).
 
         >>> from kinlib.chains.robots import rpr
         >>> np.allclose(rpr().body_jacobian([0, 0, 0]), rpr().body_screws.T)
         True
         """
-        return _adjoint(_inverse(self.fk(q))) @ self.jacobian(q)
+        back = _screw_motions(self._body_constants, -q)[::-1]  # e^-[Bn]qn, ..., e^-[B1]q1
+        after = _running_products(back)[-2::-1]  # e^-[Bn]qn ... e^-[Bi+1]qi+1
+        return np.swapaxes(_moved(after, self.body_screws), 0, 1)
 
     def changed(self, **fields: Any) -> Chain:
         """Copy the chain with some fields replaced: screws, home, points, name, source, limits, joint_names, link_names.

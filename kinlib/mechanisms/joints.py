@@ -21,7 +21,16 @@ from numpy.typing import ArrayLike, NDArray
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import _adjoint, _screw_constants, _screw_motions, adjoint, exp, inverse
+from kinlib.rigid.lie import (
+    _moved,
+    _product,
+    _running_products,
+    _screw_constants,
+    _screw_motions,
+    adjoint,
+    exp,
+    inverse,
+)
 from kinlib.rigid.screw import axes, is_prismatic, line, screw
 
 PARALLEL_RCOND = 1e-2
@@ -196,12 +205,8 @@ class JointPath:
         >>> poses.shape, jacobians.shape
         ((5, 4, 4), (5, 6, 3))
         """
-        T, before = np.broadcast_to(np.eye(4), (len(q), 4, 4)), []
-        for E_i in _screw_motions(self._constants, q):
-            before.append(T)
-            T = T @ E_i
-        columns = _adjoint(np.stack(before, axis=1)) @ self.chain.screws[:, :, None]
-        return T @ self.chain.home, np.swapaxes(columns[..., 0], 1, 2)
+        T = _running_products(_screw_motions(self._constants, q.T))
+        return np.moveaxis(_product(T[-1], self.chain.home), -1, 0), _moved(T[:-1], self.chain.screws).T
 
     @cached_property
     def centre(self) -> Array:
