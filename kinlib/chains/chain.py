@@ -315,7 +315,8 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         """Compute the space Jacobian: column i is the twist of the tool, in {s}, at unit speed of joint i.
 
         q (..., n) -> (..., 6, n). Column i is the screw axis of joint i, moved by the joints before it:
-        J_i = Ad(e^[S1]q1 ... e^[Si-1]qi-1) S_i.
+        J_i = Ad(e^[S1]q1 ... e^[Si-1]qi-1) S_i. Its v is the velocity of the point that is at the origin of {s}; the origin of the
+        tool has the velocity fk(q)[..., :3, :3] @ body_jacobian(q)[..., 3:, :] @ qdot, in {s}.
 
         Raises ValueError for joint values of another size, and for NaN.
         Source: Modern Robotics, (5.11).
@@ -381,10 +382,10 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         """
         required, optional = {"screws", "home"}, {"points", "name", "source", "limits", "joint_names", "link_names"}
         if not isinstance(data, dict) or not required <= set(data) <= required | optional:
-            given = sorted(map(repr, data)) if isinstance(data, dict) else validation.describe(data)
+            given = ", ".join(map(str, data)) or "no key" if isinstance(data, dict) else validation.describe(data)
             raise ValueError(
                 f"A chain as data must be a dictionary with the keys {', '.join(sorted(required))}, and possibly "
-                f"{', '.join(sorted(optional))}; got {given!s:.200}."
+                f"{', '.join(sorted(optional))}; got {given:.200}."
             )
         if (limits := data.get("limits")) is not None:
             infinite = (-np.inf, np.inf)

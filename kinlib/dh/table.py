@@ -349,9 +349,9 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         True
         """
         if not isinstance(data, dict) or set(data) != set(DICT_KEYS):
-            given = sorted(map(repr, data)) if isinstance(data, dict) else validation.describe(data)
+            given = ", ".join(map(str, data)) or "no key" if isinstance(data, dict) else validation.describe(data)
             raise ValueError(
-                f"A table as data must be a dictionary with the keys {', '.join(DICT_KEYS)}; got {given!s:.200}."
+                f"A table as data must be a dictionary with the keys {', '.join(DICT_KEYS)}; got {given:.200}."
             )
         for name in ("rows", "signs", "base", "tool"):
             if not isinstance(data[name], list) or not data[name]:

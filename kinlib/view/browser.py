@@ -35,7 +35,8 @@ def show(
     q      (n,) joint values, or a mapping from joint names to values; home by default. A closed chain needs them
     path   the file to save to instead of showing it: .html, or a drawing as .svg, .png or .pdf
 
-    Raises ValueError if q does not have n values or is given without a robot, for anything else to show, and for another ending.
+    Raises ValueError if q does not have n values or is given without a robot, for anything else to show, for another ending, and
+    for a folder that does not exist.
 
     >>> from kinlib.chains.robots import youbot
     >>> from tempfile import TemporaryDirectory

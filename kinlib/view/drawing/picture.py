@@ -145,7 +145,7 @@ def vector_text(values: ArrayLike) -> str:
 def save(path: str | PathLike[str], contents: Mapping[str, Callable[[], str | bytes]], advice: str = "") -> None:
     """Write a file of the kind that its ending names; contents gives the text or the bytes of each kind.
 
-    Raises ValueError for any other ending, with the advice.
+    Raises ValueError for any other ending, with the advice, and for a folder that does not exist.
 
     >>> save("arm.jpg", {"svg": lambda: "<svg></svg>", "png": lambda: b""})
     Traceback (most recent call last):
@@ -156,6 +156,8 @@ def save(path: str | PathLike[str], contents: Mapping[str, Callable[[], str | by
         *most, last = (f".{name}" for name in contents)
         kinds = f"{', '.join(most)} or {last}" if most else last
         raise ValueError(f"path must end in {kinds}; got {str(path)!r}. {advice}".rstrip())
+    if not Path(path).parent.is_dir():
+        raise ValueError(f"path must be in a folder that exists; got {str(path)!r}. Make the folder first.")
     content = contents[kind]()
     Path(path).write_bytes(content.encode() if isinstance(content, str) else content)
 
