@@ -15,6 +15,9 @@ from misstep.validation import is_blank
 BY_CHANCE = "This comes out right by the wrong method as well, so it earns nothing alone."
 """What is said of the right parts of an answer whose method is wrong in all of them."""
 
+BY_LUCK = "This is right, but too little to earn points alone: it often comes out right by luck."
+"""What is said of right parts that are too few to count."""
+
 UNKNOWN = "We do not recognise what happened here."
 
 STEP_BY_STEP = "Go back to what is given, and check one step at a time."
@@ -86,6 +89,8 @@ def _partly(answer: Answer, right: list[bool], explanations: Sequence[Explanatio
     if fine and (spoiling := [one for one in explanations if one.spoils]):
         chance = [Finding(fine, BY_CHANCE)] if any(one.is_method for one in spoiling) else []
         return Judgement("wrong", 0.0, (), [*findings, *chance])
+    if fine and not answer.counts(value, right):
+        return Judgement("wrong", 0.0, (), [*findings, Finding(fine, BY_LUCK)])
     credit = min((mistake.credit for one in explanations for mistake in one.mistakes), default=0.0)
     if credit and not fine and all(one.is_whole for one in explanations):
         return Judgement("partly", credit, ["what follows from it"], findings)

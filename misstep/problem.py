@@ -9,6 +9,8 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
+from importlib import import_module
+from importlib.util import find_spec
 from itertools import combinations, islice
 from operator import attrgetter
 from typing import Any, TypeVar
@@ -235,8 +237,8 @@ class Template:
     ...     x = sampler.integer(1, 9)
     ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), [])
     >>> half = Template("01.1", "A half", points=1, lecture="01_fractions#Halves", make_problem=make_problem)
-    >>> half.variant("ada").statement == half.variant("Ada ").statement
-    True
+    >>> half.variant("ada").statement == half.variant("Ada ").statement, half.lecture_name
+    (True, 'lecture 01')
     """
 
     number: str
@@ -245,6 +247,15 @@ class Template:
     lecture: str
     make_problem: Callable[[Any], Problem]
     sampler: type[Sampler] = Sampler
+
+    @property
+    def lecture_name(self) -> str:
+        """The lecture as a card names it: its number, and the TITLE of its folder if that has one."""
+        name = self.lecture.partition("#")[0]
+        package, is_in_course, _ = getattr(self.make_problem, "__module__", "").partition(".lecture_")
+        folder = f"{package}.lecture_{name}"
+        title = getattr(import_module(folder), "TITLE", "") if is_in_course and find_spec(folder) else ""
+        return f"lecture {name.partition('_')[0]}" + (f", {title}" if title else "")
 
     def variant(self, student: str) -> Problem:
         """Draw one student's problem: the first variant in which the mistakes and the right answer all differ.

@@ -44,8 +44,8 @@ class Verdict:
         right_parts = judgement.right_parts if judgement.state == "partly" else ()
         body += paragraphs(judgement.findings, right_parts, is_on_whole=is_on_whole)
         if judgement.state not in ("right", "blank", "unmarked"):
-            notebook, _, section = template.lecture.partition("#")
-            body.append(Link(f"Re-read: lecture {notebook}, section “{section}”.", self.address))
+            section = template.lecture.partition("#")[2]
+            body.append(Link(f"Re-read: section “{section}” of {template.lecture_name}.", self.address))
         return Card(judgement.state, title, body)
 
     def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:

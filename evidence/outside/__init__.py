@@ -21,7 +21,10 @@ EARNS_NOTHING = frozenset({
     "wrote the rows one down", "moved the rows one down, and left 0 above", "moved the rows one down, and repeated the first",
     "carried the wrong way", "forgot .T after the rows", "only rotated", "rotated with R",
     "used R for R^T", "used -p for the way back", "put the block at the top", "took p without brackets", "negated the block",
-    "handed in what is given", "gave 1 three times",
+    "handed in what is given", "gave 1 three times", "swapped a and d", "swapped alpha and theta", "left every number at 0",
+    "wrote the columns in the order d, theta, a, alpha", "wrote the columns in the order theta, d, a, alpha",
+    "wrote the columns in the order alpha, a, theta, d", "wrote the columns in the order theta, d, alpha, a",
+    "moved a and alpha one row down", "moved a and alpha one row up", "moved a and alpha one row, with 0 in the empty row",
 })  # fmt: skip
 """The kinds whose maker found nothing: guesses, and one wrong method for all rows. A mark for one of them is undeserved."""
 

@@ -49,11 +49,10 @@ def screws(g: Any, X: Any) -> Kinds:
 
 
 @kinds_of("05.9", "06.11", "10.10")
-def rows(g: Any, X: Any) -> Kinds:
-    table = X.reshape(-1, 4)
+def rows(g: Any, table: Any) -> Kinds:
     reach = table * (0, 1, 0, 1)
     reach[:, 0] = np.hypot(table[:, 0], table[:, 2])
-    made: Kinds = {
+    return {
         "negated every theta": (table * (1, 1, 1, -1), SIGN + "|theta"),
         "negated every d": (table * (1, 1, -1, 1), SIGN + "|d"),
         "swapped a and d": (table[:, [2, 1, 0, 3]], SWAP + "|order|left out|a and d"),
@@ -62,7 +61,6 @@ def rows(g: Any, X: Any) -> Kinds:
         "moved a and alpha one row up": (np.column_stack([np.roll(table[:, :2], -1, axis=0), table[:, 2:]]), "row|convention|shift|" + ORDER),
         "measured a from joint to joint": (reach, "normal|distance|joint to joint|left|d|a"),
     }
-    return {label: (case.ravel(), words) for label, (case, words) in made.items()}
 
 
 @kinds_of("10.11")

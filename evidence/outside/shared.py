@@ -53,8 +53,6 @@ def _angles(kind: str, X: Any) -> Any:
         mask[...] = True
     elif kind in ("rows", "row"):
         mask[..., [1, 3]] = True
-    elif kind == "flat rows":
-        mask[1::2] = True
     elif kind == "origin":
         mask[1] = True
     return mask
@@ -70,11 +68,7 @@ def shared_kinds(kind: str, value: Any) -> Kinds:
         return {label: case for label, case in shared_orders(value).items() if case[0] != value}
     if kind in ("table", "letter", "line"):
         return {}
-    if kind == "flat rows":
-        made = _of_array("rows", np.reshape(value, (-1, 4)))
-        made = {label: (np.ravel(case), words) for label, (case, words) in made.items()}
-    else:
-        made = _of_array(kind, np.asarray(value, dtype=float))
+    made = _of_array(kind, np.asarray(value, dtype=float))
     return {label: case for label, case in made.items() if differs(kind, case[0], value)}
 
 
@@ -304,6 +298,8 @@ def legal_forms(kind: str, value: Any) -> dict[str, Any]:
         return _forms_of_a_choice(kind, value)
     X = np.asarray(value, dtype=float)
     forms: dict[str, Any] = {"as a list": X.tolist(), "as an array of objects": X.astype(object), "four decimals": np.round(X, 4)}
+    if kind == "rows":
+        forms["as rows one after the other"] = X.ravel().tolist()
     if kind in ("vector", "screw"):
         forms["as a tuple"] = tuple(X)
         forms["as a column"] = X.reshape(-1, 1)

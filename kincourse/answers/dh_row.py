@@ -1,7 +1,7 @@
-"""Entries or one row of a DH table as an answer: each entry is judged by itself, and angles modulo a full turn."""
+"""Entries, one row or the rows of a DH table as an answer: angles are compared modulo a full turn."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import permutations
 from typing import Any, ClassVar
 
@@ -12,7 +12,7 @@ from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, is_plausible_angle
 from misstep.answers.base import TOLERANCE
 from misstep.answers.entries import Slip
-from misstep.answers.likeness import Likeness, copied_row
+from misstep.answers.likeness import Likeness, Named
 from misstep.answers.number import LENGTH, PURE, Numbers
 
 
@@ -46,11 +46,6 @@ class DHEntriesAnswer(Numbers):
         # A card capitalizes the first word of a sentence, and "A_1" (a link transform) is not a_1 (a length).
         return [name if " " in name else f"entry {symbol(name)}" for name in self.names]
 
-    def read(self, given: Any) -> Array:
-        # Rows of four entries may be given as a table.
-        shape = (len(self._rows(self.value)), len(COLUMNS))
-        return super().read(np.ravel(given) if shape[0] > 1 and _has_shape(given, shape) else given)
-
     def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         angles_agree = _same_angle(one, other, tolerance)
         return np.where(self.kinds() == PURE, angles_agree, super().same_entries(one, other, tolerance))
@@ -74,53 +69,12 @@ class DHEntriesAnswer(Numbers):
     def angle_entries(self) -> NDArray[np.bool_]:
         return np.asarray(self.kinds() == PURE)
 
-    def explanation(self, given: Array, part: int) -> tuple[str, str] | None:
-        if len(rows := self._rows(given)) > 1:
-            row = part // len(COLUMNS)
-            typed, ours = (list(self._rows(X)[..., None]) for X in (given, self.value))
-            if copied := copied_row(typed, ours, row, [f"row {k + 1}" for k in range(len(rows))]):
-                return copied
-        mine, right = float(given[part]), float(self.value[part])
-        cases: tuple[tuple[Any, str, str], ...]
-        if self._is_angle(part):
-            cases = (
-                (_same_angle(mine, -right), "sign of an entry", "The size is right, the sign is not."),
-                (
-                    _same_angle(np.radians(mine), right),
-                    "an entry in degrees",
-                    "This is the right angle in degrees. Give it in radians.",
-                ),
-                (
-                    _same_angle(np.radians(mine), -right),
-                    "an entry in degrees and its sign",
-                    "This is in degrees, and its sign is wrong.",
-                ),
-                (abs(mine) <= TOLERANCE, "left out", "This is 0, but the angle is not 0."),
-                (_same_angle(mine, right + np.pi), "half a turn", "It differs from the right angle by half a turn."),
-            )
-        else:
-            cases = (
-                (abs(mine + right) <= TOLERANCE, "sign of an entry", "The size is right, the sign is not."),
-                (
-                    abs(mine - 1000 * right) <= min(1, 100 * abs(right)),
-                    "unit of length",
-                    "This is the right length in millimetres. Give it in metres.",
-                ),
-                (abs(mine) <= TOLERANCE, "left out", "This is 0, but the length is not 0."),
-            )
-        return next(((name, text) for is_so, name, text in cases if is_so), None)
+    def explanation(self, given: Array, part: int) -> Named | None:
+        return _entry_mistake(float(given[part]), float(self.value[part]), self._is_angle(part))
 
-    def arrangement(self, given: Array) -> tuple[str, str] | None:
-        """Return how the rows of a table that are listed one after the other are the right ones in another order."""
-        found = None
-        if len(self._rows(given)) > 1:
-            mine, right = (self._rows(X)[..., None] for X in (given, self.value))
-            found = Likeness(mine, right, columns=[symbol(name) for name in COLUMNS]).order()
-        return found or super().arrangement(given)
-
-    def _rows(self, entries: Array) -> Array:
-        """The entries as whole rows of a table, (n, 4); none if they are not such rows."""
-        return np.reshape(entries, (-1, len(COLUMNS))) if len(entries) % len(COLUMNS) == 0 else np.empty((0, 4))
+    def counts(self, given: Array, right: Sequence[bool]) -> bool:
+        """Return whether half of the entries are right: fewer are by luck."""
+        return 2 * sum(right) >= len(right)
 
     def hint(self, given: Array, part: int) -> str:
         if self._is_angle(part) and not is_plausible_angle(given[part]):
@@ -129,18 +83,6 @@ class DHEntriesAnswer(Numbers):
 
     def _is_angle(self, part: int) -> bool:
         return any(angle in self.names[part] for angle in ANGLE_COLUMNS)
-
-
-def _has_shape(given: Any, shape: tuple[int, int]) -> bool:
-    try:
-        return bool(np.shape(given) == shape)
-    except Exception:  # reading the shape of a student's object may raise any error
-        return False
-
-
-def _same_angle(one: Any, other: Any, tolerance: float = TOLERANCE) -> Any:
-    # The chord 2 sin(x / 2) of an angular difference x does not change when x changes by a full turn.
-    return np.abs(2 * np.sin((one - other) / 2)) <= tolerance
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,9 +96,146 @@ class DHRowAnswer(DHEntriesAnswer):
     names: Sequence[str] = COLUMNS
     noun: ClassVar[str] = "row"
 
+    def counts(self, given: Array, right: Sequence[bool]) -> bool:
+        """Return whether all but one are right: by a wrong method, both lengths or both angles are."""
+        return sum(right) >= len(right) - 1
+
     def arrangement(self, given: Array) -> tuple[str, str] | None:
         for order in list(permutations(range(4)))[1:]:
             if all(self.same_entries(given, self.value[list(order)])) and len(set(np.round(self.value, 3))) == 4:
                 theirs, ours = (", ".join(symbol(COLUMNS[k]) for k in ks) for ks in (order, range(4)))
                 return "order of the numbers", f"Your numbers are in the order {theirs}. Give them in the order {ours}."
         return super().arrangement(given)
+
+
+@dataclass(frozen=True, eq=False)
+class DHRowsAnswer(Numbers):
+    """Rows of a DH table at q = 0, shape (m, 4): a, alpha, d, theta, in metres and radians. Each row is a part.
+
+    The numbers may also be listed one after the other.
+
+    >>> answer = DHRowsAnswer(np.array([[0, 0, 0.3, 0], [0.4, np.pi, 0.2, 0]]))
+    >>> answer.agrees(answer.read([0, 0, 0.3, 0, 0.4, -np.pi, 0.1, 0]), answer.value)
+    [True, False]
+    """
+
+    noun: ClassVar[str] = "rows of a, alpha, d, theta in metres and radians, an array"
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return [f"row {i + 1}" for i in range(len(self.value))]
+
+    def part_indices(self) -> list[int]:
+        return list(range(len(self.value)))
+
+    def read(self, given: Any) -> Array:
+        shape = np.shape(self.value)
+        return super().read(np.reshape(given, shape) if _has_shape(given, (shape[0] * shape[1],)) else given)
+
+    def kinds(self) -> NDArray[np.int_]:
+        return np.broadcast_to([LENGTH, PURE, LENGTH, PURE], np.shape(self.value))
+
+    def place(self, index: Sequence[Any]) -> str:
+        return f"{symbol(COLUMNS[index[1]])} in row {index[0] + 1}"
+
+    def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
+        angles_agree = _same_angle(one, other, tolerance)
+        return np.where(self.kinds() == PURE, angles_agree, super().same_entries(one, other, tolerance))
+
+    @property
+    def rows_are_alike(self) -> bool:
+        return True
+
+    def counts(self, given: Array, right: Sequence[bool]) -> bool:
+        """Return whether a right row is not so short that any method gives it, nor one that another unit leaves as it is."""
+        seen = self.likeness(given, None).at_sight() if sum(right) < len(right) - 1 else None
+        return has_a_telling_row(given, right) and (seen is None or seen[0] == "rounded")
+
+    def length_entries(self) -> NDArray[np.bool_]:
+        return np.asarray(self.kinds() == LENGTH)
+
+    def angle_entries(self) -> NDArray[np.bool_]:
+        return np.asarray(self.kinds() == PURE)
+
+    def likeness(self, given: Array, part: int | None) -> Likeness:
+        return replace(super().likeness(given, part), columns=[symbol(name) for name in COLUMNS])
+
+    def explanation(self, given: Array, part: int) -> Named | None:
+        """Return what is wrong with each wrong entry of a row, if that can be said of all of them."""
+        wrong = np.flatnonzero(~self.same_entries(given, self.value)[part])
+        seen = {k: _entry_mistake(given[part, k], self.value[part, k], COLUMNS[k] in ANGLE_COLUMNS) for k in wrong}
+        places: dict[Named, list[str]] = {}
+        for k, one in seen.items():
+            if one:
+                places.setdefault(one, []).append(symbol(COLUMNS[k]))
+        if not all(seen.values()) or len(places) > 2:
+            return super().explanation(given, part)
+        text = " ".join(f"Look at {' and '.join(names)}. {text}" for (_, text), names in places.items())
+        return " and ".join(dict.fromkeys(name for name, _ in places)), text
+
+    def description(self, given: Array, part: int) -> Named | None:
+        if hint := self.hint(given, part):
+            return "wrong " + " and ".join(self._wrong_columns(given, part)), hint
+        return super().description(given, part)
+
+    def hint(self, given: Array, part: int) -> str:
+        wrong = self._wrong_columns(given, part)
+        return f"Look at its {' and '.join(map(symbol, wrong))}." if len(wrong) < 3 else ""
+
+    def _wrong_columns(self, given: Array, part: int) -> list[str]:
+        same = self.same_entries(given, self.value)[part]
+        return [name for name, is_right in zip(COLUMNS, same, strict=True) if not is_right]
+
+
+def has_a_telling_row(rows: Array, right: Sequence[bool]) -> bool:
+    """Return whether one of the right rows has two numbers that are not 0: wrong methods get others right, too.
+
+    >>> rows = np.array([[0.0, 0.0, 0.3, 0.0], [0.4, 0.0, 0.2, 0.0]])
+    >>> has_a_telling_row(rows, [True, False]), has_a_telling_row(rows, [True, True])
+    (False, True)
+    """
+    return any(fine and np.count_nonzero(np.abs(row) > TOLERANCE) > 1 for fine, row in zip(right, rows, strict=True))
+
+
+def _entry_mistake(mine: float, right: float, is_angle: bool) -> Named | None:
+    """Return what is wrong with one entry of a table, if it shows."""
+    cases: tuple[tuple[Any, str, str], ...]
+    if is_angle:
+        cases = (
+            (_same_angle(mine, -right), "sign of an entry", "The size is right, the sign is not."),
+            (
+                _same_angle(np.radians(mine), right),
+                "an entry in degrees",
+                "This is the right angle in degrees. Give it in radians.",
+            ),
+            (
+                _same_angle(np.radians(mine), -right),
+                "an entry in degrees and its sign",
+                "This is in degrees, and its sign is wrong.",
+            ),
+            (abs(mine) <= TOLERANCE, "left out", "This is 0, but the angle is not 0."),
+            (_same_angle(mine, right + np.pi), "half a turn", "It differs from the right angle by half a turn."),
+        )
+    else:
+        cases = (
+            (abs(mine + right) <= TOLERANCE, "sign of an entry", "The size is right, the sign is not."),
+            (
+                abs(mine - 1000 * right) <= min(1, 100 * abs(right)),
+                "unit of length",
+                "This is the right length in millimetres. Give it in metres.",
+            ),
+            (abs(mine) <= TOLERANCE, "left out", "This is 0, but the length is not 0."),
+        )
+    return next(((name, text) for is_so, name, text in cases if is_so), None)
+
+
+def _has_shape(given: Any, shape: tuple[int, ...]) -> bool:
+    try:
+        return bool(np.shape(given) == shape)
+    except Exception:  # reading the shape of a student's object may raise any error
+        return False
+
+
+def _same_angle(one: Any, other: Any, tolerance: float = TOLERANCE) -> Any:
+    # The chord 2 sin(x / 2) of an angular difference x does not change when x changes by a full turn.
+    return np.abs(2 * np.sin((one - other) / 2)) <= tolerance

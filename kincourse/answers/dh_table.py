@@ -2,18 +2,22 @@
 
 The DH table of an arm is not unique, so tables are not compared entry by entry. Two tables agree if they are equivalent,
 that is, if they describe the same mechanism up to the choice of zero configuration, joint signs, base and tool. With
-`anchored`, these choices are given by the problem, and two tables agree only if their poses are the same for the same q.
+`anchored`, these choices are given by the problem, and two tables agree only if their poses are the same for the same q. Then each
+row is a part: those rows are wrong without which, as few as possible, the others could stay as they are.
 """
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import accumulate, combinations
+from functools import lru_cache
+from itertools import combinations
 from typing import Any, ClassVar
 
 import numpy as np
 
-from kincourse.answers.dh_row import symbol
+from kincourse.answers.dh_row import has_a_telling_row, symbol
+from kincourse.answers.table_rows import POSE_TOLERANCE_FACTOR, frames_of, wrong_rows
+from kincourse.sampling.drawn_machines import is_in_several_rows
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import largest_difference, random_configurations
@@ -28,10 +32,6 @@ from misstep.mistakes import Mistake
 
 MAX_TEXT_LENGTH = 10_000
 """Maximum number of characters of a typed table. A longer text is refused, because parsing it would take too long."""
-
-POSE_TOLERANCE_FACTOR = 3
-"""How many times the tolerance of one entry a pose may be off: the rounding errors of the rows add up along the arm."""
-
 
 REVERSED = "Your rows run from the tool to the base. Row 1 belongs to joint 1, at the base."
 
@@ -48,6 +48,7 @@ class DHTableAnswer(Answer):
 
     value     the right table; its convention, base and tool are those of the problem
     anchored  whether the poses must be equal for the same q; otherwise every equivalent table is right
+    printed   whether the statement prints most rows, so that they earn nothing
     lengths   values in metres for the names of lengths that a typed table may use
 
     >>> import numpy as np
@@ -61,6 +62,7 @@ class DHTableAnswer(Answer):
 
     value: DHTable
     anchored: bool = False
+    printed: bool = False
     lengths: Mapping[str, float] = field(default_factory=dict)
 
     @property
@@ -72,7 +74,8 @@ class DHTableAnswer(Answer):
 
     @property
     def parts(self) -> Sequence[str]:
-        return ["the table"]
+        is_by_row = self.anchored and not self.printed
+        return [f"row {i + 1}" for i in range(self.value.n)] if is_by_row else ["the table"]
 
     def read(self, given: Any) -> DHTable:
         if isinstance(given, DHTable):
@@ -108,12 +111,21 @@ class DHTableAnswer(Answer):
 
     def agrees(self, one: DHTable, other: DHTable, tolerance: float = TOLERANCE) -> list[bool]:
         if one.n != other.n or one.convention != other.convention:
-            return [False]
+            return [False] * len(self.parts)
         if not self.anchored:
-            same = equivalent(one, other, tolerance=POSE_TOLERANCE_FACTOR * tolerance)
-            return [same.verdict == "same"]
+            return [equivalent(one, other, tolerance=POSE_TOLERANCE_FACTOR * tolerance).verdict == "same"]
         q = random_configurations(one.n, 16)
-        return [bool(largest_difference(one.fk(q), other.fk(q)) <= POSE_TOLERANCE_FACTOR * tolerance)]
+        is_same = bool(largest_difference(one.fk(q), other.fk(q)) <= POSE_TOLERANCE_FACTOR * tolerance)
+        if is_same or self.printed or one.joints != other.joints or other != self.value:
+            return [is_same] * len(self.parts)
+        wrong = wrong_rows(one, other)
+        return [i not in wrong for i in range(one.n)]
+
+    def counts(self, given: DHTable, right: Sequence[bool]) -> bool:
+        """Return whether a right row is not so short that any method gives it, and no mistake runs through the whole table."""
+        found = self._diagnose(given).explanations
+        runs_through = sum(right) < len(right) - 1 and any(one.faults[0].row is None for one in found[:1])
+        return has_a_telling_row(given.rows, right) and not runs_through
 
     def appearance(self, given: DHTable, part: int | None) -> tuple[str, str] | None:
         if given.rows.any() or not self.value.rows.any():
@@ -147,7 +159,11 @@ class DHTableAnswer(Answer):
             # A single entry is explained by its place.
             changed, key = np.count_nonzero(table.rows - rows), table.rows.tobytes() + table.signs.tobytes()
             if (changed > 1 or "signs" in fields) and key not in known and not all(self.agrees(table, right)):
-                yield Mistake(name, table, text if text == REVERSED else f"Your table moves {text}.")
+                said = text if text == REVERSED else f"Your table moves {text}."
+                runs_through = is_in_several_rows(
+                    np.column_stack([table.rows, table.signs]), np.column_stack([rows, right.signs])
+                )
+                yield Mistake(name, table, said, spoils=runs_through)
             known.add(key)
 
     def explanation(self, given: DHTable, part: int) -> tuple[str, str] | None:
@@ -184,7 +200,10 @@ class DHTableAnswer(Answer):
         }
         explanations = [one.faults for one in diagnosis.explanations if not any(f.name in sound for f in one.faults)]
         if explanations:
-            return _described(explanations)
+            wrong = wrong_rows(given, ours) if len(self.parts) > 1 else ()
+            of_these = [faults for faults in explanations if {fault.row for fault in faults} <= {i + 1 for i in wrong}]
+            name, text = _described(of_these or explanations)
+            return name, text.removeprefix(f"Row {wrong[0] + 1}: ") if len(wrong) == 1 else text
         if diagnosis.unfixed and diagnosis.unfixed.verdict == "same":
             return (
                 "another start",
@@ -225,7 +244,7 @@ class DHTableAnswer(Answer):
             return _choices(self._diagnose(given))
         if given.joints != self.value.joints:
             return ""
-        theirs, ours = (_frames(table) for table in (given, self.value))
+        theirs, ours = (frames_of(table) for table in (given, self.value))
         choices = [
             choice
             for i, (own, other) in enumerate(zip(ours, theirs, strict=True))
@@ -234,8 +253,13 @@ class DHTableAnswer(Answer):
         return f"It differs from ours where the rules leave a choice: {'; '.join(choices)}." if choices else ""
 
     def _diagnose(self, given: DHTable, *, in_pairs: bool = False) -> Diagnosis:
-        fixed = CHOICES if self.anchored else ()
-        return diagnose(given, self.value, fixed, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE, in_pairs=in_pairs)
+        return _diagnosis(given, self.value, self.anchored, in_pairs)
+
+
+@lru_cache(maxsize=16)
+def _diagnosis(given: DHTable, right: DHTable, anchored: bool, in_pairs: bool) -> Diagnosis:
+    fixed = CHOICES if anchored else ()
+    return diagnose(given, right, fixed, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE, in_pairs=in_pairs)
 
 
 _COLUMN = re.compile(r"\b(alpha|theta|d)\b|\ba\b(?= (?:is measured|has|and (?:d|alpha)))|(?<=along |about )[xz]\b")
@@ -263,11 +287,6 @@ def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
     ]
     texts = list(dict.fromkeys(_COLUMN.sub(lambda found: symbol(found[0]), text) for text in texts))[:MAX_ALTERNATIVES]
     return name, texts[0] if len(texts) == 1 else f"Either: {' Or: '.join(texts)}"
-
-
-def _frames(table: DHTable) -> list[Array]:
-    """The frames at q = 0, from frame 0 to the last one, as {s} sees them."""
-    return list(accumulate([table.base, *table.link_transforms(np.zeros(table.n))], np.matmul))
 
 
 def _frame_choices(i: int, ours: Array, theirs: Array, convention: str) -> Iterator[str]:

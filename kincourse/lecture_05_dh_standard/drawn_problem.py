@@ -4,12 +4,12 @@ from functools import partial
 
 import numpy as np
 
-from kincourse.answers.dh_row import DHEntriesAnswer
+from kincourse.answers.dh_row import DHRowsAnswer
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kincourse.sampling.drawn_machines import draw_table_frames, is_readable, lengths, table_frames, table_mistakes
+from kincourse.text.joint_table import MARKS_BY_ROW
 from kinlib.chains.robots import X, Y, Z, pose
-from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import DHTable
 from misstep.problem import Problem
 
@@ -25,12 +25,11 @@ def scara(sampler: ArmSampler) -> Problem:
         table = DHTable(rows, convention="standard", joints="RRP", base=pose((X, Y, Z), (f, g, 0)))
         if is_readable(table_frames(table)[:, :3, 3]):
             break
-    names = [f"{column}_{i}" for i in (1, 2, 3) for column in COLUMNS]
     return Problem(
         statement="The drawing shows a SCARA with joints RRP at home, in millimetres, with its standard frames: "
         "the origin of frame $i$ is D$i$, $z_i$ is the axis of joint $i + 1$, the arrow is $x_i$, and $z_3$ is along $z_2$. Give "
-        "the rows $a, \\alpha, d, \\theta$ at home, one after the other: 12 numbers, in metres and radians.",
+        f"the three rows $a, \\alpha, d, \\theta$ at home, in metres and radians. {MARKS_BY_ROW}",
         figure=partial(draw_table_frames, table),
-        answer=DHEntriesAnswer(table.rows.ravel(), names=names),
+        answer=DHRowsAnswer(table.rows),
         mistakes=table_mistakes(table),
     ).without_duplicates()

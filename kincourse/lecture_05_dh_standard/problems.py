@@ -14,7 +14,7 @@ from kincourse.lecture_05_dh_standard.drawn_problem import scara
 from kincourse.mistakes.dh import base_in_a_row, entry_names, other_entries, table_mistakes, tool_in_a_row
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler, are_distinguishable
-from kincourse.text.joint_table import joint_table
+from kincourse.text.joint_table import MARKS_BY_ROW, joint_table
 from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.dh.formatting import markdown_table
 from kinlib.dh.parsing import COLUMNS
@@ -105,7 +105,7 @@ def whole_table(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Write a table of this arm in the standard convention. The drawing shows $q = 0$; each arrow shows the "
         "direction in which its joint rotates when $q$ grows. Frame 0 is {s} and frame 3 is {b}, so base and tool are the "
-        f"identity. A table is right if it gives the pose of {{b}} for every $q$.\n\n{joint_table(robot)}\n\n"
+        f"identity. A table is right if it gives the pose of {{b}} for every $q$. {MARKS_BY_ROW}\n\n{joint_table(robot)}\n\n"
         f"{{b}} is at ${vector(robot.home[:3, 3])}$, its $x$ along ${vector(robot.home[:3, 0])}$, its $z$ along "
         f"${vector(robot.home[:3, 2])}$.",
         figure=partial(draw_joints, robot, tool=True),

@@ -5,12 +5,12 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache, partial, reduce
 from itertools import accumulate
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kincourse.answers.dh_row import symbol
+from kincourse.answers.dh_row import DHRowsAnswer
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer
@@ -21,7 +21,8 @@ from kincourse.lecture_06_dh_modified.drawn_problem import telescope_mount
 from kincourse.mistakes.dh import table_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, are_distinguishable
-from kincourse.text.joint_table import joint_table
+from kincourse.sampling.drawn_machines import is_in_several_rows
+from kincourse.text.joint_table import MARKS_BY_ROW, joint_table
 from kinlib.arrays.validation import Array, read_only_copy
 from kinlib.chains.chain import random_configurations
 from kinlib.dh.formatting import add_variable, headings, in_latex
@@ -34,7 +35,7 @@ from misstep.answers.choice import Choice
 from misstep.answers.entries import Slip
 from misstep.answers.equivalent import Equivalent
 from misstep.answers.likeness import Likeness, Named
-from misstep.answers.number import LENGTH, PURE, Numbers
+from misstep.answers.number import Numbers
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import Expression, given, product
@@ -63,7 +64,7 @@ OFF_THE_NORMAL = (
 
 
 @dataclass(frozen=True, eq=False)
-class DHRowsAnswer(Numbers):
+class ConvertedRowsAnswer(DHRowsAnswer):
     """The rows of a converted table, shape (m, 4): a, alpha, d, theta at q = 0.
 
     Each row is a part. All are right if they lead from frame 0 to frame m as the right ones do, for every q. If they do not, each is
@@ -75,28 +76,14 @@ class DHRowsAnswer(Numbers):
 
     >>> given, right = np.array([[4, 1, 3, 0], [0, 0, 6, 0]]), np.array([[0, 0, 3, 0], [4, 1, 6, 0]])
     >>> flipped = np.array([[0, 0, 3, np.pi], [-4, -1, 6, -np.pi]])
-    >>> answer = DHRowsAnswer(right, convention="modified", joints="RP", unconverted=given)
+    >>> answer = ConvertedRowsAnswer(right, convention="modified", joints="RP", unconverted=given)
     >>> [answer.agrees(right, other) for other in (right + (0, 0, 0, 2 * np.pi), flipped, flipped * (1, 1, 2, 1), right * (1, -1, 1, 1))]
     [[True, True], [True, True], [False, False], [True, False]]
     """
 
-    noun: ClassVar[str] = "rows of a, alpha, d, theta in metres and radians, an array"
     convention: Convention = field(kw_only=True)
     joints: str = field(kw_only=True)
     unconverted: Array = field(kw_only=True)
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return [f"row {i + 1}" for i in range(len(self.value))]
-
-    def part_indices(self) -> list[int]:
-        return list(range(len(self.value)))
-
-    def kinds(self) -> NDArray[np.int_]:
-        return np.broadcast_to([LENGTH, PURE, LENGTH, PURE], np.shape(self.value))
-
-    def place(self, index: Sequence[Any]) -> str:
-        return f"{symbol(COLUMNS[index[1]])} in row {index[0] + 1}"
 
     def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         """Return, for each entry, whether it is right, for the directions of x for which the most rows and entries are."""
@@ -107,37 +94,22 @@ class DHRowsAnswer(Numbers):
     def _nearest(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> tuple[Array, NDArray[np.bool_]]:
         """Return the second rows with those directions of x, and which entries agree."""
         rows = self._with_other_x(other)
-        # The chord 2 sin(x / 2) of an angular difference x does not change when x changes by a full turn.
-        angles_agree = np.abs(2 * np.sin((one - rows) / 2)) <= tolerance
-        same = np.where(self.kinds() == PURE, angles_agree, super().same_entries(one, rows, tolerance))
+        same = super().same_entries(one, rows, tolerance)
         right_rows, right_entries = same.all(axis=2).sum(axis=1), same.sum(axis=(1, 2))
         best = np.argmax(right_rows * same[0].size + right_entries)
         return rows[best], same[best]
 
-    @property
-    def rows_are_alike(self) -> bool:
-        return True
-
-    def length_entries(self) -> NDArray[np.bool_]:
-        return np.asarray(self.kinds() == LENGTH)
-
-    def angle_entries(self) -> NDArray[np.bool_]:
-        return np.asarray(self.kinds() == PURE)
-
     def likeness(self, given: Array, part: int | None) -> Likeness:
         right = self._nearest(given, self.value)[0]
-        return Numbers.likeness(replace(self, value=right), given, part)
+        return DHRowsAnswer.likeness(replace(self, value=right), given, part)
 
     def arrangement(self, given: Array) -> Named | None:
         """Return how the rows are the right ones in another order, for any directions of x."""
         ways = (replace(self, value=rows) for rows in self._with_other_x(self.value))
-        return next(filter(None, (Numbers.likeness(way, given, None).order() for way in ways)), None)
+        return next(filter(None, (DHRowsAnswer.likeness(way, given, None).order() for way in ways)), None)
 
-    def description(self, given: Array, part: int) -> Named | None:
-        wrong = [
-            name for name, fine in zip(COLUMNS, self._nearest(given, self.value)[1][part], strict=True) if not fine
-        ]
-        return (f"wrong {' and '.join(wrong)}", self.hint(given, part)) if len(wrong) < 3 else None
+    def explanation(self, given: Array, part: int) -> Named | None:
+        return DHRowsAnswer.explanation(replace(self, value=self._nearest(given, self.value)[0]), given, part)
 
     def wrong_conversions(self) -> list[tuple[str, Array, str]]:
         """Return wrong conversions of the given table: the name, the rows, and what is true of them."""
@@ -188,12 +160,6 @@ class DHRowsAnswer(Numbers):
         rows[empty, columns] = 0.0
         return rows
 
-    def hint(self, given: Array, part: int) -> str:
-        wrong = [
-            name for name, fine in zip(COLUMNS, self.same_entries(given, self.value)[part], strict=True) if not fine
-        ]
-        return f"Look at its {' and '.join(map(symbol, wrong))}." if len(wrong) < 3 else ""
-
     def _poses(self, rows: Array) -> Array:
         """The last frame as frame 0 sees it, at some joint values (k, 4, 4)."""
         return _last_frames(np.asarray(rows, dtype=float).tobytes(), self.joints, self.convention)
@@ -203,7 +169,7 @@ class DHRowsAnswer(Numbers):
         return _rows_with_other_x(np.asarray(rows, dtype=float).tobytes(), len(rows), self.convention)
 
 
-def _wrong_conversions(answer: DHRowsAnswer) -> list[Mistake]:
+def _wrong_conversions(answer: ConvertedRowsAnswer) -> list[Mistake]:
     """The wrong conversions as mistakes: where whole columns are moved wrongly, a row that comes out right does so by chance."""
     ends = {"end kept", "end folded in"}
     return [mistake(*wrong, spoils=wrong[0] not in ends) for wrong in answer.wrong_conversions()]
@@ -319,6 +285,10 @@ class FaultyEntryAnswer(Numbers):
     def part_indices(self) -> list[int]:
         return [0, 1, 2]
 
+    def counts(self, given: Array, right: Sequence[bool]) -> bool:
+        """Return whether two of the three are right: every fourth guess of a row or a column is."""
+        return sum(right) > 1
+
     def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         same = super().same_entries(one, other, tolerance)
         if COLUMNS[int(self.value[1]) - 1] in ANGLE_COLUMNS:
@@ -406,7 +376,7 @@ def to_modified(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Convert this standard table to the modified convention. Frame 0 stays the same. The $a$ and $\\alpha$ that are "
         "left over become the tool, which is not part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at "
-        "$q = 0$, angles in radians.\n\n" + _format_table(table.rows, "standard", table.joints),
+        f"$q = 0$, angles in radians. {MARKS_BY_ROW}\n\n" + _format_table(table.rows, "standard", table.joints),
         given={"rows": table.rows, "joints": table.joints},
         answer=answer,
         mistakes=_wrong_conversions(answer),
@@ -420,7 +390,7 @@ def to_standard(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="In this modified table $a_0$ and $\\alpha_0$ are not 0, because frame {0} is fixed to the wall, away from "
         "axis 1. Convert the table to the standard convention. The $a$ and $\\alpha$ that are left over become the base, which is not "
-        "part of the answer. Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
+        f"part of the answer. Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians. {MARKS_BY_ROW}\n\n"
         + _format_table(table.rows, "modified", table.joints),
         given={"rows": table.rows, "joints": table.joints},
         answer=answer,
@@ -652,7 +622,7 @@ def whole_arm(sampler: ArmSampler) -> Problem:
         statement=f"Write a table of this arm with {len(joints)} joints in the modified convention. The drawing shows $q = 0$; each "
         "arrow shows the direction in which its joint moves when $q$ grows. Frame 0 is {s}, and "
         f"frame {len(joints)} is {{b}}, so base and tool are the identity. A table is right if it gives the pose of {{b}} for every "
-        f"$q$. Lengths may be typed as letters, such as `-l_2`, or as numbers: {lengths} (metres).\n\n"
+        f"$q$. {MARKS_BY_ROW} Lengths may be typed as letters, such as `-l_2`, or as numbers: {lengths} (metres).\n\n"
         f"{joint_table(robot, points=points)}\n\n{{b}} is at ${points[-1]}$, its $x$ along ${vector(robot.home[:3, 0])}$, its $z$ "
         f"along ${vector(robot.home[:3, 2])}$.",
         figure=partial(draw_joints, robot, tool=True),
@@ -662,7 +632,12 @@ def whole_arm(sampler: ArmSampler) -> Problem:
         ),
         mistakes=[
             *table_mistakes(table, *names, *in_theta),
-            mistake("off the normal", between_origins, OFF_THE_NORMAL),
+            mistake(
+                "off the normal",
+                between_origins,
+                OFF_THE_NORMAL,
+                spoils=is_in_several_rows(between_origins.rows, table.rows),
+            ),
         ],
     )
 
@@ -723,8 +698,8 @@ def _random_table(sampler: ArmSampler, convention: Convention) -> DHTable:
     return DHTable(rows, convention=convention, joints=sampler.choice(["RRPR", "RPRR", "RRRP"]))
 
 
-def _converted(table: DHTable, convention: Convention) -> DHRowsAnswer:
-    return DHRowsAnswer(
+def _converted(table: DHTable, convention: Convention) -> ConvertedRowsAnswer:
+    return ConvertedRowsAnswer(
         np.array(table.converted(convention).rows),
         convention=convention,
         joints=table.joints,

@@ -11,7 +11,7 @@ from kincourse.lecture_07_frame_assignment.drawn_problem import leg
 from kincourse.mistakes.dh import table_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
-from kincourse.text.joint_table import end_frames, given_frames, joint_table
+from kincourse.text.joint_table import MARKS_BY_ROW, end_frames, given_frames, joint_table
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
@@ -157,7 +157,8 @@ def table_of_an_arm(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Write a DH table of this arm in the standard convention: text with the header `a | alpha | d | theta` and one row for "
         f"each joint, with `q1`, `q2`, ... for the joint variables. {_given(robot.n)} Every table that gives the pose of frame {robot.n} "
-        f"in frame 0 for every $q$ is right, so you may choose the frames between them.\n\n{joint_table(robot)}\n\n{given_frames(table)}",
+        f"in frame 0 for every $q$ is right, so you may choose the frames between them. {MARKS_BY_ROW}"
+        f"\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
@@ -194,8 +195,8 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
     same_direction[3, 1], without_d[:, 2] = 0.0, 0.0
     return Problem(
         statement="Axes 2, 3 and 4 of this arm are parallel lines, and axis 4 has the opposite direction. Write a DH table in the "
-        f"modified convention. {_given(robot.n)} Every table that gives the pose of frame {robot.n} in frame 0 for every $q$ is right."
-        f"\n\n{joint_table(robot)}\n\n{given_frames(table)}",
+        f"modified convention. {_given(robot.n)} Every table that gives the pose of frame {robot.n} in frame 0 for every $q$ is right. "
+        f"{MARKS_BY_ROW}\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
@@ -303,7 +304,8 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
     text = "\n".join(["| i | a | alpha | d | theta |", "| --- | --- | --- | --- | --- |", *lines])
     return Problem(
         statement="This DH table was written for the arm below, in the standard convention, but one of its lengths is wrong. Compare "
-        f"the table with the axes, and give the corrected table. {_given(4)}\n\n{text}\n\n{joint_table(robot)}\n\n{given_frames(table)}",
+        f"the table with the axes, and give the corrected table. The rows that are right already earn nothing. {_given(4)}"
+        f"\n\n{text}\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
         given={
             "rows": printed,
@@ -312,7 +314,7 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
             "points": robot.joint_points,
             **end_frames(table),
         },
-        answer=DHTableAnswer(table, anchored=True),
+        answer=DHTableAnswer(table, anchored=True, printed=True),
         mistakes=[
             mistake(
                 "as printed",

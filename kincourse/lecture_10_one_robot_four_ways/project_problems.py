@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from kincourse.answers.dh_row import DHEntriesAnswer
+from kincourse.answers.dh_row import DHRowsAnswer
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
@@ -22,9 +22,9 @@ from kincourse.lecture_10_one_robot_four_ways.project import Project, open_proje
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kincourse.sampling.drawn_machines import misread, table_mistakes
+from kincourse.text.joint_table import MARKS_BY_ROW
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.parsing import COLUMNS
 from kinlib.rigid.lie import adjoint, inverse
 from misstep.answers.choice import Choice
 from misstep.answers.likeness import Named
@@ -129,14 +129,13 @@ def screws_of_the_project(sampler: ArmSampler) -> Problem:
 @problem("10.10", "Project: the table", points=3, lecture=f"{LECTURE}The project")
 def table_of_the_project(sampler: ArmSampler) -> Problem:
     project, table = open_project(sampler.student), draw_machine(sampler.student).table
-    rows, names = table.rows, [f"{column}_{i}" for i in range(1, table.n + 1) for column in COLUMNS]
     return Problem(
         statement=f"{_begin(project)}Sheet 2 of the drawing shows frames 0 to {table.n} of the controller, in the standard convention: "
         "the origin of frame i is Di, z_i is the axis of joint i + 1, and the arrow is x_i; "
         f"z_{table.n} is parallel to "
-        f"z_{table.n - 1}. Give the rows a, alpha, d, theta at home one after the other: {rows.size} numbers, in metres and radians.",
+        f"z_{table.n - 1}. Give the {table.n} rows a, alpha, d, theta at home, in metres and radians. {MARKS_BY_ROW}",
         figure=lambda: project.drawing("table"),
-        answer=DHEntriesAnswer(rows.ravel(), names=names),
+        answer=DHRowsAnswer(table.rows),
         mistakes=table_mistakes(table),
     ).without_duplicates()
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kincourse.sampling.drawn_machines import is_in_several_rows
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
 from kinlib.dh.table import Convention, DHTable
 from misstep.mistakes import Mistake, mistake
@@ -171,7 +172,11 @@ TABLE_MISTAKES: Mapping[str, TableMistake] = {
 
 def table_mistakes(table: DHTable, *names: str) -> list[Mistake]:
     """The mistakes of these names for a problem whose answer is the table."""
-    return [mistake(name, TABLE_MISTAKES[name].change(table), TABLE_MISTAKES[name].message) for name in names]
+    wrong = {name: TABLE_MISTAKES[name].change(table) for name in names}
+    return [
+        mistake(name, other, TABLE_MISTAKES[name].message, spoils=is_in_several_rows(other.rows, table.rows))
+        for name, other in wrong.items()
+    ]
 
 
 def _other(convention: Convention) -> Convention:

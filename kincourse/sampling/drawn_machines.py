@@ -110,7 +110,7 @@ def draw_table_frames(table: DHTable) -> Picture:
 
 
 def table_mistakes(table: DHTable) -> list[Mistake]:
-    """The mistakes that people make in the rows of a drawn table as a whole, as flat lists of entries."""
+    """The mistakes that people make in the rows of a drawn table as a whole."""
     rows, frames = table.rows, table_frames(table)
     other: Convention = "modified" if table.convention == "standard" else "standard"
     from_floor = rows.copy()
@@ -138,11 +138,22 @@ def table_mistakes(table: DHTable) -> list[Mistake]:
             rows * (1, 1, 1, 0),
             "Every theta is 0. Theta is the angle from one x axis to the next, at home.",
         ),
+        ("every alpha 0", rows * (1, 0, 1, 1), "Every alpha is 0. Alpha is the angle from one z axis to the next."),
+        ("every d 0", rows * (1, 1, 0, 1), "Every d is 0. It is the step along z from one x to the next."),
+        ("signs left out", np.abs(rows), "No minus sign is left."),
         (
             "d from the floor",
             from_floor,
             "Every d is a height above the floor. It is the step along z from one x to the next.",
         ),
     )
-    by_luck = {"the other convention", "a and d swapped", "alpha and theta swapped"}
-    return [mistake(name, value.ravel(), text, spoils=name in by_luck) for name, value, text in wrong]
+    return [mistake(name, value, text, spoils=is_in_several_rows(value, rows)) for name, value, text in wrong]
+
+
+def is_in_several_rows(wrong: Array, right: Array) -> bool:
+    """Whether a mistake runs through a table, so that a row that it leaves as it is earns nothing.
+
+    >>> is_in_several_rows(np.zeros((2, 4)), np.ones((2, 4))), is_in_several_rows(np.zeros((2, 4)), np.eye(2, 4, 3))
+    (True, False)
+    """
+    return bool(np.count_nonzero((wrong != right).any(axis=1)) > 1)

@@ -131,6 +131,10 @@ class Answer(ABC):
         """Return the same answer with other inputs, which depend on the seed. Only a function has inputs."""
         return self
 
+    def counts(self, given: Any, right: Sequence[bool]) -> bool:
+        """Return whether the right parts of a partly right answer earn their share: what comes out right by luck does not."""
+        return True
+
     def slips(self) -> Iterable[Mistake]:
         """Return wrong answers that people give to any problem of this kind, as mistakes."""
         return ()

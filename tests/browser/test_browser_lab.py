@@ -96,7 +96,7 @@ def test_a_click_on_the_section_to_reread_opens_the_lecture_there(chromium, lab_
         write(page, cell(page, "screws_1 ="), "screws_1 = np.eye(2)")
         run(page, cell(page, "screws_1 ="))
         run(page, cell(page, "sheet.check(1"))
-        link = cell(page, "sheet.check(1").get_by_role("link", name="Re-read: lecture 03_poe_space")
+        link = cell(page, "sheet.check(1").get_by_role("link", name="of lecture 03, Product of exponentials")
         heading = re.search("“(.*)”", link.inner_text())[1]
         with page.expect_popup() as opened:
             link.click()

@@ -184,7 +184,7 @@ def test_one_click_on_the_section_to_reread_arrives_there(lab):
     run(page, "open_sheet")
     page.get_by_text("9 problems, ").wait_for(timeout=60_000)
     run(page, "given = sheet.given(5)", "sheet.check(5")
-    link = page.get_by_role("link", name="Re-read: lecture 01_frames, section “The inverse”.")
+    link = page.get_by_role("link", name="Re-read: section “The inverse” of lecture 01, Frames.")
     link.wait_for(timeout=60_000)
     assert page.locator(".jp-CodeCell [role=status] a").count() == 1
     link.click()

@@ -109,7 +109,7 @@ def links_to_the_section_to_reread(page):
     wrong = cell(page, "position = [")
     press(wrong, "Run")
     ended(wrong)
-    link = wrong.get_by_role("link", name="Re-read: lecture 00_start_here")
+    link = wrong.get_by_role("link", name="Re-read: section “A wrong answer, on purpose” of lecture 00, Start here.")
     expect(link).to_have_attribute("href", "../lectures/00_start_here.html#a-wrong-answer-on-purpose")
 
 

@@ -185,7 +185,7 @@ def test_a_card_names_score_mistake_and_section_and_its_findings_are_in_the_orde
         "Partly right",
         "2 of 4 points",
         "Row 2: This row has the opposite sign.",
-        "01_ohm, section “Currents”",
+        "section “Currents” of lecture 01",
     ):
         assert words in text
     for row_1, row_2 in [(p.mistakes[1], p.mistakes[0]), (p.mistakes[0], p.mistakes[1])]:

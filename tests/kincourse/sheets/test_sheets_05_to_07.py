@@ -14,9 +14,11 @@ WHOLE_TABLES = {
     **{f"05.{k}": ("05_dh_standard", k) for k in (3,)},
     **{f"07.{k}": ("07_frame_assignment", k) for k in (3, 4, 6)},
 }
+DRAWN_ROWS = {"05.9": ("05_dh_standard", 9), "06.11": ("06_dh_modified", 11), "10.10": ("10_one_robot_four_ways", 10)}
 CONVERSIONS = {f"06.{k}": ("06_dh_modified", k) for k in (3, 4)}
 
 each_table = pytest.mark.parametrize("place", WHOLE_TABLES.values(), ids=WHOLE_TABLES)
+each_rows = pytest.mark.parametrize("place", DRAWN_ROWS.values(), ids=DRAWN_ROWS)
 each_conversion = pytest.mark.parametrize("place", CONVERSIONS.values(), ids=CONVERSIONS)
 
 
@@ -76,9 +78,9 @@ def test_one_flipped_sign_costs_the_points_and_is_named(place):
                 assert np.isclose(np.abs(rows[row, column]), np.pi)
                 continue
             judgement = judge(problem, ours.changed(rows=rows))
-            assert judgement.fraction == 0.0
+            assert judgement.fraction < 1
             assert judgement.mistakes
-            text = judgement.findings[0].message
+            text = f"{judgement.findings[0].parts}: {judgement.findings[0].message}"
             assert f"ow {row + 1}" in text or "very " in text or "sign" in text, text
 
 
@@ -159,3 +161,38 @@ def test_a_prismatic_axis_of_a_conversion_may_lie_elsewhere():
     answer = type(variants(CONVERSIONS["06.3"])[0].answer)(rows, convention="modified", joints="RPRR", unconverted=rows)
     assert answer.agrees(moved, rows) == [True] * 4
     assert answer.agrees(moved + np.array((0, 0, 0.01, 0)), rows) != [True] * 4
+
+
+@each_rows
+def test_a_wrong_number_costs_one_row(place):
+    for problem in variants(place):
+        right = problem.answer.value
+        assert judge(problem, right.ravel().tolist()).state == "right"
+        for i, k in np.ndindex(right.shape):
+            wrong = right.copy()
+            wrong[i, k] += 0.3
+            judgement = judge(problem, wrong)
+            assert judgement.right_parts == [f"row {j + 1}" for j in range(len(right)) if j != i]
+
+
+@each_rows
+def test_what_wrong_methods_and_guesses_get_right_earns_nothing(place):
+    for problem, neighbour in zip(variants(place), [*variants(place)[1:], *variants(place)[:1]], strict=True):
+        right = problem.answer.value
+        orders = [right[:, order] for order in ([2, 3, 0, 1], [3, 2, 1, 0], [2, 1, 0, 3])]
+        units = [right * factors for factors in ((1000, 1, 1000, 1), (100, 1, 100, 1), (1, 180 / np.pi) * 2)]
+        guesses = [np.zeros(right.shape), np.ones(right.shape), np.eye(*right.shape)]
+        for wrong in (*orders, *units, *guesses, *(x.value for x in problem.mistakes if x.spoils)):
+            assert judge(problem, wrong).fraction == 0, wrong
+        if neighbour.answer.value.shape == right.shape:
+            assert judge(problem, neighbour.answer.value).fraction == 0
+
+
+def test_a_few_entries_that_are_right_by_luck_earn_nothing():
+    for place, guess in ((("05_dh_standard", 1), [1, 0, 0, 0]), (("06_dh_modified", 6), [1, 1, 1])):
+        for problem in variants(place):
+            assert judge(problem, guess).fraction == 0
+    row = variants(("05_dh_standard", 1))[0]
+    one, two = (row.answer.value + np.array(step) for step in ((0.5, 0, 0, 0), (0.5, 0, 0.5, 0)))
+    assert (judge(row, one).fraction, judge(row, two).fraction) == (0.75, 0)
+    assert judge(row, two).findings[-1].message.startswith("This is right, but too little")

@@ -173,7 +173,7 @@ def test_a_statement_has_no_html_and_no_script():
 
 def test_feedback_links_to_the_section_to_reread_and_to_nothing_that_a_student_wrote():
     address = "https://example.org/lectures/03_poe_space.html#the-product"
-    reread = "Re-read: lecture 03_poe_space, section “The product”."
+    reread = "Re-read: section “The product” of lecture 03, Product of exponentials (PoE), space frame."
     verdict = f"✗ Problem\n  1 1/3 of 3 points.\n  Got https://evil.example and {reread}\n  {reread}"
     wrong = problem(points=4 / 3, state="partly", verdict=verdict, address=address)
     pages = [Reader(feedback_page(result(problems=[replace(wrong, address=link)]))) for link in (address, "")]

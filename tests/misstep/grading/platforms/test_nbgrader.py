@@ -195,7 +195,12 @@ def _marks(cell):
 
 def test_feedback_of_nbgrader_shows_the_problem_its_verdict_and_what_a_student_wrote_as_letters(theirs, ours):
     page = (theirs / "feedback" / "bob" / SHEET / f"{SHEET}.html").read_text("utf-8")
-    for shown in ("Problem 03.1:", "<figure", "<msub><mi>S</mi><mn>1</mn></msub>", "Re-read: lecture 03_poe_space"):
+    for shown in (
+        "Problem 03.1:",
+        "<figure",
+        "<msub><mi>S</mi><mn>1</mn></msub>",
+        "of lecture 03, Product of exponentials (PoE), space frame.",
+    ):
         assert shown in page
     assert "&lt;b&gt;bold&lt;/b&gt;" in page
     owned = "document.title = 'owned'</script>"
