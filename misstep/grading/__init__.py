@@ -16,7 +16,6 @@ How one submission gets its grade, in the order of reading:
         runner, server           the server forks a child for each submission
         submission_process       the child: it confines itself, and runs the cells
         rootfs, confine, limits, allowed_syscalls   what a child can reach, layer by layer
-        memory                   what a child holds, counted from outside
         course_stub              what a child sees instead of the course
         run_cells, kept_output   runs the cells as a notebook would, and keeps as much of their output as can be shown
     judging/     from one submission to its Result

@@ -3,13 +3,12 @@
 A server is a Python module, started by exec, so nothing of the process that grades is in its memory. Its first argument is the
 descriptor of a Unix socket. The first message is the setup; it is no argument, because submissions can read the arguments of their
 process, and it names folders. The answer says whether the server is ready. Then there are two messages. "fork" has descriptors with
-it, for a new process; the answer is its id, with a descriptor of it, because outside of a pid namespace it has another id. "end ID"
-kills that process; the answer has its exit status, its processor time in seconds, and its memory in MB.
+it, for a new process; the answer is its id. "end ID" kills that process; the answer has its exit status, its processor time in seconds,
+and its memory in MB.
 """
 
 import json
 import os
-import re
 import signal
 import socket
 import subprocess
@@ -37,11 +36,10 @@ class ProcessEnded(RuntimeError):
 
 
 class Child(NamedTuple):
-    """A forked process: the server that knows it, its id there, and its id here, which is 0 if the system cannot tell."""
+    """A forked process: the server that knows it, and its id there, which is another one outside of a pid namespace."""
 
     server: subprocess.Popen[bytes]
     number: int
-    process: int
 
 
 def child_environment() -> dict[str, str]:
@@ -94,7 +92,7 @@ class ForkServer:
         with self._lock:
             if child.server is not self.process:
                 raise ProcessEnded("The server of this process has ended.")
-            return dict(json.loads(self._request(b"end %d" % child.number)[0]))
+            return dict(json.loads(self._request(b"end %d" % child.number)))
 
     def close(self) -> None:
         """End the server and all that it has forked. A thread that waits for it gets ProcessEnded."""
@@ -123,35 +121,29 @@ class ForkServer:
 
     def _wait(self) -> None:
         if not self._is_ready:
-            greeting = json.loads(self._receive()[0])
+            greeting = json.loads(self._receive())
             if greeting["unavailable"]:
                 raise ProcessEnded(greeting["unavailable"])
             self._is_ready = True
 
     def _fork(self, descriptors: Sequence[int]) -> Child:
         self._wait()
-        number, handles = self._request(b"fork", descriptors)
-        process = 0
-        for handle in handles:
-            text = Path(f"/proc/self/fdinfo/{handle}").read_text()
-            process = int(re.findall(r"^Pid:\s*(-?\d+)", text, re.MULTILINE)[0])
-            os.close(handle)
-        return Child(self.process, int(number), process)
+        return Child(self.process, int(self._request(b"fork", descriptors)))
 
-    def _request(self, message: bytes, descriptors: Sequence[int] = ()) -> tuple[bytes, list[int]]:
+    def _request(self, message: bytes, descriptors: Sequence[int] = ()) -> bytes:
         with suppress(OSError):  # receiving says that it has ended
             socket.send_fds(self._socket, [message], descriptors)
         return self._receive()
 
-    def _receive(self) -> tuple[bytes, list[int]]:
+    def _receive(self) -> bytes:
         try:
-            answer, handles, _, _ = socket.recv_fds(self._socket, MESSAGE_BYTES, 1)
+            answer = self._socket.recv(MESSAGE_BYTES)
         except OSError:
             answer = b""
         if not answer:
             self._stop()  # a late answer must not be taken for that to a later message
             raise ProcessEnded("The server of processes has ended.")
-        return answer, handles
+        return answer
 
     def _stop(self) -> None:
         with suppress(ProcessLookupError):
@@ -193,10 +185,7 @@ def serve(
                     prepare_fork()
                 if not (child := os.fork()):
                     _end_with(run_child, parent, descriptors)
-                given = len(descriptors)
-                with suppress(AttributeError, OSError):  # a system without it counts no memory from outside
-                    descriptors.append(os.pidfd_open(child))
-                socket.send_fds(parent, [b"%d" % child], descriptors[given:])
+                parent.send(b"%d" % child)
             case ["end", child_id]:
                 with suppress(ProcessLookupError):
                     kill(int(child_id))

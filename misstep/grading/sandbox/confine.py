@@ -10,10 +10,8 @@ from typing import Any
 from misstep.grading.sandbox import libc_calls
 from misstep.grading.sandbox.allowed_syscalls import syscall_filter
 from misstep.grading.sandbox.course_stub import CourseSetup
-from misstep.grading.sandbox.limits import Limits, sandbox_layer
+from misstep.grading.sandbox.limits import BYTES_PER_MB, Limits, sandbox_layer
 from misstep.grading.sandbox.rootfs import DEVICES, NAMESPACES_REMEDY, SCRATCH, readable_paths
-
-BYTES_PER_MB = 1 << 20
 
 LANDLOCK_REMEDY = (
     "The kernel must be 5.13 or newer, with landlock in the list /sys/kernel/security/lsm. "

@@ -11,7 +11,7 @@ READ_ONLY, NOSUID, NODEV, NOEXEC, REMOUNT, BIND, RECURSIVE, PRIVATE = 1, 2, 4, 8
 """Flags of mount."""
 
 MNT_DETACH = 2
-PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
+PR_SET_PDEATHSIG = 1
 CAPABILITY_VERSION_3 = 0x20080522
 
 
@@ -57,11 +57,6 @@ def locked_flags(path: str) -> int:
 def end_with_parent(signal: int) -> None:
     """Let the kernel send this signal to this process when its parent ends."""
     call("prctl", PR_SET_PDEATHSIG, signal, 0, 0, 0)
-
-
-def adopt_orphans() -> None:
-    """Let every descendant whose parent ends become a child of this process."""
-    call("prctl", PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
 
 
 def drop_capabilities() -> None:

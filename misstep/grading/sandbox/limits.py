@@ -3,8 +3,7 @@
     namespaces    a root folder with the interpreter and the packages of the course, but without any sheet and without the
                   rest of the disk; for each submission a scratch folder of its own, no network, and no view of other processes
     user          a user id of its own, without privileges
-    limits        on processor time, memory, threads, open files and file size; from outside, the wall-clock time is limited, and
-                  the memory of all processes together once more
+    limits        on processor time, memory, threads, open files and file size; from outside, on the wall-clock time
     landlock      may read what the interpreter needs, may write to the scratch folder, and nothing else
     seccomp       only the system calls that computing needs: no sockets, no new programs, no new processes, no files in memory
 
@@ -18,6 +17,8 @@ from dataclasses import dataclass
 
 UNSAFE_OPTION = "--unsafe-no-sandbox"
 """The option that switches the sandbox off. Every result and page that it affects says so."""
+
+BYTES_PER_MB = 1 << 20
 
 SHOWN_KINDS = {"text/plain", "text/markdown", "image/png"}
 """The kinds of displays that pages show. The others are not kept."""

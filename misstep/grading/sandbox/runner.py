@@ -12,15 +12,11 @@ from typing import Any
 
 from misstep.grading.forks import MESSAGE_BYTES, ForkServer, ProcessEnded
 from misstep.grading.sandbox.course_stub import CourseSetup
-from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
-from misstep.grading.sandbox.memory import BYTES_PER_MB, held_bytes
+from misstep.grading.sandbox.limits import BYTES_PER_MB, UNSAFE_OPTION, Limits, SandboxUnavailable
 from misstep.grading.sandbox.rootfs import NAMESPACES_REMEDY
 
 LIMIT_STATUSES = {-signal.SIGKILL, -signal.SIGXCPU} if sys.platform == "linux" else set[int]()
 """The exit statuses of a process that exceeded its memory or processor time."""
-
-LOOK_SECONDS = 0.1
-"""How often the memory of a submission is read."""
 
 CLOCK_TOLERANCE = 0.2
 """By how many seconds the kernel's limit of processor time and its report may differ."""
@@ -50,7 +46,7 @@ class Runner:
     """
 
     def __init__(self, setup: CourseSetup, is_safe: bool = True) -> None:
-        self._is_safe, self._is_closed = is_safe, False
+        self._is_safe = is_safe
         options = [] if is_safe else [UNSAFE_OPTION]
         self.server = ForkServer("misstep.grading.sandbox.server", asdict(setup), *options)
         try:
@@ -70,7 +66,6 @@ class Runner:
 
     def close(self) -> None:
         """End the server and every process in it. Runs that have not ended raise ProcessEnded."""
-        self._is_closed = True
         self.server.close()
 
     def _wait_until_ready(self) -> None:
@@ -107,12 +102,7 @@ class Runner:
                 stream.close()
             except BrokenPipeError:
                 pass  # the child has ended already; its output, if any, says why
-            try:
-                output, end_reason = self._read_output(outputs.fileno(), limits, child.process)
-            except ProcessEnded:
-                if child.process and not self._is_safe:  # in the sandbox, it ends with the server
-                    os.kill(child.process, signal.SIGTERM)
-                raise
+            output, end_reason = _read_output(outputs.fileno(), limits)
             usage = self.server.end(child)
         ended_by_itself = not end_reason and usage["status"] not in LIMIT_STATUSES
         if not (end_reason or ended_by_itself) and usage["processor_seconds"] > limits.seconds - CLOCK_TOLERANCE:
@@ -125,27 +115,19 @@ class Runner:
             ended_by_itself,
         )
 
-    def _read_output(self, descriptor: int, limits: Limits, process: int) -> tuple[bytes, str]:
-        """The output of a process, until it ends or reaches a limit; and the limit, in words."""
-        output, max_bytes = bytearray(), limits.output_mb * BYTES_PER_MB
-        deadline = time.monotonic() + limits.wall_seconds
-        next_look = time.monotonic() + LOOK_SECONDS
-        chunk = b"first"
-        while chunk and (now := time.monotonic()) < deadline:
-            if now > next_look:
-                next_look = now + LOOK_SECONDS
-                if self._is_closed:
-                    raise ProcessEnded("The server that runs submissions was closed.")
-                if held_bytes(process) > limits.memory_mb * BYTES_PER_MB:
-                    held = f"it held more than {limits.memory_mb} MB of memory, all its processes and files together"
-                    return bytes(output), held
-            if not select.select([descriptor], [], [], min(deadline, next_look) - now)[0]:
-                continue
-            chunk = os.read(descriptor, MESSAGE_BYTES)
-            output += chunk[: max_bytes - len(output)]
-            if len(output) >= max_bytes:
-                return bytes(output), f"it wrote more than {limits.output_mb} MB of output"
-        return bytes(output), f"it ran longer than {limits.wall_seconds:g} s" if chunk else ""
+
+def _read_output(descriptor: int, limits: Limits) -> tuple[bytes, str]:
+    """The output of a process, until it ends or reaches a limit; and the limit, in words."""
+    output, max_bytes = bytearray(), limits.output_mb * BYTES_PER_MB
+    deadline = time.monotonic() + limits.wall_seconds
+    while select.select([descriptor], [], [], max(0, deadline - time.monotonic()))[0]:
+        chunk = os.read(descriptor, MESSAGE_BYTES)
+        output += chunk[: max_bytes - len(output)]
+        if not chunk:
+            return bytes(output), ""
+        if len(output) >= max_bytes:
+            return bytes(output), f"it wrote more than {limits.output_mb} MB of output"
+    return bytes(output), f"it ran longer than {limits.wall_seconds:g} s"
 
 
 def _describe_status(status: int) -> str:

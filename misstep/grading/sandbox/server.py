@@ -63,7 +63,7 @@ def main(descriptor: int, is_safe: bool) -> None:
         if confinement:
             serve(parent, child, confinement.prepare_fork)
         else:
-            serve(parent, child, kill=_end_supervisor if sys.platform == "linux" else _kill_group)
+            serve(parent, child, kill=_kill_group)
 
 
 def _forget_paths() -> None:
@@ -109,12 +109,8 @@ def _warm_up(setup: CourseSetup) -> "tuple[SubmissionShell, CourseStub]":
     return new_shell(setup.warm_up), stub
 
 
-def _end_supervisor(child: int) -> None:
-    """Let the supervisor of a submission end it and all that it has started; in the sandbox, its pid namespace does so."""
-    os.kill(child, signal.SIGTERM)
-
-
 def _kill_group(child: int) -> None:
+    """End a submission and what it has started; in the sandbox, its pid namespace does so."""
     for kill in (os.kill, os.killpg):
         with suppress(ProcessLookupError, PermissionError):
             kill(child, signal.SIGKILL)

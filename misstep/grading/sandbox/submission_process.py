@@ -9,7 +9,6 @@ import signal
 import socket
 import sys
 import tempfile
-from contextlib import suppress
 from functools import partial
 
 from misstep.grading.redacted_sheet import load_redacted
@@ -17,7 +16,6 @@ from misstep.grading.sandbox import libc_calls
 from misstep.grading.sandbox.confine import Confinement, find_leaks, limit_resources
 from misstep.grading.sandbox.course_stub import CourseStub
 from misstep.grading.sandbox.limits import Limits, SandboxUnavailable
-from misstep.grading.sandbox.memory import process_tree
 from misstep.grading.sandbox.run_cells import SubmissionShell, run_cells, write_all
 
 PIPE_DESCRIPTOR = 250
@@ -34,7 +32,7 @@ def run_child(
     outbox       the descriptor of the pipe for the outputs
     """
     if not confinement and sys.platform == "linux":
-        _supervise(inbox, outbox)
+        libc_calls.end_with_parent(signal.SIGKILL)
     os.setsid()  # signals to a process group cross pid namespaces, so this process must not share the grader's group
     inbox, outbox = _keep_only(inbox, outbox)
     with os.fdopen(inbox, "rb") as stream:
@@ -57,34 +55,6 @@ def run_child(
     stub.set_sheet(load_redacted(message.pop("sheet")))
     run_cells(shell, message.pop("cells"), limits, partial(write_all, outbox))
     os._exit(0)
-
-
-def _supervise(*descriptors: int) -> None:
-    """Return in a new process. This one stays behind, ends what the submission has started and left, and ends as it ended.
-
-    Without a sandbox there is no pid namespace, whose processes all end with the first.
-    """
-    libc_calls.adopt_orphans()
-    if not (child := os.fork()):
-        return
-    for descriptor in descriptors:
-        os.close(descriptor)
-    signal.signal(signal.SIGTERM, lambda *_: _kill(child))
-    _, status = os.waitpid(child, 0)
-    signal.signal(signal.SIGTERM, signal.SIG_IGN)
-    with suppress(ChildProcessError):
-        while True:
-            for process in process_tree(os.getpid())[1:]:
-                _kill(process)
-            os.wait()
-    if (code := os.waitstatus_to_exitcode(status)) < 0:
-        os.kill(os.getpid(), -code)
-    os._exit(code)
-
-
-def _kill(process: int) -> None:
-    with suppress(ProcessLookupError):  # it has ended meanwhile
-        os.kill(process, signal.SIGKILL)
 
 
 def _keep_only(*descriptors: int) -> list[int]:

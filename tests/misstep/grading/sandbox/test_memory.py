@@ -1,9 +1,6 @@
-"""The memory of a submission: no way to hold it goes beyond the limit, and what all processes hold is counted."""
+"""The memory of a submission: no way to hold it goes beyond the limit."""
 
 import json
-import os
-import subprocess
-import sys
 
 import pytest
 import submissions
@@ -16,7 +13,6 @@ from kincourse import COURSE
 from misstep.grading.judging import judge_process
 from misstep.grading.sandbox.course_stub import setup_for
 from misstep.grading.sandbox.limits import Limits
-from misstep.grading.sandbox.memory import held_bytes, process_tree
 from misstep.grading.sandbox.runner import Runner
 
 LIMITS = Limits(seconds=30.0, memory_mb=400, scratch_mb=32)
@@ -31,14 +27,6 @@ def redacted():
 @pytest.fixture(scope="module")
 def confined():
     runner = Runner(setup_for(COURSE))
-    yield runner
-    runner.close()
-
-
-@pytest.fixture(scope="module")
-def unconfined():
-    """A runner without the sandbox, where only the watch from outside limits the memory of all processes together."""
-    runner = Runner(setup_for(COURSE), is_safe=False)
     yield runner
     runner.close()
 
@@ -64,55 +52,3 @@ def test_a_submission_is_told_at_once_that_there_is_no_more_memory(confined, red
     outcome = confined.run(redacted, ["hoard = bytearray(400 << 20)", "print('goes on')"], LIMITS)
     assert b"MemoryError" in outcome.output
     assert lines_printed(outcome) == ["goes on"]
-
-
-HOARD_IN_PROCESSES = """
-import os, time
-for _ in range(8):
-    if os.fork() == 0:
-        hoard = bytearray(60 << 20)
-        time.sleep(60)
-time.sleep(60)
-"""
-
-HOARD_IN_FILES = """
-import os, time
-for _ in range(16):
-    os.write(os.memfd_create("x"), bytes(50 << 20))
-time.sleep(60)
-"""
-
-
-def test_what_all_processes_hold_is_added_up_and_ended(unconfined, redacted):
-    for code in (HOARD_IN_PROCESSES, HOARD_IN_FILES):
-        outcome = unconfined.run(redacted, ["print('before')", code], LIMITS)
-        assert outcome.end_reason == "it held more than 400 MB of memory, all its processes and files together"
-        assert lines_printed(outcome) == ["before"]
-        assert not outcome.ended_by_itself
-
-
-def test_a_process_that_left_its_session_ends_with_its_submission(unconfined, redacted):
-    code = "import subprocess\nprint(subprocess.Popen(['sleep', '97'], start_new_session=True).pid)"
-    outcome = unconfined.run(redacted, [code], LIMITS)
-    (number,) = lines_printed(outcome)
-    assert outcome.end_reason == ""
-    with pytest.raises(ProcessLookupError):
-        os.kill(int(number), 0)
-
-
-@pytest.fixture
-def hoarder():
-    """A process that holds 100 MB, half of it in a process of its own."""
-    code = "import os, time; os.fork(); hoard = bytearray(50 << 20); print(flush=True); time.sleep(60)"
-    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, start_new_session=True) as process:
-        for _ in range(2):
-            process.stdout.readline()
-        yield process.pid
-        os.killpg(process.pid, 9)
-
-
-def test_the_memory_of_a_process_is_that_of_its_descendants_too(hoarder):
-    first, second = process_tree(hoarder)
-    assert 50 < held_bytes(second) >> 20 < 75
-    assert 100 < held_bytes(first) >> 20 < 150
-    assert held_bytes(2**22 + 1) == 0
