@@ -153,11 +153,14 @@ class ForkServer:
         self._socket.close()
 
 
-def receive_setup(parent: socket.socket) -> dict[str, Any]:
-    """In a server: its setup. Raises BrokenPipeError if the process that grades has ended."""
-    if not (message := parent.recv(MESSAGE_BYTES)):
-        raise BrokenPipeError
-    return dict(json.loads(message))
+def run_server(main: Callable[[socket.socket, dict[str, Any]], None]) -> None:
+    """In a server: call its main function with the socket and the setup, until the process that grades has ended."""
+    with (
+        suppress(BrokenPipeError, ConnectionResetError, KeyboardInterrupt),
+        socket.socket(fileno=int(sys.argv[1])) as parent,
+    ):
+        if message := parent.recv(MESSAGE_BYTES):
+            main(parent, json.loads(message))
 
 
 def greet(parent: socket.socket, unavailable: str = "") -> None:

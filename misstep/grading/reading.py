@@ -4,11 +4,9 @@ python -m misstep.grading.reading DESCRIPTOR
 """
 
 import socket
-import sys
-from contextlib import suppress
-from importlib import import_module
+from pkgutil import resolve_name
 
-from misstep.grading.forks import greet, receive_setup
+from misstep.grading.forks import greet, run_server
 from misstep.grading.steps import StepProcesses, serve_steps
 
 STEPS = {
@@ -29,19 +27,15 @@ STEP_SECONDS = 5.0
 
 def start_reader(has_gradebook: bool = False) -> StepProcesses:
     """Processes that read what students wrote."""
-    return StepProcesses("misstep.grading.reading", {"has_gradebook": has_gradebook}, "reading")
+    return StepProcesses("misstep.grading.reading", STEPS | (GRADEBOOK_STEPS if has_gradebook else {}), "reading")
 
 
-def main(descriptor: int) -> None:
+def main(parent: socket.socket, places: dict[str, str]) -> None:
     """Import what the steps need, and fork until the socket closes."""
-    with socket.socket(fileno=descriptor) as parent:
-        places = STEPS | (GRADEBOOK_STEPS if receive_setup(parent)["has_gradebook"] else {})
-        parts = {step: place.split(":") for step, place in places.items()}
-        steps = {step: getattr(import_module(module), function) for step, (module, function) in parts.items()}
-        greet(parent)
-        serve_steps(parent, steps)
+    steps = {step: resolve_name(place) for step, place in places.items()}
+    greet(parent)
+    serve_steps(parent, steps)
 
 
 if __name__ == "__main__":
-    with suppress(BrokenPipeError, ConnectionResetError, KeyboardInterrupt):  # the process that grades has ended
-        main(int(sys.argv[1]))
+    run_server(main)

@@ -1,11 +1,11 @@
 """Questions of a lecture: predictions, self-checks, and errors in the file of questions."""
 
 import pytest
-from circuits_course import write_course
 
 from misstep.catalog import READER_VARIABLE, forget_package, load_course
 from misstep.display.card import inline
 from misstep.display.static_output import ENVIRONMENT_VARIABLE
+from misstep.new_course import write_course
 from misstep.questions.item import Item, Option, read_questions
 from misstep.questions.page import explanation_html, question_html
 from misstep.questions.widget import Explanation, Question
@@ -28,7 +28,8 @@ NAME = "01/brightness"
 
 @pytest.fixture
 def course(tmp_path):
-    yield load_course(write_course(tmp_path))
+    write_course(tmp_path / "circuits")
+    yield load_course(tmp_path / "circuits" / "circuits")
     forget_package("circuits")
 
 
@@ -98,7 +99,7 @@ def test_an_explanation_on_the_page_changes_when_the_reader_commits(course):
     again = course.ask(NAME)  # the cell is run again
     again._repr_mimebundle_()
     assert again.choice == right
-    assert again._widget.children[1 + right].children[0].description == f"{'AB'[right]} ●"
+    assert again._widget.children[1 + right].children[0].description == f"{'ABC'[right]} ●"
 
 
 def test_an_explanation_can_be_shown_without_a_prediction(question):
@@ -178,7 +179,7 @@ def test_on_a_hub_each_reader_has_an_order_of_their_own_but_not_on_a_page(course
         return tuple(option.text for option in course.ask(NAME).item.options)
 
     readers = [f"student {k}" for k in range(20)]
-    assert len({order(reader) for reader in readers}) == 2
+    assert len({order(reader) for reader in readers}) > 2
     assert [order(reader) for reader in readers] == [order(reader) for reader in readers]
     monkeypatch.setenv(ENVIRONMENT_VARIABLE, "1")
     assert {order(reader) for reader in readers} == {

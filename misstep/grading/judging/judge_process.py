@@ -16,7 +16,6 @@ import json
 import os
 import secrets
 import socket
-import sys
 from contextlib import suppress
 from functools import lru_cache, partial
 from importlib import import_module
@@ -25,7 +24,7 @@ from typing import Any
 from misstep.catalog import Course, find_course
 from misstep.display.card import Link
 from misstep.display.lecture_address import page_address
-from misstep.grading.forks import greet, receive_setup
+from misstep.grading.forks import greet, run_server
 from misstep.grading.judging.redraw import Draw, redraw
 from misstep.grading.redacted_sheet import redact
 from misstep.grading.steps import Steps, serve_steps
@@ -150,22 +149,19 @@ def _warm_up(course: Course, sheet: str) -> None:
     gc.freeze()  # a collection in a fork would touch every object, and so copy every page of memory
 
 
-def main(descriptor: int) -> None:
+def main(parent: socket.socket, setup: dict[str, str]) -> None:
     """Import the course, and fork until the socket closes."""
     gc.set_threshold(GC_THRESHOLD)
-    with socket.socket(fileno=descriptor) as parent:
-        setup = receive_setup(parent)
-        os.chdir(setup["folder"])
-        try:
-            course = find_course(setup["course"])
-        except (ImportError, ValueError) as error:
-            greet(parent, unavailable=str(error))
-            return
-        _warm_up(course, setup["sheet"])
-        greet(parent)
-        serve_steps(parent, steps_of(course, setup["sheet"]))
+    os.chdir(setup["folder"])
+    try:
+        course = find_course(setup["course"])
+    except (ImportError, ValueError) as error:
+        greet(parent, unavailable=str(error))
+        return
+    _warm_up(course, setup["sheet"])
+    greet(parent)
+    serve_steps(parent, steps_of(course, setup["sheet"]))
 
 
 if __name__ == "__main__":
-    with suppress(BrokenPipeError, ConnectionResetError, KeyboardInterrupt):  # the process that grades has ended
-        main(int(sys.argv[1]))
+    run_server(main)

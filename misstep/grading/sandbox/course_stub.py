@@ -112,7 +112,8 @@ def _withhold(self: Unavailable, *_: Any, **__: Any) -> Any:
     raise Withheld(repr(self))
 
 
-for _name in [
+BINARY = ("add", "sub", "mul", "truediv", "matmul", "pow", "mod", "floordiv")
+OTHERS = (
     "call",
     "getitem",
     "iter",
@@ -126,11 +127,9 @@ for _name in [
     "exit",
     "contains",
     "neg",
-]:
+)
+for _name in (*BINARY, *(f"r{name}" for name in BINARY), *OTHERS):
     setattr(Unavailable, f"__{_name}__", _withhold)
-for _name in ["add", "sub", "mul", "truediv", "matmul", "pow", "mod", "floordiv"]:
-    setattr(Unavailable, f"__{_name}__", _withhold)
-    setattr(Unavailable, f"__r{_name}__", _withhold)
 
 
 class CourseStub(ModuleType):

@@ -15,9 +15,9 @@ from contextlib import suppress
 from functools import partial
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from misstep.grading.forks import THREAD_VARIABLES, greet, receive_setup, serve
+from misstep.grading.forks import THREAD_VARIABLES, greet, run_server, serve
 from misstep.grading.sandbox import libc_calls
 from misstep.grading.sandbox.course_stub import CourseSetup, CourseStub, install_stub
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, SandboxUnavailable
@@ -40,30 +40,29 @@ ENVIRONMENT = {
 """The environment variables of a submission: its scratch folder is its home, and nothing is of the grader."""
 
 
-def main(descriptor: int, is_safe: bool) -> None:
+def main(parent: socket.socket, fields: dict[str, Any]) -> None:
     """Prepare, report that the server is ready or which layer is unavailable, and fork until the socket closes."""
     gc.disable()  # next to nothing of what is imported becomes garbage
-    with socket.socket(fileno=descriptor) as parent:
-        setup = CourseSetup(**receive_setup(parent))
-        try:
-            confinement = _enter_sandbox(setup) if is_safe else None
-            shell, stub = _warm_up(setup)
-            if confinement:
-                enter_root(readable_paths(setup.readable), setup.hidden)
-                _forget_paths()
-        except SandboxUnavailable as error:
-            greet(parent, unavailable=str(error))
-            return
-        gc.freeze()  # a collection in a child would touch every object, and so copy every page of memory
-        gc.enable()
-        greet(parent)
-        from misstep.grading.sandbox.submission_process import run_child
-
-        child = partial(run_child, confinement, shell, stub)
+    setup = CourseSetup(**fields)
+    try:
+        confinement = None if UNSAFE_OPTION in sys.argv else _enter_sandbox(setup)
+        shell, stub = _warm_up(setup)
         if confinement:
-            serve(parent, child, confinement.prepare_fork)
-        else:
-            serve(parent, child, kill=_kill_group)
+            enter_root(readable_paths(setup.readable), setup.hidden)
+            _forget_paths()
+    except SandboxUnavailable as error:
+        greet(parent, unavailable=str(error))
+        return
+    gc.freeze()  # a collection in a child would touch every object, and so copy every page of memory
+    gc.enable()
+    greet(parent)
+    from misstep.grading.sandbox.submission_process import run_child
+
+    child = partial(run_child, confinement, shell, stub)
+    if confinement:
+        serve(parent, child, confinement.prepare_fork)
+    else:
+        serve(parent, child, kill=_kill_group)
 
 
 def _forget_paths() -> None:
@@ -117,5 +116,4 @@ def _kill_group(child: int) -> None:
 
 
 if __name__ == "__main__":
-    with suppress(BrokenPipeError, ConnectionResetError, KeyboardInterrupt):  # the process that grades has ended
-        main(int(sys.argv[1]), UNSAFE_OPTION not in sys.argv)
+    run_server(main)

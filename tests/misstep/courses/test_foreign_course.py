@@ -9,11 +9,10 @@ from importlib import metadata
 from pathlib import Path
 
 import pytest
-from circuits_course import write_course
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-from misstep.new_course import write_course as write_new_course
+from misstep.new_course import write_course
 
 # --- environments ---
 
@@ -77,41 +76,36 @@ def minimal(wheel, tmp_path_factory):
 
 @pytest.fixture
 def course(tmp_path):
-    return write_course(tmp_path)
+    """The package of a new course outside of the repository."""
+    write_course(tmp_path / "dice", "probability")
+    return tmp_path / "dice" / "dice"
 
 
 # --- a student's session, with nothing but NumPy ---
 
 SESSION = """
 import sys
+from fractions import Fraction
 from pathlib import Path
-
-import numpy as np
 
 from misstep import find_course
 
 course = find_course(sys.argv[1])
-assert course.sheets() == ["01_ohm", "02_dividers"]
-sheet = course.open_sheet("01_ohm", "ada")
+assert course.sheets() == ["01_dice"]
+sheet = course.open_sheet("01_dice", "ada")
 sheet.show(1)
-given = sheet.given(1)
-total = given.first * given.second / (given.first + given.second)
-assert sheet.check(1, total).score == 2
-wrong = sheet.check(1, given.first + given.second)
-assert wrong.score == 0
-assert wrong.judgement.mistakes == ["in series"]
-finding = wrong.judgement.findings[0]
-assert (finding.parts, finding.mistake) == (["the answer"], "in series")
-assert finding.message in wrong.card.text()
-assert sheet.check(1, total).judgement.state == "right"
-assert sheet.check(2, sheet.problem(2).answer.value).score == 1
-assert sheet.check(2, "d").judgement.mistakes == ["current used up"]
+rolls = sheet.given(1).rolls
+assert sheet.check(1, 1 - Fraction(5, 6) ** rolls).score == 2
+wrong = sheet.check(1, Fraction(rolls, 6))
+assert (wrong.score, wrong.judgement.mistakes) == (0, ["added"])
+assert wrong.judgement.findings[0].message in wrong.card.text()
+assert sheet.check(1, f"1 - (5/6)^{rolls}").judgement.state == "right"
 given = sheet.given(3)
-assert sheet.check(3, lambda t: given.voltage * np.exp(-t / given.time)).score == 3
-assert sheet.check(3, lambda t: given.voltage * np.exp(t / given.time)).judgement.mistakes == ["sign"]
+assert sheet.check(3, f"[{given.face}, {given.face + 1})").score == 2
+assert sheet.check(3, f"({given.face}, {given.face + 1}]").judgement.mistakes == ["ends of an interval"]
 assert sheet.tally().score == 2
-assert course.attempt("01.a", 60).judgement.state == "right"
-assert course.find_question("01/unit").options[course.find_question("01/unit").right].text == "ohm"
+question = course.find_question("01/doubled")
+assert question.options[question.right].text.startswith("no")
 
 files = [Path(module.__file__) for module in list(sys.modules.values()) if getattr(module, "__file__", None)]
 installed = {file.relative_to(folder).parts[0] for folder in map(Path, sys.path) for file in files
@@ -125,45 +119,47 @@ def test_a_sheet_of_a_folder_is_shown_and_checked_with_nothing_but_numpy(minimal
         [f"numpy-{metadata.version('numpy')}.dist-info", "misstep-0.1.0.dist-info"]
     )
     output = minimal.run(SESSION, course, cwd=course.parent)
-    assert "Two resistors in parallel** (2 points)" in output
-    assert "What is their total resistance?" in output
-    assert "`given.first`" in output
+    assert "At least one six** (2 points)" in output
+    assert "`given.rolls`" in output
     assert output.splitlines()[-1] == "installed packages: misstep numpy"
 
 
 def test_an_installed_course_is_found_by_its_entry_point(minimal, course):
     """It is installed as a package with an entry point, as its wheel would be."""
-    shutil.copytree(course, minimal.site_packages / "circuits", ignore=shutil.ignore_patterns("__pycache__"))
-    information = minimal.site_packages / "circuits-1.0.dist-info"
+    shutil.copytree(course, minimal.site_packages / "dice", ignore=shutil.ignore_patterns("__pycache__"))
+    information = minimal.site_packages / "dice-1.0.dist-info"
     information.mkdir()
-    (information / "METADATA").write_text("Metadata-Version: 2.1\nName: circuits\nVersion: 1.0\n", encoding="utf-8")
-    (information / "entry_points.txt").write_text("[misstep.courses]\ncircuits = circuits:COURSE\n", encoding="utf-8")
+    (information / "METADATA").write_text("Metadata-Version: 2.1\nName: dice\nVersion: 1.0\n", encoding="utf-8")
+    (information / "entry_points.txt").write_text("[misstep.courses]\ndice = dice:COURSE\n", encoding="utf-8")
     try:
-        told = minimal.run(SESSION, "circuits", cwd=course.parent.parent)
-        assert "installed packages: circuits misstep numpy" in told
+        told = minimal.run(SESSION, "dice", cwd=course.parent.parent)
+        assert "installed packages: dice misstep numpy" in told
     finally:
-        for name in ("circuits", "circuits-1.0.dist-info"):
+        for name in ("dice", "dice-1.0.dist-info"):
             shutil.rmtree(minimal.site_packages / name)
 
 
 FORMULAS = """
 import sys
 
-from misstep import load_course
+import sympy as sp
 
+from misstep import load_course
+from misstep.answers.expression import ClosedForm
+
+U, R_1, R_2 = sp.symbols("U R_1 R_2", positive=True)
+divider = ClosedForm(U * R_2 / (R_1 + R_2))
+assert divider.agrees(divider.read("U / (1 + R_1 / R_2)"), divider.value) == [True]
 course = load_course(sys.argv[1])
-sheet = course.open_sheet("02_dividers", "ada")
-assert sheet.check(1, "U / (1 + R_1 / R_2)").score == 2
-assert sheet.check(1, "U R_1 / (R_1 + R_2)").judgement.mistakes == ["other resistor"]
-question = course.ask("01/brightness")
+question = course.ask("01/doubled")
 assert "application/vnd.jupyter.widget-view+json" in question._repr_mimebundle_()
-question.commit(1)
-assert "The power grows with the square of the current." in course.explain("01/brightness").card.text()
+question.commit(question.item.right)
+assert "Both may show a six, and this counts once." in course.explain("01/doubled").card.text()
 """
 
 
-def test_formulas_and_questions_need_their_extras_and_no_more(wheel, tmp_path):
-    Environment(tmp_path / "venv", wheel, ["formulas", "notebook"]).run(FORMULAS, write_course(tmp_path))
+def test_formulas_and_questions_need_their_extras_and_no_more(wheel, course, tmp_path):
+    Environment(tmp_path / "venv", wheel, ["formulas", "notebook"]).run(FORMULAS, course)
 
 
 HELP = """
@@ -186,7 +182,7 @@ def test_a_command_without_its_extra_names_the_extra(minimal):
 
 def test_the_wheel_contains_the_whole_template_of_a_new_course(minimal, tmp_path):
     minimal.misstep("new-course", tmp_path / "circuits")
-    write_new_course(tmp_path / "here" / "circuits")
+    write_course(tmp_path / "here" / "circuits")
     made, here = (
         sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
         for folder in (tmp_path / "circuits", tmp_path / "here" / "circuits")
