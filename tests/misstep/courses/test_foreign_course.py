@@ -9,6 +9,7 @@ from importlib import metadata
 from pathlib import Path
 
 import pytest
+import submissions
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
@@ -67,6 +68,15 @@ def link(distribution, site_packages):
     """Put an installed distribution into another environment."""
     for name in {file.parts[0] for file in distribution.files if ".." not in file.parts} - {"__pycache__"}:
         (site_packages / name).symlink_to(distribution.locate_file(name))
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory):
+    """The wheel of misstep, built from its own pyproject.toml without a network."""
+    out = tmp_path_factory.mktemp("wheel")
+    command = [sys.executable, "-P", "-m", "hatchling", "build", "-t", "wheel", "-d", str(out)]
+    subprocess.run(command, cwd=submissions.ROOT / "misstep", check=True, capture_output=True)
+    return next(out.glob("*.whl"))
 
 
 @pytest.fixture(scope="module")

@@ -1,6 +1,7 @@
 """A new course: what its README says is done line by line, in an environment in which only the engine and the course exist."""
 
 import csv
+import json
 import os
 import re
 import shlex
@@ -26,19 +27,21 @@ SITE = [
     ".venv/bin/python -m sphinx -W . build/site",
 ]
 """Lines of the README that build the site. They need a network; the workflow of the course runs them too."""
-RIGHT = {
-    "resistance_1": "1 / (1 / given.first + 1 / given.second)",
-    "voltage_2": "given.peak * np.sin(np.radians(given.degrees))",
-    "impedance_3": "f'{given.resistance + 1j * given.reactance} ohm'",
-    "my_first_problem_5": "given.a * given.b",
+SUBJECTS = {
+    "alternating-current": ("01_ohm", {"voltage_2": "given.peak * np.sin(given.degrees)"}, "degrees"),
+    "probability": ("01_dice", {"interval_3": "f'({given.face}, {given.face + 1}]'"}, "ends of an interval"),
+    "linear-algebra": ("01_eigenvalues", {"eigenvalues_3": "np.diag(given.A)"}, "diagonal"),
 }
+"""For each subject its sheet, a wrong answer of a student, and the mistake that feedback names."""
+
+SOLUTION = re.compile(r"^(\w+_\d+) = \.\.\.\n### BEGIN SOLUTION\n(.*)\n### END", re.DOTALL | re.MULTILINE)
 
 
-@pytest.fixture(scope="module")
-def course(tmp_path_factory):
-    """A new course called circuits, and a function that runs a line of its README."""
+@pytest.fixture(scope="module", params=SUBJECTS)
+def course(request, tmp_path_factory):
+    """The subject, a new course called circuits on it, and a function that runs a line of its README."""
     folder = tmp_path_factory.mktemp("new") / "circuits"
-    write_course(folder)
+    write_course(folder, request.param)
     information = folder / "circuits-0.1.0.dist-info"  # as `pip install -e .` writes it
     information.mkdir()
     (information / "METADATA").write_text("Metadata-Version: 2.1\nName: circuits\nVersion: 0.1.0\n", "utf-8")
@@ -54,7 +57,7 @@ def course(tmp_path_factory):
         assert done.returncode == code, f"{line}\n{done.stdout}{done.stderr}"
         return done.stdout
 
-    return folder, run
+    return request.param, folder, run
 
 
 def lines_of(readme):
@@ -63,50 +66,71 @@ def lines_of(readme):
     return [line.strip() for block in blocks for line in block.splitlines()]
 
 
+def hand_in(course, sheet, student, answers):
+    """Hand in the released sheet of a student, with the code that takes the place of each line `name = ...`."""
+    notebook = json.loads((course / "exercises" / sheet / f"{sheet}.ipynb").read_text("utf-8"))
+    for cell in notebook["cells"]:
+        source = "".join(cell["source"]).replace('"your id"', repr(student))
+        for name, lines in answers.items():
+            source = source.replace(f"{name} = ...", lines)
+        cell["source"] = source
+    file = course / "submissions" / student / f"{sheet}.ipynb"
+    file.parent.mkdir(parents=True)
+    file.write_text(json.dumps(notebook), "utf-8")
+
+
 @pytest.mark.skipif(bool(submissions.sandbox_lacks()), reason=f"this machine lacks {submissions.sandbox_lacks()}")
-def test_the_readme_of_a_new_course_leads_to_tested_released_and_graded_sheets(course, hand_in):
-    folder, run = course
+def test_the_readme_of_a_new_course_leads_to_tested_released_and_graded_sheets(course):
+    subject, folder, run = course
+    sheet, slip, mistake = SUBJECTS[subject]
     done = {}
     readme, instructors = (lines_of(folder / name) for name in ("README.md", "instructors.md"))
     assert [*readme[-len(SITE) - 1 : -1]] == SITE
     assert set(SET_UP) < set(readme)
+    source = json.loads((folder / "solutions" / sheet / f"{sheet}.ipynb").read_text("utf-8"))
+    right = dict(found.groups() for cell in source["cells"] if (found := SOLUTION.search("".join(cell["source"]))))
     for line in [*readme[: -len(SITE) - 1], *instructors]:
         if line in SET_UP:
             continue
         if "misstep grade" in line:
-            right = {name: f"{name} = {answer}" for name, answer in RIGHT.items()}
-            hand_in(folder, "01_ohm", "ada", right)
-            hand_in(folder, "01_ohm", "bob", {**right, "voltage_2": "voltage_2 = given.peak * np.sin(given.degrees)"})
+            wrong = {name: f"{name} = {answer}" for name, answer in slip.items()}
+            hand_in(folder, sheet, "ada", right)
+            hand_in(folder, sheet, "bob", {**right, **wrong})
         done[line.split()[3] if "misstep" in line else "pytest"] = run(line, int("misstep check" in line))
     assert set(done) == {"pytest", "new-problem", "check", "preview", "census", "release", "grade"}
+    k = len(right) + 1
     assert re.fullmatch(
-        r"\S+problems\.py:\d+: problem 01\.5 still has the statement of a new problem\.\n"
-        r"\S+01_ohm\.ipynb: problem 01\.5 still has the solution of a new problem\. .*\n",
+        rf"\S+problems\.py:\d+: problem 01\.{k} still has the statement of a new problem\.\n"
+        rf"\S+{sheet}\.ipynb: problem 01\.{k} still has the solution of a new problem\. .*\n",
         done["check"],
     )
-    assert "degrees of $\\varphi$ as radians" in done["preview"]
-    released = (folder / "exercises" / "01_ohm" / "01_ohm.ipynb").read_text("utf-8")
-    assert "voltage_2 = ..." in released
-    assert not any(solution in released for solution in RIGHT.values())
+    assert re.search(r"Mistake 1: ", done["preview"])
+    released = (folder / "exercises" / sheet / f"{sheet}.ipynb").read_text("utf-8")
+    assert all(f"{name} = ..." in released for name in right)
+    assert "SOLUTION" not in released
     assert re.search(r"\b\d+ passed", done["pytest"])
     assert re.search(r"^\| 01\.2 \| \d+ \| 0 \| 0 \| 0 \|", done["census"], re.MULTILINE)
     with (folder / "results" / "grades.csv").open(newline="", encoding="utf-8") as stream:
-        assert {row["student"]: float(row["points"]) for row in csv.DictReader(stream)} == {"ada": 9, "bob": 7}
+        ada, bob = csv.DictReader(stream)
+    assert float(bob["points"]) < float(ada["points"])
+    assert mistake in bob["mistakes"]
+    assert not ada["mistakes"]
     feedback = "".join(path.read_text("utf-8") for path in (folder / "results" / "feedback").rglob("*bob*"))
-    assert "what you get if you use the degrees of" in feedback  # a single number shows no more
+    assert "not yet right" in feedback
+    assert (folder / "results" / "marking.html").exists() == (subject == "alternating-current")
 
 
 def test_a_new_course_has_the_name_of_its_folder_everywhere(course):
     files = [
         path
-        for path in course[0].rglob("*")
+        for path in course[1].rglob("*")
         if path.is_file() and path.suffix in {".py", ".md", ".toml", ".ipynb", ".yml", ".json"}
     ]
     assert len(files) >= 13
     assert not [
         path
         for path in files
-        if "my_course" in path.read_text("utf-8") or "my_course" in str(path.relative_to(course[0]))
+        if "my_course" in path.read_text("utf-8") or "my_course" in str(path.relative_to(course[1]))
     ]
 
 

@@ -564,7 +564,3 @@ def test_no_id_is_a_path_and_ids_have_files_of_their_own(students):
         assert re.fullmatch(r"[^./\\][^/\\]*", name), "no path, and not hidden"
         assert name.isascii()
         assert len(name) < 250
-
-
-def test_the_file_of_a_usual_id_has_its_name():
-    assert file_name("ada.l") == "ada.l"

@@ -357,7 +357,7 @@ def test_what_cannot_be_is_told_in_a_sentence(folder, tmp_path, capsys):
         assert message in capsys.readouterr().err
 
 
-def test_from_a_download_of_canvas_to_the_file_that_canvas_takes(tmp_path, asked, capsys):
+def test_from_a_download_of_canvas_to_the_files_that_canvas_takes(tmp_path, asked, capsys):
     with zipfile.ZipFile(tmp_path / "submissions.zip", "w") as archive:
         for number, student in ((1, "ada"), (2, "bob")):
             archive.writestr(f"x{student}_{number}_9{number}_{SHEET}.ipynb", as_bytes(handed_in(student)))
@@ -367,6 +367,13 @@ def test_from_a_download_of_canvas_to_the_file_that_canvas_takes(tmp_path, asked
     assert grade(zipped, out, "--roster", tmp_path / "roster.csv", "--column", "Sheet 3 (7)") == 0
     assert asked() == ["ada", "bob", "cyn"]
     assert (out / "canvas.csv").read_text().splitlines()[2:] == ["A,1,,ada,S,2", "B,2,,bob,S,2", "C,3,,cyn,S,"]
+    with zipfile.ZipFile(out / "feedback.zip") as archive:  # without a page of cyn
+        pages = {name: archive.read(name) for name in archive.namelist()}
+    assert pages == {
+        f"x{name}_{number}_9{number}_feedback.html": (out / "feedback" / f"{name}.html").read_bytes()
+        for number, name in ((1, "ada"), (2, "bob"))
+    }
+    assert capsys.readouterr().out.startswith("3 of 3 submissions: 1 absent, 2 graded. ")
     assert grade(zipped, tmp_path / "other") == 0
     assert asked() == ["xada_1", "xbob_2"]
     assert "no --roster" in capsys.readouterr().out
