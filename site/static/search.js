@@ -12,9 +12,9 @@
     notation: 2,
     sheet: 1.5,
     instructors: 1.5,
-    mistake: 1.3,
+    mistake: 0.25,
     function: 0.7,
-    misstep: 0.1, // for authors of other courses
+    misstep: 0.02, // for authors of other courses
     table: 0.3,
     contributing: 0.2,
     performance: 0.1,
@@ -40,6 +40,8 @@
     'exp map': 'exponential',
     'hat operator': 'skew-symmetric matrix',
     'home position': 'home',
+    internet: 'offline',
+    plagiarism: 'alike',
   };
   const STOP_WORDS = new Set(
     (
@@ -51,9 +53,12 @@
   const GREEK =
     'alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma sigma tau upsilon phi chi psi omega';
   const LETTERS = Object.fromEntries(GREEK.split(' ').map((name, k) => [String.fromCharCode(0x3b1 + k), name]));
-  const SYMBOL = /^(?:[\u0391-\u03c9]|\[\w\]|\w_\w+)$/; // ω, [S], T_ab: the notation says what it stands for
+  // ω, q, [S], T_ab, Ad_T, J(q), e^[S]q: the notation says what it stands for
+  const SYMBOL = /^(?:[a-z\u0391-\u03c9]|\[.\]|\w{1,2}_\w{1,3}|\w\(\w\)|e\^.+)$/i;
   const CODE = /^(?:\w+\.)*(\w+)(?:\(.*)?$/; // kl.robots.rpr, assign_frames, equivalent(a, b)
-  const FEW = 3; // so few results are no choice
+  const OWN = /\b(?:i|me|my)\b/i; // who asks about the own file or answer asks how to use the site
+  const NOTATION = 'notation.html'; // it explains how letters with numbers are meant, such as c_12
+  const COVERAGE = 4; // how much more a place counts that has more of the words
   const MOST = 60; // results in the list
   const EXCERPT = 180; // characters
 
@@ -65,12 +70,19 @@
       .replace(/\[(\w)\]/g, 'skew-symmetric matrix $1');
   }
 
-  /** A word as it is indexed: in lower case, without accents and without the s of a plural; null if it says nothing. */
+  /** A word as it is indexed: in lower case, without accents, the s of a plural, ing and ed; null if it says nothing. */
   function normalize(word) {
     if (STOP_WORDS.has(word.toLowerCase())) return null;
     const plain = word.normalize('NFD').replace(/\p{M}/gu, '').toLowerCase();
-    return plain.length > 3 ? plain.replace(/(?<![su])s$/, '') : plain;
+    return plain.length > 3 ? plain.replace(/(?<![su])s$|(?<=\w{4})(?:ing|ed)$/, '') : plain;
   }
+
+  /** The words of a text that say something. */
+  const wordsOf = (text) =>
+    text
+      .split(/[\s\p{P}]+/u)
+      .map(normalize)
+      .filter(Boolean);
 
   /** The index of the entries. What is shown of an entry is not spelled, so the index does not store it. */
   function makeIndex(entries, Engine) {
@@ -88,44 +100,61 @@
   /** How much more an entry counts whose title is what was searched; case tells the group SE(3) from its algebra se(3). */
   function titleBoost({ title, kind }, query, name) {
     if (kind === 'function') return 1; // a word of the language is no name of a function
-    if (spell(title) === spell(query)) return 20;
-    if (spell(title).toLowerCase() === spell(query).toLowerCase()) return 8;
-    return normalize(title) === name ? 3 : 1;
+    const [own, other] = [title, query].map((text) => spell(text).replaceAll('-', ' '));
+    if (own === other) return 20;
+    if (own.toLowerCase() === other.toLowerCase()) return 8;
+    if (normalize(title) === name) return 3;
+    const words = wordsOf(other);
+    return kind === 'term' && wordsOf(own).every((word) => words.includes(word)) ? 3 : 1;
   }
 
-  /** The entries that contain all words, or, if there are few, those that contain one of them. */
+  /** The functions of a name, those of the owner that is named with it first, and then what else has the name. */
+  function findFunctions(index, wanted) {
+    const [, name] = CODE.exec(wanted) ?? [];
+    if (!name || !/[_.(]/.test(wanted) || /^s[eo]\(/i.test(wanted)) return [];
+    const isFunction = ({ id }) => index.entries.get(id).kind === 'function' && index.entries.get(id).title === name;
+    const exact = index.search(name, { fields: ['title'], filter: isFunction });
+    if (!exact.length) return [];
+    const boostDocument = (id) => KINDS[index.entries.get(id).kind] ?? 1;
+    const rest = index.search(name, { boost: WEIGHTS, boostDocument, filter: (result) => !isFunction(result) });
+    const owner = wanted.replace(/\(.*/, ''); // Chain.fk: the fk of Chain before others
+    const depth = ({ id }) => id.split('#')[0].split('.').length + 10 * id.includes('.symbolic.');
+    const place = (result) => depth(result) - 100 * result.id.endsWith(`.${owner}`);
+    return [...exact.sort((one, other) => place(one) - place(other)), ...rest];
+  }
+
+  /** The entries, best first; one that has few of the words counts little, and one that has less than half is left out. */
   function find(index, query) {
     const wanted = query.trim();
-    const [, name] = CODE.exec(wanted) ?? [];
-    const isCode = name && /[_.(]/.test(wanted) && !/^s[eo]\(/i.test(wanted);
-    const isFunction = ({ id }) => index.entries.get(id).kind === 'function' && index.entries.get(id).title === name;
-    if (isCode) {
-      const exact = index.search(name, { fields: ['title'], filter: isFunction });
-      const boostDocument = (id) => KINDS[index.entries.get(id).kind] ?? 1;
-      const rest = index.search(name, { boost: WEIGHTS, boostDocument, filter: (result) => !isFunction(result) });
-      const owner = wanted.replace(/\(.*/, ''); // Chain.fk: the fk of Chain before others
-      const depth = ({ id }) => id.split('#')[0].split('.').length + 10 * id.includes('.symbolic.');
-      const place = (result) => depth(result) - 100 * result.id.endsWith(`.${owner}`);
-      if (exact.length) return [...exact.sort((a, b) => place(a) - place(b)), ...rest];
-    }
+    const functions = findFunctions(index, wanted);
+    if (functions.length) return functions;
     const lower = wanted.toLowerCase();
     const same = Object.entries(SYNONYMS).find(([words]) => lower.includes(words));
-    const title = same ? same[1] : wanted;
     const options = {
       boost: WEIGHTS,
       prefix: (term) => term.length > 2,
       fuzzy: (term) => (term.length > 5 ? 0.2 : false),
-      boostDocument(id) {
-        const entry = index.entries.get(id);
-        const symbol = entry.kind === 'notation' && SYMBOL.test(wanted) ? 100 : 1;
-        return symbol * (KINDS[entry.kind] ?? 1) * titleBoost(entry, title, normalize(title));
-      },
     };
     const written = wanted.replace(/\w+/g, (word) => ABBREVIATIONS[word.toLowerCase()] ?? word);
-    const forms = [wanted, written, ...(same ? [same[1]] : [])].map(spell);
-    const queries = [...new Set(forms)].map((text) => ({ queries: [text], combineWith: 'AND' }));
-    const all = index.search({ queries, combineWith: 'OR' }, options);
-    return all.length >= FEW ? all : index.search(spell(wanted), options);
+    const best = new Map();
+    for (const form of new Set([wanted, written, ...(same ? [same[1]] : [])])) {
+      const boostDocument = (id) => {
+        const entry = index.entries.get(id);
+        const symbol = entry.kind === 'notation' && SYMBOL.test(wanted) ? 100 : 1;
+        const use = entry.kind === 'students' && OWN.test(wanted) ? 4 : 1;
+        return symbol * use * (KINDS[entry.kind] ?? 1) * titleBoost(entry, form, normalize(form));
+      };
+      for (const result of index.search(spell(form), { ...options, boostDocument })) {
+        result.share = Math.min(1, result.queryTerms.length / wordsOf(spell(form)).length);
+        result.score *= result.share ** COVERAGE;
+        if (!(best.get(result.id)?.score > result.score)) best.set(result.id, result);
+      }
+    }
+    const found = [...best.values()].sort((one, other) => other.score - one.score);
+    const most = Math.max(...found.map(({ share }) => share));
+    const places = found.filter(({ share }) => share >= most / 2);
+    if (!SYMBOL.test(wanted) || places[0]?.id.startsWith(NOTATION)) return places;
+    return [{ id: NOTATION, terms: [] }, ...places.filter(({ id }) => id !== NOTATION)];
   }
 
   /** The part of a text around the first word that was found, and that word apart. */
@@ -165,7 +194,7 @@
 
   function show(found) {
     status.textContent = found.length
-      ? `Search finished: ${found.length} ${found.length === 1 ? 'place contains' : 'places contain'} “${query}”` +
+      ? `Search finished: ${found.length} ${found.length === 1 ? 'place' : 'places'} for “${query}”` +
         `${found.length > MOST ? `; the best ${MOST} are below.` : '.'}`
       : `Search finished: nothing contains “${query}”. ` +
         'The glossary lists the terms of the course and those of other books.';
