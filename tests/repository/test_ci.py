@@ -4,7 +4,6 @@ import os
 import re
 import subprocess
 import sys
-import tomllib
 from pathlib import Path
 
 import check_commit_message
@@ -75,13 +74,6 @@ def test_each_package_ships_the_licence():
     assert all((ROOT / package / "LICENSE").read_bytes() == licence for package in ("kinlib", "misstep", "kincourse"))
 
 
-def test_the_files_of_the_mutation_settings_exist():
-    settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["mutmut"]
-    patterns = [*settings["source_paths"], *settings["pytest_add_cli_args_test_selection"], *settings["also_copy"]]
-    patterns += [f"**/{pattern.removeprefix('*/')}" for pattern in settings["do_not_mutate"]]
-    assert [pattern for pattern in patterns if not any(ROOT.glob(pattern))] == []
-
-
 def test_every_nox_session_in_the_documents_exists():
     done = subprocess.run([sys.executable, "-m", "nox", "--list"], cwd=ROOT, capture_output=True, text=True, check=True)
     sessions = set(re.findall(r"^[*-] (\w+) ->", done.stdout, re.MULTILINE))
@@ -143,14 +135,11 @@ def test_outside_ci_a_skipped_test_is_skipped(tmp_path):
 @pytest.mark.parametrize(
     ("message", "said"),
     [
-        ("dh: refuse duplicate labels\n\nBecause ...\n# a comment", ""),
-        ("dh, view: embed a question", ""),
+        ("dh, view: embed a question\n\nBecause ...\n# a comment", ""),
         ("Merge branch 'main'", ""),
         ("dh: " + "x" * 69, "at most 72 characters; it has 73"),
-        ("dh: refused duplicate labels", "got 'refused'"),
         ("dh: refusing duplicate labels", "got 'refusing'"),
         ("refuse duplicate labels", "must name a module"),
-        ("", "must name a module"),
         ("dh: refuse duplicate labels\nBecause ...", "must be empty"),
     ],
 )
