@@ -1,4 +1,4 @@
-"""List which independent implementation (oracle) verifies each public function of kinlib.
+"""List which independent implementation (oracle) verifies each public function of kinlib that computes.
 
 A test names its oracle and the functions that it compares with it:
 
@@ -13,33 +13,14 @@ check_oracles.py checks that each marker is true: `python course.py test --oracl
 
 import ast
 import inspect
-import pkgutil
 import re
 from collections import defaultdict
-from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
 
 import kinlib
 
 TESTS = Path(__file__).resolve().parents[2] / "tests"
-COMPUTING = [
-    *("kincourse.sampling.four_bar_geometry", "misstep.answers.expression", "misstep.formulas.evaluation"),
-    *("kinlib.view.figures.linkage", "kincourse.lecture_02_matrix_exponential.drawings.exponential_series"),
-    *("kinlib.view.figures.dh_row_motions", "kinlib.view.viewer.scene"),
-    *("kinlib.view.viewer.tree_viewer", "kinlib.view.drawing.png_and_pdf"),
-]
-"""Modules of the packages above the mathematics that compute: all their public functions but those that draw need an oracle too."""
-
-LAYERS_ABOVE = ("kinlib.view",)
-"""What presents the mathematics: no other implementation to compare with."""
-
-SPECIAL_METHODS = {"__str__", "__bool__"}
-"""Special methods whose result is compared too."""
-
-
-WITHOUT_RESULT = {"part_indices", "core_indices", "likeness", "compared_fields"}
-"""Methods that only say what of an answer or of an object belongs together, and compute nothing."""
 
 
 class Comparison(NamedTuple):
@@ -51,25 +32,21 @@ class Comparison(NamedTuple):
 
 
 def public():
-    """Yield the dotted name of every public function, method and property, and of classes that validate their arguments."""
-    names = [name for _, name, is_package in pkgutil.walk_packages(kinlib.__path__, "kinlib.") if not is_package]
-    below = [name for name in names if not name.startswith(LAYERS_ABOVE) and "._" not in name]
-    for module in map(import_module, [*below, *COMPUTING]):
-        for name, thing in vars(module).items():
-            if name.startswith(("_", "draw_", "explore_")) or getattr(thing, "__module__", "") != module.__name__:
-                continue
-            if inspect.isfunction(thing):
-                yield name_of(thing)
-            elif inspect.isclass(thing):
-                members = vars(thing)
-                yield from [name_of(thing)] * ("__post_init__" in members)
-                yield from (
-                    f"{name_of(thing)}.{member}"
-                    for member, value in members.items()
-                    if (member[0] != "_" or member in SPECIAL_METHODS)
-                    and member not in WITHOUT_RESULT
-                    and code_of(value)
-                )
+    """Yield the dotted name of each function, method and property that computes, of those that a user reaches by `kl.`."""
+    modules = (kinlib.linkages, kinlib.robots, kinlib.symbolic)
+    reached = [getattr(kinlib, name) for name in dir(kinlib) if name != "show"]  # what it draws is in kinlib.view
+    reached += [thing for module in modules for name, thing in vars(module).items() if name[0] != "_"]
+    for thing in dict.fromkeys(one for one in reached if getattr(one, "__module__", "").startswith("kinlib.")):
+        members = (
+            [value for name, value in vars(thing).items() if name[0] != "_"] if inspect.isclass(thing) else [thing]
+        )
+        yield from (name_of(one) for one in members if computes(one))
+
+
+def computes(thing):
+    """Whether a function, method or property returns more than a text."""
+    code = code_of(thing)
+    return code is not None and code.__annotations__.get("return") not in (str, None, "str", "None")
 
 
 def code_of(thing):

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 import kinlib as kl
-from kinlib.arrays.validation import instance, single, whole_number
 
 ARM = kl.robots.rpr()
 TABLE = kl.DHTable([[0.4, 0, 0, 0]], convention="standard")
@@ -12,7 +11,7 @@ TREE = kl.Tree.from_urdf(kl.to_urdf(ARM))
 LINKAGE = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
 
 
-@pytest.mark.oracle("text: written out in the test", instance, whole_number, single, kl.Chain.changed)
+@pytest.mark.oracle("text: written out in the test", kl.Chain.changed)
 @pytest.mark.parametrize(
     ("call", "said"),
     [

@@ -9,9 +9,9 @@ from kinsite.execute import ROOT
 HEAD = """\
 # Independent checks
 
-Each public function of kinlib is compared with an implementation that we did not write: a package or a number printed in a
-document. Where no other implementation exists, the test checks an axiom, or text written by hand. This table is read from
-the tests. `python course.py test --oracles` checks that each comparison can fail: the test must fail without its oracle, and
+Each public function of kinlib that computes is compared with an implementation that we did not write: a package or a number
+printed in a document. Where no other implementation exists, the test checks an axiom, or text written by hand. This table is read
+from the tests. `python course.py test --oracles` checks that each comparison can fail: the test must fail without its oracle, and
 when the function is wrong by 1e-7.
 
 | function | compared with |

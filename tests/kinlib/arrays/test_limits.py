@@ -10,7 +10,6 @@ ONE_JOINT = """<robot name="r"> <link name="a"/> <link name="b"/>
 <joint name="j" type="{kind}"> <parent link="a"/> <child link="b"/> <limit lower="{lower}" upper="{upper}"/> </joint> </robot>"""
 
 
-@pytest.mark.oracle("text: written out in the test", look_like_degrees, validate_limits)
 @pytest.mark.parametrize("limits", [(-180, 180), (-360, 360), (0, 90), (-60, 0), (-np.inf, 720)])
 def test_limits_of_a_revolute_joint_that_look_like_degrees_are_refused(limits):
     assert look_like_degrees(*limits)

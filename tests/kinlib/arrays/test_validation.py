@@ -78,7 +78,6 @@ def test_a_fraction_is_read_as_the_nearest_double(pairs):
     assert validation.read_only_copy(fractions).tolist() == expected
 
 
-@pytest.mark.oracle("text: written out in the test", validation.describe)
 def test_a_value_is_described_by_its_type_and_the_beginning_of_its_repr():
     assert validation.describe(range(3)) == "range range(0, 3)"
     assert validation.describe("q" * 99) == f"str {('q' * 12 + '...' + 'q' * 13)!r}"

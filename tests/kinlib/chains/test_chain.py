@@ -303,7 +303,6 @@ def test_configurations_are_drawn_from_minus_pi_to_pi_and_the_same_every_time():
     close(random_configurations(3, 5), expected, atol=0)
 
 
-@pytest.mark.oracle("text: written out in the test", largest_difference)
 def test_the_largest_difference_is_that_of_one_entry_of_one_pose():
     poses = np.stack([np.eye(4), exp([0, 0, 0, 1, 2, 3]), exp([0, 0, 0, 0, -5, 0])])
     close(largest_difference(poses, np.eye(4)), 5)

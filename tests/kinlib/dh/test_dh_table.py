@@ -457,7 +457,6 @@ def test_a_table_cannot_be_written_to():
             array[0] = 1
 
 
-@pytest.mark.oracle("text: written out in the test", validate_convention)
 def test_a_convention_has_one_of_two_names():
     assert [validate_convention(name) for name in ("standard", "modified")] == ["standard", "modified"]
 
@@ -552,7 +551,6 @@ def test_data_of_any_other_form_is_refused(data, message):
         DHTable.from_dict(data)
 
 
-@pytest.mark.oracle("text: written out in the test", is_plausible_angle)
 @pytest.mark.parametrize("degrees", [-360, -90, 0, 0.5, 90, 450, 3600])
 def test_an_angle_in_whole_degrees_or_within_a_turn_is_plausible(degrees):
     assert is_plausible_angle(np.radians(degrees))

@@ -43,7 +43,6 @@ def test_a_right_table_is_right(table):
     assert str(found).startswith("This table describes the arm.")
 
 
-@pytest.mark.oracle("text: written out in the test", kl.Diagnosis.__str__)
 def test_zeros_signs_base_and_tool_are_told_and_not_held_against_a_table():
     theirs = DHTable("a|alpha|d|theta\n0.4|0|0|-q1\n0.3|0|0|q2 + pi/2", convention="standard")
     ours = DHTable("a|alpha|d|theta\n0.4|0|0|q1\n0.3|0|0|q2", convention="standard", base=kl.exp([0, 0, 0, 1, 2, 3]))
@@ -207,7 +206,6 @@ def test_parallel_axes_that_point_the_other_way_are_told_the_angle(right, wrong)
     )
 
 
-@pytest.mark.oracle("text: written out in the test", kl.Diagnosis.difference)
 def test_a_table_of_a_helical_arm_is_told_that_no_table_has_its_joints():
     helical = kl.Chain([kl.screw((0, 0, 1), (0, 0, 0), 0.1), kl.screw((0, 1, 0), (1, 0, 0))], np.eye(4))
     found = diagnose(DHTable([[1, 0.5, 0, 0], [0.3, 0.2, 0.1, 0]], convention="standard"), helical)
@@ -450,7 +448,6 @@ def test_an_entry_in_the_row_of_another_one_is_told_with_its_place():
     assert [fault.text for fault in found.faults] == ["Row 3: the entry of d belongs in row 2."]
 
 
-@pytest.mark.oracle("text: written out in the test", corrections_of_joint_types)
 def test_swapped_rows_of_different_joints_are_found_as_well_as_two_variables_in_the_wrong_column():
     wrong = ARM.changed(rows=ARM.rows[[0, 2, 1, 3, 4]], joints="RPRRR")
     ways = corrections_of_joint_types(wrong, ARM.joints)
@@ -472,7 +469,6 @@ def test_a_wrong_number_and_another_mistake_are_found_together():
     assert diagnose(wrong, TILTED, in_pairs=False).corrected is None
 
 
-@pytest.mark.oracle("text: written out in the test", format_entry)
 def test_an_angle_is_told_in_degrees_and_a_length_as_a_number():
     entries = [(np.pi / 2, 1), (-np.pi, 3), (1e-17, 1), (0.0203, 0), (-1e-17, 2)]
     told = [format_entry(value, column) for value, column in entries]

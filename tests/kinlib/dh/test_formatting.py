@@ -8,10 +8,9 @@ from test_dh_table import tables
 from kinlib import DHTable
 from kinlib.arrays.formatting import format_degrees, format_number, format_vector
 from kinlib.arrays.tolerances import TYPED_PI_ERROR
-from kinlib.dh.formatting import add_variable, format_rows, in_latex, markdown_table
+from kinlib.dh.formatting import format_rows, in_latex, markdown_table
 
 
-@pytest.mark.oracle("text: written out in the test", format_number)
 @pytest.mark.parametrize(
     ("value", "text"),
     [
@@ -35,13 +34,11 @@ def test_digits_and_the_size_of_nothing_can_be_chosen():
     assert format_number(4e-5, zero=TYPED_PI_ERROR) == "4e-05"
 
 
-@pytest.mark.oracle("text: written out in the test", format_vector, format_degrees)
 def test_vectors_and_angles_are_made_of_such_numbers():
     assert format_vector([0.5, -1e-17, 3]) == format_vector(np.array([0.5, -0.0, 3])) == "(0.5, 0, 3)"
     assert [format_degrees(angle) for angle in (np.pi / 2, -np.pi / 3, 1e-12)] == ["90°", "-60°", "0"]
 
 
-@pytest.mark.oracle("text: written out in the test", format_rows, add_variable, markdown_table)
 def test_a_table_is_written_with_its_variables_signs_and_fixed_rows():
     text = "a | alpha | d | theta\n0.4 | 90° | 0.1 | -q1 - 30°\n0.2 | 0 | 0 | 0\n0 | -90° | 0.5 - q2 | 180°"
     table = DHTable(text, convention="standard")
@@ -63,6 +60,5 @@ def test_a_table_that_is_written_out_can_be_read_again(table):
     np.testing.assert_allclose(back.rows, table.rows, rtol=1e-15, atol=0)
 
 
-@pytest.mark.oracle("text: written out in the test", in_latex)
 def test_a_heading_is_written_in_latex():
     assert [in_latex(heading) for heading in ("a_i", "alpha_{i-1}", "theta_i")] == ["a_i", r"\alpha_{i-1}", r"\theta_i"]

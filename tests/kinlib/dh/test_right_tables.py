@@ -13,7 +13,7 @@ from kinlib.chains.joint_maps import identity_map, joint_maps, linearized
 from kinlib.dh.equivalence import derived_accuracy
 from kinlib.dh.formatting import headings, in_latex
 from kinlib.dh.invariants import acute_angle, axis_distance
-from kinlib.dh.printed_digits import Rounding, judge_rounding, rounding_effect, typed_half_units
+from kinlib.dh.printed_digits import judge_rounding, rounding_effect, typed_half_units
 
 CONVENTIONS = ("standard", "modified")
 ANGLES_RAD = np.concatenate([[0.0], np.logspace(-14, -2, reduced_count(24 * 12) + 1)])
@@ -90,7 +90,6 @@ def test_wrong_tables_of_few_digits_are_still_accused():
         assert text in str(found)
 
 
-@pytest.mark.oracle("text: written out in the test", judge_rounding, Rounding.limit)
 def test_the_rounding_of_the_numbers_is_said_with_what_it_explains():
     right = DHTable([[0.4318, 0.7, 0.1501, 0], [0.0203, -1.1, 0.4312, 0], [0.25, 0, 0, 0]], convention="standard")
     found = diagnose(rounded(right, 2), right)
@@ -175,7 +174,6 @@ def test_different_numbers_are_written_differently(number, step):
     assert float(one) == pytest.approx(number, rel=1e-3)
 
 
-@pytest.mark.oracle("text: written out in the test", acute_angle, axis_distance, in_latex)
 def test_angles_distances_and_headings_of_simple_cases():
     X, Y, Z = np.eye(3)
     assert [acute_angle(X, other) for other in (X, -X, Y)] == [0, 0, np.pi / 2]

@@ -4,12 +4,6 @@ import numpy as np
 import pytest
 
 from kinlib.mechanisms.closure import Closure
-from kinlib.mechanisms.levenberg_marquardt import solve
-from kinlib.mechanisms.mobility import on_planes
-
-
-def circle_about_1(x):
-    return ((x - [1, 0]) ** 2).sum(1, keepdims=True) - 1, 2 * (x - [1, 0])[:, None]
 
 
 def test_a_motion_that_moves_no_body_is_no_degree_of_freedom():
@@ -21,9 +15,3 @@ def test_a_motion_that_moves_no_body_is_no_degree_of_freedom():
     assert len(ball.search_modes(poses=lambda q: q.sum(1, keepdims=True))) == 1
     with pytest.raises(ValueError, match=r"no degree of freedom may be left; 1 left"):
         ball.search_modes(poses=lambda q: q)
-
-
-@pytest.mark.oracle("axiom: the points of a unit circle", on_planes)
-def test_planes_are_added_to_equations():
-    above = on_planes(circle_about_1, np.array([1.0, 0.0]), np.array([[1.0], [0.0]]), np.array([0.6]))
-    np.testing.assert_allclose(solve(above, np.array([[1.5, 2.0]]), 1e-13).x, [[1.6, 0.8]], atol=1e-12)

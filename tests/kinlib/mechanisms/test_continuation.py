@@ -4,7 +4,6 @@ import mpmath
 import numpy as np
 import pytest
 from scipy.interpolate import CubicHermiteSpline
-from scipy.signal import find_peaks
 from scipy.spatial import distance
 
 from kinlib.mechanisms.continuation import Curve, CurveTracer
@@ -214,16 +213,6 @@ def test_interpolation_agrees_with_scipy_s_hermite_spline(count):
     close(curve.length, s)
     spline = CubicHermiteSpline(s, curve.q, curve.tangents)
     close(curve.interpolate(count), spline(np.linspace(0, s[-1], count)))
-
-
-@pytest.mark.oracle("scipy", Curve.turning_points)
-def test_turning_points_agree_with_scipy_s_peaks():
-    _, curve = drawn(4001)
-    for i in (0, 1):
-        peaks = [found for sign in (1, -1) for found in find_peaks(sign * curve.q[:, i])[0]]
-        turned = curve.turning_points(i)
-        assert len(turned) == len(peaks) > 1
-        assert set(turned - np.sort(peaks)) <= {0, 1}  # it counts the first point beyond the peak
 
 
 # --- errors ---

@@ -9,7 +9,6 @@ from scipy.spatial import distance
 
 from kinlib import Mechanism, exp, linkages
 from kinlib.mechanisms.closure import Closure
-from kinlib.mechanisms.continuation import CurveTracer
 
 EXACT = 1e-12
 X, Y, Z = np.eye(3)
@@ -62,15 +61,6 @@ def test_a_four_bar_has_the_two_modes_that_two_circles_have(name):
     assert len(modes) == len(expected) == 2
     for mode in modes:
         assert apart(mode, np.array(expected)) < EXACT
-
-
-@pytest.mark.oracle("mpmath", Mechanism.trace, Closure.trace, CurveTracer.resample, linkages.four_bar)
-def test_every_configuration_of_the_traced_crank_rocker_is_on_both_circles():
-    linkage = linkages.four_bar(*FOUR_BARS["crank-rocker"])
-    curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0], points=73)
-    assert curve.closed
-    for q in curve.q:
-        assert min(apart(q, other) for other in four_bar_configurations(*FOUR_BARS["crank-rocker"], q[0])) < EXACT
 
 
 def test_a_non_grashof_curve_contains_both_modes_and_has_dead_points():

@@ -159,7 +159,6 @@ HAND = """<robot name="hand">
 </robot>"""
 
 
-@pytest.mark.oracle("text: written out in the test", Tree.__str__)
 def test_a_tree_prints_its_links_and_the_values_of_its_joints():
     tree = Tree.from_urdf(HAND)
     assert str(tree).splitlines() == [

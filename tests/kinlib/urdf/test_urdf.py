@@ -162,7 +162,6 @@ def test_roll_pitch_and_yaw_are_scipy_s_angles(R):
     )
 
 
-@pytest.mark.oracle("text: written out in the test", suggest_name, Element.error, Element.__str__)
 def test_the_texts_of_trees_elements_and_suggestions():
     text = (
         '<robot name="one"><link name="base"/>\n<link name="tool"/>\n<joint name="j" type="fixed"><parent link="base"/>'

@@ -63,7 +63,6 @@ def test_forms_agree_where_sympy_proves_it():
     assert read.values[0] == pytest.approx(float(same.subs(point).evalf(25)), rel=1e-12)
 
 
-@pytest.mark.oracle("text: written out in the test", ClosedForm.expected, ClosedForm.parts, ClosedForm.hint, shaped)
 def test_the_expected_form_is_described_with_its_shape_and_the_symbols_of_the_problem():
     matrix = ClosedForm(sp.eye(2) * q_1)
     expected = {
@@ -315,7 +314,6 @@ def test_a_solution_has_the_values_of_sympy_at_each_point():
     assert SINE.may_share(SINE.collect(values), expected[0] * 1.005, tolerance=0.01)
 
 
-@pytest.mark.oracle("text: written out in the test", ClosedForm.same_entries, ClosedForm.slips)
 def test_the_slips_of_formulas_are_named_by_their_places():
     vector = ClosedForm(sp.Matrix([theta, sp.cos(theta), 1]))
     assert vector.same_entries(vector.read("[theta, 0, 1]"), vector.value).tolist() == [True, False, True]
@@ -337,13 +335,6 @@ class Rows(ClosedForm):
         return [0, 1]
 
 
-@pytest.mark.oracle(
-    "text: written out in the test",
-    ClosedForm.appearance,
-    ClosedForm.arrangement,
-    ClosedForm.explanation,
-    ClosedForm.description,
-)
 def test_what_is_seen_in_a_wrong_formula_is_described():
     vector = ClosedForm(sp.Matrix([theta, sp.cos(theta), 1]))
     zero = ("placeholder", "Every number is 0. Put in the numbers that you find.")

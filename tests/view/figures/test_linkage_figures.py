@@ -106,7 +106,6 @@ def test_the_gap_of_an_open_four_bar_is_the_distance_between_its_two_ends():
     assert geometry.gap.max() == pytest.approx(np.linalg.norm(np.array([0.45, 0]) - [0.7, 0]), abs=1e-12)
 
 
-@pytest.mark.oracle("text: written out in the test", describe_linkage)
 def test_the_text_alternative_of_a_linkage():
     linkage = linkages.stretched_arch(0.2, 0.9)
     assert describe_linkage(linkage, linkage_geometry(linkage, np.zeros(3))) == (

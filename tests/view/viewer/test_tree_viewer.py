@@ -9,7 +9,6 @@ from urdf_files import TWO_FINGERS, trees
 import kinlib as kl
 from kinlib.view.viewer.tree_viewer import (
     Branch,
-    TreeViewer,
     branches,
     describe_tree,
     draw_tree,
@@ -41,7 +40,6 @@ def test_every_branch_ends_at_its_tip_and_every_joint_is_drawn_once(drawn, seed)
     assert sorted(shown) == sorted({name for branch in found for name in branch.names})
 
 
-@pytest.mark.oracle("text: written out in the test", describe_tree, TreeViewer.alt)
 def test_a_gripper_is_described_and_drawn_with_its_mimic_joint():
     tree = kl.Tree.from_urdf(TWO_FINGERS)
     text = describe_tree(tree, [0, 0.02])

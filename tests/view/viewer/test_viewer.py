@@ -20,12 +20,10 @@ from kinlib.view.viewer.scene import (
     arm_data,
     body_motions,
     extent,
-    finite_limits,
     frame_data,
     frames_on_links,
     half_height,
     joint_data,
-    joint_slider,
     link_paths,
     room,
     scene,
@@ -91,7 +89,6 @@ def test_every_frame_is_fixed_to_a_body_and_dh_frames_are_those_of_the_assignmen
         np.testing.assert_array_equal(np.reshape(shown[str(i)], (4, 4)), T)
 
 
-@pytest.mark.oracle("text: written out in the test", joint_slider, finite_limits)
 def test_sliders_have_the_limits_of_the_joints_or_default_ranges():
     rpr = kl.robots.rpr()
     limited = kl.Chain(rpr.screws, rpr.home, limits=[(-1, 2), (-np.inf, np.inf), (0, np.inf)])
@@ -193,7 +190,6 @@ def test_a_frame_on_a_link_is_where_it_was_given_after_the_motion_of_its_link():
         np.testing.assert_allclose(T @ np.reshape(frame["pose"], (4, 4)), given[name], atol=1e-12)
 
 
-@pytest.mark.oracle("text: written out in the test", half_height, room, still_room)
 def test_the_height_of_a_view_fits_what_lies_upwards_and_sideways():
     assert half_height(np.array([[0.0, 0, 3], [0, 0, -1]])) == pytest.approx(3, rel=1e-12)  # upright from the front
     assert half_height(np.array([[0.0, 2, 0]])) == pytest.approx(2, rel=1e-12)  # upright from above
