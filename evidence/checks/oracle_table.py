@@ -33,10 +33,12 @@ class Comparison(NamedTuple):
 
 def public():
     """Yield the dotted name of each function, method and property that computes, of those that a user reaches by `kl.`."""
-    modules = (kinlib.linkages, kinlib.robots, kinlib.symbolic)
-    reached = [getattr(kinlib, name) for name in dir(kinlib) if name != "show"]  # what it draws is in kinlib.view
-    reached += [thing for module in modules for name, thing in vars(module).items() if name[0] != "_"]
-    for thing in dict.fromkeys(one for one in reached if getattr(one, "__module__", "").startswith("kinlib.")):
+    things = [getattr(kinlib, name) for name in dir(kinlib) if name != "show"]  # what it draws is in kinlib.view
+    things += [getattr(kinlib.symbolic, name) for name in kinlib.symbolic.__all__]
+    for module in (kinlib.linkages, kinlib.robots):
+        own = [one for name, one in vars(module).items() if name[0] != "_"]
+        things += [one for one in own if getattr(one, "__module__", "") == module.__name__]
+    for thing in dict.fromkeys(one for one in things if getattr(one, "__module__", "").startswith("kinlib.")):
         members = (
             [value for name, value in vars(thing).items() if name[0] != "_"] if inspect.isclass(thing) else [thing]
         )

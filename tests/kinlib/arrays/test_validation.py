@@ -5,17 +5,15 @@ import pickle
 from fractions import Fraction
 
 import modern_robotics as mr
-import mpmath
 import numpy as np
 import pytest
-import pytransform3d.rotations as pr
 import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 from strategies import directions, poses
 
 import kinlib as kl
-from kinlib.arrays import tolerances, validation
+from kinlib.arrays import validation
 from kinlib.rigid.lie import log
 
 QUARTER_TURN = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
@@ -52,22 +50,6 @@ def test_anything_but_an_array_of_numbers_is_refused_by_name(x):
         validation.vectors(x, "point", 3)
 
 
-@pytest.mark.parametrize(
-    "read",
-    [
-        validation.array,
-        validation.real_array,
-        lambda x, name: validation.vectors(x, name, 3),
-        validation.unit_vectors,
-        validation.rotations_or_poses,
-        validation.poses,
-    ],
-)
-def test_every_function_names_the_argument_in_its_error(read):
-    with pytest.raises(ValueError, match=r"^elbow must be an array of real numbers; got NoneType None"):
-        read(None, "elbow")
-
-
 @pytest.mark.oracle("fractions", validation.array, validation.real_array, validation.vectors, validation.read_only_copy)
 @given(st.lists(st.tuples(st.integers(), st.integers(1, 10**20)), min_size=3, max_size=3))
 def test_a_fraction_is_read_as_the_nearest_double(pairs):
@@ -81,15 +63,6 @@ def test_a_fraction_is_read_as_the_nearest_double(pairs):
 def test_a_value_is_described_by_its_type_and_the_beginning_of_its_repr():
     assert validation.describe(range(3)) == "range range(0, 3)"
     assert validation.describe("q" * 99) == f"str {('q' * 12 + '...' + 'q' * 13)!r}"
-
-
-def test_a_read_only_copy_is_independent_of_its_source():
-    x = np.array([1.0, 2.0])
-    copy = validation.read_only_copy(x)
-    with pytest.raises(ValueError, match="read-only"):
-        copy[0] = 7
-    x[:] = 7
-    assert copy.tolist() == [1, 2]
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
@@ -137,14 +110,6 @@ def test_an_axis_that_is_not_unit_is_refused_with_its_length(axis, message):
 def test_an_axis_that_was_normalized_is_kept_to_the_last_bit(u):
     once = validation.unit_vectors(u * (1 + 5e-10), "axis")
     assert (validation.unit_vectors(once, "axis") == once).all()
-
-
-@pytest.mark.oracle("pytransform3d", validation.unit_vectors, validation.divide_by_length)
-@given(directions())
-def test_a_unit_vector_is_normalized_as_by_pytransform3d(u):
-    close = np.testing.assert_allclose
-    close(validation.divide_by_length(3 * u, np.linalg.norm(3 * u)), pr.norm_vector(3 * u), rtol=0, atol=1e-15)
-    close(validation.unit_vectors(u * (1 + 5e-10), "axis"), pr.norm_vector(u), rtol=0, atol=1e-15)
 
 
 # --- rotations and poses ---
@@ -220,21 +185,7 @@ def test_a_matrix_that_is_not_rigid_is_refused_with_the_reason(x, message):
         validation.rotations_or_poses(x, "home")
 
 
-def test_an_empty_batch_is_accepted():
-    assert validation.rotations_or_poses(np.zeros((0, 4, 4)), "X").shape == (0, 4, 4)
-    assert validation.unit_vectors(np.zeros((0, 3)), "axis").shape == (0, 3)
-
-
-# --- rotation angles ---
-
-
-@pytest.mark.oracle("mpmath", validation.rotation_angles)
-def test_at_the_largest_angle_the_last_digit_changes_the_result_by_1e_8():
-    largest = validation.rotation_angles(np.array([tolerances.MAX_ROTATION_RAD]))[0]
-    neighbour = np.nextafter(largest, np.inf)
-    change = mpmath.sqrt(2 - 2 * mpmath.cos(mpmath.mpf(float(neighbour)) - mpmath.mpf(1e8)))
-    assert float(change) == neighbour - largest == pytest.approx(1.5e-8, rel=0.01)
-    assert largest == mpmath.mpf(1e8)
+# --- what holds for all ---
 
 
 @pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))])

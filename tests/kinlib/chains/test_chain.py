@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from strategies import ROBOTS, chains_with_values, configurations, poses, screws
 
 from kinlib import Chain, exp, log, robots, screw
-from kinlib.chains.chain import largest_difference, random_configurations
+from kinlib.chains.chain import random_configurations
 from kinlib.rigid.lie import MAX_CHUNK, in_chunks
 
 EXACT = 1e-13
@@ -301,11 +301,6 @@ def test_invalid_limits_and_names_are_refused(fields, message):
 def test_configurations_are_drawn_from_minus_pi_to_pi_and_the_same_every_time():
     expected = np.random.default_rng(0).uniform(-np.pi, np.pi, (5, 3))
     close(random_configurations(3, 5), expected, atol=0)
-
-
-def test_the_largest_difference_is_that_of_one_entry_of_one_pose():
-    poses = np.stack([np.eye(4), exp([0, 0, 0, 1, 2, 3]), exp([0, 0, 0, 0, -5, 0])])
-    close(largest_difference(poses, np.eye(4)), 5)
 
 
 # --- names, values by name, equality ---

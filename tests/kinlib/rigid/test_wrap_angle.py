@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import pytransform3d.rotations as pr
-from hypothesis import example, given
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kinlib.rigid.angles import wrap_angle
@@ -16,12 +16,6 @@ def test_a_wrapped_angle_is_that_of_pytransform3d(angle):
     # Beside the cut, rounding decides between pi and -pi.
     assert min(abs(off), abs(abs(off) - 2 * np.pi)) < 1e-13
     assert abs(wrap_angle(angle)) <= np.pi + 1e-14
-
-
-@given(st.floats(-np.pi, np.pi, exclude_min=True))
-@example(np.nextafter(-np.pi, 0))
-def test_an_angle_between_minus_pi_and_pi_stays_what_it_is(angle):
-    assert wrap_angle(angle) == angle
 
 
 def test_half_a_turn_is_pi_on_both_sides():

@@ -176,15 +176,6 @@ def test_a_tree_prints_its_links_and_the_values_of_its_joints():
     assert repr(tree) == "Tree(hand, 6 links, 1 independent joint: revolute)"
 
 
-def test_a_mimic_joint_may_mimic_a_mimic_joint():
-    tree = Tree.from_urdf(HAND)
-    assert (tree.root, tree.tips, tree.n) == ("wrist", ("thumb", "nail"), 1)
-    assert tree.moving_joint_names == ("grip", "bend", "curl")
-    assert tree.coupling.tolist() == [[1], [-1], [-0.5]]
-    assert tree.offsets.tolist() == [0, 0.5, 0.25]
-    assert tree.limits.tolist() == [[0, 1]]
-
-
 def test_links_between_which_nothing_moves_have_a_constant_pose():
     tree = Tree.from_urdf(HAND)
     assert tree.pose("wrist", "palm")[:3, 3].tolist() == [0, 0, 2]

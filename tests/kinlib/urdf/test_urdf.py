@@ -5,45 +5,22 @@ import io
 import os
 import re
 import tracemalloc
-from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from scipy.sparse.csgraph import shortest_path
 from scipy.spatial.transform import Rotation
-from strategies import configurations, directions, points, poses, rotations
-from urdf_files import ARMS, poses_by_pinocchio, trees, urdf_text
+from strategies import configurations, directions, points, poses
+from urdf_files import poses_by_pinocchio, trees
 
 import kinlib as kl
 from kinlib import load_urdf, robots, to_urdf
-from kinlib.arrays.validation import suggest_name
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
-from kinlib.urdf.links_and_joints import LinkTree, UrdfJoint, read_tree
-from kinlib.urdf.xml_elements import MAX_BYTES, MAX_DEPTH, Element, read_robot
+from kinlib.urdf.links_and_joints import UrdfJoint, read_tree
+from kinlib.urdf.xml_elements import MAX_BYTES, MAX_DEPTH
 
 CLOSE = 1e-9
-each_arm = pytest.mark.parametrize(
-    "name", ["Lynxmotion AL5D", "Franka Panda with hand", "KUKA KR16", "PUMA 560", "UR5e", "Trossen wx250s"]
-)
-
-
-def arm(name):
-    return load_urdf(urdf_text(name), tip=ARMS[name][2])
-
-
-# --- some of the arms that packages ship; all are in test_shipped_files.py ---
-
-
-@each_arm
-def test_a_shipped_arm_is_unchanged_by_to_urdf_and_load_urdf(name):
-    chain = arm(name)
-    assert chain.limits.shape == (chain.n, 2)
-    back = load_urdf(to_urdf(chain))
-    assert_same(back, chain)
-    assert back.link_names == chain.link_names
-    assert {*chain.link_names} <= {*kl.Tree.from_urdf(urdf_text(name)).links}
 
 
 # --- random trees ---
@@ -75,102 +52,6 @@ def test_origin_turns_about_fixed_axes_as_scipy_says(rpy):
 def test_roll_pitch_yaw_is_right_near_a_pitch_of_90_degrees(pitch):
     R = origin(rpy=(0.3, pitch, -1.2))[:3, :3]
     np.testing.assert_allclose(origin(rpy=roll_pitch_yaw(R))[:3, :3], R, rtol=0, atol=1e-15)
-
-
-# --- the elements of a file ---
-
-
-def plain(name):
-    """Whether a name stands in no namespace, for those are read apart by lxml and as they are written by us."""
-    return isinstance(name, str) and not re.search("[:}]|xmlns", name)
-
-
-def as_lxml_reads(element):
-    """Tag, attributes and children, as lxml has them."""
-    said = {name: word for name, word in element.attrib.items() if plain(name)}
-    return element.tag, said, [as_lxml_reads(child) for child in element if plain(child.tag)]
-
-
-def as_we_read(element):
-    said = {name: word for name, word in element.attributes.items() if plain(name)}
-    return element.tag, said, [as_we_read(child) for child in element.children if plain(child.tag)]
-
-
-@pytest.mark.oracle("lxml", read_robot, Element.text, Element.numbers, Element.child)
-@each_arm
-def test_the_elements_of_a_shipped_file_are_those_of_lxml(name):
-    etree = pytest.importorskip("lxml.etree")
-    text = urdf_text(name)
-    theirs, ours = etree.fromstring(text.encode(), etree.XMLParser(recover=True)), read_robot(text)
-    assert as_we_read(ours) == as_lxml_reads(theirs)
-    assert ours.text("name") == theirs.get("name")
-    joints = [element for element in ours.children if element.tag == "joint"]
-    for one, other in zip(joints, theirs.findall("joint"), strict=True):
-        assert one.text("type") == other.get("type")
-        assert one.child("parent").attributes == dict(other.find("parent").attrib)
-        # lxml counts to where a tag ends; there and where we say that it begins is one line, unless it is a long one
-        assert one.child("parent").line == other.find("parent").sourceline
-        if (origin := other.find("origin")) is not None and "xyz" in origin.attrib:
-            assert one.child("origin").numbers("xyz", 3) == [float(word) for word in origin.get("xyz").split()]
-
-
-@pytest.mark.oracle("scipy", LinkTree.root, LinkTree.path, LinkTree.tips, LinkTree.check_link, LinkTree.descendants)
-@pytest.mark.oracle("scipy", LinkTree.common_ancestor)
-@given(trees())
-def test_paths_through_a_tree_are_the_shortest_of_scipy_s_graphs(drawn):
-    text, base, tip = drawn
-    robot = ET.fromstring(text)
-    names = [link.get("name") for link in robot.findall("link")]
-    joints = [
-        (joint.find("parent").get("link"), joint.find("child").get("link"), joint) for joint in robot.findall("joint")
-    ]
-    edges = np.zeros((len(names), len(names)))
-    for parent, child, _ in joints:
-        edges[names.index(parent), names.index(child)] = 1
-    tree = read_tree(read_robot(text))
-    assert tree.root == names[int(np.flatnonzero(edges.sum(axis=0) == 0)[0])]
-    assert tree.check_link(base, "base") == base
-    _, before = shortest_path(edges, directed=False, return_predecessors=True, indices=names.index(base))
-    steps, here = [], names.index(tip)
-    while here != names.index(base):
-        steps.insert(0, (names[before[here]], names[here]))
-        here = before[here]
-    found = [(step.joint.parent, step.joint.child)[:: 1 if step.sign > 0 else -1] for step in tree.path(base, tip)]
-    assert found == steps
-    assert {step.sign for step in tree.path(base, tip)} <= {1, -1}
-    reach = np.isfinite(shortest_path(edges))
-    both = [i for i in range(len(names)) if reach[i, names.index(base)] and reach[i, names.index(tip)]]
-    assert tree.common_ancestor([base, tip]) == names[min(both, key=lambda i: reach[i].sum())]
-    below = reach[names.index(base)]
-    stiff = {(parent, child) for parent, child, joint in joints if joint.get("type") == "fixed"}
-    moving = np.array(
-        [[edge and (names[i], names[j]) not in stiff for j, edge in enumerate(row)] for i, row in enumerate(edges)]
-    )
-    weights = np.where(edges, 1 + 100.0 * moving, 0)
-    far = shortest_path(weights, indices=names.index(base))
-    ends = {names[i] for i in np.flatnonzero(below & (edges.sum(axis=1) == 0)) if far[i] >= 100}
-    assert set(tree.tips(base)) == ends
-
-
-@pytest.mark.oracle("scipy", roll_pitch_yaw)
-@given(rotations())
-def test_roll_pitch_and_yaw_are_scipy_s_angles(R):
-    """Where the pitch is a right angle, roll and yaw are not told apart, and each may choose."""
-    assume(abs(R[2, 0]) < 1 - 1e-6)
-    np.testing.assert_allclose(
-        np.exp(1j * roll_pitch_yaw(R)), np.exp(1j * Rotation.from_matrix(R).as_euler("xyz")), atol=1e-9
-    )
-
-
-def test_the_texts_of_trees_elements_and_suggestions():
-    text = (
-        '<robot name="one"><link name="base"/>\n<link name="tool"/>\n<joint name="j" type="fixed"><parent link="base"/>'
-    )
-    robot = read_robot(text + '<child link="tool"/></joint></robot>')
-    tree = read_tree(robot)
-    assert suggest_name("tol", tuple(tree.links), "links") == " Did you mean tool?"
-    assert str(robot.children[1]) == '<link name="tool">'
-    assert str(robot.children[2].children[0].error("why.")) == 'Line 3, <parent> in <joint name="j">: why.'
 
 
 # --- write and read back ---
