@@ -16,6 +16,9 @@ MAX_LIST = 60
 AND_MORE = "Other parts are not right either; begin with this one."
 """What is said where there is no room for all findings."""
 
+THE_SAME = "The same is true here."
+"""What is said of parts of which everything has been said of others already."""
+
 
 @dataclass(frozen=True)
 class _Paragraph:
@@ -105,7 +108,7 @@ def _each_sentence_once(said: Sequence[_Paragraph]) -> list[_Paragraph]:
     told: set[str] = set()
     kept = []
     for one in said:
-        sentences = [sentence for sentence in one.sentences if sentence not in told] or one.sentences
+        sentences = [sentence for sentence in one.sentences if sentence not in told] or [THE_SAME]
         kept.append(replace(one, sentences=sentences, check=one.check if one.check not in told else ""))
         told.update([*one.sentences, one.check])
     return kept

@@ -118,8 +118,18 @@ class DHTableAnswer(Answer):
         is_same = bool(largest_difference(one.fk(q), other.fk(q)) <= POSE_TOLERANCE_FACTOR * tolerance)
         if is_same or self.printed or one.joints != other.joints or other != self.value:
             return [is_same] * len(self.parts)
-        wrong = wrong_rows(one, other)
+        wrong = self._wrong_rows(one)
         return [i not in wrong for i in range(one.n)]
+
+    def _wrong_rows(self, given: DHTable) -> Sequence[int]:
+        """The rows that must be changed, as few as possible: those of a single mistake rather than others."""
+        fewest = wrong_rows(given, self.value)
+        for each in self._diagnose(given).explanations:
+            wrong, right = (np.column_stack([table.rows, table.signs]) for table in (given, each.corrected))
+            changed: list[int] = np.flatnonzero((wrong != right).any(axis=1)).tolist()
+            if 0 < len(changed) <= len(fewest):
+                return changed
+        return fewest
 
     def counts(self, given: DHTable, right: Sequence[bool]) -> bool:
         """Return whether a right row is not so short that any method gives it, and no mistake runs through the whole table."""
@@ -199,11 +209,11 @@ class DHTableAnswer(Answer):
             if np.allclose(getattr(given, end), getattr(ours, end), rtol=0, atol=TOLERANCE)
         }
         explanations = [one.faults for one in diagnosis.explanations if not any(f.name in sound for f in one.faults)]
-        if explanations:
-            wrong = wrong_rows(given, ours) if len(self.parts) > 1 else ()
-            of_these = [faults for faults in explanations if {fault.row for fault in faults} <= {i + 1 for i in wrong}]
-            name, text = _described(of_these or explanations)
-            return name, text.removeprefix(f"Row {wrong[0] + 1}: ") if len(wrong) == 1 else text
+        wrong = {i + 1 for i in self._wrong_rows(given)} if len(self.parts) > 1 else set()
+        fitting = [faults for faults in explanations if all(fault.row in {None, *wrong} for fault in faults)]
+        if fitting or (explanations and len(wrong) != 1):
+            name, text = _described(fitting or explanations)
+            return name, text.replace(f"Row {min(wrong)}: ", "") if len(wrong) == 1 else text
         if diagnosis.unfixed and diagnosis.unfixed.verdict == "same":
             return (
                 "another start",
@@ -212,6 +222,8 @@ class DHTableAnswer(Answer):
         return None
 
     def description(self, given: DHTable, part: int) -> tuple[str, str] | None:
+        if self.agrees(given, self.value).count(False) == 1 < len(self.parts):
+            return "wrong row", "All other rows can stay as they are. Look at the numbers of this one."
         for i, j in combinations(range(given.n), 2):
             is_same = (given.rows[i] == given.rows[j]).all() and given.rows[i].any()
             if is_same and (self.value.rows[i] != self.value.rows[j]).any():

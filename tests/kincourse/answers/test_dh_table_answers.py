@@ -5,6 +5,7 @@ import pytest
 
 import kinlib as kl
 from kincourse.answers.dh_table import MAX_TEXT_LENGTH, DHTableAnswer
+from kincourse.answers.table_rows import wrong_rows
 from kinlib import DHTable
 from misstep.answers.base import Unreadable
 from misstep.judge import judge
@@ -83,15 +84,15 @@ def test_a_wrong_row_costs_only_itself(convention, choose):
         rows[2][1], rows[3][1] = -1.1, 0.0
     right = DHTable(rows, convention=convention)
     answer, theirs = DHTableAnswer(right, anchored=True), choose(right)
-    assert all(answer.agrees(theirs, right))
+    assert wrong_rows(theirs, right) == ()
     for place in np.ndindex(4, 4):
         wrong = theirs.rows.copy()
         wrong[place] += 0.3
-        assert answer.agrees(theirs.changed(rows=wrong), right).count(False) == 1, place
+        assert len(wrong_rows(theirs.changed(rows=wrong), right)) == 1, place
     for places in ([0, 2], [1, 3], [0, 1]):
         wrong = theirs.rows.copy()
         wrong[places, [0, 1]] += 0.3, 0.4
-        assert answer.agrees(theirs.changed(rows=wrong), right).count(False) == 2, places
+        assert len(wrong_rows(theirs.changed(rows=wrong), right)) == 2, places
     assert judge(Problem("", answer, []), theirs.changed(rows=wrong)).fraction == 0.5
 
 
