@@ -8,9 +8,9 @@ How one submission gets its grade, in the order of reading:
         gather                   one Submission for each student
         notebook, run_plan       its code cells, and what is run of them: with the sheet's own check cells
     jobs         the submissions that have no result yet, each with a fingerprint of what its result depends on
-    forks        the one way in which processes are started, ended and asked: a server imports everything once, and forks
+    fork_server  the one way in which processes are started, ended and asked: a server imports everything once, and forks
     steps        functions that run in such processes with limits on processor time and memory, and what they return
-    reading      the steps that read what students wrote: nothing else outside of the sandbox does
+    reader_process   the steps that read what students wrote: nothing else outside of the sandbox does
     redacted_sheet   the sheet without answers, which a child of the sandbox sees
     sandbox/     the confined processes in which submissions run
         runner, server           the server forks a child for each submission

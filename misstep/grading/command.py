@@ -29,7 +29,7 @@ from pathlib import Path
 from misstep.grading.collect.gather import Submission, WrongRoster, gather
 from misstep.grading.collect.roster import read_roster
 from misstep.grading.collect.run_plan import ReleasedSheet, read_released_sheet
-from misstep.grading.forks import ProcessEnded
+from misstep.grading.fork_server import ProcessEnded
 from misstep.grading.jobs import GradingJob, grade_best, make_jobs, run_bounded
 from misstep.grading.judging.cluster import ClusterUnreachable, connect, grade_on_worker
 from misstep.grading.judging.grader import Grader
@@ -37,7 +37,7 @@ from misstep.grading.judging.result import Result
 from misstep.grading.publish.feedback_zip import write_feedback_zip
 from misstep.grading.publish.overrides import LateRule, check_overrides, write_template
 from misstep.grading.publish.result_store import FolderInUse, ResultStore, open_results
-from misstep.grading.reading import start_reader
+from misstep.grading.reader_process import start_reader
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
 from misstep.grading.steps import StepFailed, StepProcesses
 from misstep.grading.write_results import ResultWriter, opened_gradebook

@@ -17,7 +17,7 @@ from types import TracebackType
 from typing import Any
 
 from misstep.grading.collect.notebook import UnusableNotebook
-from misstep.grading.forks import Child, ForkServer, ProcessEnded, serve
+from misstep.grading.fork_server import Child, ForkServer, ProcessEnded, serve
 from misstep.grading.sandbox.confine import set_resource_limits
 
 Steps = Mapping[str, Callable[..., Any]]

@@ -16,7 +16,7 @@ from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.jobs import run_bounded
 from misstep.grading.publish.overrides import write_formgrader
 from misstep.grading.publish.result_store import ResultStore
-from misstep.grading.reading import STEP_SECONDS
+from misstep.grading.reader_process import STEP_SECONDS
 from misstep.grading.steps import StepFailed, StepProcesses
 
 if TYPE_CHECKING:

@@ -43,7 +43,7 @@ from misstep.grading.judging import judge_process as judging
 from misstep.grading.judging.grader import Grader
 from misstep.grading.judging.parse_output import parse_output
 from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata
-from misstep.grading.publish.publish import write_page, write_tables
+from misstep.grading.publish.pages_and_tables import write_page, write_tables
 from misstep.grading.publish.result_store import ResultStore
 from misstep.grading.sandbox.limits import Limits
 from misstep.grading.sandbox.runner import RunOutcome

@@ -17,11 +17,11 @@ from typing import Any
 from misstep.catalog import find_course
 from misstep.grading.collect.notebook import UnusableNotebook
 from misstep.grading.collect.run_plan import PlannedCell, ReleasedSheet, RunPlan
-from misstep.grading.forks import ProcessEnded
+from misstep.grading.fork_server import ProcessEnded
 from misstep.grading.judging.parse_output import ParsedRun
 from misstep.grading.judging.redraw import Draw
 from misstep.grading.judging.result import ProblemResult, Result
-from misstep.grading.reading import start_reader
+from misstep.grading.reader_process import start_reader
 from misstep.grading.sandbox.course_stub import setup_for
 from misstep.grading.sandbox.limits import Limits
 from misstep.grading.sandbox.runner import Runner, RunOutcome

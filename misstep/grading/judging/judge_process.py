@@ -24,7 +24,7 @@ from typing import Any
 from misstep.catalog import Course, find_course
 from misstep.display.card import Link
 from misstep.display.lecture_address import page_address
-from misstep.grading.forks import greet, run_server
+from misstep.grading.fork_server import greet, run_server
 from misstep.grading.judging.redraw import Draw, redraw
 from misstep.grading.redacted_sheet import redact
 from misstep.grading.steps import Steps, serve_steps

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from misstep.grading.forks import MESSAGE_BYTES, ForkServer, ProcessEnded
+from misstep.grading.fork_server import MESSAGE_BYTES, ForkServer, ProcessEnded
 from misstep.grading.sandbox.course_stub import CourseSetup
 from misstep.grading.sandbox.limits import BYTES_PER_MB, UNSAFE_OPTION, Limits, SandboxUnavailable
 from misstep.grading.sandbox.rootfs import NAMESPACES_REMEDY

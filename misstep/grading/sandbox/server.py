@@ -17,7 +17,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from misstep.grading.forks import THREAD_VARIABLES, greet, run_server, serve
+from misstep.grading.fork_server import THREAD_VARIABLES, greet, run_server, serve
 from misstep.grading.sandbox import libc_calls
 from misstep.grading.sandbox.course_stub import CourseSetup, CourseStub, install_stub
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, SandboxUnavailable

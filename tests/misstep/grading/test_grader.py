@@ -18,7 +18,7 @@ from misstep.answers.number import Numbers
 from misstep.grading import redacted_sheet
 from misstep.grading.collect.notebook import UnusableNotebook
 from misstep.grading.collect.run_plan import PlannedCell, ReleasedSheet, RunPlan, plan_run, read_released_sheet
-from misstep.grading.forks import child_environment
+from misstep.grading.fork_server import child_environment
 from misstep.grading.judging import judge_process
 from misstep.grading.judging.grader import NOT_JUDGED, Grader, start_judge
 from misstep.grading.judging.parse_output import parse_output

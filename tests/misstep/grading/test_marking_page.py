@@ -3,7 +3,7 @@
 import csv
 
 from misstep.grading.judging.result import ProblemResult, Result
-from misstep.grading.marking import marking_page
+from misstep.grading.publish.marking_page import marking_page
 from misstep.grading.publish.overrides import apply_overrides, read_overrides
 
 STUDENTS = [f"student {k:03}" for k in range(300)]

@@ -11,7 +11,7 @@ from typing import Any
 
 from misstep.grading.judging.result import Result
 
-PAGE = Path(__file__).with_name("marking.html")
+PAGE = Path(__file__).with_name("templates") / "marking.html"
 
 
 def marking_page(results: Sequence[Result], marks: Mapping[str, Sequence[Any]]) -> str:

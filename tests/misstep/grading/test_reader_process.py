@@ -18,7 +18,7 @@ from misstep.__main__ import main
 from misstep.grading.collect.notebook import UnusableNotebook
 from misstep.grading.collect.run_plan import read_released_sheet
 from misstep.grading.publish.result_store import ResultStore
-from misstep.grading.reading import STEP_SECONDS, start_reader
+from misstep.grading.reader_process import STEP_SECONDS, start_reader
 from misstep.grading.steps import StepFailed
 
 RELEASED = read_released_sheet(submissions.released())
