@@ -1,7 +1,6 @@
 """Formulas as answers: compared by their values; no input breaks the reader or keeps it busy."""
 
 import sys
-from contextlib import suppress
 
 import numpy as np
 import pytest
@@ -274,12 +273,6 @@ def test_shared_parts_of_an_expression_are_computed_once_and_never_printed():
     """Written out, it would have 2^60 parts, so that this would never end."""
     assert not is_right(RIGHT, SHARED)
     assert "your formula gives" in judge(Problem("", RIGHT, []), SHARED).findings[0].message
-
-
-@given(st.text(alphabet="q12ac_s+-*/^()[],. eπθ√²sin'\"\\{}9", max_size=60) | st.text(max_size=40))
-def test_any_text_is_a_formula_or_unreadable(text):
-    with suppress(Unreadable):
-        assert np.isfinite(RIGHT.read(text).values).all()
 
 
 def test_every_function_has_the_values_of_sympy():
