@@ -12,10 +12,10 @@ import operator
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from random import Random
 from typing import Any
 
-import mpmath
 import numpy as np
 import sympy as sp
 
@@ -26,21 +26,29 @@ from misstep.validation import Array
 POINT_COUNT = 5
 """The number of points at which formulas are compared. A single one would already distinguish nearly all of them."""
 
-DIGITS = mpmath.MPContext()
-DIGITS.dps = 30
-
-MAX_VALUE = DIGITS.mpf(10**12)
+MAX_VALUE = 10**12
 """The largest absolute value, also of intermediate results."""
 
-MIN_VALUE = DIGITS.mpf(10) ** -60
+MIN_VALUE = 1e-60
 """Smaller absolute values are set to zero."""
 
-CONSTANTS = {"pi": DIGITS.mpf(DIGITS.pi), **dict.fromkeys("Ee", DIGITS.mpf(DIGITS.e)), "I": DIGITS.mpc(0, 1)}
+CONSTANTS = {"pi": "pi", "E": "e", "e": "e", "I": "j"}
+"""The constants of a formula, with their names in mpmath."""
 MPMATH_NAMES = {"Abs": "fabs", "abs": "fabs", "ln": "log"}
-MPMATH_FUNCTIONS = {name: getattr(DIGITS, MPMATH_NAMES.get(name, name)) for name in FUNCTIONS if name != "Matrix"}
+"""The functions that mpmath calls by another name."""
 
 Values = tuple[Any, ...]
 """A number of thirty digits for each point."""
+
+
+@cache
+def digits() -> Any:
+    """Return the arithmetic with thirty digits. mpmath is imported with the first formula, because most sheets begin with numbers."""
+    import mpmath
+
+    context = mpmath.MPContext()
+    context.dps = 30
+    return context
 
 
 @dataclass(frozen=True)
@@ -116,7 +124,7 @@ class _NumericAlgebra:
     symbols      the names of the symbols that have occurred
     """
 
-    functions = MPMATH_FUNCTIONS
+    functions = tuple(name for name in FUNCTIONS if name != "Matrix")
 
     def __init__(self, points: Mapping[str, Values], names: str) -> None:
         self._points = points
@@ -127,7 +135,7 @@ class _NumericAlgebra:
     def number(self, number: Any) -> Values:
         """Return the number, the same at every point."""
         plain = number.item() if isinstance(number, np.generic) else number
-        values = _at_each_point(lambda: DIGITS.convert(plain)) * POINT_COUNT
+        values = _at_each_point(lambda: digits().convert(plain)) * POINT_COUNT
         # 2.0 is not rounded: an array of 0 and 1 becomes an array of floats without anybody rounding it.
         self.has_rounded |= isinstance(plain, float | sp.Float) and not float(plain).is_integer()
         return values
@@ -138,7 +146,7 @@ class _NumericAlgebra:
         if values:
             return values
         if name in CONSTANTS:
-            return (CONSTANTS[name],) * POINT_COUNT
+            return (+getattr(digits(), CONSTANTS[name]),) * POINT_COUNT
         if name in FUNCTIONS:
             raise ValueError(f"{name} must be followed by brackets: {name}(q)**2, not {name}^2(q).")
         raise ValueError(f"{_cut(name)} is none of the symbols here: {self._names}.")
@@ -149,7 +157,7 @@ class _NumericAlgebra:
 
     def call(self, function: str, arguments: Sequence[Values]) -> Values:
         """Evaluate a function at each point."""
-        return _at_each_point(MPMATH_FUNCTIONS[function], *arguments)
+        return _at_each_point(getattr(digits(), MPMATH_NAMES.get(function, function)), *arguments)
 
     def _symbol(self, key: str) -> Values | None:
         other = re.sub(r"^(q|theta)(?=\d)", lambda letter: "theta" if letter[0] == "q" else "q", key)
@@ -167,7 +175,7 @@ class _NumericAlgebra:
         angles = [self._symbol(f"q{digit}") for digit in short[2]] if short[2] else [self._symbol(short[4])]
         if not all(angles):
             return None
-        total = _at_each_point(lambda *parts: DIGITS.fsum(parts), *angles)
+        total = _at_each_point(lambda *parts: digits().fsum(parts), *angles)
         return self.call("cos" if key[0] == "c" else "sin", [total])
 
 
@@ -185,7 +193,7 @@ def shaped(shape: tuple[int, ...]) -> str:
 def _power(base: Any, exponent: Any) -> Any:
     if abs(exponent) > MAX_EXPONENT:
         raise ValueError(f"Exponents go up to {MAX_EXPONENT} here.")
-    return DIGITS.power(base, exponent)
+    return digits().power(base, exponent)
 
 
 def _at_each_point(operation: Callable[..., Any], *values: Any) -> Values:
@@ -201,11 +209,11 @@ def _at_each_point(operation: Callable[..., Any], *values: Any) -> Values:
     # Written in this form, the comparison also refuses NaN, which is neither above nor below.
     if not all(abs(result) <= MAX_VALUE for result in results):
         raise ValueError(f"An intermediate value grows beyond {float(MAX_VALUE):.0e}. Is there a division by zero?")
-    return tuple(result if abs(result) >= MIN_VALUE else DIGITS.zero for result in results)
+    return tuple(result if abs(result) >= MIN_VALUE else digits().zero for result in results)
 
 
 def _real(value: Any) -> float:
-    if isinstance(value, DIGITS.mpc):
+    if isinstance(value, digits().mpc):
         if abs(value.imag) > 1e-20 * max(1, abs(value)):
             raise ValueError("Its values are not real. Is there a root or a logarithm of something negative?")
         value = value.real
@@ -216,7 +224,7 @@ def _random_values(symbol: sp.Symbol) -> Values:
     """Return random values for a symbol. They depend on its name only, so they are the same in every process."""
     chance = Random(_key(symbol.name))
     least, most = (0.2, 2.0) if symbol.is_positive else (-3.0, 3.0)
-    return tuple(DIGITS.mpf(least + (most - least) * chance.random()) for _ in range(POINT_COUNT))
+    return tuple(digits().mpf(least + (most - least) * chance.random()) for _ in range(POINT_COUNT))
 
 
 def _unpacked(given: Any, depth: int = 0) -> tuple[tuple[int, ...], list[Any]]:

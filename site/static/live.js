@@ -4,7 +4,7 @@
 (() => {
   'use strict';
   const note = document.querySelector('[data-kinlib-lab]'); // the template writes it if the site has a lab
-  if (!note || typeof Worker !== 'function' || typeof WebAssembly !== 'object') return;
+  if (!note || typeof Worker !== 'function' || typeof DecompressionStream !== 'function') return;
 
   const LAB = new URL(note.dataset.kinlibLab, location.href);
   const STATIC = new URL('.', document.currentScript.src);

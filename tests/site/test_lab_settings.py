@@ -1,5 +1,6 @@
 """The files of the lab: every hash is checked, and a file that cannot be downloaded is reported."""
 
+import gzip
 import hashlib
 import importlib
 import json
@@ -200,15 +201,31 @@ def test_the_page_of_a_notebook_begins_with_a_preview_and_the_service_worker_kno
     (tmp_path / "service-worker.js").write_text("theirs();")
     python = tmp_path / "static" / "pyodide"
     python.mkdir(parents=True)
-    packages = {name: {"file_name": f"{name}.whl", "depends": []} for name in lab.LIVE_PACKAGES}
+    needs = {"ipython": ["numpy", "jedi"], "kincourse": ["sympy"], "numpy": [], "sympy": [], "jedi": [], "pillow": ["numpy"]}
+    packages = {name: {"file_name": f"{name}.whl", "depends": needed} for name, needed in needs.items()}
+    for name in packages:
+        with ZipFile(python / f"{name}.whl", "w") as archive:
+            archive.writestr(f"{name}/__init__.py", f"{name} = 1\n")
     (python / "pyodide-lock.json").write_text(json.dumps({"packages": packages}))
-    (python / "sizes.json").write_text(json.dumps({"pyodide.mjs": 1e6, "ipython.whl": 2e6, "python.wasm": 9e6}))
+    (python / "pyodide.mjs").write_bytes(bytes(1_000_000))
+    (python / f"{lab.WASM}.packed").write_bytes(bytes(11_000_000))
     lab.add_own_files(tmp_path)
     worker = (tmp_path / "service-worker.js").read_text()
     assert re.match(r"const VERSION = '[0-9a-f]{16}';\n", worker)
     assert worker.endswith("theirs();")
-    assert {path.name for path in (tmp_path / "live").iterdir()} == {"load.json", "shell.py", "worker.js"}
-    assert lab.megabytes(tmp_path) == "12"
+    live = tmp_path / "live"
+    assert {path.name for path in live.iterdir()} == {
+        "live-lock.json", "load.json", "packages.packed", "shell.py", "worker.js"
+    }  # fmt: skip
+    loads = json.loads((live / "load.json").read_text())
+    small = sum((live / name).stat().st_size for name in ("live-lock.json", "packages.packed"))
+    assert loads == {"total": 12_000_000 + small, "modules": 1_000_000, "later": {"sympy": ["sympy.whl"]}}
+    assert lab.megabytes(tmp_path) == "13"
+    sizes, _, contents = gzip.decompress((live / "packages.packed").read_bytes()).partition(b"\n")
+    assert list(json.loads(sizes)) == ["ipython/__init__.py", "kincourse/__init__.py", "numpy/__init__.py"]
+    assert contents == b"ipython = 1\nkincourse = 1\nnumpy = 1\n"
+    lock = json.loads((live / "live-lock.json").read_text())["packages"]
+    assert {name: entry["depends"] for name, entry in lock.items()} == {"jedi": [], "pillow": []}
 
 
 def test_the_lab_is_copied_to_the_site_when_it_changes_and_deleted_when_there_is_none(tmp_path):

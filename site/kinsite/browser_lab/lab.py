@@ -9,6 +9,7 @@ If the variable is not set, the official release is tried, and if it cannot be d
 
 import gzip
 import hashlib
+import io
 import json
 import math
 import os
@@ -19,6 +20,7 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
+from zipfile import ZipFile, ZipInfo
 
 from packaging.utils import canonicalize_name
 
@@ -40,8 +42,13 @@ EXTENSIONS = (
 )
 """The kernel, the widgets, and the extension of the course, which adds messages and records solved problems."""
 
-NEVER = ("jedi", "prompt-toolkit", "wcwidth")
-"""What IPython requires for typing in a terminal and for completion, which a page has not (live/shell.py)."""
+NEVER = ("jedi", "prompt-toolkit", "sqlite3", "wcwidth")
+"""What IPython requires for typing in a terminal, for completion and for a history, which a page has not (live/shell.py)."""
+
+WASM, MODULES = "pyodide.asm.wasm", "python_stdlib.zip"
+"""The files of Python itself that a page loads compressed, with the ending `.packed`."""
+PACKAGES_FILE = "packages.packed"
+"""The packages that a page loads, in one file."""
 
 WARM_UP = """
 import sympy
@@ -52,12 +59,11 @@ sheet.check(1, sheet.problem(1).answer.value)
 """
 """What loads the modules that are compiled while the lab is built, after live/shell.py has. What only one lecture has is not."""
 
-LIVE_PACKAGES = ("ipython", "kincourse", "mpmath")
-"""What a page loads before its first cell runs, with all that they require; a cell may load more. SymPy, which is loaded later,
-requires mpmath, and so does the engine."""
+LIVE_PACKAGES = ("ipython", "kincourse")
+"""What a page loads before its first cell runs, with all that they require; a cell may load more."""
 
-LATER = ("matplotlib", "sympy")
-"""What our packages require, but a page loads only when a cell uses it: together they are as large as half of the rest."""
+LATER = ("matplotlib", "mpmath", "sympy")
+"""What these require, but a page loads only when a cell uses it: together they are larger than the rest."""
 
 APPS = ("tree", "notebooks")
 """The applications of JupyterLite that the lab has: the list of files, and the notebook."""
@@ -154,14 +160,15 @@ def build_with_jupyterlite(kind: str, folder: Path) -> None:
 def precompile(source: Path, target: Path) -> None:
     """Copy the files of Python; those that a page loads with compiled modules and without what no cell can use (precompile.py).
 
-    The WebAssembly of Python is there twice: pages load it compressed, because not every server compresses it.
+    The WebAssembly of Python and its own modules are there twice: pages load them compressed as a whole, because not every
+    server compresses, and because a browser unpacks them faster than Python does.
 
     Raises ValueError if the modules cannot be compiled.
     """
     lock = json.loads((source / "pyodide-lock.json").read_text("utf-8"))
     entries: dict[str, Any] = {canonicalize_name(name): entry for name, entry in lock["packages"].items()}
-    loaded = sorted(required(entries, (*LIVE_PACKAGES, "sympy"), {"sympy"}))
-    archives = {"python_stdlib.zip": False} | {entries[name]["file_name"]: name in PACKAGES for name in loaded}
+    loaded = sorted(required(entries, LIVE_PACKAGES, set(LATER) - {"matplotlib"}))
+    archives = {MODULES: False} | {entries[name]["file_name"]: name in PACKAGES for name in loaded}
     shutil.copytree(source, target)
     warm_up = source.parent / "warm_up.py"
     warm_up.write_text((SITE / "lab" / "live" / "shell.py").read_text("utf-8") + WARM_UP, "utf-8")
@@ -176,64 +183,70 @@ def precompile(source: Path, target: Path) -> None:
     for entry in entries.values():
         entry["sha256"] = wheels.sha256_of(target / entry["file_name"])
     (target / "pyodide-lock.json").write_text(json.dumps(lock), "utf-8")
-    wasm = target / "pyodide.asm.wasm"
-    packed = gzip.compress(wasm.read_bytes(), mtime=0)
     pyodide.write_sizes(target)
-    (target / f"{wasm.name}.packed").write_bytes(packed)
+    for name, data in ((WASM, (target / WASM).read_bytes()), (MODULES, stored(target / MODULES))):
+        (target / f"{name}.packed").write_bytes(gzip.compress(data, mtime=0))
+
+
+def stored(archive: Path) -> bytes:
+    """Write an archive again without compressing its files."""
+    again = io.BytesIO()
+    with ZipFile(archive) as old, ZipFile(again, "w") as new:
+        for file in old.infolist():
+            new.writestr(ZipInfo(file.filename), old.read(file))
+    return again.getvalue()
+
+
+def pack(archives: Iterable[Path]) -> bytes:
+    """Put the files of all archives one after the other, behind a line with their sizes, and compress all of them.
+
+    One package would be loaded like any other, but Python takes five times as long to unpack twenty.
+    """
+    files: dict[str, bytes] = {}
+    for archive in archives:
+        with ZipFile(archive) as opened:
+            files |= {name: opened.read(name) for name in opened.namelist()}
+    alike = sorted(files, key=lambda name: (Path(name).suffix, name))  # which makes the whole smaller
+    sizes = json.dumps({name: len(files[name]) for name in alike})
+    return gzip.compress(b"\n".join([sizes.encode(), b"".join(files[name] for name in alike)]), mtime=0)
 
 
 def add_own_files(built: Path) -> None:
     """Add what the course's pages run in Python, what the lab runs before JupyterLab, and the store of loaded files."""
-    shutil.copytree(SITE / "lab" / "live", built / "live")
+    live, python = built / "live", built / "static" / "pyodide"
+    shutil.copytree(SITE / "lab" / "live", live)
     shutil.copy(SITE / "lab" / "start.js", built)
-    python = built / "static" / "pyodide"
-    lock = json.loads((python / "pyodide-lock.json").read_text("utf-8"))["packages"]
-    sizes = json.loads((python / "sizes.json").read_text("utf-8"))
-    sizes |= {packed.stem: packed.stat().st_size for packed in python.glob("*.packed")}
-    # the same lock file, in which nothing requires what is loaded later or never
     whole = json.loads((python / "pyodide-lock.json").read_text("utf-8"))
-    for entry in whole["packages"].values():
-        entry["depends"] = [name for name in entry["depends"] if canonicalize_name(name) not in (*LATER, *NEVER)]
-    for name in whole["packages"].keys() & set(LATER):
-        whole["packages"][name]["imports"] = []  # shell.py loads it
-    own_lock = python / "live-lock.json"
-    own_lock.write_text(json.dumps(whole), "utf-8")
-    if "pyodide-lock.json" in sizes:  # which is not fetched
-        sizes["pyodide-lock.json"] = own_lock.stat().st_size
-    (built / "live" / "load.json").write_text(json.dumps(what_a_page_loads(lock, sizes)), "utf-8")
+    lock: dict[str, Any] = {canonicalize_name(name): entry for name, entry in whole["packages"].items()}
+    needed = required(lock, LIVE_PACKAGES)
+    (live / PACKAGES_FILE).write_bytes(pack(python / lock[name]["file_name"] for name in sorted(needed)))
+    # no import loads from the lock file of a page what is there already, or what shell.py loads
+    elsewhere = {*needed, *LATER}
+    whole["packages"] = {
+        name: entry | {"depends": [other for other in entry["depends"] if canonicalize_name(other) not in elsewhere]}
+        for name, entry in lock.items()
+        if name not in elsewhere
+    }
+    (live / "live-lock.json").write_text(json.dumps(whole), "utf-8")
+    files = [*live.glob("*.json"), *live.glob("*.packed"), *python.glob("*.packed"), *python.glob("*.*js")]
+    sizes = {path.name: path.stat().st_size for path in files}
+    (live / "load.json").write_text(
+        json.dumps(
+            {
+                "total": sum(sizes.values()),
+                "modules": sum(size for name, size in sizes.items() if name.endswith("js")),
+                "later": {
+                    name: [lock[other]["file_name"] for other in sorted(required(lock, [name], {name}) - needed)]
+                    for name in LATER
+                    if name in lock
+                },
+            }
+        ),
+        "utf-8",
+    )
     worker = built / "service-worker.js"
     own = (SITE / "lab" / "service-worker.js").read_text("utf-8")
     worker.write_text(f"const VERSION = '{input_hash()[:16]}';\n{own}{worker.read_text('utf-8')}", "utf-8")
-
-
-def what_a_page_loads(lock: dict[str, Any], sizes: dict[str, int]) -> dict[str, Any]:
-    """Return the packages that a page loads, the bytes of all their files, of these the bytes of JavaScript, and later files.
-
-    lock   the packages of Pyodide's lock file
-    sizes  the bytes of each file of Pyodide
-
-    >>> lock = {name: {"file_name": f"{name}.whl", "depends": []} for name in ("ipython", "kincourse", "numpy")}
-    >>> lock["kincourse"]["depends"] = ["numpy"]
-    >>> sizes = {"pyodide.mjs": 1, "python.wasm": 20, "ipython.whl": 300, "kincourse.whl": 4000, "numpy.whl": 50000}
-    >>> lock["sympy"] = {"file_name": "sympy.whl", "depends": ["numpy"]}
-    >>> lock["matplotlib"] = {"file_name": "matplotlib.whl", "depends": []}
-    >>> lock["mpmath"] = {"file_name": "mpmath.whl", "depends": []}
-    >>> sizes |= {"sympy.whl": 600000, "matplotlib.whl": 7000000, "mpmath.whl": 0}
-    >>> what_a_page_loads(lock, sizes)["later"]
-    {'matplotlib': ['matplotlib.whl'], 'sympy': ['sympy.whl']}
-    >>> what_a_page_loads(lock, sizes)["total"], what_a_page_loads(lock, sizes)["modules"]
-    (54321, 1)
-    """
-    needed = required(lock, LIVE_PACKAGES)
-    packages = {entry["file_name"]: canonicalize_name(name) for name, entry in lock.items()}
-    files = {file: size for file, size in sizes.items() if file not in packages or packages[file] in needed}
-    modules = sum(size for file, size in files.items() if file.endswith((".mjs", ".js")))
-    later = {
-        name: [lock[other]["file_name"] for other in sorted(required(lock, [name], LATER) - needed)]
-        for name in LATER
-        if name in lock
-    }
-    return {"packages": LIVE_PACKAGES, "total": sum(files.values()), "modules": modules, "later": later}
 
 
 def required(lock: dict[str, Any], names: Iterable[str], wanted: Iterable[str] = ()) -> set[str]:

@@ -27,7 +27,9 @@ os.environ["MPLBACKEND"] = "agg"
 sys.modules["jedi"] = None  # type: ignore[assignment]  # only completion needs it, and its import takes a second
 sys.modules["IPython.terminal.embed"] = terminal = ModuleType("IPython.terminal.embed")  # there is no terminal
 terminal.embed = None  # type: ignore[attr-defined]
-logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # "building the font cache"
+# IPython would keep a history with SQLite, half a megabyte, which CellShell switches off; a cell may import it all the same
+sys.modules["sqlite3"] = history = ModuleType("sqlite3")
+history.__getattr__ = lambda _: Exception  # type: ignore[method-assign]
 
 import comm  # noqa: E402
 from comm.base_comm import BaseComm  # noqa: E402
@@ -35,6 +37,9 @@ from IPython.core.displaypub import DisplayPublisher  # noqa: E402
 from traitlets import Type  # noqa: E402
 
 from misstep.display.shell import CellShell  # noqa: E402
+
+del sys.modules["sqlite3"]
+logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # "building the font cache"
 
 Report = Callable[[str], None]
 

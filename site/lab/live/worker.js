@@ -10,18 +10,19 @@ self.onmessage = ({ data }) => {
   wake();
 };
 
+const PACKED = ['pyodide.asm.wasm', 'python_stdlib.zip'].map((name) => PYTHON + name); // loaded compressed as a whole
+
 const originalFetch = self.fetch;
 const beside = (name) => originalFetch(new URL(name, self.location.href));
+const unpacked = (stream) => new Response(stream.pipeThrough(new DecompressionStream('gzip')));
 
-/**
- * Count the bytes of every response, also of those that Python itself requests, and report them with the total.
- * The WebAssembly of Python is loaded compressed, because not every server compresses it.
- */
+/** Count the bytes of every response, also of those that Python itself requests, and report them with the total. */
 function countBytes({ modules, total }) {
   let received = modules; // these are not fetched
-  self.fetch = async (address, settings) => {
-    const isPacked = String(address).endsWith('.wasm') && 'DecompressionStream' in self;
-    const response = await originalFetch(isPacked ? `${address}.packed` : address, settings);
+  self.fetch = async (request, settings) => {
+    const address = String(request);
+    const isPacked = PACKED.includes(address);
+    const response = await originalFetch(isPacked ? `${address}.packed` : request, settings);
     if (!response.body || !response.ok) return response;
     const counter = new TransformStream({
       transform(chunk, controller) {
@@ -32,9 +33,30 @@ function countBytes({ modules, total }) {
     });
     const counted = response.body.pipeThrough(counter);
     if (!isPacked) return new Response(counted, { headers: response.headers });
-    const unpacked = counted.pipeThrough(new DecompressionStream('gzip'));
-    return new Response(unpacked, { headers: { 'Content-Type': 'application/wasm' } });
+    const type = address.endsWith('.wasm') ? 'application/wasm' : 'application/zip';
+    return new Response(unpacked(counted).body, { headers: { 'Content-Type': type } });
   };
+}
+
+/** The bytes of the packages: a line with the size of each file, and their contents one after the other. */
+async function loadPackages() {
+  const response = await self.fetch(new URL('packages.packed', self.location.href));
+  if (!response.ok) throw new Error('packages.packed could not be loaded');
+  return new Uint8Array(await unpacked(response.body).arrayBuffer());
+}
+
+/** Write the files of the packages where Python looks for them. */
+function writePackages(python, bytes) {
+  const folder = python.runPython('import site; site.getsitepackages()[0]');
+  let at = bytes.indexOf(10) + 1; // the end of the line
+  const sizes = JSON.parse(new TextDecoder().decode(bytes.subarray(0, at)));
+  const folders = new Set(Object.keys(sizes).map((name) => name.replace(/[^/]*$/, '')));
+  for (const name of folders) python.FS.mkdirTree(`${folder}/${name}`);
+  for (const [name, size] of Object.entries(sizes)) {
+    const content = bytes.subarray(at, at + size);
+    python.FS.writeFile(`${folder}/${name}`, content, { canOwn: true }); // without a copy
+    at += size;
+  }
 }
 
 /** Read a file of Python at once, because nothing can be awaited within an import; a worker may wait for it. */
@@ -51,9 +73,11 @@ async function start() {
   const files = await (await beside('load.json')).json();
   countBytes(files);
   const shell = beside('shell.py').then((response) => response.text());
+  const packages = loadPackages();
   const { loadPyodide } = await import(`${PYTHON}pyodide.mjs`);
-  const lockFileURL = `${PYTHON}live-lock.json`;
-  const python = await loadPyodide({ indexURL: PYTHON, lockFileURL, packages: files.packages });
+  const lockFileURL = new URL('live-lock.json', self.location.href).href;
+  const python = await loadPyodide({ indexURL: PYTHON, lockFileURL });
+  writePackages(python, await packages);
   python.globals.set('post', (text) => postMessage(JSON.parse(text)));
   python.globals.set('LATER', python.toPy(files.later));
   python.globals.set('read_now', readNow);
