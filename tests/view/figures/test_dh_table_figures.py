@@ -2,8 +2,8 @@
 
 import pytest
 
-import kinlib as kl
 from kincourse.lecture_05_dh_standard.blanks import BENT_CONFIGURATION, YOUBOT
+from kinlib.view.figures.dh_row_motions import draw_row_motions, draw_zx_factors, poses_along_row
 from kinlib.view.figures.dh_table import draw_row, draw_table
 
 ROW = [0.8, 0.6, 0.5, 1.4]
@@ -33,18 +33,15 @@ def test_the_text_alternative_of_a_table_says_where_each_frame_is():
     assert f"Frame 5 at ({hand[0]:.3g}, 0, {hand[2]:.3g})" in alt
 
 
-@pytest.mark.parametrize("convention", ["standard", "modified"])
-@pytest.mark.parametrize("options", [{}, {"numbers": True}, {"path": False}], ids=str)
-def test_any_table_can_be_drawn(convention, options):
-    far = kl.exp([0.3, 0.2, 0.1, 1, 2, 3])
-    table = kl.DHTable(
-        [[0, 0, 0, 0], [1, 2, 3, 1], [0, 0, 0.5, 0]], convention=convention, joints="RPF", base=far, tool=far
-    )
-    svg = draw_table(table, [0.3, 0.4], **options).svg
-    assert "nan" not in svg
-    assert "{s}" in svg
-    assert "{b}" in svg
-
-
 def test_frame_s_is_not_drawn_twice_if_frame_0_is_equal_to_it():
     assert "{s}" not in draw_table(YOUBOT).svg
+
+
+def test_another_number_of_factors_and_an_unknown_convention_are_refused():
+    for wrong in (-1, 5, 1.5, None):
+        with pytest.raises(ValueError, match="done must be the number of motions carried out, 0 to 4"):
+            draw_row_motions(ROW, wrong)
+        with pytest.raises(ValueError, match="factors must be the number of factors"):
+            draw_zx_factors([ROW, ROW], wrong)
+    with pytest.raises(ValueError, match="convention must be"):
+        poses_along_row(ROW, "craig")

@@ -20,11 +20,10 @@ from kincourse.lecture_02_matrix_exponential.drawings import draw_series
 from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
 from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus
 from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, plot, slide
-from kinlib.view.drawing.canvas import Canvas, convex_hull
+from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.figures.dh_row_motions import draw_row_motions
 from kinlib.view.figures.dh_table import draw_row, draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
-from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes
 
 ROOT = Path(__file__).parents[3]
 
@@ -94,14 +93,6 @@ def test_the_names_of_curves_on_a_torus_cover_neither_each_other_nor_a_mark():
         assert overlapping_labels(draw_torus(modes, {"now": now}, xlabel="A", ylabel="D")) == []
 
 
-def test_joints_with_the_same_point_and_axis_are_drawn_side_by_side():
-    """The first two joints of RPPR share point and axis, so one would hide the other."""
-    robot = kl.robots.rppr()
-    frames = robot.link_poses(np.zeros(4))
-    moved = axial_offsets(carried_axes(robot, frames), frames[:, :3, 3])
-    assert moved.tolist() == [-0.5, 0.5, 0, 0]
-
-
 def test_a_slider_draws_drawings_at_once_and_plots_when_they_are_selected():
     made = []
 
@@ -150,21 +141,6 @@ def test_a_robot_of_zero_length_is_drawn():
     assert "nan" not in draw_arm(still).svg + draw_joints(still).svg
 
 
-def test_the_same_drawing_gives_the_same_svg():
-    """Otherwise a page that is built again would differ although its pictures do not."""
-    assert draw_arm(kl.robots.rpr()).svg == draw_arm(kl.robots.rpr()).svg
-
-
-@pytest.mark.parametrize("shown", ["axes", "home axes", "body axes", "links", "base", "tool"])
-def test_each_layer_adds_to_the_drawing(shown):
-    q = [0.5, 0.5, 0.5]
-    assert len(draw_arm(kl.robots.rpr(), q, show=[shown]).svg) > len(draw_arm(kl.robots.rpr(), q, show=[]).svg)
-
-
-def test_a_ghost_is_drawn():
-    assert len(draw_arm(kl.robots.rpr(), ghost=[1, 1, 1]).svg) > len(draw_arm(kl.robots.rpr()).svg)
-
-
 def test_the_text_alternative_gives_name_and_place_of_each_frame():
     T = kl.exp([0, 0, np.pi / 2, 0, 0, 0])
     T[:3, 3] = 1, 2, 3
@@ -197,12 +173,6 @@ def test_no_matplotlib_figure_is_left_open():
     draw_arm(kl.robots.rpr())
     plot([0, 1], {"a": [0, 1]}, xlabel="x", ylabel="y", alt="A line from 0 to 1, and no more.")
     assert plt.get_fignums() == []
-
-
-def test_the_hull_of_a_square_with_points_inside_is_the_square():
-    inside = np.random.default_rng(0).uniform(0.1, 0.9, (20, 2))
-    corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
-    assert {tuple(p) for p in convex_hull(np.concatenate([inside, corners]))} == set(corners)
 
 
 def test_an_arm_is_drawn_without_importing_matplotlib():
@@ -244,19 +214,3 @@ def test_the_picture_can_be_shown_without_a_prediction_and_nothing_is_recorded()
     assert not question.committed
     question.committed = True
     assert box.children == (inside,)
-
-
-def test_a_slider_draws_its_current_value():
-    box = slide(a_line, "slope", [1, 2, 3])
-    assert "slope 1." in box.children[0].value
-    box.children[1].value = 2
-    assert "slope 3." in box.children[0].value
-
-
-def test_a_numbered_grid_labels_height_and_foot_of_each_frame():
-    frames = {"s": np.eye(4), "b": kl.robots.pose((kl.robots.Y, kl.robots.Z, kl.robots.X), (3, -2, 1.5))}
-    with_numbers = draw_frames(frames, arrows=False, numbers=True).svg
-    without = draw_frames(frames, arrows=False).svg
-    assert "(3, -2)" in with_numbers
-    assert ">1.5<" in with_numbers
-    assert "(3, -2)" not in without

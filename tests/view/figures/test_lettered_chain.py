@@ -39,13 +39,6 @@ def test_every_letter_and_every_axis_is_written_in_the_drawing():
         assert sorted(map(int, written)) == list(range(1, len(robot.letters) + (name == "L")))
 
 
-def test_the_arrow_of_the_home_pose_can_be_left_out():
-    robot = lettered("ada")
-    with_arrow, without = (draw_lettered_chain(robot.chain, robot.letters, home=home).svg for home in (True, False))
-    assert ">M<" in with_arrow
-    assert ">M<" not in without
-
-
 def test_a_letter_without_a_length_is_refused():
     with pytest.raises(ValueError, match="letters must have 5 entries"):
         draw_lettered_chain(robots.plain_arm(), ["L_0", "L_1", "", "L_2", "L_3"])

@@ -73,15 +73,3 @@ def test_two_widgets_of_one_cell_are_kept_apart(run):
     first, second = run("one", both)
     first.q, second.q = [1, 0, 0], [2, 0, 0]
     assert [arm.q for arm in run("one", both)] == [[1, 0, 0], [2, 0, 0]]
-
-
-def test_the_picture_is_that_of_the_kept_value(run):
-    slider_of(run("one", pictures)).value = 2
-    again = run("one", pictures)
-    assert again.children[0].value == pictures_at(2)
-
-
-def pictures_at(value):
-    box = pictures()
-    slider_of(box).value = value
-    return box.children[0].value

@@ -10,12 +10,10 @@ from traitlets import Bool, HasTraits
 
 import kinlib as kl
 from kincourse import open_sheet
-from kinlib.chains.robots import pose
 from kinlib.dh.rules import check_frames
 from kinlib.rigid.lie import exp
 from kinlib.view import assign, drive, explore, play_assignment, play_row, play_walk, slide_frames
 from kinlib.view.figures.dh_row_motions import poses_along_arm, poses_along_row
-from kinlib.view.viewer.assignment_player import table_cells
 from kinlib.view.viewer.frame_candidates import frame_candidates
 from kinlib.view.viewer.place_frames import check_placed_frames
 
@@ -51,36 +49,6 @@ def test_the_page_receives_every_step_and_every_frame(chain, convention):
     assert [step["text"] for step in data["steps"]] == [step.text for step in found.steps]
     np.testing.assert_array_equal(np.reshape(data["frames"], (-1, 4, 4)), found.frames)
     assert set(data["steps"][-1]["parts"]) == {"Ozx"}
-
-
-@each_convention
-def test_a_step_highlights_what_its_sentence_names(convention):
-    data = play_assignment(kl.robots.youbot(), convention=convention).mode["conventions"][convention]
-    by_title = {step["title"]: step for step in data["steps"]}
-    assert by_title["Axes 2 and 3"]["axes"] == [False, True, True, False, False]
-    assert by_title["Axes 2 and 3"]["normals"][1] is True
-    assert by_title["Axes 2 and 3"]["normals"][2:] == [None, None]
-    assert by_title["Origin O_2"]["highlighted"] == ["", "", "O", "", "", ""]
-    assert by_title["Axis x_2"]["highlighted"][2] == "x"
-    assert by_title["Axis y_2"]["highlighted"][2] == "y"
-    assert by_title["Frame 5, the last"]["highlighted"][5] == "Oxyz"
-    row = by_title["Row 2 of the table"]
-    assert [segment["name"] for segment in row["segments"]] == {"standard": ["a_2"], "modified": ["a_1"]}[convention]
-    assert row["row"] == 2
-
-
-@each_arm
-@each_convention
-def test_the_cells_on_the_page_give_the_same_table(chain, convention):
-    """The cells, parsed by the library's own reader of printed tables, give the rows and joints of the arm."""
-    found = kl.assign_frames(chain, convention=convention)
-    head = "i | a | alpha | d | theta\n"
-    text = head + "\n".join(" | ".join([str(i), *row]) for i, row in enumerate(table_cells(found.table), 1)).replace(
-        "−", "-"
-    )
-    read = kl.DHTable(text, convention=convention)
-    np.testing.assert_allclose(read.rows, found.table.rows, atol=5e-4)
-    assert "".join(read.joints) == chain.joint_types
 
 
 def test_python_sets_the_step_and_the_text_alternative_follows():
@@ -131,15 +99,6 @@ def test_a_viewer_stays_covered_until_the_prediction_is_committed():
         assert not make(after=question).covered
 
 
-@each_convention
-def test_the_arm_stays_in_view_if_a_common_normal_is_far_away(convention):
-    leaning = (0, np.sin(1e-6), np.cos(1e-6))
-    joints = [((0, 0, 1), (0, 0, 0)), (leaning, (0.5, 0.1, 0.1)), ((1, 0, 0), (0.9, 0, 0.3))]
-    chain = kl.robots.arm(joints, pose(np.eye(3), (1, 0, 0.3)), "leaning arm", "a test")
-    player = play_assignment(chain, convention=convention)
-    assert player.scene["room"]["radius"] < 5
-
-
 # --- the row player ---
 
 
@@ -171,14 +130,6 @@ def test_each_factor_of_a_walk_is_one_screw_motion():
     there = kl.dh_transform(0.3, -0.45, 0, 0, convention="standard")
     # half a screw motion has half the angle and half the translation
     np.testing.assert_allclose(half, there, atol=1e-14)
-
-
-def test_the_text_of_each_motion_contains_its_value():
-    standard, modified = play_row(ROW).mode["tracks"]
-    assert [motion["symbol"] for motion in standard["motions"]] == ["R_z(theta)", "T_z(d)", "T_x(a)", "R_x(alpha)"]
-    assert [motion["symbol"] for motion in modified["motions"]] == ["R_x(alpha)", "T_x(a)", "R_z(theta)", "T_z(d)"]
-    assert "80.21°" in standard["motions"][0]["text"]
-    assert "0.6 m" in modified["motions"][3]["text"]
 
 
 def test_the_text_alternative_says_which_motions_are_carried_out():

@@ -9,8 +9,6 @@ from pathlib import Path
 import modern_robotics as mr
 import numpy as np
 import pytest
-from scipy.linalg import null_space
-from scipy.spatial import distance
 from strategies import ROBOTS, configurations
 
 import kinlib as kl
@@ -18,16 +16,8 @@ from kinlib.view import explore
 from kinlib.view.viewer.scene import (
     LAYERS,
     arm_data,
-    body_motions,
-    extent,
-    frame_data,
-    frames_on_links,
-    half_height,
     joint_data,
-    link_paths,
-    room,
     scene,
-    still_room,
 )
 from kinlib.view.viewer.viewer import STATIC
 
@@ -50,28 +40,6 @@ def test_the_data_of_an_arm_has_the_forward_kinematics_of_modern_robotics(robot)
         for row in q:
             found = mr.FKinSpace(np.reshape(arm["home"], (4, 4)), axes, row)
             np.testing.assert_allclose(found, mr.FKinSpace(robot.home, robot.screws.T, row), rtol=0, atol=1e-12)
-
-
-@pytest.mark.oracle("scipy", extent, link_paths)
-@each_robot
-def test_the_extent_is_that_of_scipy_and_links_follow_the_common_normals(robot):
-    """The longest side is SciPy's Chebyshev distance; a bend of a link is a foot of the common normal of two axes."""
-    stations = np.array([np.zeros(3), *robot.joint_points, robot.home[:3, 3]])
-    assert extent(robot) == pytest.approx(distance.pdist(stations, "chebyshev").max(), rel=1e-12)
-    axes = np.array([(0, 0, 1), *robot.lines.axis])
-    paths = link_paths(robot)
-    np.testing.assert_allclose(paths[-1][[0, -1]], stations[-2:], atol=1e-9)
-    for i, path in enumerate(paths[:-1]):
-        off = cdist_to_lines(path, stations[[i, i + 1]], axes[[i, i + 1]])
-        np.testing.assert_allclose(path[[0, -1]], stations[[i, i + 1]], atol=1e-9)
-        if len(path) > 2:
-            assert off.min(axis=1).max() < 1e-9
-
-
-def cdist_to_lines(points, feet, axes):
-    """Return the distances of points (k, 3) from two lines, (k, 2), by projection onto SciPy's null space of the direction."""
-    across = [null_space(axis[None]) for axis in axes]
-    return np.stack([np.linalg.norm((points - foot) @ N, axis=1) for foot, N in zip(feet, across, strict=True)], axis=1)
 
 
 @each_robot
@@ -162,41 +130,3 @@ def test_the_bundle_is_small_and_requests_nothing_from_other_hosts():
     bundle = (STATIC / "viewer.js").read_bytes()
     assert len(gzip.compress(bundle, 9)) <= 200_000
     assert not re.search(rb"fetch\(\s*[\"'`]https?:|import\(\s*[\"'`]https?:|\.src\s*=\s*[\"'`]https?:", bundle)
-
-
-@pytest.mark.oracle("modern_robotics", body_motions)
-@pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
-def test_a_body_has_the_motions_of_all_joints_before_it(robot):
-    q = configurations(robot, 1)[0]
-    T = np.eye(4)
-    motions = body_motions(robot, q)
-    np.testing.assert_allclose(motions[0], T)
-    for motion, S, value in zip(motions[1:], robot.screws, q, strict=True):
-        T = T @ mr.MatrixExp6(mr.VecTose3(S * value))
-        np.testing.assert_allclose(motion, T, atol=1e-12)
-
-
-@pytest.mark.oracle("modern_robotics", frames_on_links, frame_data)
-def test_a_frame_on_a_link_is_where_it_was_given_after_the_motion_of_its_link():
-    robot = kl.robots.youbot()
-    q = configurations(robot, 1)[0]
-    given = {"0": np.eye(4), "2": kl.exp([0.1, 0.2, 0.3, 1, 2, 3]), "b": robot.fk(q)}
-    layers = frames_on_links(robot, q, given)
-    for name, body in (("0", 0), ("2", 2), ("b", 5)):
-        [frame] = [one for key, group in layers.items() for one in group if key.split()[-1] in {name, f"{{{name}}}"}]
-        T = np.eye(4)
-        for S, value in zip(robot.screws[:body], q, strict=False):
-            T = T @ mr.MatrixExp6(mr.VecTose3(S * value))
-        np.testing.assert_allclose(T @ np.reshape(frame["pose"], (4, 4)), given[name], atol=1e-12)
-
-
-def test_the_height_of_a_view_fits_what_lies_upwards_and_sideways():
-    assert half_height(np.array([[0.0, 0, 3], [0, 0, -1]])) == pytest.approx(3, rel=1e-12)  # upright from the front
-    assert half_height(np.array([[0.0, 2, 0]])) == pytest.approx(2, rel=1e-12)  # upright from above
-    view, floor = room(np.array([[0.0, 0, -1]]), np.array([[0.0, 0, 3]]), size=0.5)
-    assert (view["centre"], view["radius"], floor) == (
-        [0, 0, 1],
-        pytest.approx(2.05, rel=1e-12),
-        pytest.approx(-1.1, rel=1e-12),
-    )
-    assert still_room(np.array([[0.0, 0, -1], [0, 0, 3]]), 0.5) == {"centre": [0, 0, 1], "radius": 1, "constant": True}

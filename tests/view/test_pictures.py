@@ -1,0 +1,128 @@
+"""Every drawing and every scene of a viewer stays as it was when it was last looked at."""
+
+import numpy as np
+from fingerprints import assert_unchanged
+from urdf_files import TWO_FINGERS
+
+import kinlib as kl
+from kinlib import view
+from kinlib.view.figures.axis_relations import draw_moving_normal
+from kinlib.view.figures.dh_row_motions import draw_row_motions, draw_zx_factors
+from kinlib.view.figures.dh_table import draw_row, draw_table
+from kinlib.view.figures.frame_assignment import draw_assignment
+from kinlib.view.figures.lettered_chain import draw_lettered_chain
+from kinlib.view.viewer.scene import LAYERS
+from kinlib.view.viewer.tree_viewer import draw_tree, explore_tree
+
+PUMA, YOUBOT, RPPR = kl.robots.puma560(), kl.robots.youbot(), kl.robots.rppr()
+ASSIGNED = kl.assign_frames(PUMA, convention="standard")
+FRAMES = {"s": np.eye(4), "b": kl.exp([0.4, -0.3, 0.8, 3, -2, 1.5])}
+ROW, WALK = [0.8, 0.6, 0.6, 1.4], [[0.6, -0.9, 0.4, 0.3], [0.5, 1.6, 0.4, 0.0]]
+FOUR_BAR, SLIDER = kl.linkages.four_bar(4, 1, 3.5, 3), kl.linkages.slider_crank(1, 3, 0.2)
+CLOSED = FOUR_BAR.assembly_modes(hold={"A": 1.0})
+BENNETT = kl.linkages.bennett()
+BRACKET = kl.DHTable(
+    [[0, 0, 0, 0], [1, 2, 3, 1], [0, 0, 0.5, 0]], convention="modified", joints="RPF", base=FRAMES["b"]
+)
+TURNTABLE = kl.robots.arm([((0, 0, 1), (0, 0, 0))], kl.robots.pose(np.eye(3), (1, 0, 0)), "turntable", "a test")
+HAND = kl.Tree.from_urdf(TWO_FINGERS)
+SHOW = ["axes", "home axes", "body axes", "base", "tool", "links"]
+Z, X = (0, 0, 1), (1, 0, 0)
+
+
+def lettered(chain):
+    steps = np.diff([(0, 0, 0), *chain.joint_points, chain.home[:3, 3]], axis=0)
+    return draw_lettered_chain(chain, [f"L_{i}" * bool(step.any()) for i, step in enumerate(steps)])
+
+
+PICTURES = {
+    "arm": lambda: view.draw_arm(PUMA, np.full(6, 0.3), ghost=np.zeros(6), show=SHOW),
+    "arm with frames": lambda: view.draw_arm(YOUBOT, frames={"2": FRAMES["b"]}, view="front"),
+    "joints": lambda: view.draw_joints(RPPR, tool=True),
+    "helical joints": lambda: view.draw_joints(kl.robots.hrr()),
+    "frames": lambda: view.draw_frames(FRAMES, numbers=True),
+    "skew axes": lambda: view.draw_axis_relation((Z, (0, 0, 0)), ((0, 0.6, 0.8), X)),
+    "parallel axes": lambda: view.draw_axis_relation((Z, (0, 0, 0)), (Z, X)),
+    "moving normal": lambda: draw_moving_normal(0.2, 0.5),
+    "row": lambda: draw_row(ROW),
+    "row, motion by motion": lambda: draw_row_motions(ROW, 2),
+    "factors": lambda: draw_zx_factors(WALK, 3),
+    "table": lambda: draw_table(ASSIGNED.table, np.full(6, 0.3), numbers=True),
+    "table with a fixed row": lambda: draw_table(BRACKET, [0.3, 0.4], path=False),
+    "assignment of one joint": lambda: draw_assignment(kl.assign_frames(TURNTABLE, convention="modified")),
+    "assignment, a normal": lambda: draw_assignment(ASSIGNED, 3),
+    "assignment, a row": lambda: draw_assignment(ASSIGNED, 24),
+    "assignment": lambda: draw_assignment(ASSIGNED),
+    "lettered arm": lambda: lettered(kl.robots.plain_arm()),
+    "velocity": lambda: view.draw_point_velocity((0, 0.3, 1), (1, 2, 0.5)),
+    "moment": lambda: view.draw_moment((0, 0.3, 1), (1, 2, 0.5)),
+    "four-bar": lambda: view.draw_linkage(
+        FOUR_BAR, [1, 0.3, 2, 0], ghost=CLOSED[1], points={"P": ("coupler", (2, 1, 0))}
+    ),
+    "open slider-crank": lambda: view.draw_linkage(SLIDER, [0.5, 0.2, 3, 0]),
+    "platform": lambda: view.draw_linkage(kl.linkages.three_rrr(), np.zeros(9)),
+    "hexapod": lambda: view.draw_linkage(kl.linkages.stewart_gough(), np.zeros(36)),
+    "gripper": lambda: draw_tree(HAND, [0.1, 0.02]),
+}
+SCENES = {
+    "arm": lambda: view.explore(PUMA, start=np.full(6, 0.3), show=LAYERS),
+    "chosen joints": lambda: view.explore(RPPR, joints=[1, 3], frames={"1": FRAMES["b"]}),
+    "moving frames": lambda: view.slide_frames(
+        lambda x: FRAMES | {"x": kl.exp([0, 0, x, x, 0, 1])}, "x", [0, 1], arrows=True
+    ),
+    "row": lambda: view.play_row(ROW),
+    "walk": lambda: view.play_walk(WALK),
+    "assignment": lambda: view.play_assignment(YOUBOT, convention="modified"),
+    "frames to place": lambda: view.assign(PUMA, convention="standard"),
+    "linkage": lambda: view.drive(FOUR_BAR, CLOSED[0], across=("A", "D")),
+    "spatial linkage": lambda: view.drive(BENNETT, BENNETT.assemble([1, 2, 1, 2]).q),
+    "gripper": lambda: explore_tree(HAND, [0.1, 0.02]),
+}
+
+PICTURES_LOOKED_AT = {
+    "arm": (4204530909, 2448.1),
+    "arm with frames": (1912106074, -12.4),
+    "joints": (1008669608, 2656.3),
+    "helical joints": (4034352677, 2428.9),
+    "frames": (3917584916, 1566.5),
+    "skew axes": (2233052331, 2467.3),
+    "parallel axes": (4087290722, 2177.6),
+    "moving normal": (2988059613, 3157.5),
+    "row": (1116043810, 3838.7),
+    "row, motion by motion": (3986735171, 5455.7),
+    "factors": (1188968034, 4265.4),
+    "table": (3162326175, 581.9),
+    "table with a fixed row": (809401130, 2650.2),
+    "assignment of one joint": (1160122676, 694.1),
+    "assignment, a normal": (2708192822, 2637.3),
+    "assignment, a row": (449147508, 3135.0),
+    "assignment": (928139254, -2845.2),
+    "lettered arm": (2155035295, 344.6),
+    "velocity": (1637991054, 351.7),
+    "moment": (4249106338, 610.6),
+    "four-bar": (3924328962, 3555.2),
+    "open slider-crank": (224727749, 2402.3),
+    "platform": (3216728225, 321.4),
+    "hexapod": (4142142493, 48.3),
+    "gripper": (343198983, 2855.7),
+}
+SCENES_LOOKED_AT = {
+    "arm": (2117167360, 451.43807),
+    "chosen joints": (506625776, 2.47913),
+    "moving frames": (3263347481, 7.52625),
+    "row": (2827706572, 173.12865),
+    "walk": (2252703383, 10.60462),
+    "assignment": (23868358, 55.80922),
+    "frames to place": (121783936, 465.55537),
+    "linkage": (609292851, 9.39466),
+    "spatial linkage": (3913463178, 17.43712),
+    "gripper": (2220926842, 5.25261),
+}
+
+
+def test_every_drawing_stays_as_it_was():
+    assert_unchanged(PICTURES, PICTURES_LOOKED_AT, tolerance=0.4)  # pixels: last digits may differ by machine
+
+
+def test_every_scene_of_a_viewer_stays_as_it_was():
+    assert_unchanged(SCENES, SCENES_LOOKED_AT, tolerance=1e-4)
