@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kincourse.lecture_04b_velocity.drawings import draw_tool_velocities, lost_directions, tool_velocities
+from kincourse.lecture_04b_velocity.drawings import draw_tool_velocities, tool_velocities
 from kinlib.chains.robots import puma560, rpr, youbot
 
 BENT = np.radians([20, 60, -60, -40, 10])
@@ -26,11 +26,3 @@ def test_a_stretched_arm_loses_the_direction_of_its_arm():
     assert "no motion" not in bent.svg
     labels = [f"joint {i}" in bent.svg for i in range(1, 6)]
     assert labels == [True, True, True, True, False], "the last joint does not move the tool"
-
-
-def test_lost_directions_are_perpendicular_to_all_velocities():
-    velocities = np.outer([1, -2, 3], [1, 2, 2]) / 3
-    lost = lost_directions(velocities)
-    assert lost.shape == (2, 3)
-    assert np.allclose(velocities @ lost.T, 0, atol=1e-9)
-    assert len(lost_directions(np.eye(3))) == 0

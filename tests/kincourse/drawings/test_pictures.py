@@ -1,0 +1,82 @@
+"""Every drawing of the lectures stays as it was when it was last looked at."""
+
+import numpy as np
+from fingerprints import assert_unchanged
+
+import kinlib as kl
+from kincourse.lecture_00_start_here.drawings import draw_parts
+from kincourse.lecture_01_frames.drawings import draw_rotation, draw_three_readings
+from kincourse.lecture_02_matrix_exponential.drawings import (
+    draw_cross_product,
+    draw_motions,
+    draw_series,
+    draw_twist_matrix,
+)
+from kincourse.lecture_04_poe_body.drawings import draw_adjoint_steps
+from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
+from kincourse.lecture_04b_velocity.drawings import draw_tool_velocities
+from kincourse.lecture_05_dh_standard.drawings import draw_last_frame
+from kincourse.lecture_06b_puma.drawings import draw_rotation_axes
+from kincourse.lecture_07_frame_assignment.drawings import draw_nearly_parallel_axes
+from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus
+from kincourse.lecture_09_urdf.compare_urdf_readers import ARM, FOUR_BAR
+from kincourse.lecture_09_urdf.drawings import draw_urdf_joint, draw_urdf_tree
+from kincourse.lecture_10_one_robot_four_ways.drawings import draw_two_arms
+
+YOUBOT, PUMA = kl.robots.youbot(), kl.robots.puma560()
+BENT = np.radians([20, 60, -60, -40, 10])
+SCREW = kl.robots.rpr().screws[0]
+M = np.block([[kl.exp([0, 0, 0.5]), np.array([[2], [0.6], [0]])], [0, 0, 0, 1]])
+TURN = np.linspace(0, 6 * np.pi, 100)
+
+PICTURES = {
+    "parts": lambda: draw_parts(YOUBOT),
+    "three readings": lambda: draw_three_readings(M, [0.5, 0.25, 0]),
+    "rotation": lambda: draw_rotation(1, -70),
+    "cross product": draw_cross_product,
+    "twist matrix": lambda: draw_twist_matrix((0.5, -0.25, 2, 0, 7, -3)),
+    "series": lambda: draw_series(SCREW, 2.0, (0, 0, 1), 5),
+    "motions": lambda: draw_motions(np.eye(4), {"screw": [0, 0, 2, 1, 0, 0.3], "slide": [0, 0, 0, 0, 1, 0.5]}),
+    "adjoint": lambda: draw_adjoint_steps([0, 0, 0.5, 0.9, 0.3, 0], M),
+    "mid-formula": lambda: draw_mid_formula(kl.robots.mid_formula_arm(), 2),
+    "mid-formula, all from {b}": lambda: draw_mid_formula(kl.robots.rppr(), 0),
+    "velocities": lambda: draw_tool_velocities(YOUBOT, BENT),
+    "lost direction": lambda: draw_tool_velocities(YOUBOT, np.zeros(5)),
+    "last frame": lambda: draw_last_frame("P", d=0.9, a=0.3),
+    "rotation axes": lambda: draw_rotation_axes("zyz", [0.3, 0.7, 0.2], ("4", "5", "6")),
+    "nearly parallel axes": lambda: draw_nearly_parallel_axes(30),
+    "torus": lambda: draw_torus(
+        {"round": np.stack([TURN, TURN / 3], axis=1), "still": np.ones((2, 2))}, {"now": (5, 1)}, xlabel="A", ylabel="D"
+    ),
+    "joint of a URDF": lambda: draw_urdf_joint(M, (0, 0.6, 0.8), 0.6, ("post", "rod")),
+    "tree of a URDF": lambda: draw_urdf_tree(ARM, ("mast", "camera")),
+    "loop in a URDF": lambda: draw_urdf_tree(FOUR_BAR),
+    "two arms": lambda: draw_two_arms(PUMA, PUMA, np.full(6, 0.3), np.full(6, -0.3), width=0.8, base=M),
+}
+
+PICTURES_LOOKED_AT = {
+    "parts": (968449963, 816.5),
+    "three readings": (510653625, 2552.0),
+    "rotation": (648689701, 1354.2),
+    "cross product": (3650191065, 1557.3),
+    "twist matrix": (1926446234, 3759.2),
+    "series": (211022747, 2541.6),
+    "motions": (408814191, 4082.6),
+    "adjoint": (2087424151, 3754.7),
+    "mid-formula": (1813698682, 4087.1),
+    "mid-formula, all from {b}": (2199943506, 2169.0),
+    "velocities": (784217071, 3684.1),
+    "lost direction": (3142322839, 1227.5),
+    "last frame": (146349602, 1638.5),
+    "rotation axes": (3221200813, 3705.6),
+    "nearly parallel axes": (4091961383, 2355.9),
+    "torus": (150958183, 1862.5),
+    "joint of a URDF": (1316984901, 5449.2),
+    "tree of a URDF": (500433149, 2950.8),
+    "loop in a URDF": (2021803600, 2415.9),
+    "two arms": (1152200052, 2532.7),
+}
+
+
+def test_every_drawing_of_the_lectures_stays_as_it_was():
+    assert_unchanged(PICTURES, PICTURES_LOOKED_AT, tolerance=0.4)
