@@ -538,7 +538,7 @@ DATA = DHTable([[0.5, 0, 0, 0]], convention="standard").to_dict()
     ("data", "message"),
     [
         (7, r"^A table as data must be a dictionary with the keys rows, convention, joints, .*; got int 7\.$"),
-        ({**DATA, "name": "arm"}, "must be a dictionary with the keys .*'name'"),
+        ({**DATA, "name": "arm"}, "must be a dictionary with the keys .*got .*name"),
         ({**DATA, "rows": [["0.5", 0, 0, 0]]}, "rows must be an array of real numbers; got list"),
         ({**DATA, "rows": "a|alpha|d|theta\n0|0|0|q1"}, "rows must be a list of numbers or of rows; got str"),
         ({**DATA, "joints": ["R"]}, "joints must be a string with a letter for each row; got list"),
