@@ -1,7 +1,5 @@
 """Published DH tables with one or two mistakes planted: the measurement of how well `kl.diagnose` finds them.
 
-    PYTHONPATH=tests/support python evidence/checks/planted_mistakes.py
-
 Each table is diagnosed twice: against the published one with base, tool, zeros and signs fixed, and by default, where the arm may
 choose these four. A table is mended if one of the corrections that are told has the published numbers, base, tool and signs. By
 default another repair is as good if it leaves nothing but these choices. The mistakes are written here by hand; no code is shared
@@ -14,8 +12,6 @@ Arm" (Stanford AIM-177), figure 2.3; Adept, "Cobra 600", as in the Robotics Tool
 Craig, "Introduction to Robotics", figure 3.21.
 """
 
-import argparse
-import time
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator
 
@@ -252,71 +248,29 @@ def restored(found: kl.Diagnosis, right: kl.DHTable) -> bool:
     )
 
 
-COUNTS = ("planted", "mended", "same poses", "other repair", "no repair", "called right", "default: right", "unsaid")
-
-
-def judged(wrong: kl.DHTable, right: kl.DHTable) -> tuple[Counter[str], float, str]:
-    """Diagnose one table both ways: what is counted of it, the longer time, and the text with everything fixed."""
-    start = time.process_time()
+def judged(wrong: kl.DHTable, right: kl.DHTable) -> Counter[str]:
+    """Diagnose one table both ways, and count what is said of it."""
     strict = kl.diagnose(wrong, right, EVERYTHING)
-    middle = time.process_time()
     free = kl.diagnose(wrong, right)
-    seconds = max(middle - start, time.process_time() - middle)
     same_poses = bool(strict.explanations) and not differ(strict.explanations[0].corrected, right)
-    is_mended = restored(strict, right)
-    return (
-        Counter(
-            {
-                "planted": 1,
-                "mended": is_mended,
-                "same poses": same_poses,
-                "other repair": bool(strict.explanations) and not is_mended,
-                "no repair": not strict.explanations,
-                "called right": strict.verdict in {"right", "rounded"},
-                "default: right": free.right,
-                # By default base, tool, zeros and signs are free: what differs in them must be said.
-                "unsaid": free.right and "up to these choices" not in str(free),
-            }
-        ),
-        seconds,
-        str(strict),
+    return Counter(
+        {
+            "planted": 1,
+            "mended": restored(strict, right),
+            "same poses": same_poses,
+            "called right": strict.verdict in {"right", "rounded"},
+            # By default base, tool, zeros and signs are free: what differs in them must be said.
+            "unsaid": free.right and "up to these choices" not in str(free),
+        }
     )
 
 
-def measure(names=tuple(SEVEN), *, pairs=30, seed=0, every=1, told=False):
-    """Plant the mistakes, or every k-th one, and count what becomes of them: {number of mistakes: {kind: Counter}}, and times."""
-    tallies, times = {1: defaultdict(Counter), 2: defaultdict(Counter)}, []
+def measure(names=tuple(SEVEN), *, pairs=30, seed=0, every=1):
+    """Plant the mistakes, or every k-th one, and count what becomes of them: {number of mistakes: Counter}."""
+    tallies = {1: Counter(), 2: Counter()}
     for name in names:
         right = TABLES[name]
         for number, (kind, wrong) in enumerate(wrong_tables(right, pairs, seed)):
             if number % every == seed % every:
-                counts, seconds, text = judged(wrong, right)
-                tallies[1 + (" + " in kind)][kind] += counts
-                times.append(seconds)
-                if told and not counts["mended"]:
-                    print(f"{name}, {kind}:\n{wrong}\n  {text}\n", flush=True)
-    return tallies, times
-
-
-def main() -> None:
-    """Print the counts."""
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--tables", nargs="+", default=list(SEVEN), metavar="NAME")
-    parser.add_argument("--pairs", type=int, default=30, help="tables with two mistakes, for each published one")
-    parser.add_argument("--every", type=int, default=1, help="judge every k-th table only")
-    parser.add_argument("--told", action="store_true", help="print what is not mended, and what is said of it")
-    given = parser.parse_args()
-    tallies, times = measure(tuple(given.tables), pairs=given.pairs, every=given.every, told=given.told)
-    print(f"{'':34}" + "".join(f"{name:>16}" for name in COUNTS))
-    for number, tally in tallies.items():
-        total = sum(tally.values(), Counter())
-        rows = [*tally.items()] if number == 1 else []
-        for kind, counts in [*rows, (f"{number} planted", total)]:
-            print(f"{kind:34}" + "".join(f"{counts[name]:>16}" for name in COUNTS))
-        if total:
-            print(f"mended: {100 * total['mended'] / total['planted']:.1f} %")
-    print(f"processor time: median {np.median(times):.2f} s, slowest {max(times):.2f} s")
-
-
-if __name__ == "__main__":
-    main()
+                tallies[1 + (" + " in kind)] += judged(wrong, right)
+    return tallies

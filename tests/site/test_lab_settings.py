@@ -201,7 +201,14 @@ def test_the_page_of_a_notebook_begins_with_a_preview_and_the_service_worker_kno
     (tmp_path / "service-worker.js").write_text("theirs();")
     python = tmp_path / "static" / "pyodide"
     python.mkdir(parents=True)
-    needs = {"ipython": ["numpy", "jedi"], "kincourse": ["sympy"], "numpy": [], "sympy": [], "jedi": [], "pillow": ["numpy"]}
+    needs = {
+        "ipython": ["numpy", "jedi"],
+        "kincourse": ["sympy"],
+        "numpy": [],
+        "sympy": [],
+        "jedi": [],
+        "pillow": ["numpy"],
+    }
     packages = {name: {"file_name": f"{name}.whl", "depends": needed} for name, needed in needs.items()}
     for name in packages:
         with ZipFile(python / f"{name}.whl", "w") as archive:

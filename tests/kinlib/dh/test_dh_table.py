@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, dh_transform, robots
-from kinlib.dh.parsing import is_plausible_angle, read_rows
-from kinlib.dh.table import joint_transform, normal_transform, validate_convention
+from kinlib.dh.parsing import read_rows
+from kinlib.dh.table import joint_transform, normal_transform
 
 EXACT = 1e-12
 
@@ -183,13 +183,6 @@ def test_a_table_survives_the_other_convention_and_back(table):
     assert there.convention == other
     close(there.fk(q), table.fk(q))
     close(there.converted(table.convention).fk(q), table.fk(q))
-
-
-@given(tables())
-def test_a_table_is_its_chain_of_screws(table):
-    q = values(table.n, 5)
-    close(table.to_chain().fk(q), table.fk(q))
-    close(table.to_chain().fk_body(q), table.fk(q))
 
 
 def test_any_shape_of_joint_values_is_one_computation():
@@ -457,10 +450,6 @@ def test_a_table_cannot_be_written_to():
             array[0] = 1
 
 
-def test_a_convention_has_one_of_two_names():
-    assert [validate_convention(name) for name in ("standard", "modified")] == ["standard", "modified"]
-
-
 # --- signs ---
 
 
@@ -549,12 +538,6 @@ DATA = DHTable([[0.5, 0, 0, 0]], convention="standard").to_dict()
 def test_data_of_any_other_form_is_refused(data, message):
     with pytest.raises(ValueError, match=message):
         DHTable.from_dict(data)
-
-
-@pytest.mark.parametrize("degrees", [-360, -90, 0, 0.5, 90, 450, 3600])
-def test_an_angle_in_whole_degrees_or_within_a_turn_is_plausible(degrees):
-    assert is_plausible_angle(np.radians(degrees))
-    assert is_plausible_angle(degrees) == (abs(degrees) <= 2 * np.pi)  # the same number without its degree sign
 
 
 @pytest.mark.parametrize(

@@ -6,9 +6,8 @@ from hypothesis import given
 from test_dh_table import tables
 
 from kinlib import DHTable
-from kinlib.arrays.formatting import format_degrees, format_number, format_vector
-from kinlib.arrays.tolerances import TYPED_PI_ERROR
-from kinlib.dh.formatting import format_rows, in_latex, markdown_table
+from kinlib.arrays.formatting import format_number
+from kinlib.dh.formatting import format_rows, markdown_table
 
 
 @pytest.mark.parametrize(
@@ -26,17 +25,6 @@ from kinlib.dh.formatting import format_rows, in_latex, markdown_table
 )
 def test_a_number_has_four_digits_and_no_rounding_error(value, text):
     assert format_number(value) == text
-
-
-def test_digits_and_the_size_of_nothing_can_be_chosen():
-    assert format_number(1.23456, 3) == "1.23"
-    assert format_number(4e-6, zero=TYPED_PI_ERROR) == "0"
-    assert format_number(4e-5, zero=TYPED_PI_ERROR) == "4e-05"
-
-
-def test_vectors_and_angles_are_made_of_such_numbers():
-    assert format_vector([0.5, -1e-17, 3]) == format_vector(np.array([0.5, -0.0, 3])) == "(0.5, 0, 3)"
-    assert [format_degrees(angle) for angle in (np.pi / 2, -np.pi / 3, 1e-12)] == ["90°", "-60°", "0"]
 
 
 def test_a_table_is_written_with_its_variables_signs_and_fixed_rows():
@@ -58,7 +46,3 @@ def test_a_table_that_is_written_out_can_be_read_again(table):
     assert back.joints == table.joints
     np.testing.assert_array_equal(back.signs, table.signs)
     np.testing.assert_allclose(back.rows, table.rows, rtol=1e-15, atol=0)
-
-
-def test_a_heading_is_written_in_latex():
-    assert [in_latex(heading) for heading in ("a_i", "alpha_{i-1}", "theta_i")] == ["a_i", r"\alpha_{i-1}", r"\theta_i"]

@@ -340,16 +340,6 @@ def test_the_last_frame_stands_where_its_row_says_that_its_joint_is_at_zero(lett
     assert row.text == f"Row 1: a_0 = 0, alpha_0 = 0, d_1 = {d}, theta_1 = {theta}."
 
 
-@pytest.mark.parametrize(("angle", "note"), [(0.5, ""), (1e-6, " The nearly parallel axes limit its accuracy.")])
-def test_the_last_step_says_how_exact_a_table_is_and_why_it_is_not(angle, note):
-    found = assign_frames(leaning(angle), convention="standard")
-    parts = found.chain, found.table, found.frames, found.normals
-    exact, inexact = (explain_assignment(*parts, accuracy)[-1] for accuracy in (0.99e-11, 1.01e-11))
-    measured = "at 24 configurations its poses differ by at most {}."
-    assert exact.text == f"This table describes the arm, up to rounding: {measured.format('9.9e-12')}"
-    assert inexact.text == f"This table describes the arm only approximately: {measured.format('1.0e-11')}{note}"
-
-
 # --- what is refused ---
 
 
@@ -360,32 +350,3 @@ def test_a_helical_joint_is_refused_by_its_number(convention):
     screws = [kl.screw((0, 0, 1), (k, 0, 0), pitch) for k, pitch in enumerate([0, 0.1, 0.2])]
     with pytest.raises(ValueError, match=r"joint 2 of .* is helical: it rotates and translates at once"):
         assign_frames(kl.Chain(screws, np.eye(4)), convention=convention)
-
-
-@each_convention
-def test_the_steps_say_the_rules_of_their_convention(convention):
-    steps = assign_frames(robots.rpr_lecture7(), convention=convention).steps
-    told = {(step.kind, step.frame): step for step in steps}
-    z, axis, first, last = {
-        "standard": (
-            "z_{i-1}",
-            2,
-            "Frame 0 is on axis 1, at the point nearest {s}",
-            "There is no next axis: z_3 is parallel",
-        ),
-        "modified": (
-            "z_i",
-            1,
-            "Frame 0 coincides with frame 1 at q_1 = 0",
-            "Frame 3 is placed such that d_3 = 0 and theta_3",
-        ),
-    }[convention]
-    assert told["axes", None].text == (
-        "Locate the joint axes: joints 1, 3 are revolute; joint 2 is prismatic, with a direction but no position. "
-        f"In this convention {z} lies on the axis of joint i."
-    )
-    assert told["first", 0].text.startswith(first)
-    assert told["origin", 1].text.startswith(f"O_1 lies on axis {axis}, where the common normal meets it: (")
-    assert told["x", 2].text == "x_2 is perpendicular to both axes, as near the previous x as possible: (1, 0, 0)."
-    assert "with -alpha, and pi added to one theta" in told["x", 2].others
-    assert told["last", 3].text.startswith(last)

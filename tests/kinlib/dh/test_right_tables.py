@@ -8,11 +8,8 @@ from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, assign_frames, diagnose, equivalent
-from kinlib.arrays.formatting import format_different
 from kinlib.chains.joint_maps import identity_map, joint_maps, linearized
 from kinlib.dh.equivalence import derived_accuracy
-from kinlib.dh.formatting import headings, in_latex
-from kinlib.dh.invariants import acute_angle, axis_distance
 from kinlib.dh.printed_digits import judge_rounding, rounding_effect, typed_half_units
 
 CONVENTIONS = ("standard", "modified")
@@ -164,23 +161,6 @@ def test_frames_are_assigned_at_every_angle_and_the_reading_is_said(convention, 
         assert words[normal.case] in text
         if normal.is_nearly_parallel and letters == "RR":
             assert f"taken as {normal.case}" in text
-
-
-@pytest.mark.oracle("axiom: different numbers have different texts", format_different)
-@given(st.floats(1e-3, 1e3), st.floats(1e-12, 1e-2))
-def test_different_numbers_are_written_differently(number, step):
-    one, other = format_different(number, number + step)
-    assert (one != other) == (number != number + step)
-    assert float(one) == pytest.approx(number, rel=1e-3)
-
-
-def test_angles_distances_and_headings_of_simple_cases():
-    X, Y, Z = np.eye(3)
-    assert [acute_angle(X, other) for other in (X, -X, Y)] == [0, 0, np.pi / 2]
-    assert axis_distance(np.array([X, Y]), np.array([0 * Z, 3 * Z + X])) == 3
-    assert axis_distance(np.array([X, -X]), np.array([0 * Z, 4 * Y + 3 * Z + X])) == 5
-    assert headings("standard") == ("i", "a_i", "alpha_i", "d_i", "theta_i")
-    assert [in_latex(name) for name in headings("modified")[2:]] == ["\\alpha_{i-1}", "d_i", "\\theta_i"]
 
 
 @pytest.mark.oracle(
