@@ -129,8 +129,9 @@ class DHRowsAnswer(Numbers):
         return list(range(len(self.value)))
 
     def read(self, given: Any) -> Array:
-        shape = np.shape(self.value)
-        return super().read(np.reshape(given, shape) if _has_shape(given, (shape[0] * shape[1],)) else given)
+        count = np.size(self.value)
+        is_list = any(_has_shape(given, shape) for shape in ((count,), (count, 1), (1, count)))
+        return super().read(np.reshape(given, np.shape(self.value)) if is_list else given)
 
     def kinds(self) -> NDArray[np.int_]:
         return np.broadcast_to([LENGTH, PURE, LENGTH, PURE], np.shape(self.value))
@@ -158,7 +159,11 @@ class DHRowsAnswer(Numbers):
         return np.asarray(self.kinds() == PURE)
 
     def likeness(self, given: Array, part: int | None) -> Likeness:
-        return replace(super().likeness(given, part), columns=[symbol(name) for name in COLUMNS])
+        found = super().likeness(given, part)
+        angles = self.angle_entries()[... if part is None else part][..., None]
+        is_turned = angles & (np.abs(found.mine) < 4 * np.pi)  # a larger number is in degrees
+        turns = np.where(is_turned, np.round((found.mine - found.right) / (2 * np.pi)), 0)
+        return replace(found, right=found.right + 2 * np.pi * turns, columns=[symbol(name) for name in COLUMNS])
 
     def explanation(self, given: Array, part: int) -> Named | None:
         """Return what is wrong with each wrong entry of a row, if that can be said of all of them."""
@@ -168,7 +173,7 @@ class DHRowsAnswer(Numbers):
         for k, one in seen.items():
             if one:
                 places.setdefault(one, []).append(symbol(COLUMNS[k]))
-        if not all(seen.values()) or len(places) > 2:
+        if not seen or not all(seen.values()) or len(places) > 2:
             return super().explanation(given, part)
         text = " ".join(f"Look at {' and '.join(names)}. {text}" for (_, text), names in places.items())
         return " and ".join(dict.fromkeys(name for name, _ in places)), text
@@ -238,4 +243,4 @@ def _has_shape(given: Any, shape: tuple[int, ...]) -> bool:
 
 def _same_angle(one: Any, other: Any, tolerance: float = TOLERANCE) -> Any:
     # The chord 2 sin(x / 2) of an angular difference x does not change when x changes by a full turn.
-    return np.abs(2 * np.sin((one - other) / 2)) <= tolerance
+    return np.abs(2 * np.sin((one - other) / 2)) <= tolerance * np.clip(np.abs(one), 1, 2 * np.pi)

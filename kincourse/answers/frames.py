@@ -45,8 +45,9 @@ class DHFramesAnswer(Numbers):
         return list(range(len(self.value)))
 
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
-        """Return whether two frames are right: a single one, such as frame 0 in {s}, is by luck."""
-        return sum(right) > 1
+        """Return whether two frames are right, as a single one may be by luck, and not all by the rules of the other convention."""
+        other: Convention = "modified" if self.convention == "standard" else "standard"
+        return sum(right) > 1 and bool(check_frames(self.chain, given, other, tolerance=10 * TOLERANCE))
 
     def read(self, given: Any) -> Array:
         if unplaced := _unplaced_frames(given):

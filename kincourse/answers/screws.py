@@ -51,6 +51,11 @@ class ScrewsAnswer(Numbers):
             return f"$\\omega$ is right, but $v$ is not.{place}"
         return f"$v$ is right, but $\\omega$ is not.{place}" if v.all() else ""
 
+    def counts(self, given: Array, right: Sequence[bool]) -> bool:
+        """Return whether more is right than translations, beside whose screws a rotation is wrong."""
+        rotates = np.abs(np.atleast_2d(self.value)[:, :3]).max(axis=1) > ROUND_OFF
+        return bool(rotates[np.array(right)].any() or not rotates[~np.array(right)].any())
+
     @property
     def rows_are_alike(self) -> bool:
         return bool(self.value.ndim > 1)

@@ -162,6 +162,12 @@ def offsets(sampler: ArmSampler) -> Problem:
             np.pi - c,
             "$\\theta_i$ is 0 for a straight arm.",
         ),
+        (
+            "inner angles",
+            "give the inner angles between the links",
+            stack(h1, np.pi - (h2 - h1), np.pi - (h3 - h2)),
+            "$\\theta_i$ is 0 for a straight arm.",
+        ),
         ("x across the link", "take $x_i$ perpendicular to link $i$", c + ACROSS, "$x_i$ runs along link $i$."),
         ("x across the link", "take $x_i$ perpendicular to link $i$", c - ACROSS, "$x_i$ runs along link $i$."),
         (
@@ -186,7 +192,7 @@ def offsets(sampler: ArmSampler) -> Problem:
         ),
     ):
         # The first offset, and the middle one of a reversed list, come out right by these wrong methods too.
-        is_other_method = name.startswith("measured from the base") or name in {"added up", "reversed"}
+        is_other_method = name.startswith("measured from the base") or name in {"added up", "reversed", "inner angles"}
         c = c.mistaken_for(wrong, name, text, advice, spoils=is_other_method)
     return Problem(
         statement="All joint axes of this planar arm point towards you, and $x_i$ runs along link $i$. The manufacturer defines the "
@@ -305,7 +311,9 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         ("sign of d", "measure every $d$ downwards", (a[0], -d[0], a[1], -d[1]), "$d$ grows along $z$, which points up."),
         ("measured from joint 1", "measure both rows from joint 1", (a[0], d[0], far, rise), "Row 2 begins at joint 2."),
     ):  # fmt: skip
-        answer = answer.mistaken_for(stack(*wrong), name, text, advice, spoils=name == "measured from joint 1")
+        answer = answer.mistaken_for(
+            stack(*wrong), name, text, advice, spoils=name in {"measured from joint 1", "order of the numbers"}
+        )
     return Problem(
         statement="Three parallel joint axes point up. The table gives a point of each joint. For parallel axes, the origin may be "
         "anywhere on its axis; here $O_0$ is at joint 1, $O_1$ at joint 2 and $O_2$ at joint 3. Each $x_i$ points from axis $i$ "
@@ -353,8 +361,10 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
     A = links(rows, "RR", q, "standard")
     T = table_product(rows, "RR", q, "standard", [T_s0], [T_2b])
     unrotated = with_position(T.value, sum(factor.value[:3, 3] for factor in (T_s0, *A, T_2b)))
+    in_groups = with_position(T.value, base[:3, 3] + product(*A).value[:3, 3] + tool[:3, 3])
     for name, text, wrong in (
         ("positions added", "add the positions without rotating them", unrotated),
+        ("positions added", "add the positions of base, rows and tool without rotating them", in_groups),
         ("base and tool swapped", "swap $T_{s0}$ and $T_{2b}$", product(T_2b, *A, T_s0)),
         ("base behind the rows", "put $T_{s0}$ behind the rows", product(*A, T_s0, T_2b)),
         ("tool in front of the rows", "put $T_{2b}$ in front of the rows", product(T_s0, T_2b, *A)),

@@ -512,6 +512,12 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
                 "You gave the infinitesimal mobility as the count. The formula counts joint variables and loops; it does not use $J$.",
                 "This is the infinitesimal mobility. The formula counts joint variables and loops; it does not use $J$.",
             ),
+            mistake(
+                "order of the numbers",
+                [finite, infinitesimal, kutzbach_count],
+                "You gave the three numbers in the reverse order.",
+                spoils=True,
+            ),
             mistake("finite mobility", [kutzbach_count, infinitesimal, 1 - finite], case.explanation, case.explanation),
             *(
                 mistake(name, wrong, f"You counted {text}.", f"This is the result if you count {text}.")

@@ -49,7 +49,7 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
         answer=PoseAnswer(T.value),
         solution=T.mistaken_for(
             assemble(rpy_rotation("R", xyz), given("rpy", rpy)), "xyz and rpy swapped", "swap `xyz` and `rpy`"
-        ),
+        ).mistaken_for(assemble(np.eye(3), p), "rotation left out", "leave out the rotation", spoils=True),
     )
 
 

@@ -21,7 +21,7 @@ from kincourse.lecture_10_one_robot_four_ways.paths import effect_of
 from kincourse.lecture_10_one_robot_four_ways.project import Project, open_project
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
-from kincourse.sampling.drawn_machines import misread, table_mistakes
+from kincourse.sampling.drawn_machines import is_in_several_rows, misread, table_mistakes
 from kincourse.text.joint_table import MARKS_BY_ROW
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -84,10 +84,12 @@ def misread_origins(T: Array) -> Iterator[tuple[str, Array, str]]:
     yield "in the base", in_base, "Every pose is in the frame of the base. An origin is in the frame of the parent."
 
 
-def _listed(wrong: Iterator[tuple[str, Any, str]]) -> list[Mistake]:
-    # By these methods what is nearest to the base comes out right too.
-    nearest = {"in the base", "steps not added"}
-    return [mistake(name, value, text, spoils=name in nearest) for name, value, text in wrong]
+def _listed(wrong: Iterator[tuple[str, Any, str]], right: Array) -> list[Mistake]:
+    n = len(right)
+    return [
+        mistake(name, value, text, spoils=is_in_several_rows(value.reshape(n, -1), right.reshape(n, -1)))
+        for name, value, text in wrong
+    ]
 
 
 def _begin(project: Project) -> str:
@@ -106,7 +108,7 @@ def marks_of_the_axes(sampler: ArmSampler) -> Problem:
         "{s}, in metres, one point in each row.",
         figure=lambda: project.drawing("screws"),
         answer=VectorsAnswer(points, unit="m", names=names),
-        mistakes=_listed(misread(points)),
+        mistakes=_listed(misread(points), points),
     ).without_duplicates()
 
 
@@ -151,7 +153,7 @@ def origins_of_the_file(sampler: ArmSampler) -> Problem:
         f"({len(project.joints) + 1}, 4, 4).",
         figure=lambda: project.drawing("URDF"),
         answer=OriginsAnswer(origins),
-        mistakes=_listed(misread_origins(origins)),
+        mistakes=_listed(misread_origins(origins), origins),
     ).without_duplicates()
 
 

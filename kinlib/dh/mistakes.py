@@ -35,6 +35,9 @@ UNITS = {
     1e3: "The lengths are a thousandth of those of the arm. Is the arm in millimetres?",
 }
 
+MIN_LENGTH_MM = 5
+"""The smallest length that is taken as one in millimetres: within the tolerance of a typed table, 0.002 m is 0."""
+
 
 @dataclass(frozen=True)
 class Fault:
@@ -266,7 +269,7 @@ def _corrections_of_a_row(table: DHTable, zeros_are_fixed: bool) -> Iterator[Cor
                 yield correction("antiparallel", text, ALPHA, {ALPHA: angle})
             elif abs(value) > ROUNDING_ERROR:
                 yield correction(f"sign of {name}", f"{name} has the wrong sign.", column, {column: -value})
-            if abs(value) > 1 and column in LENGTHS:
+            if abs(value) > MIN_LENGTH_MM and column in LENGTHS:
                 text = f"{name} is in millimetres, but was read as metres."
                 yield correction("unit of length", text, column, {column: value / 1000})
             if abs(value) > 1 and column in ANGLES:

@@ -94,7 +94,13 @@ class Likeness:
             return "left at 0", ZERO
         if self._equal(self.mine, self.right).all():
             return None
-        return self._signs() or self.factor() or self.order()
+        return self._signs() or self.factor() or self.order() or self._mostly_zeros()
+
+    def _mostly_zeros(self) -> Named | None:
+        filled, seen = (np.count_nonzero(x) for x in (self.mine.any(axis=-1), self._is_seen(self.right).any(axis=-1)))
+        if filled == 1 < seen and not self._equal(self.mine, self.right)[self.mine.any(axis=-1)].any():
+            return "zeros", "All but one of your numbers are 0, but more of the right ones are not."
+        return None
 
     @property
     def _has_unit(self) -> bool:
@@ -110,6 +116,8 @@ class Likeness:
             if is_angle:
                 if self._in_degrees(mine, right):
                     return DEGREES
+                if self._in_degrees(-mine, right):
+                    return "degrees and sign", "This is in degrees, and with the wrong sign. Give it in radians."
                 if self._relative(mine, np.radians(right)).all():
                     return "converted twice", "This was in radians already, and is converted to radians once more."
             for name, factor, text in () if is_angle else LENGTH_UNITS[self.unit]:
@@ -125,11 +133,12 @@ class Likeness:
         # Numbers that are left at 0 are not rounded, and one short number may be another one.
         is_short = np.asarray(has_three_digits(mine, right, or_zeros=True).all(axis=-1))
         is_filled = 2 * np.count_nonzero(mine[wrong]) >= np.count_nonzero(wrong)
-        is_rounded = is_filled and (np.count_nonzero(wrong) > 2 or bool(is_short[wrong].all()))
+        count, are_short = np.count_nonzero(wrong), bool(is_short[wrong].all())
         if (is_short | ~wrong).all() and has_three_digits(mine, right)[wrong].any():
             return "rounded", ROUNDED
-        for decimals in (3, 2, 1, 0) if is_rounded else ():
-            if (np.abs(mine - np.round(right, decimals)) < 1e-9).all():
+        for decimals in (3, 2, 1, 0) if is_filled else ():
+            is_rounded = are_short or count > (1 if decimals else 2)
+            if is_rounded and (np.abs(mine - np.round(right, decimals)) < 1e-9).all():
                 return "rounded", ROUNDED
         return None
 
@@ -183,7 +192,7 @@ class Likeness:
 
     def order(self) -> Named | None:
         """Return whether these are the right numbers in another order."""
-        if self.mine.ndim == 1:
+        if self.mine.ndim == 1 or self._equal(self.mine, self.right).all():
             return None
         return self._arranged() or self._permuted_rows() or self._renumbered() or self._moved_rows()
 
@@ -288,7 +297,7 @@ def slip_of_typing(mine: float, right: float) -> str:
     one, other = (f"{abs(x):.{decimals}f}" for x in (mine, right))
     if mine * right == 0 or abs(right) < 1e-3:
         return ""
-    if one == other or abs(abs(mine) - abs(right)) <= RELATIVE * abs(right):
+    if mine * right < 0 and (one == other or abs(mine + right) <= RELATIVE * abs(right)):
         return "sign"
     if any(abs(mine - factor * right) <= RELATIVE * abs(factor * right) for factor in (10.0, 0.1, 100.0, 0.01)):
         return "decimal point"
