@@ -6,7 +6,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from misstep.answers.angle import Angles
-from misstep.answers.base import Unreadable
 
 right = st.lists(st.floats(-3, 3), min_size=2, max_size=4)
 
@@ -36,22 +35,7 @@ def test_one_right_angle_of_two_is_recognised():
     assert sorted(answer.agrees(answer.read([2.0, 0.5]), answer.value)) == [False, True]
 
 
-def test_each_angle_is_a_part_with_a_name():
-    assert Angles(np.array(0.5)).parts == ["the angle"]
-    assert Angles(np.array([0.5])).parts == ["angle 1"]
-    assert Angles(np.array([0.5, -0.5])).parts == ["one angle", "the other angle"]
-    assert Angles(np.array([0.5, -0.5, 0.1])).parts == ["angle 1", "angle 2", "angle 3"]
-    assert Angles(np.array([0.5, -0.5])).expected == "angles, an array of shape (2,) in rad"
-    assert Angles(np.array([0.5, -0.5]), any_order=True).expected.endswith("of shape (2,) in rad, in any order")
-
-
 def test_an_angle_is_read_within_half_a_turn_of_the_right_one():
     """So feedback can show the angle as the student meant it, and its distance from the right one."""
     assert Angles(np.array(0.5)).read(0.5 + 4 * np.pi - 3) == pytest.approx(-2.5, abs=1e-12)
     assert Angles(np.array(0.5)).read(0.5 - 4 * np.pi + 3) == pytest.approx(3.5, abs=1e-12)
-
-
-def test_anything_but_two_angles_is_unreadable():
-    for odd in ([1.0], [1.0, 2.0, 3.0], "east", [np.nan, 1.0]):
-        with pytest.raises(Unreadable, match=r"Expected angles, an array of shape \(2,\) in rad, in any order"):
-            Angles(np.array([0.5, -0.5]), any_order=True).read(odd)

@@ -51,17 +51,6 @@ def test_a_formula_is_right_in_every_form_and_a_different_one_is_wrong():
         assert not is_right(RIGHT, other), other
 
 
-@pytest.mark.oracle("sympy", ClosedForm.same_entries, ClosedForm.read)
-def test_forms_agree_where_sympy_proves_it():
-    same, other = sp.expand_trig(RIGHT.value), RIGHT.value + sp.Rational(1, 10**6)
-    for typed in (same, other, str(same), str(other)):
-        difference = sp.simplify(RIGHT.value - sp.sympify(typed, {str(symbol): symbol for symbol in (a_2, q_1, q_2)}))
-        assert RIGHT.agrees(RIGHT.read(typed), RIGHT.value) == [difference == 0]
-    read, reader = RIGHT.read(same), Reader([q_1, q_2, a_2])
-    point = {x: sp.Float(reader.first_point[x.name.replace("_", "")], 30) for x in (q_1, q_2, a_2)}
-    assert read.values[0] == pytest.approx(float(same.subs(point).evalf(25)), rel=1e-12)
-
-
 def test_the_expected_form_is_described_with_its_shape_and_the_symbols_of_the_problem():
     matrix = ClosedForm(sp.eye(2) * q_1)
     expected = {

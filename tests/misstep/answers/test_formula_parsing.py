@@ -9,12 +9,6 @@ from misstep.formulas.parsing import parse
 from misstep.formulas.sympy_parsing import expression
 
 
-def test_text_of_sympy_and_typed_text_have_the_same_values():
-    reader = Reader(sp.symbols("a theta_1"))
-    for text in ("a*sin(theta_{1})**2/3 - sign(a)", r"\theta_1*2.5e-1 + Abs(a)", "sqrt(2)*atan2(a, theta_1)"):
-        np.testing.assert_allclose(reader.read(expression(text)).values, reader.read(text).values, rtol=1e-14)
-
-
 def test_only_typed_text_may_have_implicit_products():
     for text in ("2 a", "a b", "a(b)", "factorial(9)", "2(a)"):
         assert parse(text)
