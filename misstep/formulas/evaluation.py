@@ -80,11 +80,6 @@ class Reader:
         self._names = ", ".join(symbol.name for symbol in symbols) or "there are none"
 
     @property
-    def first_point(self) -> dict[str, float]:
-        """The values of the symbols at the first of the points, for feedback."""
-        return self.points[0]
-
-    @property
     def points(self) -> list[dict[str, float]]:
         """The values of the symbols at each of the points, by their names without underscores and braces."""
         return [{name: float(values[k]) for name, values in self._points.items()} for k in range(POINT_COUNT)]

@@ -90,7 +90,7 @@ def test_decimals_are_compared_to_three_digits_and_exact_formulas_exactly():
     assert not is_right(ClosedForm(theta), "1.0*theta + 1/10^6")
 
 
-@pytest.mark.oracle("sympy", Reader.read, Reader.first_point)
+@pytest.mark.oracle("sympy", Reader.read, Reader.points)
 @given(
     st.recursive(
         st.sampled_from([q_1, q_2, a_2, sp.pi, sp.Integer(2), sp.Rational(-1, 3)]),
@@ -109,7 +109,7 @@ def test_values_agree_with_sympy_also_when_its_text_is_read_back(expression):
     """The oracle is SymPy's own evaluation. The text that SymPy prints is read back as the same formula."""
     reader = Reader([q_1, q_2, a_2])
     made, typed = reader.read(expression), reader.read(str(expression))
-    at = {symbol: sp.Float(reader.first_point[symbol.name.replace("_", "")], 30) for symbol in (q_1, q_2, a_2)}
+    at = {symbol: sp.Float(reader.points[0][symbol.name.replace("_", "")], 30) for symbol in (q_1, q_2, a_2)}
     oracle = float(expression.subs(at).evalf(25))
     assert made.values[0] == pytest.approx(oracle, rel=1e-12, abs=1e-12)
     np.testing.assert_allclose(typed.values, made.values, rtol=1e-14, atol=1e-14)
@@ -173,7 +173,7 @@ def test_a_symbol_that_is_not_in_the_right_answer_may_be_declared():
 
 def test_the_hint_gives_the_values_of_both_formulas_or_the_place_and_mistakes_are_known_in_any_form():
     form = ClosedForm(theta)
-    at = Reader([theta]).first_point["theta"]
+    at = Reader([theta]).points[0]["theta"]
     hint = f"Try numbers: at theta = {number(at)} your formula gives {number(2 * at)}, and {number(at)} is right."
     assert form.hint(form.read("2 theta"), 0) == hint
     vector = ClosedForm(sp.Matrix([theta, 0, 1]))
@@ -267,7 +267,7 @@ def test_shared_parts_of_an_expression_are_computed_once_and_never_printed():
 def test_every_function_has_the_values_of_sympy():
     x = sp.Symbol("x", positive=True)
     reader = Reader([x])
-    at = {x: sp.Float(reader.first_point["x"], 30)}
+    at = {x: sp.Float(reader.points[0]["x"], 30)}
     for name in {*FUNCTIONS} - {"Matrix", "atan2"}:
         value = ({"abs": sp.Abs}.get(name) or getattr(sp, name))(x / 3)
         oracle = complex(value.subs(at).evalf(20)).real
