@@ -21,7 +21,7 @@ from misstep.storage.deserialize import Outputs
 CALL_COUNT = 4
 """The number of inputs at which a function is called."""
 
-Sample = Callable[[np.random.Generator], tuple[Any, ...]]
+Sample = Callable[["np.random.Generator"], tuple[Any, ...]]
 """Draws the arguments of one call."""
 
 

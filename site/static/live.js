@@ -13,6 +13,8 @@
   const STALLED_S = 20; // without a byte, until a message says so
   const PASSING_MS = 300; // what is in view for less is passed by
   const MB = 1e6;
+  const MARKED = 'marked.umd.js';
+  const KATEX = 'katex/katex.min.js';
 
   const h = window.kinlibElement; // of course.js
 
@@ -162,6 +164,7 @@
       load,
     });
     worker = new Worker(new URL('live/worker.js', LAB), { type: 'module' });
+    if (SHEET) for (const script of [MARKED, KATEX]) load(script); // for the first problem, while Python starts
     worker.onmessage = ({ data }) => ANSWERS[data.kind](data);
     worker.onerror = (event) => ANSWERS.failed({ text: event.message ?? 'its files could not be loaded' });
     bar.removeAttribute('value');
@@ -561,7 +564,7 @@
 
   /** Show Markdown, for example the statement of a problem. Its formulas are kept from marked, and typeset afterwards. */
   async function showMarkdown(box, text) {
-    await load('marked.umd.js');
+    await load(MARKED);
     const formulas = text.match(FORMULA) ?? [];
     const html = window.marked.parse(text.replace(FORMULA, () => '\0'));
     let next = 0;
@@ -630,12 +633,10 @@
     setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
   }
 
-  let katex;
-
   async function typeset(box) {
     if (!/\$|\\[([]/.test(box.textContent)) return;
-    katex ??= load('katex/katex.min.js').then(() => load('katex/auto-render.min.js'));
-    await katex;
+    await load(KATEX);
+    await load('katex/auto-render.min.js');
     const delimiters = [
       { left: '$$', right: '$$', display: true },
       { left: '$', right: '$', display: false },
