@@ -11,22 +11,25 @@ import socket
 import subprocess
 import time
 from functools import cache
+from html import escape, unescape
 from pathlib import Path
 from typing import Any
 
 from docutils import nodes
 from docutils.nodes import make_id
+from lxml import etree
+from lxml.html import HtmlElement
 from sphinx.application import Sphinx
 from sphinxcontrib import katex
 
-from kinsite.embeds import cell_of, permalink, with_address, write_pages
+from kinsite.embeds import add_address, cell_of, permalink, write_pages
+from kinsite.html_tree import inner_html, insert_html, read_html
 
 katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")  # a formula with an error fails the build
 katex.STARTUP_TIMEOUT = 60.0  # a busy machine needs more than the 5 s of the extension
 
-IMAGE = re.compile(r'<img ([^>]*?)src="data:image/(svg\+xml|png);base64,([^"]+)"')
-NOT_TEXT = re.compile(r"(<(script|style|pre|code|textarea|svg)\b.*?</\2>|<[^>]+>)", re.DOTALL)
-"""The parts of HTML that are not running text."""
+TEXT = " and ".join(f"not(ancestor::{name})" for name in ("script", "style", "pre", "code", "textarea", "svg"))
+"""Which text of a page is read as text, in XPath."""
 PUNCTUATION = re.compile(r"[.,;:?!)\]’”]+")
 MAX_UNBROKEN_LENGTH = 24
 """Characters of LaTeX that fit on one line of any phone. A longer formula may be broken."""
@@ -34,7 +37,7 @@ TAG = re.compile(r"\\tag\{([^}]+)\}")
 """The number of a formula."""
 SIDE_TRACK = "Side track:"
 """The beginning of the heading of a section that may be skipped. JupyterLab folds it by the metadata of its cell."""
-VIEWER = re.compile(r'(<div [^>]*?data-kinlib-viewer[^>]*?)><script type="application/json">(.*?)</script>', re.DOTALL)
+LENGTH = re.compile(r"([\d.]+)(?:pt|px)?")
 FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<!\\)\$([^$\n]+?)\$")
 
 
@@ -85,24 +88,32 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
     for cell in doctree.findall(nodes.container):
         if name := cell.get("cell_metadata", {}).get("kinlib-cell"):
             cell["classes"].append(f"kinlib-cell-{name}")  # for live.js, which hands in the cells of a sheet
-    html = [node for node in doctree.findall(nodes.raw) if node.get("format") == "html"]
+    # within a line, a raw node is a single tag
+    html = [
+        node
+        for node in doctree.findall(nodes.raw)
+        if node.get("format") == "html" and not isinstance(node.parent, nodes.TextElement)
+    ]
     taken, outputs = set(doctree.ids), []
     for node in html:
-        text = extract_images(typeset_formulas(node.astext()), folder, f"{up}_images")
-        text, anchor = with_address(text, cell_of(node), page, taken)
-        text = VIEWER.sub(reserve_height, text)
-        outputs.append((text, anchor))
-        node.children = [nodes.Text(text)]
-        node.rawsource = text
+        output = read_html(node.astext())
+        typeset_formulas(output)
+        extract_images(output, folder, f"{up}_images")
+        anchor = add_address(output, cell_of(node), page, taken)
+        for viewer in output.xpath(".//div[@data-kinlib-viewer][script]"):
+            reserve_height(viewer)
+        outputs.append((output, anchor))
+        node.rawsource = inner_html(output)
+        node.children = [nodes.Text(node.rawsource)]
     if app.builder.name == "html":
         write_pages(Path(app.outdir), page, app.env.titles[page].astext(), outputs)
 
 
-def reserve_height(found: re.Match[str]) -> str:
+def reserve_height(viewer: HtmlElement) -> None:
     """Tell the style sheet how many sliders a viewer has, so that the page keeps its height free before the viewer starts."""
     # a viewer without sliders has other controls in their place
-    sliders = len(json.loads(found[2])["scene"]["sliders"]) or 7
-    return f'{found[1]} style="--sliders:{sliders}"{found[0][len(found[1]) :]}'
+    sliders = len(json.loads(viewer.find("script").text)["scene"]["sliders"]) or 7
+    viewer.set("style", f"--sliders:{sliders}")
 
 
 def formula_anchor(tag: str) -> str:
@@ -137,49 +148,45 @@ def keep_punctuation(formula: nodes.math) -> None:
     together += [formula, nodes.Text(mark[0])]
 
 
-def typeset_formulas(html: str) -> str:
+def typeset_formulas(html: HtmlElement) -> None:
     """Typeset the formulas in HTML: $...$ within the line, $$...$$ on a line of their own.
 
-    >>> typeset_formulas('<pre>$5</pre><code>$a$</code>')
+    >>> code = read_html("<pre>$5</pre><code>$a$</code>")
+    >>> typeset_formulas(code)
+    >>> inner_html(code)
     '<pre>$5</pre><code>$a$</code>'
     """
-    pieces = NOT_TEXT.split(html)
-    # split returns text, a part that is not text, the name of its element, text, ...
-    return "".join(
-        FORMULA.sub(typeset, piece) if index % 3 == 0 else piece for index, piece in enumerate(pieces) if index % 3 != 2
-    )
+    for text in html.xpath(f".//text()[contains(., '$')][{TEXT}]"):
+        element, typeset_text = text.getparent(), FORMULA.sub(typeset, escape(text, quote=False))
+        if text.is_text:
+            element.text = None
+            insert_html(element, 0, typeset_text)
+        else:
+            element.tail = None
+            insert_html(element.getparent(), element.getparent().index(element) + 1, typeset_text)
 
 
 def typeset(found: re.Match[str]) -> str:
     """Typeset one formula with KaTeX."""
-    from html import unescape
-
-    latex = unescape(found[1] or found[2])
     options = {"displayMode": True} if found[1] else None
-    return f'<span class="math">{katex.render_latex(latex, options)}</span>'
+    return f'<span class="math">{katex.render_latex(unescape(found[1] or found[2]), options)}</span>'
 
 
-def extract_images(html: str, folder: Path, address: str) -> str:
+def extract_images(html: HtmlElement, folder: Path, address: str) -> None:
     """Write the images of HTML to files, which a browser fetches only when they are scrolled into view."""
-
-    def extract(found: re.Match[str]) -> str:
-        data = base64.b64decode(found[3])
-        name = f"{hashlib.sha256(data).hexdigest()[:20]}.{'svg' if found[2] != 'png' else 'png'}"
+    for image in html.xpath(".//img[starts-with(@src, 'data:image/')]"):
+        kind, _, encoded = image.get("src").partition(";base64,")
+        data, ending = base64.b64decode(encoded), "png" if kind.endswith("png") else "svg"
+        name = f"{hashlib.sha256(data).hexdigest()[:20]}.{ending}"
         folder.mkdir(parents=True, exist_ok=True)
         if not (folder / name).exists():
             (folder / name).write_bytes(data)
-        return f'<img loading="lazy" {found[1]}{size_attributes(data)}src="{address}/{name}"'
-
-    return IMAGE.sub(extract, html)
-
-
-def size_attributes(svg: bytes) -> str:
-    """Write the width and height of a drawing as attributes, so that the page does not jump when it is loaded."""
-    head = svg[: svg.find(b">", svg.find(b"<svg"))] if b"<svg" in svg else b""
-    found = {side: re.search(rb'\b%s="([\d.]+)(?:pt|px)?"' % side, head) for side in (b"width", b"height")}
-    if not all(found.values()):
-        return ""
-    return "".join(f'{side.decode()}="{round(float(value[1]))}" ' for side, value in found.items() if value)
+        image.set("loading", "lazy")
+        image.set("src", f"{address}/{name}")
+        if ending == "svg":  # so that the page does not jump when it is loaded
+            for side, size in etree.fromstring(data).attrib.items():
+                if side in ("width", "height") and (length := LENGTH.fullmatch(size)):
+                    image.set(side, str(round(float(length[1]))))
 
 
 def remove_widget_state(_: Sphinx, *arguments: Any) -> None:

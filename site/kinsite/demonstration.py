@@ -4,7 +4,6 @@ The cards are made by the sheet itself while the site is built, so they cannot d
 is a drawing of where the tool goes: as the joint moves it, and as the answer says.
 """
 
-import re
 from html import escape
 
 import numpy as np
@@ -17,6 +16,7 @@ from kinlib.rigid.lie import exp
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
+from kinsite.html_tree import inner_html, read_html
 from misstep.display.markdown import markdown_html
 from misstep.sheet import OpenSheet as Sheet
 
@@ -28,10 +28,6 @@ ATTEMPTS = (
     ("np.concatenate([axis, -np.cross(axis, point)])", ""),
 )
 """Answers as a student writes them, each with the name of its mistake; the last one is right."""
-
-LINK = re.compile(r'href="notebooks/(\w+)\.ipynb#([^"]*)" onclick="[^"]*"')
-"""A link of a card, and the script with which it opens a notebook in JupyterLab."""
-
 
 LINK_LENGTH_M = 2.0
 """From the axis of the joint to its tool."""
@@ -63,10 +59,15 @@ def answer_html(sheet: Sheet, code: str, mistake: str, first: bool) -> str:
     if found != [mistake] * bool(mistake):
         raise ValueError(f"{code} must be the mistake {mistake!r}; the sheet names {found}. Correct ATTEMPTS.")
     picture = draw_motions(given.point, np.array(sheet.problem(PROBLEM).answer.value), answer)
-    card = LINK.sub(lambda link: f'href="lectures/{link[1]}.html#{nodes.make_id(link[2])}"', result.card.html())
+    card = read_html(result.card.html())
+    for link in card.iter("a"):  # on a page it opens the lecture, and no notebook
+        lecture, section = link.get("href").rpartition("notebooks/")[2].split(".ipynb#")
+        link.set("href", f"lectures/{lecture}.html#{nodes.make_id(section)}")
+        del link.attrib["onclick"]
+    for message in card.xpath(".//*[@role='status']"):
+        del message.attrib["role"]
     head = f"<details name='kinlib-answers'{' open' * first}><summary><code>{escape(code)}</code></summary>"
-    shown = f"{head}{picture.html()}{card}</details>"
-    return shown.replace('role="status" ', "")
+    return f"{head}{picture.html()}{inner_html(card)}</details>"
 
 
 def draw_motions(point: Array, right: Array, typed: Array) -> Picture:

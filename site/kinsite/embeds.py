@@ -3,17 +3,19 @@
 The page is embed/<page>/<id>.html. It contains the HTML that the lecture has, so both always show the same.
 """
 
-import re
 import shutil
 from html import escape
 from pathlib import Path
 
 from docutils import nodes
 from docutils.nodes import make_id
+from lxml.html import HtmlElement
 
-QUESTION = re.compile(r'data-misstep-question="([^"]+)"')
-FIGURE = re.compile(r'<div data-kinlib-(?:viewer|slides)|<figure class="kinlib-figure"')
-ANSWERED_WITH = re.compile(r'data-(?:misstep-question|misstep-explain|kinlib-after)="([^"]+)"')
+from kinsite.html_tree import append_html, inner_html
+
+QUESTION = ".//*[@data-misstep-question]"
+FIGURE = ".//div[@data-kinlib-viewer or @data-kinlib-slides] | .//figure[@class='kinlib-figure']"
+ANSWERED_WITH = ".//@data-misstep-question | .//@data-misstep-explain | .//@data-kinlib-after"
 """The name of a question: at the question itself, at its explanation, and at a picture that waits for its answer."""
 
 PERMALINK = "¶"
@@ -46,45 +48,47 @@ def permalink(anchor: str, thing: str) -> str:
     return f'<a class="kinlib-permalink" href="#{anchor}" title="{title}" aria-label="{title}">{PERMALINK}</a>'
 
 
-def with_address(html: str, cell: str, page: str, taken: set[str]) -> tuple[str, str]:
-    """Give an output its id, and below or in it the links to copy. Returns the HTML and the id; no id if it has no address.
+def add_address(html: HtmlElement, cell: str, page: str, taken: set[str]) -> str:
+    """Give an output its id, and below or in it the links to copy. Returns the id, or nothing if it has no address.
 
     The id of a figure is the name of its cell, which stays when figures are added before it.
 
-    >>> with_address('<figure class="kinlib-figure"></figure>', "row", "lectures/05", {"figure-row"})[1]
+    >>> from kinsite.html_tree import read_html
+    >>> figure = read_html('<figure class="kinlib-figure"></figure>')
+    >>> add_address(figure, "row", "lectures/05", {"figure-row"})
     'figure-row-2'
     """
-    question = QUESTION.search(html)
-    start = question or FIGURE.search(html)
-    if start is None:
-        return html, ""
-    wanted = make_id(f"question {question[1]}" if question else f"figure {cell}")
+    questions, figures = html.xpath(QUESTION), html.xpath(FIGURE)
+    if not questions and not figures:
+        return ""
+    name = questions[0].get("data-misstep-question") if questions else ""
+    wanted = make_id(f"question {name}" if questions else f"figure {cell}")
     anchor = next(name for k in range(1, 100) if (name := f"{wanted}-{k}" if k > 1 else wanted) not in taken)
     taken.add(anchor)
-    place = start.start() if question else start.end()
-    html = f'{html[:place]}{"" if question else " "}id="{anchor}"{" " if question else ""}{html[place:]}'
-    links = permalink(anchor, "question" if question else "figure")
-    if not question and start[0].startswith("<figure"):
-        end = "</figcaption>" if "</figcaption>" in html else "</figure>"
-        return html.replace(end, f" {links}{end}", 1), anchor
-    up = "../" * page.count("/")
-    links += f' <a class="kinlib-embed-link" href="{up}embed/{page}/{anchor}.html">Embed</a>'
-    return html.replace(
-        "</p>", f" {links}</p>", 1
-    ) if question else f'{html}<p class="kinlib-buttons">{links}</p>', anchor
+    (questions or figures)[0].set("id", anchor)
+    link = permalink(anchor, "question" if questions else "figure")
+    embed = f' <a class="kinlib-embed-link" href="{"../" * page.count("/")}embed/{page}/{anchor}.html">Embed</a>'
+    if questions:
+        append_html(html.find(".//p"), f" {link}{embed}")
+    elif figures[0].tag == "figure":
+        caption = figures[0].find("figcaption")
+        append_html(figures[0] if caption is None else caption, f" {link}")
+    else:
+        append_html(html, f'<p class="kinlib-buttons">{link}{embed}</p>')
+    return anchor
 
 
-def write_pages(built: Path, page: str, title: str, outputs: list[tuple[str, str]]) -> None:
+def write_pages(built: Path, page: str, title: str, outputs: list[tuple[HtmlElement, str]]) -> None:
     """Write the pages for frames of one page of the site, and remove those of an earlier build.
 
-    outputs  the HTML of each output, and its id or nothing
+    outputs  each output, and its id or nothing
     """
     folder = built / "embed" / page
     shutil.rmtree(folder, ignore_errors=True)
-    names = [found[1] if (found := ANSWERED_WITH.search(html)) else "" for html, _ in outputs]
+    names = [next(iter(html.xpath(ANSWERED_WITH)), "") for html, _ in outputs]
     for (html, anchor), name in zip(outputs, names, strict=True):
         is_question = anchor.startswith("question-")
-        if "kinlib-embed-link" not in html:
+        if not html.find_class("kinlib-embed-link"):
             continue
         # a prediction is explained elsewhere on its page, and a picture may wait for it
         shown = (
@@ -93,7 +97,8 @@ def write_pages(built: Path, page: str, title: str, outputs: list[tuple[str, str
         folder.mkdir(parents=True, exist_ok=True)
         text = PAGE.format(
             up="../" * page.count("/"), base="../" * (page.count("/") + 2) + f"{page}.html", page=page.rpartition("/")[2],
-            kind="Question" if is_question else "Figure", title=escape(title), anchor=anchor, html="\n".join(shown),
+            kind="Question" if is_question else "Figure", title=escape(title), anchor=anchor,
+            html="\n".join(map(inner_html, shown)),
         )  # fmt: skip
         (folder / f"{anchor}.html").write_text(text, "utf-8")
 

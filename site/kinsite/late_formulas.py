@@ -4,41 +4,33 @@ KaTeX writes each formula twice: as MathML for screen readers, and as the elemen
 of all elements of a lecture. Until static/formulas.js draws these, a browser shows the MathML.
 """
 
-import re
+from lxml.html import HtmlElement
+from lxml.html.builder import E
 
-VISIBLE = re.compile(r'<span class="katex-html"')
-SPAN = re.compile(r"<(/?)span\b")
 BEGIN, END = "<kinlib-formula><template>", "</template></kinlib-formula>"
 
 
-def defer(html: str, at_once: int) -> str:
+def defer(page: HtmlElement, at_once: int) -> None:
     """Put the visible form of each formula into a template, except for the first ones, which are in sight at once.
 
-    >>> defer('<span class="katex-html"><span>x</span></span>.', at_once=0)
+    >>> from kinsite.html_tree import inner_html, read_html
+    >>> page = read_html('<span class="katex-html"><span>x</span></span>.')
+    >>> defer(page, at_once=0)
+    >>> inner_html(page)
     '<kinlib-formula><template><span class="katex-html"><span>x</span></span></template></kinlib-formula>.'
     """
-    parts, position = [], 0
-    for found in list(VISIBLE.finditer(html))[at_once:]:
-        end = end_of_span(html, found.start())
-        parts += [html[position : found.start()], BEGIN, html[found.start() : end], END]
-        position = end
-    return "".join([*parts, html[position:]])
-
-
-def end_of_span(html: str, start: int) -> int:
-    """Return the position after the span that begins at `start`, with all the spans in it."""
-    depth = 0
-    for found in SPAN.finditer(html, start):
-        depth += -1 if found[1] else 1
-        if depth == 0:
-            return html.index(">", found.end()) + 1
-    raise ValueError(f"a span must be closed; this one is not: {html[start : start + 80]}")
+    for formula in page.find_class("katex-html")[at_once:]:
+        template = E.template()
+        waiting = E("kinlib-formula", template)
+        waiting.tail, formula.tail = formula.tail, None
+        formula.getparent().replace(formula, waiting)
+        template.append(formula)
 
 
 def show_all(html: str) -> str:
     """Take the formulas out of their templates, for a document without scripts.
 
-    >>> show_all(defer('<span class="katex-html">x</span>', at_once=0))
-    '<span class="katex-html">x</span>'
+    >>> show_all(f'{BEGIN}<span class="katex-html">x</span>{END}.')
+    '<span class="katex-html">x</span>.'
     """
     return html.replace(BEGIN, "").replace(END, "")

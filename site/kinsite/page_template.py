@@ -1,7 +1,6 @@
 """What surrounds the text of each page: the bar above a lecture or a sheet, the static files, the values of the templates."""
 
 import hashlib
-import re
 import shutil
 from pathlib import Path
 from typing import Any, ClassVar
@@ -18,13 +17,13 @@ from kinlib.view.viewer.viewer import STATIC
 from kinsite import late_formulas
 from kinsite.demonstration import WrongAnswersDirective
 from kinsite.execute import ROOT, package_hash
+from kinsite.html_tree import inner_html, read_html
 from kinsite.npm_packages import FONTS, MODULES, TEXT_FONTS
 
-UNCOLOURED = re.compile(r'<span class="(?:n|nn|p|pm|w)">([^<]*)</span>')
+UNCOLOURED = {"n", "nn", "p", "pm", "w"}
 """Names, punctuation and spaces have the colour of all code in both themes: without elements of their own a page is lighter."""
 FORMULAS_AT_ONCE = 48
 """At least as many as the first screen of any page has, up to 1920 by 1200 pixels."""
-EMPTY_HEADING = re.compile(r'<th class="head">(?:<p></p>)?</th>')
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
@@ -98,10 +97,7 @@ def remove_old_pages(app: Sphinx, failed: Exception | None) -> None:
 
 def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree: Any) -> None:
     """Set the values that the templates need for a page."""
-    # a table without headings has empty cells in their place, which a screen reader would call headings
-    body = UNCOLOURED.sub(r"\1", EMPTY_HEADING.sub("<td></td>", context.get("body", "")))
-    body = body.replace(' aria-label="Toggle hidden content"', "")  # a fold is called what it shows
-    context["body"] = late_formulas.defer(body, at_once=FORMULAS_AT_ONCE)
+    context["body"] = adapt(context.get("body", ""))
     # furo gives its captions the role of headings without a level, which is not valid; they are captions
     context["furo_navigation_tree"] = context["furo_navigation_tree"].replace(' role="heading"', "")
     context["html_baseurl"] = app.config.html_baseurl
@@ -124,6 +120,20 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
         for lecture in COURSE.lectures
         if folder == "sheets" and sheet_of(lecture) == name and f"lectures/{lecture}" in app.env.found_docs
     ]
+
+
+def adapt(body: str) -> str:
+    """Make the text of a page lighter, and right for screen readers."""
+    page = read_html(body)
+    for heading in page.xpath(".//th[@class='head'][not(normalize-space())][not(.//*[not(self::p)])]"):
+        heading.clear(keep_tail=True)  # in a table without headings: a screen reader would say that it is one
+        heading.tag = "td"
+    for word in [span for span in page.iter("span") if span.get("class") in UNCOLOURED and not len(span)]:
+        word.drop_tag()
+    for fold in page.iter("summary"):
+        fold.attrib.pop("aria-label", None)  # it is called what it shows
+    late_formulas.defer(page, at_once=FORMULAS_AT_ONCE)
+    return inner_html(page)
 
 
 def elsewhere(repository: str, path: str) -> dict[str, str]:

@@ -7,7 +7,6 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from copy import deepcopy
 from datetime import UTC, datetime
-from html import escape
 from pathlib import Path
 from posixpath import dirname, join, normpath
 from types import MappingProxyType
@@ -16,6 +15,7 @@ from lxml.html import HtmlElement, document_fromstring, tostring
 from lxml.html.builder import P
 
 import kinlib
+from kinsite.html_tree import inner_html
 from kinsite.late_formulas import show_all
 from kinsite.sphinx_source import LECTURES
 
@@ -125,16 +125,6 @@ def read_article(page: Path) -> HtmlElement:
     for element in [*article.iter("script"), *(one for name in SCREEN_ONLY for one in article.find_class(name))]:
         element.drop_tree()
     return article
-
-
-def inner_html(element: HtmlElement) -> str:
-    """Return the HTML within an element.
-
-    >>> inner_html(document_fromstring("<h1>D &amp; H: <em>four</em> numbers</h1>").find(".//h1"))
-    'D &amp; H: <em>four</em> numbers'
-    """
-    text = escape(element.text or "", quote=False)
-    return text + "".join(tostring(child, encoding="unicode") for child in element)
 
 
 def squeeze(title: str) -> str:

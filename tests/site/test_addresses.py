@@ -8,6 +8,7 @@ import pytest
 from browser import watched
 from built_site import ROOT, SITE
 from kinsite import demonstration, embeds, page_template
+from kinsite.html_tree import read_html
 
 from kincourse import find_question, open_sheet
 
@@ -137,9 +138,10 @@ def test_every_page_for_a_frame_is_complete_and_leads_back_to_its_section(site_f
 
 
 def test_what_is_removed_from_a_page_is_removed_from_its_frames(tmp_path):
-    question, figure = '<p data-misstep-question="05/a">Why?</p>', "<div data-kinlib-viewer></div>"
+    question, figure = '<div data-misstep-question="05/a"><p>Why?</p></div>', "<div data-kinlib-viewer></div>"
     taken = set()
-    outputs = [embeds.with_address(html, "row", "lectures/05", taken) for html in (question, figure, figure)]
+    htmls = [read_html(html) for html in (question, figure, figure)]
+    outputs = [(html, embeds.add_address(html, "row", "lectures/05", taken)) for html in htmls]
     assert [anchor for _, anchor in outputs] == ["question-05-a", "figure-row", "figure-row-2"]
     embeds.write_pages(tmp_path, "lectures/05", "Title", outputs)
     embeds.write_pages(tmp_path, "lectures/05", "Title", outputs[:2])
