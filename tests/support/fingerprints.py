@@ -1,4 +1,4 @@
-"""Two numbers that change when anything in a picture or a viewer does: its words and colours, and its coordinates."""
+"""Two numbers that change when anything in a picture or a viewer does: its words, in its text too, and its coordinates."""
 
 import json
 import re
@@ -12,7 +12,8 @@ NUMBER = re.compile(r"(?<![\w#.])-?\d+(?:\.\d+)?(?:e-?\d+)?(?![\w.])")
 
 def fingerprint(shown):
     """Return a checksum of what is no number, and a weighted sum of the numbers, in which each has its own weight."""
-    text = shown.svg if hasattr(shown, "svg") else json.dumps([shown.scene, shown.mode])
+    drawn = shown.svg + shown.caption if hasattr(shown, "svg") else json.dumps([shown.scene, shown.mode])
+    text = drawn + shown.alt
     numbers = np.array(NUMBER.findall(text), dtype=float)
     return zlib.crc32(NUMBER.sub("#", text).encode()), float(numbers @ np.sin(np.arange(1, len(numbers) + 1)))
 

@@ -6,10 +6,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-import kinlib as kl
 from kincourse.lecture_00_start_here.drawings import draw_parts
 from kincourse.lecture_01_frames.drawings import draw_rotation, draw_three_readings
-from kincourse.lecture_10_one_robot_four_ways.drawings import draw_two_arms
 from kinlib.chains.robots import X, Y, Z, pose, rpr, youbot
 from kinlib.view.drawing.canvas import view_axes
 from kinlib.view.drawing.picture import vector_text
@@ -28,14 +26,6 @@ def test_every_part_is_named_and_every_joint_is_where_it_is():
     svg = draw_parts(youbot()).svg
     assert all(f"link {i}" in svg for i in (1, 2, 3))
     assert "link 4" not in svg, "a link without length has no label"
-
-
-def test_the_text_alternative_has_the_pose_and_both_coordinates_of_the_point():
-    picture = draw_three_readings(pose((Y, -X, Z), (2, 1, 0)), [0.5, 0.25, 0])
-    assert "frame {b} at (2, 1, 0) in {a}, rotated by 90 degrees" in picture.alt
-    assert "(0.5, 0.25, 0) in {b} is (1.75, 1.5, 0) in {a}" in picture.alt
-    assert all(title in picture.svg for title in ("pose", "change of coordinates", "motion"))
-    assert "(0.5, 0.25, 0) in {b} is (0.5, 0.25, 0) in {a}" in draw_three_readings(np.eye(4), [0.5, 0.25, 0]).alt
 
 
 def test_what_cannot_be_drawn_is_refused():
@@ -59,27 +49,3 @@ def test_the_text_alternative_gives_the_rotation_that_scipy_computes_and_where_t
         sign = "" if turned["xyz".index(second), "xyz".index(first)] > 0 else "-"
         assert f"{first}_b is {first}_a rotated by {abs(degrees)} degrees towards {sign}{second}_a" in words
         assert f"points {'at' if view_axes(view)[0][axis] > 0 else 'away from'} you" in words
-
-
-TRAY_Q = np.radians([0, -75, 60, 0, -75, 0])
-
-
-def pair(width):
-    """Two PUMAs that hold the ends of a tray, and the base of the second."""
-    robot = kl.robots.puma560()
-    left, other = (
-        kl.Chain(robot.screws, robot.home @ pose((Y, Z, X), (0, side * width / 2, 0.15)), robot.joint_points)
-        for side in (1, -1)
-    )
-    base = left.fk(TRAY_Q) @ kl.inverse(other.fk(TRAY_Q))
-    points = other.joint_points @ base[:3, :3].T + base[:3, 3]
-    return left, kl.Chain(other.screws @ kl.adjoint(base).T, base @ other.home, points), base
-
-
-def test_the_text_says_where_the_tray_and_the_bases_are():
-    left, right, base = pair(0.8)
-    alt = draw_two_arms(left, right, TRAY_Q, TRAY_Q, width=0.8, base=base).alt
-    assert "0.8 m wide" in alt
-    assert "(0, 0, 0) and (0, -0.8, 0)" in alt
-    moved = TRAY_Q + 0.3 * np.eye(6)[0]
-    assert alt != draw_two_arms(left, left, moved, moved, width=0.8, base=np.eye(4)).alt

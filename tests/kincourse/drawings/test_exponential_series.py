@@ -10,7 +10,6 @@ from strategies import points, screws
 
 from kincourse.lecture_02_matrix_exponential.drawings import draw_motions, draw_series
 from kincourse.lecture_02_matrix_exponential.drawings.exponential_series import partial_sums
-from kinlib import robots, screw
 
 
 def test_four_terms_are_on_the_circle_at_the_root_of_three_and_not_at_the_goal():
@@ -27,13 +26,6 @@ def test_what_cannot_be_drawn_is_refused():
     ]:
         with pytest.raises(ValueError, match=says):
             draw()
-
-
-def test_the_text_alternative_describes_each_motion_and_its_end():
-    arm = robots.hrr()
-    alt = draw_motions(arm.home, {"screw": arm.screws[0] * np.pi, "slide": screw((0, 0, 1), pitch=np.inf) * 0.5}).alt
-    assert 'Motion "screw": a rotation by 180 degrees about (0, 0, 1), 0.314 m along it, to (-0.8, 0, 0.314).' in alt
-    assert 'Motion "slide": a translation by 0.5 m, to (0.8, 0, 0.5).' in alt
 
 
 @pytest.mark.oracle("mpmath", partial_sums)

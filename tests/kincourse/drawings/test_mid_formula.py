@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kincourse.lecture_04_poe_body.drawings.mid_formula import axis_perpendiculars, draw_mid_formula
+from kincourse.lecture_04_poe_body.drawings.mid_formula import axis_perpendiculars
 from kinlib import robots
 
 ARMS = [robots.rpr(), robots.rppr(), robots.youbot(), robots.puma560(), robots.mid_formula_arm(), robots.angled_arm()]
@@ -20,11 +20,3 @@ def test_a_perpendicular_is_as_long_as_the_moment_of_its_screw():
             np.testing.assert_allclose(far[turns], np.linalg.norm(read[turns, 3:], axis=-1), atol=1e-12)
             np.testing.assert_allclose(np.sum(across * chain.screws[:, :3], axis=-1), 0, atol=1e-12)
             assert not far[~turns].any()
-
-
-def test_the_text_alternative_gives_the_frame_of_each_axis():
-    alt = draw_mid_formula(robots.rppr(), 1).alt
-    assert "Read from {s}: S_1 at 2 m." in alt
-    assert "Read from {b}: B_2 prismatic, B_3 prismatic, B_4 at 2 m." in alt
-    assert "{b}" not in draw_mid_formula(robots.rppr(), 4).alt
-    assert "{s}" not in draw_mid_formula(robots.rppr(), 0).alt

@@ -4,14 +4,12 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from urdf_files import TWO_FINGERS, trees
+from urdf_files import trees
 
 import kinlib as kl
 from kinlib.view.viewer.tree_viewer import (
     Branch,
     branches,
-    describe_tree,
-    draw_tree,
     explore_tree,
 )
 
@@ -38,16 +36,3 @@ def test_every_branch_ends_at_its_tip_and_every_joint_is_drawn_once(drawn, seed)
     arms = explore_tree(tree, q).scene["arms"]
     shown = [joint["name"] for arm in arms for joint in arm["joints"] if not joint["hidden"]]
     assert sorted(shown) == sorted({name for branch in found for name in branch.names})
-
-
-def test_a_gripper_is_described_and_drawn_with_its_mimic_joint():
-    tree = kl.Tree.from_urdf(TWO_FINGERS)
-    text = describe_tree(tree, [0, 0.02])
-    assert text == (
-        "gripper, 2 independent joints, 3 branches, at q = (0, 0.02). To left: joint 1 turn revolute along z at (0, 0, 0.2); "
-        "joint 2 open prismatic along y at (0, 0.07, 0.3); its end is at (0, 0.07, 0.3) m. To pad: joint 2 follow prismatic along y "
-        "at (0, -0.1, 0.3); its end is at (0, -0.1, 0.35) m. To lamp: its end is at (0.2, 0, 0.3) m."
-    )
-    assert explore_tree(tree, [0, 0.02]).alt == text
-    assert draw_tree(tree, {"open": 0.02, "turn": 0}).alt == text
-    assert [slider["title"] for slider in explore_tree(tree).scene["sliders"]] == ["turn", "open"]
