@@ -292,16 +292,3 @@ def test_force_overwrites_the_sheet_and_keeps_other_files(urdf):
     assert Path("full", "notes.txt").read_text("utf-8") == "mine"
     assert Path("full", "full.ipynb").exists()
     assert main(["new-sheet", "puma.urdf", "--out", "full"]) == 2
-
-
-# --- the command line ---
-
-
-def test_help_lists_the_commands_and_an_incomplete_one_prints_the_usage(capsys):
-    for arguments, code in ((["--help"], 0), ([], 2), (["dance"], 2), (["new-sheet"], 2), (["new-sheet", "a.urdf"], 2)):
-        with pytest.raises(SystemExit) as ended:
-            main(arguments)
-        assert ended.value.code == code
-        said = "".join(capsys.readouterr())
-        assert "usage: kincourse" in said
-        assert "new-sheet" in said or not arguments

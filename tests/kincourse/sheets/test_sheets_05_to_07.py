@@ -38,18 +38,6 @@ def reversed_x(rows, convention, frames):
     return rows
 
 
-def reversed_z(table, frame):
-    """The table with the z axis of a frame reversed: half a turn about its x. The variable of the joint about it is negated."""
-    rows, signs = np.array(table.rows), np.array(table.signs)
-    standard = table.convention == "standard"
-    alphas, joint = ((frame - 1, frame), frame) if standard else ((frame - 1, frame), frame - 1)
-    rows[alphas[0], 1] += np.pi
-    rows[alphas[1], 1] += np.pi
-    rows[joint, 2:] *= -1
-    signs[joint] *= -1
-    return table.changed(rows=rows, signs=signs)
-
-
 def moves_alike(one, other):
     q = random_configurations(one.n, 8)
     return np.abs(one.fk(q) - other.fk(q)).max() < 1e-9

@@ -37,7 +37,7 @@ def close(got, expected, atol=AGREES):
 # --- against the numeric library ---
 
 
-@pytest.mark.oracle("modern_robotics", symbolic.fk_body, symbolic.table_fk, joints)
+@pytest.mark.oracle("modern_robotics", symbolic.fk_body)
 @robots
 def test_every_robot_of_the_course_moves_as_its_numbers_do(robot):
     tables = []
@@ -62,6 +62,14 @@ def test_hat_exp_inverse_and_adjoint_are_those_of_modern_robotics(x, T):
     close(numbers(symbolic.inverse(T)), mr.TransInv(T))
     close(numbers(symbolic.adjoint(T)), mr.Adjoint(T))
     close(numbers(symbolic.adjoint(T[:3, :3])), kl.adjoint(T[:3, :3]))
+
+
+@pytest.mark.oracle("roboticstoolbox", symbolic.table_fk)
+@pytest.mark.parametrize(("convention", "link"), [("standard", "RevoluteDH"), ("modified", "RevoluteMDH")])
+def test_a_row_is_that_of_the_robotics_toolbox(convention, link):
+    rtb = pytest.importorskip("roboticstoolbox")
+    expected = getattr(rtb, link)(a=0.3, alpha=0.7, d=-0.2).A(0.5).A
+    close(at(symbolic.table_fk([(0.3, 0.7, -0.2, q_1)], convention), [0.5]), expected)
 
 
 def test_fixed_rows_and_negative_signs_are_read_from_a_table():
@@ -173,8 +181,9 @@ def test_no_digit_of_any_float_is_lost(x):
 # --- shorthand ---
 
 
-@pytest.mark.oracle("text: written out in the test", shorthand)
+@pytest.mark.oracle("text: written out in the test", shorthand, joints)
 def test_shorthand_abbreviates_sums_of_numbered_angles():
+    assert joints(3) == sp.symbols("q_1:4", real=True)
     theta = sp.symbols("theta_1:3")
     assert str(shorthand(sp.cos(q_3 + q_2) + sp.sin(q_1))) == "c_23 + s_1"
     assert sp.latex(shorthand(sp.Matrix([sp.sin(theta[0] + theta[1]) ** 2]))[0]) == "s_{12}^{2}"
