@@ -96,48 +96,48 @@ L2, L4, L5 = 0.7, 0.25, 0.35
 A2, A3, D3, D4 = 0.41, 0.03, 0.16, 0.44
 
 
-@pytest.mark.oracle("roboticstoolbox", robots.rprr, robots.puma560, robots.rpr_lecture7)
-@pytest.mark.parametrize(
-    ("robot", "convention", "rows", "tool"),
-    [
-        (
-            robots.rprr(L2, L4, L5),
-            modified,
-            [("R", 0, 0, 0, 0), ("P", -90, 0, 0, -90), ("R", -90, L2, 0, 0), ("R", 90, 0, 0, 0)],
-            along(x=-L4, z=L5),  # row 5, which has no joint
-        ),
-        (
-            robots.puma560(A2, A3, D3, D4),
-            modified,
-            [
-                ("R", 0, 0, 0, 0),
-                ("R", -90, 0, 0, 0),
-                ("R", 0, A2, D3, 0),
-                ("R", -90, A3, D4, 0),
-                ("R", 90, 0, 0, 0),
-                ("R", -90, 0, 0, 0),
-            ],
-            along(),
-        ),
-        (
-            robots.rpr_lecture7(0.6),
-            modified,
-            [("R", 0, 0, 0, 0), ("P", 90, 0.6, 0, 0), ("R", -90, 0, 0, 0)],
-            along(),
-        ),
-        (
-            robots.youbot(),
-            standard,
-            [(0, 0.147, 0.033, 90), (0, 0, 0.155, 0), (0, 0, 0.135, 0), (90, 0, 0, 90), (0, 0.2175, 0, 0)],
-            along(),
-        ),
-    ],
-    ids=["RPRR", "PUMA 560", "planar RPR", "youBot"],
+PRINTED_TABLES = (
+    (
+        lambda: robots.rprr(L2, L4, L5),
+        modified,
+        [("R", 0, 0, 0, 0), ("P", -90, 0, 0, -90), ("R", -90, L2, 0, 0), ("R", 90, 0, 0, 0)],
+        along(x=-L4, z=L5),  # row 5, which has no joint
+    ),
+    (
+        lambda: robots.puma560(A2, A3, D3, D4),
+        modified,
+        [
+            ("R", 0, 0, 0, 0),
+            ("R", -90, 0, 0, 0),
+            ("R", 0, A2, D3, 0),
+            ("R", -90, A3, D4, 0),
+            ("R", 90, 0, 0, 0),
+            ("R", -90, 0, 0, 0),
+        ],
+        along(),
+    ),
+    (
+        lambda: robots.rpr_lecture7(0.6),
+        modified,
+        [("R", 0, 0, 0, 0), ("P", 90, 0.6, 0, 0), ("R", -90, 0, 0, 0)],
+        along(),
+    ),
+    (
+        robots.youbot,
+        standard,
+        [(0, 0.147, 0.033, 90), (0, 0, 0.155, 0), (0, 0, 0.135, 0), (90, 0, 0, 90), (0, 0.2175, 0, 0)],
+        along(),
+    ),
 )
-def test_the_screws_move_as_the_printed_table_does(robot, convention, rows, tool):
-    arm = convention(*rows)
-    for q in configurations(robot, 20):
-        close(robot.fk(q), arm.fkine(q).A @ tool)
+"""Each robot with the convention, the rows and the tool of its document."""
+
+
+@pytest.mark.oracle("roboticstoolbox", robots.rprr, robots.puma560, robots.rpr_lecture7)
+def test_the_screws_move_as_the_printed_table_does():
+    for make, convention, rows, tool in PRINTED_TABLES:
+        robot, arm = make(), convention(*rows)
+        for q in configurations(robot, 20):
+            close(robot.fk(q), arm.fkine(q).A @ tool)
 
 
 @pytest.mark.oracle("roboticstoolbox", robots.ur5e, robots.panda, robots.scara)
