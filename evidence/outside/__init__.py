@@ -104,6 +104,7 @@ def outside_answers(number: str, given: Any, drawn: Any, neighbour: Any = None) 
     from evidence.outside import drawings, robot_sheets, sheets_01_to_05, sheets_06_to_10, tables  # noqa: F401
     from evidence.outside.right import RIGHT, read_from_a_drawing
     from evidence.outside.shared import differs, legal_forms, shared_kinds
+    from evidence.outside.slips import slips_of_given
 
     if number not in RIGHT:
         return
@@ -116,5 +117,8 @@ def outside_answers(number: str, given: Any, drawn: Any, neighbour: Any = None) 
     if neighbour is not None and kind != "letter" and number not in read_from_a_drawing:  # letters are all tried
         own["copied the answer of a neighbour"] = (solve(neighbour), "-")
     made = shared_kinds(kind, value) | {label: case for label, case in own.items() if differs(kind, case[0], value)}
+    for label, case in slips_of_given(given, kind, solve).items() if number not in read_from_a_drawing else ():
+        if all(differs(kind, case[0], known) for known in (value, *(known for known, _ in made.values()))):
+            made[label] = case
     for label, (wrong, words) in made.items():
         yield OutsideAnswer(label, wrong, frozenset(word.strip() for word in words.split("|")))

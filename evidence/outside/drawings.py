@@ -53,9 +53,7 @@ def rows(g: Any, table: Any) -> Kinds:
     reach = table * (0, 1, 0, 1)
     reach[:, 0] = np.hypot(table[:, 0], table[:, 2])
     return {
-        "negated every theta": (table * (1, 1, 1, -1), SIGN + "|theta"),
         "negated every d": (table * (1, 1, -1, 1), SIGN + "|d"),
-        "swapped a and d": (table[:, [2, 1, 0, 3]], SWAP + "|order|left out|a and d"),
         "left every d at 0": (table * (1, 1, 0, 1), "left out|left at|0|d"),
         "moved a and alpha one row down": (np.column_stack([np.roll(table[:, :2], 1, axis=0), table[:, 2:]]), "row|convention|shift|" + ORDER),
         "moved a and alpha one row up": (np.column_stack([np.roll(table[:, :2], -1, axis=0), table[:, 2:]]), "row|convention|shift|" + ORDER),

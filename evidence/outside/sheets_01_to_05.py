@@ -37,7 +37,6 @@ def pose_from_a_drawing(g: Any, T: Any) -> Kinds:
         "miscounted the height by one": (pose(R, p + [0, 0, 1]), PLACE + "|height"),
         "took the z axis as pointing down": (pose(R @ np.diag([1, -1, -1]), p), SIGN + "|" + PLACE),
         "drew a left-handed frame": (pose(R @ np.diag([1, 1, -1]), p), SIGN),
-        "left the axes of {s}": (pose(I3, p), "identity|left|axes"),
         "measured from {b} to {s}": (pose(R, -p), SIGN + "|leads"),
     }
 
@@ -54,7 +53,6 @@ def rotation_from_a_drawing(g: Any, R: Any) -> Kinds:
         "added a right angle": (rot(k, d + 90), "90|right angle|turn|quarter|sin|angle"),
         "rotated about the next axis": (rot((k + 1) % 3, d), "axis|" + ORDER),
         "misread the angle by ten degrees": (rot(k, d + 10), "angle|axis is right"),
-        "wrote the sine without a sign": (np.where(np.eye(3) > 0, R, np.abs(R)), SIGN + "|" + PLACE + "|no rotation"),
     }
 
 
@@ -65,9 +63,7 @@ def plane_motion(g: Any, T: Any) -> Kinds:
     return {
         "gave the inverse": (inv(once), "inver|other way|transpos|order"),
         "transposed the rotation alone": (np.block([[once[:2, :2].T, once[:2, 2:]], [once[2:]]]), TRANSPOSE + "|" + SIGN + "|clockwise"),
-        "took degrees for radians": (plane(g, angle=180 / np.pi), DEGREES),
         "made the two motions in the other order": (plane(g, order=-1), ORDER + "|rotat"),
-        "turned the other way": (plane(g, angle=-1), SIGN + "|transpos|clockwise"),
         "put p in the last row": (np.array([[*once[0, :2], 0], [*once[1, :2], 0], [*once[:2, 2], 1]]), "last row|transpos"),
         "translated twice": (once + [[0, 0, p[0]], [0, 0, p[1]], [0, 0, 0]], "twice|" + ORDER + "|position|column"),
         "rotated p back": (np.array([[*once[0, :2], 0], [*once[1, :2], 0], [0, 0, 1]]) + np.outer([1, 1, 0], [0, 0, 1]) * [[0, 0, x] for x in (*(once[:2, :2].T @ p), 0)], TRANSPOSE + "|" + ORDER),
@@ -81,11 +77,7 @@ def rod(g: Any, X: Any) -> Kinds:
     return {
         "translated before rotating": (np.array([R @ (x + p), X[1]]), ORDER + "|first|point|position"),
         "added the origin to the vector": (np.array([X[0], X[1] + p]), "vector|direction|point"),
-        "forgot the origin of the camera": (np.array([R @ x, R @ d]), "point|extra|position|0 "),
-        "went from {s} to {c}": (np.array([R.T @ (x - p), R.T @ d]), INVERSE),
-        "multiplied by R^T": (np.array([R.T @ x + p, R.T @ d]), TRANSPOSE),
         "gave both ends": (np.array([X[0], X[0] + X[1]]), "end"),
-        "did not rotate": (np.array([x + p, d]), LEFT_OUT),
         "rotated only the point": (np.array([X[0], d]), LEFT_OUT + "|unchanged"),
         "subtracted the origin": (np.array([R @ x - p, X[1]]), SIGN),
     }
@@ -96,12 +88,8 @@ def inverse_pose(g: Any, X: Any) -> Kinds:
     R, p = g.T_sg[:3, :3], g.T_sg[:3, 3]
     return {
         "wrote R and -p": (pose(R, -p), "R|transpos|minus|" + SIGN),
-        "forgot both transposes": (pose(R, -R @ p), "R|transpos"),
-        "wrote R^T and -p": (pose(R.T, -p), "-p|transpos|minus"),
-        "wrote R^T and p": (pose(R.T, p), "kept|p|position"),
         "wrote R^T and R^T p": (pose(R.T, R.T @ p), SIGN),
         "forgot the transpose in the position": (pose(R.T, -R @ p), TRANSPOSE),
-        "handed in what is given": (g.T_sg, "given|inverse|as it is|T_{sg}"),
         "inverted every entry's sign but the last": (pose(-R, -p), SIGN + "|no rotation|given"),
     }
 
@@ -111,16 +99,8 @@ def cancel(g: Any, X: Any) -> Kinds:
     a, b, c = inv(g.T_st), g.T_sc, g.T_co
     return {
         "multiplied in reverse": (c @ b @ a, ORDER + "|revers"),
-        "forgot to invert T_st": (g.T_st @ b @ c, "inver"),
-        "inverted the camera as well": (a @ inv(b) @ c, INVERSE),
-        "wrote the factors in another order": (a @ c @ b, ORDER),
         "put the tool last": (b @ c @ a, ORDER + "|last"),
-        "left out the object": (a @ b, LEFT_OUT),
-        "left out the camera": (a @ c, LEFT_OUT),
-        "left out the tool": (b @ c, LEFT_OUT),
-        "gave T_ot": (inv(X), "inver|T_{"),
         "transposed T_st": (g.T_st.T @ b @ c, "transpos"),
-        "inverted the object too": (a @ b @ inv(c), INVERSE),
         "used T_sc twice": (a @ b @ b, "T_{co}|T_{sc}|instead|belongs"),
     }
 
@@ -132,12 +112,8 @@ def own_or_fixed(g: Any, X: Any) -> Kinds:
         "swapped the two sides": (moved(g, swap=True), ORDER + "|left|right"),
         "made both about own axes": (g.T_sb @ turn @ shift, ORDER + "|left|right|last|first"),
         "made both about axes of {s}": (shift @ turn @ g.T_sb, ORDER + "|left|right|last|first"),
-        "turned the other way": (moved(g, angle=-1), SIGN),
-        "forgot the rotation": (g.T_sb @ shift if g.own == "shift" else shift @ g.T_sb, LEFT_OUT),
-        "forgot the translation": (g.T_sb @ turn if g.own == "turn" else turn @ g.T_sb, LEFT_OUT),
         "left the pose as it was": (np.asarray(g.T_sb), "unchanged|given|as it is|left out|T_{sb}"),
         "forgot the first pose": (turn @ shift, LEFT_OUT),
-        "took degrees for radians": (moved(g, angle=180 / np.pi), DEGREES),
     }
 
 
@@ -148,26 +124,24 @@ def matrix_of_a_screw(g: Any, X: Any) -> Kinds:
     def block(W: Any, v: Any, corner: float = 0) -> Any:
         return np.block([[W, np.reshape(v, (3, 1))], [np.zeros((1, 3)), corner * np.ones((1, 1))]])
 
-    a, b, c = w
     return {
         "wrote a 1 in the corner": (block(hat(w), v, 1), "corner|1|last row"),
-        "transposed [omega]": (block(hat(w).T, v), TRANSPOSE + "|" + SIGN),
         "swapped omega and v": (block(hat(v), w), SWAP + "|halves|in front"),
         "put omega on the diagonal": (block(np.diag(w), v), "diagonal|skew|cross"),
         "forgot all minus signs": (block(np.abs(hat([1, 1, 1])) * hat(w) * np.sign(hat([1, 1, 1])), v), SIGN + "|skew"),
-        "wrote -v": (block(hat(w), -v), SIGN),
         "wrote the components in the order z, y, x": (block(hat(w[::-1]), v), ORDER + "|x and z"),
         "filled only the upper half": (block(np.triu(hat(w)), v), "skew|half|lower|below|" + PLACE),
         "wrote v in the last row": (np.block([[hat(w), np.zeros((3, 1))], [v, 0]]), "row|transpos"),
-        "swapped the signs of the second component": (block(hat([a, -b, c]), v), SIGN + "|" + PLACE),
+        "swapped the signs of the second component": (block(hat(w * (1, -1, 1)), v), SIGN + "|" + PLACE),
         "multiplied omega with itself": (block(np.outer(w, w), v), "skew|outer|symmetric"),
-        "left v at 0": (block(hat(w), 0 * v), LEFT_OUT + "|v|0"),
         "divided by the length": (block(hat(w) / np.linalg.norm(w), v), SIZE),
         "squared [omega]": (block(hat(w) @ hat(w), v), "squar|symmetric|twice|skew"),
     }
 
 
-def _rotations(w: Any, degrees: float) -> Kinds:
+@kinds_of("02.2")
+def given_axis(g: Any, X: Any) -> Kinds:
+    w, degrees = np.asarray(g.direction, dtype=float), g.degrees
     u, t = w / np.linalg.norm(w), np.radians(degrees)
     s, c, W = np.sin(t), np.cos(t), hat(u)
     skewed = "skew|symmetric|I$|term"
@@ -179,9 +153,7 @@ def _rotations(w: Any, degrees: float) -> Kinds:
         "left out I": (s * W + (1 - c) * W @ W, LEFT_OUT + "|I$"),
         "swapped sin and 1 - cos": (I3 + (1 - c) * W + s * W @ W, SWAP + "|sin|cos"),
         "used theta for sin theta": (I3 + t * W + (1 - c) * W @ W, "sin|theta"),
-        "turned the other way": (rot(-u, degrees), SIGN + "|transpos"),
         "turned by the supplement": (rot(u, 180 - degrees), "angle|supplement|180"),
-        "turned twice as far": (rot(u, 2 * degrees), "twice|doubl|angle"),
         "rounded the angle to tens": (rot(u, round(degrees + 5, -1) + 10), "angle"),
         "took the components as z, y, x": (rot(u[::-1], degrees), ORDER + "|x and z|another axis|angle is right"),
         "rotated about the largest component's axis": (rot(int(np.argmax(np.abs(u))), degrees), "axis|angle is right"),
@@ -190,19 +162,11 @@ def _rotations(w: Any, degrees: float) -> Kinds:
         "used 1 for 1 - cos": (I3 + s * W + W @ W, "cos|factor"),
         "used 2 theta in the sine": (I3 + np.sin(2 * t) * W + (1 - c) * W @ W, "sin|twice|angle"),
         "mistook [u] for its transpose in the square": (I3 + s * W - (1 - c) * W @ W, SIGN + "|transpos"),
-        "took degrees for radians": (rot(u, np.degrees(degrees)), DEGREES),
-        "turned radians into radians": (rot(u, np.degrees(np.radians(t))), DEGREES),
         "turned by a negated component": (rot(u * (-1, 1, 1), degrees), SIGN + "|axis|angle is right"),
         "divided by the sum": (rot(w / np.abs(w).sum(), degrees), "sum|length|angle|divide"),
-        "left the identity": (I3, "identity|left|rotat"),
-        "made " + "three terms of the series": (I3 + t * W + t * t / 2 * W @ W, "series|term"),
+        "made three terms of the series": (I3 + t * W + t * t / 2 * W @ W, "series|term"),
         "wrote only the symmetric part": (I3 + (1 - c) * W @ W, skewed + "|" + LEFT_OUT),
     }
-
-
-@kinds_of("02.2")
-def given_axis(g: Any, X: Any) -> Kinds:
-    return _rotations(np.asarray(g.direction, dtype=float), g.degrees)
 
 
 @kinds_of("02.3")
@@ -212,7 +176,6 @@ def rotation_formula(g: Any, X: Any) -> Kinds:
     return {
         "used cos for 1 - cos": (rodrigues(w, one_minus_cosine=c), "cos"),
         "used 1 + cos": (rodrigues(w, one_minus_cosine=1 + c), "cos|sign"),
-        "used theta for sin theta": (rodrigues(w, sine=theta), "sin|\\theta"),
         "used theta^2/2 for 1 - cos": (rodrigues(w, one_minus_cosine=theta**2 / 2), "cos|series|term|\\theta"),
         "left out I": (rodrigues(w) - sp.eye(3), LEFT_OUT + "|I$"),
         "left out the square": (sp.eye(3) + s * W, LEFT_OUT),
@@ -234,15 +197,12 @@ def origin_goes(g: Any, X: Any) -> Kinds:
     return {
         "used cos for 1 - cos in G": (t * v + c * W * v + (t - s) * W * W * v, "cos"),
         "used sin for theta - sin in G": (t * v + (1 - c) * W * v + s * W * W * v, "sin|theta"),
-        "used theta + sin in G": (t * v + (1 - c) * W * v + (t + s) * W * W * v, "sin|sign"),
         "permuted the point": (swapped - R * swapped, POINT + "|" + ORDER),
         "gave R p": (R * p, "R|point"),
-        "gave R p - p": (R * p - p, SIGN + "|\\times|revers"),
         "gave p": (p, POINT),
         "gave v theta": (v * t, "straight|v|term"),
         "took the point as the moment": (t * p + (1 - c) * W * p + (t - s) * W * W * p, POINT),
         "dropped a": (X.subs(g.point[2] if g.point[2].free_symbols else min(X.free_symbols, key=str), 0), LEFT_OUT + "|a"),
-        "turned the other way": (p - R.T * p, SIGN + "|transpos"),
         "wrote p + R p": (p + R * p, SIGN),
         "rotated twice": (p - R * R * p, "twice|doubl"),
     }
@@ -253,7 +213,6 @@ def series(g: Any, X: Any) -> Kinds:
     t, mm = g.theta, 1000 * g.radius
     two = np.hypot(np.cos(t) - 1, np.sin(t) - t)
     four = np.hypot(np.cos(t) - 1 + t**2 / 2, np.sin(t) - t + t**3 / 6)
-    r = np.radians(t)
     return {
         "stopped after two terms": (two * mm, "two terms|term|three"),
         "stopped after four terms": (four * mm, "four|term"),
@@ -261,17 +220,14 @@ def series(g: Any, X: Any) -> Kinds:
         "gave only the error of the sine": (abs(np.sin(t) - t) * mm, "sine|cos|component|direction"),
         "gave only the error of the cosine": (abs(np.cos(t) - 1 + t**2 / 2) * mm, "cosine|sin|component|direction"),
         "added both errors": ((abs(np.sin(t) - t) + abs(np.cos(t) - 1 + t**2 / 2)) * mm, "add|sum"),
-        "took theta for degrees": (np.hypot(np.cos(r) - 1 + r**2 / 2, np.sin(r) - r) * mm, DEGREES),
         "left out the radius": (X / g.radius, "radius|distance|" + LEFT_OUT),
         "divided by the radius": (X / g.radius**2, "divide|radius"),
-        "took the diameter": (2 * X, "twice|diameter|doubl"),
         "left out the factor 1/2": (np.hypot(np.cos(t) - 1 + t**2, np.sin(t) - t) * mm, "half|2|factor"),
         "did not take the root": (((np.cos(t) - 1 + t**2 / 2) ** 2 + (np.sin(t) - t) ** 2) * mm, "root|square"),
         "gave the error of the length": ((np.hypot(1 - t**2 / 2, t) - 1) * mm, "length|radius"),
         "gave the chord": (2 * np.sin(t / 2) * mm, "chord|moved|far"),
         "gave the arc": (t * mm, "arc|term|moved"),
         "gave the distance from the axis": (np.hypot(1 - t**2 / 2, t) * mm, "length|axis|difference|distance"),
-        "wrote 0": (0.0, "0|zero"),
         "forgot a thousand and gave micrometres": (1000 * X, UNIT + "|micro"),
         "gave a percentage": (X / mm * 100, "percent|radius|" + SIZE),
     }
@@ -289,8 +245,6 @@ def gyroscope(g: Any, X: Any) -> Kinds:
         "normed omega only": (exp([*w / size, *v], t), SIZE),
         "normed the whole screw": (exp(np.array([*w, *v]) / size, t), SIZE + "|second|speed"),
         "took degrees per second": (exp([*np.radians(w), *v], t), DEGREES),
-        "turned the other way": (exp([*-w, *v], t), SIGN + "|transpos|other way"),
-        "moved back": (exp([*w, *-v], t), SIGN),
         "swapped omega and v": (exp([*v, *w], t), SWAP + "|halves"),
         "stopped after the first order": (np.eye(4) + t * np.block([[hat(w), v.reshape(3, 1)], [np.zeros((1, 4))]]), "series|term"),
         "used half the time": (exp([*w, *v], t / 2), "half|time|angle"),
@@ -309,9 +263,7 @@ def logarithm_near_half_a_turn(g: Any, x: Any) -> Kinds:
         "gave degrees": (np.degrees(x), DEGREES),
         "used the arcsine": (u * (np.pi - t), "arcsin|supplement|angle|pi"),
         "went the long way": (-u * (2 * np.pi - t), "long|other|angle|" + SIGN),
-        "took the logarithm of R^T": (-x, SIGN + "|transpos"),
         "read the diagonal": (np.diag(R), "diagonal"),
-        "took half the angle": (x / 2, "half"),
         "gave R - R^T": (m, "sin|R - R^T|angle"),
         "gave half of R - R^T": (m / 2, "sin|angle|length|direction"),
         "used pi for the angle": (u * np.pi, "angle|direction is right|pi"),
@@ -363,7 +315,6 @@ def plain_arm(g: Any, S: Any) -> Kinds:
         "gave the slide a moment": (np.where(slide, np.hstack([0 * d, np.cross(p, d)]), S), "prismatic|translation|v|moment|direction"),
         "negated the middle of each cross product": (np.where(slide, S, S * (1, 1, 1, 1, -1, 1)), SIGN + "|" + PLACE),
         "multiplied entry by entry": (np.where(slide, S, np.hstack([d, d * p])), "entry|cross"),
-        "took every axis through the origin": (np.where(slide, S, np.hstack([d, 0 * d])), "moment|left out|origin|leave out"),
         "did one row with omega x q": (S * np.where((np.arange(3) == np.argmin(slide))[:, None], [1, 1, 1, -1, -1, -1], 1), SIGN + "|\\times"),
     }
 
@@ -377,12 +328,8 @@ def tilted_joint(g: Any, S: Any) -> Kinds:
         "negated omega alone": (S * (-1, -1, -1, 1, 1, 1), SIGN),
         "tilted by half the angle": (screw(np.cos(np.radians(g.degrees / 2)) * u + np.sin(np.radians(g.degrees / 2)) * t, p), "half|angle|tilt|axis|" + PLACE),
         "tilted from the other axis": (screw(s * u + c * t, p), SWAP + "|sin"),
-        "tilted away": (screw(c * u - s * t, p), SIGN + "|away"),
-        "did not tilt": (screw(u, p), "tilt|lean|angle|0|axis"),
         "tilted fully": (screw(t, p), "tilt|angle|axis|direction"),
-        "took degrees for radians": (screw(np.cos(g.degrees) * u + np.sin(g.degrees) * t, p), DEGREES),
         "tilted towards the third axis": (screw(c * u + s * np.cross(u, t), p), "axis|third"),
-        "took omega x p": (np.array([*w, *np.cross(w, p)]), SIGN + "|\\times"),
         "used the point as the moment": (np.array([*w, *p]), POINT),
         "took the moment of the upright axis": (np.array([*w, *np.cross(p, u)]), "axis|moment|tilt|upright"),
         "added without sines": (screw(u + t, p), SIZE + "|unit|sin"),
@@ -400,12 +347,10 @@ def tilted_slide(g: Any, S: Any) -> Kinds:
     d = S[3:]
     return {
         "did not norm": (np.array([0, 0, 0, *n]), SIZE + "|unit"),
-        "wrote the direction in omega": (np.array([*d, 0, 0, 0]), "omega|halves|v"),
         "treated it as revolute": (screw(d, p), "revolute|omega|rotat|turn"),
         "gave a moment": (np.array([0, 0, 0, *np.cross(p, d)]), "moment|point|\\times"),
         "gave the point": (np.array([0, 0, 0, *p]), "point"),
         "divided by the sum": (np.array([0, 0, 0, *n / n.sum()]) if n.sum() else S * 3, "sum|unit|length|" + SIZE),
-        "moved the other way": (-S, SIGN),
         "wrote the direction twice": (np.array([*d, *d]), "omega|both|twice"),
     }
 
@@ -417,11 +362,7 @@ def helical(g: Any, S: Any) -> Kinds:
     return {
         "multiplied the lead by 2 pi": (np.array([*w, *m + 2 * np.pi * g.lead * w]), "lead|pitch|2\\pi|climb"),
         "used the lead as the pitch": (np.array([*w, *m + g.lead * w]), "lead|pitch|2\\pi"),
-        "left out the climb": (np.array([*w, *m]), "climb|pitch|left out|h"),
-        "made it left-handed": (np.array([*w, *m - h * w]), SIGN + "|left-handed"),
-        "took omega x p": (np.array([*w, *-m + h * w]), SIGN + "|\\times"),
         "added the pitch everywhere": (np.array([*w, *m + h]), "pitch|climb|everywhere|all"),
-        "wrote the climb only": (np.array([*w, *h * w]), "moment|left out|point|origin"),
         "used 360 for a turn": (np.array([*w, *m + g.lead / 360 * w]), "2\\pi|degree|pitch|360"),
         "used pi for a turn": (np.array([*w, *m + g.lead / np.pi * w]), "2\\pi|pitch|twice|half|double"),
         "took it for a slide": (np.array([0, 0, 0, *w]), "prismatic|omega"),
@@ -442,7 +383,6 @@ def screw_from_a_drawing(g: Any, S: Any) -> Kinds:
         "misread the other coordinate by one": (screw(w, p - I3[j]), "point|coordinate|parallel|" + PLACE),
         "read one coordinate as 0": (screw(w, p * (I3[i] + I3[k])), "point|coordinate|0|parallel|" + PLACE),
         "swapped two coordinates": (screw(w, swapped), SWAP + "|point|parallel|sizes"),
-        "negated the point": (screw(w, -p), SIGN + "|\\times"),
         "took the point as the moment": (np.array([*w, *p]), POINT),
         "treated it as prismatic": (np.array([0, 0, 0, *w]), "prismatic"),
     }
@@ -482,22 +422,14 @@ def longer_tool(g: Any, X: Any) -> Kinds:
     Z = pose(I3, [0, 0, L])
     return {
         "lengthened along y": (poe(g, S, M @ pose(I3, [0, L, 0])), "y|axis"),
-        "left out M": (poe(g, S, Z), LEFT_OUT),
-        "kept the old tool": (poe(g, S, M), "tool|longer|left out|leave out"),
         "lengthened along z of {s}": (poe(g, S, Z @ M), "{s}|" + ORDER + "|left"),
         "lengthened after all": (Z @ poe(g, S, M), "{s}|" + ORDER + "|first|left"),
-        "shortened the tool": (poe(g, S, M @ inv(Z)), SIGN + "|inver|short"),
         "lengthened along x": (poe(g, S, M @ pose(I3, [L, 0, 0])), "x|axis"),
         "lengthened twice": (poe(g, S, M @ Z @ Z), "twice|double"),
-        "took q for degrees": (poe(g, S, M @ Z, np.radians(g.q)), DEGREES),
-        "gave the home pose": (M @ Z, "home|q"),
-        "took q in reverse": (poe(g, S, M @ Z, np.asarray(g.q)[::-1]), ORDER + "|revers"),
         "reversed the factors": (product(*[exp(s, x) for s, x in zip(S, g.q, strict=True)][::-1], M, Z), "revers|" + ORDER),
         "put M first": (product(M, Z, *[exp(s, x) for s, x in zip(S, g.q, strict=True)]), "first|" + ORDER),
         "was off by one in q": (poe(g, S, M @ Z, np.roll(g.q, 1)), "q|" + ORDER),
         "used q_3 for q_4": (poe(g, S, M @ Z, [*g.q[:3], g.q[2]]), "q|joint|belongs"),
-        "turned all joints the other way": (poe(g, S, M @ Z, -np.asarray(g.q)), SIGN),
-        "left out joint 4": (poe(g, S, M @ Z, [*g.q[:3], 0]), LEFT_OUT),
         "added the length to x, y and z": (poe(g, S, M @ pose(I3, [L, L, L])), "axis|axes|along|entry"),
     }
 
@@ -518,7 +450,6 @@ def home_formula(g: Any, X: Any) -> Kinds:
         "wrote p in {b}": (made(p=R.T * p), "R^T|{b}|frame|transpos"),
         "drew a left-handed frame": (made(R * sp.diag(1, 1, -1)), SIGN + "|left-handed|" + PLACE),
         "swapped two axes": (made(R[:, [1, 0, 2]]), ORDER + "|axes"),
-        "ended at the last joint": (made(p=p.subs(L[-1], 0)), LEFT_OUT + "|L_"),
     }
 
 
@@ -679,14 +610,11 @@ def _with_home(g: Any, S: Any, k: int) -> Kinds:
     e = [exp(s, x) for s, x in zip(S, q, strict=True)]
     return {
         "swapped the sides of M": (product(*e[k:], M, *e[:k]), ORDER + "|sides|first|last"),
-        "took R^T in M": (of(M=pose(M[:3, :3].T, M[:3, 3])), "transpos|R^T"),
         "put M last": (of(k=len(S)), ORDER + "|last"),
         "put M first": (of(k=0), ORDER + "|first|front"),
         "put M one joint later": (of(k=k + 1), ORDER + "|M|place"),
         "put M on both sides": (product(M, *e, M) if k == 0 else product(M, of()), "twice|two|both|M"),
         "conjugated with M": (product(M, *e, inv(M)), "M|inver|twice|both"),
-        "left out M": (product(*e), LEFT_OUT),
-        "inverted M": (of(M=inv(M)), "inver"),
         "took degrees for radians": (of(q=np.asarray(g.values, dtype=float)), DEGREES),
         "turned the slide into radians too": (of(q=np.radians(g.values)), DEGREES + "|length"),
         "used q_2 for q_1": (of(q=[q[min(1, len(q) - 1)], *q[1:]]), "q_|joint|belongs"),
@@ -694,11 +622,6 @@ def _with_home(g: Any, S: Any, k: int) -> Kinds:
         "reversed the factors": (product(*e[:k], M, *e[k:][::-1]), "revers|" + ORDER),
         "reversed all factors": (product(*e[::-1][:k], M, *e[::-1][k:]), "revers|" + ORDER),
         "added the exponents": (product(exp(q[:k] @ S[:k]), M, exp(q[k:] @ S[k:])), "sum|add|exponent"),
-        "turned all joints the other way": (of(q=-q), SIGN),
-        "turned joint 1 the other way": (of(q=[-q[0], *q[1:]]), SIGN),
-        "left out the last joint": (of(q=[*q[:-1], 0]), LEFT_OUT),
-        "left out joint 1": (of(q=[0, *q[1:]]), LEFT_OUT),
-        "gave the home pose": (M, "home|q|joint|left out"),
         "read (v, omega)": (of(S=np.roll(S, 3, axis=1)), "halves|(v|" + ORDER),
         "used the screws in the other frame": (product(*[exp(Ad(M) @ s, x) for s, x in zip(S, q, strict=True)][:k], M, *[exp(Ad(M) @ s, x) for s, x in zip(S, q, strict=True)][k:]), "space|screws|frame|Ad"),
     }
@@ -710,19 +633,15 @@ def column(g: Any, X: Any) -> Kinds:
     q = radians_of(g.values, B)
     e = [exp(b, x) for b, x in zip(B, q, strict=True)]
     return {
-        "turned joint 4 the other way": (Ad(inv(e[2] @ inv(e[3]))) @ B[1], SIGN + "|inver"),
         "did not invert": (Ad(e[2] @ e[3]) @ B[1], "inver|" + SIGN),
         "took all joints": (Ad(inv(product(*e))) @ B[1], JOINT),
         "took the joints before": (Ad(e[0]) @ B[1], JOINT),
-        "gave the screw at home": (B[1], "home|q|joint|motion"),
         "gave column 1": (jacobian(g, q)[0], JOINT),
         "gave column 3": (jacobian(g, q)[2], JOINT),
         "reversed the factors": (Ad(inv(e[3] @ e[2])) @ B[1], "revers|" + ORDER),
         "took degrees for radians": (jacobian(g, np.asarray(g.values, dtype=float))[1], DEGREES),
         "used Ad transposed": (Ad(inv(e[2] @ e[3])).T @ B[1], "transpos"),
-        "left out joint 4": (Ad(inv(e[2])) @ B[1], JOINT + "|" + LEFT_OUT),
         "only rotated": (np.concatenate([(e[2] @ e[3])[:3, :3].T @ B[1][:3], (e[2] @ e[3])[:3, :3].T @ B[1][3:]]), "rotat|position|p|moved|left out"),
-        "turned joint 3 the other way": (Ad(inv(inv(e[2]) @ e[3])) @ B[1], SIGN + "|inver"),
     }
 
 
@@ -733,20 +652,11 @@ def twist_of_the_tool(g: Any, X: Any) -> Kinds:
     e = [exp(b, x) for b, x in zip(B, q, strict=True)]
     M = np.array([Ad(product(np.eye(4), *e[:i])) @ B[i] for i in range(3)])
     return {
-        "left out joint 2": (rates @ (J * [[1], [0], [1]]), LEFT_OUT),
-        "left the rates in degrees": (np.asarray(g.rates) @ J, DEGREES),
-        "left the angles in degrees": (rates @ jacobian(g, np.asarray(g.values, dtype=float)), DEGREES),
         "left both in degrees": (np.asarray(g.rates) @ jacobian(g, np.asarray(g.values, dtype=float)), DEGREES),
-        "used the screws at home": (rates @ B, "home|Jacobian|screws|q"),
         "used the space Jacobian": (rates @ M, "space|before|joints|inver|direction"),
         "swapped rates and angles": (q @ jacobian(g, rates), SWAP + "|rates|values"),
-        "left out joint 1": (rates @ (J * [[0], [1], [1]]), LEFT_OUT),
-        "left out joint 3": (rates @ (J * [[1], [1], [0]]), LEFT_OUT),
-        "took the rates in reverse": (rates[::-1] @ J, ORDER + "|revers"),
         "used the same rate for all": (rates[0] * J.sum(axis=0), "rate|joint|for all"),
         "was off by one in the rates": (np.roll(rates, 1) @ J, ORDER + "|rate"),
-        "turned all angles the other way": (rates @ jacobian(g, -q), SIGN + "|inver"),
-        "turned all rates the other way": (-rates @ J, SIGN),
         "added the columns": (J.sum(axis=0), "rate|sum|column"),
         "gave the column of joint 1": (J[0], "rate|column|joint"),
         "did not invert": (rates @ np.array([Ad(product(np.eye(4), *e[i + 1 :])) @ B[i] for i in range(3)]), "inver|" + SIGN),
@@ -760,9 +670,6 @@ def singular_wrist(g: Any, X: Any) -> Kinds:
     q, rate = X
     return {
         "gave the tilt": (np.array([g.tilt, rate]), "tilt|angle|90|\\delta|limit"),
-        "gave q_2 with the other sign": (np.array([-q, rate]), SIGN),
-        "gave the rate with the other sign": (np.array([q, -rate]), SIGN),
-        "gave both with the other sign": (-X, SIGN),
         "gave radians": (np.radians(X), DEGREES),
         "gave q_2 in radians": (np.array([np.radians(q), rate]), DEGREES),
         "gave q_2 = 0": (np.array([0, rate]), "0|home|singular"),
@@ -770,7 +677,6 @@ def singular_wrist(g: Any, X: Any) -> Kinds:
         "gave the supplement": (np.array([180 - q, rate]), "180|supplement|half a turn|limit|between"),
         "gave 90 degrees": (np.array([90.0, rate]), "90|right angle|perpendicular"),
         "doubled the rate": (np.array([q, 2 * rate]), SIZE),
-        "gave no rate": (np.array([q, 0.0]), "0|rate|at rest|left"),
         "swapped the two numbers": (X[::-1], SWAP),
         "took the cosine of the rate": (np.array([q, rate * np.cos(np.radians(q))]), "cos|rate|component"),
     }
@@ -791,7 +697,6 @@ def row_from_a_drawing(g: Any, X: Any) -> Kinds:
         "negated theta": (X * (1, 1, 1, -1), SIGN),
         "left alpha at 0": (X * (1, 0, 1, 1), "0|left out"),
         "measured a from origin to origin": (np.array([np.hypot(a, d), alpha, 0, t]), "origin|normal|joint to joint|0|left|distance"),
-        "gave degrees": (np.array([a, np.degrees(alpha), d, np.degrees(t)]), DEGREES),
     }
 
 
@@ -799,18 +704,10 @@ def row_from_a_drawing(g: Any, X: Any) -> Kinds:
 def row_as_a_matrix(g: Any, X: Any) -> Kinds:
     a, al, d, t = g.a, np.radians(g.alpha_degrees), g.d, np.radians(g.theta_degrees)
     return {
-        "left out a": (link((0, al, d, t), "standard"), LEFT_OUT + "|a"),
         "used the modified convention": (link((a, al, d, t), "modified"), "modified|convention|order|revers|last|first"),
-        "swapped a and d": (link((d, al, a, t), "standard"), SWAP + "|a|d"),
-        "swapped alpha and theta": (link((a, t, d, al), "standard"), SWAP + "|theta"),
         "took degrees for radians": (link((a, g.alpha_degrees, d, g.theta_degrees), "standard"), DEGREES),
-        "negated alpha": (link((a, -al, d, t), "standard"), SIGN),
-        "negated theta": (link((a, al, d, -t), "standard"), SIGN),
-        "left out d": (link((a, al, 0, t), "standard"), LEFT_OUT + "|d"),
-        "left out alpha": (link((a, 0, d, t), "standard"), LEFT_OUT + "|alpha"),
         "wrote (a, 0, d)": (pose(X[:3, :3], [a, 0, d]), "theta|rotat|x|position|not rotated|left out"),
         "turned a twice": (pose(X[:3, :3], [a * np.cos(2 * t), a * np.sin(2 * t), d]), "twice|theta"),
-        "gave the inverse": (inv(X), "inver"),
     }
 
 
@@ -819,15 +716,12 @@ def offsets(g: Any, X: Any) -> Kinds:
     h = np.radians(g.headings_degrees)
     return {
         "gave the headings": (h, "absolute|heading|x_0|relative|x_{"),
-        "gave degrees": (np.degrees(X), DEGREES),
-        "negated all": (-X, SIGN),
         "added the headings": (np.cumsum(h), "add|sum|sign|difference|absolute"),
         "subtracted the other way": (np.array([h[0], -X[1], -X[2]]), SIGN + "|order"),
         "added neighbours": (np.array([h[0], h[0] + h[1], h[1] + h[2]]), SIGN + "|add|sum"),
         "subtracted the first": (np.array([h[0], h[1] - h[0], h[2] - h[0]]), "first|link 1|x_0|before|previous|heading|x_1"),
         "left the first at 0": (np.array([0, X[1], X[2]]), "0|left out"),
         "used the heading of the next link": (np.roll(X, -1), ORDER + "|next|link"),
-        "took half": (X / 2, "half|-"),
     }
 
 
@@ -844,13 +738,8 @@ def chain_of_rows(g: Any, X: Any) -> Kinds:
     return {
         "multiplied the last row first": (at(q, text="\n".join([lines[0], *lines[:0:-1]])), ORDER + "|revers|row"),
         "used the modified convention": (at(q, "modified"), "modified|convention|order"),
-        "gave the pose at q = 0": (at(0 * q), "q|0|home|left out|zero"),
-        "took q in reverse": (at(q[::-1]), ORDER + "|revers"),
-        "negated q": (at(-q), SIGN),
-        "took q for degrees": (at(np.radians(q)), DEGREES),
         "forgot the offsets": (at(q, text=g.text.replace(" - 90°", "").replace(" + 90°", "")), "offset|" + LEFT_OUT),
         "multiplied in reverse": (np.linalg.inv(at(q)), "inver|revers|" + ORDER),
-        "left the first joint at 0": (at([0, *q[1:]]), "q_1|0|left out|joint|theta"),
         "used q_1 for q_2": (at([q[0], q[0], *q[2:]]), "q_|joint|belongs"),
     }
 
@@ -881,18 +770,9 @@ def base_and_tool(g: Any, X: Any) -> Kinds:
     b, t = np.asarray(g.base), np.asarray(g.tool)
     return {
         "put the base behind the arm": (A @ b @ t, ORDER + "|base"),
-        "did not rotate the base": (pose(I3, b[:3, 3]) @ A @ t, "base|rotat|turn"),
-        "forgot the base": (A @ t, LEFT_OUT),
-        "forgot the tool": (b @ A, LEFT_OUT),
         "forgot both": (A, LEFT_OUT),
-        "swapped base and tool": (t @ A @ b, SWAP + "|order|revers"),
-        "inverted the base": (inv(b) @ A @ t, "inver"),
-        "inverted the tool": (b @ A @ inv(t), "inver"),
         "used the modified convention": (b @ chain(at(g.rows, "RR", g.q), "modified") @ t, "modified|convention"),
-        "took q for degrees": (b @ chain(at(g.rows, "RR", np.radians(g.q)), "standard") @ t, DEGREES),
         "put the tool before the arm": (b @ t @ A, ORDER),
-        "took q in reverse": (b @ chain(at(g.rows, "RR", g.q[::-1]), "standard") @ t, ORDER + "|revers|q"),
         "used the base twice": (b @ A @ b, "tool|base|twice|instead|belongs|T_"),
-        "gave the pose at q = 0": (b @ chain(at(g.rows, "RR", [0, 0]), "standard") @ t, "q|0|home|left out"),
         "negated alpha": (b @ chain(at(np.asarray(g.rows) * (1, -1, 1, 1), "RR", g.q), "standard") @ t, SIGN),
     }

@@ -21,7 +21,7 @@ from evidence.outside.right import (
     screw,
     to_point_C,
 )
-from evidence.outside.shared import CENTI, DEGREES, ORDER, PLACE, PLACEHOLDER, SIGN, SIZE, SWAP, UNIT
+from evidence.outside.shared import CENTI, DEGREES, ORDER, PLACE, SIGN, SIZE, SWAP, UNIT
 
 LEFT_OUT = shared.LEFT_OUT + "|kept|left at"
 JOINT = "joint|row|axis|point|column|q_|instead|belongs"
@@ -34,17 +34,9 @@ def modified_row(g: Any, X: Any) -> Kinds:
     a, al, d, t = g.a, g.alpha, g.d, g.theta
     return {
         "used the standard convention": (link((a, al, d, t), "standard"), "standard|convention|order|revers|last|first"),
-        "converted alpha once more": (link((a, np.radians(al), d, t), "modified"), DEGREES),
-        "converted theta once more": (link((a, al, d, np.radians(t)), "modified"), DEGREES),
         "converted both once more": (link((a, np.radians(al), d, np.radians(t)), "modified"), DEGREES),
         "used degrees": (link((a, np.degrees(al), d, np.degrees(t)), "modified"), DEGREES),
-        "swapped a and d": (link((d, al, a, t), "modified"), SWAP + "|a|d"),
-        "swapped alpha and theta": (link((a, t, d, al), "modified"), SWAP),
-        "negated alpha": (link((a, -al, d, t), "modified"), SIGN),
-        "negated theta": (link((a, al, d, -t), "modified"), SIGN),
         "wrote (a, 0, d)": (pose(X[:3, :3], [a, 0, d]), "d|z|rotat|position|left out"),
-        "left out d": (link((a, al, 0, t), "modified"), LEFT_OUT),
-        "left out a": (link((0, al, d, t), "modified"), LEFT_OUT),
     }
 
 
@@ -52,18 +44,13 @@ def modified_row(g: Any, X: Any) -> Kinds:
 def two_twists(g: Any, X: Any) -> Kinds:
     one, two = X
     return {
-        "swapped alpha and theta": (np.array([[g.theta, 0, 0, g.a, 0, 0], [0, 0, g.alpha, 0, 0, g.d]]), SWAP + "|alpha|theta"),
         "gave bare unit screws": (np.array([[1, 0, 0, g.a, 0, 0], [0, 0, 1, 0, 0, g.d]]), "unit|angle|theta|1|alpha"),
         "gave unit screws without lengths": (np.array([[1.0, 0, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0]]), "unit|angle|theta|left|length"),
         "gave pitches": (np.array([[1, 0, 0, g.a / g.alpha, 0, 0], [0, 0, 1, 0, 0, g.d / g.theta]]), "unit|angle|pitch|divide|theta"),
-        "swapped the rows": (X[::-1], ORDER + "|standard"),
-        "swapped a and d": (np.array([[g.alpha, 0, 0, g.d, 0, 0], [0, 0, g.theta, 0, 0, g.a]]), SWAP + "|a|d"),
         "gave degrees": (np.array([[np.degrees(g.alpha), 0, 0, g.a, 0, 0], [0, 0, np.degrees(g.theta), 0, 0, g.d]]), DEGREES),
         "converted once more": (np.array([[np.radians(g.alpha), 0, 0, g.a, 0, 0], [0, 0, np.radians(g.theta), 0, 0, g.d]]), DEGREES),
         "turned both about z": (np.array([[0, 0, g.alpha, g.a, 0, 0], two]), "axis|x|" + ORDER + "|z"),
         "moved along z in both": (np.array([[g.alpha, 0, 0, 0, 0, g.a], two]), "axis|along|x|" + ORDER + "|z"),
-        "negated alpha": (np.array([[-g.alpha, 0, 0, g.a, 0, 0], two]), SIGN),
-        "left out d": (np.array([one, [0, 0, g.theta, 0, 0, 0]]), LEFT_OUT),
         "put all of it in the first row": (np.array([one + two, 0 * two]), "both|row|one|sum|0"),
     }
 
@@ -93,10 +80,8 @@ def converted(g: Any, X: Any) -> Kinds:
         "moved only alpha": (shifted([1]), "a"),
         "moved all columns": (shifted([0, 1, 2, 3]), "row|d|theta"),
         "moved d and theta as well, wrong way": (shifted([2, 3]), "row|d|theta|a"),
-        "dropped all offsets": (X * (1, 1, 1, 0), "offset|theta|q"),
         "gave theta in degrees": (X * (1, 1, 1, 180 / np.pi), DEGREES),
         "gave alpha in degrees": (X * (1, 180 / np.pi, 1, 1), DEGREES),
-        "lost every minus sign of the angles": (np.abs(X), SIGN),
         "dropped the zero of a prismatic joint": (X * np.where(np.arange(4)[None, :] == 2, [[k != "P"] for k in g.joints], 1), "d|offset|q|left"),
     }
 
@@ -139,17 +124,11 @@ def wrist_rotation(g: Any, X: Any) -> Kinds:
     return {
         "left out the constant rotation": (product(rot(1, g.degrees[0]), rot(2, g.degrees[1]), rot(1, g.degrees[2])), "constant|alpha|R_x|Euler|" + LEFT_OUT),
         "used the standard convention": (of(q, convention="standard"), "standard|convention|order"),
-        "took degrees for radians": (of(np.asarray(g.degrees, dtype=float)), DEGREES),
-        "took the angles in reverse": (of(q[::-1]), ORDER + "|revers"),
-        "negated all angles": (of(-q), SIGN + "|transpos|inver"),
-        "negated theta_5": (of(q * (1, -1, 1)), SIGN),
         "forgot the twists": (of(q, (0, 0, 0)), "alpha|" + LEFT_OUT),
         "negated the twists": (of(q, (1, -1, 1)), SIGN + "|alpha"),
         "used the same twist three times": (of(q, (-1, -1, -1)), "alpha|" + SIGN),
         "forgot the first twist": (of(q, (0, 1, -1)), "alpha|" + LEFT_OUT + "|-90"),
-        "converted to radians twice": (of(np.radians(q)), DEGREES),
         "used theta_4 for theta_6": (of([q[0], q[1], q[0]]), "theta_|\\theta|belongs|joint"),
-        "left theta_6 at 0": (of([q[0], q[1], 0]), LEFT_OUT + "|theta_6|\\theta_6|0|factor"),
     }
 
 
@@ -164,8 +143,6 @@ def rpr(g: Any, X: Any) -> Kinds:
     rows = np.asarray(g.rows)
     return {
         "multiplied the last row first": (chain(at(g.rows, "RPR", q)[::-1], "modified"), ORDER + "|revers|row|last"),
-        "negated theta_3": (of(q * (1, 1, -1)), SIGN),
-        "left out d_2": (of(q * (1, 0, 1)), LEFT_OUT + "|d_2|slide|0"),
         "used the standard convention": (of(convention="standard"), "standard|convention|order|revers"),
         "took theta_1 for radians": (of([one, two, q[2]]), DEGREES),
         "took theta_3 for radians": (of([q[0], two, three]), DEGREES),
@@ -173,13 +150,8 @@ def rpr(g: Any, X: Any) -> Kinds:
         "converted the length too": (of(np.radians(g.values)), DEGREES + "|length"),
         "turned joint 2": (of(joints="RRR"), "prismatic|theta|d|column|rotat"),
         "added a and d on the position": (pose(X[:3, :3], [rows[1, 0], two, 0]), "rotat|position|left out|theta|\\theta"),
-        "gave the values in reverse": (of(q[::-1]), ORDER + "|revers"),
-        "negated d_2": (of(q * (1, -1, 1)), SIGN),
-        "negated theta_1": (of(q * (-1, 1, 1)), SIGN),
         "negated both angles": (of(q * (-1, 1, -1)), SIGN),
         "forgot the twists": (of(rows=rows * (1, 0, 1, 1)), "alpha|" + LEFT_OUT),
-        "negated the twists": (of(rows=rows * (1, -1, 1, 1)), SIGN),
-        "forgot joint 3": (of(q * (1, 1, 0)), LEFT_OUT + "|theta_3|\\theta_3|joint 3|0"),
         "left out the a": (of(rows=rows * (0, 1, 1, 1)), LEFT_OUT),
         "swapped a and d": (of(rows=np.where(np.eye(3)[1][:, None] * (np.arange(4) == 0), two, rows), q=[q[0], rows[1, 0], q[2]]), SWAP),
     }
@@ -189,14 +161,12 @@ def rpr(g: Any, X: Any) -> Kinds:
 def wrist_angles(g: Any, X: Any) -> Kinds:
     (a, b, c), (d, e, f) = X
     return {
-        "gave degrees": (np.degrees(X), DEGREES),
         "turned theta_5 into pi - theta_5": (np.array([[a, np.pi - b, c], [d, e, f]]), "theta_5|\\theta_5|pi|supplement|sin|cos"),
         "turned theta_5 into theta_5 + pi": (np.array([[a, b + np.pi, c], [d, e, f]]), "theta_5|\\theta_5|pi|half a turn"),
         "negated theta_5": (np.array([[a, -b, c], [d, e, f]]), "theta_5|\\theta_5|" + SIGN),
         "believed 90 degrees to be singular": (np.array([[a, b, c], [d, np.pi / 2, f]]), "singular|theta_5|\\theta_5|90|middle"),
         "swapped theta_4 and theta_6": (np.array([[c, b, a], [d, e, f]]), SWAP),
         "swapped the rows": (X[::-1], SWAP + "|row|R_1"),
-        "negated all": (-X, SIGN + "|transpos"),
         "halved the sum at the singular one wrongly": (np.array([[a, b, c], [f, e, f]]), "sum|singular|theta|twice"),
         "left the sum out at the singular one": (np.array([[a, b, c], [0, 0, 0]]), "sum|singular|0|zero|left"),
         "flipped only theta_4": (np.array([[a + np.pi, b, c], [d, e, f]]), "half a turn|theta_4|\\theta_4|pi|" + SIGN),
@@ -260,9 +230,7 @@ def drawn_elsewhere(g: Any, X: Any) -> Kinds:
         "left a_1": (np.array([g.a_1, X[1]]), "a_1|kept|unchanged"),
         "added the shift to both": (np.array([X[0], g.a_2 + shift]), SIGN + "|sum|add"),
         "swapped the two": (X[::-1], SWAP),
-        "gave only sizes": (np.abs(X), SIGN + "|" + PLACE),
         "left both": (np.array([g.a_1, g.a_2]), "given|unchanged|old|kept"),
-        "gave the distance from joint 3 as a_1": (np.array([X[1], X[0]]), SWAP),
         "forgot to subtract": (np.array([X[0], g.a_1 + g.a_2]), "sum|subtract|a_2|left"),
         "gave the sum": (np.array([g.moved_to, g.moved_to + g.a_2]), "sum|add|a_2|subtract"),
         "negated a_2": (X * (1, -1), SIGN),
@@ -285,7 +253,6 @@ def residual(g: Any, X: Any) -> Kinds:
         "put G first": (logarithm(product(g.G, of(G=np.eye(4)))), ORDER + "|G|front|first"),
         "left B out": (logarithm(of(way="A")), LEFT_OUT + "|B"),
         "left out the way back": (logarithm(of(back=False)), "back|" + LEFT_OUT),
-        "left out G": (logarithm(of(G=np.eye(4))), "G|home|" + LEFT_OUT),
         "went back with the signs of the way there": (logarithm(of(sign=1)), SIGN + "|inver|back"),
         "went back over A first": (logarithm(of(way="AB")), ORDER + "|revers"),
         "swapped D and C": (logarithm(of(order="CD")), ORDER),
@@ -294,12 +261,8 @@ def residual(g: Any, X: Any) -> Kinds:
         "took C from the x axis": (logarithm(of(from_rocker)), "absolute|C|angle|relative|x axis"),
         "took degrees for radians": (logarithm(of(dict(g.degrees))), DEGREES),
         "gave the position and no logarithm": (np.array([0, 0, X[2], T[0, 3], T[1, 3], 0]), "log|position|column"),
-        "went round the other way": (-X, SIGN + "|inver|direction|other way"),
-        "gave only the angle": (X * (1, 1, 1, 0, 0, 0), "v|left|0|moment"),
         "left A out": (logarithm(of(way="B")), LEFT_OUT + "|A"),
         "left C out": (logarithm(of(order="D")), LEFT_OUT + "|C"),
-        "inverted G": (logarithm(of(G=inv(g.G))), "inver"),
-        "wrote v first": (np.roll(X, 3), "halves|order|(v"),
         "used A for D": (logarithm(of(q | {"D": q["A"]})), "A|D|belongs|angle"),
         "closed the wrong loop: the way back first": (logarithm(product(exp(g.S["A"], -q["A"]), exp(g.S["B"], -q["B"]), exp(g.S["D"], q["D"]), exp(g.S["C"], q["C"]), g.G)), ORDER),
     }
@@ -332,7 +295,6 @@ def both_modes(g: Any, X: Any) -> Kinds:
         "swapped coupler and rocker": (maybe((gr, a, c, b)), words),
         "swapped ground and crank": (maybe((a, gr, b, c)), words + "|ground"),
         "turned one angle into degrees": (np.array([np.degrees(D1), D2]), DEGREES),
-        "negated both": (-X, MODE),
         "measured from y": (np.pi / 2 - X, "y axis|pi/2|other axis|arc"),
     }
 
@@ -350,10 +312,6 @@ def coupler_points(g: Any, X: Any) -> Kinds:
 
     return {
         "took the other mode": (carried(k2), MODE),
-        "went to the right": (carried(k1, y=-g.left), SIGN + "|right|left"),
-        "forgot along": (carried(k1, x=0), "along|" + LEFT_OUT),
-        "forgot left": (carried(k1, y=0), "left|only|" + LEFT_OUT),
-        "swapped along and left": (carried(k1, g.left, g.along), SWAP),
         "did not turn": (B + [g.along, g.left], "rotat|turn|coupler|angle"),
         "started at A": (carried(k1, start=[0, 0]), "A|B|" + LEFT_OUT),
         "started at D": (carried(k1, start=[g.bars[0], 0]), "D|B"),
@@ -379,22 +337,15 @@ def slider_crank(g: Any, X: Any) -> Kinds:
 
     return {
         "took the other mode": (of(side=-1), MODE + "|left of B"),
-        "forgot the offset": (of(e=0), "offset|" + LEFT_OUT),
-        "negated the offset": (of(e=-e), SIGN + "|offset"),
         "measured the crank from y": (of(A=np.pi / 2 - A), "sin|cos|y axis|crank|angle"),
-        "took degrees": (of(A=g.degrees), DEGREES),
         "forgot the crank": (of() - a * np.cos(A), "crank|" + LEFT_OUT + "|from B"),
         "subtracted the crank": (of() - 2 * a * np.cos(A), SIGN + "|crank"),
         "added the lengths": (a + rod, "stretched|length|crank|rod|along|add"),
         "added under the root": (float(a * np.cos(A) + np.hypot(rod, e - a * np.sin(A))), SIGN + "|Pythag|root"),
         "forgot the root": (float(a * np.cos(A) + rod**2 - (e - a * np.sin(A)) ** 2), "root"),
         "gave the height": (e, "offset|height"),
-        "gave millimetres": (1000 * X, UNIT),
-        "gave centimetres": (100 * X, CENTI),
         "forgot the height of B": (float(a * np.cos(A) + np.sqrt(rod**2 - e**2)), "height|" + LEFT_OUT),
         "gave B": (a * np.cos(A), "B|rod|crank|" + LEFT_OUT),
-        "gave 0": (0.0, PLACEHOLDER),
-        "negated it": (-X, SIGN),
         "gave the distance from A": (float(np.hypot(X, e)), "distance|length"),
     }
 
@@ -416,12 +367,8 @@ def range_of_a_crank(g: Any, A: Any) -> Kinds:
         "took the folded chain": (angle(gr, a, abs(b - c)), "fold|difference|" + SIGN),
         "took the coupler alone": (angle(gr, a, b), BARS),
         "took the rocker alone": (angle(gr, a, c), BARS),
-        "gave the supplement": (np.pi - A, "supplement|pi|" + SIGN),
-        "gave degrees": (np.degrees(A), DEGREES),
         "gave degrees of the supplement": (180 - np.degrees(A), DEGREES + "|supplement"),
-        "negated it": (-A, SIGN + "|mirror|least|smallest"),
         "gave the cosine": (np.cos(A), "cos"),
-        "gave 0": (0.0, PLACEHOLDER + "|angle"),
         "forgot the 2": (float(np.arccos(np.clip(2 * np.cos(A), -1, 1))) if abs(np.cos(A)) < 0.5 else A / 2, "2|factor|half|law|square"),
         "gave pi": (np.pi, "full|pi|turn"),
         "swapped crank and ground in the sum": (angle(gr, c, a + b), BARS),
@@ -437,7 +384,6 @@ def counted(g: Any, X: Any) -> Kinds:
     words = "bod|ground|platform|loop|joint|count|leg"
     made: Kinds = {
         "forgot the ground": (mobility(d, bodies + 1, f), words),
-        "forgot the platform": (mobility(d, bodies + 1, f), words),
         "did not count the inner bodies": (mobility(d, 2, f), words),
         "counted one body for each joint": (mobility(d, len(f), f), words),
         "counted a body for each joint and the ground": (mobility(d, len(f) + 1, f), words),
@@ -449,8 +395,6 @@ def counted(g: Any, X: Any) -> Kinds:
         "counted one leg": (mobility(d, len(g.legs[0]) + 1, list(g.legs[0])), "leg|loop"),
         "added the mobility of each leg": (float(sum(sum(leg) for leg in g.legs) - d * len(g.legs)), "leg|loop|platform"),
         "counted one loop less": (float(sum(f) - d * (len(g.legs) - 2)), "loop|bod|leg"),
-        "gave the negative": (-X, SIGN),
-        "gave 0": (0.0, "-"),
         "was off by one": (X + 1, "-"),
         "gave d": (float(d), "d|platform|free|loop"),
         "left out a leg": (float(sum(sum(leg) for leg in g.legs[:-1]) - d * (len(g.legs) - 2)), "leg"),
@@ -465,7 +409,6 @@ def mobilities(g: Any, X: Any) -> Kinds:
     n = g.joint_values
     made: Kinds = {
         "gave the formula three times": (np.array([k, k, k]), "count|formula|same|kutzbach|finite|infinitesimal"),
-        "gave 1 three times": (np.ones(3), "-"),
         "gave the rank": (np.array([k, rank, f]), "rank"),
         "clipped at 0": (np.array([max(k, 0), i, f]), "negative|0|below"),
         "swapped the last two": (np.array([k, f, i]), SWAP),
@@ -480,16 +423,11 @@ def mobilities(g: Any, X: Any) -> Kinds:
 
 
 def _rpy_kinds(rpy: Any, then: Any) -> Kinds:
-    r, p, y = rpy
+    r, _, y = rpy
     order = "yaw|pitch|roll|order|own axes|R_x|moving|fixed|revers"
     return {
         "rotated about its own axes": (then(rpy_matrix(rpy, "xyz")), order),
-        "read yaw, pitch, roll": (then(rpy_matrix([y, p, r])), order),
         "transposed R": (then(rpy_matrix(rpy).T), "transpos|R^T|inver|parent|" + SIGN),
-        "negated the angles": (then(rpy_matrix(-np.asarray(rpy))), SIGN + "|transpos|inver"),
-        "did not rotate": (then(I3), LEFT_OUT + "|rotat|as it|rpy"),
-        "took degrees": (then(rpy_matrix(np.degrees(rpy))), DEGREES),
-        "converted to radians once more": (then(rpy_matrix(np.radians(rpy))), DEGREES),
         "rotated by the roll alone": (then(rpy_matrix([r, 0, 0])), order + "|" + LEFT_OUT + "|factor"),
         "rotated by the yaw alone": (then(rpy_matrix([0, 0, y])), order + "|" + LEFT_OUT + "|factor"),
         "multiplied R_y last": (then(rpy_matrix(rpy, "yxz")), order),
@@ -501,7 +439,6 @@ def joint_pose(g: Any, X: Any) -> Kinds:
     return {
         **_rpy_kinds(g.rpy, lambda R: pose(R, g.xyz)),
         "rotated the position too": (pose(X[:3, :3], X[:3, :3] @ g.xyz), "rotat|position|xyz|first|order"),
-        "rotated the position back": (pose(X[:3, :3], X[:3, :3].T @ g.xyz), "rotat|position|xyz|transpos|R^T"),
         "swapped xyz and rpy": (pose(rpy_matrix(g.xyz), g.rpy), SWAP),
     }
 
@@ -553,7 +490,6 @@ def screw_of_a_file(g: Any, X: Any) -> Kinds:
         "used z as the axis": (screw(T[2][:3, 2], p), "axis|z"),
         "used the origin of joint 2": (screw(w, T[1][:3, 3]), "point|origin|joint|parallel|T_"),
         "used the origin in the parent": (screw(w, joints_of(g.urdf)[2].xyz), "point|origin|parent|parallel|xyz"),
-        "took omega x p": (np.array([*w, *np.cross(w, p)]), SIGN + "|\\times"),
         "used the point as the moment": (np.array([*w, *p]), "point|moment"),
         "transposed the rotation": (screw(T[2][:3, :3].T @ axis, p), "transpos|R^T"),
         "multiplied by 5": (5 * X, SIZE + "|unit"),
@@ -578,7 +514,6 @@ def home_of_a_file(g: Any, X: Any) -> Kinds:
         "left out joint 2": (T[0] @ T[2], LEFT_OUT),
         "added the positions": (pose(X[:3, :3], sum(j.xyz for j in joints)), "add|rotat|position"),
         "swapped joints 1 and 2": (T[1] @ T[0] @ T[2], ORDER),
-        "gave the inverse": (inv(X), "inver"),
         "used the weld twice": (product(*T, T[2]), "twice|weld"),
     }
 
@@ -587,19 +522,14 @@ def home_of_a_file(g: Any, X: Any) -> Kinds:
 def from_a_row(g: Any, X: Any) -> Kinds:
     (a, y, z), rpy = X
     d, along, degrees = g.d, "along|lean|turn|z", np.degrees(rpy)
-    swapped = [d, -a * np.sin(g.alpha), a * np.cos(g.alpha)]
     made = {
         "moved d along the old z": ([[a, 0, d], rpy], along + "|convention"),
         "moved d along x too": ([[a + d, 0, 0], rpy], along),
-        "left out d": ([[a, 0, 0], rpy], LEFT_OUT),
-        "left out a": ([[0, y, z], rpy], LEFT_OUT),
         "leaned the new z the other way": ([[a, -y, z], rpy], SIGN + "|lean|other way"),
         "swapped sine and cosine": ([[a, -z, -y], rpy], "sin|cos|" + SWAP),
-        "swapped a and d": ([swapped, rpy], SWAP),
         "swapped xyz and rpy": ([rpy, [a, y, z]], SWAP + "|order"),
         "gave alpha as the yaw": ([[a, y, z], rpy[::-1]], "yaw|roll|about x"),
         "gave alpha as the pitch": ([[a, y, z], rpy[[1, 0, 2]]], "pitch|roll|about x"),
-        "negated alpha": ([[a, -y, z], -rpy], "alpha|" + SIGN),
         "negated the roll alone": ([[a, y, z], -rpy], "alpha|roll|" + SIGN),
         "left out the roll": ([[a, y, z], 0 * rpy], "roll|alpha|" + LEFT_OUT),
         "rotated a as well": ([[a * np.cos(g.alpha), a * np.sin(g.alpha), d], rpy], along + "|rotat"),
@@ -629,8 +559,6 @@ def mimic(g: Any, X: Any) -> Kinds:
         "negated the multiplier": (mimicked(g, -m * g.q + o), SIGN),
         "subtracted the offset": (mimicked(g, m * g.q - o), SIGN),
         "divided by the multiplier": (mimicked(g, g.q / m + o), "divide|multipl"),
-        "took the angle for degrees": (mimicked(type(g)(**{**vars(g), "q": np.radians(g.q)})), DEGREES),
-        "took radians for degrees": (mimicked(type(g)(**{**vars(g), "q": np.degrees(g.q)})), DEGREES),
         "added the lengths": (sum(j.xyz for j in joints_of(g.urdf)), "add|rotat|q"),
         "forgot the height": (X * (1, 1, 0), "height|z|" + LEFT_OUT),
         "turned fold alone": (mimicked(type(g)(**{**vars(g), "q": 0.0}), m * g.q + o), "swing|q_1|first|" + LEFT_OUT + "|R_|rotat"),
@@ -651,9 +579,7 @@ def axis_in_its_frame(g: Any, X: Any) -> Kinds:
         "used joints 1 and 2": (T[1][:3, :3].T @ w, "joint|R_|left out"),
         "multiplied in reverse": ((R[2] @ R[1] @ R[0]).T @ w, "revers|" + ORDER),
         "rotated about own axes": (frames_of(g, "xyz")[2][:3, :3].T @ w, "order|own|roll|yaw|fixed|revers"),
-        "negated it": (-X, SIGN),
         "gave no unit vector": (5 * X, SIZE + "|unit"),
-        "gave the zeros of the template": (0 * X, PLACEHOLDER),
         "multiplied entry by entry": (np.prod(R, axis=0).T @ w, "entry"),
         "moved the vector as a point": (inv(T[2])[:3, :3] @ w + inv(T[2])[:3, 3], "point|direction|position|T"),
     }
@@ -670,7 +596,6 @@ def table_to_screw(g: Any, X: Any) -> Kinds:
         "used frame 1": (screw(T1[:3, 2], T1[:3, 3]), "frame|row|z_|A_|left out|T_"),
         "used x for the axis": (screw(T2[:3, 0], p), "axis|x|z|column"),
         "used y for the axis": (screw(T2[:3, 1], p), "axis|y|z|column"),
-        "took omega x p": (np.array([*w, *np.cross(w, p)]), SIGN + "|\\times"),
         "used the point as the moment": (np.array([*w, *p]), "point|moment"),
         "used the modified convention": (screw(chain(rows[:2], "modified")[:3, 2], chain(rows[:2], "modified")[:3, 3]), "modified|convention|order"),
         "forgot the offsets": (screw(chain(rows[:2] * (1, 1, 1, 0), "standard")[:3, 2], chain(rows[:2] * (1, 1, 1, 0), "standard")[:3, 3]), "offset|theta|\\theta|left out"),
@@ -689,17 +614,10 @@ def origin_of_a_joint(g: Any, X: Any) -> Kinds:
     return {
         "went from joint 2 to joint 1, not rotated": (a - b, SIGN + "|joint 2|parent|rotat|turn|" + LEFT_OUT),
         "swapped x and y": (X[[1, 0, 2]], SWAP + "|order"),
-        "did not rotate": (b - a, "rotat|" + LEFT_OUT + "|{s}"),
         "rotated the other way": (R @ (b - a), "transpos|inver|R^T|R_"),
-        "added": (R.T @ (b + a), SIGN + "|add"),
-        "subtracted the other way": (-X, SIGN + "|from joint 2"),
         "rotated about own axes": (joint_origin(g, "xyz"), "order|own|roll|yaw|fixed|revers"),
-        "forgot to subtract": (R.T @ b, LEFT_OUT + "|subtract|xyz"),
         "subtracted after rotating": (R.T @ b - a, ORDER + "|rotat|first|bracket"),
-        "took degrees": (rpy_matrix(np.asarray(g.rpy_1_in_degrees)).T @ (b - a), DEGREES),
         "left the place": (b, "given|{s}|unchanged|left out|same"),
-        "gave the place from joint 1 to the base": (R.T @ -a, "-|inver|left out"),
-        "read yaw, pitch, roll": (rpy_matrix(np.radians(g.rpy_1_in_degrees)[::-1]).T @ (b - a), "yaw|roll|order"),
     }
 
 
@@ -745,8 +663,6 @@ def crate(g: Any, X: Any) -> Kinds:
         "counted only one arm": (float(n[0]), words),
         "gave the redundancy of each arm": (float((n - 6).sum()), words + "|6"),
         "was off by one": (X + 1, "-"),
-        "gave 0": (0.0, "-"),
-        "gave the negative": (-X, SIGN),
     }
 
 
@@ -758,25 +674,14 @@ def pose_of_the_tool(g: Any, X: Any) -> Kinds:
     flipped = np.where(slide[:, None], S, S * (1, 1, 1, -1, -1, -1))
     points = np.where(slide[:, None], S, np.hstack([g.axes, g.points]))
     return {
-        "left out joint 1": (product(*e[1:], M), LEFT_OUT),
         "took the slide for a turn": (poe(g, S=np.array([screw(w, p) for w, p in zip(g.axes, g.points, strict=True)])), "slide|prismatic|revolute|turn"),
         "read (v, omega)": (poe(g, S=np.roll(S, 3, axis=1)), "halves|(v|" + ORDER),
-        "converted to radians once more": (poe(g, q=np.radians(q)), DEGREES),
         "converted the angles once more": (poe(g, q=np.where(slide, q, np.radians(q))), DEGREES),
         "took degrees for radians": (poe(g, q=np.where(slide, q, np.degrees(q))), DEGREES),
         "put M first": (product(M, *e), "first|" + ORDER + "|body"),
         "reversed the factors": (product(*e[::-1], M), "revers|" + ORDER),
-        "left out M": (product(*e), LEFT_OUT),
         "took omega x q": (poe(g, S=flipped), SIGN + "|\\times"),
         "took the points as moments": (poe(g, S=points), "point|moment"),
         "left all moments at 0": (poe(g, S=np.where(slide[:, None], S, S * (1, 1, 1, 0, 0, 0))), "moment|point|origin|left out"),
-        "turned all joints the other way": (poe(g, q=-q), SIGN),
-        "turned joint 1 the other way": (poe(g, q=q * (-1, 1, 1)), SIGN),
-        "turned joint 2 the other way": (poe(g, q=q * (1, -1, 1)), SIGN),
-        "took q in reverse": (poe(g, q=q[::-1]), ORDER + "|revers"),
-        "gave the home pose": (M, "home|q|left out"),
         "used the point of the next joint": (poe(g, S=np.where(slide[:, None], S, np.hstack([g.axes, np.cross(np.roll(g.points, -1, 0), g.axes)]))), JOINT),
-        "left out joint 3": (product(e[0], e[1], M), LEFT_OUT),
-        "inverted M": (poe(g, M=inv(M)), "inver"),
-        "gave the inverse of all": (inv(X), "inver"),
     }
