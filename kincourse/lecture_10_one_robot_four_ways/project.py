@@ -75,17 +75,18 @@ class Project:
 
         Raises ValueError for another name.
         """
-        machine, T = self._machine, self._machine.chain.home[:3, 3]
+        machine, home = self._machine, self._machine.chain.home
+        tool_arrows = {f"{letter}T": (home[:3, 3], home[:3, k].round()) for k, letter in ((0, "x"), (2, "z"))}
         marks: dict[str, Array]
         if description == "screws":
-            marks, arrows = {f"P{i}": p for i, p in enumerate(machine.points, start=1)}, self._tool_arrows
+            marks, arrows = {f"P{i}": p for i, p in enumerate(machine.points, start=1)}, tool_arrows
         elif description == "table":
             marks = {f"D{i}": frame[:3, 3] for i, frame in enumerate(machine.frames)}
             arrows = {f"x{i}": (frame[:3, 3], frame[:3, 0].round()) for i, frame in enumerate(machine.frames)}
         elif description == "URDF":
             marks = {f"F{i}": seat[:3, 3] for i, seat in enumerate(machine.seats, start=1)}
             arrows = {f"x{i}": (seat[:3, 3], seat[:3, 0].round()) for i, seat in enumerate(machine.seats, start=1)}
-            arrows |= self._tool_arrows
+            arrows |= tool_arrows
         else:
             raise ValueError(f"description must be 'screws', 'table' or 'URDF'; got {description!r}.")
         axes = [
@@ -93,13 +94,8 @@ class Project:
             for i, (frame, letter) in enumerate(zip(machine.frames, self.joints, strict=False), start=1)
         ]
         if description != "table":
-            marks["T"] = T
+            marks["T"] = home[:3, 3]
         return draw_dimensions(machine.frames[:, :3, 3], axes, marks, arrows=arrows)
-
-    @property
-    def _tool_arrows(self) -> dict[str, tuple[Array, Array]]:
-        home = self._machine.chain.home
-        return {f"{letter}T": (home[:3, 3], home[:3, k].round()) for k, letter in ((0, "x"), (2, "z"))}
 
     @cached_property
     def log(self) -> Log:

@@ -11,13 +11,13 @@ each q, with the same constants, only if the fault is there. The description its
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import reduce
+from functools import partial, reduce
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays.validation import Array
-from kinlib.dh.table import DHTable
+from kinlib.dh.table import DHTable, dh_transform
 from kinlib.rigid.lie import exp, inverse, log
 from kinlib.rigid.rpy import roll_pitch_yaw
 from kinlib.urdf.robot_tree import Tree
@@ -35,13 +35,13 @@ class Product:
     name       "screws", "table", ...
     constants  (n + 1, 4, 4) C_0 to C_n
     screws     (n, 6) S_1 to S_n, each in the frame at its place in the product
-    joints     what is examined, by name: the places that a fault can have
+    places     what is examined, by name: the places that a fault can have
     """
 
     name: str
     constants: Array
     screws: Array
-    places: Mapping[str, Callable[["Product", "Log"], float]]
+    places: Mapping[str, "Examine"]
 
     @property
     def n(self) -> int:
@@ -69,6 +69,10 @@ class Product:
         """Return the largest error against the log with other factors from start to end, in tolerances."""
         before, behind = self._between(log_.q, 0, start), self._between(log_.q, end, 2 * self.n + 1)
         return log_.error(before @ middle @ behind)
+
+
+Examine = Callable[[Product, "Log"], float]
+"""Returns the largest error against a log, in tolerances, with the factors of one place as they explain it best."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -184,14 +188,14 @@ def of_screws(screws: ArrayLike, home: ArrayLike) -> Product:
     """The product of space screws (n, 6) and a home pose: e^{S_1 q_1} ... e^{S_n q_n} M."""
     S = np.asarray(screws, dtype=float)
     constants = np.array([*[np.eye(4)] * len(S), np.asarray(home, dtype=float)])
-    return Product("screws", constants, S, {**_screw_places(len(S)), "M": _constant(len(S))})
+    return Product("screws", constants, S, {**_screw_places(len(S)), "M": partial(_other_constant, len(S))})
 
 
 def of_body_screws(screws: ArrayLike, home: ArrayLike) -> Product:
     """The product of body screws (n, 6) and a home pose: M e^{B_1 q_1} ... e^{B_n q_n}."""
     B = np.asarray(screws, dtype=float)
     constants = np.array([np.asarray(home, dtype=float), *[np.eye(4)] * len(B)])
-    return Product("body screws", constants, B, {**_screw_places(len(B)), "M": _constant(0)})
+    return Product("body screws", constants, B, {**_screw_places(len(B)), "M": partial(_other_constant, 0)})
 
 
 def of_table(table: DHTable) -> Product:
@@ -207,8 +211,10 @@ def of_table(table: DHTable) -> Product:
     along = np.array([np.eye(6)[2 if letter == "R" else 5] for letter in table.joints]) * table.signs[:, None]
     links = table.link_transforms(np.zeros(table.n))
     constants = np.array([table.base, *links[:-1], links[-1] @ table.tool])
-    rows = {f"row {i}": _dh_row(i, table) for i in range(1, table.n + 1)}
-    return Product("table", constants, along, {"the base": _constant(0), **rows, "the tool": _constant(table.n)})
+    ends = [*[np.eye(4)] * (table.n - 1), table.tool]
+    rows = {f"row {i}": partial(_other_row, i, end) for i, end in enumerate(ends, start=1)}
+    base, tool = (partial(_other_constant, i) for i in (0, table.n))
+    return Product("table", constants, along, {"the base": base, **rows, "the tool": tool})
 
 
 def of_urdf(text: str) -> Product:
@@ -225,8 +231,8 @@ def of_urdf(text: str) -> Product:
             screws.append(np.concatenate([0 * joint.axis, joint.axis] if slides else [joint.axis, 0 * joint.axis]))
             constants.append(np.eye(4))
     n = len(screws)
-    joints = {f"joint {i}": _origin_and_axis(i) for i in range(1, n + 1)}
-    return Product("URDF", np.array(constants), np.array(screws), {**joints, "the tool": _constant(n)})
+    joints = {f"joint {i}": partial(_other_origin, i) for i in range(1, n + 1)}
+    return Product("URDF", np.array(constants), np.array(screws), {**joints, "the tool": partial(_other_constant, n)})
 
 
 def verify(products: Sequence[Product], log_: Log, off_marks: Mapping[str, str]) -> Verification:
@@ -250,63 +256,47 @@ def _find(product: Product, log_: Log, off_mark: str) -> Finding:
     return Finding(product.name, worst_mm, worst_deg, places, off_mark, agrees)
 
 
-def _screw_places(n: int) -> dict[str, Callable[[Product, Log], float]]:
-    return {f"joint {i}": _other_screw(i) for i in range(1, n + 1)}
+def _screw_places(n: int) -> dict[str, Examine]:
+    return {f"joint {i}": partial(_other_screw, i) for i in range(1, n + 1)}
 
 
-def _constant(i: int) -> Callable[[Product, Log], float]:
+def _other_constant(i: int, product: Product, log_: Log) -> float:
     """Whether another constant C_i explains the log."""
-
-    def examine(product: Product, log_: Log) -> float:
-        peeled = product.peeled(log_, 2 * i, 2 * i + 1)
-        return product.repaired(log_, 2 * i, 2 * i + 1, mean_pose(peeled))
-
-    return examine
+    place = 2 * i, 2 * i + 1
+    return product.repaired(log_, *place, mean_pose(product.peeled(log_, *place)))
 
 
-def _other_screw(i: int) -> Callable[[Product, Log], float]:
+def _other_screw(i: int, product: Product, log_: Log) -> float:
     """Whether another screw of joint i explains the log: then the logarithm of its factor is that screw times q_i."""
-
-    def examine(product: Product, log_: Log) -> float:
-        place, q = (2 * i - 1, 2 * i), log_.q[:, i - 1]
-        twists = log(product.peeled(log_, *place))
-        usable = np.abs(q) < np.pi
-        S = q[usable] @ twists[usable] / (q[usable] @ q[usable])
-        return product.repaired(log_, *place, exp(S * q[:, None]))
-
-    return examine
+    place, q = (2 * i - 1, 2 * i), log_.q[:, i - 1]
+    twists = log(product.peeled(log_, *place))
+    usable = np.abs(q) < np.pi
+    S = q[usable] @ twists[usable] / (q[usable] @ q[usable])
+    return product.repaired(log_, *place, exp(S * q[:, None]))
 
 
-def _dh_row(i: int, table: DHTable) -> Callable[[Product, Log], float]:
-    """Whether another row i explains the log: its motion is along its z, of either sign, and its constants are those of a DH row."""
-    tool = table.tool if i == table.n else np.eye(4)
+def _other_row(i: int, tool: Array, product: Product, log_: Log) -> float:
+    """Whether another row i explains the log: its motion is along its z, of either sign, and its constants are those of a DH row.
 
-    def examine(product: Product, log_: Log) -> float:
-        place, errors = (2 * i - 1, 2 * i + 1), [np.inf]
-        for sign in (1, -1):
-            motion = exp(sign * np.abs(product.screws[i - 1]) * log_.q[:, i - 1, None])
-            link = nearest_row(mean_pose(inverse(motion) @ product.peeled(log_, *place) @ inverse(tool)))
-            errors.append(product.repaired(log_, *place, motion @ link @ tool))
-        return min(errors)
-
-    return examine
+    tool  (4, 4) what follows the row
+    """
+    place, errors = (2 * i - 1, 2 * i + 1), []
+    for sign in (1, -1):
+        motion = exp(sign * np.abs(product.screws[i - 1]) * log_.q[:, i - 1, None])
+        row = nearest_row(mean_pose(inverse(motion) @ product.peeled(log_, *place) @ inverse(tool)))
+        errors.append(product.repaired(log_, *place, motion @ row @ tool))
+    return min(errors)
 
 
-def _origin_and_axis(i: int) -> Callable[[Product, Log], float]:
+def _other_origin(i: int, product: Product, log_: Log) -> float:
     """Whether another origin of joint i, or another one of the axes x, y and z, explains the log."""
-
-    def examine(product: Product, log_: Log) -> float:
-        place, errors = (2 * i - 2, 2 * i), [np.inf]
-        half = 0 if product.screws[i - 1, :3].any() else 3
-        for axis in (product.screws[i - 1, half : half + 3], *DIRECTIONS):
-            S = np.zeros(6)
-            S[half : half + 3] = axis
-            motion = exp(S * log_.q[:, i - 1, None])
-            origin = mean_pose(product.peeled(log_, *place) @ inverse(motion))
-            errors.append(product.repaired(log_, *place, origin @ motion))
-        return min(errors)
-
-    return examine
+    place, errors = (2 * i - 2, 2 * i), []
+    half = 0 if product.screws[i - 1, :3].any() else 3
+    for axis in (product.screws[i - 1, half : half + 3], *DIRECTIONS):
+        motion = exp(np.roll([*axis, 0, 0, 0], half) * log_.q[:, i - 1, None])
+        origin = mean_pose(product.peeled(log_, *place) @ inverse(motion))
+        errors.append(product.repaired(log_, *place, origin @ motion))
+    return min(errors)
 
 
 def mean_pose(poses: Array) -> Array:
@@ -326,8 +316,6 @@ def nearest_row(T: Array) -> Array:
 
     A pose that is no DH row changes.
     """
-    from kinlib.dh.table import dh_transform
-
     theta, alpha = np.arctan2(T[1, 0], T[0, 0]), np.arctan2(T[2, 1], T[2, 2])
     a = T[0, 3] * np.cos(theta) + T[1, 3] * np.sin(theta)
     return dh_transform(a, alpha, T[2, 3], theta, convention="standard")

@@ -108,8 +108,8 @@ def draw_dimensions(
             marks_px += _arrow(view, *ends, name, layout)
         marks_px += _dots(view, points, layout)
         if title == "Front view":
-            marks_px += _chain_below(view, points, bottom)
-        marks_px += _chain_at_left(view, points, left - ROOM_PX)
+            marks_px += _chain(view, points, 0, bottom)
+        marks_px += _chain(view, points, 1, left - ROOM_PX)
         top = bottom + (GAP_PX - ROOM_PX if title == "Top view" else 3 * ROW_PX)
     sheet = np.array([left + scale * extent[0] + 2 * ROOM_PX, top + ROW_PX])
     lines = np.array(layout.strokes).reshape(-1, 2, 2)
@@ -231,37 +231,28 @@ def _steps(shown: Mapping[str, Array], coordinate: int) -> list[tuple[float, lis
     return found
 
 
-def _chain_below(view: _View, shown: Mapping[str, Array], level: float) -> Iterator[str]:
-    steps = _steps(shown, view.right)
+def _chain(view: _View, shown: Mapping[str, Array], axis: int, level: float) -> Iterator[str]:
+    """The dimensions along the sheet: below the view if axis is 0, to its left if it is 1, at this level of the other coordinate."""
+    steps, out = _steps(shown, (view.right, view.up)[axis]), (1, -1)[axis]
+
+    def at(along: float, across: float) -> tuple[float, float]:
+        return (along, across) if axis == 0 else (across, along)
+
     for _, names in steps:
-        lowest = max(float(view.at(shown[name])[1]) for name in names)
-        x = float(view.at(shown[names[0]])[0])
-        yield svg.polyline(np.array([(x, lowest + 5), (x, level + 4)]), GREY, 0.6)
+        pixels = np.array([view.at(shown[name]) for name in names])
+        outermost = float(max(out * pixels[:, 1 - axis])) * out
+        place = float(pixels[0, axis])
+        yield svg.polyline(np.array([at(place, outermost + 5 * out), at(place, level + 4 * out)]), GREY, 0.6)
     last, row = -np.inf, 0
     for (one, names), (other, more) in pairwise(steps):
-        ends = [float(view.at(shown[who[0]])[0]) for who in (names, more)]
-        yield from _dimension(np.array([(ends[0], level), (ends[1], level)]))
+        ends = [float(view.at(shown[who[0]])[axis]) for who in (names, more)]
+        yield from _dimension(np.array([at(ends[0], level), at(ends[1], level)]))
         text = format_number(other - one, 4)
-        middle, half = sum(ends) / 2, CHARACTER_PX * len(text) / 2 + 3
+        middle, half = out * sum(ends) / 2, 6.0 if axis else CHARACTER_PX * len(text) / 2 + 3
         row = (row + 1) % 3 if middle - half < last else 0
         last = max(last, middle + half)
-        yield svg.text([middle, level + 11 + ROW_PX * row], text, INK, 10)
-
-
-def _chain_at_left(view: _View, shown: Mapping[str, Array], level: float) -> Iterator[str]:
-    steps = _steps(shown, view.up)
-    for _, names in steps:
-        leftmost = min(float(view.at(shown[name])[0]) for name in names)
-        y = float(view.at(shown[names[0]])[1])
-        yield svg.polyline(np.array([(leftmost - 5, y), (level - 4, y)]), GREY, 0.6)
-    last, column = np.inf, 0
-    for (one, names), (other, more) in pairwise(steps):
-        ends = [float(view.at(shown[who[0]])[1]) for who in (names, more)]
-        yield from _dimension(np.array([(level, ends[0]), (level, ends[1])]))
-        middle = sum(ends) / 2
-        column = (column + 1) % 3 if middle + 6 > last else 0
-        last = min(last, middle - 6)
-        yield svg.text([level - 16 - COLUMN_PX * column, middle], format_number(other - one, 4), INK, 10)
+        off = 16 + COLUMN_PX * row if axis else 11 + ROW_PX * row
+        yield svg.text(at(out * middle, level + out * off), text, INK, 10)
 
 
 def _dimension(ends: Array) -> Iterator[str]:
