@@ -153,7 +153,7 @@ def rpr(g: Any, X: Any) -> Kinds:
         "negated both angles": (of(q * (-1, 1, -1)), SIGN),
         "forgot the twists": (of(rows=rows * (1, 0, 1, 1)), "alpha|" + LEFT_OUT),
         "left out the a": (of(rows=rows * (0, 1, 1, 1)), LEFT_OUT),
-        "swapped a and d": (of(rows=np.where(np.eye(3)[1][:, None] * (np.arange(4) == 0), two, rows), q=[q[0], rows[1, 0], q[2]]), SWAP),
+        "swapped a and d of joint 2": (of(rows=np.where(np.eye(3)[1][:, None] * (np.arange(4) == 0), two, rows), q=[q[0], rows[1, 0], q[2]]), SWAP),
     }
 
 

@@ -63,7 +63,7 @@ def _slips(values: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any], str]]:
     for (one, x), (other, y) in combinations(values.items(), 2):
         pair = {one, other}
         if x.shape == y.shape and (x.shape == (4, 4) or pair <= ANGLES or pair <= LENGTHS):
-            yield f"swapped {one} and {other}", {one: y, other: x}, SWAP
+            yield f"exchanged {one} and {other}", {one: y, other: x}, SWAP
 
 
 def _of_angles(x: Any) -> Iterator[tuple[str, Any, str]]:
