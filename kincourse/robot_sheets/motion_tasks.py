@@ -10,7 +10,7 @@ from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.poses import inverse, pose, to_point, with_position
 from kincourse.expressions.screws import exponentials, forward_kinematics, joint_values
 from kincourse.robot_sheets.sampling import random_arm, random_configuration, random_tilted_base, random_tool, rebased
-from kincourse.robot_sheets.task import RobotTask
+from kincourse.robot_sheets.task import RobotTask, add_task
 from kincourse.sampling.arms import ArmSampler, shows_transposes
 from kincourse.sampling.configurations import Configuration
 from kinlib.arrays.validation import Array
@@ -22,7 +22,6 @@ from misstep.display.text import matrix, number, vector
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given
 from misstep.problem import Problem
-from misstep.release.instructor_notebook import Entry
 
 MISTAKE_DESCRIPTIONS = {
     "reversed": "multiplied the exponentials from the last joint to the first",
@@ -41,7 +40,49 @@ NO_MISTAKE = "made no mistake"
 HOME_ADVICE = "With space screws $M$ is the last factor."
 ORDER_ADVICE = "The factor of the joint at the base is to the left of all others, because this joint moves all others."
 
+READ_VALUES_SOLUTION = """\
+turns = given.{screws}[:, :3].any(axis=1)
+q = np.where(turns, np.radians(given.values), given.values)
+"""
 
+SPACE_FORM_SOLUTION = READ_VALUES_SOLUTION.format(screws="screws") + "T = kl.Chain(given.screws, given.home).fk(q)\n"
+
+WHICH_MISTAKE_SOLUTION = f"""\
+{READ_VALUES_SOLUTION.format(screws="screws")}from functools import reduce
+
+e, typed, back = (kl.exp(given.screws * values[:, None]) for values in (q, given.values, -q))
+M = given.home
+ways = {{
+    "{MISTAKE_DESCRIPTIONS["reversed"]}": [*e[::-1], M],
+    "{MISTAKE_DESCRIPTIONS["home first"]}": [M, *e],
+    "{MISTAKE_DESCRIPTIONS["no home"]}": [*e],
+    "{MISTAKE_DESCRIPTIONS["one exponential"]}": [kl.exp(q @ given.screws), M],
+    "{MISTAKE_DESCRIPTIONS["degrees"]}": [*typed, M],
+    "{MISTAKE_DESCRIPTIONS["at home"]}": [M],
+    "{MISTAKE_DESCRIPTIONS["backwards"]}": [*back, M],
+    "{NO_MISTAKE}": [*e, M],
+}}
+poses = {{letter: reduce(np.matmul, ways[text]) for letter, text in given.options.items()}}
+letter_{{k}} = next(letter for letter, pose in poses.items() if np.allclose(pose, given.X))
+"""
+
+BODY_FORM_SOLUTION = f"""\
+{READ_VALUES_SOLUTION.format(screws="body_screws")}screws = given.body_screws @ kl.adjoint(given.home).T
+pose_{{k}} = kl.Chain(screws, given.home).fk_body(q)"""
+
+VALUES_NOTE = "`given.values` are in degrees and metres."
+POSE_NOTE = "Answer with a pose, an array of shape (4, 4)."
+
+MOTION_TASKS: dict[str, RobotTask] = {}
+"""The tasks by name. The file of a robot sheet stores these names, so a name must not change."""
+
+task = partial(add_task, MOTION_TASKS)
+
+
+@task(
+    *("The home pose in your lab", 2, "03_poe_space#The home pose"),
+    *("pose", POSE_NOTE, "pose_{k} = given.T_sr @ given.T_rf @ given.T_fb"),
+)
 def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
     """The home pose of the robot with another base and a tool on its flange."""
     T_sr, T_rf, T_fb = random_tilted_base(sampler, robot), robot.home, random_tool(sampler, robot)
@@ -67,6 +108,10 @@ def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
+@task(
+    *("Where is the tool?", 3, "03_poe_space#The product"),
+    *("pose", f"{POSE_NOTE} {VALUES_NOTE}", f"{SPACE_FORM_SOLUTION}pose_{{k}} = T"),
+)
 def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     """Forward kinematics by the space form, at a configuration within the joint limits."""
     arm = random_arm(sampler, robot)
@@ -82,6 +127,10 @@ def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
+@task(
+    *("Which mistake is this?", 2, "03_poe_space#The order of the factors"),
+    *("letter", f"Answer with a letter, in quotes. {VALUES_NOTE}", WHICH_MISTAKE_SOLUTION),
+)
 def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
     """The mistake that leads to a given wrong pose, or none if the pose is right."""
     arm = random_arm(sampler, robot)
@@ -110,6 +159,10 @@ def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
     )
 
 
+@task(
+    *("The body form", 3, "04_poe_body#The body form"),
+    *("pose", f"{POSE_NOTE} {VALUES_NOTE}", BODY_FORM_SOLUTION),
+)
 def body_form(robot: Chain, sampler: ArmSampler) -> Problem:
     """Forward kinematics by the body form."""
     arm = random_arm(sampler, robot)
@@ -132,6 +185,14 @@ def body_form(robot: Chain, sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
+@task(
+    *("The tip of a pencil", 2, "01_frames#Homogeneous coordinates"),
+    *(
+        "tip",
+        f"Answer with three numbers, in metres. {VALUES_NOTE}",
+        f"{SPACE_FORM_SOLUTION}tip_{{k}} = (T @ [*given.tip, 1])[:3]",
+    ),
+)
 def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     """The position in {s} of a point that is given in {b}."""
     arm = random_arm(sampler, robot)
@@ -193,85 +254,3 @@ def _difference_message(theirs: Array, right: Array) -> str:
     return f"This would give a position {number(far)} m from that of $X$" + (
         ", and another orientation." if rotated else "."
     )
-
-
-READ_VALUES_SOLUTION = """\
-turns = given.{screws}[:, :3].any(axis=1)
-q = np.where(turns, np.radians(given.values), given.values)
-"""
-
-SPACE_FORM_SOLUTION = READ_VALUES_SOLUTION.format(screws="screws") + "T = kl.Chain(given.screws, given.home).fk(q)\n"
-
-WHICH_MISTAKE_SOLUTION = f"""\
-from functools import reduce
-
-e, typed, back = (kl.exp(given.screws * values[:, None]) for values in (q, given.values, -q))
-M = given.home
-ways = {{
-    "{MISTAKE_DESCRIPTIONS["reversed"]}": [*e[::-1], M],
-    "{MISTAKE_DESCRIPTIONS["home first"]}": [M, *e],
-    "{MISTAKE_DESCRIPTIONS["no home"]}": [*e],
-    "{MISTAKE_DESCRIPTIONS["one exponential"]}": [kl.exp(q @ given.screws), M],
-    "{MISTAKE_DESCRIPTIONS["degrees"]}": [*typed, M],
-    "{MISTAKE_DESCRIPTIONS["at home"]}": [M],
-    "{MISTAKE_DESCRIPTIONS["backwards"]}": [*back, M],
-    "{NO_MISTAKE}": [*e, M],
-}}
-poses = {{letter: reduce(np.matmul, ways[text]) for letter, text in given.options.items()}}
-letter_{{k}} = next(letter for letter, pose in poses.items() if np.allclose(pose, given.X))
-"""
-
-VALUES_NOTE = "`given.values` are in degrees and metres."
-POSE_NOTE = "Answer with a pose, an array of shape (4, 4)."
-
-MOTION_TASKS: dict[str, RobotTask] = {
-    "home_pose": RobotTask(
-        "The home pose in your lab",
-        2,
-        "03_poe_space#The home pose",
-        home_pose,
-        Entry("pose", POSE_NOTE, "pose_{k} = given.T_sr @ given.T_rf @ given.T_fb"),
-    ),
-    "where_is_the_tool": RobotTask(
-        "Where is the tool?",
-        3,
-        "03_poe_space#The product",
-        where_is_the_tool,
-        Entry("pose", f"{POSE_NOTE} {VALUES_NOTE}", f"{SPACE_FORM_SOLUTION}pose_{{k}} = T"),
-    ),
-    "which_mistake": RobotTask(
-        "Which mistake is this?",
-        2,
-        "03_poe_space#The order of the factors",
-        which_mistake,
-        Entry(
-            "letter",
-            f"Answer with a letter, in quotes. {VALUES_NOTE}",
-            READ_VALUES_SOLUTION.format(screws="screws") + WHICH_MISTAKE_SOLUTION,
-        ),
-    ),
-    "body_form": RobotTask(
-        "The body form",
-        3,
-        "04_poe_body#The body form",
-        body_form,
-        Entry(
-            "pose",
-            f"{POSE_NOTE} {VALUES_NOTE}",
-            READ_VALUES_SOLUTION.format(screws="body_screws")
-            + "screws = given.body_screws @ kl.adjoint(given.home).T\npose_{k} = kl.Chain(screws, given.home).fk_body(q)",
-        ),
-    ),
-    "point_of_the_tool": RobotTask(
-        "The tip of a pencil",
-        2,
-        "01_frames#Homogeneous coordinates",
-        point_of_the_tool,
-        Entry(
-            "tip",
-            f"Answer with three numbers, in metres. {VALUES_NOTE}",
-            f"{SPACE_FORM_SOLUTION}tip_{{k}} = (T @ [*given.tip, 1])[:3]",
-        ),
-    ),
-}
-"""The tasks by name. The file of a robot sheet stores these names, so a name must not change."""

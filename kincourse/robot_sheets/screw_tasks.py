@@ -9,19 +9,29 @@ from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.poses import inverse, pose
 from kincourse.expressions.screws import change_frame, joint_screws, screw_axes
 from kincourse.robot_sheets.sampling import random_aligned_base, random_arm, random_tilted_base, random_tool, rebased
-from kincourse.robot_sheets.task import RobotTask
+from kincourse.robot_sheets.task import RobotTask, add_task
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
 from kinlib.chains.chain import Chain
 from kinlib.view import draw_arm, draw_joints
 from misstep.display.text import matrix
 from misstep.problem import Problem
-from misstep.release.instructor_notebook import Entry
 
 MAX_ASKED_JOINTS = 3
 """The maximum number of joints whose screw axes are asked for, because more joints would only repeat the same work."""
 
+ANSWER_NOTE = "Answer with screw axes $(\\omega, v)$ in rows, in the order of the joints."
 
+SCREW_TASKS: dict[str, RobotTask] = {}
+"""The tasks by name. The file of a robot sheet stores these names, so a name must not change."""
+
+task = partial(add_task, SCREW_TASKS)
+
+
+@task(
+    *("Screw axes in your lab", 3, "03_poe_space#Screw axes from a drawing"),
+    *("screws", ANSWER_NOTE, "screws_{k} = kl.screw(given.axes, given.points, given.pitches)"),
+)
 def space_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     """Space screws from directions and points, for a base of the student's own."""
     # The screw of a prismatic joint depends on its direction only, and x, y, z are too few directions for a class.
@@ -41,6 +51,10 @@ def space_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
+@task(
+    *("The same axes in the tool frame", 3, "04_poe_body#The adjoint"),
+    *("screws", ANSWER_NOTE, "screws_{k} = given.screws @ kl.adjoint(kl.inverse(given.home)).T"),
+)
 def body_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     """Body screws by the adjoint, for a base and a tool of the student's own."""
     arm = random_arm(sampler, robot)
@@ -60,6 +74,10 @@ def body_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
+@task(
+    *("Back to {s}", 2, "04_poe_body#The adjoint"),
+    *("screws", ANSWER_NOTE, "screws_{k} = given.body_screws @ kl.adjoint(given.home).T"),
+)
 def back_to_space(robot: Chain, sampler: ArmSampler) -> Problem:
     """Space screws from body screws."""
     arm = random_arm(sampler, robot)
@@ -79,6 +97,10 @@ def back_to_space(robot: Chain, sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
+@task(
+    *("A new tool", 2, "04_poe_body#Check yourself"),
+    *("screws", ANSWER_NOTE, "screws_{k} = given.body_screws @ kl.adjoint(kl.inverse(given.T_bt)).T"),
+)
 def new_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     """Body screws after the tool was replaced."""
     arm = random_arm(sampler, robot)
@@ -122,38 +144,3 @@ def _name_axes(joints: Sequence[int]) -> str:
     if len(numbers) == 1:
         return f"the screw axis of joint {numbers[0]}"
     return f"the screw axes of joints {', '.join(numbers[:-1])} and {numbers[-1]}"
-
-
-ANSWER_NOTE = "Answer with screw axes $(\\omega, v)$ in rows, in the order of the joints."
-
-SCREW_TASKS: dict[str, RobotTask] = {
-    "space_screws": RobotTask(
-        "Screw axes in your lab",
-        3,
-        "03_poe_space#Screw axes from a drawing",
-        space_screws,
-        Entry("screws", ANSWER_NOTE, "screws_{k} = kl.screw(given.axes, given.points, given.pitches)"),
-    ),
-    "body_screws": RobotTask(
-        "The same axes in the tool frame",
-        3,
-        "04_poe_body#The adjoint",
-        body_screws,
-        Entry("screws", ANSWER_NOTE, "screws_{k} = given.screws @ kl.adjoint(kl.inverse(given.home)).T"),
-    ),
-    "back_to_space": RobotTask(
-        "Back to {s}",
-        2,
-        "04_poe_body#The adjoint",
-        back_to_space,
-        Entry("screws", ANSWER_NOTE, "screws_{k} = given.body_screws @ kl.adjoint(given.home).T"),
-    ),
-    "new_tool": RobotTask(
-        "A new tool",
-        2,
-        "04_poe_body#Check yourself",
-        new_tool,
-        Entry("screws", ANSWER_NOTE, "screws_{k} = given.body_screws @ kl.adjoint(kl.inverse(given.T_bt)).T"),
-    ),
-}
-"""The tasks by name. The file of a robot sheet stores these names, so a name must not change."""

@@ -18,7 +18,7 @@ from kincourse.robot_sheets.sampling import (
     truncated,
     with_zero_at,
 )
-from kincourse.robot_sheets.task import RobotTask
+from kincourse.robot_sheets.task import RobotTask, add_task
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import MARKS_BY_ROW, end_frames, given_frames, joint_table
 from kinlib.chains.chain import Chain
@@ -31,7 +31,6 @@ from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
 from misstep.display.text import number
 from misstep.problem import Problem
-from misstep.release.instructor_notebook import Entry
 
 MAX_ROWS = 7
 """The maximum number of rows of a table. A robot with more joints is cut off after this joint."""
@@ -41,17 +40,59 @@ MISTAKE_NAMES = (
     *("a and d swapped", "off the normal", "prismatic variable in theta", "degrees"),
 )
 
+ANSWER_NOTE = (
+    "Answer with a table: text with the header `a | alpha | d | theta` and a row for each joint, with `q1`, `q2`, ... for the variables; "
+    "angles as `90°` or `pi/2`."
+)
 
+TABLE_SOLUTION = """\
+arm = kl.Chain(given.screws, given.home, given.points)
+table_{k} = kl.assign_frames(arm, convention="CONVENTION").table
+"""
+
+FAULTY_ENTRY_SOLUTION = """\
+link = kl.inverse(given.frames[:-1]) @ given.frames[1:]
+R, p = link[:, :3, :3], link[:, :3, 3]
+if given.convention == "standard":  # the entries of Rz Tz Tx Rx, read backwards
+    alpha, theta = np.arctan2(R[:, 2, 1], R[:, 2, 2]), np.arctan2(R[:, 1, 0], R[:, 0, 0])
+    a, d = np.cos(theta) * p[:, 0] + np.sin(theta) * p[:, 1], p[:, 2]
+else:  # those of Rx Tx Rz Tz
+    alpha, theta = np.arctan2(-R[:, 1, 2], R[:, 2, 2]), np.arctan2(-R[:, 0, 1], R[:, 0, 0])
+    a, d = p[:, 0], np.cos(alpha) * p[:, 2] - np.sin(alpha) * p[:, 1]
+off = given.rows - np.column_stack([a, alpha, d, theta])
+off[:, [1, 3]] = np.sin(off[:, [1, 3]] / 2)  # whole turns count nothing
+row, column = np.unravel_index(np.argmax(np.abs(off)), off.shape)
+entry_{k} = f"{('a', 'alpha', 'd', 'theta')[column]}{row + 1}"
+"""
+
+TABLE_TASKS: dict[str, RobotTask] = {}
+"""The tasks by name. The file of a robot sheet stores these names, so a name must not change."""
+
+task = partial(add_task, TABLE_TASKS)
+
+
+@task(
+    *("A table in the standard convention", 4, "05_dh_standard#Reading a table off a drawing"),
+    *("table", ANSWER_NOTE, TABLE_SOLUTION.replace("CONVENTION", "standard")),
+)
 def standard_table(robot: Chain, sampler: ArmSampler) -> Problem:
     """The table in the standard convention between two given frames."""
     return _table(robot, sampler, "standard")
 
 
+@task(
+    *("A table in the modified convention", 4, "06_dh_modified#Frame labelling in eight steps"),
+    *("table", ANSWER_NOTE, TABLE_SOLUTION.replace("CONVENTION", "modified")),
+)
 def modified_table(robot: Chain, sampler: ArmSampler) -> Problem:
     """The table in the modified convention between two given frames."""
     return _table(robot, sampler, "modified")
 
 
+@task(
+    *("The faulty entry", 3, "05_dh_standard#The four motions"),
+    *("entry", "Answer with a column and a row, in quotes.", FAULTY_ENTRY_SOLUTION),
+)
 def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
     """The one entry of a table that does not fit the drawn frames."""
     arm, cut, _ = _arm(robot, sampler)
@@ -121,58 +162,3 @@ def _format_table(table: DHTable) -> str:
 def _wrapped_degrees(angle: float) -> float:
     """An angle, given in radians, in degrees within (-180, 180], rounded to three decimals."""
     return float(180 - (180 - np.degrees(angle).round(3)) % 360)
-
-
-ANSWER_NOTE = (
-    "Answer with a table: text with the header `a | alpha | d | theta` and a row for each joint, with `q1`, `q2`, ... for the variables; "
-    "angles as `90°` or `pi/2`."
-)
-
-TABLE_SOLUTION = """\
-arm = kl.Chain(given.screws, given.home, given.points)
-table_{k} = kl.assign_frames(arm, convention="CONVENTION").table
-"""
-
-FAULTY_ENTRY_SOLUTION = """\
-link = kl.inverse(given.frames[:-1]) @ given.frames[1:]
-R, p = link[:, :3, :3], link[:, :3, 3]
-if given.convention == "standard":  # the entries of Rz Tz Tx Rx, read backwards
-    alpha, theta = np.arctan2(R[:, 2, 1], R[:, 2, 2]), np.arctan2(R[:, 1, 0], R[:, 0, 0])
-    a, d = np.cos(theta) * p[:, 0] + np.sin(theta) * p[:, 1], p[:, 2]
-else:  # those of Rx Tx Rz Tz
-    alpha, theta = np.arctan2(-R[:, 1, 2], R[:, 2, 2]), np.arctan2(-R[:, 0, 1], R[:, 0, 0])
-    a, d = p[:, 0], np.cos(alpha) * p[:, 2] - np.sin(alpha) * p[:, 1]
-off = given.rows - np.column_stack([a, alpha, d, theta])
-off[:, [1, 3]] = np.sin(off[:, [1, 3]] / 2)  # whole turns count nothing
-row, column = np.unravel_index(np.argmax(np.abs(off)), off.shape)
-entry_{k} = f"{('a', 'alpha', 'd', 'theta')[column]}{row + 1}"
-"""
-
-TABLE_TASKS: dict[str, RobotTask] = {
-    "standard_table": RobotTask(
-        "A table in the standard convention",
-        4,
-        "05_dh_standard#Reading a table off a drawing",
-        standard_table,
-        Entry("table", ANSWER_NOTE, TABLE_SOLUTION.replace("CONVENTION", "standard")),
-    ),
-    "modified_table": RobotTask(
-        "A table in the modified convention",
-        4,
-        "06_dh_modified#Frame labelling in eight steps",
-        modified_table,
-        Entry("table", ANSWER_NOTE, TABLE_SOLUTION.replace("CONVENTION", "modified")),
-    ),
-    "faulty_entry": RobotTask(
-        "The faulty entry",
-        3,
-        "05_dh_standard#The four motions",
-        faulty_entry,
-        Entry(
-            "entry",
-            "Answer with a column and a row, in quotes.",
-            FAULTY_ENTRY_SOLUTION,
-        ),
-    ),
-}
-"""The tasks by name. The file of a robot sheet stores these names, so a name must not change."""

@@ -8,6 +8,8 @@ from kinlib.chains.chain import Chain
 from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
 
+Write = Callable[[Chain, ArmSampler], Problem]
+
 
 class RobotTask(NamedTuple):
     """A problem without its robot, and its cells in the instructor's notebook.
@@ -20,5 +22,20 @@ class RobotTask(NamedTuple):
     title: str
     points: int
     lecture: str
-    write: Callable[[Chain, ArmSampler], Problem]
+    write: Write
     entry: Entry
+
+
+def add_task(
+    tasks: dict[str, RobotTask], title: str, points: int, lecture: str, *entry: str
+) -> Callable[[Write], Write]:
+    """Return the decorator that adds a task by the name of its function, which the files of robot sheets store.
+
+    entry  the variable of the answer, what to answer with, and the solution
+    """
+
+    def add(write: Write) -> Write:
+        tasks[write.__name__] = RobotTask(title, points, lecture, write, Entry(*entry))
+        return write
+
+    return add
