@@ -34,12 +34,12 @@ NOTHING = f"{LEFT_OUT}|kept|left at|0|at zero|home|unchanged|only"
 def slips_of_given(given: Any, kind: str, solve: Callable[[Any], Any]) -> Kinds:
     """Return the answers with one given value wrong, or with two exchanged."""
     made: Kinds = {}
-    for did, changed, words in _slips(_numbers(given)) if kind not in WITHOUT_SLIPS else ():
-        try:
-            with np.errstate(all="ignore"):
+    with np.errstate(all="ignore"):
+        for did, changed, words in _slips(_numbers(given)) if kind not in WITHOUT_SLIPS else ():
+            with suppress(
+                ArithmeticError, AssertionError, IndexError, ValueError
+            ):  # with this value there is no answer
                 made[did] = solve(SimpleNamespace(**{**vars(given), **changed})), f"{words}|{'|'.join(changed)}"
-        except (ArithmeticError, AssertionError, IndexError, ValueError):
-            continue  # with this value there is no answer
     return made
 
 
