@@ -1,4 +1,4 @@
-"""Slips with a given value, the same in every problem: it is negated, left out, converted, reversed, inverted, or taken for another.
+"""Slips with a given value, the same in every problem: negated, left out, converted, reversed, inverted, exchanged.
 
 The answer is what the right solution makes of the wrong value, so a slip is written once and not for each problem.
 """
@@ -36,9 +36,8 @@ def slips_of_given(given: Any, kind: str, solve: Callable[[Any], Any]) -> Kinds:
     made: Kinds = {}
     with np.errstate(all="ignore"):
         for did, changed, words in _slips(_numbers(given)) if kind not in WITHOUT_SLIPS else ():
-            with suppress(
-                ArithmeticError, AssertionError, IndexError, ValueError
-            ):  # with this value there is no answer
+            # With some values there is no answer.
+            with suppress(ArithmeticError, AssertionError, IndexError, ValueError):
                 made[did] = solve(SimpleNamespace(**{**vars(given), **changed})), f"{words}|{'|'.join(changed)}"
     return made
 
