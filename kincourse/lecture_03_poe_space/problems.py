@@ -29,10 +29,10 @@ from kincourse.expressions.screws import (
     tilted,
     values_in_radians,
 )
-from kincourse.lecture_03_poe_space.drawn_problem import palletizer
 from kincourse.mistakes.factor_order import factor_order_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, shows_transposes
+from kincourse.sampling.drawn_machines import is_readable, lengths, read_point
 from kincourse.sampling.lettered_arms import LetteredArm, draw_lettered_arm
 from kincourse.text.joint_table import joint_table
 from kinlib.chains.robots import SLIDE, X, Y, Z, angled_arm, arm, pose
@@ -41,6 +41,7 @@ from kinlib.rigid.lie import homogeneous as pose_of
 from kinlib.symbolic.merge_rotations import homogeneous
 from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
+from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.function import Function
 from misstep.answers.groups.order import Ordering
 from misstep.display.text import matrix, number, vector
@@ -500,6 +501,39 @@ def _links(robot: LetteredArm, lengths: Mapping[str, float]) -> list[Expression]
             link = link.mistaken_for(sizes[j] * along, "another length", text)
         links.append(link.mistaken_for(0 * along, "term left out", f"leave out ${letter}$"))
     return links
+
+
+@problem("03.12", "A palletizer", points=4, lecture="03_poe_space#Screw axes from a drawing")
+def palletizer(sampler: ArmSampler) -> Problem:
+    while True:
+        a, b, c, d, e, f, g, h = lengths(sampler, 8)
+        foot = np.array([a, b, 0.0])
+        shoulder = foot + np.array([c, -d, 0.3 + e])
+        elbow = shoulder + np.array([f, 0.0, g])
+        wrist = elbow + np.array([0.3 + h, a - b, -e])
+        points = np.array([shoulder, elbow, wrist])
+        if is_readable(points):
+            break
+    side = sampler.choice((-1, 1)) * Y
+    axes = np.array([side, side * sampler.choice((-1, 1)), -Z])
+    read = [
+        read_point(f"P_{i}", p, axes[k], [*points[:k], *points[k + 1 :]])
+        for k, (i, p) in enumerate(zip((2, 3, 4), points, strict=True))
+    ]
+    S = joint_screws(axes, read, np.zeros(3), numbers=(2, 3, 4))
+    drawn = [
+        DrawnAxis("1", Z, foot),
+        *(DrawnAxis(str(i), w, p) for i, w, p in zip((2, 3, 4), axes, points, strict=True)),
+    ]
+    marks = dict(zip(("P2", "P3", "P4"), points, strict=True))
+    return Problem(
+        statement="The drawing shows a palletizer, with four revolute joints, in millimetres. Give the screw axes $S_2$, $S_3$ and $S_4$ "
+        "in {s}, as rows, in metres. An axis that points towards you is a ring with a dot, one that points away a ring with a cross.",
+        figure=lambda: draw_dimensions([foot, np.array([foot[0], foot[1], shoulder[2]]), *points], drawn, marks),
+        answer=ScrewsAnswer(S.value, names=["screw 2", "screw 3", "screw 4"]),
+        solution=S,
+        invisible={"another point"},
+    )
 
 
 SHEET = Sheet(

@@ -4,16 +4,17 @@ from functools import partial
 
 import numpy as np
 
-from kincourse.answers.dh_row import DHEntriesAnswer, DHRowAnswer
+from kincourse.answers.dh_row import DHEntriesAnswer, DHRowAnswer, DHRowsAnswer
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import dh_row, link, links, table_product
 from kincourse.expressions.poses import inverse, with_position
 from kincourse.expressions.poses import pose as given_pose
-from kincourse.lecture_05_dh_standard.drawn_problem import scara
 from kincourse.mistakes.dh import base_in_a_row, entry_names, other_entries, table_mistakes, tool_in_a_row
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler, are_distinguishable
+from kincourse.sampling.drawn_machines import draw_table_frames, is_readable, lengths, table_frames
+from kincourse.sampling.drawn_machines import table_mistakes as drawn_table_mistakes
 from kincourse.text.joint_table import MARKS_BY_ROW, joint_table
 from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.dh.formatting import markdown_table
@@ -396,6 +397,25 @@ def _format_row(row: list[float], i: int) -> str:
     a, alpha, d, _ = row
     lean = {1: "\\pi/2", -1: "-\\pi/2", 0: "0"}[round(alpha / RIGHT_ANGLE_RAD)]
     return f"({number(a)}, {lean}, {number(d)}, q_{i})"
+
+
+@problem("05.9", "A SCARA from its drawing", points=4, lecture="05_dh_standard#Reading a table off a drawing")
+def scara(sampler: ArmSampler) -> Problem:
+    while True:
+        a, b, c, d, e, f, g = lengths(sampler, 7)
+        turn = sampler.choice((-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD))
+        rows = [(a, 0, b, turn), (c, np.pi, d, -turn), (0, 0, e, sampler.choice((RIGHT_ANGLE_RAD, -RIGHT_ANGLE_RAD)))]
+        table = DHTable(rows, convention="standard", joints="RRP", base=pose((X, Y, Z), (f, g, 0)))
+        if is_readable(table_frames(table)[:, :3, 3]):
+            break
+    return Problem(
+        statement="The drawing shows a SCARA with joints RRP at home, in millimetres, with its standard frames: "
+        "the origin of frame $i$ is D$i$, $z_i$ is the axis of joint $i + 1$, the arrow is $x_i$, and $z_3$ is along $z_2$. Give "
+        f"the three rows $a, \\alpha, d, \\theta$ at home, in metres and radians. {MARKS_BY_ROW}",
+        figure=partial(draw_table_frames, table),
+        answer=DHRowsAnswer(table.rows),
+        mistakes=drawn_table_mistakes(table),
+    ).without_duplicates()
 
 
 SHEET = Sheet(

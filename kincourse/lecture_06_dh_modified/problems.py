@@ -17,14 +17,15 @@ from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.links import axial_twists, link, table_product
 from kincourse.expressions.poses import inverse, rotation_about, rotation_of
 from kincourse.expressions.wrist import wrist_angles, wrist_rotation
-from kincourse.lecture_06_dh_modified.drawn_problem import telescope_mount
 from kincourse.mistakes.dh import table_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, are_distinguishable
-from kincourse.sampling.drawn_machines import is_in_several_rows
+from kincourse.sampling.drawn_machines import draw_table_frames, is_in_several_rows, is_readable, lengths, table_frames
+from kincourse.sampling.drawn_machines import table_mistakes as drawn_table_mistakes
 from kincourse.text.joint_table import MARKS_BY_ROW, joint_table
 from kinlib.arrays.validation import Array, read_only_copy
 from kinlib.chains.chain import random_configurations
+from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.dh.formatting import add_variable, headings, in_latex
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
 from kinlib.dh.table import Convention, DHTable, dh_transform
@@ -720,6 +721,28 @@ def _format_table(
         angle = add_variable(name, degrees(theta)) if kind == "R" else degrees(theta)
         lines.append(f"| {k + first} | {number(a)} | {degrees(alpha)} | ${length}$ | ${angle}$ |")
     return "\n".join(lines)
+
+
+@problem(
+    "06.11", "A telescope mount from its drawing", points=4, lecture="06_dh_modified#Frame labelling in eight steps"
+)
+def telescope_mount(sampler: ArmSampler) -> Problem:
+    while True:
+        a, b, c, d, e, f, g = lengths(sampler, 7)
+        first, second = (sampler.choice((-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)) for _ in range(2))
+        rows = [(0, 0, a, 0), (b, first, c, sampler.choice((0, RIGHT_ANGLE_RAD))), (d, second, e, RIGHT_ANGLE_RAD)]
+        table = DHTable(rows, convention="modified", joints="RRR", base=pose((X, Y, Z), (f, g, 0)))
+        if is_readable(table_frames(table)[:, :3, 3]):
+            break
+    return Problem(
+        statement="The drawing shows the mount of a telescope at home, in millimetres, with modified frames: joint 1 "
+        "is the azimuth, joint 2 the altitude, joint 3 rotates the camera. The origin of frame $i$ is D$i$, $z_i$ is the axis of joint "
+        "$i$, and the arrow is $x_i$; $z_0$ is along $z_1$. Give the three rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at home, in "
+        f"metres and radians. {MARKS_BY_ROW}",
+        figure=partial(draw_table_frames, table),
+        answer=DHRowsAnswer(table.rows),
+        mistakes=drawn_table_mistakes(table),
+    ).without_duplicates()
 
 
 SHEET = Sheet(
