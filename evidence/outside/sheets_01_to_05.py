@@ -325,6 +325,7 @@ def tilted_joint(g: Any, S: Any) -> Kinds:
     c, s = np.cos(np.radians(g.degrees)), np.sin(np.radians(g.degrees))
     w = S[:3]
     return {
+        "did not tilt": (screw(u, p), "tilt|lean|angle|0|axis"),
         "negated omega alone": (S * (-1, -1, -1, 1, 1, 1), SIGN),
         "tilted by half the angle": (screw(np.cos(np.radians(g.degrees / 2)) * u + np.sin(np.radians(g.degrees / 2)) * t, p), "half|angle|tilt|axis|" + PLACE),
         "tilted from the other axis": (screw(s * u + c * t, p), SWAP + "|sin"),
@@ -704,6 +705,7 @@ def row_from_a_drawing(g: Any, X: Any) -> Kinds:
 def row_as_a_matrix(g: Any, X: Any) -> Kinds:
     a, al, d, t = g.a, np.radians(g.alpha_degrees), g.d, np.radians(g.theta_degrees)
     return {
+        "left out alpha": (link((a, 0, d, t), "standard"), LEFT_OUT + "|alpha"),
         "used the modified convention": (link((a, al, d, t), "modified"), "modified|convention|order|revers|last|first"),
         "took degrees for radians": (link((a, g.alpha_degrees, d, g.theta_degrees), "standard"), DEGREES),
         "wrote (a, 0, d)": (pose(X[:3, :3], [a, 0, d]), "theta|rotat|x|position|not rotated|left out"),

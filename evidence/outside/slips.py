@@ -56,6 +56,7 @@ def _slips(values: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any], str]]:
     for name, x in values.items():
         if x.ndim == 1 or name in ANGLES | LENGTHS:
             yield f"negated {name}", {name: -x}, f"{SIGN}|other way|inver"
+        if x.ndim == 1 or name in LENGTHS:
             yield f"left out {name}", {name: 0 * x}, NOTHING
         for did, value, words in _of_pose(x) if x.shape == (4, 4) else _of_angles(x) if name in ANGLES else ():
             yield f"{did} {name}", {name: value}, words
