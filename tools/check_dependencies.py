@@ -37,7 +37,6 @@ NOT_IMPORTED = {
         "airo-models": "tests/kinlib/urdf ask for its files by name",
         "deptry": "this file starts it",
         "jupyterlab": "course.py starts it",
-        "lxml": "tests/kinlib/urdf ask for it by name, as an oracle",
         "mutmut": "nox starts it",
         "nbval": "a plug-in of pytest",
         "nox": "noxfile.py is no part of a folder",

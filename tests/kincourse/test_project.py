@@ -9,7 +9,7 @@ import pytest
 
 from kincourse.lecture_10_one_robot_four_ways.arms import KINDS, draw_machine
 from kincourse.lecture_10_one_robot_four_ways.paths import CONTACT_M, EFFECTS, effect_of
-from kincourse.lecture_10_one_robot_four_ways.project import Project, joint_frames
+from kincourse.lecture_10_one_robot_four_ways.project import Project
 from kinlib.chains.robots import pose
 from kinlib.dh.assignment import assign_frames
 from kinlib.rigid.lie import adjoint, exp, inverse
@@ -193,14 +193,6 @@ def test_the_drawing_says_in_words_what_the_descriptions_need():
         chains[letter] = {name: x - values["{s}"] for name, x in values.items()}
     for i, point in enumerate(machine.points, start=1):
         assert [chains[letter][f"P{i}"] for letter in "xyz"] == pytest.approx(1000 * point, abs=0.6)
-
-
-def test_a_written_file_is_read_back():
-    frames = [np.eye(4), pose(np.eye(3), (0.1, 0.2, 0.3)), pose(([0, 1, 0], [0, 0, 1], [1, 0, 0]), (0.4, 0, 0))]
-    poses, axes = joint_frames(write_urdf(frames, "R", np.array([[-1, 1]])))
-    assert np.allclose(poses, frames[1:2])
-    assert np.allclose(load_urdf(write_urdf(frames, "R", np.array([[-1, 1]]))).home, frames[2], atol=1e-5)
-    assert axes.tolist() == [[0, 0, 1]]
 
 
 @pytest.mark.parametrize("given", [{"table": "modified"}, {"urdf": "<robot"}])

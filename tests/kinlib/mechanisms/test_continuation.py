@@ -144,20 +144,6 @@ def test_a_start_at_a_crossing_is_refused():
 # --- ends ---
 
 
-@pytest.mark.parametrize("step", STEPS)
-def test_a_cubic_turns_twice(step):
-    """x = y^3 - y has its turning points at y = +-1/sqrt(3)."""
-    path = plane_curve(lambda x, y: y**3 - y - x, lambda x, y: (-1 + 0 * x, 3 * y * y - 1))
-    curve = path.follow(np.array([0.0, 0.0]), step, 100)
-    assert not curve.closed
-    turned = curve.turning_points(0)
-    close(np.abs(curve.q[turned, 1]), 1 / np.sqrt(3), atol=step)
-    close(np.abs(curve.q[turned, 0]), 2 / np.sqrt(27), atol=step**2 * 2)
-    laid = path.resample(curve, 101)
-    close(laid.q[[0, -1]], curve.q[[0, -1]])
-    assert laid.ends == curve.ends
-
-
 @pytest.mark.parametrize("step", [0.1])
 def test_a_curve_ends_at_a_cusp(step):
     """y^2 = x^3 comes to the origin along x, and goes back the way it came."""

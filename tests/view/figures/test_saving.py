@@ -65,11 +65,6 @@ def test_a_saved_drawing_contains_its_text_alternative_and_a_saved_page_needs_no
     assert text.count("</script") == 2  # the script of the viewer does not end its own element
 
 
-def test_the_title_is_the_first_sentence_or_the_caption(tmp_path):
-    for caption, title in (("", "A curve &amp; its &lt;tangent&gt;, 0.5 m long."), ("At a < b", "At a &lt; b")):
-        assert f"<title>{title}</title>" in Picture("<svg></svg>", ALT, caption).labelled_svg()
-
-
 @pytest.mark.parametrize("shown", ["a drawing", "a viewer"])
 def test_other_endings_are_refused_and_nothing_is_written(shown, tmp_path):
     drawn = SHOWN[shown]()
