@@ -36,7 +36,7 @@ Rows = Array | Sequence[Sequence[float]]
 def link(row: Array | Sequence[float | Expression], convention: Convention, i: int = 1, label: str = "") -> Expression:
     r"""The link transform of row i: a, alpha, d, theta in metres and radians, as numbers or expressions.
 
-    label  its own name in LaTeX
+    label  its own name in LaTeX; the numbers of its row then have no index
 
     >>> link([1, 0, 0, np.pi / 2], "standard").value.round(6)[:3, 3]
     array([0., 1., 0.])
@@ -45,6 +45,8 @@ def link(row: Array | Sequence[float | Expression], convention: Convention, i: i
     """
     k = i - 1 if convention == "modified" else i
     names, kinds = (f"a_{k}", f"\\alpha_{k}", f"d_{i}", f"\\theta_{i}"), (_A, _ALPHA, _D, _THETA)
+    if label:
+        names = "a", "\\alpha", "d", "\\theta"
     entries = [
         entry if isinstance(entry, Expression) else given(name, float(entry), kind)
         for entry, name, kind in zip(row, names, kinds, strict=True)

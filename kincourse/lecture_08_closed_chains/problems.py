@@ -446,7 +446,8 @@ def counting(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"A platform moves {place}. It is connected to the ground by {len(legs)} legs: {listed}. The joints are listed from the "
         f"ground to the platform, and between two neighbouring joints of a leg there is one body. {DEGREES_OF_FREEDOM_NOTE} "
-        "Which mobility does the Gruebler-Kutzbach formula give?",
+        "Which mobility does the Gruebler-Kutzbach formula give? In the feedback, $N$ is the number of bodies, $J$ that of the joints, and "
+        "$f$ the degrees of freedom of a joint.",
         given={"d": d, "legs": [leg.degrees_of_freedom for leg in legs]},
         answer=Numbers(np.array(float(right.value))),
         solution=right,

@@ -35,6 +35,10 @@ absolute = function("absolute values", np.abs, "|{0}|")
 LINKS = ("base", "boom", "forearm", "hand")
 ROUNDING_NOTE = "Take `1.5708` for a right angle."
 
+SYMBOLS_NOTE = (
+    "In the feedback, $R_i$ and $p_i$ are the rotation and the `xyz` of the origin of `joint_i`, and $T_i$ is its pose."
+)
+
 
 @problem("09.1", "The pose of a joint", points=3, lecture="09_urdf#Roll, pitch and yaw")
 def pose_of_a_joint(sampler: ArmSampler) -> Problem:
@@ -137,7 +141,7 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     p = _position([_origin(k, joint) for k, joint in enumerate(joints, start=1)])
     return Problem(
         statement="Give the position of the origin of `joint_3` in the frame of the base when all joint values are 0. "
-        f"{ROUNDING_NOTE}\n\n{fence_urdf(text)}",
+        f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         given={"urdf": text},
         answer=VectorsAnswer(p.value, unit="m"),
         solution=p,
@@ -177,7 +181,8 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
     ):
         S = S.mistaken_for(screw_axis, name, words)
     return Problem(
-        statement=f"Give the screw axis of `joint_3` in the frame of the base. {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
+        statement=f"Give the screw axis of `joint_3` in the frame of the base. "
+        f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         given={"urdf": text},
         answer=ScrewsAnswer(S.value),
         solution=S,
@@ -209,7 +214,8 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
     ):
         M = M.mistaken_for(other, name, words)
     return Problem(
-        statement=f"Give the home pose $M$ of the link `hand` in the frame of the base. {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
+        statement=f"Give the home pose $M$ of the link `hand` in the frame of the base. "
+        f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         given={"urdf": text},
         answer=PoseAnswer(M.value),
         solution=M,
@@ -567,7 +573,7 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="When all joint values are 0, the axis of `joint_3` must have the direction "
         f"$\\omega = {vector(omega)}$ in the frame of the base. The author of this file wrote these three numbers into "
-        f"the file. Which three numbers must `axis` of `joint_3` have instead? {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
+        f"the file. Which three numbers must `axis` of `joint_3` have instead? {SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         given={"urdf": text, "omega": omega},
         answer=VectorsAnswer(axis.value),
         solution=axis,

@@ -320,7 +320,11 @@ def three_arms(sampler: ArmSampler) -> Problem:
     arms = [sampler.integer(low, high), sampler.integer(low, high), sampler.integer(low, high)]
     d, held = (3, "plate that stays on a table, with all axes vertical") if flat else (6, "crate in space")
     n, right = sum(arms), float(sum(arms) - 2 * d)
-    joints, loops, equations = given("n", float(n)), given("L", 2.0), given("d", float(d))
+    joints, loops, equations = (
+        given("\\text{joints}", float(n)),
+        given("\\text{loops}", 2.0),
+        given("\\text{equations}", float(d)),
+    )
     for name, text, count in (
         ("one loop", "count one loop", 1.0),
         ("three loops", "count three loops, one for each arm", 3.0),
