@@ -209,7 +209,7 @@ def _special(kind: str, X: Any) -> Kinds:
         made["left every alpha at 0"] = (X * (1, 0, 1, 1), "alpha|" + PLACEHOLDER)
         made["negated every alpha"] = (X * (1, -1, 1, 1), SIGN)
         made["negated every theta"] = (X * (1, 1, 1, -1), SIGN)
-        made["swapped a and d"] = (X[:, [2, 1, 0, 3]], SWAP + "|a and d")
+        made["swapped a and d in every row"] = (X[:, [2, 1, 0, 3]], SWAP + "|a and d")
     return made
 
 

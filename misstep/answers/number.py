@@ -210,8 +210,13 @@ class Numbers(Entries):
     def appearance(self, given: Array, part: int | None) -> Named | None:
         if not self.is_plain:
             return None
-        likeness = self.likeness(given, part)
-        return likeness.placeholder() if part is None else likeness.at_sight()
+        if part is None:
+            return self.likeness(given, None).placeholder()
+        seen = self.likeness(given, part).at_sight()
+        if seen is None and len(self.parts) > 1:  # that a short part is rounded is seen in the others
+            whole = self.likeness(given, None).at_sight()
+            return whole if whole and whole[0] == "rounded" else None
+        return seen
 
     @property
     def is_plain(self) -> bool:
