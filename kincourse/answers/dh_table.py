@@ -35,6 +35,9 @@ MAX_TEXT_LENGTH = 10_000
 
 REVERSED = "Your rows run from the tool to the base. Row 1 belongs to joint 1, at the base."
 
+PAIR = "Two changes make your table right, although others may do so as well."
+"""What is said before two mistakes that explain a table together."""
+
 ENDS = {
     "base": "Your first row begins in {s}. The problem gives frame 0, which is not {s}, so the way from {s} to it is in no row.",
     "tool": "Your last row ends at the tool. The problem gives the last frame, so the way from it to the tool is in no row.",
@@ -152,6 +155,7 @@ class DHTableAnswer(Answer):
             ("d left out", {"rows": rows * (1, 1, 0, 1)}, "as if every $d$ were 0"),
             ("offset forgotten", {"rows": np.where(turns, 0.0, rows)}, "as if no $\\theta$ had an offset"),
             ("offset forgotten", {"rows": rows * (1, 1, 1, 0)}, "as if every $\\theta$ were 0 at $q = 0$"),
+            ("sign of alpha", {"rows": rows * (1, -1, 1, 1)}, "as if every $\\alpha$ had the other sign"),
             ("signs left out", {"rows": np.abs(rows)}, "as if no entry had a minus sign"),
             ("all signs", {"rows": -rows}, "as if every entry had the other sign"),
             ("sign of theta", {"rows": rows * (1, 1, 1, -1)}, "as if every $\\theta$ had the other sign at $q = 0$"),
@@ -298,7 +302,8 @@ def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
         for faults in alternatives
     ]
     texts = list(dict.fromkeys(_COLUMN.sub(lambda found: symbol(found[0]), text) for text in texts))[:MAX_ALTERNATIVES]
-    return name, texts[0] if len(texts) == 1 else f"Either: {' Or: '.join(texts)}"
+    text = texts[0] if len(texts) == 1 else f"Either: {' Or: '.join(texts)}"
+    return name, text if min(map(len, alternatives)) == 1 else f"{PAIR} {text}"
 
 
 def _frame_choices(i: int, ours: Array, theirs: Array, convention: str) -> Iterator[str]:

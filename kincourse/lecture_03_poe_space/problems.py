@@ -520,7 +520,10 @@ def palletizer(sampler: ArmSampler) -> Problem:
         read_point(f"P_{i}", p, axes[k], [*points[:k], *points[k + 1 :]])
         for k, (i, p) in enumerate(zip((2, 3, 4), points, strict=True))
     ]
-    S = joint_screws(axes, read, np.zeros(3), numbers=(2, 3, 4))
+    from_first = joint_screws(axes, points - points[0], np.zeros(3)).value
+    S = joint_screws(axes, read, np.zeros(3), numbers=(2, 3, 4)).mistaken_for(
+        from_first, "not from {s}", "measure the points from $P_2$", "Points are measured from the origin of {s}."
+    )
     drawn = [
         DrawnAxis("1", Z, foot),
         *(DrawnAxis(str(i), w, p) for i, w, p in zip((2, 3, 4), axes, points, strict=True)),

@@ -574,7 +574,10 @@ def drawn_wrist(sampler: ArmSampler) -> Problem:
             break
     axes = np.array([sampler.choice((-1, 1)) * axis for axis in (Z, Y, X)])
     read = [read_point(f"P_{i}", p, w) for i, p, w in zip((4, 5, 6), points, axes, strict=True)]
-    B = joint_screws(axes, read, np.zeros(3), numbers=(4, 5, 6))
+    from_first = joint_screws(axes, points - points[0], np.zeros(3)).value
+    B = joint_screws(axes, read, np.zeros(3), numbers=(4, 5, 6)).mistaken_for(
+        from_first, "not from {b}", "measure the points from $P_4$", "Points are measured from the origin of {b}."
+    )
     drawn = [DrawnAxis(str(i), w, p) for i, w, p in zip((4, 5, 6), axes, points, strict=True)]
     marks = dict(zip(("P4", "P5", "P6"), points, strict=True))
     return Problem(

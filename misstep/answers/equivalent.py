@@ -41,7 +41,8 @@ class Equivalent(Numbers):
     def appearance(self, given: Array, part: int | None) -> Named | None:
         """Return whether it is a placeholder or in degrees, by its meaning: an entry that differs from ours is not wrong for that."""
         likeness = Numbers.likeness(self, given, part)
-        if seen := likeness.placeholder() if part is None else None:
+        seen = likeness.placeholder() if part is None else likeness.at_sight()
+        if seen and (part is None or seen[0] == "rounded"):
             return seen
         radians = np.where(self.angle_entries(), np.radians(given), given)
         fine = self.agrees(radians, self.value)

@@ -134,7 +134,7 @@ class Likeness:
         is_short = np.asarray(has_three_digits(mine, right, or_zeros=True).all(axis=-1))
         is_filled = 2 * np.count_nonzero(mine[wrong]) >= np.count_nonzero(wrong)
         count, are_short = np.count_nonzero(wrong), bool(is_short[wrong].all())
-        if (is_short | ~wrong).all() and has_three_digits(mine, right)[wrong].any():
+        if (is_short | ~wrong).all() and (has_three_digits(mine, right) & (np.abs(mine - right) > 1e-9)).any():
             return "rounded", ROUNDED
         for decimals in (3, 2, 1, 0) if is_filled else ():
             is_rounded = are_short or count > (1 if decimals else 2)

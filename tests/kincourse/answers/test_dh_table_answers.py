@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import kinlib as kl
-from kincourse.answers.dh_table import MAX_TEXT_LENGTH, DHTableAnswer
+from kincourse.answers.dh_table import MAX_TEXT_LENGTH, PAIR, DHTableAnswer
 from kincourse.answers.table_rows import wrong_rows
 from kinlib import DHTable
 from misstep.answers.base import Unreadable
@@ -171,7 +171,7 @@ def test_a_prismatic_joint_follows_from_the_problem_or_from_the_typed_table():
 def test_two_mistakes_are_named_and_more_are_left_to_the_first_difference():
     finding = judge_table(rows_with((0, 0, -0.3), (1, 1, 1.1)), anchored=True).findings[0]
     assert finding.mistake == "sign of a and sign of alpha"
-    assert finding.message == "Row 1: $a$ has the wrong sign. Row 2: $\\alpha$ has the wrong sign."
+    assert finding.message == f"{PAIR} Row 1: $a$ has the wrong sign. Row 2: $\\alpha$ has the wrong sign."
     message = (
         judge_table(rows_with((0, 0, 0.2), (0, 1, 0.6), (1, 0, 0.3), (1, 1, 1.3), (1, 2, 0.4))).findings[0].message
     )
