@@ -44,36 +44,31 @@ def _tilt_with(old: str, new: str) -> str:
     return f'{pan}  <joint name="tilt"{tilt.replace(old, new)}'
 
 
-FILES = {
-    "no change": ARM,
-    "limit without effort and velocity": _tilt_with(' effort="10" velocity="1"', ""),
-    "child that is not a link": _tilt_with('child link="camera"', 'child link="Camera"'),
-    "link that no joint holds": ARM.replace('<link name="camera"/>', '<link name="camera"/> <link name="lens"/>'),
-    "roll of -90, in degrees": _tilt_with("-1.5708", "-90"),
-    "lower and upper swapped": _tilt_with('lower="-1" upper="1"', 'lower="1" upper="-1"'),
-    "axis of length 0": _tilt_with('axis xyz="0 0 1"', 'axis xyz="0 0 0"'),
-    "axis of length 2": _tilt_with('axis xyz="0 0 1"', 'axis xyz="0 0 2"'),
-    "axis in the frame of the base": _tilt_with('axis xyz="0 0 1"', 'axis xyz="0 1 0"'),
-    "tilt mimics pan": _tilt_with("/> </joint>", '/> <mimic joint="pan"/> </joint>'),
-    "second parent: a four-bar": FOUR_BAR,
-}
-"""The file of the camera with one change each, and the four-bar."""
-
 _ALL = ("reads pan, tilt",) * 3
-RECORDED = {
-    "no change": _ALL,
-    "limit without effort and velocity": ("refuses", "reads pan, tilt", "refuses"),
-    "child that is not a link": ("refuses", "refuses", "refuses"),
-    "link that no joint holds": ("refuses", "reads pan, tilt", "refuses"),
-    "roll of -90, in degrees": _ALL,
-    "lower and upper swapped": _ALL,
-    "axis of length 0": ("reads pan, tilt", "reads pan, tilt", "reads pan"),
-    "axis of length 2": _ALL,
-    "axis in the frame of the base": _ALL,
-    "tilt mimics pan": _ALL,
-    "second parent: a four-bar": ("reads A, B, D, D", "reads A, B, C, D", "reads A, B, D"),
+FILES = {
+    "no change": (ARM, _ALL),
+    "limit without effort and velocity": (
+        _tilt_with(' effort="10" velocity="1"', ""),
+        ("refuses", "reads pan, tilt", "refuses"),
+    ),
+    "child that is not a link": (_tilt_with('child link="camera"', 'child link="Camera"'), ("refuses",) * 3),
+    "link that no joint holds": (
+        ARM.replace('<link name="camera"/>', '<link name="camera"/> <link name="lens"/>'),
+        ("refuses", "reads pan, tilt", "refuses"),
+    ),
+    "roll of -90, in degrees": (_tilt_with("-1.5708", "-90"), _ALL),
+    "lower and upper swapped": (_tilt_with('lower="-1" upper="1"', 'lower="1" upper="-1"'), _ALL),
+    "axis of length 0": (
+        _tilt_with('axis xyz="0 0 1"', 'axis xyz="0 0 0"'),
+        ("reads pan, tilt", "reads pan, tilt", "reads pan"),
+    ),
+    "axis of length 2": (_tilt_with('axis xyz="0 0 1"', 'axis xyz="0 0 2"'), _ALL),
+    "axis in the frame of the base": (_tilt_with('axis xyz="0 0 1"', 'axis xyz="0 1 0"'), _ALL),
+    "tilt mimics pan": (_tilt_with("/> </joint>", '/> <mimic joint="pan"/> </joint>'), _ALL),
+    "second parent: a four-bar": (FOUR_BAR, ("reads A, B, D, D", "reads A, B, C, D", "reads A, B, D")),
 }
-"""What Pinocchio 4.1.0, pytransform3d 3.17.0 and the Robotics Toolbox 1.5.0 do with each file; a test asks them again."""
+"""The file of the camera with one change each, and the four-bar; and what Pinocchio 4.1.0, pytransform3d 3.17.0 and the Robotics
+Toolbox 1.5.0 do with it. A test asks them again."""
 
 
 def _by_kinlib(text: str) -> Sequence[str]:
@@ -140,9 +135,9 @@ def compare_readers() -> str:
     """
     others = list(READERS)[1:]
     rows = [("the camera's file with this change", *READERS)]
-    for label, text in FILES.items():
-        recorded = dict(zip(others, RECORDED[label], strict=True))
-        rows.append((label, *(ask(reader, text) if find_spec(reader) else recorded[reader] for reader in READERS)))
+    for label, (text, recorded) in FILES.items():
+        said = dict(zip(others, recorded, strict=True))
+        rows.append((label, *(ask(reader, text) if find_spec(reader) else said[reader] for reader in READERS)))
     return "\n".join("".join([f"{row[0]:<35}", *(f"{cell:<19}" for cell in row[1:])]).rstrip() for row in rows)
 
 
