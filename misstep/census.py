@@ -6,7 +6,6 @@ without a name.
 """
 
 import json
-import sys
 from argparse import ArgumentParser, Namespace
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -204,11 +203,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Take the census of a course, print it, and return 0 if nothing wrong has full marks, a wrong name or a false claim."""
-    try:
-        course = find_course(options.course) if options.course else course_in(Path.cwd())
-    except ValueError as error:
-        print(f"misstep census: {error}", file=sys.stderr)
-        return 2
+    course = find_course(options.course) if options.course else course_in(Path.cwd())
     students = [f"student {k}" for k in range(options.students)]
     sheets = options.sheet or course.sheets()
     reference = options.course or course.reference

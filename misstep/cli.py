@@ -1,7 +1,8 @@
 """The command line: `misstep COMMAND ...`, or `python -m misstep COMMAND ...`.
 
 Each command is a module with `add_arguments(parser)` and `run(options) -> int`, which returns the exit code. It is imported
-only when it is used. A course that has commands of its own calls `run_command` with them.
+only when it is used. A command raises ValueError for a request that is impossible; its message is for the user, as is that of an
+OSError. A course that has commands of its own calls `run_command` with them.
 """
 
 import argparse
@@ -62,6 +63,9 @@ def run_command(
         code: int = options.run(options)
     except ModuleNotFoundError as missing:
         parser.error(_advice(missing, extras.get(options.command, program)))
+    except (OSError, ValueError) as error:
+        print(f"{program} {options.command}: {error}", file=sys.stderr)
+        return 2
     return code
 
 

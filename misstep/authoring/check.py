@@ -7,7 +7,6 @@ notebook of its sheet. `misstep check --repair` adds the cells that are missing,
 import inspect
 import json
 import re
-import sys
 from argparse import ArgumentParser, Namespace
 from collections import Counter
 from collections.abc import Iterator
@@ -159,14 +158,10 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(options: Namespace) -> int:
-    """Print what is missing; return 0 if nothing is, 1 otherwise, and 2 if there is no course."""
-    try:
-        course = find_course_here(options.course, Path.cwd())
-        if options.repair:
-            repair(course)
-    except (OSError, ValueError) as error:
-        print(f"misstep check: {error}", file=sys.stderr)
-        return 2
+    """Print what is missing; return 0 if nothing is, and 1 otherwise."""
+    course = find_course_here(options.course, Path.cwd())
+    if options.repair:
+        repair(course)
     missing = list(what_is_missing(course, options.students))
     print(*missing, sep="\n") if missing else print(
         f"{course.package}: nothing is missing in {', '.join(course.sheets())}."

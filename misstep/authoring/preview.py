@@ -1,11 +1,10 @@
 """`misstep preview 01.2`: a problem as a student sees it, and each mistake with the card that it gets."""
 
-import sys
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator
 from pathlib import Path
 
-from misstep.authoring.course_here import add_course_argument, find_course_here, import_sheet, place_of
+from misstep.authoring.course_here import FaultOfCourse, add_course_argument, find_course_here, import_sheet, place_of
 from misstep.catalog import Course
 from misstep.judge import judge
 from misstep.problem import Template
@@ -45,17 +44,12 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(options: Namespace) -> int:
-    """Print the problem, and return 0; 2 if the request is invalid."""
-    try:
-        course = find_course_here(options.course, Path.cwd())
-        template = find_template(course, options.number)
-    except (OSError, ValueError) as error:
-        print(f"misstep preview: {error}", file=sys.stderr)
-        return 2
+    """Print the problem, and return 0."""
+    course = find_course_here(options.course, Path.cwd())
+    template = find_template(course, options.number)
     try:
         shown = list(preview(template, options.student))
     except Exception as error:  # it is the author's code that makes the problem
-        print(f"misstep preview: {place_of(error, course)}{type(error).__name__}: {error}", file=sys.stderr)
-        return 2
+        raise FaultOfCourse(f"{place_of(error, course)}{type(error).__name__}: {error}") from error
     print(*shown, sep="\n\n")
     return 0

@@ -45,9 +45,7 @@ from misstep.grading.write_results import ResultWriter, opened_gradebook
 REQUIRED = ("IPython", "jinja2", "latex2mathml", "mistune", "tqdm", "yaml")
 """The packages of the extra. They are imported where they are used, because that takes long."""
 
-EXPLAINED_ERRORS = (
-    *(ValueError, ModuleNotFoundError, SandboxUnavailable, FolderInUse, ProcessEnded, StepFailed, ClusterUnreachable),
-)
+EXPLAINED_ERRORS = (ModuleNotFoundError, SandboxUnavailable, FolderInUse, ProcessEnded, StepFailed, ClusterUnreachable)
 """The errors whose message is a sentence for the instructor."""
 
 PROGRESS = "{desc}: {n_fmt} of {total_fmt} |{bar:30}| about {remaining} left"
@@ -126,18 +124,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Grade, and return the exit code: 0 done, 1 some or all submissions could not be graded, 2 impossible request."""
     if options.jobs < 1:
-        print(f"misstep grade: --jobs must be at least 1; got {options.jobs}.", file=sys.stderr)
-        return 2
+        raise ValueError(f"--jobs must be at least 1; got {options.jobs}.")
     if missing := next((package for package in REQUIRED if find_spec(package) is None), None):
         raise ModuleNotFoundError(f"No module named {missing!r}")
     try:
         return _run(options)
     except OSError as error:
-        print(f"misstep grade: {_explain(error)}", file=sys.stderr)
-        return 2
+        raise ValueError(_explain(error)) from error
     except EXPLAINED_ERRORS as error:
-        print(f"misstep grade: {error}", file=sys.stderr)
-        return 2
+        raise ValueError(str(error)) from error
     except WrongRoster as error:
         print(f"misstep grade: {error}", file=sys.stderr)
         return 1

@@ -92,11 +92,10 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(options: Namespace) -> int:
-    """Print the groups as a table, and return 0, or 2 if the folder has no results."""
+    """Print the groups as a table, and return 0."""
     results = list(stored_results(options.results))
     if not results:
-        print(f"{options.results} has no results. Give the folder that `misstep grade --out` wrote.")
-        return 2
+        raise ValueError(f"{options.results} has no results. Give the folder that `misstep grade --out` wrote.")
     print("| problem | answers | each number beside the right one | an example | right there |")
     print("| --- | ---: | --- | --- | --- |")
     for group in groups(problem for result in results for problem in result.problems):

@@ -81,11 +81,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(options: Namespace) -> int:
-    """Write the course, print what to do next, and return 0; 2 if the request is invalid."""
-    try:
-        write_course(options.folder.absolute(), options.subject)
-    except (OSError, ValueError) as error:
-        print(error, file=sys.stderr)
-        return 2
+    """Write the course, print what to do next, and return 0."""
+    write_course(options.folder.absolute(), options.subject)
     print(f"{options.folder} has a course with one lecture and one sheet. Read {options.folder / 'README.md'} next.")
     return 0

@@ -7,7 +7,6 @@ All steps are nbgrader's own, so `nbgrader generate_assignment` and this command
 """
 
 import argparse
-import sys
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -67,24 +66,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the notebooks that are stale, or list them. The exit code is 1 for --check with stale notebooks, 2 for an error."""
+    """Write the notebooks that are stale, or list them. The exit code is 1 for --check with stale notebooks."""
     if not any(sheet_files(options.root)):
-        print(
-            f"misstep release: {options.root.resolve()} has no solutions/*/*.ipynb. Give the folder that contains solutions/ by --root.",
-            file=sys.stderr,
+        raise ValueError(
+            f"{options.root.resolve()} has no solutions/*/*.ipynb. Give the folder that contains solutions/ by --root."
         )
-        return 2
-    try:
-        for target in (stale := find_stale(options.root)):
-            source = options.root / "solutions" / target.relative_to(options.root / "exercises")
-            released = student_version(source)
-            print(f"{'stale' if options.check else 'written'}: {target.relative_to(options.root)}")
-            if not options.check:
-                target.parent.mkdir(parents=True, exist_ok=True)
-                target.write_text(released, encoding="utf-8", newline="\n")
-    except ValueError as error:
-        print(f"misstep release: {error}", file=sys.stderr)
-        return 2
+    for target in (stale := find_stale(options.root)):
+        source = options.root / "solutions" / target.relative_to(options.root / "exercises")
+        released = student_version(source)
+        print(f"{'stale' if options.check else 'written'}: {target.relative_to(options.root)}")
+        if not options.check:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(released, encoding="utf-8", newline="\n")
     if not stale and not options.check:
         print(f"Nothing to write: the notebooks in {options.root / 'exercises'} are those of solutions.")
     return 1 if stale and options.check else 0

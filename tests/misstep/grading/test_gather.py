@@ -343,12 +343,6 @@ def test_a_list_like_that_of_gradescope_that_a_student_hands_in_is_one_more_file
     assert (gathered.kind, list(by_student(gathered))) == ("folder", ["ada", "bob"])
 
 
-def test_somebody_whom_the_roster_does_not_know_is_said(tmp_path):
-    strange = {**CANVAS, f"stranger_9_9_{NAME}": notebook("eve")}
-    gathered = gather(zipped(tmp_path / "s.zip", strange), SHEET, roster(tmp_path, CANVAS_ROSTER))
-    assert gathered.remarks == ["Not in the roster, and so not in the file for the platform: stranger_9."]
-
-
 def test_a_roster_that_cannot_be_one_is_told_why(tmp_path):
     for text, message in [
         ("a,b\n1,2\n", "has the columns a, b. A roster must be an export of Canvas"),
