@@ -320,11 +320,8 @@ def three_arms(sampler: ArmSampler) -> Problem:
     arms = [sampler.integer(low, high), sampler.integer(low, high), sampler.integer(low, high)]
     d, held = (3, "plate that stays on a table, with all axes vertical") if flat else (6, "crate in space")
     n, right = sum(arms), float(sum(arms) - 2 * d)
-    joints, loops, equations = (
-        given("\\text{joints}", float(n)),
-        given("\\text{loops}", 2.0),
-        given("\\text{equations}", float(d)),
-    )
+    joints, loops = given("\\text{the number of joints}", float(n)), given("\\text{the number of loops}", 2.0)
+    equations = given("d", float(d))
     for name, text, count in (
         ("one loop", "count one loop", 1.0),
         ("three loops", "count three loops, one for each arm", 3.0),
@@ -334,7 +331,7 @@ def three_arms(sampler: ArmSampler) -> Problem:
         )
     place = "In the plane it is three." if flat else "In space it is six."
     equations = equations.mistaken_for(9.0 - d, "another d", f"take {9 - d} equations for a loop", place)
-    mobility = joints - loops * equations
+    mobility = joints - (loops * equations).named("\\text{the equations of all loops}")
     for name, text, wrong in (
         ("three loops, another d", f"count three loops with {9 - d} equations each", n - 3.0 * (9 - d)),
         ("one loop, another d", f"count one loop with {9 - d} equations", n - (9.0 - d)),
@@ -356,7 +353,8 @@ def three_arms(sampler: ArmSampler) -> Problem:
         mobility = mobility.mistaken_for(wrong, name, text)
     return Problem(
         statement=f"Three arms of {arms[0]}, {arms[1]} and {arms[2]} joints hold one {held}, each of them rigidly. No axes are "
-        "in a special position. How many degrees of freedom does the whole mechanism have?",
+        "in a special position. How many degrees of freedom does the whole mechanism have? In the feedback, $d$ is the number of "
+        "equations of a loop.",
         given={"joints": np.array(arms, dtype=float)},
         answer=Numbers(np.array(right)),
         solution=mobility,
@@ -415,7 +413,9 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
             product(*exponentials(S @ adjoint(robot.home).T, q), M),
         ),
     ):
-        T = T.mistaken_for(wrong, name, text, "With screws in {s}, $M$ is last; with screws in {b}, it is first.")
+        is_place = name in {"body screws", "adjoint", "space screws"}
+        advice = "With screws in {s}, $M$ is last; with screws in {b}, it is first." if is_place else ""
+        T = T.mistaken_for(wrong, name, text, advice)
     return Problem(
         statement=f"Give the pose $T_{{sb}}$ of the tool at {words}, by any of the four descriptions.\n\n{joint_table(robot)}\n\n"
         f"The home pose is\n\n$$M = {matrix(robot.home)}.$$",

@@ -90,7 +90,8 @@ class ClosedForm(Entries):
             ("letters too many", given.symbols - self._right.symbols, "do not contain {}, and yours do"),
         ):
             if symbols and given.given is not None:
-                listed = " and ".join(f"${wanted[symbol]}$" for symbol in sorted(symbols))
+                *others, last = [f"${wanted[symbol]}$" for symbol in sorted(symbols)]
+                listed = f"{', '.join(others)} and {last}" if others else last
                 trial = "" if same.ndim else f" {self.hint(given, part)}"
                 return name, f"The right formulas {which.format(listed)}.{trial}"
         return None
