@@ -145,6 +145,7 @@ def test_a_table_that_is_not_exact_says_so_at_its_end(convention):
     found = assign_frames(chain, convention=convention)
     assert 1e-11 < found.accuracy < 1e-6
     assert "only approximately" in found.steps[-1].text
+    assert found.steps[-1].text.endswith("The nearly parallel axes limit its accuracy.")
     assert f"{found.accuracy:.1e}" in found.steps[-1].text
     assert "Hayati" in next(step.text for step in found.steps if step.kind == "normal")
 
