@@ -92,7 +92,6 @@ def test_wrong_arguments_are_refused():
             make()
 
 
-@pytest.mark.oracle("scipy", plot_series)
 def test_the_plotted_error_is_that_of_the_sum():
     S, tool = kl.robots.rpr().screws[0], (0, 0, 1)
     caption = plot_series(S, 2 * np.pi, tool, 12).caption

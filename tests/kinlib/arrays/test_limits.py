@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import kinlib as kl
-from kinlib.arrays.limits import TakesLimitedValues, look_like_degrees, validate_limits
+from kinlib.arrays.limits import look_like_degrees, validate_limits
 
 ONE_JOINT = """<robot name="r"> <link name="a"/> <link name="b"/>
 <joint name="j" type="{kind}"> <parent link="a"/> <child link="b"/> <limit lower="{lower}" upper="{upper}"/> </joint> </robot>"""
@@ -29,12 +29,6 @@ def test_other_limits_of_a_revolute_joint_are_accepted(limits):
     assert validate_limits([limits], "R").tolist() == [[*limits]]
 
 
-@pytest.mark.oracle(
-    "axiom: a tree has the limits of its arm",
-    kl.Tree,
-    TakesLimitedValues.within_limits,
-    TakesLimitedValues.random_configurations,
-)
 def test_a_tree_and_its_arm_have_the_same_limits():
     arm = kl.robots.puma560().changed(limits=[[-3, 2], [-1, 1], [0, 4], [-np.inf, 1], [0, np.inf], [-np.inf, np.inf]])
     tree = kl.Tree.from_urdf(kl.to_urdf(arm))

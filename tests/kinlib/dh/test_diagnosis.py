@@ -8,8 +8,7 @@ import kinlib as kl
 from kinlib import DHTable, assign_frames, diagnose, equivalent
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.dh import diagnosis
-from kinlib.dh.diagnosis import TableExplanation
-from kinlib.dh.mistakes import corrected_rows, corrections_of_joint_types, known_corrections
+from kinlib.dh.mistakes import corrected_rows, corrections_of_joint_types
 
 PUMA = kl.robots.puma560()
 YOUBOT = kl.robots.youbot()
@@ -34,10 +33,11 @@ def exchanged(table, row):
     return with_entries(table, (row, "a", d), (row, "d", a))
 
 
-@pytest.mark.oracle("axiom: a right table is right in every convention", kl.Diagnosis.right)
+@pytest.mark.oracle("axiom: a right table is right in every convention", kl.Diagnosis.right, kl.Diagnosis.verdict)
 @pytest.mark.parametrize("table", [STANDARD, MODIFIED, STANDARD.converted("modified")])
 def test_a_right_table_is_right(table):
     found = diagnose(table, PUMA)
+    assert found.verdict == "right"
     assert found.right
     assert not [*found.faults]
     assert str(found).startswith("This table describes the arm.")
@@ -249,7 +249,6 @@ CHOICES = ("base", "tool", "zeros", "signs")
 UR5 = TABLES["UR5"]
 
 
-@pytest.mark.oracle("roboticstoolbox", diagnose)
 @pytest.mark.parametrize("name", ["UR5", "UR10", "Puma560"])
 def test_with_everything_fixed_a_table_is_right_where_the_robotics_toolbox_has_the_same_poses(name):
     rtb = pytest.importorskip("roboticstoolbox")
@@ -270,7 +269,6 @@ def test_with_everything_fixed_a_table_is_right_where_the_robotics_toolbox_has_t
     assert verdicts == {True, False}
 
 
-@pytest.mark.oracle("roboticstoolbox", TableExplanation.equivalence)
 def test_a_corrected_table_is_equivalent_where_the_robotics_toolbox_has_the_same_poses():
     rtb = pytest.importorskip("roboticstoolbox")
     for explanation in diagnose(with_entries(UR5, (2, "a", 0.5)), UR5, CHOICES).explanations:
@@ -418,14 +416,8 @@ MOVED = {
 }
 
 
-@pytest.mark.oracle(
-    "axiom: a planted mistake is undone",
-    known_corrections,
-    corrected_rows,
-    kl.Diagnosis.faults,
-    kl.Diagnosis.corrected,
-    kl.Diagnosis.equivalence,
-)
+@pytest.mark.oracle("axiom: a planted mistake is undone", diagnose, kl.Diagnosis.faults, kl.Diagnosis.corrected)
+@pytest.mark.oracle("axiom: a planted mistake is undone", kl.Diagnosis.equivalence)
 @pytest.mark.parametrize(("text", "wrong"), MOVED.items(), ids=MOVED)
 @pytest.mark.parametrize("fixed", [(), CHOICES], ids=["free", "fixed"])
 def test_what_changed_places_or_units_is_told(text, wrong, fixed):

@@ -26,7 +26,7 @@ def rounded(table, decimals):
     return table.changed(rows=table.rows.round(decimals))
 
 
-@pytest.mark.oracle("axiom: the table of an arm is right", assign_frames, diagnose, equivalent, kl.Diagnosis.verdict)
+@pytest.mark.oracle("axiom: the table of an arm is right", assign_frames)
 @pytest.mark.parametrize("convention", CONVENTIONS)
 def test_no_assigned_table_is_accused_at_any_angle_and_with_any_number_of_digits(convention):
     rng = np.random.default_rng(29)
@@ -51,7 +51,6 @@ def test_a_rounded_table_is_not_accused(seed, convention, power, decimals):
         assert found.rounding.nearest.difference <= max(found.rounding.effect, 1e-8)
 
 
-@pytest.mark.oracle("axiom: rounding moves a number by half a unit at most", typed_half_units, rounding_effect)
 @given(st.integers(0, 2**32 - 1), st.integers(1, 6))
 def test_rounding_changes_poses_by_no_more_than_its_bound(seed, decimals):
     rng = np.random.default_rng(seed)
@@ -108,7 +107,6 @@ def test_the_rounding_of_the_numbers_is_said_with_what_it_explains():
 # --- three answers, and what they say ---
 
 
-@pytest.mark.oracle("axiom: the offered tolerance decides", kl.Equivalence.reason, derived_accuracy)
 def test_what_is_undecided_is_neither_true_nor_false():
     chain = arm(np.random.default_rng(3), 4, cases=(), angle=3e-8, slides=0)[0]
     table = assign_frames(chain, convention="standard").table

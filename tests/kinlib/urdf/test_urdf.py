@@ -17,7 +17,6 @@ from urdf_files import poses_by_pinocchio, trees
 import kinlib as kl
 from kinlib import load_urdf, robots, to_urdf
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
-from kinlib.urdf.links_and_joints import UrdfJoint, read_tree
 from kinlib.urdf.xml_elements import MAX_BYTES, MAX_DEPTH
 
 CLOSE = 1e-9
@@ -26,7 +25,7 @@ CLOSE = 1e-9
 # --- random trees ---
 
 
-@pytest.mark.oracle("pinocchio", load_urdf, read_tree, UrdfJoint.moves, UrdfJoint.screw)
+@pytest.mark.oracle("pinocchio", load_urdf)
 @given(trees())
 def test_any_path_of_any_tree_moves_as_pinocchio_says(drawn):
     text, base, tip = drawn

@@ -20,7 +20,6 @@ from kincourse.lecture_08_closed_chains.drawings.torus import side_by_side
 from kinlib import view
 from kinlib.view import Picture
 from kinlib.view.drawing import svg
-from kinlib.view.drawing.png_and_pdf import figure_from_svg, image_bytes
 from kinlib.view.figures.arm import describe_arm
 
 ALT = "A curve & its <tangent>, 0.5 m long. The two meet at 1."
@@ -76,7 +75,6 @@ def test_other_endings_are_refused_and_nothing_is_written(shown, tmp_path):
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.oracle("PIL", image_bytes, figure_from_svg)
 def test_an_image_has_the_marks_of_the_drawing_where_they_are(tmp_path):
     """Half a drawing of 200 by 100 is the part from (50, 0) to (150, 50)."""
     marks = [
