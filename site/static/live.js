@@ -642,6 +642,18 @@
       { left: '$', right: '$', display: false },
     ];
     renderMathInElement(box, { delimiters, throwOnError: false });
+    for (const { parentElement } of box.querySelectorAll('.katex')) keepPunctuation(parentElement, box);
+  }
+
+  /** Keep a short formula and the punctuation after it on one line: a browser may break a line after any formula. */
+  function keepPunctuation(formula, box) {
+    const following = formula.nextSibling;
+    const [mark] = /^[.,;:?!)\]’”]+/.exec(following?.data ?? '') ?? [];
+    if (!mark || formula.offsetWidth > box.offsetWidth / 2) return;
+    const together = h('span', { class: 'together' });
+    formula.before(together);
+    together.append(formula, mark);
+    following.deleteData(0, mark.length);
   }
 
   // --- start ---
