@@ -1,4 +1,7 @@
-"""Numbers and arrays of numbers as answers: real, complex, or exact as whole numbers and fractions."""
+"""Numbers and arrays of numbers as answers: real, complex, or exact as whole numbers and fractions.
+
+How a number is read that was typed as text, such as "1/3" or "2e-3", is in `misstep.formulas.numerals`.
+"""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field

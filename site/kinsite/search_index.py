@@ -1,6 +1,7 @@
 """The index of the search: an entry for each section, mistake, term of the glossary and function, with its own address.
 
-MiniSearch, which the page of the search loads, ranks the entries by the kinds of `KINDS` (static/search.js).
+MiniSearch, which the page of the search loads, ranks the entries by the kinds of `KINDS`; other words for a query are its `SYNONYMS`
+(static/search.js).
 """
 
 import json

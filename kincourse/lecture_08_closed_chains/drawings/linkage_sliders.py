@@ -1,6 +1,7 @@
 """Sliders through the configurations of a linkage: assembly modes and gaps, and a curve of configurations beside its torus.
 
-Each call computes the text alternative, the caption and the scale, so that a cell of the lecture contains only the mathematics.
+Each call computes the text alternative, the caption and the scale, so that a cell of the lecture contains only the mathematics. The
+linkage itself is drawn by `kinlib.view.figures.linkage`.
 """
 
 from collections.abc import Mapping, Sequence
