@@ -9,7 +9,7 @@ from library_rows import CHECK, ROWS, SIZES, Row, in_new_process
 
 # The largest batch comes first, so that in the warmed process memory has been obtained from the system before.
 @pytest.mark.filterwarnings("ignore")
-@pytest.mark.benchmark(timer=time.process_time)
+@pytest.mark.benchmark(timer=time.thread_time)
 @pytest.mark.parametrize(
     ("row", "size"),
     [(row, size) for row in (*ROWS, CHECK) for size in reversed(SIZES) if size <= row.largest],
