@@ -43,12 +43,12 @@ OPERATIONS = {
 BATCHES = """\
 ## The library
 
-In these tables, each cell is the processor time, of the thread that calls, **for one element** of a batch: first in a **fresh** process, which has run
-nothing but the lines above the table, then in a **warmed** one, which has computed the larger batches before. Both are medians:
-of five calls in each of some fresh processes, and of at least five calls in the warmed one. The warmed time of a peer is
-followed by how many times that of kinlib it is. Every library is given one NumPy array and must give one back; where it computes
-one element in a call, the loop is part of its time. A loop takes the same time for each element of a larger batch, so it is not
-measured there.
+In these tables, each cell is the processor time, of the thread that calls, **for one element** of a batch: first in a
+**fresh** process, which has run nothing but the lines above the table, then in a **warmed** one, which has computed the
+larger batches before. Both are medians: of five calls in each of some fresh processes, and of at least five calls in
+the warmed one. The warmed time of a peer is followed by how many times that of kinlib it is. Every library is given one
+NumPy array and must give one back; where it computes one element in a call, the loop is part of its time. A loop takes
+the same time for each element of a larger batch, so it is not measured there.
 """
 
 COURSE = {
