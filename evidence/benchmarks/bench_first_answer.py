@@ -1,7 +1,7 @@
 """From opening a page in a new browser to the first checked answer: on a page and in the lab of the course, and in stock JupyterLite.
 
 Stock JupyterLite has the same release, Python, wheels and sheet, but nothing that the course adds or compiles. Each place is opened with no
-stored file, by a script that reads and types in no time. All files come from this machine, so no time of a download is included.
+stored file, by a script that reads, types and scrolls in no time. All files come from this machine, so no time of a download is included.
 `python course.py site` must have built the site with its lab.
 """
 
@@ -34,7 +34,7 @@ def test_first_checked_answer(place, benchmark, tmp_path):
     with browsers() as start, served(folder) as address, start(webgl=False) as browser:
 
         def visit():
-            with browser.new_context(viewport={"width": 1280, "height": 1000}) as context:
+            with browser.new_context(viewport={"width": 1280, "height": 1000}, reduced_motion="reduce") as context:
                 page = context.new_page()
                 page.set_default_timeout(TIMEOUT_MS)
                 if place == PAGE:

@@ -41,6 +41,14 @@ def test_a_single_thing_has_an_address_and_a_link_that_is_reached_with_the_keybo
     assert page.url.endswith(f"#{target}")
 
 
+def test_a_page_scrolls_at_once_if_reduced_motion_is_preferred(page, site_address):
+    page.goto(f"{site_address}/lectures/03_poe_space.html")
+    behaviour = "getComputedStyle(document.documentElement).scrollBehavior"
+    found = [page.evaluate(behaviour)]
+    page.emulate_media(reduced_motion="reduce")
+    assert [*found, page.evaluate(behaviour)] == ["smooth", "auto"]
+
+
 def test_every_mistake_of_the_index_leads_to_its_message(site_folder):
     index = (site_folder / "mistakes/index.html").read_text("utf-8")
     links = re.findall(r'<a href="(\w+\.html)#(mistake-[^"]+)"', index)
