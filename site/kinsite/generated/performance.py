@@ -63,8 +63,7 @@ COURSE = {
     ),
     "first answer": (
         "First checked answer in the browser",
-        "Time from opening a page, with nothing stored, to the feedback of a first answer, median of three, by a script that reads, types "
-        "and scrolls in no time. No download is included.",
+        "From opening a page, with nothing stored, to the feedback of a first answer of a script; median of three, without downloads.",
     ),
     "student": (
         "Memory of a student on a Hub",
