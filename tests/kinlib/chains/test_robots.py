@@ -47,7 +47,7 @@ def test_every_robot_knows_its_source_and_has_a_name_of_its_own(family):
 
 
 def test_the_numbers_of_the_robots_are_those_that_were_held_against_their_documents():
-    """A sum in which each number has a weight of its own: whoever changes a robot writes the new one."""
+    """A sum in which each number has a weight of its own: a change of a robot needs the new sum."""
     arrays = [np.ravel(array) for robot in ROBOTS for array in (robot.screws, robot.home, robot.joint_points)]
     numbers = np.concatenate(arrays)
     assert numbers @ np.sin(np.arange(1, len(numbers) + 1)) == pytest.approx(-21.23090026154135, abs=1e-9)
