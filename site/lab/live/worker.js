@@ -70,6 +70,7 @@ function readNow(name) {
 }
 
 async function start() {
+  if (!self.DecompressionStream) throw new Error('this browser cannot unpack files; update it, or use another one');
   const files = await (await beside('load.json')).json();
   countBytes(files);
   const shell = beside('shell.py').then((response) => response.text());
