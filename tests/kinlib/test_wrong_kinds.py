@@ -11,7 +11,6 @@ TREE = kl.Tree.from_urdf(kl.to_urdf(ARM))
 LINKAGE = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
 
 
-@pytest.mark.oracle("text: written out in the test", kl.Chain.changed)
 @pytest.mark.parametrize(
     ("call", "said"),
     [

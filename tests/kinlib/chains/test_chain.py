@@ -157,6 +157,14 @@ def test_long_batches_are_their_parts():
 # --- a chain stays what it is ---
 
 
+@pytest.mark.oracle("axiom: a copy differs in what is changed", Chain.changed)
+def test_a_changed_copy_differs_in_the_changed_field_alone():
+    arm, home = robots.youbot(), exp([0.1, -0.2, 0.3, 1, 2, 3])
+    copy = arm.changed(home=home)
+    close(copy.home, home, atol=1e-12)
+    close(copy.screws, arm.screws, atol=1e-12)
+
+
 @pytest.mark.parametrize("name", ["screws", "home", "points", "body_screws", "joint_points"])
 def test_the_arrays_of_a_chain_cannot_be_written_to(name):
     for chain in (robots.rpr(), Chain(robots.rpr().screws, np.eye(4), robots.rpr().points)):

@@ -213,7 +213,9 @@ def test_bennett_s_linkage_obeys_bennett_s_relation(a, alpha, b):
     """tan(t1/2) tan(t2/2) is constant, sin((beta + alpha)/2) / sin((beta - alpha)/2): Bennett (1903); Hunt, 10.4."""
     linkage = linkages.bennett(a, alpha, b)
     assert linkage.kutzbach() == -2
-    curve = linkage.trace(linkage.assemble([1, 2, 1, 2]).q)
+    start = linkage.assemble([1, 2, 1, 2])
+    assert start.residual < EXACT
+    curve = linkage.trace(start.q)
     assert curve.closed
     beta = np.arcsin(b * np.sin(alpha) / a)
     t1, t2, t3, t4 = curve.q.T
@@ -231,7 +233,9 @@ def test_bricard_s_joints_satisfy_the_equation_of_chen_you_and_tarnai():
     """For twists of a right angle, cos(a) + cos(b) + cos(a) cos(b) = 0, every other hinge alike: their (2005) equation."""
     linkage = linkages.bricard()
     assert linkage.kutzbach() == 0
-    curve = linkage.trace(linkage.assemble([1, -2, 1, -2, 1, -2]).q)
+    start = linkage.assemble([1, -2, 1, -2, 1, -2])
+    assert start.residual < EXACT
+    curve = linkage.trace(start.q)
     assert curve.closed
     a, b = np.cos(curve.q[:, 0]), np.cos(curve.q[:, 1])
     close(a + b + a * b, 0)
