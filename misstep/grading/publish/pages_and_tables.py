@@ -7,7 +7,7 @@ from pathlib import Path
 
 from misstep.grading.collect.roster import Roster
 from misstep.grading.judging.result import ABSENT
-from misstep.grading.publish.grades import grades_table, record_changes
+from misstep.grading.publish.grades_csv import grades_table, record_changes
 from misstep.grading.publish.marking_page import marking_page
 from misstep.grading.publish.overrides import UNMARKED, LateRule, apply_overrides, read_overrides
 from misstep.grading.publish.pages import feedback_page, format_points

@@ -16,7 +16,7 @@ from misstep.grading.collect.roster import Roster
 from misstep.grading.judging.result import ProblemResult, RanCell, Result
 from misstep.grading.publish.csv_table import escape_formula, format_csv
 from misstep.grading.publish.feedback_zip import feedback_name
-from misstep.grading.publish.grades import grades_table
+from misstep.grading.publish.grades_csv import grades_table
 from misstep.grading.publish.mathml import render_formula, render_markdown, render_sentence
 from misstep.grading.publish.pages import feedback_page
 from misstep.grading.publish.platform_exports import export

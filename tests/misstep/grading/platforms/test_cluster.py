@@ -19,7 +19,7 @@ if sys.platform != "linux":
 from misstep.__main__ import main
 from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging import cluster
-from misstep.grading.publish.grades import grades_table
+from misstep.grading.publish.grades_csv import grades_table
 from misstep.grading.publish.result_store import ResultStore
 from misstep.grading.sandbox.limits import Limits
 
