@@ -12,10 +12,10 @@ or alpha_i the modified one.
 
 import ast
 import math
+import operator
 import re
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -49,6 +49,13 @@ ENTRY_TOKEN = re.compile(
 """A part of an entry: a number, a name, or an operator. The first group is a factor, if the other factor follows without a sign.
 
 Python also reads 0x1F and 1_000 as numbers, but people do not."""
+
+OPERATORS: dict[type[ast.operator], Callable[[complex, complex], complex]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+}
 
 SPELLINGS = {
     # In a text without r in front of it, Python reads \t, \a and \f as a tab, a bell and a form feed.
@@ -98,8 +105,7 @@ def is_plausible_angle(angle: float) -> bool:
     return bool(is_whole or (not is_typed and size <= 4 * np.pi))
 
 
-@dataclass(frozen=True, eq=False)
-class Rows:
+class Rows(NamedTuple):
     """A parsed table: numbers (m, 4) in the order of COLUMNS, joint types as letters R, P or F, and signs (m,).
 
     The signs are those of the joint variables in the entries. A table of numbers has no variables, so its signs are None.
@@ -152,7 +158,7 @@ def read_rows(
         raise ValueError(
             f"joints must agree with the variables in the rows, {letters}; got {joints:.60}. Which rows have a joint?"
         )
-    return _validate_rows(np.array([[entry.constant for entry in row] for row in cells]), letters, np.array(signs))
+    return _validate_rows(np.array([[entry.value.real for entry in row] for row in cells]), letters, np.array(signs))
 
 
 def _validate_rows(numbers: Array, joints: str, signs: Array | None) -> Rows:
@@ -224,15 +230,15 @@ def _single_number(value: Any, name: str) -> float:
 
 
 def _joint_of_row(row: Sequence["_Entry"], number: int) -> tuple[str, float, tuple[str, int | None] | None]:
-    """Return the type and the sign of a row's joint, and its variable with its number, from the coefficients in the entries."""
-    moving = {column: entry.factors for column, entry in zip(COLUMNS, row, strict=True) if entry.factors}
+    """Return the type and the sign of a row's joint, and its variable with its number, from the variables in the entries."""
+    moving = {column: entry for column, entry in zip(COLUMNS, row, strict=True) if entry.variables}
     if not moving:
         return "F", 1.0, None
-    for column, factors in moving.items():
-        if len(factors) > 1:
+    for column, entry in moving.items():
+        if len(entry.variables) > 1:
             raise ValueError(
                 f"Row {number}, {column}: an entry must have one joint variable, that of its own joint; got "
-                f"{' and '.join(factors)}. If the angle depends on two joints, their mechanism is not a chain of rows."
+                f"{' and '.join(entry.variables)}. If the angle depends on two joints, their mechanism is not a chain of rows."
             )
     if len(moving) > 1 or set(moving) <= {"a", "alpha"}:
         swapped = {"a": " Are the columns a and d swapped?", "alpha": " Are the columns alpha and theta swapped?"}
@@ -240,12 +246,12 @@ def _joint_of_row(row: Sequence["_Entry"], number: int) -> tuple[str, float, tup
         raise ValueError(
             f"Row {number}: the joint variable must be in theta or in d, once; it is in {columns}.{swapped.get(columns, '')}"
         )
-    ((column, factors),) = moving.items()
-    ((name, factor),) = factors.items()
-    if abs(factor) != 1:
+    ((column, entry),) = moving.items()
+    if abs(factor := entry.value.imag) != 1:
         raise ValueError(
             f"Row {number}: the joint variable in {column} must be q or -q, without a factor; its factor is {factor:g}."
         )
+    name = entry.variables[0]
     digits = JOINT_VARIABLE.fullmatch(name)[2]  # type: ignore[index]
     return ("R" if column == "theta" else "P"), factor, (name, int(digits) if digits else None)
 
@@ -348,12 +354,11 @@ def _validate_index(head: str, name: str, is_before: bool, convention: str | Non
         )
 
 
-@dataclass(frozen=True)
-class _Entry:
-    """An entry: its constant, and the factor of each joint variable that it contains, by name."""
+class _Entry(NamedTuple):
+    """An entry: the joint variable is the imaginary unit, so that 0.5 - q1 has the value 0.5 - 1j and the variable q1."""
 
-    constant: float
-    factors: Mapping[str, float]
+    value: complex
+    variables: Sequence[str] = ()
 
 
 def _parse_entry(row: Any, column: str, number: int, lengths: Mapping[str, float], in_degrees: bool) -> _Entry:
@@ -366,7 +371,7 @@ def _parse_entry(row: Any, column: str, number: int, lengths: Mapping[str, float
     entry = row[column]
     place = f"Row {number}, {column}"
     if not isinstance(entry, str):
-        return _Entry(_single_number(entry, place), {})
+        return _Entry(_single_number(entry, place))
     if len(entry) > MAX_ENTRY_LENGTH:
         raise ValueError(
             f"{place}: an entry must have at most {MAX_ENTRY_LENGTH} characters; {entry[:20]!r}... has {len(entry)}."
@@ -376,20 +381,23 @@ def _parse_entry(row: Any, column: str, number: int, lengths: Mapping[str, float
     if (has_unit or in_degrees) and not is_angle:
         raise ValueError(f"{place}: {entry!r} is an angle, but {column} is a length. Are two columns swapped?")
     try:
-        value = _evaluate(ast.parse(_with_products(text), mode="eval").body, column, lengths)
+        tree = ast.parse(_with_products(text), mode="eval").body
+        value = _evaluate(tree, column, lengths)
     except (SyntaxError, KeyError, TypeError, ZeroDivisionError) as error:
         raise ValueError(
             f"{place}: an entry must be a number, or a joint variable with a number; got {entry!r}. {_hint(text, column, error)}."
         ) from error
-    if not np.isfinite([value.constant, *value.factors.values()]).all():
+    if not np.isfinite(value):
         raise ValueError(f"{place}: an entry must be a finite number; got {entry!r}.")
     # A heading in degrees applies to bare numbers; an entry with pi or a unit has its own unit.
     has_unit = has_unit or re.search(r"\bpi\b", text) is not None
     if in_degrees and not has_unit:
-        value, has_unit = _Entry(np.radians(value.constant), value.factors), True
+        value, has_unit = complex(math.radians(value.real), value.imag), True
     if is_angle:
-        _validate_angle(value.constant, place, repr(entry) if has_unit else f"{value.constant:g} rad")
-    return value
+        _validate_angle(value.real, place, repr(entry) if has_unit else f"{value.real:g} rad")
+    names = (node.id for node in ast.walk(tree) if isinstance(node, ast.Name))
+    variables = (name.replace("_", "") for name in names if name not in lengths and _is_variable(name, column))
+    return _Entry(value, list(dict.fromkeys(variables)))
 
 
 def _plain_entry(entry: str) -> tuple[str, bool]:
@@ -440,51 +448,29 @@ def _hint(text: str, column: str, error: Exception) -> str:
     return "Try 0.5, pi/2, q1 + pi/2 or -90°"
 
 
-def _evaluate(node: ast.expr, column: str, lengths: Mapping[str, float]) -> _Entry:
+def _evaluate(node: ast.expr, column: str, lengths: Mapping[str, float]) -> complex:
     """Evaluate sums, differences, products and fractions; no other syntax is accepted, so nothing else can be executed."""
     match node:
         case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
-            return _Entry(float(value), {})
+            return complex(value)
+        case ast.Name(id=name) if name in lengths or name == "pi":
+            return complex(lengths.get(name, math.pi))
+        case ast.Name(id=name) if _is_variable(name, column):
+            return 1j
         case ast.Name(id=name):
-            return _evaluate_name(name, column, lengths)
-        case ast.UnaryOp(op=ast.USub() | ast.UAdd() as sign, operand=operand):
-            signed = _evaluate(operand, column, lengths)
-            return _scaled(signed, -1.0) if isinstance(sign, ast.USub) else signed
-        case ast.BinOp(left=left, op=op, right=right):
-            return _combine(op, _evaluate(left, column, lengths), _evaluate(right, column, lengths))
+            raise KeyError(name)
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            return -_evaluate(operand, column, lengths)
+        case ast.UnaryOp(op=ast.UAdd(), operand=operand):
+            return _evaluate(operand, column, lengths)
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
+            one, other = _evaluate(left, column, lengths), _evaluate(right, column, lengths)
+            # A variable times or divided by a variable is no entry, and its square would be the square of the imaginary unit.
+            if not other.imag or isinstance(op, ast.Add | ast.Sub) or (isinstance(op, ast.Mult) and not one.imag):
+                return OPERATORS[type(op)](one, other)
     raise TypeError(ast.dump(node))
 
 
-def _evaluate_name(name: str, column: str, lengths: Mapping[str, float]) -> _Entry:
-    if name in lengths:
-        return _Entry(lengths[name], {})
-    if name == "pi":
-        return _Entry(np.pi, {})
-    # In another column, d_3 is a length whose value is missing; in the column d it is the joint variable.
-    if JOINT_VARIABLE.fullmatch(name) and (column == "d" or name[0] != "d"):
-        return _Entry(0.0, {name.replace("_", ""): 1.0})
-    raise KeyError(name)
-
-
-def _scaled(value: _Entry, factor: float) -> _Entry:
-    return _Entry(value.constant * factor, {name: scale * factor for name, scale in value.factors.items() if factor})
-
-
-def _combine(op: ast.operator, one: _Entry, other: _Entry) -> _Entry:
-    match op:
-        case ast.Add() | ast.Sub():
-            added = other if isinstance(op, ast.Add) else _scaled(other, -1.0)
-            names = {**one.factors, **added.factors}
-            factors = {name: one.factors.get(name, 0.0) + added.factors.get(name, 0.0) for name in names}
-            return _Entry(one.constant + added.constant, {name: factor for name, factor in factors.items() if factor})
-        case ast.Mult() if not other.factors:
-            return _scaled(one, other.constant)
-        case ast.Mult() if not one.factors:
-            return _scaled(other, one.constant)
-        case ast.Div() if not other.factors:
-            # Divided and not multiplied by the inverse, which would round twice.
-            return _Entry(
-                one.constant / other.constant,
-                {name: factor / other.constant for name, factor in one.factors.items()},
-            )
-    raise TypeError(ast.dump(op))
+def _is_variable(name: str, column: str) -> bool:
+    """Whether a name is that of a joint variable: in another column than d, d_3 is a length whose value is missing."""
+    return JOINT_VARIABLE.fullmatch(name) is not None and (column == "d" or name[0] != "d")
