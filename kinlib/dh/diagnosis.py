@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, reduce
+from functools import cached_property
 from itertools import combinations, pairwise
 from typing import Literal
 
@@ -23,15 +23,13 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import CHOICES, Equivalence, describe_pose, equivalent
-from kinlib.dh.invariants import AxisInvariants, Booleans, joint_axes
+from kinlib.dh.invariants import AxisInvariants, Booleans
 from kinlib.dh.mistakes import (
     ALPHA,
     ANGLES,
     LENGTHS,
     NUMBERS,
     OTHER_CONVENTION,
-    THETA,
-    VARIABLES,
     Correction,
     D,
     Fault,
@@ -39,9 +37,9 @@ from kinlib.dh.mistakes import (
     corrections_of_joint_types,
     known_corrections,
 )
-from kinlib.dh.parsing import COLUMNS
+from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.printed_digits import ALMOST_1, Rounding, judge_rounding
-from kinlib.dh.table import Convention, DHTable, dh_transform
+from kinlib.dh.table import Convention, DHTable, joint_axes, table_poses
 
 MAX_TOLD = 3
 """How many equally simple explanations the text lists."""
@@ -480,7 +478,7 @@ class _Search:
         return [round(float(term), 9) for term in terms]
 
     def _counts(self, entry: tuple[int, int]) -> bool:
-        return "zeros" in self.fixed or (self.table.joints[entry[0]], entry[1]) not in VARIABLES
+        return "zeros" in self.fixed or entry not in joint_entries(self.table.joints)
 
     def _without_details(self, candidates: list[Corrections]) -> list[Corrections]:
         """Leave out what another explanation says as well: the same table, or a number that was swapped with another one.
@@ -521,7 +519,7 @@ class _Search:
     @cached_property
     def _more_d(self) -> dict[int, list[float]]:
         """The values of d, by row, for which the distance of two common normals along an axis is that of the arm."""
-        moving = [row for row, letter in enumerate(self.table.joints) if letter != "F"]
+        moving = [row for row, _ in joint_entries(self.table.joints)]
         invariants, values = self._invariants, self._values([self.start])[0]
         return {
             moving[joint]: [
@@ -548,12 +546,7 @@ class _Search:
 
     def _values(self, candidates: Sequence[Corrections]) -> Array:
         """Compute the invariants of the corrected tables, (N, k)."""
-        return self._by_setting(
-            candidates,
-            lambda table, rows: self._invariants.of(
-                *joint_axes(rows, convention=table.convention, joints=table.joints, signs=table.signs)
-            ),
-        )
+        return self._by_setting(candidates, lambda table, rows: self._invariants.of(*joint_axes(table, rows)))
 
     def _may_agree(self, candidates: Sequence[Corrections]) -> Booleans:
         """Return which of the corrected tables can be the arm, as far as their invariants and their free choices show it."""
@@ -562,7 +555,7 @@ class _Search:
         agree = self._invariants.agree(self._values(candidates))
         if self.fixed >= {"zeros", "signs"}:
             q = random_configurations(self.arm.n, 4)
-            poses = self._by_setting(candidates, lambda table, rows: _poses(table, rows, q))
+            poses = self._by_setting(candidates, lambda table, rows: table_poses(table, rows[:, None], q))
             loose = FILTER_TOL_FACTOR * self.tolerance
             agree &= _same_motion(poses, self.arm.fk(q), self.fixed, loose)
         return agree
@@ -605,16 +598,6 @@ def _wrong_end(end: str, typed: Array, right: Array) -> Fault:
     is_inverted = np.abs(typed @ right - np.eye(4)).max() < TYPED_POSE_TOL
     what = "is missing" if is_missing else "is inverted" if is_inverted else "is wrong"
     return Fault(f"wrong {end}", f"{name} {what}: it should be {describe_pose(right)}.")
-
-
-def _poses(table: DHTable, rows: Array, q: Array) -> Array:
-    """Compute the poses of tables that differ from a given one in their rows: rows (N, m, 4), q (k, n) -> (N, k, 4, 4)."""
-    moved = np.repeat(rows[:, None], len(q), axis=1)
-    moving = [row for row, letter in enumerate(table.joints) if letter != "F"]
-    for values, row in zip(q.T, moving, strict=True):
-        moved[..., row, THETA if table.joints[row] == "R" else D] += table.signs[row] * values
-    links = np.moveaxis(dh_transform(*np.moveaxis(moved, -1, 0), convention=table.convention), -3, 0)
-    return reduce(np.matmul, [*links, table.tool], table.base)
 
 
 def _same_motion(poses: Array, right: Array, fixed: frozenset[str], loose: float) -> Booleans:

@@ -7,7 +7,7 @@ from typing import Protocol
 
 from kinlib.arrays.formatting import format_degrees, format_number
 from kinlib.arrays.validation import Array
-from kinlib.dh.parsing import COLUMNS
+from kinlib.dh.parsing import COLUMNS, joint_entries
 
 Format = Callable[[float], str]
 
@@ -61,14 +61,10 @@ def format_rows(
     >>> format_rows(table)
     [['0.4', '90°', '0', '-q1 + 90°'], ['0', '0', 'q2', '0']]
     """
-    rows, joint = [], 0
-    for letter, sign, (a, alpha, d, theta) in zip(table.joints, table.signs, table.rows.tolist(), strict=True):
-        row = [length(a), angle(alpha), length(d), angle(theta)]
-        if letter != "F":
-            joint += 1
-            moving = COLUMNS.index("theta" if letter == "R" else "d")
-            row[moving] = add_variable(f"{'-' if sign < 0 else ''}{variable(joint)}", row[moving])
-        rows.append(row)
+    rows = [[length(a), angle(alpha), length(d), angle(theta)] for a, alpha, d, theta in table.rows.tolist()]
+    for joint, (row, column) in enumerate(joint_entries(table.joints), start=1):
+        sign = "-" if table.signs[row] < 0 else ""
+        rows[row][column] = add_variable(f"{sign}{variable(joint)}", rows[row][column])
     return rows
 
 

@@ -18,27 +18,10 @@ from numpy.typing import ArrayLike, NDArray
 from kinlib.arrays.tolerances import CLEARLY_NOT_PARALLEL_COS, PARALLEL_TOL_RAD, SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.table import Convention, dh_transform
 from kinlib.rigid.lie import cross
 
 Booleans = NDArray[np.bool_]
 Integers = NDArray[np.int_]
-
-
-def joint_axes(rows: Array, *, convention: Convention, joints: str, signs: Array) -> tuple[Array, Array]:
-    """Compute the joint axes of many tables at once, in frame 0 with every joint at 0.
-
-    rows (..., m, 4), joints and signs with one entry for each row -> directions (..., n, 3) and a point on each axis (..., n, 3).
-    """
-    links = np.moveaxis(dh_transform(*np.moveaxis(rows, -1, 0), convention=convention), -3, 0)
-    frames = [np.broadcast_to(np.eye(4), links.shape[1:])]
-    for link in links:
-        frames.append(frames[-1] @ link)
-    # In the standard convention joint i moves about the z before its row, in the modified one about the z after it.
-    first = 0 if convention == "standard" else 1
-    moving = [row for row, letter in enumerate(joints) if letter != "F"]
-    at_joints = np.stack([frames[row + first] for row in moving], axis=-3)
-    return at_joints[..., :3, 2] * signs[moving, None], at_joints[..., :3, 3]
 
 
 @dataclass(frozen=True, eq=False)

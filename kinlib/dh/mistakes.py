@@ -12,15 +12,12 @@ import numpy as np
 
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, ROUNDING_ERROR
 from kinlib.arrays.validation import Array
-from kinlib.dh.parsing import COLUMNS
+from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.angles import wrap_angle
 
 A, ALPHA, D, THETA = range(4)
 LENGTHS, ANGLES = (A, D), (ALPHA, THETA)
-
-VARIABLES = {("R", THETA), ("P", D)}
-"""Which column a joint changes, by its letter: there the number in a table is only the zero of the joint."""
 
 OTHER_CONVENTION: dict[Convention, Convention] = {"standard": "modified", "modified": "standard"}
 
@@ -115,10 +112,9 @@ def known_corrections(
 
 def corrections_of_joint_types(table: DHTable, joint_types: str) -> list[tuple[Correction, ...]]:
     """Return the ways to give a table the joint types of an arm: variables in the other column, or two rows swapped."""
-    moving = [row for row, letter in enumerate(table.joints) if letter != "F"]
     right = list(table.joints)
     columns = []
-    for row, letter in zip(moving, joint_types, strict=True):
+    for (row, _), letter in zip(joint_entries(table.joints), joint_types, strict=True):
         right[row] = letter
         if letter != table.joints[row]:
             kind, column = ("prismatic", D) if letter == "P" else ("revolute", THETA)
@@ -187,6 +183,7 @@ def _corrections_of_lost_entries(table: DHTable, right: Array, zeros_are_fixed: 
     """Yield the corrections of numbers that moved one row, with 0 where they were; right has those that were lost by that."""
     rows, m = table.rows, len(table.rows)
     columns = [(A, ALPHA), *((k,) for k in range(4)), tuple(range(4))]
+    variables = joint_entries(table.joints)
     for shift, where, first, last in ((1, "one row too low", 0, m - 1), (-1, "one row too high", m - 1, 0)):
         for moved in columns:
             if rows[first, moved].any() or not right[last, moved].any():
@@ -198,7 +195,7 @@ def _corrections_of_lost_entries(table: DHTable, right: Array, zeros_are_fixed: 
             yield _replaced(Fault("entries lost", text), rows, restored, moved)
         for row, column in np.ndindex(m, 4):
             other = row + shift
-            is_free = (table.joints[row], column) in VARIABLES and not zeros_are_fixed
+            is_free = (row, column) in variables and not zeros_are_fixed
             if (
                 not 0 <= other < m
                 or is_free
@@ -256,10 +253,11 @@ def _corrections_of_a_pair_of_rows(table: DHTable) -> Iterator[Correction]:
 
 def _corrections_of_a_row(table: DHTable, zeros_are_fixed: bool) -> Iterator[Correction]:
     """Yield the corrections of mistakes in one row. The entry that a joint changes is its zero, which may be free."""
+    variables = joint_entries(table.joints)
     for row, (a, alpha, d, theta) in enumerate(table.rows):
         correction = partial(_correction_of_a_row, row)
         # If two signs explain a table equally well, that of alpha is the more frequent mistake.
-        columns = [k for k in (ALPHA, D, A, THETA) if zeros_are_fixed or (table.joints[row], k) not in VARIABLES]
+        columns = [k for k in (ALPHA, D, A, THETA) if zeros_are_fixed or (row, k) not in variables]
         for column in columns:
             name, value = COLUMNS[column], table.rows[row, column]
             if column == ALPHA and abs(np.sin(alpha)) < EQUIVALENCE_TOL:
@@ -294,8 +292,9 @@ def _corrections_of_a_number(
         # If an axis is drawn in the opposite direction, an angle becomes its supplement.
         angles = np.concatenate([numbers[:, column], wrap_angle(np.pi - numbers[:, column])])
         usual[column] = [0.0, np.pi / 2, -np.pi / 2, np.pi, *angles, *-angles]
+    variables = joint_entries(table.joints)
     for row, column in np.ndindex(table.rows.shape):
-        if (table.joints[row], column) in VARIABLES and not zeros_are_fixed:
+        if (row, column) in variables and not zeros_are_fixed:
             continue
         name, typed = COLUMNS[column], float(table.rows[row, column])
         values = {round(float(value), 12) + 0.0: float(value) for value in usual[column]}
@@ -306,7 +305,7 @@ def _corrections_of_a_number(
                 continue
             kind = "wrong number"
             text = f"{name} should be {format_entry(value, column)}; the table has {format_entry(typed, column)}."
-            if (table.joints[row], column) in VARIABLES and not typed:
+            if (row, column) in variables and not typed:
                 kind, text = "offset forgotten", f"the offset of {name} is missing."
             yield _correction_of_a_row(row, kind, text, column, {column: value})
 

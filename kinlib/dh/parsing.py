@@ -83,6 +83,16 @@ MAX_LENGTH_M = 1e12
 away, but not that far."""
 
 
+def joint_entries(joints: str) -> list[tuple[int, int]]:
+    """Find the entry that each joint changes: its row and its column, theta for the letter R and d for P.
+
+    >>> joint_entries("RFP")
+    [(0, 3), (2, 2)]
+    """
+    columns = {"R": COLUMNS.index("theta"), "P": COLUMNS.index("d")}
+    return [(row, columns[letter]) for row, letter in enumerate(joints) if letter != "F"]
+
+
 def is_plausible_angle(angle: float) -> bool:
     """Return whether an angle in radians is likely to be meant as it is, and is not in degrees.
 

@@ -17,8 +17,8 @@ from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.chains.joint_maps import CHECKED_CONFIGURATIONS, JointMap, joint_maps, linearized
 from kinlib.dh.equivalence import Equivalence, equivalent
 from kinlib.dh.invariants import acute_angle, axis_distance
-from kinlib.dh.parsing import COLUMNS
-from kinlib.dh.table import DHTable
+from kinlib.dh.parsing import COLUMNS, joint_entries
+from kinlib.dh.table import DHTable, moved_rows
 from kinlib.rigid.lie import exp
 
 FIT_STEPS = 60
@@ -152,13 +152,10 @@ def _fits(table: DHTable, arm: Chain, nearest: Equivalence | JointMap, half_unit
     order = [COLUMNS.index(name) for name in FACTORS[table.convention]]
     motions = Chain(np.tile([ROW_SCREWS[COLUMNS[k]] for k in order], (len(table.rows), 1)), np.eye(4))
     q = random_configurations(arm.n, CHECKED_CONFIGURATIONS)
-    moving = [row for row, letter in enumerate(table.joints) if letter != "F"]
-    columns = [COLUMNS.index("theta" if table.joints[row] == "R" else "d") for row in moving]
-    numbers = np.zeros((len(q), *table.rows.shape)) + table.rows
-    numbers[:, moving, columns] += table.signs[moving] * (nearest.signs * q + nearest.offsets)
+    numbers = moved_rows(table, table.rows, nearest.signs * q + nearest.offsets)
     scale, bounded = half_unit.copy(), np.ones(half_unit.shape, bool)
-    if "zeros" not in fixed:
-        scale[moving, columns], bounded[moving, columns] = 1.0, False
+    for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
+        scale[entry], bounded[entry] = 1.0, False
     ends = [np.full(6, float(name not in fixed)) for name in ("base", "tool")]
     scales, is_bounded = scale[:, order].ravel(), bounded[:, order].ravel()
     values, changes = numbers[:, :, order].reshape(len(q), -1), np.zeros(scales.size)

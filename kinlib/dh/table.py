@@ -17,6 +17,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, reduce
+from itertools import accumulate
 from typing import TYPE_CHECKING, Any, Literal, cast, get_args
 
 import numpy as np
@@ -35,7 +36,7 @@ from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
 from kinlib.dh.formatting import format_rows, headings, in_latex
-from kinlib.dh.parsing import COLUMNS, Rows, read_rows
+from kinlib.dh.parsing import COLUMNS, Rows, joint_entries, read_rows
 from kinlib.rigid.screw import screw
 
 Convention = Literal["standard", "modified"]
@@ -195,7 +196,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
     @property
     def n(self) -> int:
         """The number of joints, that is, of rows that are not fixed."""
-        return len(self._joint_rows)
+        return len(joint_entries(self.joints))
 
     @property
     def columns(self) -> dict[str, Array]:
@@ -225,14 +226,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         >>> DHTable([[0.4, 0, 0, 0]], convention="standard").link_transforms([np.pi / 2])[0, :3, 3].round(3) + 0.0
         array([0. , 0.4, 0. ])
         """
-        q = self.in_order(q)
-        values = np.zeros((*q.shape[:-1], *self.rows.shape))
-        values += self.rows
-        for k, row in enumerate(self._joint_rows):
-            column = COLUMNS.index("theta" if self.joints[row] == "R" else "d")
-            values[..., row, column] += self.signs[row] * q[..., k]
-        a, alpha, d, theta = np.moveaxis(values, -1, 0)
-        return dh_transform(a, alpha, d, theta, convention=self.convention)
+        return np.moveaxis(row_transforms(self, self.rows, self.in_order(q)), 0, -3)
 
     def fk(self, q: JointValues) -> Array:
         """Compute the pose of the tool: base A_1(q_1) ... A_m tool.
@@ -245,8 +239,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         >>> DHTable([[0.4, 0, 0, 0]], convention="modified").fk(np.zeros((1000, 1))).shape
         (1000, 4, 4)
         """
-        links = np.moveaxis(self.link_transforms(q), -3, 0)
-        return reduce(np.matmul, [*links, self.tool], self.base)
+        return table_poses(self, self.rows, self.in_order(q))
 
     def jacobian(self, q: JointValues) -> Array:
         """Compute the space Jacobian: column i is the twist of the tool, in {s}, at unit speed of joint i.
@@ -271,18 +264,11 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 
     @cached_property
     def _chain(self) -> Chain:
-        before = [self.base]
-        for link in self.link_transforms(np.zeros(self.n)):
-            before.append(before[-1] @ link)
-        # In the standard convention joint i moves about the z before its row, in the modified one about the z after it.
-        joint_frames = before[:-1] if self.convention == "standard" else before[1:]
-        screws, points = [], []
-        for row in self._joint_rows:
-            z, point = self.signs[row] * joint_frames[row][:3, 2], joint_frames[row][:3, 3]
-            # The point nearest the origin keeps its digits where a distant normal has put the frame far along the axis.
-            screws.append(screw(z, point - z * (z @ point), 0.0 if self.joints[row] == "R" else np.inf))
-            points.append(point)
-        return Chain(np.array(screws), before[-1] @ self.tool, np.array(points), self.name)
+        z, points = joint_axes(self, self.rows)
+        # The point nearest the origin keeps its digits where a distant normal has put the frame far along the axis.
+        near = points - z * np.sum(z * points, axis=1, keepdims=True)
+        pitches = [0.0 if self.joints[row] == "R" else np.inf for row, _ in joint_entries(self.joints)]
+        return Chain(screw(z, near, pitches), self.fk(np.zeros(self.n)), points, self.name)
 
     def converted(self, convention: Convention) -> DHTable:
         """Convert the table to a convention, without loss: alpha and a move by one row, and the remainder to base or tool.
@@ -358,13 +344,41 @@ class DHTable(TakesJointValues, validation.ReadOnly):
                 raise ValueError(f"{name} must be a list of numbers or of rows; got {validation.describe(data[name])}.")
         return cls(**data)
 
-    @property
-    def _joint_rows(self) -> list[int]:
-        """The rows that have a joint."""
-        return [row for row, letter in enumerate(self.joints) if letter != "F"]
-
 
 DHTable.__init__.__annotations__["rows"] = "TableRows"  # for `help`, because the attribute is an array
+
+
+def moved_rows(table: DHTable, rows: Array, q: Array) -> Array:
+    """Add sign times q to the entry that each joint changes, in the rows of a table or of others that differ in their numbers.
+
+    rows (..., m, 4), q (..., n), batch dimensions that broadcast -> (..., m, 4). The next functions take the same rows.
+    """
+    moved = np.zeros((*np.broadcast_shapes(rows.shape[:-2], q.shape[:-1]), *rows.shape[-2:])) + rows
+    for i, (row, column) in enumerate(joint_entries(table.joints)):
+        moved[..., row, column] += table.signs[row] * q[..., i]
+    return moved
+
+
+def row_transforms(table: DHTable, rows: Array, q: Array) -> Array:
+    """Compute A_i or T_i of each row, (m, ..., 4, 4)."""
+    columns = np.moveaxis(moved_rows(table, rows, q), -1, 0)
+    return np.moveaxis(dh_transform(*columns, convention=table.convention), -3, 0)
+
+
+def table_poses(table: DHTable, rows: Array, q: Array) -> Array:
+    """Compute base A_1 ... A_m tool, (..., 4, 4)."""
+    return reduce(np.matmul, [*row_transforms(table, rows, q), table.tool], table.base)
+
+
+def joint_axes(table: DHTable, rows: Array) -> tuple[Array, Array]:
+    """Compute the joint axes in {s} at home: their directions (..., n, 3), and a point on each axis (..., n, 3)."""
+    links = row_transforms(table, rows, np.zeros(table.n))
+    start = np.broadcast_to(table.base, links.shape[1:])
+    frames = np.stack([*accumulate(links, np.matmul, initial=start)], axis=-3)
+    moving = np.array([row for row, _ in joint_entries(table.joints)])
+    # In the standard convention joint i moves about the z before its row, in the modified one about the z after it.
+    at_joints = frames[..., moving + (table.convention == "modified"), :, :]
+    return at_joints[..., :3, 2] * table.signs[moving, None], at_joints[..., :3, 3]
 
 
 def _split_ends(text: str) -> tuple[str, dict[str, Any]]:
