@@ -260,7 +260,7 @@ def judged(wrong: kl.DHTable, right: kl.DHTable) -> Counter[str]:
             "same poses": same_poses,
             "called right": strict.verdict in {"right", "rounded"},
             # By default base, tool, zeros and signs are free: what differs in them must be said.
-            "unsaid": free.right and "up to these choices" not in str(free),
+            "unsaid": free.verdict == "right" and "up to these choices" not in str(free),
         }
     )
 

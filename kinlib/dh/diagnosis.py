@@ -71,21 +71,12 @@ class TableExplanation:
 
     faults     the mistakes
     table      the table with them
-    corrected  the table without them
-    arm        the arm, which the corrected table describes up to the choices that are not fixed
+    corrected  the table without them, which describes the arm up to the choices that are not fixed
     """
 
     faults: Sequence[Fault]
     table: DHTable
     corrected: DHTable
-    arm: Chain
-    fixed: frozenset[str] = frozenset()
-    tolerance: float = EQUIVALENCE_TOL
-
-    @cached_property
-    def equivalence(self) -> Equivalence:
-        """The equivalence of the corrected table and the arm, with the simplest map between them."""
-        return equivalent(self.corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -126,11 +117,6 @@ class Diagnosis:
         return "undecided" if self.comparison.verdict == "undecided" and not self.explanations else "wrong"
 
     @property
-    def right(self) -> bool:
-        """Whether the table was right without corrections."""
-        return self.verdict == "right"
-
-    @property
     def faults(self) -> Sequence[Fault]:
         """The mistakes of the first explanation; empty if the table is right or nothing explains it. Possible ones if undecided."""
         return self.explanations[0].faults if self.explanations else ()
@@ -141,11 +127,6 @@ class Diagnosis:
         if self.explanations:
             return self.explanations[0].corrected
         return self.table if self.verdict in {"right", "rounded"} else None
-
-    @property
-    def equivalence(self) -> Equivalence:
-        """The equivalence of the corrected table and the arm, or the comparison of the table if there is no correction."""
-        return self.explanations[0].equivalence if self.explanations else self.comparison
 
     @property
     def difference(self) -> str:
@@ -406,14 +387,7 @@ class _Search:
                 wrong_ends[corrections] = [_wrong_end(end, getattr(corrected, end), right[end]) for end in self.ends]
                 found[corrections], price = corrected.changed(**{end: right[end] for end in self.ends}), entries
         return [
-            TableExplanation(
-                [*(c.fault for c in kept), *wrong_ends[kept]],
-                self.table,
-                found[kept],
-                self.arm,
-                self.all_fixed,
-                self.tolerance,
-            )
+            TableExplanation([*(c.fault for c in kept), *wrong_ends[kept]], self.table, found[kept])
             for kept in self._without_details(list(found))
         ]
 

@@ -139,34 +139,31 @@ def _corrections_of_the_table(table: DHTable) -> Iterator[Correction]:
     yield Correction(Fault("other convention", text), convention=other)
     rows = table.rows
     for shift, where in ((1, "one row too high"), (-1, "one row too low")):
+        rolled = np.roll(rows, shift, axis=0)
         text = f"The columns a and alpha are {where}: a_{{i-1}} and a_i were confused."
-        yield _replaced(Fault("column shifted", text), rows, np.roll(rows, shift, axis=0), (A, ALPHA))
+        yield _replaced(Fault("column shifted", text), rows, rolled, (A, ALPHA))
         for column, name in enumerate(COLUMNS):
             fault = Fault("column shifted", f"The column {name} is {where}.", None, name)
-            yield _replaced(fault, rows, np.roll(rows, shift, axis=0), (column,))
-        yield _replaced(Fault("rows shifted", f"The rows are {where}."), rows, np.roll(rows, shift, axis=0), range(4))
-    factors = np.ones_like(rows)
-    factors[:, ANGLES] = np.radians(1)
-    yield Correction(Fault("degrees", "The angles are in degrees, but were read as radians."), factors=factors)
+            yield _replaced(fault, rows, rolled, (column,))
+        yield _replaced(Fault("rows shifted", f"The rows are {where}."), rows, rolled)
+    text = "The angles are in degrees, but were read as radians."
+    yield _scaled(Fault("degrees", text), rows, ANGLES, np.radians(1))
     for factor, text in UNITS.items():
-        factors = np.ones_like(rows)
-        factors[:, LENGTHS] = factor
-        yield Correction(Fault("unit of length", text), factors=factors)
+        yield _scaled(Fault("unit of length", text), rows, LENGTHS, factor)
     for column in (ALPHA, D, A, THETA):
-        if not table.rows[:, column].any():
-            continue
-        text = f"Every {COLUMNS[column]} has the wrong sign."
-        if column == ALPHA:
-            text = f"{text[:-1]}: it is the angle from z_{{i-1}} to z_i about x_i, by the right-hand rule."
-        factors = np.ones_like(rows)
-        factors[:, column] = -1
-        yield Correction(Fault(f"sign of {COLUMNS[column]}", text, None, COLUMNS[column]), factors=factors)
+        if rows[:, column].any():
+            name = COLUMNS[column]
+            rule = (
+                ": it is the angle from z_{i-1} to z_i about x_i, by the right-hand rule." if column == ALPHA else "."
+            )
+            fault = Fault(f"sign of {name}", f"Every {name} has the wrong sign{rule}", None, name)
+            yield _scaled(fault, rows, (column,), -1)
     for one, two in ((A, D), (THETA, ALPHA)):
         swapped = rows.copy()
         swapped[:, [one, two]] = rows[:, [two, one]]
         names = f"{COLUMNS[one]} and {COLUMNS[two]}"
         text = f"The columns {names} are swapped: {MEANINGS[one]}, {MEANINGS[two]}."
-        yield _replaced(Fault(f"{names} swapped", text, None, COLUMNS[one]), rows, swapped, (one, two))
+        yield _replaced(Fault(f"{names} swapped", text, None, COLUMNS[one]), rows, swapped)
 
 
 def _corrections_of_the_column_order(table: DHTable) -> Iterator[Correction]:
@@ -176,7 +173,7 @@ def _corrections_of_the_column_order(table: DHTable) -> Iterator[Correction]:
             typed = ", ".join(COLUMNS[column] for column in order)
             text = f"The columns are in the order {typed}, but were read as {', '.join(COLUMNS)}."
             right = table.rows[:, np.argsort(order)]
-            yield _replaced(Fault("columns in another order", text), table.rows, right, range(4))
+            yield _replaced(Fault("columns in another order", text), table.rows, right)
 
 
 def _corrections_of_lost_entries(table: DHTable, right: Array, zeros_are_fixed: bool) -> Iterator[Correction]:
@@ -209,11 +206,8 @@ def _corrections_of_lost_entries(table: DHTable, right: Array, zeros_are_fixed: 
             entries = {(row, column): float(rows[other, column]), (other, column): float(right[other, column])}
             yield Correction(Fault("entries lost", text, other + 1, name), entries)
     if zeros_are_fixed and not rows[:, THETA].any() and np.count_nonzero(right[:, THETA]) > 1:
-        restored = rows.copy()
-        restored[:, THETA] = right[:, THETA]
-        yield _replaced(
-            Fault("offset forgotten", "The offsets of theta are missing.", None, "theta"), rows, restored, (THETA,)
-        )
+        fault = Fault("offset forgotten", "The offsets of theta are missing.", None, "theta")
+        yield _replaced(fault, rows, right, (THETA,))
 
 
 def _corrections_of_signs(table: DHTable) -> Iterator[Correction]:
@@ -227,8 +221,8 @@ def _corrections_of_signs(table: DHTable) -> Iterator[Correction]:
     if len(turning) > 1:
         factors = np.ones_like(table.rows)
         factors[sorted(turning), THETA] = -1
-        text = "Every theta has the wrong sign, with its q."
-        yield Correction(Fault("sign of theta", text, None, "theta"), factors=factors, turned=turning)
+        fault = Fault("sign of theta", "Every theta has the wrong sign, with its q.", None, "theta")
+        yield Correction(fault, factors=factors, turned=turning)
 
 
 def _corrections_of_a_pair_of_rows(table: DHTable) -> Iterator[Correction]:
@@ -239,7 +233,7 @@ def _corrections_of_a_pair_of_rows(table: DHTable) -> Iterator[Correction]:
         swapped[[one, two]] = rows[[two, one]]
         letters = {one: joints[two], two: joints[one]} if joints[one] != joints[two] else {}
         fault = Fault("rows swapped", f"Rows {one + 1} and {two + 1} are swapped.", one + 1)
-        yield _replaced(fault, rows, swapped, range(4), letters)
+        yield _replaced(fault, rows, swapped, letters=letters)
         for column, name in enumerate(COLUMNS) if two == one + 1 else ():
             here, there = rows[one, column], rows[two, column]
             text = f"Rows {one + 1} and {two + 1}: the entries of {name} are swapped."
@@ -316,7 +310,11 @@ def _correction_of_a_row(row: int, name: str, text: str, column: int, entries: M
 
 
 def _replaced(
-    fault: Fault, rows: Array, right: Array, columns: Iterable[int], letters: Mapping[int, str] | None = None
+    fault: Fault,
+    rows: Array,
+    right: Array,
+    columns: Iterable[int] = range(4),
+    letters: Mapping[int, str] | None = None,
 ) -> Correction:
     """Construct the correction that replaces some columns of a table where they differ."""
     entries = {
@@ -326,3 +324,10 @@ def _replaced(
         if rows[row, column] != right[row, column]
     }
     return Correction(fault, entries, letters=letters or {})
+
+
+def _scaled(fault: Fault, rows: Array, columns: Sequence[int], factor: float) -> Correction:
+    """Construct the correction that multiplies some columns of a table by a factor."""
+    factors = np.ones_like(rows)
+    factors[:, columns] = factor
+    return Correction(fault, factors=factors)

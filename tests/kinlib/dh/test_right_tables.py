@@ -90,7 +90,6 @@ def test_the_rounding_of_the_numbers_is_said_with_what_it_explains():
     right = DHTable([[0.4318, 0.7, 0.1501, 0], [0.0203, -1.1, 0.4312, 0], [0.25, 0, 0, 0]], convention="standard")
     found = diagnose(rounded(right, 2), right)
     assert found.verdict == "rounded"
-    assert not found.right
     assert found.corrected is found.table
     assert str(found).startswith(
         "This table describes the arm to within the rounding of its numbers (lengths to 0.01 m, angles to 0.1 rad); its poses"
