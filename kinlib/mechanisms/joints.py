@@ -21,16 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import (
-    _moved,
-    _product,
-    _running_products,
-    _screw_constants,
-    _screw_motions,
-    adjoint,
-    exp,
-    inverse,
-)
+from kinlib.rigid.lie import adjoint, exp, inverse
 from kinlib.rigid.screw import axes, is_prismatic, line, screw
 
 PARALLEL_RCOND = 1e-2
@@ -194,21 +185,6 @@ class JointPath:
     columns: NDArray[np.intp]
 
     @cached_property
-    def _constants(self) -> Array:
-        return _screw_constants(self.chain.screws)
-
-    def pose_and_jacobian(self, q: Array) -> tuple[Array, Array]:
-        """The pose (m, 4, 4) of the chain and its space Jacobian (m, 6, k) at m configurations q (m, k), from the same factors.
-
-        >>> from kinlib.chains.robots import rpr
-        >>> poses, jacobians = JointPath(rpr(), np.arange(3)).pose_and_jacobian(np.zeros((5, 3)))
-        >>> poses.shape, jacobians.shape
-        ((5, 4, 4), (5, 6, 3))
-        """
-        T = _running_products(_screw_motions(self._constants, q.T))
-        return np.moveaxis(_product(T[-1], self.chain.home), -1, 0), _moved(T[:-1], self.chain.screws).T
-
-    @cached_property
     def centre(self) -> Array:
         """The point (3,) nearest to all axes of rotation: least squares of the distances, and nearest to the origin.
 
@@ -227,16 +203,15 @@ class JointPath:
         return validation.read_only_copy(nearest)
 
     @cached_property
-    def to_centre(self) -> Array:
-        """The matrix (6, 6) that expresses twists about the centre instead of about the origin."""
-        return validation.read_only_copy(adjoint(exp([0, 0, 0, *-self.centre])))
+    def centred(self) -> Chain:
+        """The same chain with its centre at the origin."""
+        to_centre, back = exp([0, 0, 0, *-self.centre]), exp([0, 0, 0, *self.centre])
+        return Chain(self.chain.screws @ adjoint(to_centre).T, to_centre @ self.chain.home @ back)
 
     @cached_property
     def size(self) -> float:
         """The largest distance, in metres, from the centre to one of its axes, or from its start to its end."""
-        to, back = exp([0, 0, 0, *-self.centre]), exp([0, 0, 0, *self.centre])
-        centred = Chain(self.chain.screws @ self.to_centre.T, to @ self.chain.home @ back)
-        return float(np.linalg.norm(np.vstack([centred.lines.point, centred.home[:3, 3]]), axis=1).max())
+        return float(np.linalg.norm(np.vstack([self.centred.lines.point, self.centred.home[:3, 3]]), axis=1).max())
 
 
 def chain_along(joints: Sequence[Joint], path: Iterable[Traversal], name: str) -> JointPath:

@@ -230,7 +230,7 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
         (6, 4)
         """
         q = self.in_order(q)
-        return self._linearized(q.reshape(-1, self.n))[1].reshape(*q.shape[:-1], -1, self.n)
+        return self._linearized(q, [loop.chain for loop in self.loops])[1]
 
     def poses(self, q: JointValues) -> dict[str, Array]:
         """Compute the displacement of every body from where it is drawn, along the shortest path over joints to it.
@@ -353,7 +353,7 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
         >>> four_bar(4, 1, 3.5, 3).kutzbach(), bennett().kutzbach()
         (1, -2)
         """
-        return self.n - sum(group_dimension(loop.chain.screws @ loop.to_centre.T) for loop in self.loops)
+        return self.n - sum(group_dimension(loop.centred.screws) for loop in self.loops)
 
     def joint_points(self, q: JointValues) -> Array:
         """Compute the position of every joint, which its first body carries: q (..., n) -> (..., j, 3) for j joints.
@@ -386,25 +386,19 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
     def _value_names(self) -> tuple[str, ...]:
         return self.names
 
-    def _linearized(self, q: Array) -> tuple[Array, Array]:
-        """The residual (m, 6 l) and its Jacobian (m, 6 l, n) at m configurations (m, n)."""
-        r = np.empty((len(q), 6 * len(self.loops)))
+    def _linearized(self, q: Array, chains: Sequence[Chain]) -> tuple[Array, Array]:
+        """The residual (..., 6 l) of the loops, written as these chains, and its Jacobian (..., 6 l, n)."""
+        r = np.empty((*q.shape[:-1], 6 * len(chains)))
         J = np.zeros((*r.shape, self.n))
-        for i, loop in enumerate(self.loops):
-            rows, q_loop = slice(6 * i, 6 * i + 6), q[:, loop.columns]
-            T, J_s = loop.pose_and_jacobian(q_loop)
-            r[:, rows] = log(T)
-            J[:, rows, loop.columns] = left_jacobian_inverse(r[:, rows]) @ J_s
+        for i, (chain, loop) in enumerate(zip(chains, self.loops, strict=True)):
+            rows, q_loop = slice(6 * i, 6 * i + 6), q[..., loop.columns]
+            r[..., rows] = log(chain.fk(q_loop))
+            J[..., rows, loop.columns] = left_jacobian_inverse(r[..., rows]) @ chain.jacobian(q_loop)
         return r, J
 
     def _centred_equations(self, q: Array) -> tuple[Array, Array]:
-        """The same, expressed about the centre of each loop, so that the accuracy does not depend on where the origin is."""
-        r, J = self._linearized(q)
-        for i, loop in enumerate(self.loops):
-            rows = slice(6 * i, 6 * i + 6)
-            r[:, rows] = r[:, rows] @ loop.to_centre.T
-            J[:, rows] = loop.to_centre @ J[:, rows]
-        return r, J
+        """The same about the centre of each loop, so that the accuracy does not depend on where the origin is."""
+        return self._linearized(q, [loop.centred for loop in self.loops])
 
     def _closure(self, configuration: JointValues, hold: Mapping[str, float] | None, argument: str = "q") -> Closure:
         """The closure equations in the joint values that are not held, with a configuration (n,) as start."""

@@ -13,18 +13,17 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import hat
 
-SERIES_BELOW_RAD = 0.5
-"""For rotations by less than this angle the power series is used, because the closed form divides differences by theta^4."""
+TERMS = 30
+"""How many terms of the series are summed: at half a turn each is a quarter of the one before it."""
 
-SERIES_COEFFICIENTS = np.array(
-    [1 / 12, 1 / 720, 1 / 30240, 1 / 1209600, 1 / 47900160, 691 / 1307674368000, 1 / 74724249600]
-)
-"""|B_2k| / (2k)! with the Bernoulli numbers B_2k: 1 - (theta/2) cot(theta/2) = sum over k of SERIES_COEFFICIENTS[k-1] theta^(2k).
-Below SERIES_BELOW_RAD the terms left out are about 1e-15."""
+_B = [1 / 12]
+"""b_k = |B_2k| / (2k)! with the Bernoulli numbers B_2k: 1 - (theta/2) cot(theta/2) = sum over k of b_k theta^(2k). The derivative
+of the cotangent is -1 - cot^2, so (2k + 1) b_k is the sum of all b_j b_(k-j)."""
+while len(_B) <= TERMS:
+    _B.append(float(np.dot(_B, _B[::-1])) / (2 * len(_B) + 3))
 
-_K = np.arange(1, len(SERIES_COEFFICIENTS) + 1)
-_C2_COEFFICIENTS = np.flip((2 - _K) * SERIES_COEFFICIENTS)
-_C4_COEFFICIENTS = np.flip(((1 - _K) * SERIES_COEFFICIENTS)[1:])
+_K = np.arange(1, TERMS + 1)
+_C2_AND_C4 = np.stack([(2 - _K) * _B[:-1], -_K * _B[1:]], axis=1)
 
 
 def ad(x: ArrayLike) -> Array:
@@ -46,24 +45,15 @@ def ad(x: ArrayLike) -> Array:
 def left_jacobian_inverse(x: ArrayLike) -> Array:
     """Write the inverse of the left Jacobian of SE(3): how log(E) changes when E = exp(x) is followed by a small twist V.
 
-    (..., 6) -> (..., 6, 6), J(x)^-1 with log(exp(V) E) = x + J(x)^-1 V + O(V^2):  I - A/2 + c2 A^2 + c4 A^4,  A = ad(x).
-    With theta = |omega| and f = 1 - (theta/2) cot(theta/2):  c2 theta^2 = 2f - theta f'/2,  c4 theta^4 = f - theta f'/2.
+    (..., 6) -> (..., 6, 6), J(x)^-1 with log(exp(V) E) = x + J(x)^-1 V + O(V^2):  I - A/2 + c2 A^2 + c4 A^4,  A = ad(x),
+    c2 = sum over k of (2 - k) b_k theta^(2k - 2),  c4 = sum over k of (1 - k) b_k theta^(2k - 4),  theta = |omega|.
 
-    Raises ValueError if x is not a twist. The angle theta must be less than 2 pi, where f is infinite; log returns an angle
-    of at most pi.
+    Raises ValueError if x is not a twist. The angle theta must be at most pi, as that of each twist which log returns.
     Source: the Bernoulli series sum B_k ad^k / k!, shortened by ad^5 = -2 theta^2 ad^3 - theta^4 ad.
     """
     A = ad(x)
-    theta = np.linalg.norm(np.asarray(x, dtype=float)[..., :3], axis=-1)[..., None, None]
-    square = theta * theta
-    # Where the series is used, the closed form is evaluated at an angle of 1 instead, because it would divide by zero.
-    safe = np.where(theta < SERIES_BELOW_RAD, 1.0, theta)
-    half = safe / 2
-    cot = 1 / np.tan(half)
-    f = 1 - half * cot
-    slope = (half / np.sin(half) ** 2 - cot) * safe / 4  # theta f' / 2
-    c2 = np.where(theta < SERIES_BELOW_RAD, np.polyval(_C2_COEFFICIENTS, square), (2 * f - slope) / safe**2)
-    c4 = np.where(theta < SERIES_BELOW_RAD, np.polyval(_C4_COEFFICIENTS, square), (f - slope) / safe**4)
+    square = np.sum(np.asarray(x, dtype=float)[..., :3] ** 2, axis=-1)
+    c2, c4 = np.moveaxis(square[..., None] ** (_K - 1) @ _C2_AND_C4, -1, 0)[..., None, None]
     A2 = A @ A
     J_inverse: Array = np.eye(6) - A / 2 + c2 * A2 + c4 * (A2 @ A2)
     return J_inverse
