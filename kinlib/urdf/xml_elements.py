@@ -9,9 +9,7 @@ import math
 import os
 import re
 from dataclasses import dataclass, field
-from io import BytesIO, StringIO
 from pathlib import Path
-from typing import Any
 
 from kinlib.arrays import validation
 
@@ -104,47 +102,54 @@ def read_robot(path_or_text: str | os.PathLike[str]) -> Element:
     >>> read_robot('<robot name="arm"><link name="base"/></robot>').children
     [Element(tag='link', line=1, attributes={'name': 'base'})]
     """
-    from xml.sax import SAXParseException
-    from xml.sax.xmlreader import InputSource
-
-    from defusedxml.common import DefusedXmlException
-    from defusedxml.expatreader import DefusedExpatParser
-
     text = _text(path_or_text)
     # A text in triple quotes often begins with an empty line, but XML must begin with its declaration: remove and count it.
-    blank = len(text) - len(text.lstrip())
-    source = InputSource()
-    if isinstance(text, str):
-        source.setCharacterStream(StringIO(text[blank:]))
-        above = text.count("\n", 0, blank)
-    else:
-        source.setByteStream(BytesIO(text[blank:]))
-        above = text.count(b"\n", 0, blank)
-    builder = _builder(above)
-    parser = DefusedExpatParser(forbid_dtd=True)
-    parser.setContentHandler(builder)
-    try:
-        parser.parse(source)
-    except DefusedXmlException as error:
-        raise ValueError(
-            f"Line {above + parser.getLineNumber()}, <!DOCTYPE>: a URDF must have no document type and no entities, because "
-            "they are not safe to read. Remove the declaration."
-        ) from error
-    except SAXParseException as error:
-        line, why = above + (error.getLineNumber() or 1), error.getMessage()
-        raise ValueError(f"Line {line}: the file must be XML; {why}.{_likely_cause(why)}") from error
-    except (LookupError, UnicodeError) as error:
-        raise ValueError(
-            f"Line {above + parser.getLineNumber()}: {error}. Save the file as UTF-8, and declare this encoding."
-        ) from error
-    root: Element = builder.root
+    document = text.lstrip()
+    blank = text[: len(text) - len(document)]
+    root = _parsed(document, above=blank.count("\n") if isinstance(blank, str) else blank.count(b"\n"))
     if root.tag != "robot":
         given = OTHER_FORMATS.get(root.tag, f"<{root.tag:.60}>")
         raise root.error(f"the first element of a URDF must be <robot>; this is {given}.")
     return root
 
 
-def _text(path_or_text: str | os.PathLike[str]) -> Any:
+def _parsed(document: str | bytes, above: int) -> Element:
+    """The first element of a document that has `above` lines before it."""
+    # A document type is refused where it begins, so no entity is ever declared. By itself expat opens and downloads nothing.
+    from xml.parsers import expat
+
+    parser, elements, opened = expat.ParserCreate(), list[Element](), list[Element]()
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        element = Element(tag, above + parser.CurrentLineNumber, attributes, opened[-1] if opened else None)
+        if tag.startswith("xacro:"):
+            raise element.error(f"a macro must be evaluated by xacro first. {EXPAND_HINT}")
+        if len(opened) == MAX_DEPTH:
+            raise element.error(f"elements must be nested at most {MAX_DEPTH} deep. Is an element above it not closed?")
+        (opened[-1].children if opened else elements).append(element)
+        opened.append(element)
+
+    def refuse(*_: object) -> None:
+        raise ValueError(
+            f"Line {above + parser.CurrentLineNumber}, <!DOCTYPE>: a URDF must have no document type and no entities, because "
+            "they are not safe to read. Remove the declaration."
+        )
+
+    parser.StartElementHandler, parser.EndElementHandler = start, lambda _tag: opened.pop()
+    parser.StartDoctypeDeclHandler = refuse
+    try:
+        parser.Parse(document, True)
+    except expat.ExpatError as error:
+        why = expat.ErrorString(error.code)
+        raise ValueError(f"Line {above + error.lineno}: the file must be XML; {why}.{_likely_cause(why)}") from error
+    except (LookupError, UnicodeError) as error:
+        raise ValueError(
+            f"Line {above + parser.CurrentLineNumber}: {error}. Save the file as UTF-8, and declare this encoding."
+        ) from error
+    return elements[0]
+
+
+def _text(path_or_text: str | os.PathLike[str]) -> str | bytes:
     """The text itself, or the bytes of the file at a path."""
     if not isinstance(path_or_text, str | os.PathLike):
         raise ValueError(
@@ -196,38 +201,3 @@ def _likely_cause(why: str) -> str:
     if "no element found" in why:
         return " Does the file end too early?"
     return ""
-
-
-def _builder(above: int) -> Any:
-    """A SAX handler that builds the elements; above: the number of lines before the document."""
-    from xml.sax.handler import ContentHandler
-
-    class Builder(ContentHandler):
-        root: Element
-        line: Any
-
-        def __init__(self) -> None:
-            super().__init__()
-            self.open: list[Element] = []
-
-        def setDocumentLocator(self, locator: Any) -> None:
-            self.line = locator.getLineNumber
-
-        def startElement(self, tag: str, attributes: Any) -> None:
-            element = Element(tag, above + self.line(), dict(attributes), self.open[-1] if self.open else None)
-            if tag.startswith("xacro:"):
-                raise element.error(f"a macro must be evaluated by xacro first. {EXPAND_HINT}")
-            if len(self.open) == MAX_DEPTH:
-                raise element.error(
-                    f"elements must be nested at most {MAX_DEPTH} deep. Is an element above it not closed?"
-                )
-            if self.open:
-                self.open[-1].children.append(element)
-            else:
-                self.root = element
-            self.open.append(element)
-
-        def endElement(self, _tag: str) -> None:
-            self.open.pop()
-
-    return Builder()

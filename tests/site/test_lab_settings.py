@@ -63,7 +63,7 @@ def test_the_three_packages_become_wheels_whose_names_contain_their_hash(tmp_pat
     entries = [wheels.entry(wheel) for wheel in built]
     assert [entry["imports"] for entry in entries] == [["kinlib"], ["misstep"], ["kincourse"]]
     assert all(entry["sha256"][:12] in entry["file_name"] for entry in entries)
-    assert {"numpy", "sympy", "matplotlib", "anywidget", "defusedxml"} <= set(entries[0]["depends"])
+    assert {"numpy", "sympy", "matplotlib", "anywidget"} <= set(entries[0]["depends"])
     assert {"kinlib", "misstep"} <= set(entries[2]["depends"])
 
 
