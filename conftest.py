@@ -123,26 +123,22 @@ LONGEST_FIRST = (
     "solutions/",
     "tests/kincourse/sheets/test_sheets.py",
 )
-"""What starts first, so that all workers end at about the same time. The site is built from the outputs of the notebooks before it."""
+"""What starts first, so that all workers end at about the same time. The site and the tests of notebooks use the outputs of these."""
 
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection_modifyitems(config, items):
-    """Start with what failed in the last run, then with what takes longest.
-
-    The cells of a notebook run before tests/repository/test_notebooks.py, which needs them.
-    """
+    """Start with what failed in the last run, then with what takes longest."""
     kept = [item for item in items if config.option.nightly or not item.get_closest_marker("nightly")]
     kept = set(thinned(kept) if config.option.quick else kept)
     config.hook.pytest_deselected(items=[item for item in items if item not in kept])
     items[:] = [item for item in items if item in kept]
     failed = config.cache.get("cache/lastfailed", {}) if hasattr(config, "cache") else {}
     failed_groups = {group(nodeid) for nodeid in failed}
-    order = {start: place for place, start in enumerate(LONGEST_FIRST)}
 
     def place(item):
-        longest = next((order[start] for start in LONGEST_FIRST if item.nodeid.startswith(start)), len(order))
-        return group(item.nodeid) not in failed_groups, longest
+        is_long = [item.nodeid.startswith(start) for start in LONGEST_FIRST]
+        return group(item.nodeid) not in failed_groups, [not one for one in is_long]
 
     items.sort(key=place)
     return (yield)
@@ -155,15 +151,11 @@ def group(nodeid):
     'tests/kinlib/test_chain.py'
     >>> group("notebooks/01_frames.ipynb::Cell 3")
     'notebooks/01_frames.ipynb'
-    >>> group("tests/repository/test_notebooks.py::test_a_lecture_begins_with_its_title[notebooks/01_frames.ipynb]")
-    'notebooks/01_frames.ipynb'
     >>> group("tests/kincourse/sheets/test_sheets.py::test_a_blank_stub_earns_a_friendly_zero[None-07.4]")
     'tests/kincourse/sheets/test_sheets.py 07.4'
     """
     file, _, test = nodeid.partition("::")
     parameters = test.partition("[")[2].removesuffix("]")
-    if parameters.endswith(".ipynb"):
-        return parameters
     if file.endswith("/test_sheets.py"):
         return f"{file} {parameters.rpartition('-')[2]}".strip()
     return file

@@ -1,4 +1,4 @@
-"""What all tests share: the profiles of Hypothesis, one BLAS thread per worker, the browser, the site, times of notebooks."""
+"""What all tests share: the profiles of Hypothesis, one BLAS thread per worker, the browser, the site."""
 
 import os
 
@@ -37,19 +37,10 @@ hypothesis.settings.load_profile("kinlib")
 
 
 def pytest_configure(config):
-    """Record what nbval executes, for tests/repository/test_notebooks.py; with --quick, draw few examples."""
+    """Record what nbval executes; with --quick, draw few examples."""
     if config.getoption("--quick"):
         hypothesis.settings.load_profile("quick")
     config.pluginmanager.register(Recorder())
-
-
-def pytest_terminal_summary(terminalreporter):
-    passed = terminalreporter.getreports("passed")
-    seconds = {name: value for report in passed for name, value in report.user_properties if name.endswith(".ipynb")}
-    if seconds:
-        terminalreporter.section("processor seconds per notebook, from a cold kernel")
-    for name, value in sorted(seconds.items()):
-        terminalreporter.write_line(f"{value:5.1f}  {name}")
 
 
 # --- the browser and the site ---

@@ -69,10 +69,10 @@ def execute(path: Path, folder: Path = CACHE) -> NotebookNode:
         executed = deepcopy(notebook)
         run(executed, path)
         cache_outputs(executed, path, folder)
-    cached_outputs = json.loads(cached.read_text("utf-8"))
-    for number, (cell, outputs) in enumerate(zip(code_cells(notebook), cached_outputs, strict=True), start=1):
-        cell.outputs = [nbformat.from_dict(output) for output in outputs]
-        cell.execution_count = number
+    kept = nbformat.from_dict(json.loads(cached.read_text("utf-8")))
+    for number, (cell, outputs) in enumerate(zip(code_cells(notebook), kept.outputs, strict=True), start=1):
+        cell.outputs, cell.execution_count = outputs, number
+    notebook.metadata["widgets"] = kept.widgets
     return notebook
 
 
@@ -89,8 +89,16 @@ def cache_name(notebook: NotebookNode, path: Path) -> str:
 
 
 def cache_outputs(executed: NotebookNode, path: Path, folder: Path = CACHE) -> None:
-    """Cache the outputs of a notebook that was executed with ENVIRONMENT_VARIABLE set, so that the next build reads them."""
-    write_cache(folder / cache_name(executed, path), [cell.outputs for cell in code_cells(executed)])
+    """Cache the outputs and widgets of a notebook that was executed with ENVIRONMENT_VARIABLE set."""
+    outputs = [cell.outputs for cell in code_cells(executed)]
+    kept = {"outputs": outputs, "widgets": executed.metadata.get("widgets", {})}
+    write_cache(folder / cache_name(executed, path), kept)
+
+
+def is_clean(executed: NotebookNode) -> bool:
+    """Whether no cell of an executed notebook has raised or written to stderr."""
+    outputs = [output for cell in code_cells(executed) for output in cell.outputs]
+    return not any(output.output_type == "error" or output.get("name") == "stderr" for output in outputs)
 
 
 def cached_pages(name: str, generate: Callable[[], Iterable[tuple[str, str]]], *sources: str) -> dict[str, str]:

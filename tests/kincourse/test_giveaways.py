@@ -12,8 +12,8 @@ import nbformat
 import pytest
 from gate import LECTURES, QUESTIONS, giveaways, given_away, given_away_by_itself
 from giveaways import Passage
+from kinsite.execute import execute
 from lxml.html import fragment_fromstring
-from notebook_runs import run_of
 from readings import Mark, notebook_reading, page_reading
 
 from misstep.questions.page import explanation_html, question_html
@@ -24,7 +24,7 @@ ROOT = Path(__file__).parents[2]
 
 @pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.relative_to(ROOT).as_posix())
 def test_nothing_above_a_question_gives_its_answer_away(path):
-    notebook = run_of(path).notebook
+    notebook = execute(path)
     for with_widgets in (True, False):
         assert giveaways(notebook_reading(notebook, QUESTIONS, with_widgets), path.stem.partition("_")[0]) == []
 

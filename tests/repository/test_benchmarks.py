@@ -4,17 +4,14 @@ import getpass
 import importlib.util
 import json
 import socket
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from kinsite.generated import performance
+from library_rows import CHECK, ROWS, in_new_process
 
 FOLDER = Path(__file__).parents[2] / "evidence" / "benchmarks"
-sys.path.insert(0, str(FOLDER))
-
-from library_rows import CHECK, ROWS, in_new_process  # noqa: E402
-
 RESULTS = json.loads((FOLDER / "results.json").read_text("utf-8"))
 
 
@@ -75,9 +72,6 @@ def test_a_set_up_names_neither_the_machine_nor_its_user(keeping):
 
 
 def test_the_page_on_performance_shows_each_row_with_its_set_up():
-    import built_site  # noqa: F401 - makes kinsite importable
-    from kinsite.generated import performance
-
     page = dict(performance.pages())["performance.md"]
     for row in RESULTS["rows"]:
         each = row["size"] if "fresh" in row else 1
@@ -99,9 +93,6 @@ def is_line_of(line, row, shown):
 
 @pytest.mark.parametrize("is_measured", [True, False])
 def test_the_guide_for_instructors_has_the_times_that_were_measured(is_measured, monkeypatch):
-    import built_site  # noqa: F401 - makes kinsite importable
-    from kinsite.generated import performance
-
     rows = [{"section": "grading", "library": "nbgrader", "size": 9, "warmed": 2.5, "set_up": 0}] * is_measured
     set_up = {"date": "today", "processor": "fast", "cores": 2, "load": 0.1, "packages": {}}
     monkeypatch.setattr(performance, "load", lambda: (rows, [set_up]))

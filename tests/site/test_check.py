@@ -1,16 +1,13 @@
 """A site is published only if its tests have passed, and if it has every page and a complete lab."""
 
 import json
-import sys
 from pathlib import Path
 
+import check
 import pytest
 import yaml
 
 ROOT = Path(__file__).parents[2]
-sys.path.insert(0, str(ROOT / "site"))
-
-import check  # noqa: E402
 
 
 @pytest.fixture

@@ -1,24 +1,20 @@
 """The lectures as one PDF: links between printed pages work within the document."""
 
 import shutil
-import sys
 from pathlib import Path
 
 import furo
 import pytest
 from browser import CHROMIUM, NO_CHROMIUM
+from kinsite.pdf_document import compose_document, page_numbers, squeeze, thin_out
 from lxml.html import fromstring
+from pdf import write_pdf
 
 import kinlib
+from misstep.questions.item import Item, Option
+from misstep.questions.page import explanation_html, question_html
 
 SITE = Path(__file__).parents[2] / "site"
-sys.path.insert(0, str(SITE))
-
-from kinsite.pdf_document import compose_document, page_numbers, squeeze, thin_out  # noqa: E402
-from pdf import write_pdf  # noqa: E402
-
-from misstep.questions.item import Item, Option  # noqa: E402
-from misstep.questions.page import explanation_html, question_html  # noqa: E402
 
 PAGE = """<html><body><nav>elsewhere</nav><article role="main" id="furo-main-content">
 <h1>{title}<a class="headerlink" href="#top">#</a></h1><p class="kinlib-bar"><a href="x">Download</a></p>{text}</article></body></html>"""

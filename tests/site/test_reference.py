@@ -4,10 +4,6 @@ import doctest
 import importlib
 import inspect
 import re
-import sys
-from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).parents[2] / "site"))
 
 from kinsite.generated import reference
 

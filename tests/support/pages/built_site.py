@@ -11,13 +11,11 @@ from pathlib import Path
 
 import pytest
 from browser import CHROMIUM
+from kinsite.browser_lab import lab
+from serve import serve
 
 ROOT = Path(__file__).parents[3]
 SITE = ROOT / "site"
-sys.path.insert(0, str(SITE))
-
-from kinsite.browser_lab import lab  # noqa: E402
-from serve import serve  # noqa: E402
 
 FOLDER = ROOT / "build" / "site" / "html"
 TEST_RUN_FILE = FOLDER.parent / "test_run.txt"

@@ -1,72 +1,24 @@
-"""Runs of notebooks: what nbval executes is recorded, so that the other tests need not execute the notebook again.
+"""Keep what nbval executes, so that neither other tests nor the build of the site execute a notebook again.
 
 nbval starts a new kernel for each notebook, executes its cells one after the other, and compares the outputs of those that are
 marked with NBVAL_CHECK_OUTPUT. It ignores the rest of what the kernel sends. Here all of it is recorded, and nbclient turns it
-into outputs and widgets, just as if it had executed the notebook itself. The kernels write what a page needs too, so that the
-site, which is built later in the same run of the tests, reads these outputs and executes nothing.
+into outputs and widgets, just as if it had executed the notebook itself. `kinsite.execute.execute` reads these from the cache.
 """
 
-import os
-import re
-import sys
-from contextlib import contextmanager, nullcontext, suppress
-from dataclasses import dataclass
-from functools import cache
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from unittest.mock import Mock
 
 import nbformat
-import psutil
 import pytest
+from kinsite.execute import ROOT, cache_outputs, code_cells, is_clean
 from nbclient import NotebookClient
-from nbclient.exceptions import CellExecutionError
-from nbformat import NotebookNode
 from nbval.plugin import IPyNbCell, IPyNbFile
 
 from kinlib.view.drawing.static_page import ENVIRONMENT_VARIABLE
 
-ROOT = Path(__file__).parents[3]
-sys.path.insert(0, str(ROOT / "site"))
-
-TIMEOUT_S = 600
-"""How long a cell may take before a run without nbval is given up. It is a safeguard against endless loops, not a claim."""
-
-
-@dataclass(frozen=True)
-class Run:
-    """A notebook with its outputs and the state of its widgets, and the processor time of its kernel."""
-
-    notebook: NotebookNode
-    processor_seconds: float
-
-
-class Recording:
-    """What the kernel of one notebook has sent so far: a list of messages for each executed cell."""
-
-    def __init__(self):
-        self.messages = []
-        self.processor_seconds = 0.0
-
-    def run_of(self, path):
-        """Turn the messages into the outputs of a notebook. Returns None unless every cell was executed."""
-        notebook = nbformat.read(path, as_version=4)
-        code = [(index, cell) for index, cell in enumerate(notebook.cells) if cell.cell_type == "code"]
-        if len(code) != len(self.messages):
-            return None
-        client = NotebookClient(notebook, record_timing=False)
-        client.kc = Mock()  # an Output widget sends its state to the kernel, which has ended
-        client.reset_execution_trackers()
-        for (index, cell), messages in zip(code, self.messages, strict=True):
-            cell.outputs, cell.execution_count = [], None
-            client.clear_before_next_output = False
-            for message in messages:
-                if message["msg_type"] != "status":
-                    client.process_message(message, cell, index)
-        client.set_widgets_metadata()
-        return Run(notebook, self.processor_seconds)
-
-
-RECORDINGS: dict[Path, Recording] = {}
+MESSAGES: dict[Path, list[list[dict]]] = {}
+"""What the kernel of each notebook has sent so far, cell by cell."""
 
 
 class Recorder:
@@ -82,85 +34,53 @@ class Recorder:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item):
-        """Record the execution of a cell; after the last one, keep the outputs for the site."""
+        """Record the execution of a cell; after the last one, cache the outputs unless there are errors or warnings."""
         with recorded(item) if isinstance(item, IPyNbCell) else nullcontext():
             result = yield
-        if isinstance(item, IPyNbCell):
-            keep_for_the_site(item.parent)
+        if isinstance(item, IPyNbCell) and item.path.is_relative_to(ROOT):
+            executed = executed_notebook(item.path)
+            if executed and is_clean(executed):
+                cache_outputs(executed, item.path)
         return result
 
 
 @contextmanager
 def recorded(cell: IPyNbCell):
-    """Record what the kernel sends while a cell runs."""
+    """Record what the kernel sends while a cell runs, unless an earlier cell was deselected."""
     notebook = cell.parent
     if cell.cell_num == 0:
-        RECORDINGS[notebook.path] = Recording()
-        record_messages(notebook, RECORDINGS[notebook.path])
-    recording = RECORDINGS.get(notebook.path)
-    if recording is None or len(recording.messages) != cell.cell_num:  # earlier cells were deselected
-        RECORDINGS.pop(notebook.path, None)
-        yield
-        return
-    recording.messages.append([])
-    try:
-        yield
-    finally:
-        with suppress(psutil.Error):  # a kernel that has crashed
-            used = psutil.Process(notebook.kernel.km.provisioner.pid).cpu_times()
-            recording.processor_seconds = used.user + used.system
+        MESSAGES[notebook.path] = []
+        record_messages(notebook)
+    if len(messages := MESSAGES.get(notebook.path, [])) == cell.cell_num:
+        messages.append([])
+    yield
 
 
-def keep_for_the_site(notebook: IPyNbFile):
-    """Cache the outputs of a lecture or a released sheet, once all of its cells were executed without an error or a warning."""
-    from kinsite.execute import cache_outputs, code_cells
-
-    recording = RECORDINGS.get(notebook.path)
-    if recording is None or len(recording.messages) < len(code_cells(notebook.nb)):
-        return
-    if not any(notebook.path.is_relative_to(ROOT / folder) for folder in ("notebooks", "exercises")):
-        return
-    executed = recording.run_of(notebook.path).notebook
-    outputs = [output for cell in code_cells(executed) for output in cell.outputs]
-    if not any(output.output_type == "error" or output.get("name") == "stderr" for output in outputs):
-        cache_outputs(executed, notebook.path)
-
-
-def record_messages(notebook: IPyNbFile, recording: Recording):
-    """Let a recording see every message that nbval reads from the kernel."""
-    read = notebook.get_kernel_message
+def record_messages(notebook: IPyNbFile):
+    """Record every message that nbval reads from the kernel of a notebook."""
+    read, messages = notebook.get_kernel_message, MESSAGES[notebook.path]
 
     def get_kernel_message(timeout=None, stream="iopub"):
-        message = read(timeout=timeout, stream=stream)
-        recording.messages[-1].append(message)
+        messages[-1].append(message := read(timeout=timeout, stream=stream))
         return message
 
     notebook.get_kernel_message = get_kernel_message
 
 
-@cache
-def run_of(path: Path) -> Run:
-    """The run of a notebook: that of nbval if it executed all cells in this process, otherwise a new one.
-
-    Fails the test that needs it if a cell raises.
-    """
-    run = RECORDINGS[path].run_of(path) if path in RECORDINGS else None
-    if run:
-        outputs = [output for cell in run.notebook.cells for output in cell.get("outputs", [])]
-        if raised := next((output for output in outputs if output.output_type == "error"), None):
-            pytest.fail(without_colors("\n".join(raised.traceback)), pytrace=False)
-        return run
+def executed_notebook(path: Path):
+    """Turn the messages of a kernel into the outputs of its notebook. Returns None unless every cell was executed."""
     notebook = nbformat.read(path, as_version=4)
-    before = os.times()
-    try:
-        NotebookClient(notebook, timeout=TIMEOUT_S, resources={"metadata": {"path": path.parent}}).execute()
-    except CellExecutionError as error:
-        pytest.fail(without_colors(str(error)), pytrace=False)
-    after = os.times()
-    used = after.children_user + after.children_system - before.children_user - before.children_system
-    return Run(notebook, used)
-
-
-def without_colors(text: str) -> str:
-    """A traceback without the color codes of a terminal."""
-    return re.sub(r"\x1b\[[\d;]*m", "", text)
+    cells, recorded_messages = code_cells(notebook), MESSAGES.get(path, [])
+    if len(cells) != len(recorded_messages):
+        return None
+    client = NotebookClient(notebook, record_timing=False)
+    client.kc = Mock()  # an Output widget sends its state to the kernel, which has ended
+    client.reset_execution_trackers()
+    for cell, messages in zip(cells, recorded_messages, strict=True):
+        cell.outputs = []
+        client.clear_before_next_output = False
+        for message in messages:
+            if message["msg_type"] != "status":
+                client.process_message(message, cell, notebook.cells.index(cell))
+    client.set_widgets_metadata()
+    return notebook
