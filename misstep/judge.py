@@ -10,17 +10,8 @@ from typing import Any, Literal
 from misstep.answers.base import Answer, Unreadable
 from misstep.diagnosis.explanation import MAX_LENGTH, Explanation, explain, name_of
 from misstep.problem import Problem
+from misstep.sentences import BY_CHANCE, BY_LUCK, ROUNDED, STEP_BY_STEP, UNKNOWN
 from misstep.validation import is_blank
-
-BY_CHANCE = "This comes out right by the wrong method as well, so it earns nothing alone."
-"""What is said of the right parts of an answer whose method is wrong in all of them."""
-
-BY_LUCK = "This is right, but too little to earn points alone: it often comes out right by luck."
-"""What is said of right parts that are too few to count."""
-
-UNKNOWN = "We do not recognise what happened here."
-
-STEP_BY_STEP = "Go back to what is given, and check one step at a time."
 
 State = Literal["right", "partly", "wrong", "blank", "unreadable", "unmarked"]
 
@@ -120,7 +111,7 @@ def _unexplained(answer: Answer, value: Any, part: int) -> Finding:
     if answer.is_rounded(value, part):
         return Finding(
             parts,
-            f"These are the right numbers, but rounded too much. {answer.precision}",
+            ROUNDED.format(answer.precision),
             "rounded",
             (("rounded",),),
         )

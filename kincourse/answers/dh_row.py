@@ -14,6 +14,7 @@ from misstep.answers.base import TOLERANCE
 from misstep.answers.entries import Slip
 from misstep.answers.likeness import Likeness, Named
 from misstep.answers.number import LENGTH, PURE, Numbers
+from misstep.sentences import IN_DEGREES, IN_DEGREES_WITH_WRONG_SIGN, LIKE_DEGREES, OTHER_UNIT
 
 
 def symbol(name: str) -> str:
@@ -78,7 +79,7 @@ class DHEntriesAnswer(Numbers):
 
     def hint(self, given: Array, part: int) -> str:
         if self._is_angle(part) and not is_plausible_angle(given[part]):
-            return f"This is read as {given[part]:g} rad, more than a full turn. Is it in degrees?"
+            return LIKE_DEGREES.format(given[part])
         return ""
 
     def _is_angle(self, part: int) -> bool:
@@ -208,16 +209,8 @@ def _entry_mistake(mine: float, right: float, is_angle: bool) -> Named | None:
     if is_angle:
         cases = (
             (_same_angle(mine, -right), "sign of an entry", "The size is right, the sign is not."),
-            (
-                _same_angle(np.radians(mine), right),
-                "an entry in degrees",
-                "This is the right angle in degrees. Give it in radians.",
-            ),
-            (
-                _same_angle(np.radians(mine), -right),
-                "an entry in degrees and its sign",
-                "This is in degrees, and its sign is wrong.",
-            ),
+            (_same_angle(np.radians(mine), right), "an entry in degrees", IN_DEGREES),
+            (_same_angle(np.radians(mine), -right), "an entry in degrees and its sign", IN_DEGREES_WITH_WRONG_SIGN),
             (abs(mine) <= TOLERANCE, "left out", "This is 0, but the angle is not 0."),
             (_same_angle(mine, right + np.pi), "half a turn", "It differs from the right angle by half a turn."),
         )
@@ -227,7 +220,7 @@ def _entry_mistake(mine: float, right: float, is_angle: bool) -> Named | None:
             (
                 abs(mine - 1000 * right) <= min(1, 100 * abs(right)),
                 "unit of length",
-                "This is the right length in millimetres. Give it in metres.",
+                OTHER_UNIT.format("millimetres", "metres"),
             ),
             (abs(mine) <= TOLERANCE, "left out", "This is 0, but the length is not 0."),
         )

@@ -26,9 +26,9 @@ from kinlib.dh.equivalence import CHOICES, equivalent
 from kinlib.dh.mistakes import Fault
 from kinlib.dh.table import DHTable
 from misstep.answers.base import TOLERANCE, Answer, StoredObjects, Unreadable
-from misstep.answers.likeness import UNTOUCHED
 from misstep.diagnosis.explanation import MAX_ALTERNATIVES
 from misstep.mistakes import Mistake
+from misstep.sentences import UNTOUCHED
 
 MAX_TEXT_LENGTH = 10_000
 """Maximum number of characters of a typed table. A longer text is refused, because parsing it would take too long."""

@@ -13,9 +13,10 @@ from kinlib.dh.table import Convention
 from kinlib.rigid.lie import inverse
 from misstep.answers.base import TOLERANCE, Unreadable
 from misstep.answers.entries import wrong_slips
-from misstep.answers.likeness import UNTOUCHED, Named
+from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers
 from misstep.mistakes import Mistake
+from misstep.sentences import UNTOUCHED
 
 
 @dataclass(frozen=True, eq=False)

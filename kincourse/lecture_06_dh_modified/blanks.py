@@ -70,11 +70,6 @@ def youbot_row_2(_draw: ArmSampler) -> Problem:
                 [0.033, RIGHT_ANGLE_RAD, 0.147, 0.0],
                 "You moved the whole of row 1. $d$ and $\\theta$ belong to the joint and stay in its row; only $a$ and $\\alpha$ move.",
             ),
-            mistake(
-                "degrees",
-                [0.033, 90.0, 0.0, 0.0],
-                "Your $\\alpha_1$ is in degrees. Give it in radians: `np.pi / 2`.",
-            ),
         ],
     )
 

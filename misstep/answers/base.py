@@ -26,6 +26,7 @@ from typing import Any, ClassVar
 
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
+from misstep.sentences import FOUR_DIGITS
 from misstep.storage.deserialize import register_object
 
 TOLERANCE = 1e-3
@@ -99,7 +100,7 @@ class Answer(ABC):
     @property
     def precision(self) -> str:
         """What to do about an answer that is the right one, rounded too much."""
-        return "Keep at least four significant digits."
+        return FOUR_DIGITS
 
     @property
     @abstractmethod

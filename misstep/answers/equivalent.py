@@ -7,9 +7,10 @@ import numpy as np
 
 from misstep.answers.base import TOLERANCE
 from misstep.answers.entries import scale_of
-from misstep.answers.likeness import DEGREES, FACTORS, Named
+from misstep.answers.likeness import FACTORS, Named
 from misstep.answers.number import Numbers
 from misstep.mistakes import Mistake
+from misstep.sentences import IN_DEGREES
 from misstep.validation import Array
 
 OF_ALL_ENTRIES = {"all signs", "factor", *(name for name, _ in FACTORS.values())}
@@ -46,7 +47,8 @@ class Equivalent(Numbers):
             return seen
         radians = np.where(self.angle_entries(), np.radians(given), given)
         fine = self.agrees(radians, self.value)
-        return DEGREES if self.angle_entries().any() and (all(fine) if part is None else fine[part]) else None
+        is_in_degrees = self.angle_entries().any() and (all(fine) if part is None else fine[part])
+        return ("degrees", IN_DEGREES) if is_in_degrees else None
 
     def explanation(self, given: Array, part: int) -> Named | None:
         """Return what is true of all entries at once: another unit, too few digits, all signs, a factor."""

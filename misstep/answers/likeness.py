@@ -12,6 +12,7 @@ from itertools import permutations
 import numpy as np
 from numpy.typing import NDArray
 
+from misstep import sentences
 from misstep.validation import Array
 
 RELATIVE = 1e-3
@@ -72,15 +73,15 @@ class Likeness:
         mine, right, n = self.mine, self.right, self.mine.shape[0] if self.mine.ndim > 1 else 1
         is_one = mine.size == mine.shape[-1]
         if not mine.any() and self._is_seen(right).any() and not (is_one and not self._has_unit):  # a count may be 0
-            return "placeholder", ZERO if is_one else UNTOUCHED.format("Every number is 0")
+            return "placeholder", sentences.ZERO if is_one else sentences.UNTOUCHED.format("Every number is 0")
         if not is_one and (mine == 1).all() and not (right == 1).all():
-            return "placeholder", UNTOUCHED.format("Every number is 1")
+            return "placeholder", sentences.UNTOUCHED.format("Every number is 1")
         is_filled = np.atleast_1d(mine.any(axis=-1))
         if np.count_nonzero(is_filled) == 1 and mine.max() == 1 and self._is_far_from(is_filled):
-            return "placeholder", UNTOUCHED.format("Every number but one is 0")
+            return "placeholder", sentences.UNTOUCHED.format("Every number but one is 0")
         is_square = mine.ndim == 3 and mine.shape[1] == n
         if is_square and (mine == np.eye(n)[..., None]).all() and not self._equal(mine, right).all():
-            return "placeholder", IDENTITY
+            return "placeholder", sentences.IDENTITY
         return None
 
     def _is_far_from(self, place: NDArray[np.bool_]) -> bool:
@@ -91,7 +92,7 @@ class Likeness:
     def resemblance(self) -> Named | None:
         """Return how the numbers differ from the right ones as a whole: by signs, by a factor, or by their order."""
         if not self.mine.any() and self._is_seen(self.right).any():
-            return "left at 0", ZERO
+            return "left at 0", sentences.ZERO
         if self._equal(self.mine, self.right).all():
             return None
         return self._signs() or self.factor() or self.order() or self._mostly_zeros()
@@ -115,9 +116,9 @@ class Likeness:
                 continue
             if is_angle:
                 if self._in_degrees(mine, right):
-                    return DEGREES
+                    return "degrees", sentences.IN_DEGREES
                 if self._in_degrees(-mine, right):
-                    return "degrees and sign", "This is in degrees, and with the wrong sign. Give it in radians."
+                    return "degrees and sign", sentences.IN_DEGREES_WITH_WRONG_SIGN
                 if self._relative(mine, np.radians(right)).all():
                     return "converted twice", "This was in radians already, and is converted to radians once more."
             for name, factor, text in () if is_angle else LENGTH_UNITS[self.unit]:
@@ -135,11 +136,11 @@ class Likeness:
         is_filled = 2 * np.count_nonzero(mine[wrong]) >= np.count_nonzero(wrong)
         count, are_short = np.count_nonzero(wrong), bool(is_short[wrong].all())
         if (is_short | ~wrong).all() and (has_three_digits(mine, right) & (np.abs(mine - right) > 1e-9)).any():
-            return "rounded", ROUNDED
+            return "rounded", sentences.ROUNDED.format(sentences.FOUR_DIGITS)
         for decimals in (3, 2, 1, 0) if is_filled else ():
             is_rounded = are_short or count > (1 if decimals else 2)
             if is_rounded and (np.abs(mine - np.round(right, decimals)) < 1e-9).all():
-                return "rounded", ROUNDED
+                return "rounded", sentences.ROUNDED.format(sentences.FOUR_DIGITS)
         return None
 
     def typing(self) -> Named | None:
@@ -154,9 +155,9 @@ class Likeness:
         if seen.count("") > (len(seen) > 1 and "sign" in seen):
             return None
         if wrong.size == 1:
-            return seen[0], f"This looks like a slip of typing: {SLIPS_OF_TYPING[seen[0]]}."
+            return seen[0], f"This looks like a slip of typing: {sentences.SLIPS_OF_TYPING[seen[0]]}."
         places = [self.place(index) for index in np.argwhere(wrong).tolist()]
-        told = [f"{place}: {SLIPS_OF_TYPING[slip]}" for place, slip in zip(places, seen, strict=True)]
+        told = [f"{place}: {sentences.SLIPS_OF_TYPING[slip]}" for place, slip in zip(places, seen, strict=True)]
         text = "; ".join(told)
         return " and ".join(filter(None, dict.fromkeys(seen))), f"{text[:1].upper()}{text[1:]}."
 
@@ -372,35 +373,15 @@ REORDERED = {
 }
 """The names of orders in which a row that stands right does so by chance: at most one keeps its place, or columns are mixed up."""
 
-SLIPS_OF_TYPING = {
-    "sign": "its sign is wrong",
-    "digit": "one of its digits is wrong",
-    "digits exchanged": "two of its digits are exchanged",
-    "decimal point": "its decimal point is at another place",
-    "": "another number belongs here",
-}
-"""What is said of each slip of typing, and of a wrong number beside a slip."""
-
-DEGREES = ("degrees", "This is right in degrees. Give it in radians.")
-
-ZERO = "This is 0, and the right number is not."
-
-UNTOUCHED = "{}. Put in the numbers that you find."
-"""What is said of a placeholder."""
-
-IDENTITY = UNTOUCHED.format("This is the identity matrix")
-
-ROUNDED = "These are the right numbers, but rounded too much. Keep at least four significant digits."
-
 LENGTH_UNITS = {
     "m": (
-        ("millimetres", 1000.0, "This is right in millimetres. Give it in metres."),
-        ("centimetres", 100.0, "This is right in centimetres. Give it in metres."),
+        ("millimetres", 1000.0, sentences.OTHER_UNIT.format("millimetres", "metres")),
+        ("centimetres", 100.0, sentences.OTHER_UNIT.format("centimetres", "metres")),
         ("kilometres", 1e-3, "This is a thousand times too small. Give it in metres."),
     ),
     "mm": (
-        ("metres", 1e-3, "This is right in metres. Give it in millimetres."),
-        ("centimetres", 0.1, "This is right in centimetres. Give it in millimetres."),
+        ("metres", 1e-3, sentences.OTHER_UNIT.format("metres", "millimetres")),
+        ("centimetres", 0.1, sentences.OTHER_UNIT.format("centimetres", "millimetres")),
         ("micrometres", 1000.0, "This is a thousand times too large. Give it in millimetres."),
     ),
     "moments": (

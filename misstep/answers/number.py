@@ -33,6 +33,7 @@ from misstep.answers.entries import (
 from misstep.answers.likeness import LENGTH_UNITS, Likeness, Named, copied_row, has_three_digits
 from misstep.formulas.numerals import numeral
 from misstep.mistakes import Mistake
+from misstep.sentences import OTHER_UNIT
 from misstep.validation import Array
 
 HIDDEN = 1e-6
@@ -345,7 +346,7 @@ class Numbers(Entries):
             yield ("real and imaginary swapped", X.imag + 1j * X.real, text, text)
         if self.unit in SMALLER_UNITS:
             factor, wrong, right = SMALLER_UNITS[self.unit]
-            text = f"This is the right answer in {wrong}. Give it in {right}."
+            text = OTHER_UNIT.format(wrong, right)
             yield (wrong, X * factor, text, text)
 
     def _factor_slips(self) -> Iterator[Slip]:

@@ -178,7 +178,7 @@ def test_the_slips_of_a_matrix_are_what_their_texts_say():
     expected = {
         ("transposed", "Your answer is the transpose of the right one."): right.T,
         ("all signs", "The sizes are right, but every sign is wrong."): -right,
-        ("millimetres", "This is the right answer in millimetres. Give it in metres."): 1000 * right,
+        ("millimetres", "This is right in millimetres. Give it in metres."): 1000 * right,
         ("rows swapped", "Rows 2 and 3 are swapped."): right[[0, 2, 1]],
         ("columns swapped", "Columns 1 and 2 are swapped."): right[:, [1, 0, 2]],
         ("sign of one entry", "Only one sign is wrong: row 1, column 2."): right * [[1, -1, 1], [1, 1, 1], [1, 1, 1]],

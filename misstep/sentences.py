@@ -1,0 +1,45 @@
+"""The sentences of cards that fit every course: on units and degrees, rounding, placeholders, slips of typing, and lost points.
+
+What is said of one kind of answer alone is in misstep/answers, and the titles of cards are in misstep/display/card.py.
+"""
+
+OTHER_UNIT = "This is right in {}. Give it in {}."
+"""What is said of the right numbers in another unit, with both units."""
+
+IN_DEGREES = OTHER_UNIT.format("degrees", "radians")
+
+IN_DEGREES_WITH_WRONG_SIGN = "This is in degrees, and with the wrong sign. Give it in radians."
+
+LIKE_DEGREES = "This is read as {:g} rad, more than a full turn. Is it in degrees?"
+"""What is said of an angle that nobody means in radians, and that is not right in degrees either."""
+
+ROUNDED = "These are the right numbers, but rounded too much. {}"
+"""What is said of rounded numbers, with how many digits are needed."""
+
+FOUR_DIGITS = "Keep at least four significant digits."
+
+ZERO = "This is 0, and the right number is not."
+
+UNTOUCHED = "{}. Put in the numbers that you find."
+"""What is said of a placeholder."""
+
+IDENTITY = UNTOUCHED.format("This is the identity matrix")
+
+SLIPS_OF_TYPING = {
+    "sign": "its sign is wrong",
+    "digit": "one of its digits is wrong",
+    "digits exchanged": "two of its digits are exchanged",
+    "decimal point": "its decimal point is at another place",
+    "": "another number belongs here",
+}
+"""What is said of each slip of typing, and of a wrong number beside a slip."""
+
+BY_CHANCE = "This comes out right by the wrong method as well, so it earns nothing alone."
+"""What is said of the right parts of an answer whose method is wrong in all of them."""
+
+BY_LUCK = "This is right, but too little to earn points alone: it often comes out right by luck."
+"""What is said of right parts that are too few to count."""
+
+UNKNOWN = "We do not recognise what happened here."
+
+STEP_BY_STEP = "Go back to what is given, and check one step at a time."
