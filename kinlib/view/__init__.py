@@ -25,25 +25,18 @@ from kinlib.view.figures.point_velocity import draw_moment, draw_point_velocity
 
 if TYPE_CHECKING:
     from kinlib.view.browser import show
-    from kinlib.view.viewer.assignment_player import Player, play_assignment
-    from kinlib.view.viewer.dh_row_player import RowPlayer, play_row, play_walk
-    from kinlib.view.viewer.film import Film, film
-    from kinlib.view.viewer.linkage_driver import Drive, drive
-    from kinlib.view.viewer.moving_frames import FramesViewer, slide_frames
+    from kinlib.view.viewer.assignment_player import play_assignment
+    from kinlib.view.viewer.dh_row_player import play_row, play_walk
+    from kinlib.view.viewer.film import film
+    from kinlib.view.viewer.linkage_driver import drive
+    from kinlib.view.viewer.moving_frames import slide_frames
     from kinlib.view.viewer.picture_slider import slide
-    from kinlib.view.viewer.place_frames import ByHand, assign
-    from kinlib.view.viewer.viewer import Viewer, explore
+    from kinlib.view.viewer.place_frames import assign
+    from kinlib.view.viewer.viewer import explore
 
 __all__ = [
-    "ByHand",
-    "Drive",
-    "Film",
-    "FramesViewer",
     "Gallery",
     "Picture",
-    "Player",
-    "RowPlayer",
-    "Viewer",
     "assign",
     "draw_arm",
     "draw_axis_relation",
@@ -67,15 +60,16 @@ __all__ = [
 ]
 
 LAZY_NAMES = {
-    **dict.fromkeys(("ByHand", "assign"), "viewer.place_frames"),
-    **dict.fromkeys(("Drive", "drive"), "viewer.linkage_driver"),
-    **dict.fromkeys(("Film", "film"), "viewer.film"),
-    **dict.fromkeys(("Player", "play_assignment"), "viewer.assignment_player"),
-    **dict.fromkeys(("RowPlayer", "play_row", "play_walk"), "viewer.dh_row_player"),
-    **dict.fromkeys(("Viewer", "explore"), "viewer.viewer"),
+    "assign": "viewer.place_frames",
+    "drive": "viewer.linkage_driver",
+    "explore": "viewer.viewer",
+    "film": "viewer.film",
+    "play_assignment": "viewer.assignment_player",
+    "play_row": "viewer.dh_row_player",
+    "play_walk": "viewer.dh_row_player",
     "show": "browser",
     "slide": "viewer.picture_slider",
-    **dict.fromkeys(("FramesViewer", "slide_frames"), "viewer.moving_frames"),
+    "slide_frames": "viewer.moving_frames",
 }
 """Names that need ipywidgets and anywidget, and their modules, which are imported on first use because figures need neither."""
 

@@ -112,7 +112,7 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
 def reserve_height(viewer: HtmlElement) -> None:
     """Tell the style sheet how many sliders a viewer has, so that the page keeps its height free before the viewer starts."""
     # a viewer without sliders has other controls in their place
-    sliders = len(json.loads(viewer.find("script").text)["scene"]["sliders"]) or 7
+    sliders = len(json.loads(viewer.find("script").text)["scene"].get("sliders", [])) or 7
     viewer.set("style", f"--sliders:{sliders}")
 
 

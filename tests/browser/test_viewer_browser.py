@@ -15,6 +15,7 @@ from browser import (
     drawn_count,
     overflowing,
     pose,
+    spoken,
     static_page,
     text_colours,
     wait_until_drawn,
@@ -325,12 +326,6 @@ def test_no_label_covers_another_or_leaves_the_picture(show):
 # --- text alternatives ---
 
 
-def spoken(page):
-    """Return the text alternative of the picture, as it is after the last change, without the help on keys."""
-    page.wait_for_timeout(800)
-    return page.locator(".kv-canvas").get_attribute("aria-label").partition(" Arrow keys")[0]
-
-
 def test_the_text_alternative_describes_the_configuration_that_is_drawn(show):
     """The page says what Python says of the same configuration, at home and away from it."""
     robot = kl.robots.hrr()
@@ -349,7 +344,6 @@ def test_a_tree_is_drawn_and_described_branch_by_branch(show):
     assert sliders(page).count() == tree.n
     viewer.q = [0.4, 0.02]
     settled(page, lambda: set_q(page, viewer.q))
-    page.wait_for_timeout(900)  # the text follows when nothing has moved for a while
     assert spoken(page) == viewer.alt
     ends = page.evaluate("[0, 1, 2].map((k) => document.querySelector('.kv').viewer.stage.tree.pose(k))")
     for T, tip in zip(ends, tree.tips, strict=True):

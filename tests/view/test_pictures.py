@@ -7,10 +7,10 @@ from urdf_files import TWO_FINGERS
 import kinlib as kl
 from kinlib import view
 from kinlib.view.figures.axis_relations import draw_moving_normal
-from kinlib.view.figures.dh_row_motions import draw_row_motions, draw_zx_factors
 from kinlib.view.figures.dh_table import draw_row, draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.figures.lettered_chain import draw_lettered_chain
+from kinlib.view.viewer.dh_row_player import draw_tracks
 from kinlib.view.viewer.scene import LAYERS
 from kinlib.view.viewer.tree_viewer import draw_tree, explore_tree
 
@@ -45,8 +45,8 @@ PICTURES = {
     "parallel axes": lambda: view.draw_axis_relation((Z, (0, 0, 0)), (Z, X)),
     "moving normal": lambda: draw_moving_normal(0.2, 0.5),
     "row": lambda: draw_row(ROW),
-    "row, motion by motion": lambda: draw_row_motions(ROW, 2),
-    "factors": lambda: draw_zx_factors(WALK, 3),
+    "row, motion by motion": lambda: draw_tracks(view.play_row(ROW).mode["tracks"], 2),
+    "factors": lambda: draw_tracks(view.play_walk(WALK).mode["tracks"], 3),
     "table": lambda: draw_table(ASSIGNED.table, np.full(6, 0.3), numbers=True),
     "table with a fixed row": lambda: draw_table(BRACKET, [0.3, 0.4], path=False),
     "assignment of one joint": lambda: draw_assignment(kl.assign_frames(TURNTABLE, convention="modified")),
@@ -89,8 +89,8 @@ PICTURES_LOOKED_AT = {
     "parallel axes": (2444999531, 2179.8),
     "moving normal": (525818598, 3154.7),
     "row": (3859784281, 3837.9),
-    "row, motion by motion": (462273733, 5459.0),
-    "factors": (3925855274, 4266.0),
+    "row, motion by motion": (1315414299, -2342.7),
+    "factors": (2888575452, 514.4),
     "table": (2271884965, 577.2),
     "table with a fixed row": (1390553082, 2648.4),
     "assignment of one joint": (2803617801, 695.5),
@@ -109,13 +109,13 @@ PICTURES_LOOKED_AT = {
 SCENES_LOOKED_AT = {
     "arm": (386037431, 760.90747),
     "chosen joints": (587140397, 0.09739),
-    "moving frames": (3931278044, 8.50037),
-    "row": (2472576290, 173.04099),
-    "walk": (709146913, 10.60462),
+    "moving frames": (4208098671, 8.50037),
+    "row": (1059820492, 169.14933),
+    "walk": (2883401496, 10.49853),
     "assignment": (408302159, 63.86155),
     "frames to place": (1078110188, 1013.32128),
-    "linkage": (744560560, 12.24071),
-    "spatial linkage": (2571403765, 6.75289),
+    "linkage": (3759846649, 12.24071),
+    "spatial linkage": (2932293627, 6.75289),
     "gripper": (3121369546, 8.98151),
 }
 

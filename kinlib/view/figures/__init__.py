@@ -7,7 +7,6 @@ joint_bodies.py        the cylinders, boxes and threads of joints
 point_velocity.py      the velocity of a point of a rotating body
 axis_relations.py      how two joint axes can be related, and their common normals
 dh_table.py            a DH table, and what the four numbers of a row measure
-dh_row_motions.py      the motions of a DH row, in both conventions
 frame_assignment.py    the steps of a frame assignment (assignment_steps.py: what each step shows)
 linkage.py             linkages
 """

@@ -7,36 +7,57 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
-from kinlib.dh.table import DHTable
+from kinlib.dh.table import Convention, DHTable, dh_transform
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import direction_text, pose_text
-from kinlib.view.figures.dh_row_motions import poses_along_row
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
 
-STANDARD_MOTION_NAMES = ("theta about z", "d along z", "a along x", "alpha about x")
+TRANSLATE_X, ROTATE_X, TRANSLATE_Z, ROTATE_Z = range(4)
+"""The columns of a row, a, alpha, d, theta, named by their motions."""
+
+MOTION_ORDER: dict[Convention, tuple[int, ...]] = {
+    "standard": (ROTATE_Z, TRANSLATE_Z, TRANSLATE_X, ROTATE_X),
+    "modified": (ROTATE_X, TRANSLATE_X, ROTATE_Z, TRANSLATE_Z),
+}
+"""The four motions in the order of each convention, each about or along an axis of the moving frame."""
 
 
-def draw_row(row: ArrayLike, done: int = 4, *, caption: str = "") -> Picture:
-    """Draw what the four numbers of a standard row measure, and a frame that is moved by the first of them.
+def poses_along_row(row: ArrayLike, convention: Convention) -> Array:
+    """Return the pose of a frame after 0, 1, ..., 4 motions of a DH row, (5, 4, 4).
 
-    row   (4,) a, alpha, d, theta in metres and radians
-    done  how many of the motions Rz(theta), Tz(d), Tx(a), Rx(alpha) are carried out
+    row  (4,) a, alpha, d, theta, in metres and radians
+
+    Raises ValueError if row does not have shape (4,) or the convention is unknown.
+
+    >>> poses_along_row([0.4, 0, 0, np.pi / 2], "standard")[3, :3, 3].round(3) + 0.0
+    array([0. , 0.4, 0. ])
+    """
+    values = validation.vectors(row, "row", 4)
+    dh_transform(*values, convention=convention)  # raises ValueError if the convention is unknown
+    stops = [np.eye(4)]
+    for motion in MOTION_ORDER[convention]:
+        stops.append(stops[-1] @ dh_transform(*np.where(np.arange(4) == motion, values, 0.0), convention=convention))
+    return np.array(stops)
+
+
+def draw_row(row: ArrayLike, *, caption: str = "") -> Picture:
+    """Draw what the four numbers of a standard row measure, and frame i at its end.
+
+    row  (4,) a, alpha, d, theta in metres and radians
 
     The axes z_{i-1} and z_i are violet, their common normal is orange, and x_{i-1} is red.
 
-    Raises ValueError if row does not have shape (4,), or done is not one of 0, 1, ..., 4.
+    Raises ValueError if row does not have shape (4,).
 
-    >>> draw_row([0.8, 1.0, 0.6, 0.9], 2).alt
-    'One row of a table, after theta about z, d along z. The frame is at (0, 0, 0.6), its x along (0.622, 0.783, 0), its z along z.'
+    >>> draw_row([0.8, 0, 0.6, np.pi / 2]).alt
+    'One row of a table, with all four numbers. The frame is at (0, 0.8, 0.6), its x along y, its z along z.'
     """
     row = validation.vectors(row, "row", 4)
-    if done not in range(5):
-        raise ValueError(f"done must be the number of motions carried out, 0 to 4; got {done!r}.")
     alpha, d, theta = row[1:]
     stops = poses_along_row(row, "standard")
-    foot, end, moving = stops[2], stops[4], stops[done]  # the foot is on z_{i-1}, the end on z_i
+    foot, end = stops[2], stops[4]  # the foot is on z_{i-1}, the end on z_i
     seen = np.array([[0, 0, 0], foot[:3, 3], end[:3, 3]])
     canvas = Canvas(seen)
     length = 0.38 * canvas.size
@@ -47,26 +68,20 @@ def draw_row(row: ArrayLike, done: int = 4, *, caption: str = "") -> Picture:
     canvas.line([foot[:3, 3], end[:3, 3]], ORANGE, 2.0, ":", level=2.5)
     canvas.arrow((0, 0, 0), (length, 0, 0), AXIS_COLOURS[0], 2.2)
     canvas.label((length, 0, 0), "$x_{i-1}$", AXIS_COLOURS[0])
-    if done >= 1:
-        canvas.line([np.zeros(3), 0.9 * length * foot[:3, 0]], GREY, 1.2, ":", level=2.5)
-        _arc(canvas, (0, 0, 0), 0.7 * length * np.eye(3)[:, :2], theta, "θ")
-    if done >= 2:
-        canvas.line([np.zeros(3), foot[:3, 3]], VIOLET, 3.4, level=3)
-        canvas.label(foot[:3, 3] / 2, "$d$", VIOLET, [(-14, 0), (14, 0)], 13)
-    if done >= 3:
-        canvas.line([foot[:3, 3], end[:3, 3]], ORANGE, 3.4, level=3)
-        canvas.label((foot[:3, 3] + end[:3, 3]) / 2, "$a$", ORANGE, [(0, 13), (0, -13)], 13)
-    if done == 4:
-        canvas.line([end[:3, 3], end[:3, 3] + 0.9 * length * foot[:3, 2]], GREY, 1.2, ":", level=2.5)
-        _arc(canvas, end[:3, 3], 0.9 * length * np.stack([foot[:3, 2], -foot[:3, 1]], axis=1), alpha, "α")
+    canvas.line([np.zeros(3), 0.9 * length * foot[:3, 0]], GREY, 1.2, ":", level=2.5)
+    _arc(canvas, (0, 0, 0), 0.7 * length * np.eye(3)[:, :2], theta, "θ")
+    canvas.line([np.zeros(3), foot[:3, 3]], VIOLET, 3.4, level=3)
+    canvas.label(foot[:3, 3] / 2, "$d$", VIOLET, [(-14, 0), (14, 0)], 13)
+    canvas.line([foot[:3, 3], end[:3, 3]], ORANGE, 3.4, level=3)
+    canvas.label((foot[:3, 3] + end[:3, 3]) / 2, "$a$", ORANGE, [(0, 13), (0, -13)], 13)
+    canvas.line([end[:3, 3], end[:3, 3] + 0.9 * length * foot[:3, 2]], GREY, 1.2, ":", level=2.5)
+    _arc(canvas, end[:3, 3], 0.9 * length * np.stack([foot[:3, 2], -foot[:3, 1]], axis=1), alpha, "α")
     canvas.dot(foot[:3, 3], GREY)
     canvas.dot(end[:3, 3], GREY)
-    canvas.triad(moving, "", length)
-    progress = f"after {', '.join(STANDARD_MOTION_NAMES[:done])}" if done else "before the first motion"
-    progress = "with all four numbers" if done == 4 else progress
+    canvas.triad(end, "", length)
     return canvas.picture(
-        f"One row of a table, {progress}. The frame is at {vector_text(moving[:3, 3])}, its x along {direction_text(moving[:3, 0])}, "
-        f"its z along {direction_text(moving[:3, 2])}.",
+        f"One row of a table, with all four numbers. The frame is at {vector_text(end[:3, 3])}, its x along "
+        f"{direction_text(end[:3, 0])}, its z along {direction_text(end[:3, 2])}.",
         caption,
     )
 

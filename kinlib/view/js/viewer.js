@@ -25,7 +25,7 @@ function render({ model, el }) {
   const data = model.get('scene');
   const q = () => model.get('q');
   const state = {
-    sliders: data.sliders,
+    sliders: data.sliders ?? [],
     q,
     set: (values) => save(model, 'q', values),
     start: () => model.get('start'),

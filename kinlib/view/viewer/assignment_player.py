@@ -59,21 +59,9 @@ class Player(Viewer):
 
     def __init__(self, chain: Chain, rows: int | None = None, **traits: Any) -> None:
         self.assignments = {name: assign_frames(chain, convention=name) for name in CONVENTIONS}
-        home = np.zeros(chain.n)
-        super().__init__(
-            chain,
-            scene=bare_scene(chain, _points(self.assignments.values())),
-            q=home,
-            start=home,
-            readout=False,
-            mode={
-                "kind": "assignment",
-                "conventions": {
-                    name: _assignment_data(assignment, rows) for name, assignment in self.assignments.items()
-                },
-            },
-            **traits,
-        )
+        steps = {name: _assignment_data(assignment, rows) for name, assignment in self.assignments.items()}
+        whole = bare_scene(chain, _points(self.assignments.values()))
+        super().__init__(chain, whole, np.zeros(chain.n), mode={"kind": "assignment", "conventions": steps}, **traits)
 
     @property
     def assignment(self) -> FrameAssignment:
@@ -112,9 +100,7 @@ def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = 
     validation.instance(chain, "chain", Chain)
     if rows is not None and rows not in range(chain.n + 1):
         raise ValueError(f"rows must be the number of rows to show, 0 to {chain.n}; got {rows!r}.")
-    player = Player(chain, rows, convention=validate_convention(convention))
-    player.wait_for(after)
-    return player
+    return Player(chain, rows, convention=validate_convention(convention), after=after)
 
 
 def table_cells(table: DHTable) -> list[list[str]]:

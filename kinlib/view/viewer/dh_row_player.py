@@ -4,7 +4,7 @@ The page treats a row as an arm whose joints are the motions, each about or alon
 Therefore the scene graph that moves a robot also plays a row, in the order of its convention.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -13,23 +13,20 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
-from kinlib.dh.table import Convention, validate_convention
+from kinlib.dh.table import Convention, dh_transform, validate_convention
 from kinlib.rigid.lie import adjoint
-from kinlib.view.drawing.canvas import view_axes
-from kinlib.view.drawing.crop import crop
+from kinlib.view.drawing.canvas import Canvas, view_axes
+from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.figures.dh_row_motions import (
+from kinlib.view.figures.arm import frame_text
+from kinlib.view.figures.dh_table import (
     MOTION_ORDER,
     ROTATE_X,
     ROTATE_Z,
     TRANSLATE_X,
     TRANSLATE_Z,
-    draw_row_motions,
-    draw_zx_factors,
-    poses_along_arm,
     poses_along_row,
 )
-from kinlib.view.figures.dh_table import draw_row
 from kinlib.view.viewer.scene import still_room
 from kinlib.view.viewer.viewer import ViewerBase
 
@@ -54,6 +51,9 @@ MOTION_TEXTS: dict[Convention, dict[int, str]] = {
 AXIS_NAMES: dict[Convention, tuple[str, str]] = {"standard": ("axis i", "axis i+1"), "modified": ("axis i−1", "axis i")}
 """The axes on which the z of frame i-1 and of frame i lie."""
 
+FRAME_SHARE = 0.3
+"""The length of the axes of a frame in a still picture, as a share of the size of the motions."""
+
 VIEW_RADIUS_SHARE = {1: 0.94, 2: 0.79}
 """The radius in view, as a share of the sphere around all that is drawn, for one track and for two side by side."""
 
@@ -67,11 +67,10 @@ class RowPlayer(ViewerBase):
     done = traitlets.Float(0.0).tag(sync=True)
     _set_by_reader = ("done",)
 
-    def __init__(self, tracks: Sequence[dict[str, Any]], draw: Callable[[int], Picture]) -> None:
-        self.draw, self.motions = draw, len(tracks[0]["motions"])
+    def __init__(self, tracks: Sequence[dict[str, Any]], after: Any) -> None:
+        self.motions = len(tracks[0]["motions"])
         rest = np.zeros(len(tracks) * self.motions)
-        mode = {"kind": "row", "tracks": list(tracks)}
-        super().__init__(scene=_scene(tracks), q=rest, start=rest, shown=[], readout=False, mode=mode)
+        super().__init__(_scene(tracks), rest, mode={"kind": "row", "tracks": list(tracks)}, after=after)
 
     @traitlets.validate("done")
     def _validate_done(self, proposal: Any) -> float:
@@ -86,7 +85,7 @@ class RowPlayer(ViewerBase):
         return self._picture().alt
 
     def _picture(self) -> Picture:
-        return crop([self.draw(round(self.done))])[0]
+        return draw_tracks(self.mode["tracks"], round(self.done))
 
 
 def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any = None) -> RowPlayer:
@@ -101,7 +100,7 @@ def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any
     >>> player = play_row([0.8, 0.6, 0.6, 1.4], convention="standard")
     >>> player.done = 2
     >>> player.alt
-    'One row of a table, after theta about z, d along z. The frame is at (0, 0, 0.6), its x along (0.17, 0.985, 0), its z along z.'
+    'Motions that move a frame: 2 of 4 done. The moving frame, standard convention, is at (0, 0, 0.6), x along (0.17, 0.985, 0), ...'
     """
     values = validation.vectors(row, "row", 4)
     if values.ndim != 1:
@@ -111,14 +110,7 @@ def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any
         float(np.ptp([poses_along_row(values, name)[:, :3, 3] for name in MOTION_ORDER], axis=(0, 1)).max()), 0.2
     )
     apart = 1.9 * size * view_axes("default")[1][0]
-    tracks = [_row_track(values, name, k * apart, size) for k, name in enumerate(shown)]
-
-    def draw(count: int) -> Picture:
-        return draw_row(values, count) if shown == ["standard"] else draw_row_motions(values, count, conventions=shown)
-
-    player = RowPlayer(tracks, draw)
-    player.wait_for(after)
-    return player
+    return RowPlayer([_row_track(values, name, k * apart, size) for k, name in enumerate(shown)], after)
 
 
 def play_walk(rows: ArrayLike, *, after: Any = None) -> RowPlayer:
@@ -132,7 +124,7 @@ def play_walk(rows: ArrayLike, *, after: Any = None) -> RowPlayer:
     >>> player = play_walk([[0.4, 0, 0.1, 0]])
     >>> player.done = 2
     >>> player.alt
-    'The path Z1 X1. {0} at (0, 0, 0); {1 mod} at (0, 0, 0.1); {1 std} at (0.4, 0, 0.1).'
+    'Motions that move a frame: 2 of 2 done. The moving frame is at (0.4, 0, 0.1), x along x, y along y, z along z.'
     """
     values = np.atleast_2d(validation.vectors(rows, "rows", 4))
     stops = poses_along_arm(values)
@@ -146,10 +138,64 @@ def play_walk(rows: ArrayLike, *, after: Any = None) -> RowPlayer:
         ]
         flags += [_flag(2 * i - 1, f"{i} mod", stops[2 * i - 1]), _flag(2 * i, f"{i} std", stops[2 * i])]
         axes.append(_axis(stops[2 * i - 2], stops[2 * i - 1], f"axis {i}", size))
-    track = _track("", factors, stops, size, axes=axes, flags=flags)
-    player = RowPlayer([track], lambda count: draw_zx_factors(values, count))
-    player.wait_for(after)
-    return player
+    return RowPlayer([_track("", factors, stops, size, axes=axes, flags=flags)], after)
+
+
+def poses_along_arm(rows: ArrayLike) -> Array:
+    """Return the poses after each factor of Z_1 X_1 Z_2 X_2 ..., for an arm given by standard rows, (2 m + 1, 4, 4).
+
+    The pose after Z_i is frame i of the modified convention, the pose after X_i is frame i of the standard one.
+
+    >>> poses_along_arm([[0.4, 0, 0.1, 0]])[:, :3, 3]
+    array([[0. , 0. , 0. ],
+           [0. , 0. , 0.1],
+           [0.4, 0. , 0.1]])
+    """
+    stops = [np.eye(4)]
+    for a, alpha, d, theta in validation.vectors(rows, "rows", 4):
+        stops.append(stops[-1] @ dh_transform(0, 0, d, theta, convention="standard"))
+        stops.append(stops[-1] @ dh_transform(a, alpha, 0, 0, convention="standard"))
+    return np.array(stops)
+
+
+def draw_tracks(tracks: Sequence[dict[str, Any]], done: int) -> Picture:
+    """Draw tracks after some of their motions: axes, the frames that have been reached, and the way of the moving frame.
+
+    done  how many of the motions of each track are carried out
+
+    A translation along x is orange, one along z violet; those still to be carried out are grey. js/modes/dh-row.js draws the
+    same, and describes it in the same words.
+    """
+    stops = np.array([track["stops"] for track in tracks]).reshape(len(tracks), -1, 4, 4)
+    origins = stops[..., :3, 3].reshape(-1, 3)
+    middle = (origins.min(axis=0) + origins.max(axis=0)) / 2
+    canvas = Canvas(middle + 0.72 * (origins - middle))  # no frame extends far beyond the origins
+    size, sentences = tracks[0]["size"], []
+    for track, poses in zip(tracks, stops, strict=True):
+        for line in track["axes"]:
+            canvas.line([line["from"], line["to"]], VIOLET, 1.2, "--", level=2)
+            canvas.label(line["to"], line["name"], VIOLET, size=9)
+        for k, motion in enumerate(track["motions"]):
+            ends = poses[k : k + 2, :3, 3]
+            if np.ptp(ends, axis=0).any():
+                colour = VIOLET if motion["axis"] == "z" else ORANGE
+                canvas.line(ends, colour if k < done else PALE_GREY, 3.0, "-" if k < done else ":", level=3)
+                name = motion["symbol"].removeprefix(f"T_{motion['axis']}").strip("()")
+                canvas.label(ends.mean(axis=0), f"${name}$", colour if k < done else GREY)
+        for flag in track["flags"]:
+            if flag["after"] <= done:
+                canvas.triad(np.reshape(flag["pose"], (4, 4)), flag["name"], FRAME_SHARE * size)
+        canvas.triad(poses[-1], "", FRAME_SHARE * size, (PALE_GREY,) * 3, level=1)
+        if done not in {flag["after"] for flag in track["flags"]}:
+            canvas.triad(poses[done], "", 1.3 * FRAME_SHARE * size)
+        place, of = poses[done].copy(), ""
+        place[:3, 3] -= poses[0, :3, 3]
+        if track["title"]:
+            canvas.label(poses[0, :3, 3], track["title"], INK, [(36, -44), (36, -54)])
+            of = f", {track['title']} convention,"
+        sentences.append(frame_text(("", place)).replace("Frame {}", f"The moving frame{of} is"))
+    count = len(tracks[0]["motions"])
+    return canvas.picture(f"Motions that move a frame: {done} of {count} done. {' '.join(sentences)}", cropped=True)
 
 
 def _row_track(row: Array, convention: Convention, place: Array, size: float) -> dict[str, Any]:
@@ -225,8 +271,6 @@ def _scene(tracks: Sequence[dict[str, Any]]) -> dict[str, Any]:
             }
             for k, track in enumerate(tracks)
         ],
-        "sliders": [],
-        "limits": [],
         "room": still_room(points, VIEW_RADIUS_SHARE[len(tracks)]),
         "floor": float(points[:, 2].min()) - 0.1 * tracks[0]["size"],
         "offered": [],

@@ -9,7 +9,6 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-import anywidget
 import numpy as np
 import traitlets
 
@@ -17,7 +16,7 @@ from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.dark_theme import follow_theme
 from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.viewer.cell_memory import keep_in_cell
-from kinlib.view.viewer.viewer import ViewerBase, as_script
+from kinlib.view.viewer.viewer import PageWidget, as_script
 
 FRAMES_PER_SECOND = 6
 
@@ -31,7 +30,7 @@ ONE_FRAME_ON_SCREEN = (
 """Where a script will play the film, its first key frame keeps the place; everywhere else, all of them are shown."""
 
 
-class Film(anywidget.AnyWidget):
+class Film(PageWidget):
     """A film on the page. Make one with `film`.
 
     frames  the drawings as SVG, each once
@@ -52,7 +51,6 @@ class Film(anywidget.AnyWidget):
     ['film.html']
     """
 
-    _esm = ViewerBase._esm  # noqa: SLF001
     frames = traitlets.List(traitlets.Unicode()).tag(sync=True)
     order = traitlets.List(traitlets.Int()).tag(sync=True)
     scenes = traitlets.List(traitlets.Dict()).tag(sync=True)
@@ -90,10 +88,6 @@ class Film(anywidget.AnyWidget):
         Raises ValueError for another ending.
         """
         Gallery(self.key_frames).save(path)
-
-    def _repr_mimebundle_(self, **options: Any) -> Any:
-        data, metadata = super()._repr_mimebundle_(**options) or ({}, {})
-        return {**data, "text/plain": self.alt, "text/html": self.html()}, metadata
 
 
 def film(draw: Callable[[float], Picture], scenes: Sequence[tuple[float, str]]) -> Film:

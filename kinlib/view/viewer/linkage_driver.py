@@ -40,9 +40,9 @@ PLANAR_VIEW_DEG, SPATIAL_VIEW_DEG = [-90.0, 52.0], [-60.0, 22.0]
 class Drive(ViewerBase):
     """A linkage on the page. Make one with `drive`; q is a configuration on one of its curves."""
 
-    def __init__(self, mechanism: Mechanism, **traits: Any) -> None:
+    def __init__(self, mechanism: Mechanism, scene: dict[str, Any], start: Array, **traits: Any) -> None:
         self.mechanism = mechanism
-        super().__init__(**traits)
+        super().__init__(scene, start, **traits)
 
     def _check(self, values: list[float]) -> None:
         self.mechanism.residual(values)
@@ -95,13 +95,12 @@ def drive(
         closed = tuple(np.allclose(np.exp(1j * curve[0]), np.exp(1j * curve[-1])) for curve in traced)
     nearest = min(traced, key=lambda curve: float(np.linalg.norm(curve - first, axis=1).min()))
     begin = nearest[np.argmin(np.linalg.norm(nearest - first, axis=1))]
-    widget = Drive(
+    return Drive(
         mechanism,
-        scene=_scene(mechanism, np.concatenate(traced), begin),
-        q=begin,
-        start=begin,
+        _scene(mechanism, np.concatenate(traced), begin),
+        begin,
         shown=[] if is_planar(mechanism) else ["axes"],
-        readout=False,
+        after=after,
         mode={
             "kind": "curve",
             "curves": [curve.tolist() for curve in traced],
@@ -113,8 +112,6 @@ def drive(
             "labels": list(labels) or [f"assembly mode {k + 1}" for k in range(len(traced))],
         },
     )
-    widget.wait_for(after)
-    return widget
 
 
 def _curves(mechanism: Mechanism, start: Array) -> list[tuple[Array, bool]]:
@@ -181,8 +178,6 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
             for arm in arms
         ],
         "pieces": _pieces(mechanism, names),
-        "sliders": [],
-        "limits": [],
         "room": {
             "centre": middle.tolist(),
             "radius": half_height(shown - middle, look) + VIEW_MARGIN * size,

@@ -94,21 +94,16 @@ def slide_frames(
     low, high = points.min(axis=0), points.max(axis=0)
     middle = (low + high) / 2
     radius = half_height(points - middle) + 0.12 * extent
-    viewer = FramesViewer(
-        scene={
+    return FramesViewer(
+        {
             "name": "frames",
             "size": radius,
             "arms": [{"columns": [], "joints": [], "home": T.ravel().tolist()} for T in poses[0]],
-            "sliders": [],
-            "limits": [],
             "room": {"centre": middle.tolist(), "radius": radius, "constant": True},
             "floor": float(low[2]) - 0.1 * extent,
             "offered": [],
         },
-        q=[],
-        start=[],
-        shown=[],
-        readout=False,
+        after=after,
         mode={
             "kind": "frames",
             "label": label,
@@ -120,5 +115,3 @@ def slide_frames(
             "length": AXIS_SHARE * extent / radius,
         },
     )
-    viewer.wait_for(after)
-    return viewer

@@ -65,7 +65,7 @@ class ByHand(Viewer):
     _set_by_reader = ("frames",)
 
     def __init__(self, chain: Chain, convention: Convention, frames: Array) -> None:
-        features, home = frame_candidates(chain), np.zeros(chain.n)
+        features = frame_candidates(chain)
         ends = np.array([line[end] for line in features["axes"] for end in ("from", "to")])
         scene = bare_scene(chain, ends)
         arm = scene["arms"][0]
@@ -76,11 +76,9 @@ class ByHand(Viewer):
         self.convention = convention
         super().__init__(
             chain,
-            scene={**scene, "offered": ["base", "tool"]},
-            q=home,
-            start=home,
+            {**scene, "offered": ["base", "tool"]},
+            np.zeros(chain.n),
             shown=["base", "tool"],
-            readout=False,
             mode={"kind": "assign", "convention": convention, **features},
             frames=frames,
         )
@@ -149,9 +147,7 @@ def assign(chain: Chain, convention: Convention) -> ByHand:
     """
     bare = np.full((chain.n + 1, 4, 4), np.nan)
     bare[:, 3] = 0.0, 0.0, 0.0, 1.0
-    widget = ByHand(chain, validate_convention(convention), bare)
-    widget.wait_for(None)
-    return widget
+    return ByHand(chain, validate_convention(convention), bare)
 
 
 def check_placed_frames(chain: Chain, frames: Array, convention: Convention) -> list[Breach]:

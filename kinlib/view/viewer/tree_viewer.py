@@ -161,9 +161,9 @@ def describe_tree(tree: Tree, q: ArrayLike) -> str:
 class TreeViewer(ViewerBase):
     """A tree on the page. Make one with `explore_tree`."""
 
-    def __init__(self, tree: Tree, **traits: Any) -> None:
+    def __init__(self, tree: Tree, scene: dict[str, Any], start: Array, **traits: Any) -> None:
         self.tree = tree
-        super().__init__(**traits)
+        super().__init__(scene, start, **traits)
 
     @property
     def alt(self) -> str:
@@ -215,9 +215,7 @@ def explore_tree(tree: Tree, start: JointValues | None = None) -> TreeViewer:
         "foot": [0.0, 0.0, 0.0],
     }
     shown = ["axes", "base", *(["tool"] if len(found) <= MAX_NAMED_TIPS else [])]
-    viewer = TreeViewer(tree, scene=scene, q=q, start=q, shown=shown, readout=False)
-    viewer.wait_for(None)
-    return viewer
+    return TreeViewer(tree, scene, q, shown=shown)
 
 
 def _share(found: list[Branch]) -> float:

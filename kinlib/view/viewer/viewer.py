@@ -36,23 +36,46 @@ class Values(traitlets.List[float]):
         return super().validate(obj, np.asarray(value, dtype=float).tolist())
 
 
-class ViewerBase(anywidget.AnyWidget):
+class PageWidget(anywidget.AnyWidget):
+    """The base of viewers and films: the script of the page, and what is shown where no widgets are."""
+
+    # The bundle defines one global object, so that a page without modules can run it too; a widget needs a default export.
+    _esm = (STATIC / "viewer.js").read_text("utf-8") + "\nexport default kinlib.widget;"
+
+    @property
+    def alt(self) -> str:
+        """The text alternative of what is shown."""
+        raise NotImplementedError
+
+    def html(self) -> str:
+        """Return the widget for a page without a kernel."""
+        raise NotImplementedError
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        data, metadata = super()._repr_mimebundle_(**options) or ({}, {})
+        return {**data, "text/plain": self.alt, "text/html": self.html()}, metadata
+
+
+class ViewerBase(PageWidget):
     """The base of every viewer: the traits that it shares with the page, and its HTML for pages without a kernel.
 
     q           (n,) joint values; the page and Python can both set them
     start       (n,) the joint values that the button "Reset" restores
     shown       the layers that are drawn, any of kinlib.view.viewer.scene.LAYERS
     covered     whether the picture is covered until a prediction is committed
+    readout     whether the pose of the end-effector is shown beside the picture
     mode        {"kind", ...}: the data of a mode in kinlib/view/js/modes; empty for an arm with sliders
+
+    It is made of a scene, the joint values at the start, and further traits. The picture stays covered until the question
+    given as `after` is committed. If the cell is run again, the widget is shown as the reader has left it.
 
     >>> from traitlets import Bool, HasTraits
     >>> class Question(HasTraits):
     ...     committed = Bool(False)
     >>> from kinlib.chains.robots import rpr
-    >>> arm = explore(rpr())
+    >>> arm = explore(rpr(), after=(question := Question()))
     >>> arm.html()[:25]
     '<div data-kinlib-viewer><'
-    >>> arm.wait_for(question := Question())
     >>> question.committed = True
     >>> arm.covered
     False
@@ -61,16 +84,24 @@ class ViewerBase(anywidget.AnyWidget):
     ValueError: path must end in .svg, .html, .png or .pdf; got 'arm.jpg'.
     """
 
-    # The bundle defines one global object, so that a page without modules can run it too; a widget needs a default export.
-    _esm = (STATIC / "viewer.js").read_text("utf-8") + "\nexport default kinlib.widget;"
-
     scene = traitlets.Dict().tag(sync=True)
     q = Values(traitlets.Float()).tag(sync=True)
     start = Values(traitlets.Float()).tag(sync=True)
     shown = traitlets.List(traitlets.Unicode()).tag(sync=True)
     covered = traitlets.Bool(False).tag(sync=True)
-    readout = traitlets.Bool(True).tag(sync=True)
+    readout = traitlets.Bool(False).tag(sync=True)
     mode = traitlets.Dict().tag(sync=True)
+
+    _set_by_reader: Sequence[str] = ("q", "shown")  # the traits that survive running the cell again
+    _after = ""  # the name of the question that uncovers the picture; the page has that question too
+
+    def __init__(self, scene: dict[str, Any], start: ArrayLike = (), *, after: Any = None, **traits: Any) -> None:
+        super().__init__(scene=scene, q=start, start=start, **traits)
+        keep_in_cell(self, self._set_by_reader, (self.scene, self.mode, self.start))
+        if after is not None and not after.committed:
+            self.covered = True
+            self._after = getattr(after, "name", "")
+            after.observe(lambda _: self.set_trait("covered", False), "committed")
 
     @traitlets.validate("q", "start")
     def _validate_values(self, proposal: Any) -> list[float]:
@@ -86,26 +117,9 @@ class ViewerBase(anywidget.AnyWidget):
             raise ValueError(f"show may contain {', '.join(layers)}; got {', '.join(map(repr, sorted(unknown)))}.")
         return names
 
-    @property
-    def alt(self) -> str:
-        """The text alternative of the current picture."""
-        raise NotImplementedError
-
     def _own_frames(self) -> list[str]:
         """Return the layers of the frames that were given to `explore`."""
         return [layer for arm in self.scene.get("arms", []) for layer in arm.get("frames", {}) if layer not in LAYERS]
-
-    _after = ""  # the name of the question that uncovers the picture; the page has that question too
-
-    _set_by_reader: Sequence[str] = ("q", "shown")  # the traits that survive running the cell again
-
-    def wait_for(self, question: Any) -> None:
-        """Show the picture as the reader has left it, if the cell is run again. Cover it until a question is committed, if any."""
-        keep_in_cell(self, self._set_by_reader, (self.scene, self.mode, self.start))
-        if question is not None and not question.committed:
-            self.covered = True
-            self._after = getattr(question, "name", "")
-            question.observe(lambda _: self.set_trait("covered", False), "committed")
 
     def _check(self, values: list[float]) -> None:
         """Raise ValueError if joint values have another size or contain NaN."""
@@ -155,10 +169,6 @@ class ViewerBase(anywidget.AnyWidget):
             return f"<details><summary>{text}</summary>{self._picture().html()}</details>"
         return f"<p>{text}</p>"
 
-    def _repr_mimebundle_(self, **options: Any) -> Any:
-        data, metadata = super()._repr_mimebundle_(**options) or ({}, {})
-        return {**data, "text/plain": self.alt, "text/html": self.html()}, metadata
-
 
 def as_script(state: Mapping[str, Any]) -> str:
     r"""Return the state of a widget as JSON in an element of HTML, from which a script on the page reads it.
@@ -174,9 +184,9 @@ def as_script(state: Mapping[str, Any]) -> str:
 class Viewer(ViewerBase):
     """An arm on the page. Make one with `explore`."""
 
-    def __init__(self, chain: Chain, **traits: Any) -> None:
+    def __init__(self, chain: Chain, scene: dict[str, Any], start: ArrayLike, **traits: Any) -> None:
         self.chain = chain
-        super().__init__(**traits)
+        super().__init__(scene, start, **traits)
 
     @property
     def alt(self) -> str:
@@ -245,13 +255,5 @@ def explore(
     if frames:
         layers = [layer for layer in show if layer not in FRAME_LAYERS]
         layers += [] if any(f"frame {name}" in show for name in frames) else [f"frame {next(iter(frames))}"]
-    viewer = Viewer(
-        chain,
-        scene=scene(chain, home, joints=joints, span=span, frames=frames),
-        q=home,
-        start=home,
-        shown=layers,
-        readout=readout,
-    )
-    viewer.wait_for(after)
-    return viewer
+    whole = scene(chain, home, joints=joints, span=span, frames=frames)
+    return Viewer(chain, whole, home, shown=layers, readout=readout, after=after)

@@ -115,6 +115,12 @@ def pose(page, which=0):
     return page.evaluate(f"document.querySelectorAll('.kv')[{which}].viewer.stage.tree.pose()")
 
 
+def spoken(page):
+    """Return the text alternative of the picture, as it is after the last change, without the help on keys."""
+    page.wait_for_timeout(800)  # the text follows when nothing has moved for a while
+    return page.locator(".kv-canvas").get_attribute("aria-label").partition(" Arrow keys")[0]
+
+
 def text_colours(page):
     """List every text of the viewers on a page, with its colour and that of its background."""
     return page.evaluate(

@@ -19,11 +19,11 @@ import kinlib as kl
 from kincourse.lecture_02_matrix_exponential.drawings import draw_series
 from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
 from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus
-from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, plot, slide
+from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, play_row, plot, slide
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.figures.dh_row_motions import draw_row_motions
 from kinlib.view.figures.dh_table import draw_row, draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
+from kinlib.view.viewer.dh_row_player import draw_tracks
 
 ROOT = Path(__file__).parents[3]
 
@@ -78,7 +78,7 @@ def test_no_label_in_a_drawing_of_an_arm_covers_another_or_leaves_the_sheet(robo
 @pytest.mark.parametrize("done", range(5))
 def test_no_label_in_a_drawing_of_a_row_or_a_series_covers_another(done):
     row = [0.8, 0.6, 0.6, 1.4]
-    pictures = [draw_row(row, done), draw_row_motions(row, done)]
+    pictures = [draw_row(row), draw_tracks(play_row(row).mode["tracks"], done)]
     S, tool = kl.robots.rpr().screws[0], (0, 0, 1)
     pictures += [draw_series(S, np.pi / 2, tool, 4 * done + k, most=22, view="front") for k in range(1, 5)]
     assert [overlapping_labels(picture) for picture in pictures] == [[] for _ in pictures]

@@ -259,10 +259,11 @@ export function dhRowMotions({ model, stage, data }) {
 function describeRow(tree, tracks, done) {
   const places = tracks.map(({ title, stops }, k) => {
     const T = tree.pose(k).map((row, i) => [...row.slice(0, 3), row[3] - (originOf(stops[0])[i] ?? 0)]);
-    const of = title ? `, ${title} convention` : '';
-    return `${frameText('i', T).replace('Frame {i}', `The moving frame${of}, is`)}`;
+    const of = title ? `, ${title} convention,` : '';
+    return frameText('i', T).replace('Frame {i}', `The moving frame${of} is`);
   });
-  return `Motions that move a frame: ${formatNumber(done, 1)} of ${tracks[0].motions.length} done. ${places.join(' ')}`;
+  const count = formatNumber(done, Number.isInteger(done) ? 0 : 1);
+  return `Motions that move a frame: ${count} of ${tracks[0].motions.length} done. ${places.join(' ')}`;
 }
 
 function line(from, to, name, joint, { size, theme }) {
