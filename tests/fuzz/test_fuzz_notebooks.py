@@ -83,8 +83,7 @@ class Prompter:
 
     def run(self, redacted, sources, limits):
         lines = [{"cell": number, "outputs": self._outputs(source)} for number, source in enumerate(sources)]
-        for change in self.changes:
-            lines = change_json(lines, [change], (*LEAVES, lines[-1:]))
+        lines = change_json(lines, self.changes, (*LEAVES, lines[-1:]))
         text = "\n".join(map(json.dumps, lines if isinstance(lines, list) else [lines]))
         return RunOutcome(change_text(text, self.slips).encode(errors="surrogatepass"), "", 0.1, 50.0)
 
