@@ -9,8 +9,11 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays.tolerances import ROUNDING_ERROR
 
+SHOWN_DIGITS = 4
+"""How many significant digits numbers have where nothing else is said, such as the screw axes of a chain that is printed."""
 
-def format_number(value: float, digits: int = 4, *, zero: float = ROUNDING_ERROR) -> str:
+
+def format_number(value: float, digits: int = SHOWN_DIGITS, *, zero: float = ROUNDING_ERROR) -> str:
     """Write a number with at most this many significant digits, and never as -0.
 
     zero  a number up to this size is written as 0
@@ -21,7 +24,7 @@ def format_number(value: float, digits: int = 4, *, zero: float = ROUNDING_ERROR
     return f"{float(value):.{digits}g}" if abs(value) > zero else "0"
 
 
-def format_vector(values: ArrayLike, digits: int = 4, *, zero: float = ROUNDING_ERROR) -> str:
+def format_vector(values: ArrayLike, digits: int = SHOWN_DIGITS, *, zero: float = ROUNDING_ERROR) -> str:
     """Write a vector as its components in parentheses.
 
     >>> format_vector([0.5, -1e-17, 3])
@@ -31,7 +34,7 @@ def format_vector(values: ArrayLike, digits: int = 4, *, zero: float = ROUNDING_
     return "(" + ", ".join(format_number(value, digits, zero=zero) for value in components) + ")"
 
 
-def format_matrix(values: ArrayLike, digits: int = 4) -> str:
+def format_matrix(values: ArrayLike, digits: int = SHOWN_DIGITS) -> str:
     """Write a matrix as its rows, which can be typed as they are.
 
     >>> format_matrix([[1, 0], [-1e-17, 0.25]])
@@ -41,7 +44,7 @@ def format_matrix(values: ArrayLike, digits: int = 4) -> str:
     return "[" + ", ".join("[" + ", ".join(format_number(value, digits) for value in row) + "]" for row in rows) + "]"
 
 
-def format_degrees(angle: float, digits: int = 4, *, zero: float = ROUNDING_ERROR) -> str:
+def format_degrees(angle: float, digits: int = SHOWN_DIGITS, *, zero: float = ROUNDING_ERROR) -> str:
     """Write an angle, given in radians, in degrees; zero is written without a degree sign.
 
     >>> format_degrees(np.pi / 2), format_degrees(-1e-17)
@@ -88,11 +91,11 @@ def latex_array(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 
 def format_different(one: float, other: float) -> tuple[str, str]:
-    """Write two numbers with four digits, or with as many more as show that they differ.
+    """Write two numbers with SHOWN_DIGITS, or with as many more as show that they differ.
 
     >>> format_different(0.4318, 0.5), format_different(0.407, 0.40700001)
     (('0.4318', '0.5'), ('0.407', '0.40700001'))
     """
     one, other = (0.0 if abs(number) < ROUNDING_ERROR * abs(one - other) else number for number in (one, other))
-    texts = [(f"{one:.{digits}g}", f"{other:.{digits}g}") for digits in range(4, 18)]
+    texts = [(f"{one:.{digits}g}", f"{other:.{digits}g}") for digits in range(SHOWN_DIGITS, 18)]
     return next((pair for pair in texts if pair[0] != pair[1]), texts[0])

@@ -11,6 +11,9 @@ from kinlib.dh.parsing import COLUMNS, joint_entries
 
 Format = Callable[[float], str]
 
+PRINTED_DIGITS = 12
+"""A printed table is read back with this many digits."""
+
 
 class _TableRows(Protocol):
     """What is written of a table: a `DHTable` has it."""

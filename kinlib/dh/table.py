@@ -25,6 +25,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import (
+    SHOWN_DIGITS,
     aligned_table,
     format_degrees,
     format_matrix,
@@ -35,7 +36,7 @@ from kinlib.arrays.formatting import (
 from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
-from kinlib.dh.formatting import format_rows, headings, in_latex
+from kinlib.dh.formatting import PRINTED_DIGITS, format_rows, headings, in_latex
 from kinlib.dh.parsing import COLUMNS, Rows, joint_entries, read_rows
 from kinlib.rigid.screw import screw
 
@@ -43,9 +44,6 @@ Convention = Literal["standard", "modified"]
 
 TableRows = str | Sequence[Mapping[str, Any]] | ArrayLike
 """What a table is made from: text, dictionaries by column name, or numbers (m, 4)."""
-
-PRINTED_DIGITS = 12
-"""A printed table is read back with this many digits."""
 
 MAX_END_LENGTH = 2000
 """The maximum length of the line of a base or a tool, in characters."""
@@ -161,12 +159,12 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 
     def __repr__(self) -> str:
         rows = f"{len(self.rows)} row{'s'[: len(self.rows) != 1]}: {self.joints}"
-        return f"DHTable({self.name!r}, {self.convention}, {', '.join([rows, *self._ends(digits=4)])})"
+        return f"DHTable({self.name!r}, {self.convention}, {', '.join([rows, *self._ends(digits=SHOWN_DIGITS)])})"
 
     def _repr_html_(self) -> str:
         caption = f"{self.name}, {self.convention} convention"
         table = html_table(caption, headings(self.convention), self._numbered_rows())
-        return table + "".join(f"<p>{end}</p>" for end in self._ends(digits=4))
+        return table + "".join(f"<p>{end}</p>" for end in self._ends(digits=SHOWN_DIGITS))
 
     def _ends(self, digits: int = PRINTED_DIGITS) -> list[str]:
         """Base and tool as text, those that are not the identity."""
