@@ -3,15 +3,16 @@
     python tools/fresh                              every path, on every supported Python of this machine
     python tools/fresh lab site --python 3.13       these paths, on this Python
 
-It needs a Python with its standard library, bash and git. `paths.py` says what each path does, and what is not rehearsed.
+It needs a Python with its standard library, bash and git. `paths.py` says what each path does, `documents.py` what is not rehearsed.
 """
 
 import argparse
 import sys
 import time
 
+from documents import NOT_REHEARSED
 from fresh_copy import SUPPORTED, pythons
-from paths import NOT_REHEARSED, PATHS, rehearse
+from paths import PATHS, rehearse
 
 
 def main() -> int:
@@ -35,7 +36,7 @@ def main() -> int:
             failed += [name] if result == "FAILED" else []
             not_tried += [f"{name}, Python {version}: {reason}"] if result == "not tried" else []
     if not asked.paths:
-        not_tried += [f"`{command.strip()}`: {reason}" for command, reason in NOT_REHEARSED.items()]
+        not_tried += [f"{', '.join(starts)}: {reason}" for reason, starts in NOT_REHEARSED.items()]
     print("\nNot tried:", *not_tried, sep="\n  ")
     return bool(failed)
 

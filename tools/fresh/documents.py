@@ -52,3 +52,35 @@ def commands_of(path: Path) -> Iterator[str]:
         yield f"pip install -r {path.relative_to(ROOT).as_posix()}"
     elif path.name == "run":
         yield from re.findall(r"^exec (.+)", text, re.MULTILINE)
+
+
+NOT_REHEARSED = {
+    "changes the machine": (
+        *("sudo ", "cd /srv/hub", "useradd", "chmod", "rm -rf", "apt-get"),
+        "python3 -m venv /opt/venv",  # done in another folder
+    ),
+    "needs a container engine; container.yml runs it": ("podman", "docker", "${{ matrix.engine }}"),
+    "a preparation or a check of a workflow": ("mkdir", "cp ", "grep "),
+    "needs several machines": ("kubectl", "helm", "dask", "pip install ./kinlib './misstep[grading,cluster]'"),
+    "needs a person": (
+        "npx lighthouse",
+        ".venv/bin/python -m jupyterlab",
+        ".venv/bin/python -m misstep preview",
+        ".venv/bin/python -m mutmut",
+    ),
+    "a test runs it": (
+        *("npm ", "kincourse new-lecture", "misstep unnamed", "python evidence/checks/judge_outside.py"),
+        *(f".venv/bin/python -m misstep {command}" for command in ("grade", "new-problem", "check")),
+    ),
+    "the whole suite; test.yml and .ci/run run it": ("python course.py test", '"$python" course.py test'),
+    "takes long or changes files; evidence.yml runs what proves something": (
+        *("nox -s ", ".venv/bin/python -m nox -s ", "misstep census"),
+    ),
+    "the same program as another command": (
+        *("misstep grade ", "misstep new-course", ".venv/bin/misstep release", "python -m kincourse"),
+    ),
+    "an example": ("pip install pandas", ".venv/bin/pip install pandas", "pip install my_course"),
+    "the rehearsal itself": ("python tools/fresh",),
+    "the standard library's server": (".venv/bin/python -m http.server",),
+}
+"""Commands of documents that no path runs, by how they begin, with the reason."""

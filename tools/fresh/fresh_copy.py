@@ -34,15 +34,13 @@ class NotTried(Exception):
 class Place:
     """A fresh copy of the repository, and a Python in which nothing of the course is installed.
 
-    folder      where commands are run; `enter` changes it
-    done        the commands that succeeded, as they are in the documents
+    folder  where commands are run; `enter` changes it
     """
 
     def __init__(self, python: Path):
         self.python = python
         self.root = Path(tempfile.mkdtemp(prefix="fresh-"))
         self.folder = self.root / "course"
-        self.done: list[str] = []
         copy_repository(self.folder)
         kept = {name: value for name, value in os.environ.items() if not name.startswith(OTHER_TOOLS)}
         jupyter = {name: str(self.root / name) for name in ("JUPYTER_DATA_DIR", "JUPYTER_CONFIG_DIR", "IPYTHONDIR")}
@@ -63,7 +61,6 @@ class Place:
         )  # fmt: skip
         if done.returncode:
             raise Failure(f"{command}\n{done.stdout[-3000:]}")
-        self.done.append(command)
         return done.stdout
 
     def translated(self, command: str, also: str = "", replace: dict[str, str] | None = None) -> str:
@@ -91,7 +88,6 @@ class Place:
                     raise Failure(f"{command}\nNothing answers at {address}.\n{log.read_text('utf-8')[-3000:]}")
                 time.sleep(0.5)
             yield
-            self.done.append(command)
         finally:
             server.terminate()
             server.wait()

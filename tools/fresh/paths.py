@@ -5,8 +5,7 @@ import re
 import shutil
 import urllib.request
 from collections.abc import Callable
-from dataclasses import dataclass
-from pathlib import Path as FilePath
+from pathlib import Path
 
 from fresh_copy import Failure, NotTried, Place, free_port, reachable
 
@@ -14,56 +13,42 @@ LECTURE = "notebooks/00_start_here.ipynb"
 SHEET = "solutions/03_poe_space/03_poe_space.ipynb"
 PYODIDE = "cdn.jsdelivr.net"
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
+FRONT_ENDS = ("@jupyter-widgets/jupyterlab-manager", "anywidget")
+"""What JupyterLab loads in the browser to show sliders and the viewer."""
+
+PATHS: dict[str, Callable[[Place], None]] = {}
 
 
-@dataclass(frozen=True)
-class Path:
-    """A path by its name, what it does in a place, and the commands of documents that it runs."""
-
-    name: str
-    run: Callable[[Place], None]
-    commands: tuple[str, ...]
+def path(function: Callable[[Place], None]) -> Callable[[Place], None]:
+    """Register a path by its name. The commands of documents that it runs stand in it as they stand there."""
+    PATHS[function.__name__] = function
+    return function
 
 
-PATHS: dict[str, Path] = {}
-
-
-def path(*commands: str) -> Callable[[Callable[[Place], None]], Callable[[Place], None]]:
-    """Register a path with the commands of documents that it runs; one of them not run is a failure of the path."""
-
-    def register(function: Callable[[Place], None]) -> Callable[[Place], None]:
-        PATHS[function.__name__] = Path(function.__name__, function, commands)
-        return function
-
-    return register
-
-
-def rehearse(name: str, python: FilePath) -> tuple[str, str]:
+def rehearse(name: str, python: Path) -> tuple[str, str]:
     """Run a path on a Python. Returns the result, and the reason if it did not pass."""
-    place, path = Place(python), PATHS[name]
+    place = Place(python)
     try:
-        path.run(place)
+        PATHS[name](place)
     except NotTried as reason:
         return "not tried", str(reason)
     except (Failure, OSError) as error:
         return "FAILED", str(error)
     finally:
         place.remove()
-    if forgotten := [command for command in path.commands if command not in place.done]:
-        return "FAILED", f"It did not run {forgotten}."
     return "passed", ""
 
 
 # --- a student ---
 
 
-@path("python course.py open")
+@path
 def lab(place: Place) -> None:
     """JupyterLab opens, loads what shows sliders and the viewer, and runs lecture 00."""
     run_lecture(place, "python course.py open", "--no-browser --LabApp.open_browser=False")
 
 
-@path("pip install -r .binder/requirements.txt")
+@path
 def binder(place: Place) -> None:
     """The same with what Binder installs; its builder runs pip in the folder of the file."""
     place.run("python -m venv .venv")
@@ -72,18 +57,22 @@ def binder(place: Place) -> None:
 
 
 def run_lecture(place: Place, command: str, options: str) -> None:
-    address, token = f"127.0.0.1:{free_port()}", "fresh"
-    options += f" --ServerApp.port={address.split(':')[1]} --ServerApp.port_retries=0 --IdentityProvider.token={token}"
+    address = f"127.0.0.1:{free_port()}"
+    options += f" --ServerApp.port={address.split(':')[1]} --ServerApp.port_retries=0 --IdentityProvider.token=fresh"
     with place.started(command, address, also=f"{options} --allow-root"):
-        print(place.run(f".venv/bin/python tools/fresh/run_lecture.py {address} {token} {LECTURE}").strip())
+        urllib.request.urlopen(f"http://{address}/lab/tree/{LECTURE}?token=fresh", timeout=120).close()
+    listed = place.run(".venv/bin/python -m jupyter labextension list")
+    if missing := [name for name in FRONT_ENDS if not re.search(rf"{name} v\S+ .*enabled.*OK", listed)]:
+        raise Failure(f"JupyterLab must load {missing}:\n{listed}")
+    place.run(f".venv/bin/python -m jupyter execute {LECTURE}")
 
 
 # --- a reader of the site ---
 
 
-@path("python course.py site", "python course.py serve", ".venv/bin/python site/check.py")
+@path
 def site(place: Place) -> None:
-    """The site and its lab are built, complete, and served."""
+    """The site and its lab are built, complete, and served; after the PDF is printed, they are complete for publication."""
     place.run("python course.py site", KINLIB_LAB="offline")
     place.run(".venv/bin/python site/check.py")
     port = free_port()
@@ -92,14 +81,8 @@ def site(place: Place) -> None:
             with urllib.request.urlopen(f"http://127.0.0.1:{port}/{page}", timeout=30) as answer:
                 if b"</html>" not in answer.read():
                     raise Failure(f"{page} is not complete.")
-
-
-@path(".venv/bin/python site/pdf.py", ".venv/bin/python site/check.py --published")
-def pdf(place: Place) -> None:
-    """The site is complete for publication after its PDF is printed."""
     if not any(map(shutil.which, CHROMIUM)):
-        raise NotTried("there is no Chromium on the path")
-    place.run("python course.py site", KINLIB_LAB="offline")
+        raise NotTried("there is no Chromium on the path to print the PDF; all else passed")
     place.run(".venv/bin/python site/pdf.py")
     place.run(".venv/bin/python site/check.py --published")
 
@@ -115,7 +98,7 @@ print(lab.build())
 """
 
 
-@path()
+@path
 def empty_lab(place: Place) -> None:
     """The group `site` alone resolves, and builds a lab with a single notebook: what JupyterLite loads is there."""
     place.run(f"python -c '{PREPARE}'")
@@ -131,7 +114,7 @@ PREPARE = 'import sys; sys.path.insert(0, "tools"); import set_up; set_up.prepar
 # --- a contributor ---
 
 
-@path("python course.py test --quick", ".venv/bin/python -m nox --list", ".venv/bin/python -m nox -s format")
+@path
 def quick_tests(place: Place) -> None:
     """The quick tests pass, and so do the checks that run no code."""
     place.run("python course.py test --quick")
@@ -140,10 +123,7 @@ def quick_tests(place: Place) -> None:
     place.run(".venv/bin/python -m nox -s lint")
 
 
-@path(
-    "python -m pip install -c constraints.txt nox", "python -m nox -s distributions", "python -m pip install dist/*.whl",
-    'for package in kinlib misstep kincourse; do python -m doctest "checkout/$package/README.md"; done',
-)  # fmt: skip
+@path
 def release(place: Place) -> None:
     """The wheels are built and checked, and the documents of the packages are true of them, as in release.yml."""
     place.run("python -m venv builder")
@@ -153,24 +133,22 @@ def release(place: Place) -> None:
     place.run("python -m pip install dist/*.whl", replace={"python": "tried/bin/python"})
     course, checkout = place.folder, place.enter("empty") / "checkout"
     checkout.symlink_to(course)
-    place.run(PATHS["release"].commands[3], replace={"python": f"{course}/tried/bin/python"})
+    place.run(
+        'for package in kinlib misstep kincourse; do python -m doctest "checkout/$package/README.md"; done',
+        replace={"python": f"{course}/tried/bin/python"},
+    )
 
 
 # --- an instructor ---
 
 
-@path(
-    ".venv/bin/pip install ./kinlib './misstep[grading,release]' ./kincourse", "source .venv/bin/activate", "misstep grade",
-    "misstep release", "kincourse new-sheet robot.urdf --out solutions/my_robot",
-    "nbgrader generate_assignment 03_poe_space --force",
-)  # fmt: skip
+@path
 def grade(place: Place) -> None:
     """What the instructor's guide installs grades a sheet, with and without a gradebook, and makes sheets."""
     place.run("python -m venv .venv")
-    place.run(PATHS["grade"].commands[0])
-    activated = {"source .venv/bin/activate": "source .venv/bin/activate && misstep release"}
-    place.run("source .venv/bin/activate", replace=activated)
-    place.done.append("misstep release")
+    place.run(".venv/bin/pip install ./kinlib './misstep[grading,release]' ./kincourse")
+    activate = "source .venv/bin/activate"
+    place.run("misstep release", replace={"misstep": f"{activate} && misstep"})
     for folder in ("submissions", "submitted"):
         student = place.folder / folder / "your id" / "03_poe_space"
         student.mkdir(parents=True)
@@ -192,14 +170,14 @@ def grade(place: Place) -> None:
     place.run("kincourse new-sheet robot.urdf --out solutions/my_robot", replace={"kincourse": ".venv/bin/kincourse"})
 
 
-HUB = "sudo /opt/hub/bin/pip install -c constraints.txt -r deploy/hub.txt ./kinlib './misstep[grading]' ./kincourse"
-
-
-@path(HUB)
+@path
 def hub(place: Place) -> None:
     """What the page on Hubs installs has a Hub that reads its configuration, and a server for a student."""
     place.run("python -m venv .venv")
-    place.run(HUB, replace={"sudo /opt/hub/bin/pip": ".venv/bin/pip"})
+    place.run(
+        "sudo /opt/hub/bin/pip install -c constraints.txt -r deploy/hub.txt ./kinlib './misstep[grading]' ./kincourse",
+        replace={"sudo /opt/hub/bin/pip": ".venv/bin/pip"},
+    )
     shown = place.run(".venv/bin/jupyterhub -f deploy/jupyterhub_config.py --show-config")
     if "jupyterhub-singleuser" not in shown:
         raise Failure(f"The configuration must name the program of a student's server:\n{shown}")
@@ -207,18 +185,15 @@ def hub(place: Place) -> None:
     run_lecture(place, ".venv/bin/python -m jupyter lab", "--no-browser")
 
 
-CONTAINER = (
-    "/opt/venv/bin/pip install --no-cache-dir -c /opt/course/constraints.txt -r /opt/course/hub.txt"
-    " /opt/course/kinlib '/opt/course/misstep[grading,release]' /opt/course/kincourse"
-)
-
-
-@path(CONTAINER, 'python -c "import matplotlib.pyplot"')
+@path
 def container(place: Place) -> None:
     """What the container installs grades a sheet; its engine is another matter."""
     place.run("python -m venv .venv")
-    here = {"/opt/venv/bin/pip": ".venv/bin/pip", "/opt/course/hub.txt": "deploy/hub.txt", "/opt/course/": "./"}
-    place.run(CONTAINER, replace=here)
+    place.run(
+        "/opt/venv/bin/pip install --no-cache-dir -c /opt/course/constraints.txt -r /opt/course/hub.txt"
+        " /opt/course/kinlib '/opt/course/misstep[grading,release]' /opt/course/kincourse",
+        replace={"/opt/venv/bin/pip": ".venv/bin/pip", "/opt/course/hub.txt": "deploy/hub.txt", "/opt/course/": "./"},
+    )
     place.run('python -c "import matplotlib.pyplot"', replace={"python": ".venv/bin/python"})
     (place.folder / "submissions" / "your id").mkdir(parents=True)
     shutil.copy(place.folder / SHEET, place.folder / "submissions" / "your id")
@@ -227,41 +202,32 @@ def container(place: Place) -> None:
 
 # --- an author of another course ---
 
-SITE_OF_A_COURSE = (
-    ".venv/bin/python -m pip install -e '.[site]'",
-    ".venv/bin/python -m pip wheel --no-deps --wheel-dir build/wheels . misstep",
-    ".venv/bin/python -m misstep release",
-    ".venv/bin/python -m sphinx -W . build/site",
-)
 
-
-@path(
-    "python -m pip install ./misstep", "misstep new-course my_course", "python -m venv .venv",
-    ".venv/bin/python -m pip install path/to/repository/misstep", ".venv/bin/python -m pip install -e '.[instructor]'",
-    ".venv/bin/python -m pytest", ".venv/bin/python -m misstep census --course my_course --students 10",
-    *SITE_OF_A_COURSE,
-)  # fmt: skip
+@path
 def new_course(place: Place) -> None:
     """From the engine alone to a course of its own, tested, released, and with a site."""
     place.run("python -m venv engine")
     place.run("python -m pip install ./misstep", replace={"python": "engine/bin/python"})
-    engine = place.folder / "misstep"
-    program = place.folder / "engine/bin/misstep"
+    engine, program = place.folder / "misstep", place.folder / "engine/bin/misstep"
     place.enter("courses")
     place.run("misstep new-course my_course", replace={"misstep": str(program)})
     place.enter("courses/my_course")
     place.run("python -m venv .venv")
     repository = {"path/to/repository/misstep": str(engine)}
     place.run(".venv/bin/python -m pip install path/to/repository/misstep", replace=repository)
-    for command in PATHS["new_course"].commands[4:7]:
-        place.run(command)
+    place.run(".venv/bin/python -m pip install -e '.[instructor]'")
+    place.run(".venv/bin/python -m pytest")
+    place.run(".venv/bin/python -m misstep census --course my_course --students 10")
     if place.run("python -c 'import sys; print(sys.version_info >= (3, 12))'").strip() == "False":
         raise NotTried("the site of a new course needs Python 3.12")
     settings = place.folder / "jupyter_lite_config.json"
     if not reachable(PYODIDE):
         settings.write_text(settings.read_text("utf-8").replace('"enabled": true', '"enabled": false'), "utf-8")
-    for command in SITE_OF_A_COURSE:
-        place.run(command, replace={". misstep": f". {engine}"} if "wheel" in command else None)
+    place.run(".venv/bin/python -m pip install -e '.[site]'")
+    wheels = ".venv/bin/python -m pip wheel --no-deps --wheel-dir build/wheels . misstep"
+    place.run(wheels, replace={". misstep": f". {engine}"})
+    place.run(".venv/bin/python -m misstep release")
+    place.run(".venv/bin/python -m sphinx -W . build/site")
     check_site_of_a_course(place)
 
 
@@ -280,53 +246,3 @@ def check_site_of_a_course(place: Place) -> None:
     lock = json.loads((built / "lite/static/pyodide-lock/pyodide-lock.json").read_text("utf-8"))
     if not {"my_course", "my-course"} & set(lock["packages"]) or "misstep" not in lock["packages"]:
         raise Failure("The Python of the browser must have the wheels of the course and the engine.")
-
-
-# --- what no path runs ---
-
-NOT_REHEARSED = {
-    "sudo ": "changes the machine; the line that installs the Hub is run without it",
-    "cd /srv/hub": "changes the machine",
-    "useradd": "changes the machine",
-    "chmod": "changes the machine",
-    "rm -rf": "changes the machine",
-    "apt-get": "changes the machine",
-    "python3 -m venv /opt/venv": "changes the machine; done in another folder",
-    "podman": "needs a container engine; container.yml runs it",
-    "docker": "needs a container engine; container.yml runs it",
-    "${{ matrix.engine }}": "needs a container engine; container.yml runs it",
-    "mkdir": "a preparation of container.yml",
-    "cp ": "a preparation of container.yml",
-    "grep ": "a check of a workflow",
-    "kubectl": "needs a cluster",
-    "helm": "needs a cluster",
-    "npx lighthouse": "needs 185 MB and a person who reads the report",
-    "npm ": "a test of the viewer runs it",
-    "npm run": "a test of the viewer runs it",
-    "python course.py test": "the whole suite; test.yml runs it on each system and Python",
-    '"$python" course.py test': "the whole suite; .ci/run runs it",
-    "nox -s ": "takes long or changes files; evidence.yml runs what proves something",
-    ".venv/bin/python -m nox -s ": "takes long or changes files; evidence.yml runs what proves something",
-    ".venv/bin/python -m mutmut": "shows one change of a mutation run",
-    "python tools/fresh": "the rehearsal itself",
-    "kincourse new-lecture": "adds a lecture; a test of kincourse does so",
-    "misstep grade ": "the same program with files that a person has; graded with other files",
-    "misstep census": "the census takes long; a new course runs one",
-    "python evidence/checks/judge_outside.py": "judges for minutes; a test judges a third of each sheet",
-    "misstep new-course": "run with a name",
-    "misstep unnamed": "needs the results of a graded class; a test of misstep has some",
-    ".venv/bin/misstep release": "the same program as `misstep release`",
-    "python -m kincourse": "the same program as `kincourse`",
-    "pip install pandas": "an example of a package of students",
-    ".venv/bin/pip install pandas": "an example of a package of students",
-    "pip install my_course": "a course that is published",
-    ".venv/bin/python -m jupyterlab": "needs a person; another path opens JupyterLab",
-    ".venv/bin/python -m http.server": "the standard library's server",
-    ".venv/bin/python -m misstep grade": "run in the tests of the new course",
-    ".venv/bin/python -m misstep new-problem": "a test of the guide of the engine runs it",
-    ".venv/bin/python -m misstep check": "a test of the guide of the engine runs it",
-    ".venv/bin/python -m misstep preview": "opens a page that a person reads; tests of misstep make it",
-    "dask": "needs several machines",
-    "pip install ./kinlib './misstep[grading,cluster]'": "needs several machines",
-}
-"""Commands of documents that no path runs, by how they begin, with the reason."""
