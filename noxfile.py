@@ -17,6 +17,7 @@ nox.options.sessions = ["lint"]
 
 PYTHON = sys.executable
 PINS = "constraints.txt"
+PACKAGES = ("kinlib", "misstep", "kincourse")
 PYTHONS = re.findall(r"Python :: (3\.\d+)", Path("pyproject.toml").read_text("utf-8"))
 UPLOADERS = (("twine==6.0.1", "pkginfo==1.12.0"), ("twine==6.1.0", "packaging==24.2"), ("twine", "packaging"))
 """What may upload a release: an action of GitHub brings along a version of its own, and each refuses metadata that it does not know."""
@@ -30,11 +31,15 @@ def run_pytest(session: nox.Session, *arguments: str, **settings: str) -> None:
 
 @nox.session
 def lint(session: nox.Session) -> None:
-    """Find mistakes without running the code: ruff, the format, dependencies that are not declared or not used, types."""
+    """Find mistakes without running the code: ruff, the format, types, dependencies that are not declared or not used."""
     session.run(PYTHON, "-m", "ruff", "check")
     session.run(PYTHON, "-m", "ruff", "format", "--check")
-    session.run(PYTHON, "tools/check_dependencies.py")
     session.run(PYTHON, "-m", "mypy")
+    for package in PACKAGES:
+        with session.chdir(package):
+            session.run(PYTHON, "-m", "deptry", ".")
+    session.run(PYTHON, "-m", "deptry", "notebooks", "exercises", "solutions")
+    session.run(PYTHON, "-m", "deptry", "site", "--ignore=DEP002,DEP004")  # its group is no dependency of the workspace
 
 
 @nox.session
@@ -184,7 +189,7 @@ def hooks(session: nox.Session) -> None:
 def distributions(session: nox.Session) -> None:
     """Build the wheels and source archives of the three packages in dist/, and check them; in an environment of its own."""
     session.install("build", "check-wheel-contents")
-    for package in ("kinlib", "misstep", "kincourse"):
+    for package in PACKAGES:
         session.run(
             "python", "-m", "build", "--outdir", "dist", package, env={"PIP_CONSTRAINT": str(Path(PINS).resolve())}
         )

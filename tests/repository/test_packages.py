@@ -1,4 +1,4 @@
-"""The packages as a release has them: types without a fault, and wheels with every file. `--quick` leaves these tests out."""
+"""The packages as a release has them: wheels with every file. `--quick` leaves these tests out."""
 
 import shutil
 import subprocess
@@ -9,11 +9,6 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-
-
-def test_mypy_finds_nothing():
-    done = subprocess.run([sys.executable, "-m", "mypy"], cwd=ROOT, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, f"{done.stdout}\n{done.stderr}"
 
 
 @pytest.mark.parametrize("package", ["kinlib", "misstep", "kincourse"])
