@@ -1,8 +1,9 @@
 """Screw axes in solutions: axes of joints, the adjoint, and the product of exponentials."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 
@@ -27,6 +28,7 @@ from misstep.mutants.operations import ANGLE, SLIDE, VECTOR, cross_product, radi
 MIN_SHIFT_M = 0.01
 """By how much another origin must change a moment, so that it can be seen that the points were measured from it."""
 
+ROWS_ADVICE = "The screws are rows: `S @ Ad.T`, not `S @ Ad`."
 ADJOINT_ADVICE = "The adjoint of $(R, p)$ has the blocks $R$ and $0$ above $[p]R$ and $R$."
 ORDER_ADVICE = (
     "Here a screw is $(\\omega, v)$, the rotation first, as in Modern Robotics; some books use the other order."
@@ -325,38 +327,27 @@ def _advancing_changes(node: Expression) -> Changes:
 def _change_of_frame_changes(node: Expression) -> Changes:
     T, S = node.arguments
     Ad = f"$\\mathrm{{Ad}}_{{{T.latex}}}$"
+    text, advice = f"use the transpose of {Ad}", ""
     if np.ndim(S.value) > 1:
-        text = f"multiply rows by {Ad} from the right, without its transpose"
-        advice = "The screws are rows: `S @ Ad.T`, not `S @ Ad`."
+        text, advice = f"multiply rows by {Ad} from the right, without its transpose", ROWS_ADVICE
         back = inverse(T)
         text_back = f"multiply rows by $\\mathrm{{Ad}}_{{{back.latex}}}$ from the right"
         yield Change("adjoint not transposed", text_back, advice=advice), _by_transposed_adjoint(back, S)
         if len(S.value) > 1:
             yield Change("rows reversed", "list the screws from the last joint to the first"), node[::-1]
-    else:
-        text, advice = f"use the transpose of {Ad}", ""
     yield Change("adjoint not transposed", text, advice=advice), _by_transposed_adjoint(T, S)
-    yield Change("only rotated", "rotate both halves without the change of origin"), _rotate_only(T, S)
-    text = "rotate both halves in the opposite direction, without the change of origin"
-    yield Change("only rotated", text), _rotate_back_only(T, S)
-    yield Change("only moved", "change the origin without rotating the axes"), _translate_only(T, S)
-    for text, wrong in _WRONG_PLACES.items() if T.operation is not inverse else ():
-        yield Change("position of the inverse", f"{text} ${T.latex}$", alone=True), change_frame(wrong(T), S)
-    for text, added in _WITHOUT_BRACKETS.items():
-        yield Change("p without brackets", f"add {text} to $R\\,v$", advice=ADJOINT_ADVICE, alone=True), added(T, S)
-    yield Change("only omega rotated", "rotate $\\omega$ only, with $v$ unchanged"), _rotate_omega(T, S)
-    yield Change("no moment", "rotate $\\omega$, with $v$ left at zero"), _rotate_omega(T, _without_v(S))
     yield Change("frame not changed", f"use ${S.latex}$ as it is given"), S
     yield Change("halves swapped", "swap the halves of the result", advice=ORDER_ADVICE), _swap_halves(node)
     text = f"multiply {Ad} entry by entry (`*` instead of `@`)"
     yield Change("entry by entry", text), _entry_by_entry(T, S)
-    for name, text, wrong in (
-        ("block on the wrong side", f"put the block $[p]R$ of {Ad} in the upper right corner", _upper),
-        ("sign in the adjoint", f"take the block $[p]R$ of {Ad} with the opposite sign", _negated),
-        ("order in the adjoint", f"write $R[p]$ instead of $[p]R$ in {Ad}", _r_before_p),
-        ("rotation left out of the block", f"write $[p]$ instead of $[p]R$ in {Ad}", _p_alone),
-    ):
-        yield Change(name, text, advice=ADJOINT_ADVICE), wrong(T, S)
+    for name, text, blocks in _WRONG_BLOCKS:
+        is_about_brackets = name == "p without brackets"
+        advice = ADJOINT_ADVICE if is_about_brackets or "{Ad}" in text else ""
+        change = Change(name, text.replace("{Ad}", Ad), advice=advice, alone=is_about_brackets)
+        yield change, Operation(name, partial(_by, blocks), "{1}".format)(T, S)
+    for text, pose in _WRONG_POSES.items() if T.operation is not inverse else ():
+        instead = Operation("another pose", pose, "{0}".format)(T)
+        yield Change("position of the inverse", f"{text} ${T.latex}$", alone=True), change_frame(instead, S)
 
 
 def revolute(omega: Expression, p: Expression) -> Expression:
@@ -380,28 +371,65 @@ def _joined(omega: Array, v: Array) -> Array:
     return np.concatenate([omega, v], axis=-1)
 
 
-def _by_blocks(T: Array, S: Array, sign: float = 1, upper: bool = False, swapped: bool = False) -> Array:
-    """Screws times a matrix that is the adjoint but for its block [p] R: of the opposite sign, in the upper right, or R [p]."""
+Blocks = Callable[[Array, Array], tuple[Any, Any, Any, Any]]
+"""The blocks of a matrix (6, 6), row after row, from R and [p]; 0 is a block of zeros."""
+
+
+def _matrix(blocks: Blocks, T: Array) -> Array:
     if T[3, :3].any():
         raise ValueError(f"The last row of a pose must be 0 0 0 1; got {T[3]}.")
-    R, p = T[:3, :3], T[:3, 3]
-    block = sign * (R @ hat(p) if swapped else hat(p) @ R)
-    omega, v = S[..., :3], S[..., 3:]
-    if upper:
-        return _joined(omega @ R.T + v @ block.T, v @ R.T)
-    return _joined(omega @ R.T, omega @ block.T + v @ R.T)
+    A = np.zeros((6, 6))
+    A[:3, :3], A[:3, 3:], A[3:, :3], A[3:, 3:] = blocks(T[:3, :3], hat(T[:3, 3]))
+    return A
 
 
-def _rotated(T: Array, S: Array) -> Array:
-    R = T[:3, :3]
-    return _joined(S[..., :3] @ R.T, S[..., 3:] @ R.T)
+def _by(blocks: Blocks, T: Array, S: Array) -> Array:
+    product: Array = S @ _matrix(blocks, T).T
+    return product
 
 
-def _moved(T: Array, S: Array) -> Array:
-    """The moments about the new origin, in the old axes: with T = (R, p), the new origin stands at -R^T p."""
-    R, p = T[:3, :3], T[:3, 3]
-    return _joined(S[..., :3], S[..., 3:] + np.cross(R.T @ p, S[..., :3]))
+def _adjoint(R: Array, P: Array) -> tuple[Any, Any, Any, Any]:
+    return R, 0, P @ R, R
 
+
+_WRONG_BLOCKS: tuple[tuple[str, str, Blocks], ...] = (
+    ("only rotated", "rotate both halves without the change of origin", lambda R, _: (R, 0, 0, R)),
+    (
+        "only rotated",
+        "rotate both halves in the opposite direction, without the change of origin",
+        lambda R, _: (R.T, 0, 0, R.T),
+    ),
+    ("only moved", "change the origin without rotating the axes", lambda R, P: (np.eye(3), 0, R.T @ P @ R, np.eye(3))),
+    *(
+        ("p without brackets", f"add ${sign}\\omega \\times p$, with the $p$ of the {which} pose, to $R\\,v$", blocks)
+        for sign, which, blocks in (
+            ("", "given", lambda R, P: (R, 0, -P, R)),
+            ("", "inverse", lambda R, P: (R, 0, R.T @ P @ R, R)),
+            ("-", "given", lambda R, P: (R, 0, P, R)),
+            ("-", "inverse", lambda R, P: (R, 0, -R.T @ P @ R, R)),
+        )
+    ),
+    ("only omega rotated", "rotate $\\omega$ only, with $v$ unchanged", lambda R, _: (R, 0, 0, np.eye(3))),
+    ("no moment", "rotate $\\omega$, with $v$ left at zero", lambda R, _: (R, 0, 0, 0)),
+    (
+        "block on the wrong side",
+        "put the block $[p]R$ of {Ad} in the upper right corner",
+        lambda R, P: (R, P @ R, 0, R),
+    ),
+    ("sign in the adjoint", "take the block $[p]R$ of {Ad} with the opposite sign", lambda R, P: (R, 0, -P @ R, R)),
+    ("order in the adjoint", "write $R[p]$ instead of $[p]R$ in {Ad}", lambda R, P: (R, 0, R @ P, R)),
+    ("rotation left out of the block", "write $[p]$ instead of $[p]R$ in {Ad}", lambda R, P: (R, 0, P, R)),
+)
+"""The matrices that people multiply screws by in place of the adjoint, and how they come about."""
+
+_WRONG_POSES: dict[str, Callable[[Array], Array]] = {
+    "use $-p$ and $R^T$ instead of $p$ and $R$ of": lambda T: homogeneous(T[:3, :3].T, -T[:3, 3]),
+    "use $R^T p$ instead of the position $p$ of": lambda T: with_position(T, T[:3, :3].T @ T[:3, 3]),
+    "use $-R^T p$, the position of the inverse, instead of the position $p$ of": lambda T: with_position(
+        T, -T[:3, :3].T @ T[:3, 3]
+    ),
+}
+"""Poses that people put into the adjoint in place of a given one."""
 
 tilted = Operation(
     "tilted axis",
@@ -421,7 +449,9 @@ moment = Operation("moment", lambda w, p: -cross_product(w, p), "-{0} \\times {1
 prismatic = Operation("prismatic", lambda d, _: _joined(0 * d, d), "(0, {0})".format, _slide_changes)
 """The screw (0, d) of a prismatic joint; the point where it is mounted plays no part, but people use it."""
 
-change_frame = Operation("adjoint", _by_blocks, "\\mathrm{{Ad}}_{{{0}}} {1}".format, _change_of_frame_changes)
+change_frame = Operation(
+    "adjoint", partial(_by, _adjoint), "\\mathrm{{Ad}}_{{{0}}} {1}".format, _change_of_frame_changes
+)
 """Screws S (6,) or (n, 6) in another frame: Ad_T S."""
 
 _negate_moments = Operation(
@@ -431,48 +461,8 @@ _negate_moments = Operation(
 )
 _tan = Operation("tangent", np.tan, "\\tan {0}".format)
 _swap_halves = Operation("halves swapped", lambda S: np.roll(S, 3, axis=-1), "{0}".format)
-_by_transposed_adjoint = Operation("transposed adjoint", lambda T, S: S @ _by_blocks(T, np.eye(6)).T, "{1}".format)
-_entry_by_entry = Operation("entry by entry", lambda T, S: S * _by_blocks(T, np.eye(6)).sum(axis=1), "{1}".format)
-_upper = Operation("upper block", lambda T, S: _by_blocks(T, S, upper=True), "{1}".format)
-_negated = Operation("negated block", lambda T, S: _by_blocks(T, S, sign=-1), "{1}".format)
-_r_before_p = Operation("swapped block", lambda T, S: _by_blocks(T, S, swapped=True), "{1}".format)
-_p_alone = Operation(
-    "p alone", lambda T, S: _rotated(T, S) + _joined(0 * S[..., :3], np.cross(T[:3, 3], S[..., :3])), "{1}".format
-)
-
-
-def _unbracketed(sign: int, of_inverse: bool, T: Array, S: Array) -> Array:
-    p = -T[:3, :3].T @ T[:3, 3] if of_inverse else T[:3, 3]
-    return _rotated(T, S) + _joined(0 * S[..., :3], sign * np.cross(S[..., :3], p))
-
-
-_WITHOUT_BRACKETS = {
-    f"${'-' * (sign < 0)}\\omega \\times p$, with the $p$ of the {which} pose,": Operation(
-        "p without brackets", partial(_unbracketed, sign, of_inverse), "{1}".format
-    )
-    for sign in (1, -1)
-    for of_inverse, which in ((False, "given"), (True, "inverse"))
-}
-"""What is added to R v in place of [p] R omega."""
-
-_WRONG_PLACES = {
-    "use $-p$ and $R^T$ instead of $p$ and $R$ of": Operation(
-        "R^T and -p", lambda T: homogeneous(T[:3, :3].T, -T[:3, 3]), "{0}".format
-    ),
-    "use $R^T p$ instead of the position $p$ of": Operation(
-        "R^T p", lambda T: with_position(T, T[:3, :3].T @ T[:3, 3]), "{0}".format
-    ),
-    "use $-R^T p$, the position of the inverse, instead of the position $p$ of": Operation(
-        "-R^T p", lambda T: with_position(T, -T[:3, :3].T @ T[:3, 3]), "{0}".format
-    ),
-}
-"""Poses that people put into the adjoint in place of a given one."""
-
-_rotate_omega = Operation("omega rotated", lambda T, S: _joined(S[..., :3] @ T[:3, :3].T, S[..., 3:]), "{1}".format)
-_without_v = Operation("without v", lambda S: _joined(S[..., :3], 0 * S[..., 3:]), "{0}".format)
-_rotate_back_only = Operation("only rotated back", lambda T, S: _rotated(T.T, S), "{1}".format)
-_rotate_only = Operation("only rotated", _rotated, "{1}".format)
-_translate_only = Operation("only moved", _moved, "{1}".format)
+_by_transposed_adjoint = Operation("transposed adjoint", lambda T, S: S @ _matrix(_adjoint, T), "{1}".format)
+_entry_by_entry = Operation("entry by entry", lambda T, S: S * _matrix(_adjoint, T).sum(axis=0), "{1}".format)
 _advancing = Operation("velocity", lambda turning, omega, _, h: turning + h * omega, lambda *_: "v", _advancing_changes)
 _once = Operation("one exponential", lambda *twists: exponential(sum(twists)), lambda *_: "")
 _JOINT_LENGTH = Operation("joint value", lambda: None, str, _joint_value_changes)
