@@ -16,8 +16,8 @@ from typing import Any, ClassVar
 import numpy as np
 
 from kincourse.answers.dh_row import has_a_telling_row, symbol
-from kincourse.answers.table_rows import POSE_TOLERANCE_FACTOR, frames_of, wrong_rows
-from kincourse.sampling.drawn_machines import is_in_several_rows
+from kincourse.answers.table_rows import POSE_TOLERANCE_FACTOR, wrong_rows
+from kincourse.sampling.drawn_machines import is_in_several_rows, table_frames
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import largest_difference, random_configurations
@@ -260,7 +260,7 @@ class DHTableAnswer(Answer):
             return _choices(self._diagnose(given))
         if given.joints != self.value.joints:
             return ""
-        theirs, ours = (frames_of(table) for table in (given, self.value))
+        theirs, ours = (table_frames(table) for table in (given, self.value))
         choices = [
             choice
             for i, (own, other) in enumerate(zip(ours, theirs, strict=True))

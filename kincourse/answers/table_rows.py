@@ -5,10 +5,10 @@ Rows as an answer, number by number, are in `dh_row`; what share of the points r
 
 from collections.abc import Iterator
 from functools import lru_cache
-from itertools import accumulate
 
 import numpy as np
 
+from kincourse.sampling.drawn_machines import table_frames
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.table import DHTable
@@ -35,7 +35,7 @@ def wrong_rows(given: DHTable, right: DHTable) -> tuple[int, ...]:
     >>> wrong_rows(right.changed(rows=flipped), right), wrong_rows(right.changed(rows=flipped * (1, -1, 1, 1)), right)
     ((), (1,))
     """
-    arm, frames, is_standard = right.to_chain(), frames_of(right), right.convention == "standard"
+    arm, frames, is_standard = right.to_chain(), table_frames(right), right.convention == "standard"
     order = range(right.n) if is_standard else range(right.n)[::-1]
     links = given.link_transforms(np.zeros(right.n))
     start, goal = given.base, frames[-1] @ right.tool @ inverse(given.tool)
@@ -54,11 +54,6 @@ def wrong_rows(given: DHTable, right: DHTable) -> tuple[int, ...]:
         ours = [goal] if following is None else _legal_frames(frames[i + is_standard], T, end)
         reached = kept + [(frame, (*fewest, i)) for frame in ours]
     return min((wrong for _, wrong in reached), key=len)
-
-
-def frames_of(table: DHTable) -> list[Array]:
-    """The frames at q = 0, from frame 0 to the last one, as {s} sees them."""
-    return list(accumulate([table.base, *table.link_transforms(np.zeros(table.n))], np.matmul))
 
 
 def _legal_frames(ours: Array, start: Array, end: Array) -> Iterator[Array]:

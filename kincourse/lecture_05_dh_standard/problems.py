@@ -255,9 +255,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
             dtype=float,
         ) * (1, RIGHT_ANGLE_RAD, 1, RIGHT_ANGLE_RAD)
         table = DHTable(rows, convention="standard", name="Frames 0 to 3")
-        links = table.link_transforms(np.zeros(3))
-        frames = [np.eye(4), links[0], links[0] @ links[1], links[0] @ links[1] @ links[2]]
-        places = [T[:3, 3] for T in frames]
+        places = [*table_frames(table)[:, :3, 3]]
     i, k = sampler.integer(0, 2), sampler.integer(0, 3)
     wrong = rows.copy()
     if k in {0, 2}:
@@ -271,7 +269,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
         statement="The table below was read from the drawn frames, at $q = 0$, in the standard convention. One entry is wrong. "
         f"Which one? Answer with its column and its row, such as `'d2'`.\n\n{printed}",
         figure=partial(draw_table, table, numbers=True),
-        given={"frames": np.array(frames), "rows": wrong},
+        given={"frames": table_frames(table), "rows": wrong},
         answer=Choice(answer, entry_names(3)),
         mistakes=other_entries(answer, 3, "standard"),
     )

@@ -6,10 +6,11 @@ numbers that are needed. Students see none of this: they get drawings with dimen
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import accumulate, count
+from itertools import count
 
 import numpy as np
 
+from kincourse.sampling.drawn_machines import table_frames
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import X, Y, Z, pose
@@ -115,7 +116,7 @@ class Machine:
     @property
     def frames(self) -> Array:
         """The prescribed frames 0 to n of the table in {s}, at home: (n + 1, 4, 4)."""
-        return frames_of(self.table)
+        return table_frames(self.table)
 
     @property
     def file_frames(self) -> Array:
@@ -163,7 +164,7 @@ def _draw(sampler: Sampler, kind: int | None) -> Machine:
         tool=pose(pattern.tool, (0, 0, 0)),
         name=pattern.name,
     )
-    frames = frames_of(table)
+    frames = table_frames(table)
     shifts = [STEP_M * step for step in sampler.shuffled(range(8, 21))[: 2 * table.n]]
     points, seats = [], []
     for i, frame in enumerate(frames[:-1]):
@@ -178,8 +179,3 @@ def _draw(sampler: Sampler, kind: int | None) -> Machine:
         for letter in table.joints
     ]
     return Machine(pattern.name, table, np.array(limits), np.array(points), np.array(seats))
-
-
-def frames_of(table: DHTable) -> Array:
-    """The frames 0 to n of a table in {s}, at home: (n + 1, 4, 4)."""
-    return np.array(list(accumulate([table.base, *table.link_transforms(np.zeros(table.n))], np.matmul)))

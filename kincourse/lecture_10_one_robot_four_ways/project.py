@@ -6,15 +6,17 @@ from another one. `verify` holds them against each other, against the log and ag
 
 from collections.abc import Sequence
 from functools import cached_property
+from itertools import accumulate
 from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kincourse.lecture_10_one_robot_four_ways.arms import draw_machine, frames_of
+from kincourse.lecture_10_one_robot_four_ways.arms import draw_machine
 from kincourse.lecture_10_one_robot_four_ways.paths import JointPath, draw_paths
 from kincourse.lecture_10_one_robot_four_ways.verification import (
     Log,
+    Product,
     Verification,
     of_body_screws,
     of_screws,
@@ -22,12 +24,11 @@ from kincourse.lecture_10_one_robot_four_ways.verification import (
     of_urdf,
     verify,
 )
+from kincourse.sampling.drawn_machines import draw_table_frames, table_frames
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.dh.table import DHTable
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
-from kinlib.urdf.chains import load_urdf
-from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from kinlib.view.drawing.picture import Picture
 from misstep.sampling import Sampler
@@ -76,26 +77,22 @@ class Project:
         Raises ValueError for another name.
         """
         machine, home = self._machine, self._machine.chain.home
+        if description not in ("screws", "table", "URDF"):
+            raise ValueError(f"description must be 'screws', 'table' or 'URDF'; got {description!r}.")
+        if description == "table":
+            return draw_table_frames(machine.table)
         tool_arrows = {f"{letter}T": (home[:3, 3], home[:3, k].round()) for k, letter in ((0, "x"), (2, "z"))}
-        marks: dict[str, Array]
         if description == "screws":
             marks, arrows = {f"P{i}": p for i, p in enumerate(machine.points, start=1)}, tool_arrows
-        elif description == "table":
-            marks = {f"D{i}": frame[:3, 3] for i, frame in enumerate(machine.frames)}
-            arrows = {f"x{i}": (frame[:3, 3], frame[:3, 0].round()) for i, frame in enumerate(machine.frames)}
-        elif description == "URDF":
-            marks = {f"F{i}": seat[:3, 3] for i, seat in enumerate(machine.seats, start=1)}
-            arrows = {f"x{i}": (seat[:3, 3], seat[:3, 0].round()) for i, seat in enumerate(machine.seats, start=1)}
-            arrows |= tool_arrows
         else:
-            raise ValueError(f"description must be 'screws', 'table' or 'URDF'; got {description!r}.")
+            marks = {f"F{i}": seat[:3, 3] for i, seat in enumerate(machine.seats, start=1)}
+            seats = enumerate(machine.seats, start=1)
+            arrows = {f"x{i}": (seat[:3, 3], seat[:3, 0].round()) for i, seat in seats} | tool_arrows
         axes = [
             DrawnAxis(str(i), frame[:3, 2].round(), frame[:3, 3], letter == "P")
             for i, (frame, letter) in enumerate(zip(machine.frames, self.joints, strict=False), start=1)
         ]
-        if description != "table":
-            marks["T"] = home[:3, 3]
-        return draw_dimensions(machine.frames[:, :3, 3], axes, marks, arrows=arrows)
+        return draw_dimensions(machine.frames[:, :3, 3], axes, {**marks, "T": home[:3, 3]}, arrows=arrows)
 
     @cached_property
     def log(self) -> Log:
@@ -158,7 +155,7 @@ class Project:
             off["table"] = self._off_mark_of_table(table) if table.n == self._machine.n else ""
         if is_written(urdf):
             products.append(of_urdf(urdf))
-            off["URDF"] = self._off_mark_of_urdf(urdf) if products[-1].n == self._machine.n else ""
+            off["URDF"] = self._off_mark_of_urdf(products[-1]) if products[-1].n == self._machine.n else ""
         if is_written(received):
             products.append(of_body_screws(*received))
         for product in products:
@@ -177,16 +174,16 @@ class Project:
 
     def _off_mark_of_table(self, table: DHTable) -> str:
         names = ["the base", *(f"row {i}" for i in range(1, table.n + 1))]
-        off = _first_off(frames_of(table), self._machine.frames, names)
+        off = _first_off(table_frames(table), self._machine.frames, names)
         return off or ("the tool" if not np.allclose(table.tool, self._machine.table.tool, atol=MARK_M) else "")
 
-    def _off_mark_of_urdf(self, text: str) -> str:
-        poses, axes = joint_frames(text)
-        names = [f"joint {i}" for i in range(1, len(poses) + 1)]
-        for name, own, axis, seat in zip(names, poses, axes, self._machine.seats, strict=True):
+    def _off_mark_of_urdf(self, file: Product) -> str:
+        *seats, tool = accumulate(file.constants, np.matmul)
+        axes = file.screws[:, :3] + file.screws[:, 3:]  # one of the halves is 0
+        for i, (own, axis, seat) in enumerate(zip(seats, axes, self._machine.seats, strict=True), start=1):
             if np.abs(own - seat).max() > MARK_M or np.abs(axis - (0, 0, 1)).max() > MARK_M:
-                return name
-        return "the tool" if np.abs(load_urdf(text).home - self._machine.chain.home).max() > MARK_M else ""
+                return f"joint {i}"
+        return "the tool" if np.abs(tool - self._machine.chain.home).max() > MARK_M else ""
 
 
 def open_project(student: str) -> Project:
@@ -203,21 +200,6 @@ def is_written(description: Any) -> TypeGuard[Any]:
     """Whether a student has written a description, so that it is not None, and neither is nor contains `...`."""
     parts = description if isinstance(description, tuple) else (description,)
     return not any(part is None or part is ... for part in parts)
-
-
-def joint_frames(text: str) -> tuple[Array, Array]:
-    """Read from a URDF the frames of its joints that move, in the frame of the base at home, and their axes in their own frames.
-
-    Returns (n, 4, 4) and (n, 3). Raises ValueError if the text is not a URDF of an open chain.
-    """
-    tree = Tree.from_urdf(text).link_tree
-    T, poses, axes = np.eye(4), [], []
-    for joint, _ in tree.path(tree.root, tree.tips(tree.root)[0]):
-        T = T @ joint.origin
-        if joint.moves:
-            poses.append(T)
-            axes.append(joint.axis)
-    return np.reshape(poses, (-1, 4, 4)), np.reshape(axes, (-1, 3))
 
 
 def _first_off(own: Array, drawn: Array, names: Sequence[str]) -> str:

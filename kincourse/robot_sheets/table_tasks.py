@@ -20,6 +20,7 @@ from kincourse.robot_sheets.sampling import (
 )
 from kincourse.robot_sheets.task import RobotTask, add_task
 from kincourse.sampling.arms import ArmSampler
+from kincourse.sampling.drawn_machines import table_frames
 from kincourse.text.joint_table import MARKS_BY_ROW, end_frames, given_frames, joint_table
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
@@ -97,9 +98,6 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
     """The one entry of a table that does not fit the drawn frames."""
     arm, cut, _ = _arm(robot, sampler)
     table = _assigned_table(arm, sampler.choice(("standard", "modified")))
-    frames = [table.base]
-    for link in table.link_transforms(np.zeros(table.n)):
-        frames.append(frames[-1] @ link)
     i, k = sampler.integer(0, table.n - 1), sampler.integer(0, 3)
     wrong = table.rows.copy()
     wrong[i, k] = _wrong_entry(sampler, wrong[i, k], COLUMNS[k], step_size(robot))
@@ -109,7 +107,7 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
         "configuration of the drawing. One entry is wrong. Which one? Answer with its column and its row, such as `'d2'`. The poses "
         f"of the frames in {{s}} are in `given.frames`.\n\n{_format_table(table.changed(rows=wrong))}",
         figure=partial(draw_table, table, numbers=True, path=False),
-        given={"frames": np.array(frames), "rows": wrong, "convention": table.convention},
+        given={"frames": table_frames(table), "rows": wrong, "convention": table.convention},
         answer=Choice(answer, entry_names(table.n)),
         mistakes=other_entries(answer, table.n, table.convention),
     )

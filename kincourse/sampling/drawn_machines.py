@@ -1,6 +1,7 @@
 """Machines in dimensioned drawings: random lengths that can be read off, and the mistakes that people make when they read them."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import accumulate
 
 import numpy as np
 
@@ -90,10 +91,7 @@ def _last_steps(values: Array) -> Array:
 
 def table_frames(table: DHTable) -> Array:
     """The frames 0 to n of a table in {s}, at home: (n + 1, 4, 4)."""
-    frames = [table.base]
-    for A in table.link_transforms(np.zeros(table.n)):
-        frames.append(frames[-1] @ A)
-    return np.array(frames)
+    return np.array([*accumulate([table.base, *table.link_transforms(np.zeros(table.n))], np.matmul)])
 
 
 def draw_table_frames(table: DHTable) -> Picture:
