@@ -9,20 +9,11 @@ from typing import NamedTuple
 import numpy as np
 
 from kincourse.sampling.drawn_machines import is_in_several_rows
-from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
+from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import Convention, DHTable
 from misstep.mistakes import Mistake, mistake
 
 A, ALPHA, D, THETA = range(4)
-
-
-def other_convention(table: DHTable) -> DHTable:
-    """The same rows, read in the other convention.
-
-    >>> other_convention(DHTable([[1, 0, 0, 0]], convention="standard")).convention
-    'modified'
-    """
-    return table.changed(convention=_other(table.convention))
 
 
 def z_on_the_wrong_joint(table: DHTable) -> DHTable:
@@ -50,16 +41,6 @@ def alpha_shifted(table: DHTable) -> DHTable:
     return table.changed(rows=rows)
 
 
-def lengths_swapped(table: DHTable) -> DHTable:
-    """a and d swapped in every row."""
-    return table.changed(rows=table.rows[:, [D, ALPHA, A, THETA]])
-
-
-def alpha_negated(table: DHTable) -> DHTable:
-    """Every alpha with its sign flipped."""
-    return table.changed(rows=table.rows * (1, -1, 1, 1))
-
-
 def in_degrees(table: DHTable) -> DHTable:
     """Angles given in degrees but read as radians, less full turns.
 
@@ -67,27 +48,15 @@ def in_degrees(table: DHTable) -> DHTable:
     array([2.0354])
     """
     rows = table.rows.copy()
-    for column in ANGLE_COLUMNS:
-        k = COLUMNS.index(column)
-        rows[:, k] = np.degrees(rows[:, k]) % (2 * np.pi)
+    rows[:, [ALPHA, THETA]] = np.degrees(rows[:, [ALPHA, THETA]]) % (2 * np.pi)
     return table.changed(rows=rows)
 
 
 def without_offset(table: DHTable) -> DHTable:
     """theta = q without an offset, in the row of each revolute joint."""
-    turns = np.array([letter == "R" for letter in table.joints])
     rows = table.rows.copy()
-    rows[turns, THETA] = 0.0
+    rows[[letter == "R" for letter in table.joints], THETA] = 0.0
     return table.changed(rows=rows)
-
-
-def prismatic_in_theta(table: DHTable) -> DHTable:
-    r"""The variable of every prismatic joint put into theta, as if the joint were revolute.
-
-    >>> prismatic_in_theta(DHTable("a|alpha|d|theta\n 0|0|q1|0", convention="standard")).joints
-    'R'
-    """
-    return table.changed(joints=table.joints.replace("P", "R"))
 
 
 def base_in_a_row(table: DHTable) -> DHTable:
@@ -126,7 +95,7 @@ class TableMistake(NamedTuple):
 
 TABLE_MISTAKES: Mapping[str, TableMistake] = {
     "the other convention": TableMistake(
-        other_convention,
+        lambda table: table.changed(convention=_other(table.convention)),
         "You multiplied the rows in the other convention. A standard row is $R_z T_z T_x R_x$, joint first; a modified row is "
         "$R_x T_x R_z T_z$, common normal first. The same numbers describe another arm.",
     ),
@@ -141,11 +110,11 @@ TABLE_MISTAKES: Mapping[str, TableMistake] = {
         "in a modified one it holds $\\alpha_{i-1}$.",
     ),
     "a and d swapped": TableMistake(
-        lengths_swapped,
+        lambda table: table.changed(rows=table.rows[:, [D, ALPHA, A, THETA]]),
         "You swapped $a$ and $d$. $d$ is measured along $z$, the joint axis, and $a$ along $x$, the common normal.",
     ),
     "sign of alpha": TableMistake(
-        alpha_negated,
+        lambda table: table.changed(rows=table.rows * (1, -1, 1, 1)),
         "Every $\\alpha$ has the wrong sign. Point your right thumb along $x$, the common normal: $\\alpha$ is positive if your "
         "fingers curl from the first $z$ to the next.",
     ),
@@ -159,7 +128,7 @@ TABLE_MISTAKES: Mapping[str, TableMistake] = {
         "where $q = 0$, is added to $q$.",
     ),
     "prismatic variable in theta": TableMistake(
-        prismatic_in_theta,
+        lambda table: table.changed(joints=table.joints.replace("P", "R")),
         "You put the variable of a prismatic joint into $\\theta$. A prismatic joint changes $d$; its $\\theta$ is a constant.",
     ),
     "off the normal": TableMistake(
@@ -172,11 +141,12 @@ TABLE_MISTAKES: Mapping[str, TableMistake] = {
 
 def table_mistakes(table: DHTable, *names: str) -> list[Mistake]:
     """The mistakes of these names for a problem whose answer is the table."""
-    wrong = {name: TABLE_MISTAKES[name].change(table) for name in names}
-    return [
-        mistake(name, other, TABLE_MISTAKES[name].message, spoils=is_in_several_rows(other.rows, table.rows))
-        for name, other in wrong.items()
-    ]
+    found = []
+    for name in names:
+        change, message = TABLE_MISTAKES[name]
+        wrong = change(table)
+        found.append(mistake(name, wrong, message, spoils=is_in_several_rows(wrong.rows, table.rows)))
+    return found
 
 
 def _other(convention: Convention) -> Convention:
