@@ -9,9 +9,10 @@ If all other joints are right, this is the factor of the joint in question, as i
 each q, with the same constants, only if the fault is there. The description itself never says where it is wrong.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial, reduce
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,21 +28,32 @@ POSITION_MM, ANGLE_DEG = 2.5, 0.5
 
 DIRECTIONS = np.concatenate([np.eye(3), -np.eye(3)])
 
+Candidates = Callable[[Array, Array], Iterator[Array]]
+"""Yields the factors of a place as they explain a log best, from what they must be at each q (m, n), both (m, 4, 4)."""
+
+
+class Place(NamedTuple):
+    """A place that a fault can have: the factors from start to end, and what else they may be."""
+
+    start: int
+    end: int
+    candidates: Candidates
+
 
 @dataclass(frozen=True, eq=False)
 class Product:
-    """A description as a product of constants and motions.
+    """A description as a product of constants and motions: factor 2 i is C_i, factor 2 i - 1 the motion of joint i.
 
     name       "screws", "table", ...
     constants  (n + 1, 4, 4) C_0 to C_n
     screws     (n, 6) S_1 to S_n, each in the frame at its place in the product
-    places     what is examined, by name: the places that a fault can have
+    places     what is examined, by name
     """
 
     name: str
     constants: Array
     screws: Array
-    places: Mapping[str, "Examine"]
+    places: Mapping[str, Place]
 
     @property
     def n(self) -> int:
@@ -53,26 +65,17 @@ class Product:
         return self._between(np.asarray(q, dtype=float), 0, 2 * self.n + 1)
 
     def _between(self, q: Array, start: int, end: int) -> Array:
-        """Multiply the factors from start to end: factor 2 i is C_i, factor 2 i - 1 the motion of joint i."""
         factors = [
             exp(self.screws[k // 2] * q[..., k // 2, None]) if k % 2 else self.constants[k // 2]
             for k in range(start, end)
         ]
         return reduce(np.matmul, factors, np.eye(4))
 
-    def peeled(self, log_: "Log", start: int, end: int) -> Array:
-        """Return what the factors from start to end must be at each measured q, if all others are right."""
-        before, behind = self._between(log_.q, 0, start), self._between(log_.q, end, 2 * self.n + 1)
-        return inverse(before) @ log_.poses @ inverse(behind)
-
-    def repaired(self, log_: "Log", start: int, end: int, middle: Array) -> float:
-        """Return the largest error against the log with other factors from start to end, in tolerances."""
-        before, behind = self._between(log_.q, 0, start), self._between(log_.q, end, 2 * self.n + 1)
-        return log_.error(before @ middle @ behind)
-
-
-Examine = Callable[[Product, "Log"], float]
-"""Returns the largest error against a log, in tolerances, with the factors of one place as they explain it best."""
+    def error_without(self, place: Place, log_: "Log") -> float:
+        """Return the largest error against a log, in tolerances, with the factors of one place as they explain it best."""
+        before, behind = self._between(log_.q, 0, place.start), self._between(log_.q, place.end, 2 * self.n + 1)
+        wanted = inverse(before) @ log_.poses @ inverse(behind)
+        return min(log_.error(before @ factors @ behind) for factors in place.candidates(wanted, log_.q))
 
 
 @dataclass(frozen=True, eq=False)
@@ -188,14 +191,14 @@ def of_screws(screws: ArrayLike, home: ArrayLike) -> Product:
     """The product of space screws (n, 6) and a home pose: e^{S_1 q_1} ... e^{S_n q_n} M."""
     S = np.asarray(screws, dtype=float)
     constants = np.array([*[np.eye(4)] * len(S), np.asarray(home, dtype=float)])
-    return Product("screws", constants, S, {**_screw_places(len(S)), "M": partial(_other_constant, len(S))})
+    return Product("screws", constants, S, _screw_places(len(S)) | {"M": _constant(len(S))})
 
 
 def of_body_screws(screws: ArrayLike, home: ArrayLike) -> Product:
     """The product of body screws (n, 6) and a home pose: M e^{B_1 q_1} ... e^{B_n q_n}."""
     B = np.asarray(screws, dtype=float)
     constants = np.array([np.asarray(home, dtype=float), *[np.eye(4)] * len(B)])
-    return Product("body screws", constants, B, {**_screw_places(len(B)), "M": partial(_other_constant, 0)})
+    return Product("body screws", constants, B, _screw_places(len(B)) | {"M": _constant(0)})
 
 
 def of_table(table: DHTable) -> Product:
@@ -208,13 +211,16 @@ def of_table(table: DHTable) -> Product:
             f"The table must be in the standard convention, with a joint in each row; got the {table.convention} convention and the "
             f"joints {table.joints}. The drawing prescribes standard frames."
         )
-    along = np.array([np.eye(6)[2 if letter == "R" else 5] for letter in table.joints]) * table.signs[:, None]
-    links = table.link_transforms(np.zeros(table.n))
+    n, along = table.n, np.array([np.eye(6)[2 if letter == "R" else 5] for letter in table.joints])
+    links = table.link_transforms(np.zeros(n))
     constants = np.array([table.base, *links[:-1], links[-1] @ table.tool])
-    ends = [*[np.eye(4)] * (table.n - 1), table.tool]
-    rows = {f"row {i}": partial(_other_row, i, end) for i, end in enumerate(ends, start=1)}
-    base, tool = (partial(_other_constant, i) for i in (0, table.n))
-    return Product("table", constants, along, {"the base": base, **rows, "the tool": tool})
+    ends = [*[np.eye(4)] * (n - 1), table.tool]
+    rows = {
+        f"row {i}": Place(2 * i - 1, 2 * i + 1, partial(_other_rows, i, axis, end))
+        for i, (axis, end) in enumerate(zip(along, ends, strict=True), start=1)
+    }
+    places = {"the base": _constant(0), **rows, "the tool": _constant(n)}
+    return Product("table", constants, along * table.signs[:, None], places)
 
 
 def of_urdf(text: str) -> Product:
@@ -230,9 +236,10 @@ def of_urdf(text: str) -> Product:
             slides = joint.type == "prismatic"
             screws.append(np.concatenate([0 * joint.axis, joint.axis] if slides else [joint.axis, 0 * joint.axis]))
             constants.append(np.eye(4))
-    n = len(screws)
-    joints = {f"joint {i}": partial(_other_origin, i) for i in range(1, n + 1)}
-    return Product("URDF", np.array(constants), np.array(screws), {**joints, "the tool": partial(_other_constant, n)})
+    joints = {
+        f"joint {i}": Place(2 * i - 2, 2 * i, partial(_other_origins, i, S)) for i, S in enumerate(screws, start=1)
+    }
+    return Product("URDF", np.array(constants), np.array(screws), {**joints, "the tool": _constant(len(screws))})
 
 
 def verify(products: Sequence[Product], log_: Log, off_marks: Mapping[str, str]) -> Verification:
@@ -250,53 +257,41 @@ def verify(products: Sequence[Product], log_: Log, off_marks: Mapping[str, str])
 def _find(product: Product, log_: Log, off_mark: str) -> Finding:
     poses = product.fk(log_.q)
     agrees = log_.error(poses) <= 1
-    fits = {} if agrees else {name: examine(product, log_) for name, examine in product.places.items()}
+    fits = {} if agrees else {name: product.error_without(place, log_) for name, place in product.places.items()}
     places = [name for name, error in sorted(fits.items(), key=lambda item: item[1]) if error <= 1]
     worst_mm, worst_deg = float(log_.distances_mm(poses).max()), float(log_.angles_deg(poses).max())
     return Finding(product.name, worst_mm, worst_deg, places, off_mark, agrees)
 
 
-def _screw_places(n: int) -> dict[str, Examine]:
-    return {f"joint {i}": partial(_other_screw, i) for i in range(1, n + 1)}
+def _screw_places(n: int) -> dict[str, Place]:
+    return {f"joint {i}": Place(2 * i - 1, 2 * i, partial(_other_screw, i)) for i in range(1, n + 1)}
 
 
-def _other_constant(i: int, product: Product, log_: Log) -> float:
-    """Whether another constant C_i explains the log."""
-    place = 2 * i, 2 * i + 1
-    return product.repaired(log_, *place, mean_pose(product.peeled(log_, *place)))
+def _constant(i: int) -> Place:
+    return Place(2 * i, 2 * i + 1, lambda wanted, _: iter([mean_pose(wanted)]))
 
 
-def _other_screw(i: int, product: Product, log_: Log) -> float:
-    """Whether another screw of joint i explains the log: then the logarithm of its factor is that screw times q_i."""
-    place, q = (2 * i - 1, 2 * i), log_.q[:, i - 1]
-    twists = log(product.peeled(log_, *place))
-    usable = np.abs(q) < np.pi
-    S = q[usable] @ twists[usable] / (q[usable] @ q[usable])
-    return product.repaired(log_, *place, exp(S * q[:, None]))
+def _other_screw(i: int, wanted: Array, q: Array) -> Iterator[Array]:
+    """The factor of another screw of joint i: if one explains the log, the logarithm of the factor is that screw times q_i."""
+    angle, twists = q[:, i - 1], log(wanted)
+    usable = np.abs(angle) < np.pi
+    S = angle[usable] @ twists[usable] / (angle[usable] @ angle[usable])
+    yield exp(S * angle[:, None])
 
 
-def _other_row(i: int, tool: Array, product: Product, log_: Log) -> float:
-    """Whether another row i explains the log: its motion is along its z, of either sign, and its constants are those of a DH row.
-
-    tool  (4, 4) what follows the row
-    """
-    place, errors = (2 * i - 1, 2 * i + 1), []
+def _other_rows(i: int, along: Array, tool: Array, wanted: Array, q: Array) -> Iterator[Array]:
+    """Another row i, before a tool: its motion is along z, of either sign, and its constants are those of a DH row."""
     for sign in (1, -1):
-        motion = exp(sign * np.abs(product.screws[i - 1]) * log_.q[:, i - 1, None])
-        row = nearest_row(mean_pose(inverse(motion) @ product.peeled(log_, *place) @ inverse(tool)))
-        errors.append(product.repaired(log_, *place, motion @ row @ tool))
-    return min(errors)
+        motion = exp(sign * along * q[:, i - 1, None])
+        yield motion @ nearest_row(mean_pose(inverse(motion) @ wanted @ inverse(tool))) @ tool
 
 
-def _other_origin(i: int, product: Product, log_: Log) -> float:
-    """Whether another origin of joint i, or another one of the axes x, y and z, explains the log."""
-    place, errors = (2 * i - 2, 2 * i), []
-    half = 0 if product.screws[i - 1, :3].any() else 3
-    for axis in (product.screws[i - 1, half : half + 3], *DIRECTIONS):
-        motion = exp(np.roll([*axis, 0, 0, 0], half) * log_.q[:, i - 1, None])
-        origin = mean_pose(product.peeled(log_, *place) @ inverse(motion))
-        errors.append(product.repaired(log_, *place, origin @ motion))
-    return min(errors)
+def _other_origins(i: int, screw: Array, wanted: Array, q: Array) -> Iterator[Array]:
+    """Another origin of joint i, with its own axis or another one of the axes x, y and z."""
+    half = 0 if screw[:3].any() else 3
+    for axis in (screw[half : half + 3], *DIRECTIONS):
+        motion = exp(np.roll([*axis, 0, 0, 0], half) * q[:, i - 1, None])
+        yield mean_pose(wanted @ inverse(motion)) @ motion
 
 
 def mean_pose(poses: Array) -> Array:
