@@ -8,6 +8,7 @@ from numpy import cos, sin
 
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp as exponential
+from kinlib.rigid.lie import hat
 from misstep.mutants.expression import Change, Changes, Expression, Operation, given
 from misstep.mutants.operations import ANGLE, unit
 
@@ -133,16 +134,6 @@ def angle_symbol(theta: float) -> Expression:
     """
     text = "convert $\\theta$ from degrees to radians, although it is in radians"
     return given("\\theta", theta, ANGLE).mistaken_for(np.radians(theta), "converted to radians", text)
-
-
-def hat(w: Array) -> Array:
-    """The matrix [w] (3, 3) of w (3,), without the checks of `kinlib.rigid.lie.hat`, because each mutant computes it.
-
-    >>> hat(np.array([1.0, 2.0, 3.0]))[0]
-    array([ 0., -3.,  2.])
-    """
-    x, y, z = w
-    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
 def truncated(A: Array, terms: int) -> Array:

@@ -1,4 +1,4 @@
-"""Four-bar linkages and slider-cranks in closed form, by the intersection of circles.
+"""Four-bar linkages in closed form, by the intersection of circles.
 
 This is a second method, independent of the iterative solver in `kinlib.mechanisms`, because a student may use that solver.
 """
@@ -76,21 +76,6 @@ class FourBar(NamedTuple):
         q = np.stack([np.full(2, A), coupler - A, rocker, coupler - rocker], axis=1)
         return wrap_angle(q)
 
-    def dead_point(self) -> float:
-        """The largest crank angle, in radians, at which the loop closes: coupler and rocker are stretched into one line there.
-
-        Raises ValueError if the crank makes full turns, or if it is limited by a folded coupler and rocker instead.
-
-        >>> round(float(np.degrees(FourBar(0.5, 0.3, 0.3, 0.3).dead_point())), 2)
-        93.82
-        """
-        cos_crank_angle = self.cos_crank_angle(self.coupler + self.rocker)
-        if not -1 < cos_crank_angle < 1:
-            raise ValueError(
-                f"The crank must be limited by a stretched coupler and rocker; got {self}, which has no such dead point."
-            )
-        return float(np.arccos(cos_crank_angle))
-
     def cos_crank_angle(self, distance: float) -> float:
         """The cosine of the crank angle at which B and D are `distance` metres apart, by the law of cosines.
 
@@ -98,15 +83,3 @@ class FourBar(NamedTuple):
         0.0
         """
         return (self.ground**2 + self.crank**2 - distance**2) / (2 * self.ground * self.crank)
-
-
-def slider_position(crank: float, rod: float, offset: float, A: float, side: int = 1) -> float:
-    """The position x of the slider of a slider-crank, in metres, at the crank angle A in radians.
-
-    offset  the y coordinate of the line of the slider, in metres
-    side    1 for the slider on the far side of B, -1 for the near side
-
-    >>> slider_position(3, 5, 0, np.pi / 2)
-    4.0
-    """
-    return float(crank * np.cos(A) + side * np.sqrt(rod**2 - (offset - crank * np.sin(A)) ** 2))

@@ -1,4 +1,4 @@
-"""Four-bars and slider-cranks in closed form, against the iterative solver of kinlib and against the given lengths."""
+"""Four-bars in closed form, against SymPy, mpmath and printed values."""
 
 import mpmath
 import numpy as np
@@ -8,7 +8,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from mpmath_oracle import intersections
 
-from kincourse.sampling.four_bar_geometry import FourBar, slider_position
+from kincourse.sampling.four_bar_geometry import FourBar
 from kinlib.rigid.angles import wrap_angle
 
 lengths = st.floats(0.1, 2)
@@ -18,8 +18,6 @@ angles = st.floats(-np.pi, np.pi)
 def test_what_has_no_solution_is_refused():
     with pytest.raises(ValueError, match="B and D are 5 m apart: circles with radii 1 and 1 m do not meet"):
         FourBar(4, 1, 1, 1).pin_positions(np.pi)
-    with pytest.raises(ValueError, match="must be limited by a stretched coupler"):
-        FourBar(0.4, 0.1, 0.35, 0.3).dead_point()
     with pytest.raises(ValueError, match="B must not coincide with D"):
         FourBar(1, 1, 2, 2).pin_positions(0.0)
 
@@ -48,26 +46,14 @@ def test_the_pins_are_at_the_intersections_of_circles_with_30_digits(four, A):
     np.testing.assert_allclose(wrap_angle(np.array(q, dtype=float))[inside], turned[inside], rtol=0, atol=1e-11)
 
 
-@pytest.mark.oracle("sympy", FourBar.dead_point, FourBar.cos_crank_angle)
+@pytest.mark.oracle("sympy", FourBar.cos_crank_angle)
 @pytest.mark.parametrize("four", [(0.5, 0.3, 0.3, 0.3), (0.4, 0.3, 0.2, 0.4), (4, 2, 2.5, 3)])
 def test_the_dead_point_is_an_angle_of_sympys_triangle(four):
     """The sides are ground, crank, and coupler plus rocker in one line; the angle at A is opposite to the last side."""
     ground, crank, coupler, rocker = map(sp.Rational, map(str, four))
     A, D, B = sp.Triangle(sss=(ground, coupler + rocker, crank)).vertices
     angle = sp.Triangle(A, D, B).angles[A]
-    assert FourBar(*four).dead_point() == pytest.approx(float(angle), abs=1e-12)
     assert FourBar(*four).cos_crank_angle(float(coupler + rocker)) == pytest.approx(float(sp.cos(angle)), abs=1e-12)
-
-
-@pytest.mark.oracle("mpmath", slider_position)
-@given(lengths, st.floats(0.2, 3), st.floats(-0.5, 0.5), angles, st.sampled_from([1, -1]))
-def test_the_position_of_the_slider_is_a_root_of_its_quadratic(crank, rod, offset, A, side):
-    """The roots of (x - B_x)^2 + (e - B_y)^2 = l^2, from mpmath."""
-    height = offset - crank * np.sin(A)
-    assume(abs(height) < rod - 1e-3)
-    x = crank * np.cos(A)
-    roots = sorted(float(root.real) for root in mpmath.polyroots([1, -2 * x, x * x + height**2 - rod**2]))
-    assert slider_position(crank, rod, offset, A, side) == pytest.approx(roots[side > 0], abs=1e-9)
 
 
 @pytest.mark.oracle("printed: Grashof (1883)", FourBar.grashof_excess)

@@ -2,7 +2,6 @@
 
 import re
 from functools import reduce
-from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -10,6 +9,7 @@ import pytest
 from kincourse.lecture_10_one_robot_four_ways.arms import KINDS, draw_machine
 from kincourse.lecture_10_one_robot_four_ways.paths import CONTACT_M, EFFECTS, effect_of
 from kincourse.lecture_10_one_robot_four_ways.project import Project
+from kincourse.text.urdf_text import UrdfJoint, serial_urdf
 from kinlib.chains.robots import pose
 from kinlib.dh.assignment import assign_frames
 from kinlib.rigid.lie import adjoint, exp, inverse
@@ -21,27 +21,14 @@ MACHINES = range(len(KINDS))
 
 def write_urdf(frames, joints, limits):
     """Write a URDF from frames in {s}: the base, one for each joint with its axis along z, and the tool."""
-    names = ["base", *(f"link_{i}" for i in range(1, len(joints) + 1)), "tool"]
-    lines = ['<robot name="project">', *(f'  <link name="{name}"/>' for name in names)]
-    for i, (parent, child) in enumerate(pairwise(names)):
-        step = inverse(frames[i]) @ frames[i + 1]
-        xyz, rpy = (
-            " ".join(f"{x:.6g}" for x in np.round(v, 9) + 0.0) for v in (step[:3, 3], roll_pitch_yaw(step[:3, :3]))
-        )
-        kind = "fixed" if i == len(joints) else "prismatic" if joints[i] == "P" else "revolute"
-        lines += [
-            f'  <joint name="joint_{i + 1}" type="{kind}">',
-            f'    <parent link="{parent}"/> <child link="{child}"/>',
-        ]
-        lines += [f'    <origin xyz="{xyz}" rpy="{rpy}"/>']
-        if kind != "fixed":
-            low, high = limits[i]
-            lines += [
-                '    <axis xyz="0 0 1"/>',
-                f'    <limit lower="{low:.4f}" upper="{high:.4f}" effort="1" velocity="1"/>',
-            ]
-        lines += ["  </joint>"]
-    return "\n".join([*lines, "</robot>"])
+    steps = inverse(frames[:-1]) @ frames[1:]
+    kinds = [{"P": "prismatic", "R": "revolute"}[letter] for letter in joints]
+    further = [[f'<limit lower="{low:.4f}" upper="{high:.4f}" effort="1" velocity="1"/>'] for low, high in limits]
+    written = [
+        UrdfJoint(f"joint_{i}", step[:3, 3], roll_pitch_yaw(step[:3, :3]), kind=kind, further=limit)
+        for i, (step, kind, limit) in enumerate(zip(steps, [*kinds, "fixed"], [*further, []], strict=True), start=1)
+    ]
+    return serial_urdf(written, ["base", *(f"link_{i}" for i in range(1, len(joints) + 1)), "tool"])
 
 
 def descriptions(student, kind=None):

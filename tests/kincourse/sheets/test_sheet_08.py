@@ -3,7 +3,7 @@
 import numpy as np
 
 from kincourse import open_sheet
-from kincourse.sampling.four_bar_geometry import FourBar, slider_position
+from kincourse.sampling.four_bar_geometry import FourBar
 from kinlib.rigid.lie import exp, inverse, log
 
 STUDENTS = [f"student {i}" for i in range(6)]
@@ -12,12 +12,13 @@ STUDENTS = [f"student {i}" for i in range(6)]
 def test_a_mirrored_linkage_is_explained_by_the_convention():
     for student in STUDENTS:
         sheet = open_sheet("08_closed_chains", student)
-        given = {k: sheet.given(k) for k in (2, 3, 4, 7)}
+        given = {k: sheet.given(k) for k in (2, 4)}
         below = FourBar(*given[2].bars).assembly_modes(-np.radians(given[2].degrees))[:, 2]
         x, y = sheet.problem(3).answer.value
-        slider = given[4]
-        other_side = slider_position(slider.crank, slider.rod, slider.offset, -np.radians(slider.degrees))
-        answers = {2: below, 3: (x, -y), 4: other_side, 7: -FourBar(*given[7].bars).dead_point()}
+        slider, A = given[4], np.radians(given[4].degrees)
+        height = slider.offset + slider.crank * np.sin(A)
+        other_side = slider.crank * np.cos(A) + np.sqrt(slider.rod**2 - height**2)
+        answers = {2: below, 3: (x, -y), 4: other_side, 7: -sheet.problem(7).answer.value}
         for k, answer in answers.items():
             verdict = sheet.check(k, answer)
             assert verdict.score == 0
