@@ -7,7 +7,8 @@ How one submission gets its grade, in the order of reading:
         files, layouts, roster   the files of a folder or a zip file, and which student each of them belongs to
         gather                   one Submission for each student
         notebook, run_plan       its code cells, and what is run of them: with the sheet's own check cells
-    jobs         the submissions that have no result yet, each with a fingerprint of what its result depends on
+    jobs         the submissions that have no result yet
+    fingerprint  a digest of everything that a result depends on, the code included
     fork_server  the one way in which processes are started, ended and asked: a server imports everything once, and forks
     steps        functions that run in such processes with limits on processor time and memory, and what they return
     reader_process   the steps that read what students wrote: nothing else outside of the sandbox does

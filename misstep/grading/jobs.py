@@ -8,8 +8,8 @@ from typing import TypeVar
 from misstep.grading.collect.files import UnreadableFile, list_names
 from misstep.grading.collect.gather import Submission
 from misstep.grading.collect.run_plan import ReleasedSheet
+from misstep.grading.fingerprint import fingerprint
 from misstep.grading.judging.result import ABSENT, Result
-from misstep.grading.publish.result_store import fingerprint
 
 Job = TypeVar("Job")
 Outcome = TypeVar("Outcome")

@@ -1,20 +1,17 @@
 """The result store: a file for each student, written completely or not at all, so that grading can be stopped at any moment.
 
-A result is stored with a fingerprint of everything that it depends on: the notebook, the sheet, the limits, and the code
-that the sheet and the grader import. The next run asks for results by their fingerprints, and grades only what has none.
+A result is stored with its fingerprint. The next run asks for results by their fingerprints, and grades only what has none.
 """
 
 import fcntl
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-from misstep.grading.code_digest import code_digest
-from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging.result import ProblemResult, RanCell, Result
 
 FORMAT_VERSION = 5
@@ -37,34 +34,8 @@ def file_name(student: str) -> str:
     name = quote(student, safe=" @+,=", errors="surrogatepass")
     name = name.replace(".", "%2E", 1) if name.startswith(".") else name
     if len(name) > MAX_NAME_LENGTH:
-        name = f"{name[: MAX_NAME_LENGTH - 17]}%{sha256(_encode(student)).hexdigest()[:16]}"
+        name = f"{name[: MAX_NAME_LENGTH - 17]}%{sha256(student.encode(errors='surrogatepass')).hexdigest()[:16]}"
     return name or "%"
-
-
-def fingerprint(sheet: ReleasedSheet, way: str, parts: Sequence[str | bytes | None]) -> str:
-    """A digest of everything that a result depends on.
-
-    way    how submissions run: the limits, and whether in the sandbox
-    parts  what belongs to one submission
-    """
-    robot = sheet.folder / f"{sheet.name}.json"
-    common = [
-        code_digest(sheet.course, sheet.name),
-        sheet.name,
-        sheet.site,
-        sheet.opening,
-        sheet.key,
-        sha256(sheet.solution).hexdigest(),
-        sorted(sheet.checks.items()),
-        way,
-        robot.read_text("utf-8") if robot.exists() else "",
-    ]
-    digests = [part if part is None else sha256(_encode(part)).hexdigest() for part in parts]
-    return sha256(json.dumps([*common, digests]).encode()).hexdigest()
-
-
-def _encode(part: str | bytes) -> bytes:
-    return part if isinstance(part, bytes) else part.encode(errors="surrogatepass")
 
 
 def write_if_changed(path: Path, content: str) -> bool:

@@ -47,7 +47,7 @@ def setup_for(course: Course, *more_hidden: Path) -> CourseSetup:
             f"The course {course.package} must be a folder on the disk, so that submissions can be kept from reading it; "
             f"it is in {course.folder}. Install it unpacked, or pass its folder with --course."
         )
-    readable = [str(folder) for package in course.requires for folder in _required_folders(package)]
+    readable = [str(folder) for folder in required_folders(course)]
     hidden = {engine_folder(), course.folder, *more_hidden, *_folders(course.package)}
     for entry in entry_points(group=ENTRY_POINT_GROUP):
         hidden |= {*_folders(entry.module.partition(".")[0])}
@@ -56,22 +56,17 @@ def setup_for(course: Course, *more_hidden: Path) -> CourseSetup:
     )
 
 
-def code_folders(course: Course) -> list[Path]:
-    """The folders whose code a result depends on: the engine, the course, and the packages that the course requires."""
-    required = [folder for package in course.requires for folder in _required_folders(package)]
-    return [engine_folder(), course.folder, *required]
-
-
 def engine_folder() -> Path:
     """The folder of the package misstep."""
     return Path(__file__).parents[2]
 
 
-def _required_folders(package: str) -> list[Path]:
-    folders = sorted({*_folders(package)})
-    if not folders:
-        raise ValueError(f"The course requires the package {package!r}, which is not installed here.")
-    return folders
+def required_folders(course: Course) -> list[Path]:
+    """The folders of the packages that a course requires. Raises ValueError for one that is not installed."""
+    found = {package: sorted({*_folders(package)}) for package in course.requires}
+    if missing := [package for package, folders in found.items() if not folders]:
+        raise ValueError(f"The course requires the package {missing[0]!r}, which is not installed here.")
+    return [folder for folders in found.values() for folder in folders]
 
 
 def _folders(package: str) -> Iterator[Path]:
@@ -113,21 +108,7 @@ def _withhold(self: Unavailable, *_: Any, **__: Any) -> Any:
 
 
 BINARY = ("add", "sub", "mul", "truediv", "matmul", "pow", "mod", "floordiv")
-OTHERS = (
-    "call",
-    "getitem",
-    "iter",
-    "len",
-    "bool",
-    "float",
-    "int",
-    "index",
-    "array",
-    "enter",
-    "exit",
-    "contains",
-    "neg",
-)
+OTHERS = ("call", "getitem", "contains", "iter", "len", "bool", "float", "int", "index", "array", "enter", "exit", "neg")
 for _name in (*BINARY, *(f"r{name}" for name in BINARY), *OTHERS):
     setattr(Unavailable, f"__{_name}__", _withhold)
 

@@ -260,7 +260,7 @@ def test_what_changed_or_cannot_be_read_is_graded_again_and_nothing_else(folder,
     assert asked() == ["ada", "bob", "cyn"]  # what cannot be read is made anew
     assert grade(folder, out, "--unsafe-no-sandbox") == 0  # another way to run is another result
     assert asked() == ["ada", "bob", "cyn"]
-    monkeypatch.setattr("misstep.grading.publish.result_store.code_digest", lambda *_: "a problem was changed")
+    monkeypatch.setattr("misstep.grading.fingerprint.code_digest", lambda *_: "a problem was changed")
     assert grade(folder, out, "--unsafe-no-sandbox") == 0
     assert asked() == ["ada", "bob", "cyn"]
 
@@ -444,27 +444,37 @@ def with_points(result, points):
 
 def test_a_change_in_the_sheet_of_another_lecture_grades_nothing_again(tmp_path, monkeypatch):
     from misstep.catalog import Course
-    from misstep.grading import code_digest
+    from misstep.grading import fingerprint
 
-    for name in ("__init__", "lecture_01_ohm/problems", "lecture_02_loops/problems", "laws"):
-        path = tmp_path / "circuits" / f"{name}.py"
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text("from circuits import laws\n" if name.endswith("problems") else "")
-    course = Course("circuits")
-    monkeypatch.setattr(Course, "folder", tmp_path / "circuits")
-    monkeypatch.setattr(code_digest, "find_course", lambda _: course)
+    course = tmp_path / "circuits"
+    text = {
+        "laws": "",
+        "lecture_01_ohm": "",
+        "lecture_02_loops": "",
+        "lecture_03_power": "from . import lecture_01_ohm\n",
+    }
 
     def digests():
-        code_digest.code_digest.cache_clear()
-        return [code_digest.code_digest("circuits", sheet) for sheet in ("01_ohm", "02_loops")]
+        for name, source in text.items():
+            path = course / name / "problems.py" if name.startswith("lecture") else course / f"{name}.py"
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(source)
+        fingerprint.code_digest.cache_clear()
+        return [fingerprint.code_digest("circuits", sheet) for sheet in ("01_ohm", "02_loops", "03_power")]
 
+    monkeypatch.setattr(Course, "folder", course)
+    monkeypatch.setattr(fingerprint, "find_course", lambda _: Course("circuits"))
     before = digests()
-    (tmp_path / "circuits" / "lecture_02_loops" / "problems.py").write_text("from circuits import laws  # mended\n")
-    second = digests()
-    assert [a == b for a, b in zip(before, second, strict=True)] == [True, False]
-    (tmp_path / "circuits" / "laws.py").write_text("V = 1\n")
-    assert not {*second} & {*digests()}
-    code_digest.code_digest.cache_clear()
+    for changed, again in {
+        "lecture_01_ohm": [True, False, True],
+        "lecture_02_loops": [False, True, False],
+        "laws": [True, True, True],
+    }.items():
+        text[changed] += "# mended\n"
+        after = digests()
+        assert [a != b for a, b in zip(before, after, strict=True)] == again
+        before = after
+    fingerprint.code_digest.cache_clear()
 
 
 @pytest.mark.usefixtures("asked")
