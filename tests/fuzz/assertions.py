@@ -1,7 +1,6 @@
 """Claims that several fuzz targets check: an error explains itself, a pose is rigid, a verdict is complete."""
 
 import json
-import math
 import re
 import signal
 import traceback
@@ -57,13 +56,12 @@ def limit_processor_time(seconds):
 def assert_verdict(verdict):
     from misstep.grading.publish.pages import STATE_LABELS  # grading cannot be imported on Windows
 
-    fraction, state = verdict["fraction"], verdict["state"]
-    assert math.isfinite(fraction)
-    assert 0 <= fraction <= 1
+    points, state, text = verdict.points, verdict.state, verdict.verdict
+    assert 0 <= points <= verdict.max
     assert state in STATE_LABELS
-    assert (state == "right") == (fraction == 1)
-    assert (state in {"blank", "unreadable", "wrong", "missing"}) == (fraction == 0)
-    assert "could not be judged" not in verdict["verdict"], verdict["verdict"][-300:]
-    assert state in {"right", "missing"} or len(verdict["verdict"].splitlines()) > 2, "there is no reason"
-    assert len(verdict["verdict"]) < 5000, verdict["verdict"][:300]
-    json.dumps(verdict, allow_nan=False)
+    assert (state == "right") == (points == verdict.max)
+    assert (state in {"blank", "unreadable", "wrong", "missing"}) == (points == 0)
+    assert "could not be judged" not in text, text[-300:]
+    assert state in {"right", "missing"} or len(text.splitlines()) > 2, "there is no reason"
+    assert len(text) < 5000, text[:300]
+    json.dumps(vars(verdict), allow_nan=False)

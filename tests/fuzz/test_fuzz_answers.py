@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 from functools import cache
 
 from assertions import assert_explained, assert_verdict, limit_processor_time
@@ -13,7 +14,7 @@ from typed_answers import as_typed, typable
 
 from kincourse import find_sheet, sheets
 from misstep.grading.judging import judge_process as judging
-from misstep.grading.judging.result import ProblemResult, Result
+from misstep.grading.judging.result import Result
 from misstep.grading.publish.shared_answers import find_matches
 from misstep.grading.sandbox.limits import Limits
 from misstep.storage.deserialize import Malformed, from_data
@@ -68,12 +69,8 @@ def test_any_answer_data_gets_a_complete_verdict(case):
     with limit_processor_time(Limits.answer_seconds):
         verdict = judging.verdict_on(template, problem(place), data, "")
     assert_verdict(verdict)
-    points = template.points * verdict["fraction"]
-    shown = verdict["verdict"], verdict["statement"], verdict["mistakes"]
-    result = ProblemResult(template.number, template.title, points, template.points, verdict["state"], *shown)
-    theirs = ProblemResult(**{**vars(result), "answer": data, "right": verdict["right"]})
-    other = ProblemResult(**{**vars(result), "answer": answers(place)[0], "right": answers(place)[0], "state": "right"})
-    find_matches([_result(student, told) for student, told in {"ada": theirs, "bob": other}.items()])
+    other = replace(verdict, answer=answers(place)[0], right=answers(place)[0], state="right")
+    find_matches([_result(student, told) for student, told in {"ada": verdict, "bob": other}.items()])
 
 
 def assert_read_and_written(data):

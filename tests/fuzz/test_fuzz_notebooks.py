@@ -125,7 +125,7 @@ class Rehearsal(Grader):
         self._reader = Here({"plan": plan_run, "parse": parse_output})
         self._judge = Here(judging.steps_of(COURSE, sheet.name))
         self._covered = ()
-        self._templates = judging.problems(COURSE, sheet.name)
+        self._unanswered = judging.problems(COURSE, sheet.name)
 
 
 @cache

@@ -45,6 +45,8 @@ TYPED_NOTE = (
     "what is right for the other numbers too has points."
 )
 
+NOT_JUDGED = "This answer could not be judged. Please tell your instructor."
+
 ENDED_ITSELF = "the process ended itself"
 
 
@@ -97,7 +99,7 @@ class Grader:
             self._runner = Runner(setup_for(find_course(sheet.course), sheet.folder), is_safe)
             opened.callback(self._runner.close)
             try:
-                self._templates: list[tuple[str, str, int]] = self._judge.do("problems")
+                self._unanswered: list[ProblemResult] = self._judge.do("problems")
             except StepFailed as error:
                 raise ValueError(f"The judge cannot open sheet {sheet.name}: {error}") from error
             if sheet.key:
@@ -132,15 +134,13 @@ class Grader:
                 seed_id = student if seed_id is None else seed_id or plan.typed_id or student
                 seed, run = self._run_for(judge, plan, seed_id)
             except UnusableNotebook as error:
-                problems = self._problem_results({}, {}, {})
                 limits = [str(error)] if isinstance(error, UnreadInTime) else []
-                return self._result(student, "broken", str(error), problems, digest=digest, limits=limits)
+                return self._result(student, "broken", str(error), self._unanswered, digest=digest, limits=limits)
             answers = run.parsed.answers
             verdicts, limits = self._verdicts(judge, seed_id, seed, answers)
-            limits = [*run.limits, *limits]
-            if any(verdicts[k]["fraction"] for k in self._covered):
-                redrawn, more_limits = self._redrawn_fractions(judge, plan, seed_id, self._covered, answers)
-                verdicts |= {k: {**verdicts[k], "redrawn": redrawn[k]} for k in redrawn}
+            limits, redrawn = [*run.limits, *limits], dict[int, float]()
+            if any(verdicts[k].points for k in self._covered):
+                redrawn, more_limits = self._redrawn_points(judge, plan, seed_id, self._covered, answers)
                 limits += more_limits
         notes = {
             k: [*plan.remarks.get(k, ()), *filter(None, [run.parsed.check_errors.get(k)])] for k in self.sheet.checks
@@ -150,7 +150,7 @@ class Grader:
             student,
             status,
             reason,
-            self._problem_results(verdicts, answers, notes),
+            self._problem_results(verdicts, answers, notes, redrawn),
             notes=run.parsed.remarks,
             typed_id=run.parsed.typed_id,
             digest=digest,
@@ -184,27 +184,27 @@ class Grader:
         )
 
     def _problem_results(
-        self, verdicts: Mapping[int, Any], answers: Mapping[int, Any], notes: Mapping[int, Sequence[str]]
+        self,
+        verdicts: Mapping[int, ProblemResult],
+        answers: Mapping[int, Any],
+        notes: Mapping[int, Sequence[str]],
+        redrawn: Mapping[int, float],
     ) -> list[ProblemResult]:
+        """The verdicts with what else is known: the notes on cells, and the points with other numbers, if there are any."""
         results = []
-        for k, (number, title, max_points) in enumerate(self._templates, start=1):
-            verdict = {**(verdicts.get(k) or NO_ANSWER)}
-            fraction = verdict.pop("fraction")
-            counting = min(fraction, verdict.pop("redrawn", 1.0))
-            if k not in answers:
-                verdict["state"] = "missing"
-            own_points = max_points * float(fraction)
-            typed = [TYPED_NOTE.format(own_points, number, k)] if counting < fraction else []
+        for k, one in verdicts.items():
+            points = min(one.points, redrawn.get(k, one.points))
+            typed = [TYPED_NOTE.format(one.points, one.number, k)] if points < one.points else []
+            state = one.state if k in answers else "missing"
+            own_points = one.points if k in self._covered else None
             results.append(
-                ProblemResult(
-                    number,
-                    title,
-                    max_points * float(counting),
-                    max_points,
+                replace(
+                    one,
+                    points=points,
+                    state=state,
                     notes=[*notes.get(k, ()), *typed],
                     answer=answers.get(k),
-                    own_points=own_points if k in self._covered else None,
-                    **verdict,
+                    own_points=own_points,
                 )
             )
         return results
@@ -264,11 +264,11 @@ class Grader:
                     seed, run = self._run_for(judge, plan, student)
                     answers = run.parsed.answers
                     own, _ = self._verdicts(judge, student, seed, answers)
-                    redrawn, _ = self._redrawn_fractions(judge, plan, student, sorted(covered), answers)
+                    redrawn, _ = self._redrawn_points(judge, plan, student, sorted(covered), answers)
                 except UnusableNotebook:
                     covered.clear()
                     break
-                covered = {k for k in covered if redrawn[k] == own[k]["fraction"] == 1.0}
+                covered = {k for k in covered if redrawn[k] == own[k].points == own[k].max}
         if not covered:
             raise ValueError(
                 "With a key, SHEET must be the notebook with the solution, solutions/X/X.ipynb: the key applies to the "
@@ -276,10 +276,10 @@ class Grader:
             )
         return sorted(covered)
 
-    def _redrawn_fractions(
+    def _redrawn_points(
         self, judge: StepProcess, plan: RunPlan, student: str, problems: Sequence[int], own_answers: Mapping[int, Any]
     ) -> tuple[dict[int, float], list[str]]:
-        """How much of each answer is right when the sheet runs with other numbers, in the best of some draws; and reached limits.
+        """The points of each answer when the sheet runs with other numbers, in the best of some draws; and reached limits.
 
         An answer that stays the same although the right one is another has no part right, even where the two agree.
         """
@@ -289,18 +289,18 @@ class Grader:
             seed, run = self._run_for(judge, plan, student, draw)
             verdicts, judge_limits = self._verdicts(judge, student, seed, run.parsed.answers, draw)
             changed = [k for k in best if run.parsed.answers.get(k) != own_answers.get(k)]
-            best |= {k: max(best[k], verdicts[k]["fraction"]) for k in changed}
+            best |= {k: max(best[k], verdicts[k].points) for k in changed}
             limits += [*run.limits, *judge_limits]
         return best, limits
 
     def _verdicts(
         self, judge: StepProcess, student: str, seed: int, answers: Mapping[int, Any], draw: Draw | None = None
-    ) -> tuple[dict[int, dict[str, Any]], list[str]]:
+    ) -> tuple[dict[int, ProblemResult], list[str]]:
         """The verdict on each problem, and the limits that were reached. An answer that reaches one is judged as unreadable."""
-        verdicts, limits = dict[int, dict[str, Any]](), list[str]()
+        verdicts, limits = dict[int, ProblemResult](), list[str]()
         common = {"student": student, "seed": seed, "site": self.sheet.site, "draw": draw}
-        for k in range(1, len(self._templates) + 1):
-            verdicts[k] = NOT_JUDGED
+        for k, unanswered in enumerate(self._unanswered, start=1):
+            verdicts[k] = replace(unanswered, state="unreadable", verdict=NOT_JUDGED)
             data = answers.get(k)
             for _ in range(2):
                 try:
@@ -309,16 +309,8 @@ class Grader:
                 except StepFailed as error:
                     limits.append(f"answer {k}: {error}")
                     data = {"other": f"an answer that cannot be judged: {error}"}
-            judge.is_spoiled |= verdicts[k]["state"] == "unreadable"
+            judge.is_spoiled |= verdicts[k].state == "unreadable"
         return verdicts, limits
-
-
-NO_ANSWER = {"state": "missing", "fraction": 0.0, "verdict": "No answer was received for this problem."}
-NOT_JUDGED = {
-    "state": "unreadable",
-    "fraction": 0.0,
-    "verdict": "This answer could not be judged. Please tell your instructor.",
-}
 
 
 def _status(plan: RunPlan, run: Run) -> tuple[str, str]:

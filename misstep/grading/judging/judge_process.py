@@ -3,7 +3,7 @@
     python -m misstep.grading.judging.judge_process DESCRIPTOR
 
 This is the server of the processes that judge, with the course and the sheet; each step is done in one of them. "problems" returns the
-numbers, titles and points of the sheet's problems. "redacted sheet" returns a student's sheet without answers, and a seed from which the
+results of a student of whom no answer was received. "redacted sheet" returns a student's sheet without answers, and a seed from which the
 inputs of function answers are drawn anew in every run. "verdict" judges one answer. The kernel ends a process if one answer takes longer
 than it may, also inside a single call of C code; the answers after it are judged in the next process. So a slow answer costs its own
 problem, and no other.
@@ -26,6 +26,7 @@ from misstep.display.card import Link
 from misstep.display.lecture_address import page_address
 from misstep.grading.fork_server import greet, run_server
 from misstep.grading.judging.redraw import Draw, redraw
+from misstep.grading.judging.result import ProblemResult
 from misstep.grading.redacted_sheet import redact
 from misstep.grading.steps import Steps, serve_steps
 from misstep.judge import Finding, Judgement, judge
@@ -38,6 +39,8 @@ from misstep.verdict import Verdict, observation
 UNSOLVED = {"partly", "wrong", "unreadable"}
 """The states of an answer that must be mended, for which feedback shows the figure of the problem."""
 
+NO_ANSWER = "No answer was received for this problem."
+
 GC_THRESHOLD = 100_000
 """How many objects are made before garbage is collected: mutants make many, and with Python's 700 it took a sixth of the time."""
 
@@ -48,9 +51,12 @@ def steps_of(course: Course, sheet: str) -> Steps:
     return {name: partial(step, course, sheet) for name, step in steps.items()}
 
 
-def problems(course: Course, sheet: str) -> list[tuple[str, str, int]]:
-    """The number, the title and the points of each problem."""
-    return [(template.number, template.title, template.points) for template in course.find_sheet(sheet).problems]
+def problems(course: Course, sheet: str) -> list[ProblemResult]:
+    """The results of a student of whom no answer was received."""
+    return [
+        ProblemResult(template.number, template.title, 0.0, template.points, "missing", NO_ANSWER)
+        for template in course.find_sheet(sheet).problems
+    ]
 
 
 def redacted_sheet(course: Course, sheet: str, student: str, draw: Draw | None = None) -> tuple[int, str]:
@@ -62,7 +68,7 @@ def redacted_sheet(course: Course, sheet: str, student: str, draw: Draw | None =
 
 def verdict(
     course: Course, sheet: str, student: str, k: int, data: Any, *, seed: int, site: str = "", draw: Draw | None = None
-) -> dict[str, Any]:
+) -> ProblemResult:
     """Judge the answer to problem k, from 1, of a run with this seed; without an answer, the problem is blank.
 
     site  the address of the course's site
@@ -72,25 +78,29 @@ def verdict(
     return verdict_on(template, problem, data, page_address(template.lecture, site))
 
 
-def verdict_on(template: Template, problem: Problem, data: Any, address: str) -> dict[str, Any]:
-    """Judge an answer to a variant of a problem: the fields of its ProblemResult, and the fraction of the points.
+def verdict_on(template: Template, problem: Problem, data: Any, address: str) -> ProblemResult:
+    """Judge an answer to a variant of a problem.
 
     address  of the section that the verdict names
     """
     made = Verdict(template, _judge_answer(problem, data), address=address)
     card, seen = made.card, observation(template, problem, [made.judgement])
-    return {
-        "state": made.judgement.state,
-        "fraction": made.judgement.fraction,
-        "mistakes": [*made.judgement.mistakes],
-        "possible": [*seen.possible],
-        "explanations": seen.explanations,
-        "verdict": card.text(),
-        "statement": problem.statement,
-        "figure": figure_html(problem) if made.judgement.state in UNSOLVED else "",
-        "address": card.body[-1].address if isinstance(card.body[-1], Link) else "",
-        "right": to_data(problem.answer.value),
-    }
+    return ProblemResult(
+        template.number,
+        template.title,
+        template.points * float(made.judgement.fraction),
+        template.points,
+        made.judgement.state,
+        card.text(),
+        statement=problem.statement,
+        mistakes=[*made.judgement.mistakes],
+        answer=data,
+        right=to_data(problem.answer.value),
+        possible=[*seen.possible],
+        explanations=seen.explanations,
+        address=card.body[-1].address if isinstance(card.body[-1], Link) else "",
+        figure=figure_html(problem) if made.judgement.state in UNSOLVED else "",
+    )
 
 
 @lru_cache(maxsize=2)  # the student's own numbers, and with a key other ones, are needed for each answer

@@ -108,8 +108,8 @@ def _withhold(self: Unavailable, *_: Any, **__: Any) -> Any:
 
 
 BINARY = ("add", "sub", "mul", "truediv", "matmul", "pow", "mod", "floordiv")
-OTHERS = ("call", "getitem", "contains", "iter", "len", "bool", "float", "int", "index", "array", "enter", "exit", "neg")
-for _name in (*BINARY, *(f"r{name}" for name in BINARY), *OTHERS):
+USES = ("call", "getitem", "contains", "iter", "len", "enter", "exit", "neg", "bool", "float", "int", "index", "array")
+for _name in (*BINARY, *(f"r{name}" for name in BINARY), *USES):
     setattr(Unavailable, f"__{_name}__", _withhold)
 
 

@@ -38,4 +38,4 @@ def test_every_official_solution_has_full_marks_in_the_sandbox(name, runner):
     outcome = runner.run(redacted, [cell.source for cell in plan.cells], Limits())
     parsed = parse_output(name, plan, outcome.output, SAMPLE_ID)
     verdicts = submissions.verdicts(name, SAMPLE_ID, seed, parsed.answers)
-    assert not [verdict["verdict"] for verdict in verdicts.values() if verdict["fraction"] < 1]
+    assert not [one.verdict for one in verdicts.values() if one.points < one.max]

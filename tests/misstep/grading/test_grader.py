@@ -20,7 +20,7 @@ from misstep.grading.collect.notebook import UnusableNotebook
 from misstep.grading.collect.run_plan import PlannedCell, ReleasedSheet, RunPlan, plan_run, read_released_sheet
 from misstep.grading.fork_server import child_environment
 from misstep.grading.judging import judge_process
-from misstep.grading.judging.grader import NOT_JUDGED, Grader, start_judge
+from misstep.grading.judging.grader import Grader, start_judge
 from misstep.grading.judging.parse_output import parse_output
 from misstep.grading.publish.mathml import render_sentence
 from misstep.grading.sandbox.course_stub import setup_for
@@ -76,13 +76,13 @@ def test_the_judge_gives_full_points_for_right_answers_and_names_mistakes(name):
         told = verdicts(name, "ada", seed, {k: json.loads(json.dumps(one)) for k, one in data.items()})
         for k in values:
             verdict = told[k]
-            assert (verdict["fraction"] == 1) == (wanted == "right")
+            assert (verdict.points == verdict.max) == (wanted == "right")
             if wanted == "right":
-                assert not verdict["mistakes"]
+                assert not verdict.mistakes
             else:
                 seen = judge(problems[k - 1], as_typed(values[k])).findings[0]  # it may come before the mistake
-                assert mistaken[k].names in verdict["explanations"][0] or seen.mistake == "metres"
-                assert verdict["explanations"][0] == seen.alternatives
+                assert mistaken[k].names in verdict.explanations[0] or seen.mistake == "metres"
+                assert verdict.explanations[0] == seen.alternatives
 
 
 def test_a_paper_has_other_inputs_each_time_and_the_judge_knows_them_by_the_seed():
@@ -101,9 +101,9 @@ def test_a_verdict_says_why_and_has_the_section_the_problem_and_its_figure_if_th
     for site in ("https://example.org/course/", ""):
         told = verdicts(sheet.name, "ada", 0, answers, site=site)
         page = f"{site}lectures/03_poe_space.html#{section}" if site else ""
-        assert [told[k]["address"] for k in (1, 2, 3)] == ["", page, ""]
-    assert [told[k]["statement"] for k in (1, 2, 3)] == [t.variant("ada").statement for t in sheet.problems[:3]]
-    assert ["<figure" in told[k]["figure"] for k in (1, 2, 3)] == [False, True, False]
+        assert [told[k].address for k in (1, 2, 3)] == ["", page, ""]
+    assert [told[k].statement for k in (1, 2, 3)] == [t.variant("ada").statement for t in sheet.problems[:3]]
+    assert ["<figure" in told[k].figure for k in (1, 2, 3)] == [False, True, False]
     for data, words in [
         ({"score": 3}, "no known form"),
         ({"other": "frame"}, "got frame"),
@@ -115,10 +115,10 @@ def test_a_verdict_says_why_and_has_the_section_the_problem_and_its_figure_if_th
         ),
     ]:
         verdict = judge_process.verdict(COURSE, sheet.name, "ada", 1, data, seed=0)
-        assert verdict["fraction"] == 0
-        assert words in verdict["verdict"]
+        assert verdict.points == 0
+        assert words in verdict.verdict
     hostile = {"list": [{"text": "<script>alert(1)</script>"}]}
-    lines = judge_process.verdict(COURSE, sheet.name, "ada", 6, hostile, seed=0)["verdict"].splitlines()
+    lines = judge_process.verdict(COURSE, sheet.name, "ada", 6, hostile, seed=0).verdict.splitlines()
     quoted = "".join(map(str, map(render_sentence, lines)))
     assert "&lt;script&gt;" in quoted
     assert "<script" not in quoted
@@ -195,13 +195,13 @@ def slow_judge(tmp_path_factory):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
     sheet = ReleasedSheet("01_slow", tmp_path, {}, str(tmp_path / "slow_course"))
-    grader = SimpleNamespace(_templates=[(), ()], sheet=sheet, _limits=Limits())
     with start_judge(sheet) as started:
+        grader = SimpleNamespace(_unanswered=started.do("problems"), sheet=sheet, _limits=Limits())
 
         def ask(student, first):
             with started.process() as judge:
                 told, _ = Grader._verdicts(grader, judge, student, 0, {1: {"number": first}, 2: {"number": 1.0}})
-            return [told[k]["state"] for k in (1, 2)], told[1]["verdict"]
+            return [told[k].state for k in (1, 2)], told[1].verdict
 
         ask.judge, ask.folder = started, tmp_path
         yield ask
@@ -240,9 +240,8 @@ def test_each_student_of_a_long_row_gets_the_verdicts_that_the_student_would_get
         for k in range(LEASES_PER_PROCESS + 2):  # so that one process ends and the next one begins
             asked = {"student": f"student {k}", "k": 1, "data": own, "seed": 1}
             told, alone = judge.do("verdict", **asked), judge_process.verdict(COURSE, sheet.name, **asked)
-            for said in ("state", "fraction", "mistakes", "verdict", "statement", "right"):
-                assert told[said] == alone[said]
-            assert (told["state"] == "right") == (k == 0)
+            assert told == alone
+            assert (told.state == "right") == (k == 0)
 
 
 def test_a_judge_that_ends_while_it_draws_says_so_and_draws_again_for_the_next_request(slow_judge):
@@ -252,17 +251,6 @@ def test_a_judge_that_ends_while_it_draws_says_so_and_draws_again_for_the_next_r
         slow_judge.judge.do("redacted sheet", student="fred")
     (slow_judge.folder / "abort").unlink()
     assert slow_judge.judge.do("redacted sheet", student="fred")
-
-
-def test_a_problem_without_an_answer_earns_nothing():
-    course = SimpleNamespace(_templates=[("01.1", "A pose", 2), ("01.2", "A rotation", 3)], _covered=())
-    for told in ({}, {1: None}):
-        results = Grader._problem_results(course, told, {}, {})
-        assert [(one.number, one.points, one.max, one.state) for one in results] == [
-            ("01.1", 0, 2, "missing"),
-            ("01.2", 0, 3, "missing"),
-        ]
-    assert NOT_JUDGED["fraction"] == 0
 
 
 # --- what is heard ---
