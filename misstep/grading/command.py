@@ -19,12 +19,13 @@ import errno
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from dataclasses import dataclass, fields
 from functools import partial
 from importlib.util import find_spec
 from itertools import chain
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from misstep.grading.collect.gather import Submission, WrongRoster, gather
 from misstep.grading.collect.roster import read_roster
@@ -40,7 +41,10 @@ from misstep.grading.publish.result_store import FolderInUse, ResultStore, open_
 from misstep.grading.reader_process import start_reader
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
 from misstep.grading.steps import StepFailed, StepProcesses
-from misstep.grading.write_results import ResultWriter, opened_gradebook
+from misstep.grading.write_results import ResultWriter
+
+if TYPE_CHECKING:
+    from misstep.grading.nbgrader.gradebook import GradebookWriter
 
 REQUIRED = ("IPython", "jinja2", "latex2mathml", "mistune", "tqdm", "yaml")
 """The packages of the extra. They are imported where they are used, because that takes long."""
@@ -156,8 +160,7 @@ def _explain(error: OSError) -> str:
 
 def _run(options: argparse.Namespace) -> int:
     limits = _read_limits(options.limit)
-    if options.late:
-        LateRule.parse(options.late)  # what is wrong with it is said before anything is graded
+    late = LateRule.parse(options.late) if options.late else None
     sheet = read_released_sheet(options.sheet, options.course, options.site, _read_key(options.key, options.key_file))
     roster = read_roster(options.roster, options.id_column) if options.roster else None
     gathered = gather(options.submissions, sheet.name, roster)
@@ -166,15 +169,15 @@ def _run(options: argparse.Namespace) -> int:
         print(remark)
     with (
         open_results(options.out, sheet.name) as store,
-        opened_gradebook(options.gradebook, sheet, overwrite=options.regrade is not None) as gradebook,
+        _open_gradebook(options, sheet) as gradebook,
         ThreadPoolExecutor(options.jobs) as pool,
         start_reader(has_gradebook=gradebook is not None) as reader,
     ):
         write_template(options.out)
-        check_overrides(options.out, bool(options.late))
+        check_overrides(options.out, has_late_rule=late is not None)
         failures, limited = Run(options, sheet, limits, reader, store, pool).grade(selected)
         students = [submission.student for submission in gathered.submissions]
-        writer = ResultWriter(options.out, reader, pool, options.late)
+        writer = ResultWriter(options.out, reader, pool, late)
         if gradebook:
             writer.fill_gradebook(gradebook, selected)
         writer.write_pages(students)
@@ -186,7 +189,7 @@ def _run(options: argparse.Namespace) -> int:
             roster=roster,
             column=options.column,
             limits=str(limits),
-            late=options.late,
+            late=late,
         )
         write_feedback_zip(options.out, gathered, sheet.name)
     summary += [f"Limits: {limits}.", *sorted(writer.remarks)]
@@ -199,6 +202,17 @@ def _run(options: argparse.Namespace) -> int:
     for student, error in failures.items():
         print(f"Not graded: {student}: {error!r}. The same command tries again.", file=sys.stderr)
     return 1 if failures else 0
+
+
+def _open_gradebook(
+    options: argparse.Namespace, sheet: ReleasedSheet
+) -> "AbstractContextManager[GradebookWriter | None]":
+    """The gradebook of the nbgrader course, if there is one."""
+    if options.gradebook is None:
+        return nullcontext()
+    from misstep.grading.nbgrader.gradebook import open_gradebook  # here, because it takes a second to import
+
+    return open_gradebook(options.gradebook, sheet, overwrite=options.regrade is not None)
 
 
 def _read_limits(settings: Sequence[str]) -> Limits:

@@ -13,7 +13,6 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from functools import partial
 from multiprocessing.connection import Connection
-from types import TracebackType
 from typing import Any
 
 from misstep.grading.collect.notebook import UnusableNotebook
@@ -56,9 +55,7 @@ class StepProcesses:
     def __enter__(self) -> "StepProcesses":
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     @contextmanager

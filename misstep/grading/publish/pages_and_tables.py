@@ -19,24 +19,20 @@ from misstep.grading.publish.shared_answers import find_matches, matches_table
 LEFT_OUT = "This page has only your points, because the rest of it could not be made within the limits. Please tell your instructor."
 
 
-def write_page(out: Path, student: str, late: str, is_short: bool = False) -> None:
+def write_page(out: Path, student: str, late: LateRule | None, is_short: bool = False) -> None:
     """Write a student's page from the stored result, if there is one.
 
-    late      the rule for late days as text, "" for none
+    late      the rule for late days
     is_short  whether the page has the points only, because nothing else of this result can be read within the limits
     """
     if result := ResultStore(out).load(student):
-        result = apply_overrides(result, read_overrides(out).get(student, ()), _late_rule(late))
+        result = apply_overrides(result, read_overrides(out).get(student, ()), late)
         if is_short:
             problems = [
                 replace(one, verdict=LEFT_OUT, notes=[], statement="", figure="", address="") for one in result.problems
             ]
             result = replace(result, cells=[], notes=[LEFT_OUT], problems=problems, reason="")
         write_if_changed(out / "feedback" / f"{file_name(student)}.html", feedback_page(result))
-
-
-def _late_rule(text: str) -> LateRule | None:
-    return LateRule.parse(text) if text else None
 
 
 def write_tables(
@@ -46,20 +42,20 @@ def write_tables(
     column: str | None = None,
     *,
     limits: str = "",
-    late: str = "",
+    late: LateRule | None = None,
 ) -> list[str]:
     """Write all tables and the report, and return a short summary. Files whose content stays the same are not touched.
 
     column  the column of the sheet on the platform
     limits  what each submission might use, in words
-    late    the rule for late days as text, "" for none
+    late    the rule for late days
     """
     store = ResultStore(out)
     # A thousand results with all pictures would not fit into memory.
     loaded = (replace(result, cells=()) for student in students if (result := store.load(student)))
     overrides = read_overrides(out)
     graded = list(loaded)
-    results = [apply_overrides(result, overrides.get(result.student, ()), _late_rule(late)) for result in graded]
+    results = [apply_overrides(result, overrides.get(result.student, ()), late) for result in graded]
     if not results:
         return ["Nothing is graded yet."]
     if to_mark := marking_page(graded, overrides):
