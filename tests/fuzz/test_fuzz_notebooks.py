@@ -66,7 +66,7 @@ ROSTERS = (
     "First Name,Last Name,SID,Email\nAda,L,007,ada@x\nBob,B,8,bob@x\n",
 )
 WORDS = rf"""
-"cells"  "cell_type"  "code"  "source"  "metadata"  "nbgrader"  "grade_id"  "check-1"  "worksheets"  NaN  Infinity  null
+"cells"  "cell_type"  "code"  "source"  "metadata"  "nbgrader"  "grade_id"  "check-1"  NaN  Infinity  null
 [[  {{}}  []  <<<<<<< a  =======  student = 'x'  open_sheet(\"{SHEET}\"  open_sheet('01_frames')  \ud800  %PDF  PK
 check-0  check-001  check-999  check-٣  check-1  cell_type  grade_id
 """
@@ -141,11 +141,10 @@ def handed_out():
 def cases():
     """A folder or a zip, its files by name, the roster, and the changes to the zip and to the output of the runs."""
     whole = [json.loads(released().read_text("utf-8")), handed_in("ada", right("ada")), handed_in("bob", right("ada"))]
-    old = {"nbformat": 3, "worksheets": [{"cells": [{**cell, "input": cell["source"]} for cell in whole[1]["cells"]]}]}
     small = {
         "cells": [{"cell_type": "code", "source": ["student = 'ada'\n", f"sheet = open_sheet('{SHEET}', student)"]}]
     }
-    documents = [*whole, whole[1], old, small]
+    documents = [*whole, whole[1], small]
     as_json = corrupted_json(st.sampled_from(documents), pieces(WORDS)).map(as_bytes_of)
     as_text = corrupted_texts(st.sampled_from([as_bytes(each).decode() for each in documents]), WORDS).map(_encoded)
     codings = st.sampled_from(documents).map(lambda each: json.dumps(each).encode("utf-16"))

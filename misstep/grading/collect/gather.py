@@ -10,7 +10,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from misstep.grading.collect.files import File, UnreadableFile, list_files, list_names
-from misstep.grading.collect.layouts import Layout, StudentFiles, detect_layout
+from misstep.grading.collect.layouts import StudentFiles, detect_layout
 from misstep.grading.collect.roster import Roster
 
 MAX_NOTEBOOKS = 3
@@ -65,13 +65,13 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
 
     Raises ValueError if there are no submissions, and WrongRoster if more than half of them are not in the roster.
     """
-    layout = detect_layout(list_files(source), sheet)
+    kind, students = detect_layout(list_files(source), sheet)
     remarks: list[str] = []
-    tests = [student for student in layout.students if roster and student.key and student.key in roster.test_keys]
-    submissions = [_submission(student, sheet, layout, roster) for student in layout.students if student not in tests]
-    if layout.kind in PLATFORMS and roster is None:
+    tests = [student for student in students if roster and student.key and student.key in roster.test_keys]
+    submissions = [_submission(student, sheet, kind, roster) for student in students if student not in tests]
+    if kind in PLATFORMS and roster is None:
         remarks.append(
-            f"This is a download from {layout.kind.capitalize()}, and there is no --roster with the students' ids. So each "
+            f"This is a download from {kind.capitalize()}, and there is no --roster with the students' ids. So each "
             "sheet is graded with the numbers of the id that is typed in it, and if a student typed another student's id, "
             "it is not noticed."
         )
@@ -82,7 +82,7 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
         unlisted = sorted(submitted - set(roster.ids))
         known = {name.lower() for name in roster.ids}
         if 2 * sum(name.lower() not in known for name in unlisted) > len(submitted):
-            column = roster.key_column if layout.kind in PLATFORMS else roster.id_column
+            column = roster.key_column if kind in PLATFORMS else roster.id_column
             keys = [row[column].strip() for row in roster.rows[:3]]
             raise WrongRoster(
                 f"{len(unlisted)} of {len(submitted)} submissions are not in the roster, for example "
@@ -100,8 +100,8 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
     if tests:
         remarks.append(f"Left out, because it is the platform's test student: {', '.join(one.name for one in tests)}.")
     unique = _one_per_student(submissions)
-    remarks += _remarks_on_ids(unique, layout.kind)
-    return Gathered(layout.kind, sorted(unique, key=lambda one: (one.student.casefold(), one.student)), remarks)
+    remarks += _remarks_on_ids(unique, kind)
+    return Gathered(kind, sorted(unique, key=lambda one: (one.student.casefold(), one.student)), remarks)
 
 
 def _with_ids_of(roster: Roster, submissions: Sequence[Submission]) -> list[Submission]:
@@ -144,14 +144,14 @@ def _remarks_on_ids(submissions: Sequence[Submission], kind: str) -> list[str]:
     ]
 
 
-def _submission(student: StudentFiles, sheet: str, layout: Layout, roster: Roster | None) -> Submission:
+def _submission(student: StudentFiles, sheet: str, kind: str, roster: Roster | None) -> Submission:
     notebooks, notes = _choose_notebooks(student.files, sheet)
     name = seed_id = student.name
     if student.key:
         if course_id := roster and roster.id_for_key(student.key):
             name = seed_id = course_id
         else:
-            is_key_readable = roster is None and layout.kind == "gradescope"
+            is_key_readable = roster is None and kind == "gradescope"
             name, seed_id = student.key if is_key_readable else f"{student.name}_{student.key}", ""
     return Submission(name, seed_id, notebooks, notes)
 

@@ -39,33 +39,25 @@ class StudentFiles:
     files: list[tuple[str, File]] = field(default_factory=list)
 
 
-@dataclass(frozen=True)
-class Layout:
-    """The kind of a folder or download, and the files of each student in it."""
-
-    kind: str
-    students: Sequence[StudentFiles]
-
-
-def detect_layout(files: Sequence[File], sheet: str) -> Layout:
-    """Detect how the files are organised, and sort them by student.
+def detect_layout(files: Sequence[File], sheet: str) -> tuple[str, list[StudentFiles]]:
+    """Detect how the files are organised, and sort them by student. Returns the kind of the folder or download, and the students.
 
     Raises ValueError if there is no file.
     """
     if not files:
         raise ValueError("It contains no submission.")
     if metadata := _gradescope_metadata(files):
-        return Layout("gradescope", _gradescope_students(files, metadata))
+        return "gradescope", _gradescope_students(files, metadata)
     files = _without_wrapping_folder(files)
     tops = {file.path.parts[0] for file in files}
     if any(MOODLE.fullmatch(top) for top in tops):
-        return Layout("moodle", _sort_by_student(files, lambda path: _owner_on_platform(MOODLE, path)))
+        return "moodle", _sort_by_student(files, lambda path: _owner_on_platform(MOODLE, path))
     flat = [file.path.name for file in files if len(file.path.parts) == 1 and file.is_notebook]
     if flat and all(CANVAS.fullmatch(name) for name in flat):
-        return Layout("canvas", _sort_by_student(files, lambda path: _owner_on_platform(CANVAS, path)))
+        return "canvas", _sort_by_student(files, lambda path: _owner_on_platform(CANVAS, path))
     if any(file.path.parts[1:-1] == (sheet,) for file in files):
-        return Layout("nbgrader", _sort_by_student(files, lambda path: _owner_in_nbgrader(path, sheet)))
-    return Layout("folder", _sort_by_student(files, lambda path: _owner_in_folder(path, sheet)))
+        return "nbgrader", _sort_by_student(files, lambda path: _owner_in_nbgrader(path, sheet))
+    return "folder", _sort_by_student(files, lambda path: _owner_in_folder(path, sheet))
 
 
 Owner = tuple[str, str, str]

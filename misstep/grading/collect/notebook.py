@@ -50,11 +50,7 @@ def code_cells(content: bytes) -> list[CodeCell]:
 
     Raises UnusableNotebook, with a sentence for the student, if the file is not a notebook.
     """
-    notebook = _parse(content)
-    sheets = notebook.get("worksheets")
-    cells = notebook.get(
-        "cells", sheets[0].get("cells") if isinstance(sheets, list) and sheets and isinstance(sheets[0], dict) else None
-    )
+    cells = _parse(content).get("cells")
     if not isinstance(cells, list):
         raise UnusableNotebook(
             "The file is JSON but not a notebook, because it has no cells. Hand in the file that ends in .ipynb."
@@ -115,7 +111,7 @@ def _explain(text: str, content: bytes, error: Exception) -> str:
 def _code_cell(index: int, cell: Mapping[str, Any]) -> CodeCell | None:
     if cell.get("cell_type") != "code":
         return None
-    source = cell.get("source", cell.get("input", ""))
+    source = cell.get("source", "")
     lines = source if isinstance(source, list) else [source]
     text = "".join(line for line in lines if isinstance(line, str)).encode(errors="replace").decode()
     text = text.replace("\r\n", "\n").replace("\r", "\n")
@@ -123,7 +119,7 @@ def _code_cell(index: int, cell: Mapping[str, Any]) -> CodeCell | None:
     metadata = metadata if isinstance(metadata, dict) else {}
     nbgrader = metadata.get("nbgrader")
     names = [nbgrader.get("grade_id") if isinstance(nbgrader, dict) else None, cell.get("id"), metadata.get("id")]
-    count = cell.get("execution_count", cell.get("prompt_number"))
+    count = cell.get("execution_count")
     return CodeCell(
         index,
         text,

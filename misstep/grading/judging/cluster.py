@@ -8,8 +8,6 @@ import atexit
 from collections.abc import Iterator
 from concurrent.futures import Executor
 from contextlib import contextmanager
-from dataclasses import replace
-from pathlib import Path
 from threading import Lock
 
 from misstep.grading.collect.run_plan import ReleasedSheet
@@ -38,8 +36,6 @@ def grade_on_worker(
     Raises SandboxUnavailable if this machine cannot provide the sandbox.
     """
     sheet, limits, is_safe = setting
-    # The folder may exist only on the instructor's machine. Only a robot's own sheet needs it, and its error says so.
-    sheet = sheet if sheet.folder.is_dir() else replace(sheet, folder=Path.cwd())
     key = repr((sheet, sheet.key, limits, is_safe))
     with GRADERS_LOCK:
         if key not in GRADERS:

@@ -68,7 +68,7 @@ class Run:
 
 
 def start_judge(sheet: ReleasedSheet) -> StepProcesses:
-    """Processes that know the right answers of a sheet. If its folder is on another machine, a robot's own sheet is not found."""
+    """Processes that know the right answers of a sheet. Its folder may be on another machine; then a robot's own sheet is not found."""
     folder = str((sheet.folder if sheet.folder.is_dir() else Path()).resolve())
     setup = {"course": sheet.course, "sheet": sheet.name, "folder": folder}
     return StepProcesses("misstep.grading.judging.judge_process", setup, "judging")

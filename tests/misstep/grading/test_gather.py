@@ -2,7 +2,6 @@
 
 import os
 import re
-import shutil
 import stat
 import sys
 import zipfile
@@ -78,16 +77,13 @@ def refusal(handed):
 
 
 def test_a_folder_for_each_student(tmp_path):
-    for suffix in ("", "submitted/"):
-        names = {f"{suffix}ada/{NAME}": "ada", f"{suffix}bob/{NAME}": "bob", f"{suffix}roster.txt": b"a list"}
-        root = folder(tmp_path / "in", **names) / suffix
-        (root / "cyn").mkdir()
-        gathered = gather(root, SHEET)
-        assert gathered.kind == "folder"
-        assert [(h.student, h.seed_id, read(h)) for h in gathered.submissions] == [
-            *(("ada", "ada", notebook("ada")), ("bob", "bob", notebook("bob")), ("cyn", "cyn", None))
-        ]
-        shutil.rmtree(tmp_path / "in")
+    folder(tmp_path, **{f"ada/{NAME}": "ada", f"bob/{NAME}": "bob", "roster.txt": b"a list"})
+    (tmp_path / "cyn").mkdir()
+    gathered = gather(tmp_path, SHEET)
+    assert gathered.kind == "folder"
+    assert [(h.student, h.seed_id, read(h)) for h in gathered.submissions] == [
+        *(("ada", "ada", notebook("ada")), ("bob", "bob", notebook("bob")), ("cyn", "cyn", None))
+    ]
 
 
 def test_a_flat_folder_names_students_by_files(tmp_path):
@@ -516,7 +512,7 @@ def test_a_zip_of_which_a_byte_was_changed_is_read_or_told_whichever_byte(tmp_pa
     assert all(re.search(r"neither a folder nor a zip|is damaged: .*Download it again", each) for each in told)
 
 
-def test_a_damaged_member_costs_one_student_and_a_damaged_zip_is_told(tmp_path):
+def test_a_damaged_member_costs_one_student(tmp_path):
     source = zipped(tmp_path / "s.zip", {f"ada/{NAME}": os.urandom(5000), f"bob/{NAME}": notebook("bob")})
     data = bytearray(source.read_bytes())
     data[200:300] = bytes(100)
@@ -524,9 +520,6 @@ def test_a_damaged_member_costs_one_student_and_a_damaged_zip_is_told(tmp_path):
     students = by_student(gather(source, SHEET))
     assert "damaged" in refusal(students["ada"])
     assert read(students["bob"]) == notebook("bob")
-    source.write_bytes(data[:-60])
-    with pytest.raises(ValueError, match=r"neither a folder nor a zip|damaged"):
-        gather(source, SHEET)
 
 
 def test_what_file_managers_leave_is_left_out(tmp_path):

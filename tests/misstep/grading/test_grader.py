@@ -1,7 +1,6 @@
 """Grading, part by part: the paper, the judge, what is heard of a run, messages, refusals."""
 
 import json
-import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -24,7 +23,7 @@ from misstep.grading.judging.grader import Grader, start_judge
 from misstep.grading.judging.parse_output import parse_output
 from misstep.grading.publish.mathml import render_sentence
 from misstep.grading.sandbox.course_stub import setup_for
-from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable, sandbox_layer
+from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
 from misstep.grading.sandbox.runner import Runner
 from misstep.grading.steps import LEASES_PER_PROCESS, StepFailed
 from misstep.judge import judge
@@ -63,26 +62,17 @@ def test_a_paper_holds_what_is_given_and_no_answer():
 
 
 @pytest.mark.parametrize("name", sheets())
-def test_the_judge_gives_full_points_for_right_answers_and_names_mistakes(name):
-    made = find_sheet(name)
+def test_the_judge_names_the_mistake_in_an_answer_that_was_stored(name):
     seed, _ = judge_process.redacted_sheet(COURSE, name, "ada")
-    problems = [template.variant("ada").with_inputs(seed) for template in made.problems]
+    problems = [template.variant("ada").with_inputs(seed) for template in find_sheet(name).problems]
     mistaken = {k: typable(problem)[0] for k, problem in enumerate(problems, start=1) if typable(problem)}
-    for wanted, values in {
-        "right": {k: problem.answer.value for k, problem in enumerate(problems, start=1)},
-        "mistaken": {k: wrong.value for k, wrong in mistaken.items()},
-    }.items():
-        data = {k: to_data(as_typed(value), problems[k - 1].answer.inputs) for k, value in values.items()}
-        told = verdicts(name, "ada", seed, {k: json.loads(json.dumps(one)) for k, one in data.items()})
-        for k in values:
-            verdict = told[k]
-            assert (verdict.points == verdict.max) == (wanted == "right")
-            if wanted == "right":
-                assert not verdict.mistakes
-            else:
-                seen = judge(problems[k - 1], as_typed(values[k])).findings[0]  # it may come before the mistake
-                assert mistaken[k].names in verdict.explanations[0] or seen.mistake == "metres"
-                assert verdict.explanations[0] == seen.alternatives
+    data = {k: to_data(as_typed(wrong.value), problems[k - 1].answer.inputs) for k, wrong in mistaken.items()}
+    told = verdicts(name, "ada", seed, {k: json.loads(json.dumps(one)) for k, one in data.items()})
+    for k, wrong in mistaken.items():
+        assert told[k].points < told[k].max
+        seen = judge(problems[k - 1], as_typed(wrong.value)).findings[0]  # it may come before the mistake
+        assert wrong.names in told[k].explanations[0] or seen.mistake == "metres"
+        assert told[k].explanations[0] == seen.alternatives
 
 
 def test_a_paper_has_other_inputs_each_time_and_the_judge_knows_them_by_the_seed():
@@ -236,7 +226,7 @@ def test_what_an_unreadable_or_a_large_answer_leaves_in_the_judge_is_gone_for_th
 def test_each_student_of_a_long_row_gets_the_verdicts_that_the_student_would_get_alone():
     sheet = find_sheet(submissions.SHEET)
     own = to_data(sheet.problems[0].variant("student 0").answer.value)
-    with start_judge(ReleasedSheet(sheet.name, Path(), {}, "kincourse")) as judge:
+    with start_judge(ReleasedSheet(sheet.name, Path("/on/another/machine"), {}, "kincourse")) as judge:
         for k in range(LEASES_PER_PROCESS + 2):  # so that one process ends and the next one begins
             asked = {"student": f"student {k}", "k": 1, "data": own, "seed": 1}
             told, alone = judge.do("verdict", **asked), judge_process.verdict(COURSE, sheet.name, **asked)
@@ -313,18 +303,8 @@ def test_the_sheets_own_checks_run_in_place_of_the_students():
     assert set(planned.remarks) == {1, 2}
 
 
-def test_every_sheet_can_be_its_own_master():
-    for path in sorted(ROOT.glob("solutions/*/*.ipynb")):
-        made = read_released_sheet(path)
-        assert made.checks == read_released_sheet(ROOT / "exercises" / path.relative_to(ROOT / "solutions")).checks
-        assert len(made.checks) == len(find_sheet(made.name).problems)
-
-
-def test_a_master_that_is_no_sheet_is_refused(tmp_path):
+def test_a_sheet_with_a_copied_check_is_refused(tmp_path):
     path = tmp_path / "x.ipynb"
-    path.write_bytes(as_bytes({"cells": [code("1")]}))
-    with pytest.raises(ValueError, match="is it the notebook of a sheet"):
-        read_released_sheet(path)
     notebook = json.loads(submissions.released().read_text("utf-8"))  # students would be told that they edited a check
     notebook["cells"] += [cell for cell in notebook["cells"] if submissions.problem_of(cell, "check") == 2]
     path.write_text(json.dumps(notebook), "utf-8")
@@ -335,7 +315,7 @@ def test_a_master_that_is_no_sheet_is_refused(tmp_path):
 
 
 def test_junk_is_broken_and_says_so():
-    for junk in (b"\x00" * 100, b"null", b'"x"', b"{}", b'{"cells": {}}', b'{"worksheets": [7]}', b"\xff\xfe["):
+    for junk in (b"\x00" * 100, b"null", b'"x"', b"{}", b'{"cells": {}}', b"\xff\xfe["):
         with pytest.raises(UnusableNotebook, match=r"\."):
             plan_run(SHEET_03, junk)
 
@@ -348,17 +328,11 @@ def test_a_process_that_we_start_sees_no_secrets(monkeypatch):
     assert "SECRET_TOKEN" not in child_environment()
 
 
-def test_a_layer_that_is_missing_is_named_with_its_remedy():
-    told = f"'landlock'.*no such call.*Get a newer kernel.*Nothing was run.*{UNSAFE_OPTION}"
-    with pytest.raises(SandboxUnavailable, match=told), sandbox_layer("landlock", "Get a newer kernel."):
-        raise OSError("no such call")
-
-
 @on_linux
 def test_without_a_layer_the_server_refuses(monkeypatch, tmp_path):
     for package, told in {
         "landlock": r"layer 'landlock'.*misstep\[grading\]",
-        "pyseccomp": "layer 'seccomp'.*libseccomp2",
+        "pyseccomp": f"layer 'seccomp'.*libseccomp2.*Nothing was run.*{UNSAFE_OPTION}",
     }.items():
         (tmp_path / package).mkdir()
         (tmp_path / package / f"{package}.py").write_text("raise ImportError('it is not installed')")
@@ -392,14 +366,3 @@ def test_a_robots_sheet_without_its_file_is_refused(tmp_path):
         read_released_sheet(made)
     with pytest.raises(ValueError, match=r"cannot open sheet my_robot.*its file my_robot\.json"):
         Grader(sheet, is_safe=False)
-
-
-def test_the_judge_and_the_grader_import_nothing_that_they_do_not_need():
-    """It draws, reads and compares. Everything else would be memory and time, before the first submission."""
-    script = "import sys, misstep.grading.judging.{}; print(*{} & {{*sys.modules}})"
-    for module, unwanted in {
-        "judge_process": "{'IPython', 'ipywidgets', 'matplotlib', 'sympy'}",
-        "grader": "{'landlock', 'pyseccomp', 'sympy'}",
-    }.items():
-        command = [sys.executable, "-c", script.format(module, unwanted)]
-        assert not subprocess.run(command, capture_output=True, text=True, check=True, cwd=ROOT).stdout.split()

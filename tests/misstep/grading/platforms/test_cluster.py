@@ -6,8 +6,6 @@ import subprocess
 import sys
 import threading
 import time
-from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 import submissions
@@ -17,11 +15,9 @@ if sys.platform != "linux":
     pytest.skip("the sandbox is made of Linux", allow_module_level=True)
 
 from misstep.__main__ import main
-from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging import cluster
 from misstep.grading.publish.grades_csv import grades_table
 from misstep.grading.publish.result_store import ResultStore
-from misstep.grading.sandbox.limits import Limits
 
 STUDENTS = [f"student{number}" for number in range(6)]
 
@@ -93,14 +89,7 @@ def test_a_worker_is_killed_in_the_middle_and_everybody_is_graded_once(running, 
     assert (out / "grades.csv").read_text("utf-8") == grades_table(results)
 
 
-def test_a_worker_needs_no_folder_of_the_instructor_and_a_missing_scheduler_is_told(monkeypatch, tmp_path):
-    told = SimpleNamespace(grade=lambda *_: None, close=lambda: None)
-    folders = []
-    monkeypatch.setattr(cluster, "Grader", lambda sheet, *_: folders.append(sheet.folder) or told)
-    monkeypatch.setattr(cluster, "GRADERS", {})
-    for folder in (tmp_path, Path("/nowhere")):
-        cluster.grade_on_worker((ReleasedSheet(SHEET, folder, {}, "kincourse"), Limits(), True), "ada", None, "")
-    assert folders == [tmp_path, Path.cwd()]
+def test_a_missing_scheduler_is_told(monkeypatch):
     monkeypatch.setattr(cluster, "CONNECT_TIMEOUT", "0.2s")
     with pytest.raises(cluster.ClusterUnreachable, match="No Dask scheduler answers at tcp"):
         cluster.connect("tcp://127.0.0.1:1").__enter__()

@@ -134,13 +134,6 @@ def from_vs_code(notebook):
         cell["source"] = cell["source"].splitlines(keepends=True)
 
 
-def in_worksheets(notebook):
-    """The format of before 2014."""
-    for cell in notebook["cells"]:
-        cell["input"] = cell.pop("source")
-    notebook["worksheets"] = [{"cells": notebook.pop("cells")}]
-
-
 def with_outputs(notebook):
     for cell in notebook["cells"]:
         if cell["cell_type"] == "code":
@@ -185,7 +178,6 @@ STRANGE = {
     ),
     "from Colab": (lambda: full(from_colab), 28, "Passed over while grading: "),
     "from VS Code": (lambda: full(from_vs_code), 28, ""),
-    "from an old notebook": (lambda: full(in_worksheets), 28, ""),
     "outputs of 6 MB": (lambda: full(with_outputs), 28, ""),
     "Windows line ends": (lambda: full(with_lines_of_windows), 28, ""),
     "a byte order mark": (lambda: b"\xef\xbb\xbf" + as_bytes(full()), 28, ""),
