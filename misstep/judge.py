@@ -1,5 +1,6 @@
 """Judging: from a student's answer to a fraction of the points and a reason.
 
+Which right parts earn nothing is said by `Answer.counts`, and of rows in another order by REORDERED in answers/likeness.py.
 The judge only computes. It neither draws nor prints, so it can run in a process in which no student code ever ran.
 """
 

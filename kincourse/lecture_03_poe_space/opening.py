@@ -22,7 +22,8 @@ def opening() -> Film:
     around = np.array([(-0.3, -0.35, 0), (0.9, 0.7, 1.1)])
 
     def draw(t: float) -> Picture:
-        q = np.array([END[i] * share(t, 1 + MOVE_S * (n - 1 - i), 2.6 + MOVE_S * (n - 1 - i)) for i in range(n)])
+        starts = 1 + MOVE_S * np.arange(n)[::-1]
+        q = END * [share(t, start, start + 0.8 * MOVE_S) for start in starts]  # then a pause
         return draw_arm(arm, q, show=("home axes", "tool", "base"), around=around)
 
     return film(

@@ -39,7 +39,7 @@ from kinlib.rigid.lie import inverse as invert
 from kinlib.rigid.screw import screw
 from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
-from misstep.answers.groups.order import Ordering
+from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
 from misstep.display.text import matrix, number
 from misstep.mistakes import mistake

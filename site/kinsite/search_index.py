@@ -1,7 +1,7 @@
 """The index of the search: an entry for each section, mistake, term of the glossary and function, with its own address.
 
-MiniSearch, which the page of the search loads, ranks the entries by the kinds of `KINDS`; other words for a query are its `SYNONYMS`
-(static/search.js).
+A word in German or of another book is found because pages/glossary.md has it. MiniSearch, which the page of the search loads
+(static/search.js), ranks the entries by the kinds of `KINDS`; other words for a query are its `SYNONYMS`.
 """
 
 import json

@@ -7,7 +7,7 @@ import pytest
 
 from misstep.answers.base import Unreadable
 from misstep.answers.choice import Choice
-from misstep.answers.groups.order import Ordering
+from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
 from misstep.judge import Finding, Judgement, judge
 from misstep.mistakes import mistake

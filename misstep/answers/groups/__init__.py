@@ -1,1 +1,1 @@
-"""Answers that are made of others: intervals, sets and tables."""
+"""Answers that are made of others: intervals, orders, sets and tables."""

@@ -22,7 +22,7 @@ from misstep.answers.expression import ClosedForm
 from misstep.answers.function import Function
 from misstep.answers.groups.interval import Interval
 from misstep.answers.groups.members import Members
-from misstep.answers.groups.order import Ordering
+from misstep.answers.groups.ordering import Ordering
 from misstep.answers.groups.table import Table
 from misstep.answers.number import Numbers
 from misstep.answers.quantity import Quantity

@@ -12,7 +12,7 @@ from misstep.answers.base import Unreadable
 from misstep.answers.entries import entries_hint, looks_rounded
 from misstep.answers.equivalent import Equivalent
 from misstep.answers.function import Function
-from misstep.answers.groups.order import Ordering
+from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
 from misstep.judge import judge
 from misstep.problem import Problem
