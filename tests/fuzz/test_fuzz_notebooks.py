@@ -215,7 +215,7 @@ def assert_fair(result):
     assert 0 <= result.points <= result.max
     assert result.status == "graded" or result.reason
     for problem in result.problems:
-        assert_verdict({"fraction": problem.points / problem.max, "state": problem.state, "verdict": problem.verdict})
+        assert_verdict(problem)
 
 
 def assert_fit_for_nbgrader(content, result):
