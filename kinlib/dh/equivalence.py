@@ -30,7 +30,7 @@ from kinlib.arrays.tolerances import (
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.joint_maps import JointMap, identity_map, joint_maps
-from kinlib.dh.invariants import AxisInvariants, acute_angle, axis_distance
+from kinlib.dh.invariants import AxisInvariants, neighbours
 from kinlib.dh.mistakes import THETA, D, format_entry
 from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import log
@@ -236,11 +236,14 @@ def derived_accuracy(arm: Chain) -> float:
     >>> derived_accuracy(puma560()) < 1e-13
     True
     """
-    axis, tool = arm.lines.axis, arm.home[:3, 3]
-    sines = np.linalg.norm(np.cross(axis[:-1], axis[1:]), axis=1)
-    reach = 1 + np.linalg.norm(np.cross(tool - arm.lines.point, axis), axis=1).max()
-    lost = np.minimum(sines, 4 * EPS / np.maximum(sines, EPS)).sum()
-    return float(4 * reach * lost + 16 * EPS * max(np.abs(arm.joint_points).max(), reach))
+    reach = 1 + np.linalg.norm(np.cross(arm.home[:3, 3] - arm.lines.point, arm.lines.axis), axis=1).max()
+    return float(4 * reach * _lost_by_pairs(arm).sum() + 16 * EPS * max(np.abs(arm.joint_points).max(), reach))
+
+
+def _lost_by_pairs(arm: Chain) -> Array:
+    """What the description of each pair of neighbouring axes loses, (n - 1,): min(s, 4 eps / s)."""
+    sine = neighbours(arm.lines).sine
+    return np.minimum(sine, 4 * EPS / np.maximum(sine, EPS))
 
 
 def _description_length(result: JointMap, tolerance: float) -> tuple[int, float]:
@@ -251,12 +254,10 @@ def _description_length(result: JointMap, tolerance: float) -> tuple[int, float]
 
 
 def _why_undecided(arm: Chain, difference: float, accuracy: float) -> str:
-    axis = arm.lines.axis
-    sines = np.linalg.norm(np.cross(axis[:-1], axis[1:]), axis=1)
-    pair = int(np.argmax(np.minimum(sines, 4 * EPS / np.maximum(sines, EPS))))
+    pair = int(np.argmax(_lost_by_pairs(arm)))
     cause = "the coordinates are large"
-    if sines[pair] > PARALLEL_TOL_RAD:
-        cause = f"axes {pair + 1} and {pair + 2} are nearly parallel, {sines[pair]:.1e} rad apart"
+    if (sine := neighbours(arm.lines).sine[pair]) > PARALLEL_TOL_RAD:
+        cause = f"axes {pair + 1} and {pair + 2} are nearly parallel, {sine:.1e} rad apart"
     if difference > accuracy:
         return (
             f"Each map that was found leaves a difference of {difference:.1e} or more, but a better one is not excluded, because "
@@ -289,19 +290,15 @@ def _rounded_up(value: float) -> float:
 
 def _first_difference(one: Chain, other: Chain, tolerance: float) -> str:
     """Describe the first pair of neighbouring axes whose angle or distance differs, which a person would check first; "" if none."""
-    here, there = one.lines, other.lines
+    here, there = neighbours(one.lines), neighbours(other.lines)
+    size = 1 + np.abs([one.lines.point, other.lines.point]).max(axis=(0, 2))
+    rounding = 16 * EPS * np.maximum(size[:-1], size[1:]) / np.maximum(np.sin(here.angle), PARALLEL_TOL_RAD)
     for i in range(one.n - 1):
-        # Acute angles, because each axis may have the opposite direction.
-        angles = [acute_angle(lines.axis[i], lines.axis[i + 1]) for lines in (here, there)]
-        if abs(angles[0] - angles[1]) > tolerance:
-            first, second = format_different(*np.degrees(angles))
+        if abs(here.angle[i] - there.angle[i]) > tolerance:
+            first, second = format_different(*np.degrees([here.angle[i], there.angle[i]]))
             return f"Axes {i + 1} and {i + 2} make an angle of {first} degrees in the first, and of {second} degrees in the second."
-        if "P" not in one.joint_types[i : i + 2]:
-            distances = [axis_distance(lines.axis[i : i + 2], lines.point[i : i + 2]) for lines in (here, there)]
-            size = 1 + max(np.abs(lines.point[i : i + 2]).max() for lines in (here, there))
-            if abs(distances[0] - distances[1]) > tolerance + 16 * EPS * size / max(
-                np.sin(angles[0]), PARALLEL_TOL_RAD
-            ):
-                first, second = format_different(*distances)
-                return f"Axes {i + 1} and {i + 2} are {first} m apart in the first, and {second} m in the second."
+        is_far = abs(here.distance[i] - there.distance[i]) > tolerance + rounding[i]
+        if is_far and "P" not in one.joint_types[i : i + 2]:
+            first, second = format_different(here.distance[i], there.distance[i])
+            return f"Axes {i + 1} and {i + 2} are {first} m apart in the first, and {second} m in the second."
     return ""

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,6 +20,7 @@ from kinlib.arrays.tolerances import CLEARLY_NOT_PARALLEL_COS, PARALLEL_TOL_RAD,
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import cross
+from kinlib.rigid.screw import Line
 
 Booleans = NDArray[np.bool_]
 Integers = NDArray[np.int_]
@@ -183,18 +185,30 @@ class AxisInvariants:
         return self.of(self.reference.lines.axis, self.reference.joint_points)
 
 
-def acute_angle(u: Array, v: Array) -> float:
-    """Compute the acute angle between two directions, in radians."""
-    return float(np.arctan2(np.linalg.norm(cross(u, v)), abs(u @ v)))
+class Neighbours(NamedTuple):
+    """How each axis of an arm lies to the next one, (n - 1,) each: the sine of the angle between them, the acute angle in radians,
+    and the length of their common normal in metres.
+    """
+
+    sine: Array
+    angle: Array
+    distance: Array
 
 
-def axis_distance(axes: Array, points: Array) -> float:
-    """Compute the length of the common normal of two axes, directions (2, 3) and a point on each (2, 3)."""
-    normal, between = cross(*axes), points[1] - points[0]
-    sine = float(np.linalg.norm(normal))
-    if sine > PARALLEL_TOL_RAD:
-        return float(abs(between @ normal)) / sine
-    return float(np.linalg.norm(cross(between, axes[0])))
+def neighbours(lines: Line) -> Neighbours:
+    """Compute the angles and the distances of neighbouring axes.
+
+    >>> from kinlib.chains.robots import youbot
+    >>> neighbours(youbot().lines).distance
+    array([0.033, 0.155, 0.135, 0.   ])
+    """
+    u, v, between = lines.axis[:-1], lines.axis[1:], np.diff(lines.point, axis=0)
+    normal = cross(u, v)
+    sine = np.linalg.norm(normal, axis=-1)
+    is_parallel = sine <= PARALLEL_TOL_RAD
+    along_normal = np.abs(np.sum(between * normal, axis=-1)) / np.where(is_parallel, 1.0, sine)
+    distance = np.where(is_parallel, np.linalg.norm(cross(between, u), axis=-1), along_normal)
+    return Neighbours(sine, np.arctan2(sine, np.abs(np.sum(u * v, axis=-1))), distance)
 
 
 def _all(values: Booleans) -> Booleans:

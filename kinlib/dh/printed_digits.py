@@ -16,7 +16,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.chains.joint_maps import CHECKED_CONFIGURATIONS, JointMap, joint_maps, linearized
 from kinlib.dh.equivalence import Equivalence, equivalent
-from kinlib.dh.invariants import acute_angle, axis_distance
+from kinlib.dh.invariants import neighbours
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.table import DHTable, moved_rows
 from kinlib.rigid.lie import exp
@@ -81,7 +81,9 @@ def judge_rounding(table: DHTable, arm: Chain, fixed: Collection[str]) -> Roundi
         starts = [nearest] if effect <= LARGEST_MAPPED_EFFECT else _starts(table, arm, nearest, frozenset(fixed))
         if any(_fits(table, arm, start, half_unit, frozenset(fixed)) for start in starts):
             verdict = "explains"
-    is_far = nearest.verdict == "different" and effect <= LARGEST_MAPPED_EFFECT * _smallest_sine(arm)
+    sines = neighbours(arm.lines).sine
+    smallest = sines[sines > PARALLEL_TOL_RAD].min(initial=1.0)
+    is_far = nearest.verdict == "different" and effect <= LARGEST_MAPPED_EFFECT * smallest
     if verdict == "possible" and (is_far or _is_excluded(table, arm, half_unit)):
         verdict = "excluded"
     return Rounding(half_unit, units, effect, verdict, nearest)
@@ -179,12 +181,6 @@ MAX_STEP = 1e6
 """A fit with a larger step, in metres, radians and half units, does not converge."""
 
 
-def _smallest_sine(arm: Chain) -> float:
-    """Return the smallest sine of an angle between neighbouring axes that are not parallel."""
-    sines = np.linalg.norm(np.cross(arm.lines.axis[:-1], arm.lines.axis[1:]), axis=1)
-    return float(sines[sines > PARALLEL_TOL_RAD].min(initial=1.0))
-
-
 def _is_excluded(table: DHTable, arm: Chain, half_unit: Array) -> bool:
     """Whether two neighbouring axes have an angle or a distance that no table has whose numbers round to these.
 
@@ -194,13 +190,9 @@ def _is_excluded(table: DHTable, arm: Chain, half_unit: Array) -> bool:
     if "F" in table.joints:
         return False
     length, angle = half_unit[:, [0, 2]].max() + EQUIVALENCE_TOL, half_unit[:, [1, 3]].max() + EQUIVALENCE_TOL
-    lines = table.to_chain().lines, arm.lines
-    for i in range(arm.n - 1):
-        angles = [acute_angle(*each.axis[i : i + 2]) for each in lines]
-        if abs(angles[0] - angles[1]) > ALMOST_1 * angle:
-            return True
-        if arm.joint_types[i : i + 2] == "RR" and min(angles) > 2 * angle + 1e-3:
-            distances = [axis_distance(each.axis[i : i + 2], each.point[i : i + 2]) for each in lines]
-            if abs(distances[0] - distances[1]) > ALMOST_1 * length:
-                return True
-    return False
+    ours, right = neighbours(table.to_chain().lines), neighbours(arm.lines)
+    if (np.abs(ours.angle - right.angle) > ALMOST_1 * angle).any():
+        return True
+    between_lines = [arm.joint_types[i : i + 2] == "RR" for i in range(arm.n - 1)]
+    is_fixed = between_lines & (np.minimum(ours.angle, right.angle) > 2 * angle + 1e-3)
+    return bool((is_fixed & (np.abs(ours.distance - right.distance) > ALMOST_1 * length)).any())
