@@ -1,7 +1,8 @@
 """The formulas of the course in SymPy, under the same names: they take and return symbols, and do not round.
 
-Floats are read as exact numbers: see `exact`. An arm may be a Chain, a DHTable, or screws or rows with symbols, also for link
-lengths. Results are not simplified, and need not be: `kinlib.symbolic.merge_rotations` explains why.
+The joint values of an arm are the symbols q_1 ... q_n of `joints`. Floats are read as exact numbers: see `exact`. An arm may be a
+Chain, a DHTable, or screws or rows with symbols, also for link lengths. Results are not simplified, and need not be:
+`kinlib.symbolic.merge_rotations` explains why.
 
 There is no log here, because its arccosine loses full turns and signs, and SymPy cannot know which were meant. For numbers use
 `kl.log`.
@@ -9,7 +10,8 @@ There is no log here, because its arccosine loses full turns and signs, and SymP
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -17,7 +19,7 @@ import sympy as sp
 
 from kinlib.arrays import tolerances, validation
 from kinlib.chains.chain import Chain
-from kinlib.dh.parsing import is_plausible_angle
+from kinlib.dh.parsing import is_plausible_angle, joint_entries
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.symbolic.merge_rotations import AxisRotation, Factors, homogeneous, multiply, rotation, skew_symmetric
 from kinlib.symbolic.numbers import exact, joints, shorthand
@@ -131,14 +133,13 @@ def screw(axis: Any, point: Any = (0, 0, 0), pitch: Any = 0) -> sp.Matrix:
 # --- arms ---
 
 
-def fk(arm: Chain | Iterable[Any], home: Any = None, q: Any = None) -> sp.Matrix:
+def fk(arm: Chain | Iterable[Any], home: Any = None) -> sp.Matrix:
     """Compute the forward kinematics in the space form: T(q) = e^[S1]q1 ... e^[Sn]qn M, 4x4.
 
     arm   a Chain, or screw axes in {s}, six entries each, numbers or symbols
     home  if arm is not a Chain: the home pose M, 4x4
-    q     n joint values; by default the symbols q_1 ... q_n
 
-    Raises ValueError if a screw axis or the home pose is not valid, and for another number of joint values.
+    Raises ValueError if a screw axis or the home pose is not valid.
     Source: Modern Robotics, (4.14).
 
     >>> a = sp.Symbol("a_1")
@@ -146,15 +147,14 @@ def fk(arm: Chain | Iterable[Any], home: Any = None, q: Any = None) -> sp.Matrix
     Matrix([[a_1*c_1 + a_1*c_12, a_1*s_1 + a_1*s_12]])
     """
     screws, M = _screws_and_home(arm, home)
-    return multiply(_screw_factors(screws, q), M)
+    return multiply(chain.from_iterable(_screw_factors(screws)), M)
 
 
-def fk_body(arm: Chain | Iterable[Any], home: Any = None, q: Any = None) -> sp.Matrix:
+def fk_body(arm: Chain | Iterable[Any], home: Any = None) -> sp.Matrix:
     """Compute the forward kinematics in the body form: T(q) = M e^[B1]q1 ... e^[Bn]qn, 4x4.
 
     arm   a Chain, or screw axes in {b}, six entries each, numbers or symbols
     home  if arm is not a Chain: the home pose M, 4x4
-    q     n joint values; by default the symbols q_1 ... q_n
 
     Raises ValueError as fk does.
     Source: Modern Robotics, (4.16).
@@ -165,36 +165,33 @@ def fk_body(arm: Chain | Iterable[Any], home: Any = None, q: Any = None) -> sp.M
     """
     screws, M = _screws_and_home(arm, home)
     body = [adjoint(inverse(M)) * S for S in screws] if isinstance(arm, Chain) else screws
-    return M * multiply(_screw_factors(body, q), sp.eye(4))
+    return M * multiply(chain.from_iterable(_screw_factors(body)), sp.eye(4))
 
 
-def jacobian(arm: Chain | Iterable[Any], q: Any = None) -> sp.Matrix:
+def jacobian(arm: Chain | Iterable[Any]) -> sp.Matrix:
     """Compute the space Jacobian, 6 x n: column i is Ad(e^[S1]q1 ... e^[Si-1]qi-1) S_i.
 
     arm  a Chain, or screw axes in {s}, six entries each, numbers or symbols
-    q    n joint values; by default the symbols q_1 ... q_n
 
-    Raises ValueError if a screw axis is not valid, and for another number of joint values.
+    Raises ValueError if a screw axis is not valid.
     Source: Modern Robotics, (5.11).
 
     >>> shorthand(jacobian([screw((0, 0, 1)), screw((0, 0, 1), point=(sp.Symbol("a_1"), 0, 0))]))[3:, 1].T
     Matrix([[a_1*s_1, -a_1*c_1, 0]])
     """
     screws, _ = _screws_and_home(arm, None if isinstance(arm, Chain) else sp.eye(4))
-    factors = [_screw_factors([S], [value]) for S, value in zip(screws, _joint_values(q, len(screws)), strict=True)]
-    before = [multiply([part for group in factors[:i] for part in group], sp.eye(4)) for i in range(len(screws))]
+    factors = _screw_factors(screws)
+    before = [multiply(chain.from_iterable(factors[:i]), sp.eye(4)) for i in range(len(screws))]
     return sp.Matrix.hstack(*(adjoint(T) * S for T, S in zip(before, screws, strict=True)))
 
 
-def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = None, q: Any = None) -> sp.Matrix:
+def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = None) -> sp.Matrix:
     """Compute the forward kinematics of a DH table: base A_1 ... A_m tool, 4x4.
 
     table       a DHTable, or rows (a, alpha, d, theta) in which the joint values are symbols
     convention  of the rows: "standard" or "modified"
-    q           if table is a DHTable: its n joint values; by default the symbols q_1 ... q_n
 
-    Raises ValueError if a row does not have four entries, if the convention is missing, if alpha is in degrees, and for
-    another number of joint values.
+    Raises ValueError if a row does not have four entries, if the convention is missing, and if alpha is in degrees.
     Source: EduFill manipulation module (standard), DH example with n = 5 and Kinematics under DH (modified).
 
     >>> q_1, q_2, a_1, a_2 = sp.symbols("q_1 q_2 a_1 a_2")
@@ -205,7 +202,7 @@ def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = Non
     rows: Iterable[Any]
     if isinstance(table, DHTable):
         convention, base, tool = table.convention, exact(table.base), exact(table.tool)
-        rows = _table_rows(table, q)
+        rows = _table_rows(table)
     else:
         validation.instance(table, "table", DHTable, Iterable)
         rows = [_matrix(row, f"row {number}", (4, 1)) for number, row in enumerate(table, start=1)]
@@ -221,25 +218,21 @@ def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = Non
     return base * multiply(factors, tool)
 
 
-def _screw_factors(screws: Sequence[sp.Matrix], q: Any) -> Factors:
-    """Write a product of exponentials as rotations and translations: to the axis, the motion about and along it, and back."""
-    factors: Factors = []
-    for S, value in zip(screws, _joint_values(q, len(screws)), strict=True):
+def _screw_factors(screws: Sequence[sp.Matrix]) -> list[Factors]:
+    """Write each exponential as rotations and translations: to the axis, the motion about and along it, and back."""
+    factors: list[Factors] = []
+    for S, q in zip(screws, joints(len(screws)), strict=True):
         w, v = S[:3, 0], S[3:, 0]
-        if w.is_zero_matrix:
-            factors.append(v * value)
-        else:
-            point, pitch = w.cross(v), w.dot(v)
-            factors += [point + pitch * value * w, AxisRotation(w, value), -point]
+        point, pitch = w.cross(v), w.dot(v)
+        factors.append([v * q] if w.is_zero_matrix else [point + pitch * q * w, AxisRotation(w, q), -point])
     return factors
 
 
-def _table_rows(table: DHTable, q: Any) -> Iterator[list[sp.Expr]]:
-    values = iter(_joint_values(q, table.n))
-    for numbers, letter, sign in zip(table.rows, table.joints, table.signs, strict=True):
-        a, alpha, d, theta = exact(numbers)
-        moved = 0 if letter == "F" else int(sign) * next(values)
-        yield [a, alpha, d + moved, theta] if letter == "P" else [a, alpha, d, theta + moved]
+def _table_rows(table: DHTable) -> list[list[sp.Expr]]:
+    rows = [list(exact(numbers)) for numbers in table.rows]
+    for q, (row, column) in zip(joints(table.n), joint_entries(table.joints), strict=True):
+        rows[row][column] += int(table.signs[row]) * q
+    return rows
 
 
 def _screws_and_home(arm: Chain | Iterable[Any], home: Any) -> tuple[list[sp.Matrix], sp.Matrix]:
@@ -267,12 +260,6 @@ def _screw_axis(S: Any, name: str) -> sp.Matrix:
             f"{name} must have |omega| = 1, or omega = 0 and |v| = 1; this length is {size}. Divide it by its length."
         )
     return S
-
-
-def _joint_values(q: Any, n: int) -> Sequence[sp.Expr]:
-    if q is None:
-        return joints(n)
-    return list(_matrix(q, "q", (n, 1)))
 
 
 # --- helpers ---
