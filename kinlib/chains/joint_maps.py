@@ -17,7 +17,6 @@ from kinlib.arrays.tolerances import NEARLY_PARALLEL_RAD, RELOCATE_PRISMATIC_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.rigid.lie import adjoint, cross, exp, hat, homogeneous, inverse, perpendicular, vee
-from kinlib.rigid.screw import line
 
 CHECKED_CONFIGURATIONS = 16
 """Number of random configurations at which two chains are compared."""
@@ -58,8 +57,7 @@ def joint_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float) ->
     loose  in metres and radians. The difference of the poses that remains can be larger or smaller
     """
     matcher = _Matcher(one, other, fixed, loose)
-    found = (matcher.completed(match) for match in matcher.matches())
-    return [_improved(each, one, other, fixed) for each in found if each]
+    return [matcher.completed(match) for match in matcher.matches()]
 
 
 def _measured(found: JointMap, one: Chain, other: Chain) -> JointMap:
@@ -269,41 +267,25 @@ class _Matcher:
         offsets[free] += angle * np.sign(free_axis @ axis)
         return replace(match, offsets=offsets)
 
-    def completed(self, match: _Match) -> JointMap | None:
-        """Solve for the translation of the base and the zeros of the prismatic joints, a linear problem, and check the whole map."""
-        one, other, fixed = self.one, self.other, self.fixed
-        moved, target = line(one.jacobian(match.offsets).T), other.lines
-        prismatic = [joint for joint, joint_type in enumerate(one.joint_types) if joint_type == "P"]
-        unknown = np.concatenate([np.full(3, "base" not in fixed), np.full(len(prismatic), "zeros" not in fixed)])
-        rows, sides = [np.zeros((0, len(unknown)))], [np.zeros(0)]
-        for joint in range(one.n):
-            if joint not in prismatic:
-                translations = [match.base @ moved.axis[i] * (i < joint) for i in prismatic]
-                # A translation of an axis along itself has no effect.
-                across = np.eye(3) - np.outer(target.axis[joint], target.axis[joint])
-                rows.append(across @ np.column_stack([np.eye(3), *translations]))
-                sides.append(across @ (target.point[joint] - match.base @ moved.point[joint]))
-        if "tool" in fixed:
-            rows.append(np.column_stack([np.eye(3), *(match.base @ moved.axis[i] for i in prismatic)]))
-            sides.append(other.home[:3, 3] - match.base @ one.fk(match.offsets)[:3, 3])
-        matrix, side = np.concatenate(rows) * unknown, np.concatenate(sides)
-        solution = np.linalg.lstsq(matrix, side, rcond=1e-9)[0] * unknown
-        if np.abs(matrix @ solution - side).max(initial=0) > self.loose:
-            return None
-        X, Y = homogeneous(match.base, solution[:3]), np.eye(4)
-        signs, offsets = np.array(match.signs), match.offsets.copy()
-        offsets[prismatic] = solution[3:]
+    def completed(self, match: _Match) -> JointMap:
+        """Find the translations of base and tool and the zeros of the prismatic joints, which are a linear problem: one step."""
+        one, fixed = self.one, self.fixed
+        X, Y, offsets = homogeneous(match.base, np.zeros(3)), np.eye(4), match.offsets
+        if "tool" not in fixed:
+            Y = inverse(X @ one.fk(offsets)) @ self.other.home
+        found = _improved(
+            _measured(JointMap(X, Y, np.array(match.signs), offsets), one, self.other), one, self.other, fixed
+        )
+        X, Y, offsets = found.base, found.tool, found.offsets.copy()
         # A motion of the base along the first axis is an offset of joint 1, and one of the tool along the last axis an offset of
         # joint n. The offsets are chosen such that base and tool are as near the identity as possible.
         if not fixed & {"base", "zeros"}:
             shift = _shift_to_identity(X, one.screws[0])
             X, offsets[0] = X @ exp(shift * one.screws[0]), offsets[0] - shift
-        if "tool" not in fixed:
-            Y = inverse(X @ one.fk(offsets)) @ other.home
         if not fixed & {"tool", "zeros"}:
             shift = _shift_to_identity(inverse(Y), one.body_screws[-1])
             Y, offsets[-1] = exp(-shift * one.body_screws[-1]) @ Y, offsets[-1] + shift
-        return _measured(JointMap(X, Y, signs, offsets), one, other)
+        return _measured(JointMap(X, Y, found.signs, offsets), one, self.other)
 
 
 def _shift_to_identity(T: Array, S: Array) -> float:
