@@ -228,9 +228,9 @@ def of_urdf(text: str) -> Product:
 
     Raises ValueError if the text is not a URDF of an open chain.
     """
-    tree = Tree.from_urdf(text).link_tree
+    tree = Tree.from_urdf(text)
     constants, screws = [np.eye(4)], []
-    for joint, _ in tree.path(tree.root, tree.tips(tree.root)[0]):
+    for joint, _ in tree.path(tree.root, tree.tips[0]):
         constants[-1] = constants[-1] @ joint.origin
         if joint.moves:
             slides = joint.type == "prismatic"

@@ -183,8 +183,6 @@ ADVICE = {
     ("Chain", "Mechanism"): "Try Mechanism.from_chain(chain), which closes it",
     ("str", "Chain"): "Try load_urdf(...) with a file, or kl.robots",
     ("str", "Tree"): "Try Tree.from_urdf(...)",
-    ("str", "LinkTree"): "Try Tree.from_urdf(...)",
-    ("NoneType", "LinkTree"): "Try Tree.from_urdf(file), or its text",
     ("ndarray", "Chain"): "Try Chain(screws, home)",
     ("list", "Chain"): "Try Chain(screws, home)",
     ("str", "Mapping"): "Try {'A': 1.0}, with the value of each name",

@@ -21,7 +21,7 @@ from kinlib.arrays import validation
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import homogeneous
 from kinlib.rigid.rpy import roll_pitch_yaw
-from kinlib.urdf.links_and_joints import MAX_NUMBER, LinkTree, UrdfJoint
+from kinlib.urdf.links_and_joints import MAX_NUMBER, UrdfJoint
 from kinlib.urdf.robot_tree import Tree
 from kinlib.urdf.xml_elements import Element
 
@@ -79,7 +79,7 @@ def to_urdf(robot: Chain | Tree) -> str:
     validation.instance(robot, "robot", Chain, Tree)
     tree = robot if isinstance(robot, Tree) else _tree_of_chain(robot)
     parts = [f"<robot name={_quoted(tree.name)}>", *(f"  <link name={_quoted(link)}/>" for link in tree.links)]
-    for joint in tree.link_tree.parent_joints.values():
+    for joint in tree.parent_joints.values():
         rotation, position = joint.origin[:3, :3], joint.origin[:3, 3]
         is_rotated = joint.type == "fixed" or (rotation != np.eye(3)).any()
         rpy = f' rpy="{_numbers(*roll_pitch_yaw(rotation))}"' if is_rotated else ""
@@ -136,7 +136,7 @@ def _tree_of_chain(chain: Chain) -> Tree:
         )
     ]
     elements = {link: Element("link", 0, {"name": link}) for link in links}
-    return Tree(chain.name, LinkTree(elements, {joint.child: joint for joint in joints}))
+    return Tree(chain.name, elements, {joint.child: joint for joint in joints})
 
 
 def _unused(name: str, names: Collection[str]) -> str:

@@ -4,9 +4,9 @@ Every joint of the file is read and checked, also those that are not between bas
 element and its line.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -78,92 +78,10 @@ class UrdfJoint(validation.ReadOnly):
         return screw(self.axis, pitch=np.inf if self.type == "prismatic" else 0.0)
 
 
-class PathStep(NamedTuple):
-    """A joint of a path, and its direction: sign +1 from parent to child, -1 from child to parent."""
-
-    joint: UrdfJoint
-    sign: int
-
-
-@dataclass(frozen=True, eq=False)
-class LinkTree(validation.ReadOnly):
-    """The links of a URDF and the joints between them.
-
-    links          the elements of the links, by name
-    parent_joints  for the name of each link but the root, the joint whose child it is, in the order of the file
-
-    >>> from kinlib.urdf.xml_elements import read_robot
-    >>> text = '''<robot name="crane"><link name="ground"/><link name="mast"/>
-    ...   <joint name="slew" type="continuous"><parent link="ground"/><child link="mast"/></joint></robot>'''
-    >>> list(read_tree(read_robot(text)).descendants("ground"))             # depth, link, and whether it moves
-    [(0, 'ground', False), (1, 'mast', True)]
-    """
-
-    links: Mapping[str, Element]
-    parent_joints: Mapping[str, UrdfJoint]
-
-    def compared_fields(self) -> dict[str, Any]:
-        """The names of the links, and the joints with all that is theirs."""
-        return {"links": tuple(self.links), "parent_joints": self.parent_joints}
-
-    @property
-    def root(self) -> str:
-        """The link that is not the child of a joint."""
-        return next(link for link in self.links if link not in self.parent_joints)
-
-    def path(self, base: str, tip: str) -> Sequence[PathStep]:
-        """Find the joints from one link to another: up to their nearest common ancestor, and down from it."""
-        up, down = self._ancestors(base), self._ancestors(tip)
-        shared = {joint.name for joint in up} & {joint.name for joint in down}
-        return [
-            *(PathStep(joint, -1) for joint in up if joint.name not in shared),
-            *(PathStep(joint, +1) for joint in reversed(down) if joint.name not in shared),
-        ]
-
-    def tips(self, base: str) -> Sequence[str]:
-        """Find the links below a base that have no child and move relative to it: the possible ends of an arm on this base."""
-        parents = {joint.parent for joint in self.parent_joints.values()}
-        return [link for _, link, moves in self.descendants(base) if moves and link not in parents]
-
-    def check_link(self, link: str, argument: str) -> str:
-        """Return the name of a link. Raises ValueError if there is no such link, with the most similar name.
-
-        argument  the name of the argument, for the message
-        """
-        if link not in self.links:
-            raise ValueError(
-                f"{argument} must be the name of a link; got {link!r}.{suggest_name(link, tuple(self.links), 'links')}"
-            )
-        return link
-
-    def common_ancestor(self, links: Sequence[str]) -> str:
-        """Find the link farthest from the root on the paths from the root to all of these links."""
-        paths = [[joint.child for joint in reversed(self._ancestors(link))] for link in links]
-        shared = [same[0] for same in zip(*paths, strict=False) if len(set(same)) == 1]
-        return shared[-1] if shared else self.root
-
-    def _ancestors(self, link: str) -> Sequence[UrdfJoint]:
-        """The joints from a link up to the root."""
-        joints = []
-        while link in self.parent_joints:
-            joints.append(self.parent_joints[link])
-            link = self.parent_joints[link].parent
-        return joints
-
-    def descendants(self, base: str) -> Iterator[tuple[int, str, bool]]:
-        """Yield the base and every link below it, depth first: its depth, its name, and whether it moves relative to the base."""
-        child_joints: dict[str, list[UrdfJoint]] = {}
-        for joint in self.parent_joints.values():
-            child_joints.setdefault(joint.parent, []).append(joint)
-        stack = [(0, base, False)]
-        while stack:
-            depth, link, moves = stack.pop()
-            yield depth, link, moves
-            stack += [(depth + 1, joint.child, moves or joint.moves) for joint in reversed(child_joints.get(link, []))]
-
-
-def read_tree(robot: Element) -> LinkTree:
+def read_tree(robot: Element) -> tuple[dict[str, Element], dict[str, UrdfJoint]]:
     """Read the links and the joints of a <robot>, and check that they form one tree.
+
+    Returns the elements of the links by name, and for the name of each link but the root the joint whose child it is.
 
     Raises ValueError, with element and line, if a name occurs twice, if a link is missing, has two parents or is not connected,
     if links form a cycle, and if an attribute of a joint is not valid.
@@ -196,7 +114,7 @@ def read_tree(robot: Element) -> LinkTree:
                 )
             lines[joint.name], parent_joints[joint.child] = element.line, joint
     _check_one_tree(links, parent_joints)
-    return LinkTree(links, parent_joints)
+    return links, parent_joints
 
 
 def resolve_mimic_joints(joints: Mapping[str, UrdfJoint]) -> dict[str, Coupling]:
@@ -209,8 +127,8 @@ def resolve_mimic_joints(joints: Mapping[str, UrdfJoint]) -> dict[str, Coupling]
     ...   <joint name="crank" type="continuous"><parent link="a"/><child link="b"/></joint>
     ...   <joint name="gear" type="continuous"><parent link="a"/><child link="c"/><mimic joint="crank" multiplier="-2"/></joint>
     ... </robot>'''
-    >>> joints = read_tree(read_robot(gears)).parent_joints.values()
-    >>> resolve_mimic_joints({joint.name: joint for joint in joints})["gear"]
+    >>> _, joints = read_tree(read_robot(gears))
+    >>> resolve_mimic_joints({joint.name: joint for joint in joints.values()})["gear"]
     Coupling(joint='crank', multiplier=-2.0, offset=0.0)
     """
     found: dict[str, Coupling] = {}

@@ -7,9 +7,10 @@ all moving joints are C q + c, where q has only the independent joints. C is the
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,20 +18,18 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import aligned_table, format_number, html_table
 from kinlib.arrays.limits import TakesLimitedValues
-from kinlib.arrays.validation import Array, JointValues
+from kinlib.arrays.validation import Array, JointValues, suggest_name
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint, exp, inverse
 from kinlib.rigid.screw import screw
 from kinlib.urdf.links_and_joints import (
     MOVING_TYPES,
     Coupling,
-    LinkTree,
-    PathStep,
     UrdfJoint,
     read_tree,
     resolve_mimic_joints,
 )
-from kinlib.urdf.xml_elements import read_robot
+from kinlib.urdf.xml_elements import Element, read_robot
 
 HEADINGS = ["link", "joint", "type", "value"]
 
@@ -38,12 +37,20 @@ DEGREES_OF_FREEDOM = {"planar": 3, "floating": 6}
 """Of the joints that do not move by a single value."""
 
 
+class PathStep(NamedTuple):
+    """A joint of a path, and its direction: sign +1 from parent to child, -1 from child to parent."""
+
+    joint: UrdfJoint
+    sign: int
+
+
 @dataclass(frozen=True, eq=False)
 class Tree(TakesLimitedValues, validation.ReadOnly):
     """All links and joints of a URDF, read once by `from_urdf`.
 
-    name       of the robot
-    link_tree  its links and joints, as elements of the file
+    name           of the robot
+    link_elements  the elements of the links, by name
+    parent_joints  for the name of each link but the root, the joint whose child it is, in the order of the file
 
     n joints are independent: they move, and they do not mimic another joint. m joints move by one value, mimic joints included.
     Both are in the order of the file. Planar and floating joints have no single value: see `poses`. Wherever q is an argument, it
@@ -71,10 +78,16 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
     """
 
     name: str
-    link_tree: LinkTree = field(default=None, repr=False)  # type: ignore[assignment]  # the check says where to get one
+    link_elements: Mapping[str, Element] = field(default_factory=dict, repr=False)
+    parent_joints: Mapping[str, UrdfJoint] = field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
-        validation.instance(self.link_tree, "link_tree", LinkTree)
+        if not self.link_elements:
+            raise ValueError("A tree must have at least one link; got none. Try Tree.from_urdf(file), or its text.")
+
+    def compared_fields(self) -> dict[str, Any]:
+        """The name, the names of the links, and the joints with all that is theirs."""
+        return {"name": self.name, "links": self.links, "parent_joints": self.parent_joints}
 
     @classmethod
     def from_urdf(cls, path_or_text: str | os.PathLike[str]) -> Tree:
@@ -87,7 +100,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         Source: the URDF specification, "link" and "joint".
         """
         robot = read_robot(path_or_text)
-        return cls(robot.text("name"), read_tree(robot))
+        return cls(robot.text("name"), *read_tree(robot))
 
     def __repr__(self) -> str:
         types = [self._moving_joints[name].type for name in self.joint_names]
@@ -109,8 +122,8 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         return f"{self.n} independent joint{'s'[: self.n != 1]}"
 
     def _rows(self, indent: str) -> Iterator[list[str]]:
-        for depth, link, _ in self.link_tree.descendants(self.root):
-            if (joint := self.link_tree.parent_joints.get(link)) is None:
+        for depth, link, _ in self._descendants(self.root):
+            if (joint := self.parent_joints.get(link)) is None:
                 yield [link, "", "", ""]
             else:
                 yield [indent * depth + link, joint.name, joint.type, self._value(joint)]
@@ -128,17 +141,17 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
     @property
     def root(self) -> str:
         """The link that is not the child of a joint."""
-        return self.link_tree.root
+        return next(link for link in self.links if link not in self.parent_joints)
 
     @property
     def links(self) -> tuple[str, ...]:
         """The names of all links, in the order of the file."""
-        return tuple(self.link_tree.links)
+        return tuple(self.link_elements)
 
     @cached_property
     def tips(self) -> tuple[str, ...]:
         """The links without a child that move relative to the root, such as the tool of each arm."""
-        return tuple(self.link_tree.tips(self.root))
+        return tuple(self._tips(self.root))
 
     @cached_property
     def moving_joint_names(self) -> tuple[str, ...]:
@@ -188,7 +201,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
 
     @cached_property
     def _moving_joints(self) -> dict[str, UrdfJoint]:
-        return {joint.name: joint for joint in self.link_tree.parent_joints.values() if joint.type in MOVING_TYPES}
+        return {joint.name: joint for joint in self.parent_joints.values() if joint.type in MOVING_TYPES}
 
     @cached_property
     def _numbers(self) -> dict[str, int]:
@@ -262,8 +275,8 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
                 f"poses of shape {', '.join(str(T.shape) for T in (root, *free.values()))}."
             ) from error
         found = {self.root: np.broadcast_to(root, (*shape, 4, 4)).copy()}
-        for _, link, _ in self.link_tree.descendants(self.root):
-            if joint := self.link_tree.parent_joints.get(link):
+        for _, link, _ in self._descendants(self.root):
+            if joint := self.parent_joints.get(link):
                 step = joint.origin @ free[joint.name] if joint.name in free else steps.get(joint.name, joint.origin)
                 found[link] = found[joint.parent] @ step
         return {link: found[link] for link in self.links}
@@ -284,7 +297,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         >>> Tree.from_urdf(text).pose("camera", "table")[:3, 3].tolist()
         [-1.0, 0.0, -2.0]
         """
-        path = self._path(base, tip)
+        path = self._single_joints(base, tip)
         if q is None and (moving := [joint.name for joint, _ in path if joint.moves]):
             raise ValueError(
                 f"q must be given if a joint moves between the links; between {base} and {tip} {', '.join(moving[:12])} "
@@ -315,7 +328,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         >>> bool(np.allclose(tree.jacobian(q, "tool"), youbot().jacobian(q)))
         True
         """
-        path, q = self._path(self.root, link, "link"), self.in_order(q)
+        path, q = self._single_joints(self.root, self._checked(link, "link")), self.in_order(q)
         T, J = np.eye(4), np.zeros((*q.shape[:-1], 6, self.n))
         for joint, _ in path:
             T = T @ joint.origin
@@ -344,9 +357,9 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         ('joint_4', 'joint_3')
         """
         base = self.root if base is None else base
-        tip = _only_tip(self.link_tree, base) if tip is None else tip
+        tip = self._only_tip(base) if tip is None else tip
         T, screws, points, moving, links = np.eye(4), [], [], [], [base]
-        for joint, sign in self._path(base, tip):
+        for joint, sign in self._single_joints(base, tip):
             # The axis is given in the joint frame: the frame after this joint if the path goes down, and before it if it goes up.
             before, T = T, T @ (joint.origin if sign > 0 else inverse(joint.origin))
             if joint.moves:
@@ -357,7 +370,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
                 moving.append(joint)
                 links.append(joint.child if sign > 0 else joint.parent)
         if not moving:
-            raise self.link_tree.links[tip].error(
+            raise self.link_elements[tip].error(
                 f"a joint must move between base and tip; none does between {base} and {tip}. Their constant pose is "
                 f'kl.Tree.from_urdf(...).pose("{base}", "{tip}"). For a chain, pass other links as base or tip.'
             )
@@ -395,9 +408,65 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
             points=chain.link_poses(shifts)[:, :3, 3],
         )
 
-    def _path(self, base: str, tip: str, argument: str = "tip") -> Sequence[PathStep]:
+    def path(self, base: str, tip: str) -> list[PathStep]:
+        """Find the joints from one link to another: up to their nearest common ancestor, and down from it.
+
+        Raises ValueError for a name that is no link.
+        """
+        up, down = (self._ancestors(self._checked(link, name)) for link, name in ((base, "base"), (tip, "tip")))
+        shared = {joint.name for joint in up} & {joint.name for joint in down}
+        return [
+            *(PathStep(joint, -1) for joint in up if joint.name not in shared),
+            *(PathStep(joint, +1) for joint in reversed(down) if joint.name not in shared),
+        ]
+
+    def _checked(self, link: str, argument: str) -> str:
+        """The link, if it is one; argument: its name, for the message."""
+        if link not in self.link_elements:
+            hint = suggest_name(link, self.links, "links")
+            raise ValueError(f"{argument} must be the name of a link; got {link!r}.{hint}")
+        return link
+
+    def _ancestors(self, link: str) -> list[UrdfJoint]:
+        """The joints from a link up to the root."""
+        joints = []
+        while link in self.parent_joints:
+            joints.append(self.parent_joints[link])
+            link = self.parent_joints[link].parent
+        return joints
+
+    def _descendants(self, base: str) -> Iterator[tuple[int, str, bool]]:
+        """Yield the base and every link below it, depth first: its depth, its name, and whether it moves relative to the base."""
+        child_joints: dict[str, list[UrdfJoint]] = {}
+        for joint in self.parent_joints.values():
+            child_joints.setdefault(joint.parent, []).append(joint)
+        stack = [(0, base, False)]
+        while stack:
+            depth, link, moves = stack.pop()
+            yield depth, link, moves
+            stack += [(depth + 1, joint.child, moves or joint.moves) for joint in reversed(child_joints.get(link, []))]
+
+    def _tips(self, base: str) -> list[str]:
+        """The links below a base that have no child and move relative to it: the possible ends of an arm on this base."""
+        parents = {joint.parent for joint in self.parent_joints.values()}
+        return [link for _, link, moves in self._descendants(base) if moves and link not in parents]
+
+    def _only_tip(self, base: str) -> str:
+        if len(tips := self._tips(self._checked(base, "base"))) == 1:
+            return tips[0]
+        choices = "Pass a base with a moving joint below it."
+        if tips:
+            paths = [[joint.child for joint in reversed(self._ancestors(tip))] for tip in tips]
+            shared = [same[0] for same in zip(*paths, strict=False) if len(set(same)) == 1]
+            before = f", or {shared[-1]}, from which they branch off" if shared and shared[-1] != base else ""
+            choices = f"Pass tip=..., one of {', '.join(tips)}{before}."
+        raise self.link_elements[base].error(
+            f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
+        )
+
+    def _single_joints(self, base: str, tip: str) -> list[PathStep]:
         """The joints between two links, each of which has at most one degree of freedom."""
-        path = self.link_tree.path(self.link_tree.check_link(base, "base"), self.link_tree.check_link(tip, argument))
+        path = self.path(base, tip)
         for joint, _ in path:
             if joint.type in DEGREES_OF_FREEDOM:
                 raise joint.element.error(
@@ -415,7 +484,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         return origins, np.reshape([joint.screw for joint in joints], (-1, 6))
 
     def _validate_joint_poses(self, given: Mapping[str, ArrayLike]) -> dict[str, Array]:
-        needed = [joint.name for joint in self.link_tree.parent_joints.values() if joint.type in DEGREES_OF_FREEDOM]
+        needed = [joint.name for joint in self.parent_joints.values() if joint.type in DEGREES_OF_FREEDOM]
         if set(given) != set(needed):
             raise ValueError(
                 f"joint_poses must have a pose for each planar and each floating joint of {self.name}: "
@@ -423,17 +492,3 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
                 "For a joint that is not displaced, pass np.eye(4)."
             )
         return {name: validation.poses(T, f"joint_poses[{name!r}]") for name, T in given.items()}
-
-
-def _only_tip(tree: LinkTree, base: str) -> str:
-    tips = tree.tips(tree.check_link(base, "base"))
-    if len(tips) != 1:
-        choices = "Pass a base with a moving joint below it."
-        if tips:
-            hand = tree.common_ancestor(tips)
-            before = f", or {hand}, from which they branch off" if hand != base else ""
-            choices = f"Pass tip=..., one of {', '.join(tips)}{before}."
-        raise tree.links[base].error(
-            f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
-        )
-    return tips[0]

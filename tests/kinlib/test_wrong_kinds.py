@@ -14,7 +14,7 @@ LINKAGE = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda: kl.Tree("<robot/>"), r"link_tree must be .*got NoneType None.*Tree\.from_urdf"),
+        (lambda: kl.Tree("<robot/>"), r"at least one link.*Tree\.from_urdf"),
         (lambda: ARM.random_configurations(2.5), "count must be .*got float 2.5. Try int"),
         (lambda: ARM.random_configurations(3, seed="x"), "seed must be .*got str 'x'"),
         (lambda: ARM.fk({"joint_1": 0.1}), r"q must be an array.*got dict.*changed\(joint_names="),

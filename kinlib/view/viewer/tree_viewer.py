@@ -71,13 +71,11 @@ def branches(tree: Tree) -> list[Branch]:
     [('tool', 5)]
     """
     moving = {name: row for row, name in enumerate(tree.moving_joint_names)}
-    free = {
-        joint.name: np.eye(4) for joint in tree.link_tree.parent_joints.values() if joint.type in {"planar", "floating"}
-    }
+    free = {joint.name: np.eye(4) for joint in tree.parent_joints.values() if joint.type in {"planar", "floating"}}
     home = tree.poses(np.zeros(tree.n), joint_poses=free)
     found: list[Branch] = []
     for tip in tree.tips:
-        path: list[UrdfJoint] = [step.joint for step in tree.link_tree.path(tree.root, tip)]
+        path: list[UrdfJoint] = [step.joint for step in tree.path(tree.root, tip)]
         joints = [joint for joint in path if joint.name in moving]
         if not joints:
             continue
