@@ -78,9 +78,13 @@ def _improved(found: JointMap, one: Chain, other: Chain, fixed: frozenset[str]) 
         if found.difference <= IMPROVED_ABOVE:
             break
         error, J = linearized(found.base, one, found.signs * q + found.offsets, found.tool, target)
-        steps = [np.linalg.lstsq(J * is_free, -error, rcond=bound)[0] * is_free for bound in (1e-14, 1e-10, 1e-6)]
-        tried = [_moved(found, step, one, other) for step in steps if np.abs(step).max() <= LARGEST_STEP]
-        best = min(tried, key=lambda each: each.difference, default=found)
+        best = found
+        for bound in (1e-14, 1e-10, 1e-6):
+            step = np.linalg.lstsq(J * is_free, -error, rcond=bound)[0] * is_free
+            if np.abs(step).max() <= LARGEST_STEP:
+                best = min(best, _moved(found, step, one, other), key=lambda each: each.difference)
+            if best.difference <= IMPROVED_ABOVE:
+                return best
         if best.difference >= found.difference:
             break
         found = best
