@@ -143,15 +143,15 @@ class Problem:
         return [wrong.name for wrong in self._hidden_mutants()]
 
     def without_duplicates(self) -> "Problem":
-        """Return the same problem without the mistakes whose answer is the right one, that of an earlier mistake, or a placeholder.
+        """Return the same problem without the mistakes whose answer is the right one, or that of an earlier mistake, or which
+        looks like something else at sight: a placeholder, or the right answer in another unit.
 
         Some mistakes are impossible for some variants: where nothing is an angle, degrees cannot be taken for radians.
         """
         kept: list[Mistake] = []
         for wrong in self.mistakes:
-            seen = self.answer.appearance(wrong.value, None)
             known = [self.answer.value, *(one.value for one in kept)]
-            if not (seen and seen[0] == "placeholder") and not any(self._same(wrong.value, value) for value in known):
+            if not self.answer.at_sight(wrong.value) and not any(self._same(wrong.value, value) for value in known):
                 kept.append(wrong)
         return replace(self, mistakes=kept)
 

@@ -151,6 +151,13 @@ class Answer(ABC):
         """
         return None
 
+    def at_sight(self, given: Any) -> tuple[str, str] | None:
+        """Return what is told of a whole wrong answer before any mistake: a placeholder, or of a single part also another unit."""
+        if (seen := self.appearance(given, None)) or len(self.parts) > 1:
+            return seen
+        seen = self.appearance(given, 0)
+        return seen if seen and seen[0] != "rounded" else None
+
     def arrangement(self, given: Any) -> tuple[str, str] | None:
         """Return how the whole answer is the right one in another order, with other signs or multiplied by a factor."""
         return None

@@ -66,11 +66,9 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Explanat
     wrong  the indices of its wrong parts, at least one
     """
     answer, is_single = problem.answer, len(problem.answer.parts) == 1
-    if seen := answer.appearance(value, None):
+    if seen := answer.at_sight(value):
         return [_seen(wrong, value, seen, spoils=True)]
     sights = {part: seen for part in wrong if (seen := answer.appearance(value, part))}
-    if is_single and sights and sights[wrong[0]][0] != "rounded":
-        return _joined(sights, value)
     groups = [problem.mistakes, list(problem.mutants_near(value)), problem.slips]
     for group in groups:
         if whole := [one for one in group if all(answer.shows(value, one.value))]:

@@ -127,6 +127,15 @@ def test_a_variant_in_which_a_mistake_is_right_is_drawn_again_or_refused():
         degenerate.variant("ada")
 
 
+def test_a_mistake_that_looks_like_the_right_answer_in_another_unit_is_left_out():
+    """A card names the unit before any mistake, so that the mistake would have a message that no student reads."""
+    values = {"in metres": 0.27102, "in centimetres": 27.1, "nothing": 0.0, "another distance": 280.0}
+    ways = [mistake(name, np.array(value), "A sentence.") for name, value in values.items()]
+    drawn = Problem("How far?", Numbers(np.array(271.0), unit="mm"), ways).without_duplicates()
+    assert [one.name for one in drawn.mistakes] == ["another distance"]
+    assert judge(drawn, 280.0).mistakes == ["another distance"]
+
+
 def test_a_mistake_of_another_shape_is_refused_when_the_problem_is_made():
     with pytest.raises(ValueError, match=r"shape \(2, 6\).*shape \(6,\)"):
         two_rows([mistake("one row", np.zeros(6), "?")])
