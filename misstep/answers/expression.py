@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -13,11 +13,10 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from misstep.answers.base import TOLERANCE, Quantifier, Unreadable
-from misstep.answers.entries import Entries, Slip, entries_hint, place_of, scale_of, wrong_slips
+from misstep.answers.entries import Entries, entries_hint, place_of, scale_of
 from misstep.answers.likeness import Likeness, Named, copied_row
 from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
-from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
 from misstep.validation import Array
 
@@ -164,29 +163,6 @@ class ClosedForm(Entries):
         for piece in self.part_indices():
             scales[piece] = scale_of(values[piece])
         return scales
-
-    def slips(self) -> Iterator[Mistake]:
-        """Yield the right formulas with a wrong sign or at the wrong place."""
-        return wrong_slips(self, self._changes(), lambda formula: formula.values, self.part_indices())
-
-    def _changes(self) -> Iterator[Slip]:
-        right = self._right
-        values, shape = right.values, self._shape
-        if len(shape) == 2 and shape[0] == shape[1]:
-            text = "Your answer is the transpose of the right one."
-            yield ("transposed", replace(right, values=values.swapaxes(0, 1)), text, "")
-        what = "formulas have" if shape else "formula has"
-        yield (
-            "all signs",
-            replace(right, values=-values),
-            f"Your {what} the wrong sign.",
-            f"Your {what} the wrong sign.",
-        )
-        for index in np.ndindex(shape) if shape else ():
-            signs = np.ones_like(values)
-            signs[index] = -1
-            text = f"Only one formula has the wrong sign: {place_of(index)}."
-            yield ("sign of one entry", replace(right, values=signs * values), text, text)
 
     @cached_property
     def _declared(self) -> list[sp.Symbol]:

@@ -163,11 +163,11 @@ class Likeness:
 
     def _signs(self) -> Named | None:
         mine, right = self.mine, self.right
-        if not self._equal(np.abs(mine), np.abs(right)).all() or mine.size == mine.shape[-1]:
+        wrong, is_one = ~self._equal(mine, right), mine.size == mine.shape[-1]
+        if not wrong.any() or not (self._equal(mine, -right) | ~wrong).all() or (is_one and not self.is_formula):
             return None
-        wrong = ~self._equal(mine, right)
-        if not wrong.any():
-            return None
+        if is_one:
+            return "all signs", "Your formula has the wrong sign."
         count, seen = np.count_nonzero(wrong), np.count_nonzero(self._is_seen(right).any(axis=-1))
         if count == seen:
             return "all signs", "The sizes are right, but every sign is wrong."

@@ -296,16 +296,17 @@ def test_a_solution_has_the_values_of_sympy_at_each_point():
     assert SINE.may_share(SINE.collect(values), expected[0] * 1.005, tolerance=0.01)
 
 
-def test_the_slips_of_formulas_are_named_by_their_places():
-    vector = ClosedForm(sp.Matrix([theta, sp.cos(theta), 1]))
-    assert vector.same_entries(vector.read("[theta, 0, 1]"), vector.value).tolist() == [True, False, True]
-    signs = [slip for slip in vector.slips() if all(vector.agrees(vector.read("[theta, -cos(theta), 1]"), slip.value))]
-    assert [slip.message for slip in signs] == ["Only one formula has the wrong sign: entry 2."]
-    square = ClosedForm(sp.Matrix([[theta, 1], [0, 2]]))
-    same = [
-        slip.name for slip in square.slips() if square.agrees(square.read("[[theta, 0], [1, 2]]"), slip.value) == [True]
-    ]
-    assert same == ["transposed"]
+def test_signs_and_places_of_formulas_are_named():
+    q = sp.Symbol("q", real=True)
+    column, square = ClosedForm(sp.Matrix([theta, sp.cos(theta), 1])), ClosedForm(sp.Matrix([[q, 1], [0, 2]]))
+    for form, typed, seen in [
+        (column, "[theta, -cos(theta), 1]", ("signs", "The sizes are right, but not the sign of entry 2.")),
+        (ClosedForm(q), "-q", ("all signs", "Your formula has the wrong sign.")),
+        (square, "[[-q, -1], [0, -2]]", ("all signs", "The sizes are right, but every sign is wrong.")),
+        (square, "[[q, 0], [1, 2]]", ("transposed", "This is the transpose of the right one.")),
+        (square, "[[abs(q), 1], [0, 2]]", None),  # its sign is wrong at some values alone
+    ]:
+        assert form.explanation(form.read(typed), 0) == seen, typed
 
 
 class Rows(ClosedForm):
