@@ -16,6 +16,7 @@ its folder. A lecture is imported only when it is used.
 import importlib
 import os
 import sys
+from argparse import ArgumentParser
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
@@ -304,20 +305,30 @@ def forget_package(package: str) -> None:
         del sys.modules[name]
 
 
-def find_course(reference: str | Path) -> Course:
-    """Find a course by the name of its package, if it is installed, or by the path of its folder.
+def find_course(reference: str | Path | None) -> Course:
+    """Find a course by the name of its package, if it is installed, or by the path of its folder; without either, the one here.
 
-    Raises ValueError if there is no such course.
+    Raises ValueError if there is no such course, and without a reference if there is more than one.
 
     >>> find_course("no_such_course")
     Traceback (most recent call last):
         ...
     ValueError: no_such_course must be the folder of a course: ... a relative path starts at the current folder.
     """
+    if reference is None:
+        return course_in(Path.cwd())
     for entry in entry_points(group=ENTRY_POINT_GROUP):
         if entry.name == str(reference):
             return entry.load()  # type: ignore[no-any-return]
     return load_course(reference)
+
+
+def add_course_argument(parser: ArgumentParser) -> None:
+    """Add the option of a command whose value is the reference of a course."""
+    parser.add_argument(
+        "--course",
+        help="the name of an installed course, or its folder (default: the one here, or the only installed one)",
+    )
 
 
 def course_of(sheet: str) -> Course:

@@ -15,7 +15,7 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
-from misstep.catalog import course_in, find_course
+from misstep.catalog import add_course_argument, find_course
 from misstep.diagnosis.bugs import inseparable_pairs
 from misstep.diagnosis.explanation import CONSEQUENCES, SAME_CONSEQUENCE
 from misstep.judge import Finding, judge
@@ -192,10 +192,7 @@ def _share(part: int, whole: int) -> str:
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Add the options of `misstep census`."""
-    parser.add_argument(
-        "--course",
-        help="the name of an installed course, or its folder (default: the one here, or the only installed one)",
-    )
+    add_course_argument(parser)
     parser.add_argument("--students", type=int, default=60, help="how many students (60)")
     parser.add_argument("--sheet", action="append", help="only this sheet; may be repeated")
     parser.add_argument("--examples", action="store_true", help="print examples of what was counted")
@@ -204,7 +201,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Take the census of a course, print it, and return 0 if nothing wrong has full marks, a wrong name or a false claim."""
-    course = find_course(options.course) if options.course else course_in(Path.cwd())
+    course = find_course(options.course)
     students = [f"student {k}" for k in range(options.students)]
     sheets = options.sheet or course.sheets()
     reference = options.course or course.reference

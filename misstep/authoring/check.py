@@ -10,19 +10,16 @@ import re
 from argparse import ArgumentParser, Namespace
 from collections import Counter
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 from misstep.authoring.course_here import (
     FaultOfCourse,
-    add_course_argument,
-    find_course_here,
     headings_of,
     import_sheet,
     place_of,
 )
 from misstep.authoring.new_problem import PLACEHOLDER, PLACEHOLDER_SOLUTION, add_cells, notebook_of
-from misstep.catalog import Course
+from misstep.catalog import Course, add_course_argument, find_course
 from misstep.census import COUNTS, census_of
 from misstep.problem import Problem, Template
 from misstep.release.instructor_notebook import Entry
@@ -159,7 +156,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Print what is missing; return 0 if nothing is, and 1 otherwise."""
-    course = find_course_here(options.course, Path.cwd())
+    course = find_course(options.course)
     if options.repair:
         repair(course)
     missing = list(what_is_missing(course, options.students))

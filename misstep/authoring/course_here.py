@@ -3,31 +3,14 @@
 import json
 import re
 import traceback
-from argparse import ArgumentParser
 from pathlib import Path
 
-from misstep.catalog import Course, course_in, find_course
+from misstep.catalog import Course
 from misstep.sheet import Sheet
 
 
 class FaultOfCourse(ValueError):
     """The code of a course raised an error. The message names the file, the line and the error."""
-
-
-def add_course_argument(parser: ArgumentParser) -> None:
-    """Add the option that names another course."""
-    parser.add_argument(
-        "--course",
-        help="the name of an installed course, or its folder (default: the one here, or the only installed one)",
-    )
-
-
-def find_course_here(reference: str | None, here: Path) -> Course:
-    """Find a course by its reference, or the only one in a folder, or the only one that is installed.
-
-    Raises ValueError if there is none, or more than one.
-    """
-    return find_course(reference) if reference else course_in(here)
 
 
 def import_sheet(course: Course, name: str) -> Sheet:

@@ -11,8 +11,8 @@ import unicodedata
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from misstep.authoring.course_here import add_course_argument, find_course_here, headings_of, import_sheet
-from misstep.catalog import FOLDER_PREFIX, Course
+from misstep.authoring.course_here import headings_of, import_sheet
+from misstep.catalog import FOLDER_PREFIX, Course, add_course_argument, find_course
 from misstep.release.instructor_notebook import Entry, problem_cells
 
 PLACEHOLDER = "Replace this statement."
@@ -126,7 +126,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Add the problem, print what to do next, and return 0."""
-    course = find_course_here(options.course, Path.cwd())
+    course = find_course(options.course)
     source, notebook = add_problem(course, options.sheet, options.title, options.points)
     print(f"Added a problem that works. Change it at the end of {source}, and its solution in {notebook}.")
     print("Then run: misstep check")

@@ -2,10 +2,9 @@
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator
-from pathlib import Path
 
-from misstep.authoring.course_here import FaultOfCourse, add_course_argument, find_course_here, import_sheet, place_of
-from misstep.catalog import Course
+from misstep.authoring.course_here import FaultOfCourse, import_sheet, place_of
+from misstep.catalog import Course, add_course_argument, find_course
 from misstep.judge import judge
 from misstep.problem import Template
 from misstep.verdict import Verdict
@@ -45,7 +44,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Print the problem, and return 0."""
-    course = find_course_here(options.course, Path.cwd())
+    course = find_course(options.course)
     template = find_template(course, options.number)
     try:
         shown = list(preview(template, options.student))
