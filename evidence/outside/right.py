@@ -252,14 +252,7 @@ def screws_of_any_joints(axes: Any, points: Any, pitches: Any) -> Array:
     )
 
 
-def in_the_drawing(g: Any) -> Any:
-    """Nothing: the answer is read from a drawing, one of many is right, or the wrong letters are known without the right one."""
-    return None
-
-
 RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
-    "01.1": ("pose", in_the_drawing),
-    "01.2": ("rotation", in_the_drawing),
     "01.3": ("matrix", plane),
     "01.4": ("vectors", lambda g: np.array([(g.T_sc @ [*g.point_c, 1])[:3], g.T_sc[:3, :3] @ g.arrow_c])),
     "01.5": ("pose", lambda g: inv(g.T_sg)),
@@ -277,13 +270,8 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "03.2": ("screw", lambda g: screw(tilted(g), g.point)),
     "03.3": ("screw", lambda g: np.array([0, 0, 0, *np.array(g.direction) / np.linalg.norm(g.direction)])),
     "03.4": ("screw", lambda g: screw(g.axis, g.point) + np.array([0, 0, 0, *g.lead / 2 / np.pi * np.array(g.axis)])),
-    "03.5": ("screw", in_the_drawing),
     "03.7": ("pose function", lambda g: lambda q: poe(g, g.screws, g.home, q)),
     "03.8": ("pose", lambda g: poe(g, g.screws, g.home @ pose(np.eye(3), [0, 0, g.longer]))),
-    "03.9": ("formula", in_the_drawing),
-    "03.10": ("formula", in_the_drawing),
-    "03.11": ("pose function", in_the_drawing),
-    "04.1": ("screw", in_the_drawing),
     "04.2": ("screws", lambda g: np.asarray(g.screws) @ Ad(inv(g.home)).T),
     "04.3": ("screws", lambda g: np.asarray(g.body_screws) @ Ad(g.home).T),
     "04.5": ("pose", lambda g: product(g.home, *map(exp, g.body_screws, radians_of(g.values, g.body_screws)))),
@@ -297,17 +285,6 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "04.8": ("screw", lambda g: jacobian(g, radians_of(g.values, g.body_screws))[1]),
     "04.9": ("screw", lambda g: np.radians(g.rates) @ jacobian(g, np.radians(g.values))),
     "04.10": ("vector", wrist),
-    "04.11": ("formula", in_the_drawing),
-    "05.1": ("row", in_the_drawing),
-    "05.3": ("table", in_the_drawing),
-    "06.6": ("entry", in_the_drawing),
-    "06.9": ("wrists", in_the_drawing),
-    "06.10": ("table", in_the_drawing),
-    "07.2": ("frames", in_the_drawing),
-    "07.3": ("table", in_the_drawing),
-    "07.4": ("table", in_the_drawing),
-    "07.6": ("table", in_the_drawing),
-    "08.9": ("counts", in_the_drawing),
     "05.2": (
         "pose",
         lambda g: link((g.a, np.radians(g.alpha_degrees), g.d, np.radians(g.theta_degrees)), "standard"),
@@ -370,36 +347,20 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "01.8": ("order", choices.rotations),
     "01.9": ("letter", choices.rigid_or_not),
     "03.6": ("order", choices.from_the_floor),
-    "03.12": ("screws", in_the_drawing),
     "04.4": ("order", choices.around_home),
-    "04.12": ("screws", in_the_drawing),
     "05.6": ("letter", choices.faulty_entry),
-    "05.9": ("rows", in_the_drawing),
     "06.5": ("letter", choices.convention_of),
-    "06.11": ("rows", in_the_drawing),
     "07.1": ("letter", choices.relation),
     "07.5": ("letter", choices.broken_rule),
     "07.8": ("letter", choices.same_arm),
-    "07.9": ("vectors", in_the_drawing),
-    "08.5": ("letter", in_the_drawing),
     "08.6": ("letter", choices.grashof),
-    "09.6": ("line", in_the_drawing),
     "09.7": ("letter", choices.path_through_a_tree),
     "09.8": (
         "origin",
         lambda g: np.array([[g.a, -g.d * np.sin(g.alpha), g.d * np.cos(g.alpha)], [g.alpha, 0, 0]]),
     ),
-    "09.11": ("line", in_the_drawing),
-    "09.12": ("vectors", in_the_drawing),
     "10.3": ("letter", choices.one_of_four),
     "10.5": ("formula", in_letters),
-    "10.8": ("vectors", in_the_drawing),
-    "10.9": ("screws", in_the_drawing),
-    "10.10": ("rows", in_the_drawing),
-    "10.11": ("frames", in_the_drawing),
-    "10.12": ("letter", in_the_drawing),
-    "10.13": ("millimetres", in_the_drawing),
-    "10.14": ("letter", in_the_drawing),
     "robot.home_pose": ("pose", lambda g: product(g.T_sr, g.T_rf, g.T_fb)),
     "robot.where_is_the_tool": ("pose", lambda g: poe(g, g.screws, g.home, radians_of(g.values, g.screws))),
     "robot.point_of_the_tool": (
@@ -407,10 +368,7 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
         lambda g: (poe(g, g.screws, g.home, radians_of(g.values, g.screws)) @ [*g.tip, 1])[:3],
     ),
     "robot.space_screws": ("screws", lambda g: screws_of_any_joints(g.axes, g.points, g.pitches)),
-    "robot.which_mistake": ("letter", in_the_drawing),
     "robot.faulty_entry": ("letter", choices.faulty_entry),
-    "robot.standard_table": ("table", in_the_drawing),
-    "robot.modified_table": ("table", in_the_drawing),
 }  # fmt: skip
 """For each problem the kind of its answer, and the function from its given values to the right answer."""
 
@@ -421,5 +379,27 @@ RIGHT |= {
     "robot.new_tool": RIGHT["04.7"],
 }
 
-read_from_a_drawing = {number for number, (_, solve) in RIGHT.items() if solve.__name__ == "in_the_drawing"}
-"""The problems whose right answer stands in a drawing or is a choice of several, and not among the given values."""
+IN_A_DRAWING = {
+    "pose": ["01.1"],
+    "rotation": ["01.2"],
+    "screw": ["03.5", "04.1"],
+    "formula": ["03.9", "03.10", "04.11"],
+    "pose function": ["03.11"],
+    "row": ["05.1"],
+    "table": ["05.3", "06.10", "07.3", "07.4", "07.6", "robot.modified_table", "robot.standard_table"],
+    "entry": ["06.6"],
+    "wrists": ["06.9"],
+    "frames": ["07.2", "10.11"],
+    "counts": ["08.9"],
+    "screws": ["03.12", "04.12", "10.9"],
+    "rows": ["05.9", "06.11", "10.10"],
+    "vectors": ["07.9", "09.12", "10.8"],
+    "letter": ["08.5", "10.12", "10.14", "robot.which_mistake"],
+    "line": ["09.6", "09.11"],
+    "millimetres": ["10.13"],
+}
+"""For each kind of answer the problems whose right answer is in a drawing, or is one of several, and so in no given value."""
+
+read_from_a_drawing = {number for numbers in IN_A_DRAWING.values() for number in numbers}
+
+RIGHT |= {number: (kind, lambda _: None) for kind, numbers in IN_A_DRAWING.items() for number in numbers}
