@@ -7,7 +7,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from kinsite.pdf_document import compose_document, page_numbers
+from kinsite.pdf_document import compose_document, squeeze
+from pypdf import PdfReader, PdfWriter
 
 BUILT = Path(__file__).resolve().parents[1] / "build" / "site" / "html"
 ADDRESS = re.sub("/*$", "/", os.environ.get("KINLIB_SITE_URL", ""), count=1).removeprefix("/")
@@ -21,8 +22,11 @@ LINK = '<p><a href="course.pdf">The lectures as one PDF</a>, to print or to keep
 OFFLINE = "--host-resolver-rules=MAP * ~NOTFOUND"
 # The browser's sandbox protects from pages of strangers. This page is our own, and loads nothing from other hosts.
 HEADLESS = ("--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking", "--no-first-run", OFFLINE)
-DESCRIPTION = b"/Author (The kinlib authors) /Subject (Lectures on the forward kinematics of robots)"
-"""What replaces the entry in which Chromium names itself. It is shorter, and nothing may move within a PDF."""
+DESCRIPTION = {
+    "/Author": "The kinlib authors",
+    "/Subject": "Lectures on the forward kinematics of robots",
+    "/Creator": "",
+}
 
 
 def write_pdf(document: Path, pdf: Path) -> None:
@@ -38,8 +42,16 @@ def write_pdf(document: Path, pdf: Path) -> None:
     done = subprocess.run([chromium, *HEADLESS, *options], capture_output=True, text=True, check=False)
     if not pdf.exists():
         sys.exit(f"{chromium} printed nothing:\n{done.stderr[-2000:]}")
-    creator = re.compile(rb"/Creator \(.*?(?<!\\)\)", re.DOTALL)
-    pdf.write_bytes(creator.sub(lambda found: DESCRIPTION.ljust(len(found[0])), pdf.read_bytes(), count=1))
+    described = PdfWriter(clone_from=pdf)
+    described.add_metadata(DESCRIPTION)
+    described.write(pdf)
+
+
+def page_numbers(pdf: Path) -> dict[str, int]:
+    """Read from the outline of a PDF on which sheet of paper each heading of the first level begins, by the squeezed headings."""
+    reader = PdfReader(pdf)
+    headings = [entry for entry in reader.outline if not isinstance(entry, list)]
+    return {squeeze(str(one.title)): (reader.get_destination_page_number(one) or 0) + 1 for one in headings}
 
 
 if __name__ == "__main__":
@@ -47,12 +59,11 @@ if __name__ == "__main__":
         sys.exit("The site is not built yet. Try: python course.py site")
     document = BUILT.parent / "course.html"
     numbers: dict[str, int] = {}
-    for _ in range(
-        2
-    ):  # Chromium cannot write the number of another page, so the first print is read for the second one
+    # Chromium cannot write the number of another page, so the first print is read for the second one
+    for _ in range(2):
         document.write_text(compose_document(BUILT, BUILT.name, ADDRESS, numbers=numbers), "utf-8")
         write_pdf(document, BUILT / "course.pdf")
-        numbers = page_numbers((BUILT / "course.pdf").read_bytes())
+        numbers = page_numbers(BUILT / "course.pdf")
     front = BUILT / "index.html"
     front.write_text(front.read_text("utf-8").replace(PLACEHOLDER, LINK), "utf-8")
     print(f"The course has been printed to {BUILT / 'course.pdf'}.")

@@ -27,8 +27,6 @@ SCREEN_ONLY = ("kinlib-bar", "kinlib-done", "headerlink")
 REFERENCES = {"id", "for", "aria-labelledby", "aria-describedby"}
 """The attributes that contain ids."""
 OPTION_LETTERS = "ABCDEFGH"
-OUTLINE_ENTRY = (rb"/Title (\(.*?(?<!\\)\)|<[^>]+>)", rb"/Dest \[(\d+) 0 R", rb"/Parent (\d+) 0 R")
-"""The title of an entry of a PDF's outline, the page that it leads to, and the entry above it."""
 EMPTY: Mapping[str, int] = MappingProxyType({})
 
 DOCUMENT = """\
@@ -146,31 +144,6 @@ def label(page: str, title: str) -> str:
     """
     number = re.match(r"lectures/(\d\d[a-z]?)_", page)
     return f"{number[1]} {title}" if number and not title.startswith(number[1]) else title
-
-
-def page_numbers(pdf: bytes) -> dict[str, int]:
-    """Read from the outline of a PDF by Chromium on which sheet of paper each heading of the first level begins.
-
-    Returns the numbers by the squeezed headings.
-    """
-    objects = dict(re.findall(rb"^(\d+) 0 obj\n(.*?)\nendobj", pdf, re.DOTALL | re.MULTILINE))
-    order = [number for number, text in objects.items() if b"/Type /Page\n" in text]
-    numbers = {}
-    for text in objects.values():
-        title, target, parent = (re.search(pattern, text, re.DOTALL) for pattern in OUTLINE_ENTRY)
-        if title and target and parent and b"/Title" not in objects[parent[1]]:
-            numbers[squeeze(outline_text(title[1]))] = order.index(target[1]) + 1
-    return numbers
-
-
-def outline_text(text: bytes) -> str:
-    r"""Decode a string of a PDF.
-
-    >>> outline_text(rb"(a \(b\))"), outline_text(b"<FEFF00E9>")
-    ('a (b)', 'é')
-    """
-    data = bytes.fromhex(text[1:-1].decode()) if text.startswith(b"<") else re.sub(rb"\\(.)", rb"\1", text[1:-1])
-    return data[2:].decode("utf-16-be") if data.startswith(b"\xfe\xff") else data.decode("latin-1")
 
 
 def anchor(page: str) -> str:

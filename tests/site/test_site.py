@@ -18,8 +18,8 @@ from accessibility import violations
 from browser import unwatched, watched
 from built_site import DESKTOP, PHONE, ROOT, SITE
 from gate import LECTURES, giveaways
-from kinsite import STRICT, execute
-from kinsite.generated import gallery, mistakes, reference
+from kinsite import STRICT, execute, markdown
+from kinsite.generated import gallery, mistakes
 from kinsite.late_formulas import show_all
 from kinsite.pdf_document import compose_document
 from lessons import plain_words, words_of
@@ -417,8 +417,8 @@ def test_marks_for_tests_are_removed_from_the_pages(site_folder, pages):
 
 def test_only_lines_in_two_columns_become_definitions():
     """Two spaces make a definition, a bracket before a word does not; and text may follow the list."""
-    assert reference.paragraph("A point (n, 3) on every axis") == "A point (n, 3) on every axis"
-    assert reference.paragraph("q      (n,) values\n       in radians\nAnd more.") == (
+    assert markdown.paragraph("A point (n, 3) on every axis") == "A point (n, 3) on every axis"
+    assert markdown.paragraph("q      (n,) values\n       in radians\nAnd more.") == (
         "`q`\n: (n,) values\n  in radians\n\nAnd more."
     )
 

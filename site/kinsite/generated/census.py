@@ -7,6 +7,7 @@ from typing import Any
 
 from kincourse import find_sheet, sheets
 from kinsite.execute import ROOT
+from kinsite.markdown import table
 from misstep.census import COUNTS
 
 RESULTS = ROOT / "site" / "census.json"
@@ -79,13 +80,13 @@ def page(census: Mapping[str, Any]) -> str:
     parts = [HEAD.format(students=census["students"], **COUNTS), two_figures(census)]
     if outside := census.get("outside"):
         parts += ["## From outside", outside_table(outside)]
-    parts += ["## All sheets", table(rows_by_sheet(rows))]
+    parts += ["## All sheets", counts_table(rows_by_sheet(rows))]
     if missing:
         parts.append(f"Not counted in this census: sheet {', '.join(missing)}.")
     for name in sheets():
         number = name.partition("_")[0]
         if of_sheet := [row for row in rows if row["number"].startswith(f"{number}.")]:
-            parts += [f"## Sheet {number}: {find_sheet(name).title}", table(of_sheet)]
+            parts += [f"## Sheet {number}: {find_sheet(name).title}", counts_table(of_sheet)]
     pairs = [
         f"- sheet {name.partition('_')[0]}: " + "; ".join(f"`{one}` and `{other}`" for one, other in found)
         for name, found in census["inseparable"].items()
@@ -128,15 +129,11 @@ def outside_table(outside: Mapping[str, Any]) -> str:
     for number, counts in outside["problems"].items():
         sheets_of.setdefault(number.partition(".")[0], Counter()).update(counts)
     sheets_of["**all**"] = sum(sheets_of.values(), Counter())
-    lines = [f"| sheet | {' | '.join(OUTSIDE)} |", "| --- " + "| ---: " * len(OUTSIDE) + "|"]
-    lines += [
-        f"| {sheet} | {' | '.join(_halves(counts, what) for what in OUTSIDE)} |" for sheet, counts in sheets_of.items()
+    rows = [
+        [sheet, *(f"{counts[what]} ({counts[f'held out: {what}']})" for what in OUTSIDE)]
+        for sheet, counts in sheets_of.items()
     ]
-    return "\n".join(lines)
-
-
-def _halves(counts: Counter[str], what: str) -> str:
-    return f"{counts[what]} ({counts[f'held out: {what}']})"
+    return table(["sheet", *OUTSIDE], rows, rule="---:")
 
 
 def rows_by_sheet(rows: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
@@ -154,15 +151,15 @@ def total(number: str, rows: Sequence[Mapping[str, Any]]) -> Mapping[str, Any]:
     return {"number": number, "counts": counts, "wrong": sum(row["wrong"] for row in rows)}
 
 
-def table(rows: Sequence[Mapping[str, Any]]) -> str:
+def counts_table(rows: Sequence[Mapping[str, Any]]) -> str:
     """Write the counts as a table, one row for each problem or sheet."""
     heads = ["problem" if "." in rows[0]["number"] else "sheet", "wrong answers", *COUNTS.values()]
-    lines = [f"| {' | '.join(heads)} |", "| --- " + "| ---: " * (len(heads) - 1) + "|"]
+    cells = []
     for row in rows:
         counts = [str(row["counts"].get(what, 0)) for what in COUNTS if what != "unnamed"]
-        counts.append(share(row["counts"].get("unnamed", 0), row["wrong"]))
-        lines.append(f"| {' | '.join([row['number'], str(row['wrong']), *counts])} |")
-    return "\n".join(lines)
+        unnamed = share(row["counts"].get("unnamed", 0), row["wrong"])
+        cells.append([row["number"], str(row["wrong"]), *counts, unnamed])
+    return table(heads, cells, rule="---:")
 
 
 def share(part: int, whole: int) -> str:

@@ -23,7 +23,7 @@ from kinlib.view.drawing.picture import Picture
 from kinlib.view.drawing.svg import GREEK
 from kinlib.view.figures.arm import draw_arm
 from kinlib.view.figures.linkage import draw_linkage
-from kinsite.generated.reference import escape, prose
+from kinsite.markdown import escape, prose, table
 from misstep.display.text import matrix, number
 
 NOT_ROBOTS = {"arm", "pose"}
@@ -262,21 +262,16 @@ def angle(x: float) -> str:
 def linkage_table(function: str, mechanism: Mechanism) -> str:
     """Count the bodies, joints, loops and degrees of freedom of a linkage."""
     mobility = mechanism.mobility(closed_configuration(function, mechanism))
-    return "\n".join(
-        [
-            "## Mobility",
-            "",
-            "| what | how many |",
-            "| --- | --- |",
-            f"| bodies, including the ground | {len(mechanism.bodies)} |",
-            f"| joints | {len(mechanism.joints)} |",
-            f"| joint values | {mechanism.n} |",
-            f"| loops | {len(mechanism.loops)} |",
-            f"| degrees of freedom by the Grübler-Kutzbach formula | {mobility.kutzbach} |",
-            f"| infinitesimal (first-order) mobility in this configuration | {mobility.infinitesimal} |",
-            f"| finite mobility | {mobility.finite} |",
-        ]
-    )
+    counts = {
+        "bodies, including the ground": len(mechanism.bodies),
+        "joints": len(mechanism.joints),
+        "joint values": mechanism.n,
+        "loops": len(mechanism.loops),
+        "degrees of freedom by the Grübler-Kutzbach formula": mobility.kutzbach,
+        "infinitesimal (first-order) mobility in this configuration": mobility.infinitesimal,
+        "finite mobility": mobility.finite,
+    }
+    return f"## Mobility\n\n{table(['what', 'how many'], [(what, str(count)) for what, count in counts.items()])}"
 
 
 def raw_html(html: str) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from kinsite.execute import ROOT
-from kinsite.generated.reference import escape
+from kinsite.markdown import escape, table
 
 sys.path.insert(0, str(ROOT / "evidence" / "benchmarks"))  # they are not an installed package
 
@@ -114,7 +114,7 @@ def batch_table(rows: Sequence[Result]) -> str:
         own = by_key.get((size, "kinlib"))
         cells = [batch_cell(by_key.get((size, library)), size, own) for library in libraries]
         lines.append([f"{size:,}", *cells])
-    return markdown_table(["batch", *(f"{library}: fresh, warmed" for library in libraries)], lines)
+    return table(["batch", *(f"{library}: fresh, warmed" for library in libraries)], lines)
 
 
 def batch_cell(row: Result | None, size: int, own: Result | None) -> str:
@@ -137,7 +137,7 @@ def course_table(rows: Sequence[Result]) -> str:
         "ratio to the first": lambda row: f"{row['warmed'] / rows[0]['warmed']:.2g}" if len(rows) > 1 else "",
     }
     used = {name: write for name, write in columns.items() if any(map(write, rows))}
-    return markdown_table(["", *used], [[row["library"], *(write(row) for write in used.values())] for row in rows])
+    return table(["", *used], [[escape(row["library"]), *(write(row) for write in used.values())] for row in rows])
 
 
 def set_up_text(rows: Sequence[Result], set_ups: Sequence[Result]) -> str:
@@ -180,9 +180,3 @@ def seconds(value: float) -> str:
     """
     factor, unit = next((pair for pair in ((1, "s"), (1e3, "ms"), (1e6, "µs")) if value * pair[0] >= 1), (1e9, "ns"))
     return f"{value * factor:.3g} {unit}"
-
-
-def markdown_table(heads: Sequence[str], rows: list[list[str]]) -> str:
-    """Write a table in Markdown."""
-    lines = [heads, ["---"] * len(heads), *([escape(cell) for cell in row] for row in rows)]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)

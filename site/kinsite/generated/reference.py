@@ -1,7 +1,6 @@
 """The reference: the docstrings of the three packages, module by module, in reading order.
 
-The docstrings are plain text with aligned lists, to be read in the source. No standard docstring parser understands these
-lists, so this module turns them into Markdown itself.
+kinsite.markdown turns the docstrings into Markdown.
 """
 
 import importlib
@@ -20,6 +19,7 @@ from sphinx.util.typing import stringify_annotation
 import kinlib
 from kincourse import COURSE
 from kinlib.arrays.validation import Array
+from kinsite.markdown import escape, prose
 
 MODULES = {
     "Rigid motions": ["kinlib.rigid.lie", "kinlib.rigid.rpy", "kinlib.rigid.screw"],
@@ -43,13 +43,10 @@ MODULES = {
 }
 """The modules with a public interface, in reading order. A package lists what it exports, its modules list the rest."""
 
-SPECIAL = re.compile(r"([\\`*_{}\[\]<>$|~^#])")
 ALIASES = {name: stringify_annotation(kind, "smart") for name, kind in {"ArrayLike": ArrayLike, "Array": Array}.items()}
 """Types that a signature shows by their short names."""
 
 OWN_NAME = re.compile(r"~?(?:kinlib|misstep|kincourse)(?:\.\w+)+")
-DEFINITION = re.compile(r"^(\S.{,40}?)(?:  +|(?<=\)) +(?=->))(\S.*)$")
-"""A line in two columns, or a line such as "(..., 3) -> (..., 3, 3)"."""
 
 
 def pages() -> Iterator[tuple[str, str]]:
@@ -178,57 +175,6 @@ def directive(kind: str, head: str, content: str, module: str = "") -> str:
     fence = ":" * (max([2, *(len(colons) for colons in re.findall(r"^:{3,}", content, re.MULTILINE))]) + 1)
     options = f"\n:module: {module}" if module else ""
     return f"{fence}{{{kind}}} {head}{options}\n\n{content}\n{fence}"
-
-
-def prose(text: str, doctest: bool = False) -> str:
-    """Write a docstring as Markdown: paragraphs, aligned lists as definitions, examples as code.
-
-    doctest  whether to include the examples
-    """
-    parts = []
-    for block in re.split(r"\n\s*\n", text.strip()):
-        if block.startswith(">>>"):
-            parts += [f"```pycon\n{block}\n```"] if doctest else []
-        elif block.startswith("    "):
-            parts.append(f"```text\n{inspect.cleandoc(block)}\n```")
-        else:
-            parts.append(paragraph(block))
-    return "\n\n".join(parts)
-
-
-def paragraph(block: str) -> str:
-    r"""Write one paragraph as Markdown, in which lines in two columns become definitions.
-
-    >>> print(paragraph("(..., 3) -> (..., 3, 3), the matrix.\nIt is skew."))
-    `(..., 3)`
-    : -\> (..., 3, 3), the matrix.
-    <BLANKLINE>
-    It is skew.
-    """
-    lines: list[str] = []
-    in_list = False
-    for line in block.split("\n"):
-        word, _, rest = line.partition(" ")
-        if in_list and line.startswith("  "):
-            lines.append(f"  {escape(line.strip())}")
-        elif found := DEFINITION.match(line):
-            lines.append(f"\n`{found[1].strip()}`\n: {escape(found[2])}")
-            in_list = True
-        else:
-            blank_line = "\n" if in_list or word in ("Raises", "Source:") else ""
-            lines.append(blank_line + (f"**{word}** {escape(rest)}" if word in ("Raises", "Source:") else escape(line)))
-            in_list = False
-    return "\n".join(lines).strip("\n")
-
-
-def escape(text: str) -> str:
-    r"""Escape the special characters of Markdown in a text, except in `code` and around *one emphasised word*.
-
-    >>> escape("the *fixed* axes of `a_1`, **options")
-    'the *fixed* axes of `a_1`, \\*\\*options'
-    """
-    parts = re.split(r"(`[^`]+`|(?<![\w*])\*[a-z]+\*(?![\w*]))", text)
-    return "".join(part if index % 2 else SPECIAL.sub(r"\\\1", part) for index, part in enumerate(parts))
 
 
 def first_line(module: ModuleType) -> str:
