@@ -3,20 +3,19 @@
 import numpy as np
 
 from kinlib.arrays.formatting import format_number
-from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment
-from kinlib.view.drawing import svg
+from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK, JOINT_FILL, LINK_GREY, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture
 
-WIDTH_PX, HEIGHT_PX, PX_PER_M = 560.0, 440.0, 88.0
-FLOOR = np.array([200.0, HEIGHT_PX - 40.0])
-"""The place in pixels where axis 1 meets the floor."""
-
+_, Y, Z = np.eye(3)
 
 DISTANCE_M = 0.5
 """How far axis 2 is to the side of axis 1 at the floor."""
+
+TOP_M = 4.4
+"""The height of what is in view."""
 
 
 def draw_nearly_parallel_axes(degrees: float) -> Picture:
@@ -31,54 +30,33 @@ def draw_nearly_parallel_axes(degrees: float) -> Picture:
     'Two axes, seen along their common normal. Axis 2 is 0.5 m beside axis 1 at the floor and inclined by 5 degrees. They
     cross, and have their common normal, 5.72 m above the floor, above the picture.'
     """
-    height = np.inf if degrees == 0 else DISTANCE_M / np.tan(np.radians(degrees))
-    top = (FLOOR[1] - 14) / PX_PER_M
-    drawn = [svg.polyline(np.array([(20, FLOOR[1]), (WIDTH_PX - 20, FLOOR[1])]), INK, 1.6)]
-    for metre in range(1, int(top) + 1):
-        y = FLOOR[1] - metre * PX_PER_M
-        drawn += [
-            svg.polyline(np.array([(40, y), (WIDTH_PX - 20, y)]), PALE_GREY, 1),
-            svg.text([22, y], f"{metre} m", INK, 12),
-        ]
-    direction = np.array([-np.sin(np.radians(degrees)), np.cos(np.radians(degrees))])
-    low, high = (
-        _pixels(DISTANCE_M * np.eye(2)[0] + s * direction) for s in (-0.3, min(top / direction[1], height + 0.5))
-    )
-    drawn.append(svg.polyline(np.array([_pixels(np.array([0, -0.3])), _pixels(np.array([0, top]))]), VIOLET, 2, "--"))
-    drawn.append(svg.polyline(np.array([low, high]), VIOLET, 2, "--"))
-    arm = np.array([(0, 0), (0, 0.5), (DISTANCE_M - 0.5 * np.tan(np.radians(degrees)), 0.5)])
-    drawn.append(svg.polyline(np.array([_pixels(p) for p in arm]), LINK_GREY, 7))
-    drawn += [svg.circle(_pixels(p), 8, JOINT_FILL, INK) for p in arm[1:]]
-    drawn += [
-        svg.text(_pixels(np.array([-0.15, 0.2])), "$z_1$", VIOLET, 14),
-        svg.text([low[0] + 18, low[1] - 6], "$z_2$", VIOLET, 14),
-    ]
-    drawn += _normal(height, top)
-    return Picture(svg.document(drawn, WIDTH_PX, HEIGHT_PX), _describe(degrees, height, height <= top))
-
-
-def _normal(height: float, top: float) -> list[str]:
-    """Draw the common normal as a point, or an arrow towards it if it is above the picture."""
-    if height <= top:
-        foot = _pixels(np.array([0, height]))
-        return [
-            svg.circle(foot, 6, ORANGE),
-            svg.text([foot[0] + 96, foot[1]], f"common normal, {format_number(height, 3)} m", ORANGE, 13),
-        ]
-    x, y = WIDTH_PX - 190.0, 20.0
-    if np.isinf(height):
-        return [svg.text([x, y + 56], "parallel: a normal at every height", ORANGE, 13)]
-    return [
-        svg.polyline(np.array([(x, y + 40), (x, y + 8)]), ORANGE, 3),
-        svg.polygon(np.array([(x, y), (x - 7, y + 12), (x + 7, y + 12)]), ORANGE),
-        svg.text([x + 20, y + 56], f"common normal, {format_number(height, 3)} m above", ORANGE, 13),
-    ]
-
-
-def _pixels(point: Array) -> Array:
-    """Convert metres, to the right of axis 1 and above the floor, to pixels."""
-    pixels: Array = FLOOR + PX_PER_M * np.asarray(point) * (1, -1)
-    return pixels
+    tilt = np.radians(degrees)
+    height = np.inf if degrees == 0 else DISTANCE_M / np.tan(tilt)
+    canvas = Canvas([-1.2 * Y, 3.2 * Y + TOP_M * Z], "side", sizes=np.zeros((2, 3)))
+    for metre in range(int(TOP_M) + 1):
+        canvas.line([metre * Z - 1.8 * Y, metre * Z + 4.6 * Y], PALE_GREY if metre else INK, 1.2, level=0)
+        canvas.label(metre * Z - 1.8 * Y, f"{metre} m", INK, [(14, 9)])
+    tilted = np.cos(tilt) * Z - np.sin(tilt) * Y
+    reach = min(TOP_M / np.cos(tilt), height + 0.5)
+    for foot, axis, end, name in ((0 * Y, Z, TOP_M, "1"), (DISTANCE_M * Y, tilted, reach, "2")):
+        canvas.line([foot - 0.3 * axis, foot + end * axis], VIOLET, 2, "--")
+        canvas.label(foot - 0.3 * axis, f"$z_{name}$", VIOLET, size=14)
+    arm = np.array([0 * Z, 0.5 * Z, 0.5 * Z + (DISTANCE_M - 0.5 * np.tan(tilt)) * Y])
+    canvas.line(arm, LINK_GREY, 7, level=1)
+    for joint in arm[1:]:
+        canvas.dot(joint, INK, 14)
+        canvas.dot(joint, JOINT_FILL, 11)
+    normal = f"common normal, {format_number(height, 3)} m"
+    above = TOP_M * Z + 2.9 * Y
+    if height <= TOP_M:
+        canvas.dot(height * Z, ORANGE, 12)
+        canvas.label(height * Z, normal, ORANGE, [(118, 0)], 13)
+    elif degrees:
+        canvas.arrow(above - 0.5 * Z, above, ORANGE, 3)
+        canvas.label(above - 0.5 * Z, f"{normal} above", ORANGE, [(0, -14)], 13)
+    else:
+        canvas.label(above - 0.5 * Z, "parallel: a normal at every height", ORANGE, [(0, -14)], 13)
+    return canvas.picture(_describe(degrees, height, height <= TOP_M))
 
 
 def _describe(degrees: float, height: float, inside: bool) -> str:
