@@ -13,11 +13,9 @@ from browser import (
     TIMEOUT_MS,
     contrast,
     drawn_count,
-    overflowing,
     pose,
     spoken,
     static_page,
-    text_colours,
     wait_until_drawn,
     watched,
 )
@@ -150,13 +148,16 @@ def test_the_readout_shows_the_pose_and_copy_gives_python_code_with_all_digits(s
 # --- mouse and keys ---
 
 
-def test_a_slider_is_dragged_with_the_mouse(youbot):
+def test_a_slider_is_dragged_with_the_mouse_and_a_message_says_that_webgl_is_missing(youbot):
     page = youbot
+    assert "WebGL is not available" in page.locator(".kv-message").inner_text()
+    before = shown_pixels(page)
     box = sliders(page).nth(1).bounding_box()
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     page.mouse.down()
     settled(page, lambda: page.mouse.move(box["x"] + 0.8 * box["width"], box["y"] + box["height"] / 2, steps=4))
     page.mouse.up()
+    assert shown_pixels(page) != before
     q = q_of(page)
     assert 0.5 < q[1] < np.pi
     assert [q[0], *q[2:]] == [0, 0, 0, 0]
@@ -492,15 +493,6 @@ def test_an_arm_that_cannot_be_shown_gives_a_message_on_the_page(show):
     assert page.get_by_role("alert").inner_text().startswith("The viewer cannot show this arm: ")
 
 
-def test_without_webgl_there_is_a_message_and_the_arm_still_moves(youbot):
-    assert "WebGL is not available" in youbot.locator(".kv-message").inner_text()
-    before = shown_pixels(youbot)
-    sliders(youbot).first.focus()
-    settled(youbot, lambda: youbot.keyboard.press("PageUp"))
-    assert shown_pixels(youbot) != before
-    np.testing.assert_allclose(pose(youbot), YOUBOT.fk(q_of(youbot)), atol=1e-12)
-
-
 # --- the page ---
 
 
@@ -521,15 +513,14 @@ def test_a_page_without_a_viewer_does_not_load_the_bundle(chromium_without_webgl
         assert not [url for url in asked if "viewer.js" in url]
 
 
-def test_all_text_has_sufficient_contrast_in_both_themes_which_follow_the_page(youbot):
-    """By WCAG 2 at least 4.5, for text on the page and labels in the picture, in the light and the dark theme."""
+def test_labels_in_the_picture_have_sufficient_contrast_in_both_themes_which_follow_the_page(youbot):
+    """By WCAG 2 at least 4.5, in the light and the dark theme; test_players_browser.py has the text beside the picture."""
     for background, name in (("white", "light"), ("#111418", "dark")):
         youbot.evaluate("colour => { document.body.style.background = colour; }", background)
         youbot.locator(f".kv[data-theme={name}]").wait_for()
         theme = youbot.evaluate("document.querySelector('.kv').viewer.stage.theme")
         labels = ["ink", "quiet", "axis", "normal", "x", "y", "z", "trail"]
-        pairs = [*text_colours(youbot), *([label, theme[label], theme["paper"]] for label in labels)]
-        assert not {text: contrast(ink, paper) for text, ink, paper in pairs if contrast(ink, paper) < 4.5}
+        assert not {label for label in labels if contrast(theme[label], theme["paper"]) < 4.5}
 
 
 PAGES = {
@@ -560,25 +551,14 @@ def test_a_figure_has_the_theme_of_the_page_and_is_printed_light(chromium_withou
             assert corner() == paper["light"], case
 
 
-def test_nothing_is_cut_off_on_a_narrow_page(show):
-    page = show(explore(kl.robots.puma560(), start=Q), viewport={"width": 400, "height": 900})
-    assert not overflowing(page)
-    assert page.evaluate("document.documentElement.scrollWidth") <= 400
-
-
-def test_every_control_has_a_name_handles_its_keys_and_shows_the_focus(youbot):
-    page = youbot
-    controls = page.locator(".kv :is(button, input, select, canvas):visible")
-    for k in range(controls.count()):
-        control = controls.nth(k)
-        assert control.get_attribute("data-lm-suppress-shortcuts") == "true"
-        assert control.evaluate("node => (node.getAttribute('aria-label') || node.textContent).trim().length") > 1
+def test_every_control_shows_the_focus(youbot):
+    controls = youbot.locator(".kv :is(button, input, select, canvas):visible")
     controls.nth(1).focus()
-    page.keyboard.press("Shift+Tab")
+    youbot.keyboard.press("Shift+Tab")
     for _ in range(controls.count()):
-        outline = page.evaluate("getComputedStyle(document.activeElement).outlineStyle")
-        assert outline == "solid", page.evaluate("document.activeElement.outerHTML")
-        page.keyboard.press("Tab")
+        outline = youbot.evaluate("getComputedStyle(document.activeElement).outlineStyle")
+        assert outline == "solid", youbot.evaluate("document.activeElement.outerHTML")
+        youbot.keyboard.press("Tab")
 
 
 def test_a_screen_reader_gets_the_arm_and_the_position_of_its_tool(youbot):
@@ -595,20 +575,10 @@ def test_a_screen_reader_gets_the_arm_and_the_position_of_its_tool(youbot):
 # --- resources ---
 
 
-def ten_joints():
-    """Return an arm of ten joints with axes in several directions."""
-    X, Y, Z = np.eye(3)
-    axes = [Z, Y, X, Y, Z, X, Z, Y, X, Y]
-    screws = np.array([screw(axis, (0.1 * i, 0, 0.3 + 0.05 * i)) for i, axis in enumerate(axes)])
-    home = np.eye(4)
-    home[:3, 3] = 1.1, 0, 0.8
-    return kl.Chain(screws, home, name="ten joints")
-
-
-def test_ten_joints_with_everything_shown_need_at_most_200_draw_calls(show, chromium):
-    page = show(explore(ten_joints(), show=LAYERS), browser=chromium)
-    settled(page, lambda: set_q(page, np.full(10, 0.1)))
-    assert 20 < page.evaluate("document.querySelector('.kv').viewer.stage.calls") <= 200
+def test_an_arm_with_everything_shown_needs_few_draw_calls(show, chromium):
+    page = show(explore(kl.robots.puma560(), show=LAYERS), browser=chromium)
+    settled(page, lambda: set_q(page, np.full(6, 0.1)))
+    assert 20 < page.evaluate("document.querySelector('.kv').viewer.stage.calls") <= 120
 
 
 def test_a_thousand_updates_do_not_grow_the_heap(show):

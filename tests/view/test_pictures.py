@@ -2,6 +2,7 @@
 
 import numpy as np
 from fingerprints import assert_unchanged
+from legible import assert_visible_in_the_dark, overlapping_labels
 from urdf_files import TWO_FINGERS
 
 import kinlib as kl
@@ -122,6 +123,13 @@ SCENES_LOOKED_AT = {
 
 def test_every_drawing_stays_as_it_was():
     assert_unchanged(PICTURES, PICTURES_LOOKED_AT, tolerance=0.4)  # pixels: last digits may differ by machine
+
+
+def test_every_drawing_is_legible_on_light_and_on_dark_pages():
+    for name, draw in PICTURES.items():
+        picture = draw()
+        assert not overlapping_labels(picture), name
+        assert_visible_in_the_dark(picture)
 
 
 def test_every_scene_of_a_viewer_stays_as_it_was():

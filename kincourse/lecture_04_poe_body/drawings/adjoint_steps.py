@@ -79,6 +79,7 @@ def draw_adjoint_steps(S: ArrayLike, M: ArrayLike) -> Picture:
         f"In {{s}}: omega = {omega[2]:.3g} about z, and v = {vector_text(v)} at the origin of {{s}}. Steps (a) and (b): at the "
         f"origin of {{b}}, p = {vector_text(p)}, omega x p = {vector_text(added)}, and the velocity is {vector_text(at_p)}. "
         f"Step (c): its components along the axes of {{b}} are {vector_text(parts)}.",
+        cropped=True,
     )
 
 

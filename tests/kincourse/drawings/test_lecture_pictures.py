@@ -2,6 +2,7 @@
 
 import numpy as np
 from fingerprints import assert_unchanged
+from legible import assert_visible_in_the_dark, overlapping_labels
 
 import kinlib as kl
 from kincourse.lecture_00_start_here.drawings import draw_parts
@@ -63,7 +64,7 @@ PICTURES_LOOKED_AT = {
     "twist matrix": (2655128, 3757.2),
     "series": (1044509461, 2453.5),
     "motions": (3486296376, 4187.5),
-    "adjoint": (3203138197, 3754.8),
+    "adjoint": (1916013759, 3786.7),
     "mid-formula": (1227804212, 4087.2),
     "mid-formula, all from {b}": (953338182, 2168.7),
     "velocities": (3194410292, 3683.3),
@@ -71,7 +72,7 @@ PICTURES_LOOKED_AT = {
     "last frame": (2241927059, 1638.5),
     "last frame, revolute": (27255008, 1676.8),
     "rotation axes": (1631004220, 3717.2),
-    "nearly parallel axes": (2620640089, 2355.5),
+    "nearly parallel axes": (2767911083, 3862.5),
     "torus": (1283594954, 1801.0),
     "joint of a URDF": (1703652205, 5449.8),
     "tree of a URDF": (3568454187, 2950.8),
@@ -82,3 +83,10 @@ PICTURES_LOOKED_AT = {
 
 def test_every_drawing_of_the_lectures_stays_as_it_was():
     assert_unchanged(PICTURES, PICTURES_LOOKED_AT, tolerance=0.4)
+
+
+def test_every_drawing_of_the_lectures_is_legible_on_light_and_on_dark_pages():
+    for name, draw in PICTURES.items():
+        picture = draw()
+        assert not overlapping_labels(picture), name
+        assert_visible_in_the_dark(picture)

@@ -4,6 +4,7 @@ import numpy as np
 
 from kincourse.lecture_07_frame_assignment.drawings import draw_nearly_parallel_axes
 from kinlib.dh.common_normal import common_normal
+from kinlib.view.drawing.figure_colours import ORANGE
 
 X, Y, Z = np.eye(3)
 
@@ -15,6 +16,6 @@ def test_the_height_of_the_normal_is_that_of_the_common_normal():
         normal = common_normal((Z, 0 * Z), (tilted, 0.5 * Y + 0.2 * X), X, at_other_point=True)
         picture = draw_nearly_parallel_axes(degrees)
         assert f"{normal.start[2]:.3g} m above the floor" in picture.alt
-        is_drawn = "<circle" in picture.svg.partition("common normal")[0][-400:]
-        assert ("inside the picture" in picture.alt) == is_drawn
+        dot = f'r="6" fill="{ORANGE}"'
+        assert ("inside the picture" in picture.alt) == (dot in picture.svg)
     assert "at every height" in draw_nearly_parallel_axes(0).alt

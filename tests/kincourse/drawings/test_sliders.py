@@ -12,6 +12,7 @@ from kincourse.lecture_02_matrix_exponential.drawings import plot_series
 from kincourse.lecture_04_poe_body.drawings import slide_axis, slide_mid_formula
 from kincourse.lecture_05_dh_standard.drawings import slide_offset
 from kincourse.lecture_08_closed_chains.drawings import slide_curve, slide_linkage
+from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus
 from kinlib.rigid.lie import exp, homogeneous
 from kinlib.view import slide_frames
 from kinlib.view.drawing.static_page import ENVIRONMENT_VARIABLE
@@ -86,6 +87,7 @@ def test_wrong_arguments_are_refused():
             r"names for all values, \['0'\]; got \['1'\]",
         ),
         (lambda: slide_frames(lambda _: {"s": np.eye(3)}, "value", [0]), "frame s"),
+        (lambda: draw_torus(dict.fromkeys("abcd", np.zeros((2, 2))), xlabel="A", ylabel="D"), "at most 3 .* got 4"),
         (lambda: slide_axis(ARM, 1, np.zeros((2, 4)), "q", [0]), r"must be 2 values, one for each picture; got \[0\]"),
     ]:
         with pytest.raises(ValueError, match=says):

@@ -5,63 +5,29 @@ import re
 import subprocess
 import sys
 from functools import partial
-from itertools import combinations
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
+from legible import overlapping_labels
 from matplotlib import pyplot as plt
 from strategies import ROBOTS
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
-from kincourse.lecture_02_matrix_exponential.drawings import draw_series
 from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
-from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus
-from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, play_row, plot, slide
+from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, plot, slide
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.figures.dh_table import draw_row, draw_table
+from kinlib.view.figures.dh_table import draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
-from kinlib.view.viewer.dh_row_player import draw_tracks
 
 ROOT = Path(__file__).parents[3]
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 
 
-def svg(picture):
-    """The drawing inside the HTML that a page shows."""
-    return base64.b64decode(re.search(r"base64,([^\"]+)", picture.html())[1]).decode()
-
-
 # --- drawings ---
-
-
-@each_robot
-@pytest.mark.parametrize("draw", [draw_arm, draw_joints])
-def test_every_robot_is_drawn_with_a_text_alternative(robot, draw):
-    picture = draw(robot)
-    assert robot.name in picture.alt
-    assert f"{robot.n} joints ({robot.joint_types})" in picture.alt
-    assert "<svg" in svg(picture)
-    assert len(picture.html()) < 100_000
-
-
-def overlapping_labels(picture):
-    """Return the pairs of labels that cover each other, and check that every label is on the sheet."""
-    drawing = ET.fromstring(picture.svg)
-    left, top, *sheet = map(float, drawing.get("viewBox").split())
-    low = np.array([left, top])
-    boxes = []
-    for text in drawing.findall(".//{http://www.w3.org/2000/svg}text"):
-        said, size = "".join(text.itertext()), float(text.get("font-size"))
-        half = np.array([0.25 * len(said), 0.4]) * size
-        centre = np.array([float(text.get("x")), float(text.get("y")) - 0.35 * size])
-        assert (centre - half > low).all(), said
-        assert (centre + half < low + sheet).all(), said
-        boxes.append((centre - half, centre + half, said))
-    return [(a[2], b[2]) for a, b in combinations(boxes, 2) if (a[0] < b[1]).all() and (b[0] < a[1]).all()]
 
 
 @each_robot
@@ -73,24 +39,6 @@ def test_no_label_in_a_drawing_of_an_arm_covers_another_or_leaves_the_sheet(robo
             assignment = kl.assign_frames(robot, convention=convention)
             pictures += [draw_table(assignment.table), draw_assignment(assignment)]
     assert [overlapping_labels(picture) for picture in pictures] == [[] for _ in pictures]
-
-
-@pytest.mark.parametrize("done", range(5))
-def test_no_label_in_a_drawing_of_a_row_or_a_series_covers_another(done):
-    row = [0.8, 0.6, 0.6, 1.4]
-    pictures = [draw_row(row), draw_tracks(play_row(row).mode["tracks"], done)]
-    S, tool = kl.robots.rpr().screws[0], (0, 0, 1)
-    pictures += [draw_series(S, np.pi / 2, tool, 4 * done + k, most=22, view="front") for k in range(1, 5)]
-    assert [overlapping_labels(picture) for picture in pictures] == [[] for _ in pictures]
-
-
-def test_the_names_of_curves_on_a_torus_cover_neither_each_other_nor_a_mark():
-    linkage = kl.linkages.four_bar(ground=0.5, crank=0.3, coupler=0.3, rocker=0.3)
-    q = linkage.trace(linkage.assembly_modes(hold={"A": 0.5})[0], points=73).q
-    left = np.sin(q[:, 3]) > 0
-    modes = {"one mode": q[left][:, [0, 2]], "other mode": q[~left][:, [0, 2]]}
-    for now in q[::4, [0, 2]]:
-        assert overlapping_labels(draw_torus(modes, {"now": now}, xlabel="A", ylabel="D")) == []
 
 
 def test_a_slider_draws_drawings_at_once_and_plots_when_they_are_selected():
@@ -129,23 +77,9 @@ def test_labels_are_escaped_for_the_browser():
     assert "θ12" in said
 
 
-@pytest.mark.parametrize(("end", "marks"), [((0, 0, 1), 2), ((0, 0, -1), 1)])
-def test_an_arrow_along_the_viewing_direction_is_a_ring_with_a_dot_or_a_cross(end, marks):
-    canvas = Canvas([(-1, -1, -1), (1, 1, 1)], view="top")
-    canvas.arrow((0, 0, 0), end)
-    assert canvas.picture("An arrow, seen from its tip or its feathers.").svg.count("<circle") == marks
-
-
 def test_a_robot_of_zero_length_is_drawn():
     still = kl.Chain(np.array([[0, 0, 1, 0, 0, 0.0]]), np.eye(4), name="pivot")
     assert "nan" not in draw_arm(still).svg + draw_joints(still).svg
-
-
-def test_the_text_alternative_gives_name_and_place_of_each_frame():
-    T = kl.exp([0, 0, np.pi / 2, 0, 0, 0])
-    T[:3, 3] = 1, 2, 3
-    alt = draw_frames({"s": np.eye(4), "b": T}).alt
-    assert alt == "Frame {s} at (0, 0, 0). Frame {b} at (1, 2, 3), its x along (0, 1, 0), its z along (0, 0, 1)."
 
 
 def test_a_text_alternative_is_escaped():
@@ -195,18 +129,11 @@ def a_line(slope):
     return plot([0, 1], {"line": [0, slope]}, xlabel="x", ylabel="y", alt=f"A line through 0 of slope {slope}.")
 
 
-def test_a_widget_stays_covered_until_the_prediction_is_committed():
+def test_pictures_stay_covered_until_a_prediction_or_a_click_which_records_nothing():
     question = Answered()
     box = slide(a_line, "slope", [1, 2], after=question)
     assert "Commit to your prediction" in box.children[0].value
     assert "<img" not in box.children[0].value
-    question.committed = True
-    assert "<img" in box.children[0].children[0].value
-
-
-def test_the_picture_can_be_shown_without_a_prediction_and_nothing_is_recorded():
-    question = Answered()
-    box = slide(a_line, "slope", [1, 2], after=question)
     box.children[1].click()
     note, inside = box.children
     assert "Nothing was recorded" in note.value

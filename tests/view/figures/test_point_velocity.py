@@ -16,18 +16,14 @@ def vectors(alt, name):
 
 
 @pytest.mark.parametrize(("omega", "p"), CASES)
-def test_the_velocity_of_a_point_is_the_cross_product(omega, p):
-    alt = draw_point_velocity(omega, p).alt
-    np.testing.assert_allclose(vectors(alt, "omega x p"), np.cross(omega, p), rtol=5e-3, atol=1e-12)
-    np.testing.assert_allclose(vectors(alt, "omega"), omega)
-
-
-@pytest.mark.parametrize(("omega", "p"), CASES)
-def test_the_moment_is_the_velocity_at_the_origin(omega, p):
-    alt = draw_moment(omega, p).alt
-    np.testing.assert_allclose(vectors(alt, "v = -omega x p"), np.cross(p, omega), rtol=5e-3, atol=1e-12)
-    radius = float(re.search(r"radius ([\d.]+)", alt)[1])
-    np.testing.assert_allclose(radius, np.linalg.norm(np.cross(omega, p)), rtol=5e-3)
+def test_the_velocity_of_a_point_and_of_the_origin_is_the_cross_product(omega, p):
+    point, origin = draw_point_velocity(omega, p).alt, draw_moment(omega, p).alt
+    np.testing.assert_allclose(vectors(point, "omega x p"), np.cross(omega, p), rtol=5e-3, atol=1e-12)
+    np.testing.assert_allclose(vectors(point, "omega"), omega)
+    np.testing.assert_allclose(vectors(origin, "v = -omega x p"), np.cross(p, omega), rtol=5e-3, atol=1e-12)
+    for alt in (point, origin):
+        radius = float(re.search(r"radius ([\d.]+)", alt)[1])
+        np.testing.assert_allclose(radius, np.linalg.norm(np.cross(omega, p)), rtol=5e-3)
 
 
 def test_an_axis_through_the_point_is_refused():

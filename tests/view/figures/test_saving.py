@@ -158,12 +158,6 @@ def test_show_prints_the_file_if_there_is_no_browser(opened, monkeypatch, capsys
     assert re.fullmatch(r"No web browser was found\. Open this file in one: .*shown\.html\n", capsys.readouterr().out)
 
 
-def test_show_saves_to_a_path_and_opens_nothing(opened, tmp_path):
-    kl.show(kl.robots.rpr(), path=tmp_path / "arm.svg")
-    assert ET.parse(tmp_path / "arm.svg").getroot()[1].text == view.draw_arm(kl.robots.rpr()).alt
-    assert not opened
-
-
 def test_show_takes_every_kind_of_robot_with_values_by_name(opened, tmp_path):
     arm = kl.robots.rpr()
     named = kl.Chain(arm.screws, arm.home, joint_names=("a", "b", "c"))

@@ -92,16 +92,6 @@ def test_invalid_values_are_refused_and_the_old_ones_stay():
         assert getattr(arm, trait) == [0.1, 0.2, 0.3]
 
 
-# --- traits ---
-
-
-def test_values_may_be_an_array():
-    arm = explore(kl.robots.rpr())
-    arm.q = np.array([1, 2, 3])
-    assert arm.q == [1.0, 2.0, 3.0]
-    assert "at q = (1, 2, 3)" in arm.alt
-
-
 # --- a page without a kernel ---
 
 
