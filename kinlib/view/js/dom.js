@@ -57,6 +57,23 @@ export function formatNumber(value, digits) {
   return Number(text) === 0 ? (0).toFixed(digits) : text;
 }
 
+/** Copy a text. Returns whether the page has access to the clipboard. */
+export async function copyToClipboard(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    // the older interface, for pages without access to the clipboard
+    const field = h('textarea', { style: 'position:fixed;opacity:0' });
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    const done = document.execCommand('copy');
+    field.remove();
+    return done;
+  }
+}
+
 let count = 0;
 /** An id that is unique on the page, even if several copies of this module run there. */
 export function uniqueId(name) {

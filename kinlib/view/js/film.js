@@ -1,5 +1,6 @@
 // A film: drawings that follow each other, with a button to play and stop them, a slider, and the caption of each scene.
-import { button, h, moveSlider, slider, uniqueId } from './dom.js';
+import { playButton } from './controls/play-button.js';
+import { h, moveSlider, slider, uniqueId } from './dom.js';
 import { listen } from './model.js';
 import { isDark, onThemeChange } from './theme.js';
 
@@ -14,7 +15,6 @@ export function renderFilm({ model, el }) {
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
   const at = () => model.get('at');
   const sceneOf = (index) => scenes.find(({ end }) => index <= end) ?? scenes.at(-1);
-  let playing = 0;
 
   // Each frame has an image of its own, because an image whose source changes is blank for a moment.
   const images = frames.map(() => h('img', { hidden: true, alt: '' }));
@@ -24,10 +24,25 @@ export function renderFilm({ model, el }) {
   };
   const caption = h('p', { class: 'kv-film-caption', 'aria-live': 'polite' });
   const time = h('output', { for: id });
-  const play = button('▶ Play', () => (playing ? stop() : start()), { class: 'kv-play' });
+  let from = 0;
+  const motion = playButton(
+    () => {
+      from = at() < last ? at() : 0;
+      for (const index of order.keys()) load(index);
+    },
+    (elapsed) => {
+      const now = Math.min(last, from + Math.floor((elapsed * rate) / 1000));
+      // readers who prefer reduced motion see the end of each scene for as long as it takes
+      const index = calm.matches ? sceneOf(now).end : now;
+      if (index !== at()) set(index);
+      return now < last;
+    },
+    () => model.save_changes(),
+  );
   const leaf = (index) => {
-    stop();
+    motion.stop();
     set(index);
+    model.save_changes();
   };
   const bar = slider(last, leaf, { id, 'aria-label': 'Time' });
   const picture = h('div', { class: 'kv-film-picture', role: 'img' }, ...images);
@@ -36,7 +51,7 @@ export function renderFilm({ model, el }) {
     { class: 'kv kv-film', role: 'group', 'aria-label': 'A short film' },
     picture,
     caption,
-    h('div', { class: 'kv-film-bar' }, play, bar, time),
+    h('div', { class: 'kv-film-bar' }, motion.button, bar, time),
   );
   root.viewer = { model };
 
@@ -56,46 +71,23 @@ export function renderFilm({ model, el }) {
     time.textContent = `${(index / rate).toFixed(0)} of ${(last / rate).toFixed(0)} s`;
     moveSlider(bar, index, time.textContent);
   }
-  function start() {
-    if (at() >= last) set(0);
-    play.textContent = '❚❚ Pause';
-    for (const index of order.keys()) load(index);
-    if (calm.matches) step();
-    else playing = setInterval(() => (at() >= last || !root.isConnected ? stop() : set(at() + 1)), 1000 / rate);
-  }
-  /** For readers who prefer reduced motion: from the end of one scene to the end of the next, without what is between. */
-  function step() {
-    const next = scenes.findIndex(({ end }) => end > at());
-    if (next < 0 || !root.isConnected) return stop();
-    const before = next ? scenes[next - 1].end : 0;
-    set(scenes[next].end);
-    playing = setTimeout(step, Math.max(2000, (1000 * (scenes[next].end - before)) / rate));
-  }
-  function stop() {
-    clearInterval(playing);
-    clearTimeout(playing);
-    playing = 0;
-    play.textContent = '▶ Play';
-    model.save_changes();
-  }
   function applyTheme() {
     root.dataset.theme = isDark(root) ? 'dark' : 'light';
     picture.style.colorScheme = root.dataset.theme;
   }
 
   el.append(root);
-  stop();
   applyTheme();
   update();
   const stops = [listen(model, { at: update }), onThemeChange(applyTheme)];
   // JupyterLab attaches the element only now; and what nobody sees need not move.
   const observer = new IntersectionObserver((entries) => {
     applyTheme();
-    if (playing && !entries.at(-1).isIntersecting) stop();
+    if (!entries.at(-1).isIntersecting) motion.stop();
   });
   observer.observe(root);
   return () => {
-    stop();
+    motion.stop();
     for (const end of stops) end();
     observer.disconnect();
   };

@@ -11,8 +11,8 @@ import traitlets
 
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
-from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.assignment_steps import ACCURACY_SAMPLES
+from kinlib.chains.chain import Chain
+from kinlib.dh.assignment import FrameAssignment
 from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.rigid.lie import inverse
@@ -127,7 +127,7 @@ class ByHand(Viewer):
             "asked": self.asked,
             "breaches": breaches,
             "table": [] if table is None else table_cells(table),
-            "off": 0.0 if table is None else _largest_difference(self.chain, table),
+            "off": 0.0 if table is None else FrameAssignment(self.chain, table, self.frames, ()).accuracy,
         }
 
 
@@ -186,12 +186,6 @@ def joint_signs(chain: Chain, frames: Array, convention: Convention) -> Array:
     z = frames[:-1, :3, 2] if convention == "standard" else frames[1:, :3, 2]
     signs: Array = np.where((z * chain.lines.axis).sum(axis=1) < 0, -1.0, 1.0)
     return signs
-
-
-def _largest_difference(chain: Chain, table: DHTable) -> float:
-    """Return the largest difference of the poses of table and arm over random configurations."""
-    q = random_configurations(chain.n, ACCURACY_SAMPLES)
-    return largest_difference(table.fk(q), chain.fk(q))
 
 
 def _joint(breach: Breach, convention: Convention, n: int) -> int:

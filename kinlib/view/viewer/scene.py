@@ -74,7 +74,7 @@ def scene(
     ]
     configurations = np.concatenate([stations(chain), stations(chain, start)])
     view, floor = room(configurations, _tips(chain, start), extent(chain))
-    arm = arm_data(chain, range(chain.n))
+    arm = arm_data(chain)
     if frames:
         arm["frames"] = frames_on_links(chain, start, frames)
     return {
@@ -90,18 +90,16 @@ def scene(
     }
 
 
-def arm_data(chain: Chain, columns: Sequence[int]) -> dict[str, Any]:
+def arm_data(chain: Chain) -> dict[str, Any]:
     """Return an arm as data: joints, links, home, frames in each convention, common normals.
 
-    columns  the indices of the viewer's joint values that move each joint; arms of a closed chain can share some
-
     >>> from kinlib.chains.robots import rpr
-    >>> [joint["kind"] for joint in arm_data(rpr(), [0, 1, 2])["joints"]]
+    >>> [joint["kind"] for joint in arm_data(rpr())["joints"]]
     ['R', 'P', 'R']
     """
     size = extent(chain)
     return {
-        "columns": list(columns),
+        "columns": list(range(chain.n)),
         "joints": joint_data(chain),
         "links": [path.tolist() for path in link_paths(chain)],
         "home": chain.home.ravel().tolist(),

@@ -35,7 +35,7 @@ def test_the_data_of_an_arm_has_the_forward_kinematics_of_modern_robotics(robot)
     """The page moves each body by its screw, so the data alone must give the pose of the arm's tool."""
     q = configurations(robot, 3)
     data = scene(robot, np.zeros(robot.n))
-    for arm in (arm_data(robot, range(robot.n)), data["arms"][0]):
+    for arm in (arm_data(robot), data["arms"][0]):
         axes = np.transpose([joint["screw"] for joint in arm["joints"]])
         for row in q:
             found = mr.FKinSpace(np.reshape(arm["home"], (4, 4)), axes, row)

@@ -1,4 +1,4 @@
-// A button that starts a periodic motion and stops it when it is pressed again.
+// A button that starts a motion and stops it when it is pressed again.
 import { button } from '../dom.js';
 
 /** Period of the motion. */
@@ -7,10 +7,11 @@ const REDUCED_MOTION_STEPS = 4; // per period, if the reader prefers reduced mot
 
 /**
  * @param begin is called when the motion starts
- * @param tick (time in milliseconds, fraction of the period) draws one frame
+ * @param tick (time in milliseconds, fraction of the period) draws one frame; if it returns false, the motion has ended
+ * @param ended is called when the motion stops
  * @returns { button, stop }
  */
-export function playButton(begin, tick) {
+export function playButton(begin, tick, ended = () => {}) {
   let frame = 0;
   let begun = 0;
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
@@ -19,6 +20,7 @@ export function playButton(begin, tick) {
     cancelAnimationFrame(frame);
     frame = 0;
     play.textContent = '▶ Play';
+    ended();
   }
   function start() {
     begin();
@@ -29,8 +31,8 @@ export function playButton(begin, tick) {
   function step(now) {
     const time = Math.max(0, now - begun);
     const share = (time % ROUND_MS) / ROUND_MS;
-    tick(time, calm.matches ? Math.floor(share * REDUCED_MOTION_STEPS) / REDUCED_MOTION_STEPS : share);
-    if (play.isConnected) frame = requestAnimationFrame(step);
+    const shown = calm.matches ? Math.floor(share * REDUCED_MOTION_STEPS) / REDUCED_MOTION_STEPS : share;
+    if (tick(time, shown) !== false && play.isConnected) frame = requestAnimationFrame(step);
     else stop();
   }
   return { button: play, stop };

@@ -1,5 +1,5 @@
 // The pose of the tool as a matrix, with its columns in the colours of the axes, and a button that copies it as Python.
-import { button, formatNumber, h, uniqueId } from '../dom.js';
+import { button, copyToClipboard, formatNumber, h, uniqueId } from '../dom.js';
 
 const COLUMNS = [
   ['x̂', 'x'],
@@ -58,20 +58,4 @@ export function poseReadout() {
 export function formatPython({ q, T }) {
   const row = (values) => `[${values.map((value) => `${value + 0}`).join(', ')}]`;
   return `q = np.array(${row(q)})\nT = np.array([\n${T.map((values) => `    ${row(values)},`).join('\n')}\n])`;
-}
-
-async function copyToClipboard(text) {
-  try {
-    await navigator.clipboard.writeText(text);
-    return true;
-  } catch {
-    // the older interface, for pages without access to the clipboard
-    const field = h('textarea', { style: 'position:fixed;opacity:0' });
-    field.value = text;
-    document.body.append(field);
-    field.select();
-    const done = document.execCommand('copy');
-    field.remove();
-    return done;
-  }
 }

@@ -2,7 +2,7 @@
 // verdict on the rules, and the DH table.
 
 import { renderMathText, setSentence } from '../controls/math-text.js';
-import { button, h, NO_SHORTCUTS, named } from '../dom.js';
+import { button, copyToClipboard, h, NO_SHORTCUTS, named } from '../dom.js';
 import { roundStep } from '../render/stage.js';
 import { perpendicularTo } from '../scene/parts.js';
 import { add, columnOf, near, openPart, PARTS, rotatePerpendicular } from '../vectors.js';
@@ -126,17 +126,7 @@ export function placeFramesPanel({
   );
 
   async function copyFrames() {
-    const text = formatPython(frames());
-    try {
-      await navigator.clipboard.writeText(text);
-      copy.textContent = 'Copied';
-    } catch {
-      verdictBox.replaceChildren(
-        h('p', {}, 'This page has no access to the clipboard. Copy this text:'),
-        h('pre', { tabindex: 0 }, text),
-      );
-      return;
-    }
+    copy.textContent = (await copyToClipboard(formatPython(frames()))) ? 'Copied' : 'No access to the clipboard';
     setTimeout(() => {
       copy.textContent = 'Copy';
     }, 1500);
