@@ -48,7 +48,7 @@ class Solution:
     iterations: int
 
 
-def solve(equations: Equations, guess: Array, tolerance: Array | float, iterations: int = 100) -> Solution:
+def solve(equations: Equations, guess: Array, tolerance: float, iterations: int = 100) -> Solution:
     """Find the solution near each guess by damped Gauss-Newton steps (Levenberg-Marquardt), m guesses (m, n) at once.
 
     Each step solves (J^T J + mu |r|^2 I) dx = -J^T r. The damping vanishes with the residual r, so that the search
@@ -66,7 +66,6 @@ def solve(equations: Equations, guess: Array, tolerance: Array | float, iteratio
     x = np.array(guess, dtype=float)
     r, J = equations(x)
     size = np.linalg.norm(r, axis=-1)
-    tolerance = np.broadcast_to(tolerance, size.shape)
     mu = np.ones(len(x))
     active = size > tolerance
     count = 0
@@ -83,7 +82,7 @@ def solve(equations: Equations, guess: Array, tolerance: Array | float, iteratio
         r[moved], J[moved], size[moved] = r_new[accepted], J_new[accepted], size_new[accepted]
         mu[at] = np.where(accepted, np.maximum(mu[at] / 4, 1e-8), mu[at] * 4)
         # At a local minimum the gradient vanishes and the residual does not, so no step is predicted to decrease it.
-        active[at] = (size[at] > tolerance[at]) & (predicted_decrease > MIN_PREDICTED_DECREASE * size[at] ** 2)
+        active[at] = (size[at] > tolerance) & (predicted_decrease > MIN_PREDICTED_DECREASE * size[at] ** 2)
     return Solution(x, size, J, count)
 
 

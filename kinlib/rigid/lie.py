@@ -156,7 +156,9 @@ def inverse(X: ArrayLike) -> Array:
     >>> inverse([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])[:3, 3] + 0.0
     array([-2.,  0.,  0.])
     """
-    return _inverse(validation.rotations_or_poses(X, "X"))
+    X = validation.rotations_or_poses(X, "X")
+    Rt = np.swapaxes(X[..., :3, :3], -1, -2)
+    return Rt.copy() if X.shape[-1] == 3 else homogeneous(Rt, -(Rt @ X[..., :3, 3:])[..., 0])
 
 
 def adjoint(X: ArrayLike) -> Array:
@@ -172,7 +174,14 @@ def adjoint(X: ArrayLike) -> Array:
     >>> adjoint(T) @ [0, 0, 1, 0, 0, 0]             # the same rotation about z, now with its moment
     array([ 0.,  0.,  1.,  0., -2.,  0.])
     """
-    return _adjoint(validation.rotations_or_poses(X, "X"))
+    X = validation.rotations_or_poses(X, "X")
+    R = X[..., :3, :3]
+    if X.shape[-1] == 3:
+        return R.copy()
+    Ad = np.zeros((*X.shape[:-2], 6, 6))
+    Ad[..., :3, :3] = Ad[..., 3:, 3:] = R
+    Ad[..., 3:, :3] = _hat(X[..., :3, 3]) @ R
+    return Ad
 
 
 def nearest_rotation(X: ArrayLike) -> Array:
@@ -352,21 +361,6 @@ def _moved(T: Array, S: Array) -> Array:
     omega, v = np.einsum("aijn,akj->kain", T[:, :3, :3], S.reshape(-1, 2, 3))
     moment = cross(np.swapaxes(T[:, :3, 3], 1, 2), np.swapaxes(omega, 1, 2))
     return np.concatenate([omega, v + np.swapaxes(moment, 1, 2)], axis=1)
-
-
-def _inverse(X: Array) -> Array:
-    Rt = np.swapaxes(X[..., :3, :3], -1, -2)
-    return Rt.copy() if X.shape[-1] == 3 else homogeneous(Rt, -(Rt @ X[..., :3, 3:])[..., 0])
-
-
-def _adjoint(X: Array) -> Array:
-    R = X[..., :3, :3]
-    if X.shape[-1] == 3:
-        return R.copy()
-    Ad = np.zeros((*X.shape[:-2], 6, 6))
-    Ad[..., :3, :3] = Ad[..., 3:, 3:] = R
-    Ad[..., 3:, :3] = _hat(X[..., :3, 3]) @ R
-    return Ad
 
 
 def _quaternion(R: Array) -> Array:
