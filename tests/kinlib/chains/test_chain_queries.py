@@ -49,13 +49,6 @@ def test_a_chain_is_stored_as_json_and_read_back(drawn):
     assert (again.name, again.source, again.joint_names) == ("an arm", "a test", names)
 
 
-def test_the_axes_of_a_chain_are_the_same_to_the_last_bit_when_they_are_read_again():
-    omega = np.random.default_rng(0).normal(size=(1000, 3))
-    axes = np.hstack([omega / np.linalg.norm(omega, axis=1, keepdims=True), np.zeros((1000, 3))])
-    once = Chain(axes, np.eye(4)).screws
-    assert np.array_equal(Chain(once, np.eye(4)).screws, once)
-
-
 @pytest.mark.parametrize("data", [[], {"screws": []}, {**rpr().to_dict(), "joints": 3}])
 def test_other_data_is_refused(data):
     with pytest.raises(ValueError, match="A chain as data must be a dictionary with the keys home, screws"):

@@ -230,17 +230,6 @@ def test_our_M_of_example_1_differs_from_the_printed_one_in_two_entries():
     assert np.argwhere(robots.rpr().home != PRINTED_M1).tolist() == [[2, 0], [3, 3]]
 
 
-def test_the_screws_of_example_1_follow_from_its_legible_axes():
-    w1, q1, w3, q3 = (0, -1, 0), (-4, -2, 0), (0, -1, 0), (0, -4, 0)
-    S = robots.rpr().screws
-    np.testing.assert_array_equal(S[0], [0, -1, 0, 0, 0, 4])
-    np.testing.assert_array_equal(S[1], [0, 0, 0, 0, 0, 1])
-    np.testing.assert_array_equal(S[2], [0, -1, 0, 0, 0, 0])
-    np.testing.assert_array_equal(S[0, 3:], -np.cross(w1, q1))
-    np.testing.assert_array_equal(S[2, 3:], -np.cross(w3, q3))
-    np.testing.assert_array_equal(robots.rpr().joint_points[[0, 2]], [q1, q3])
-
-
 # --- Forward kinematics II, example 2 ---
 
 

@@ -196,15 +196,6 @@ def test_any_shape_of_joint_values_is_one_computation():
 # --- as people type them ---
 
 
-def test_text_dictionaries_and_numbers_are_the_same_table():
-    text = DHTable("a | alpha | d | theta\n 0.4 | pi/2 | 0.1 | q1 + 0.2", convention="standard")
-    mapped = DHTable([{"theta": "q1 + 0.2", "d": 0.1, "a": 0.4, "alpha": "pi/2"}], convention="standard")
-    numbers = DHTable([[0.4, np.pi / 2, 0.1, 0.2]], convention="standard")
-    for other in (mapped, numbers):
-        close(other.rows, text.rows, 1e-15)
-        assert other.joints == text.joints == "R"
-
-
 @pytest.mark.parametrize(
     ("number", "entries"),
     [

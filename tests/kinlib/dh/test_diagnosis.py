@@ -267,18 +267,6 @@ def test_with_everything_fixed_a_table_is_right_where_the_robotics_toolbox_has_t
     assert verdicts == {True, False}
 
 
-def test_a_corrected_table_is_equivalent_where_the_robotics_toolbox_has_the_same_poses():
-    rtb = pytest.importorskip("roboticstoolbox")
-    for explanation in diagnose(with_entries(UR5, (2, "a", 0.5)), UR5, CHOICES).explanations:
-        poses = [
-            rtb.DHRobot([rtb.RevoluteDH(a=a, alpha=alpha, d=d, offset=theta) for a, alpha, d, theta in table.rows])
-            .fkine(np.linspace(-2, 2, 6))
-            .A
-            for table in (explanation.corrected, UR5)
-        ]
-        np.testing.assert_allclose(*poses, atol=1e-9)
-
-
 def test_a_wrong_sign_at_the_end_is_a_choice_of_the_tool_unless_the_tool_is_fixed():
     wrong = with_entries(UR5, (6, "d", -0.0823))
     assert str(diagnose(wrong, UR5)).splitlines() == [

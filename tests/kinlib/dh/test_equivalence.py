@@ -42,13 +42,6 @@ def test_what_differs_by_less_than_the_tolerance_is_the_same(column, delta):
     assert equivalent(table, table.changed(rows=rows))
 
 
-def test_two_conventions_of_one_table_are_equivalent():
-    table = assign_frames(kl.robots.puma560(), convention="standard").table
-    assert equivalent(table, table.converted("modified"))
-    assert equivalent(table, kl.robots.puma560())
-    assert not equivalent(table, table.changed(convention="modified"))
-
-
 def test_prismatic_axes_are_free_vectors():
     here = kl.robots.rpr_lecture7()
     points = here.joint_points + np.array([[0, 0, 0], [5, 5, 5], [0, 0, 0]])

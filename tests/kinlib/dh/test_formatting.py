@@ -1,30 +1,11 @@
 """Numbers, vectors, angles and DH tables as text."""
 
 import numpy as np
-import pytest
 from hypothesis import given
 from test_dh_table import tables
 
 from kinlib import DHTable
-from kinlib.arrays.formatting import format_number
 from kinlib.dh.formatting import format_rows, markdown_table
-
-
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [
-        (0.0, "0"),
-        (-0.0, "0"),
-        (1e-9, "0"),
-        (-1e-17, "0"),
-        (2e-9, "2e-09"),
-        (-3.14159, "-3.142"),
-        (7, "7"),
-        (1e6, "1e+06"),
-    ],
-)
-def test_a_number_has_four_digits_and_no_rounding_error(value, text):
-    assert format_number(value) == text
 
 
 def test_a_table_is_written_with_its_variables_signs_and_fixed_rows():

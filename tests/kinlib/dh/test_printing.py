@@ -44,15 +44,6 @@ def test_a_printed_table_is_read_back(convention, drawn):
     assert again.fk({f"q{i + 1}": 0 for i in range(table.n)}).shape == (4, 4)
 
 
-def test_fixed_rows_and_negative_signs_are_printed_and_read_back():
-    table = DHTable(
-        "a | alpha | d | theta\n 0.4 | 0 | 0.1 - q1 | 30°\n 0.2 | 90° | 0 | 0\n 0 | 0 | 0 | -q2", convention="standard"
-    )
-    again = DHTable(str(table), convention="standard")
-    assert (again.joints, again.signs.tolist()) == ("PFR", [-1, 1, -1])
-    np.testing.assert_allclose(again.rows, table.rows, atol=1e-12)
-
-
 @pytest.mark.oracle("text: written out in the test", kl.Equivalence.choices)
 def test_the_repr_of_a_result_says_what_its_text_says():
     step = AssignmentStep("x", 1, "x_1 is along the normal.", "The opposite direction.")

@@ -136,30 +136,6 @@ def test_the_texts_of_different_numbers_differ_and_the_offered_tolerance_works(t
     assert diagnose(hand, file).verdict in {"right", "rounded"}
 
 
-@pytest.mark.parametrize("convention", CONVENTIONS)
-@pytest.mark.parametrize("letters", ["RR", "RP", "PR"])
-def test_frames_are_assigned_at_every_angle_and_the_reading_is_said(convention, letters):
-    for angle in ANGLES_RAD:
-        axes = np.array([[0, 0, 1], [0, -np.sin(angle), np.cos(angle)]])
-        pitches = [np.inf if letter == "P" else 0.0 for letter in letters]
-        screws = [
-            kl.screw(axis, point, pitch)
-            for axis, point, pitch in zip(axes, [(0, 0, 0), (2, 0, 1)], pitches, strict=True)
-        ]
-        found = assign_frames(kl.Chain(np.array(screws), np.eye(4)), convention=convention)
-        assert found.accuracy < 1e-6
-        normal, text = found.normals[0], found.steps[2].text
-        words = {
-            "skew": "are skew",
-            "intersecting": "intersect",
-            "parallel": "are parallel",
-            "coincident": "are the same line",
-        }
-        assert words[normal.case] in text
-        if normal.is_nearly_parallel and letters == "RR":
-            assert f"taken as {normal.case}" in text
-
-
 @pytest.mark.oracle(
     "axiom: a small error is linear in the steps, and a map leads from one arm to the other",
     linearized,

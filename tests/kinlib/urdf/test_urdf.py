@@ -8,11 +8,11 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 from strategies import configurations, directions, points, poses
-from urdf_files import poses_by_pinocchio, trees
+from urdf_files import poses_by_pinocchio
 
 import kinlib as kl
 from kinlib import load_urdf, robots, to_urdf
@@ -23,21 +23,6 @@ CLOSE = 1e-9
 
 
 # --- random trees ---
-
-
-@pytest.mark.oracle("pinocchio", load_urdf)
-@given(trees())
-def test_any_path_of_any_tree_moves_as_pinocchio_says(drawn):
-    text, base, tip = drawn
-    try:
-        chain = load_urdf(text, base, tip)
-    except ValueError as error:
-        # If no joint moves between the two links, there is no arm. No other error is expected.
-        assume("a joint must move between base and tip" not in str(error))
-        raise
-    q = configurations(chain, 3)
-    expected = poses_by_pinocchio(text, base, tip, chain.joint_names, q)
-    np.testing.assert_allclose(chain.fk(q), expected, rtol=0, atol=CLOSE)
 
 
 @pytest.mark.oracle("scipy", origin)
