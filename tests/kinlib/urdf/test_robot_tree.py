@@ -53,7 +53,7 @@ def test_every_link_of_any_tree_moves_as_pinocchio_says(drawn, base, seed):
     assert_equal_poses(tree.poses(q, base=base), floating)
 
 
-@pytest.mark.oracle("pinocchio", Tree.pose, Tree.path, Tree.chain, Tree.coupling, Tree.offsets, kl.load_urdf)
+@pytest.mark.oracle("pinocchio", Tree.pose, Tree.chain, Tree.coupling, Tree.offsets, kl.load_urdf)
 @given(trees(mimic=True))
 def test_pose_and_chain_agree_with_pinocchio_between_any_two_links(drawn):
     text, base, tip = drawn
@@ -169,6 +169,12 @@ def test_a_tree_prints_its_links_and_the_values_of_its_joints():
     assert tree._repr_html_().count("<tr>") == 7
     assert "<td>-grip + 0.5</td>" in tree._repr_html_()
     assert repr(tree) == "Tree(hand, 6 links, 1 independent joint: revolute)"
+
+
+@pytest.mark.oracle("text: written out in the test", Tree.path)
+def test_a_path_goes_up_to_the_common_ancestor_and_down_again():
+    path = Tree.from_urdf(HAND).path("tip", "thumb")
+    assert [(joint.name, sign) for joint, sign in path] == [("curl", -1), ("bend", -1), ("grip", 1)]
 
 
 def test_links_between_which_nothing_moves_have_a_constant_pose():
