@@ -314,7 +314,7 @@ class ReadOnly:
     def __hash__(self) -> int:
         return hash(_comparable(self))
 
-    def compared_fields(self) -> dict[str, Any]:
+    def _compared_fields(self) -> dict[str, Any]:
         """What decides whether two are equal: the fields, without those that have compare=False."""
         return {one.name: getattr(self, one.name) for one in fields(self) if one.compare}  # type: ignore[arg-type]
 
@@ -325,7 +325,7 @@ class ReadOnly:
 def _comparable(value: Any) -> Any:
     """Convert a value to one that can be compared and hashed: arrays to their shape and their numbers."""
     if isinstance(value, ReadOnly):
-        return type(value), *map(_comparable, value.compared_fields().values())
+        return type(value), *map(_comparable, value._compared_fields().values())  # noqa: SLF001
     if isinstance(value, np.ndarray):
         return value.shape, tuple(value.ravel().tolist())
     if isinstance(value, Mapping):

@@ -85,7 +85,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         if not self.link_elements:
             raise ValueError("A tree must have at least one link; got none. Try Tree.from_urdf(file), or its text.")
 
-    def compared_fields(self) -> dict[str, Any]:
+    def _compared_fields(self) -> dict[str, Any]:
         """The name, the names of the links, and the joints with all that is theirs."""
         return {"name": self.name, "links": self.links, "parent_joints": self.parent_joints}
 
