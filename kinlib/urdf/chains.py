@@ -69,7 +69,7 @@ def to_urdf(robot: Chain | Tree) -> str:
     limits of effort and velocity, which URDF requires and kinlib does not have, are 1. Meshes and masses are not written.
 
     Raises ValueError for anything but a chain or a tree, if a joint is helical, because URDF has no such joint, and if names of
-    joints or of links are equal or not printable.
+    joints or of links are equal, not printable, or those of a macro.
     Source: the URDF specification, "joint".
 
     >>> from kinlib.chains.robots import youbot
@@ -152,6 +152,9 @@ def _numbers(*values: float) -> str:
 def _quoted(name: str) -> str:
     from xml.sax.saxutils import quoteattr
 
-    if not name.isprintable() or not name:
-        raise ValueError(f"A name in a URDF must consist of printable characters; got {validation.describe(name)}.")
+    if not name.isprintable() or not name or "${" in name or "$(" in name:
+        raise ValueError(
+            "A name in a URDF must consist of printable characters, without ${ and $(, which begin a macro of xacro; got "
+            f"{validation.describe(name)}."
+        )
     return quoteattr(name)
