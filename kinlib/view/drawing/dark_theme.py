@@ -2,36 +2,27 @@
 
 A browser draws an image for the color-scheme of the element that shows it, so a rule on the page switches every drawing,
 as an image and without a script; in print, drawings are light. A browser that does not pass the color-scheme on to images
-uses the theme of the system. The drawing stays legible, because it paints its own paper. The colours of the 3-D viewer are in
-js/theme.js.
+uses the theme of the system. The drawing stays legible, because it paints its own paper.
 """
 
 import colorsys
 import re
 
 from kinlib.view.drawing.figure_colours import (
-    AXIS_COLOURS,
     GHOST_GREY,
     GREY,
-    INK,
     JOINT_FILL,
+    LIGHT_AND_DARK,
     LINK_GREY,
-    ORANGE,
     PALE_GREY,
-    VIOLET,
 )
 
 DARK_COLOURS = {
     "#ffffff": "#171b21",
     "#000000": "#e6edf3",
-    INK: "#e6edf3",
+    **dict(LIGHT_AND_DARK.values()),
     GREY: "#9aa5b1",
     PALE_GREY: "#3b444f",
-    VIOLET: "#c39bff",
-    ORANGE: "#ff9d4d",
-    AXIS_COLOURS[0]: "#ff7b7b",
-    AXIS_COLOURS[1]: "#51cf66",
-    AXIS_COLOURS[2]: "#74b3ff",
     LINK_GREY: "#7d9cbb",
     GHOST_GREY: "#59636e",
     JOINT_FILL: "#80622a",

@@ -1,12 +1,20 @@
 """The colours of figures on white paper. `dark_theme` has those on a dark page.
 
-Violet is for joint axes and for d along them, orange for common normals and for a along them. The colours of the 3-D viewer,
-in the light and in the dark theme, are in kinlib/view/js/theme.js.
+Violet is for joint axes and for d along them, orange for common normals and for a along them. What the figures and the 3-D viewer
+show in the same colours, in the light and in the dark theme, is in kinlib/view/colours.json.
 """
 
-INK, GREY, PALE_GREY, VIOLET, ORANGE = "#1f2328", "#8c959f", "#d9dee3", "#7d3ac1", "#b35900"
+import json
+from pathlib import Path
 
-AXIS_COLOURS = ("#c1121f", "#1a7f37", "#0b5cad")
+LIGHT_AND_DARK: dict[str, tuple[str, str]] = json.loads(
+    Path(__file__).parents[1].joinpath("colours.json").read_text("utf-8")
+)
+
+INK, VIOLET, ORANGE = (LIGHT_AND_DARK[name][0] for name in ("ink", "axis", "normal"))
+GREY, PALE_GREY = "#8c959f", "#d9dee3"
+
+AXIS_COLOURS = tuple(LIGHT_AND_DARK[name][0] for name in "xyz")
 """The colours of x (red), y (green) and z (blue). Letters at the tips say the same without colour."""
 
 LINK_GREY, GHOST_GREY = "#5b7083", "#b6bec6"

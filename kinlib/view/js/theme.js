@@ -1,11 +1,13 @@
 // The theme is light or dark like the page behind the viewer. JupyterLab, VS Code, Sphinx and plain pages each declare
 // their theme in another way, but all of them paint a background, so its luminance decides.
-import { COLOURS } from './scene/parts.js';
+import COLOURS from '../colours.json';
+
+/** The colours that drawings have, too: 0 on white paper, 1 on a dark page. */
+const drawn = (page) => Object.fromEntries(Object.entries(COLOURS).map(([name, pair]) => [name, pair[page]]));
 
 const LIGHT = {
-  ...COLOURS,
+  ...drawn(0),
   paper: '#f6f8fa',
-  ink: '#1f2328',
   halo: '#f6f8fa',
   grid: '#aab4be',
   quiet: '#59636e',
@@ -16,19 +18,14 @@ const LIGHT = {
   ghost: '#a9b2bb',
   outline: '#2f3b47',
   shade: 0.1,
-  axis: COLOURS.violet,
   home: '#8c959f',
-  normal: COLOURS.orange,
   trail: '#0b7285',
 };
 
 const DARK = {
+  ...drawn(1),
   dark: true,
-  x: '#ff6b6b',
-  y: '#51cf66',
-  z: '#74b3ff',
   paper: '#171b21',
-  ink: '#e6edf3',
   halo: '#171b21',
   grid: '#4a5562',
   quiet: '#9aa5b1',
@@ -39,9 +36,7 @@ const DARK = {
   ghost: '#6b7681',
   outline: '#05070a',
   shade: 0.4,
-  axis: '#c39bff',
   home: '#8c959f',
-  normal: '#ff9d4d',
   trail: '#3bc9db',
 };
 

@@ -3,14 +3,6 @@
 import { add, minus, norm } from '../vectors.js';
 import { arrow, dashedLine, label } from './shapes.js';
 
-export const COLOURS = {
-  x: '#c1121f',
-  y: '#1a7f37',
-  z: '#0b5cad',
-  violet: '#7d3ac1',
-  orange: '#b35900',
-};
-
 /** Radii, as fractions of the arm's size. */
 const JOINT = 0.05;
 const LINK = 0.026;
