@@ -11,7 +11,6 @@ How one submission gets its grade, in the order of reading:
     fingerprint  a digest of everything that a result depends on, the code included
     fork_server  the one way in which processes are started, ended and asked: a server imports everything once, and forks
     steps        functions that run in such processes with limits on processor time and memory, and what they return
-    reader_process   the steps that read what students wrote: nothing else outside of the sandbox does
     redacted_sheet   the sheet without answers, which a child of the sandbox sees
     sandbox/     the confined processes in which submissions run
         runner, server           the server forks a child for each submission
@@ -22,7 +21,7 @@ How one submission gets its grade, in the order of reading:
     judging/     from one submission to its Result
         grader                   all of this for one submission: bytes in, a Result out
         parse_output             parses what the child wrote, and trusts none of it
-        judge_process            the steps that know the right answers: redacted sheets and verdicts
+        judge_process            the steps: redacted sheets, verdicts, and all that reads what students wrote
         redraw                   with a key: other numbers, by which computed answers are told from typed ones
         cluster                  many submissions at a time, on a Dask cluster
     write_results    from the stored results to what people open

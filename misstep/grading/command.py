@@ -33,12 +33,11 @@ from misstep.grading.collect.run_plan import ReleasedSheet, read_released_sheet
 from misstep.grading.fork_server import ProcessEnded
 from misstep.grading.jobs import GradingJob, grade_best, make_jobs, run_bounded
 from misstep.grading.judging.cluster import ClusterUnreachable, connect, grade_on_worker
-from misstep.grading.judging.grader import Grader
+from misstep.grading.judging.grader import Grader, start_judge
 from misstep.grading.judging.result import Result
 from misstep.grading.publish.feedback_zip import write_feedback_zip
 from misstep.grading.publish.overrides import LateRule, check_overrides, write_template
 from misstep.grading.publish.result_store import FolderInUse, ResultStore, open_results
-from misstep.grading.reader_process import start_reader
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
 from misstep.grading.steps import StepFailed, StepProcesses
 from misstep.grading.write_results import ResultWriter
@@ -171,17 +170,17 @@ def _run(options: argparse.Namespace) -> int:
         open_results(options.out, sheet.name) as store,
         _open_gradebook(options, sheet) as gradebook,
         ThreadPoolExecutor(options.jobs) as pool,
-        start_reader(has_gradebook=gradebook is not None) as reader,
+        start_judge(sheet, has_gradebook=gradebook is not None) as judge,
     ):
         write_template(options.out)
         check_overrides(options.out, has_late_rule=late is not None)
-        failures, limited = Run(options, sheet, limits, reader, store, pool).grade(selected)
+        failures, limited = Run(options, sheet, limits, judge, store, pool).grade(selected)
         students = [submission.student for submission in gathered.submissions]
-        writer = ResultWriter(options.out, reader, pool, late)
+        writer = ResultWriter(options.out, judge, pool, late)
         if gradebook:
             writer.fill_gradebook(gradebook, selected)
         writer.write_pages(students)
-        summary = reader.do(
+        summary = judge.do(
             "tables",
             seconds=TABLES_SECONDS + TABLES_SECONDS_PER_STUDENT * len(students),
             out=options.out,
@@ -277,7 +276,7 @@ class Run:
     options: argparse.Namespace
     sheet: ReleasedSheet
     limits: Limits
-    reader: StepProcesses
+    judge: StepProcesses
     store: ResultStore
     pool: Executor
 
@@ -340,5 +339,5 @@ class Run:
                 grade = partial(grade_on_worker, (self.sheet, self.limits, is_safe))
                 yield lambda job: executor.submit(grade_best, grade, *job.request), worker_count
             return
-        with Grader(self.sheet, self.limits, is_safe, self.reader) as grader:
+        with Grader(self.sheet, self.limits, is_safe, self.judge) as grader:
             yield lambda job: self.pool.submit(grade_best, grader.grade, *job.request), self.options.jobs

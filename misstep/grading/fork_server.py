@@ -61,7 +61,7 @@ class ForkServer:
 
     def __init__(self, module: str, setup: Mapping[str, Any], *arguments: str) -> None:
         self._command, self._setup = ["-P", "-m", module], json.dumps(setup).encode()
-        self._arguments, self._lock, self._is_closed = arguments, threading.Lock(), False
+        self._arguments, self._lock, self._is_closed, self._unavailable = arguments, threading.Lock(), False, ""
         self._scratch = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self._start()
 
@@ -121,9 +121,11 @@ class ForkServer:
 
     def _wait(self) -> None:
         if not self._is_ready:
-            greeting = json.loads(self._receive())
-            if greeting["unavailable"]:
-                raise ProcessEnded(greeting["unavailable"])
+            self._unavailable = self._unavailable or json.loads(self._receive())["unavailable"]
+            if self._unavailable:
+                self._is_closed = True  # starting it anew would not help
+                self._stop()
+                raise ProcessEnded(self._unavailable)
             self._is_ready = True
 
     def _fork(self, descriptors: Sequence[int]) -> Child:

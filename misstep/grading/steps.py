@@ -37,7 +37,7 @@ WAIT_SECONDS = 600.0
 
 
 class StepFailed(RuntimeError):
-    """A step could not be done within its limits. The message says why, for example "reading it takes more than 5 s of processor time"."""
+    """A step could not be done within its limits. The message says why: "it takes more than 5 s of processor time"."""
 
 
 class StepProcesses:
@@ -45,11 +45,10 @@ class StepProcesses:
 
     module  the server from which they are forked, which calls `serve_steps`
     setup   what it needs to know
-    doing   what the steps do, such as "reading", for the messages of errors
     """
 
-    def __init__(self, module: str, setup: Mapping[str, Any], doing: str) -> None:
-        self.server, self._doing = ForkServer(module, setup), doing
+    def __init__(self, module: str, setup: Mapping[str, Any]) -> None:
+        self.server = ForkServer(module, setup)
         self._lock, self._idle = threading.Lock(), list[StepProcess]()
 
     def __enter__(self) -> "StepProcesses":
@@ -62,7 +61,7 @@ class StepProcesses:
     def process(self) -> Iterator["StepProcess"]:
         """A process that nobody else uses meanwhile."""
         with self._lock:
-            process = self._idle.pop() if self._idle else StepProcess(self.server, self._doing)
+            process = self._idle.pop() if self._idle else StepProcess(self.server)
         try:
             yield process
         finally:
@@ -86,8 +85,8 @@ class StepProcess:
     is_spoiled  whether what was done may have left something behind, so that the process is not used for another submission
     """
 
-    def __init__(self, server: ForkServer, doing: str) -> None:
-        self._server, self._doing = server, doing
+    def __init__(self, server: ForkServer) -> None:
+        self._server = server
         self._child: Child | None = None
         self._lease_count, self.is_spoiled = 0, False
 
@@ -104,13 +103,15 @@ class StepProcess:
             if not self._connection.poll(WAIT_SECONDS):
                 raise EOFError
             outcome, value, memory_kb = self._connection.recv()
-        except (EOFError, ConnectionError, ProcessEnded) as error:
+        except ProcessEnded as error:
+            raise StepFailed(str(error)) from error
+        except (EOFError, ConnectionError) as error:
             is_slow = self._end() == -signal.SIGPROF
             why = f"takes more than {seconds:g} s of processor time" if is_slow else "ends the process"
-            raise StepFailed(f"{self._doing} it {why}") from error
+            raise StepFailed(f"it {why}") from error
         self.is_spoiled |= memory_kb > KEPT_MEMORY_KB
         if outcome == "failed":
-            raise StepFailed(f"{self._doing} it {value}")
+            raise StepFailed(f"it {value}")
         if outcome == "raised":
             raise value
         return value

@@ -1,6 +1,6 @@
 """Write what people open, from the stored results: the pages, the gradebook of nbgrader, the tables.
 
-Whatever has bytes of students in it is written by a reader, within limits.
+Whatever has bytes of students in it is written by a process of the judge, within limits.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -16,11 +16,13 @@ from misstep.grading.collect.gather import Submission
 from misstep.grading.jobs import run_bounded
 from misstep.grading.publish.overrides import LateRule, write_formgrader
 from misstep.grading.publish.result_store import ResultStore
-from misstep.grading.reader_process import STEP_SECONDS
 from misstep.grading.steps import StepFailed, StepProcesses
 
 if TYPE_CHECKING:
     from misstep.grading.nbgrader.gradebook import GradebookWriter
+
+PAGE_SECONDS = 5.0
+"""Processor time for writing one page or notebook."""
 
 PENDING_PAGES = 8
 """How many pages wait for a process that writes them."""
@@ -34,7 +36,7 @@ class ResultWriter:
     """
 
     out: Path
-    reader: StepProcesses
+    judge: StepProcesses
     executor: Executor
     late: LateRule | None
     remarks: list[str] = field(default_factory=list)
@@ -69,10 +71,10 @@ class ResultWriter:
             self.remarks.append(f"Not in the gradebook, because these ids cannot be names of folders: {ids}.")
 
     def _write_all(self, step: str, jobs: Iterable[dict[str, Any]], short: dict[str, Any], remark: str) -> None:
-        """Let readers do a step with the arguments of each job; with those of `short` where they cannot."""
+        """Let the judge do a step with the arguments of each job; with those of `short` where they cannot."""
 
         def write(arguments: dict[str, Any]) -> None:
-            do = partial(self.reader.do, step, seconds=STEP_SECONDS, out=self.out)
+            do = partial(self.judge.do, step, seconds=PAGE_SECONDS, out=self.out)
             try:
                 do(**arguments)
             except StepFailed as error:

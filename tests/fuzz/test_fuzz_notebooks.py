@@ -31,15 +31,14 @@ from corruption import (
 from fuzz_settings import fuzz_settings
 from hypothesis import given
 from hypothesis import strategies as st
-from submissions import SHEET, as_bytes, handed_in, released, right
+from submissions import SHEET, as_bytes, handed_in, judge_of, released, right
 
-from kincourse import COURSE, find_sheet
+from kincourse import find_sheet
 from misstep.grading.collect.files import UnreadableFile
 from misstep.grading.collect.gather import WrongRoster, gather
 from misstep.grading.collect.roster import read_roster
 from misstep.grading.collect.run_plan import plan_run, read_released_sheet
 from misstep.grading.jobs import grade_best, make_jobs
-from misstep.grading.judging import judge_process as judging
 from misstep.grading.judging.grader import Grader
 from misstep.grading.judging.parse_output import parse_output
 from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata
@@ -122,10 +121,10 @@ class Rehearsal(Grader):
 
     def __init__(self, sheet):
         self.sheet, self.is_safe, self._runner, self._limits = sheet, False, Prompter(), Limits()
-        self._reader = Here({"plan": plan_run, "parse": parse_output})
-        self._judge = Here(judging.steps_of(COURSE, sheet.name))
+        judge = judge_of(sheet.name)
+        self._judge = Here({**judge.steps, "plan": plan_run, "parse": parse_output})
         self._covered = ()
-        self._unanswered = judging.problems(COURSE, sheet.name)
+        self._unanswered = judge.problems()
 
 
 @cache

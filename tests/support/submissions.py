@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from typed_answers import typable
 
-from kincourse import COURSE, find_sheet
+from kincourse import find_sheet
 from misstep.answers.expression import ClosedForm
 
 ROOT = Path(__file__).parents[2]
@@ -144,13 +144,17 @@ def sandbox_lacks():
     return "" if ctypes.util.find_library("seccomp") else "the library libseccomp2"
 
 
+def judge_of(sheet=SHEET):
+    """What judges a sheet, in this process."""
+    from misstep.grading.judging.judge_process import Judge  # it needs Linux or macOS
+
+    return Judge(find_sheet(sheet))
+
+
 def verdicts(sheet, student, seed, answers, site=""):
     """The judge's verdict on each problem of a sheet, for answers as data, by problem."""
-    from misstep.grading.judging import judge_process  # it needs Linux or macOS
-
-    numbers = range(1, len(find_sheet(sheet).problems) + 1)
-    common = {"seed": seed, "site": site}
-    return {k: judge_process.verdict(COURSE, sheet, student, k, answers.get(k), **common) for k in numbers}
+    judge, numbers = judge_of(sheet), range(1, len(find_sheet(sheet).problems) + 1)
+    return {k: judge.verdict(student, k, answers.get(k), seed=seed, site=site) for k in numbers}
 
 
 def descendants(grader):

@@ -2,7 +2,7 @@
 
 The submission runs in the sandbox and emits its answers as data. The judge, in a process that never runs student code, reads
 them and computes the points. This module connects the two, and records what happened. It never looks into what a student wrote:
-a reader does, within limits.
+the judge does, within limits.
 """
 
 import time
@@ -20,7 +20,6 @@ from misstep.grading.fork_server import ProcessEnded
 from misstep.grading.judging.parse_output import ParsedRun
 from misstep.grading.judging.redraw import Draw
 from misstep.grading.judging.result import ProblemResult, Result
-from misstep.grading.reader_process import start_reader
 from misstep.grading.sandbox.course_stub import setup_for
 from misstep.grading.sandbox.limits import Limits
 from misstep.grading.sandbox.runner import Runner, RunOutcome
@@ -67,17 +66,20 @@ class Run:
         return [*ended, *(["the time of a cell"] if self.parsed.has_timeout else [])]
 
 
-def start_judge(sheet: ReleasedSheet) -> StepProcesses:
-    """Processes that know the right answers of a sheet. Its folder may be on another machine; then a robot's own sheet is not found."""
+def start_judge(sheet: ReleasedSheet, has_gradebook: bool = False) -> StepProcesses:
+    """Processes that judge a sheet, and read what students wrote.
+
+    The folder of the sheet may be on another machine; then a robot's own sheet is not found.
+    """
     folder = str((sheet.folder if sheet.folder.is_dir() else Path()).resolve())
-    setup = {"course": sheet.course, "sheet": sheet.name, "folder": folder}
-    return StepProcesses("misstep.grading.judging.judge_process", setup, "judging")
+    setup = {"course": sheet.course, "sheet": sheet.name, "folder": folder, "has_gradebook": has_gradebook}
+    return StepProcesses("misstep.grading.judging.judge_process", setup)
 
 
 class Grader:
     """Grades submissions of one sheet. Any number of threads may use one grader. Close it after use.
 
-    reader  reads what students wrote; by default the grader has one of its own
+    judge  from `start_judge`; by default the grader has one of its own
 
     Raises SandboxUnavailable if this machine cannot provide a layer of the sandbox, unless is_safe is False; ValueError
     for a sheet that the judge cannot open.
@@ -88,13 +90,12 @@ class Grader:
         sheet: ReleasedSheet,
         limits: Limits | None = None,
         is_safe: bool = True,
-        reader: StepProcesses | None = None,
+        judge: StepProcesses | None = None,
     ) -> None:
         self.sheet, self.is_safe = sheet, is_safe
         self._limits, self._covered = limits or Limits(), list[int]()
         with ExitStack() as opened:
-            self._judge = opened.enter_context(start_judge(sheet))  # first, because it imports while the others do
-            self._reader = reader or opened.enter_context(start_reader())
+            self._judge = judge or opened.enter_context(start_judge(sheet))
             self._runner = Runner(setup_for(find_course(sheet.course), sheet.folder), is_safe)
             opened.callback(self._runner.close)
             try:
@@ -112,7 +113,7 @@ class Grader:
         self.close()
 
     def close(self) -> None:
-        """End the server, the judge, and the reader if it is its own. Submissions that are graded meanwhile fail at once."""
+        """End the server, and the judge if it is its own. Submissions that are graded meanwhile fail at once."""
         self._opened.close()
 
     def grade(self, student: str, content: bytes | None, seed_id: str | None = None) -> Result:
@@ -127,7 +128,7 @@ class Grader:
             try:
                 if content is None:
                     raise UnusableNotebook("Nothing was handed in.")
-                plan = self._plan(content)
+                plan = self._plan(judge, content)
                 seed_id = student if seed_id is None else seed_id or plan.typed_id or student
                 seed, run = self._run_for(judge, plan, seed_id)
             except UnusableNotebook as error:
@@ -155,15 +156,14 @@ class Grader:
             limits=list(dict.fromkeys(limits)),
         )
 
-    def _plan(self, content: bytes) -> RunPlan:
-        sheet = replace(self.sheet, key="", solution=b"")  # what reads the bytes of students knows no answer
-        plan: RunPlan = self._read("plan", "The notebook", sheet=sheet, content=content)
+    def _plan(self, judge: StepProcess, content: bytes) -> RunPlan:
+        plan: RunPlan = self._read(judge, "plan", "The notebook", sheet=self.sheet, content=content)
         return plan
 
-    def _read(self, step: str, what: str, **arguments: Any) -> Any:
-        """Let the reader do a step. Raises UnreadInTime if it reaches a limit."""
+    def _read(self, judge: StepProcess, step: str, what: str, **arguments: Any) -> Any:
+        """Let a process read what a student wrote. Raises UnreadInTime if it reaches a limit."""
         try:
-            return self._reader.do(step, seconds=self._limits.reading_seconds, **arguments)
+            return judge.do(step, seconds=self._limits.reading_seconds, **arguments)
         except StepFailed as error:
             raise UnreadInTime(f"{what} could not be read: {error}.") from error
 
@@ -212,9 +212,9 @@ class Grader:
             seed, redacted = judge.do("redacted sheet", seconds=DRAW_SECONDS, student=student, draw=draw)
         except StepFailed as error:
             raise UnreadInTime(f"The numbers of {student!r} could not be drawn: {error}") from error
-        return seed, self._run_until_complete(redacted, plan, student)
+        return seed, self._run_until_complete(judge, redacted, plan, student)
 
-    def _run_until_complete(self, redacted: str, plan: RunPlan, student: str) -> Run:
+    def _run_until_complete(self, judge: StepProcess, redacted: str, plan: RunPlan, student: str) -> Run:
         """Run the cells and read their output. If a cell ends the process, run the others again without it.
 
         So a crash in one problem costs only that problem. All runs together have the time of one. The longest run counts.
@@ -224,9 +224,8 @@ class Grader:
         deadline = time.monotonic() + left.wall_seconds
         while len(runs) < MAX_RUNS:
             outcome = self._run(redacted, cells, left)
-            parsed: ParsedRun = self._read(
-                "parse", "What it wrote", sheet=self.sheet.name, plan=plan, output=outcome.output, student=student
-            )
+            written = {"sheet": self.sheet.name, "plan": plan, "output": outcome.output, "student": student}
+            parsed: ParsedRun = self._read(judge, "parse", "What it wrote", **written)
             runs.append(Run(outcome, parsed))
             count = len(parsed.cells)
             seconds, wall_seconds = left.seconds - outcome.processor_seconds, deadline - time.monotonic()
@@ -257,7 +256,7 @@ class Grader:
         with self._judge.process() as judge:
             for student in PROBES:
                 try:
-                    plan = self._plan(self.sheet.solution)
+                    plan = self._plan(judge, self.sheet.solution)
                     seed, run = self._run_for(judge, plan, student)
                     answers = run.parsed.answers
                     own, _ = self._verdicts(judge, student, seed, answers)

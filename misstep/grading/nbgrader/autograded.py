@@ -1,4 +1,7 @@
-"""The notebook that formgrader shows: the submission as it ran, with the verdicts in it. It is written by a reader, within limits."""
+"""The notebook that formgrader shows: the submission as it ran, with the verdicts in it.
+
+It is written by a process of the judge, within limits.
+"""
 
 import json
 from copy import deepcopy

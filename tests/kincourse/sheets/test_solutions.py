@@ -11,7 +11,6 @@ if lacking := submissions.sandbox_lacks():
     pytest.skip(f"NO SOLUTION IS GRADED: this machine lacks {lacking}", allow_module_level=True)
 
 from misstep.grading.collect.run_plan import plan_run, read_released_sheet
-from misstep.grading.judging import judge_process
 from misstep.grading.judging.parse_output import parse_output
 from misstep.grading.sandbox.course_stub import setup_for
 from misstep.grading.sandbox.limits import Limits
@@ -34,7 +33,7 @@ def test_every_official_solution_has_full_marks_in_the_sandbox(name, runner):
     """Where a problem is read off a drawing, the solution has what the drawing of SAMPLE_ID shows: update it with the drawing."""
     path = SOLUTIONS / name / f"{name}.ipynb"
     plan = plan_run(read_released_sheet(path), path.read_bytes())
-    seed, redacted = judge_process.redacted_sheet(COURSE, name, SAMPLE_ID)
+    seed, redacted = submissions.judge_of(name).redacted_sheet(SAMPLE_ID)
     outcome = runner.run(redacted, [cell.source for cell in plan.cells], Limits())
     parsed = parse_output(name, plan, outcome.output, SAMPLE_ID)
     verdicts = submissions.verdicts(name, SAMPLE_ID, seed, parsed.answers)

@@ -196,7 +196,7 @@ class Told:
     asked: ClassVar = []
     broken: ClassVar = set()
 
-    def __init__(self, sheet, limits, is_safe, reader):
+    def __init__(self, sheet, limits, is_safe, judge):
         self.is_safe = is_safe
 
     def __enter__(self):
@@ -214,17 +214,17 @@ class Told:
 
 
 @pytest.fixture(scope="module")
-def reader():
-    """The processes that read, for all runs with the grader that is none."""
-    with command.start_reader() as started:
+def judge():
+    """The processes that write pages, for all runs with the grader that is none."""
+    with command.start_judge(command.read_released_sheet(Path(SOLUTION))) as started:
         yield started
 
 
 @pytest.fixture
-def asked(reader, monkeypatch):
+def asked(judge, monkeypatch):
     """Whom the grader was asked about since the last look."""
     monkeypatch.setattr(command, "Grader", Told)
-    monkeypatch.setattr(command, "start_reader", lambda **_: nullcontext(reader))
+    monkeypatch.setattr(command, "start_judge", lambda *_, **__: nullcontext(judge))
     monkeypatch.setattr(Told, "broken", set())
 
     def look():

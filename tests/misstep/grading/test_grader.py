@@ -63,7 +63,7 @@ def test_a_paper_holds_what_is_given_and_no_answer():
 
 @pytest.mark.parametrize("name", sheets())
 def test_the_judge_names_the_mistake_in_an_answer_that_was_stored(name):
-    seed, _ = judge_process.redacted_sheet(COURSE, name, "ada")
+    seed, _ = submissions.judge_of(name).redacted_sheet("ada")
     problems = [template.variant("ada").with_inputs(seed) for template in find_sheet(name).problems]
     mistaken = {k: typable(problem)[0] for k, problem in enumerate(problems, start=1) if typable(problem)}
     data = {k: to_data(as_typed(wrong.value), problems[k - 1].answer.inputs) for k, wrong in mistaken.items()}
@@ -77,7 +77,7 @@ def test_the_judge_names_the_mistake_in_an_answer_that_was_stored(name):
 
 def test_a_paper_has_other_inputs_each_time_and_the_judge_knows_them_by_the_seed():
     made = find_sheet("03_poe_space")
-    seeds = [judge_process.redacted_sheet(COURSE, made.name, "ada")[0] for _ in range(2)]
+    seeds = [submissions.judge_of(made.name).redacted_sheet("ada")[0] for _ in range(2)]
     assert seeds[0] != seeds[1]
     inputs = [made.problems[6].variant("ada").with_inputs(seed).answer.inputs for seed in seeds]
     assert not np.isclose(inputs[0], inputs[1]).any()
@@ -104,11 +104,11 @@ def test_a_verdict_says_why_and_has_the_section_the_problem_and_its_figure_if_th
             for text in ("sin(exp(exp(30)))**2", "sign(sin(exp(exp(exp(4)))))", "log(exp(exp(exp(9))))")
         ),
     ]:
-        verdict = judge_process.verdict(COURSE, sheet.name, "ada", 1, data, seed=0)
+        verdict = submissions.judge_of(sheet.name).verdict("ada", 1, data, seed=0)
         assert verdict.points == 0
         assert words in verdict.verdict
     hostile = {"list": [{"text": "<script>alert(1)</script>"}]}
-    lines = judge_process.verdict(COURSE, sheet.name, "ada", 6, hostile, seed=0).verdict.splitlines()
+    lines = submissions.judge_of(sheet.name).verdict("ada", 6, hostile, seed=0).verdict.splitlines()
     quoted = "".join(map(str, map(render_sentence, lines)))
     assert "&lt;script&gt;" in quoted
     assert "<script" not in quoted
@@ -160,7 +160,7 @@ class Slow(Numbers):
 
 @problem("01.1", "Twice", points=1, lecture="01_slow#Twice")
 def twice(sampler):
-    if os.path.exists("abort"):
+    if os.path.exists(f"{__file__}.abort"):
         os.abort()
     x = sampler.length(0.1, 0.5)
     return Problem("Twice?", Slow(np.array(2 * x)), [mistake("half", np.array(x / 2), "No.")], {"x": x})
@@ -205,13 +205,13 @@ def test_a_slow_answer_costs_its_own_problem_and_the_time_of_nobody_else(slow_ju
         assert not slow.done()
         states, text = slow.result()
     assert states == ["unreadable", "right"]
-    assert "got an answer that cannot be judged: judging it takes more than 4 s of processor time" in text
+    assert "got an answer that cannot be judged: it takes more than 4 s of processor time" in text
 
 
 def test_an_answer_that_ends_the_judge_costs_its_own_problem(slow_judge):
     states, text = slow_judge("eve", 14)
     assert states == ["unreadable", "right"]
-    assert "got an answer that cannot be judged: judging it ends the process" in text
+    assert "got an answer that cannot be judged: it ends the process" in text
     assert slow_judge("eve", 15)[0] == ["wrong", "right"], (
         "the clock counts what the judge computes, not a busy machine"
     )
@@ -229,17 +229,17 @@ def test_each_student_of_a_long_row_gets_the_verdicts_that_the_student_would_get
     with start_judge(ReleasedSheet(sheet.name, Path("/on/another/machine"), {}, "kincourse")) as judge:
         for k in range(LEASES_PER_PROCESS + 2):  # so that one process ends and the next one begins
             asked = {"student": f"student {k}", "k": 1, "data": own, "seed": 1}
-            told, alone = judge.do("verdict", **asked), judge_process.verdict(COURSE, sheet.name, **asked)
+            told, alone = judge.do("verdict", **asked), submissions.judge_of(sheet.name).verdict(**asked)
             assert told == alone
             assert (told.state == "right") == (k == 0)
 
 
 def test_a_judge_that_ends_while_it_draws_says_so_and_draws_again_for_the_next_request(slow_judge):
     assert slow_judge.judge.do("redacted sheet", student="bob")
-    (slow_judge.folder / "abort").touch()
-    with pytest.raises(StepFailed, match="judging it ends the process"):
+    (abort := slow_judge.folder / "slow_course" / "lecture_01_slow" / "problems.py.abort").touch()
+    with pytest.raises(StepFailed, match="it ends the process"):
         slow_judge.judge.do("redacted sheet", student="fred")
-    (slow_judge.folder / "abort").unlink()
+    abort.unlink()
     assert slow_judge.judge.do("redacted sheet", student="fred")
 
 

@@ -12,7 +12,7 @@ if lacking := submissions.sandbox_lacks():
 
 from kincourse import COURSE
 from misstep.catalog import load_course
-from misstep.grading.judging import judge_process
+from misstep.grading.judging.judge_process import Judge
 from misstep.grading.sandbox.course_stub import engine_folder, setup_for
 from misstep.grading.sandbox.limits import Limits
 from misstep.grading.sandbox.rootfs import is_inside, readable_paths
@@ -152,7 +152,7 @@ def run(course, sheet, is_safe, *attacks):
     sources = [attack.replace("{", "{{").replace("}", "}}") for attack in attacks]
     for name in names:
         sources = [source.replace("{{" + name + "}}", "{" + name + "}") for source in sources]
-    _, redacted = judge_process.redacted_sheet(course, sheet, "ada")
+    _, redacted = Judge(course.find_sheet(sheet)).redacted_sheet("ada")
     runner = Runner(setup_for(course), is_safe)
     try:
         outcome = runner.run(redacted, [source.format(**names) for source in sources], Limits())

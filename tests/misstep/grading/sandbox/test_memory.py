@@ -10,7 +10,6 @@ if lacking := submissions.sandbox_lacks():
     pytest.skip(f"NO LIMIT OF MEMORY IS TESTED: this machine lacks {lacking}", allow_module_level=True)
 
 from kincourse import COURSE
-from misstep.grading.judging import judge_process
 from misstep.grading.sandbox.course_stub import setup_for
 from misstep.grading.sandbox.limits import Limits
 from misstep.grading.sandbox.runner import Runner
@@ -21,7 +20,7 @@ REPORT = "print('held', held // MB)"
 
 @pytest.fixture(scope="module")
 def redacted():
-    return judge_process.redacted_sheet(COURSE, "03_poe_space", "ada")[1]
+    return submissions.judge_of().redacted_sheet("ada")[1]
 
 
 @pytest.fixture(scope="module")

@@ -17,27 +17,30 @@ if lacking := submissions.sandbox_lacks():
 from misstep.__main__ import main
 from misstep.grading.collect.notebook import UnusableNotebook
 from misstep.grading.collect.run_plan import read_released_sheet
+from misstep.grading.judging.grader import start_judge
 from misstep.grading.publish.result_store import ResultStore
-from misstep.grading.reader_process import STEP_SECONDS, start_reader
+from misstep.grading.sandbox.limits import Limits
 from misstep.grading.steps import StepFailed
+
+SECONDS = Limits().reading_seconds
 
 RELEASED = read_released_sheet(submissions.released())
 SOLUTION = str(submissions.ROOT / "solutions" / SHEET / f"{SHEET}.ipynb")
 
 
 @pytest.fixture(scope="module")
-def reader():
-    with start_reader() as started:
+def judge():
+    with start_judge(RELEASED) as started:
         yield started
 
 
-def test_no_notebook_reaches_the_limit_of_what_reads_it(reader):
+def test_no_notebook_reaches_the_limit_of_what_reads_it(judge):
     for name, make in READABLE.items():
-        plan = reader.do("plan", seconds=STEP_SECONDS, sheet=RELEASED, content=make("ada"))
+        plan = judge.do("plan", seconds=SECONDS, sheet=RELEASED, content=make("ada"))
         assert (len(plan.problems), plan.typed_id) == (12, "ada"), name
     for name, (make, reason) in UNREADABLE.items():
         with pytest.raises(UnusableNotebook) as refused:
-            reader.do("plan", seconds=STEP_SECONDS, sheet=RELEASED, content=make("ada"))
+            judge.do("plan", seconds=SECONDS, sheet=RELEASED, content=make("ada"))
         assert reason in str(refused.value), name
 
 
@@ -53,16 +56,16 @@ def test_an_answer_that_is_slow_to_quote_or_to_walk_costs_only_its_problem(tmp_p
     assert {path.stem for path in (tmp_path / "out" / "feedback").iterdir()} == {*made}
 
 
-def test_a_step_that_takes_too_long_or_ends_its_process_costs_itself_alone(reader):
+def test_a_step_that_takes_too_long_or_ends_its_process_costs_itself_alone(judge):
     for _ in range(2):
-        with pytest.raises(StepFailed, match=r"reading it takes more than 0\.01 s of processor time"):
-            reader.do("plan", seconds=0.01, sheet=RELEASED, content=READABLE["an image of 20 MB"]("ada"))
-        assert reader.do("plan", sheet=RELEASED, content=honest("ada")).typed_id == "ada"
-    with pytest.raises(StepFailed, match="reading it raises TypeError"):
-        reader.do("plan", sheet=RELEASED)
-    with start_reader() as closed:
+        with pytest.raises(StepFailed, match=r"it takes more than 0\.01 s of processor time"):
+            judge.do("plan", seconds=0.01, sheet=RELEASED, content=READABLE["an image of 20 MB"]("ada"))
+        assert judge.do("plan", sheet=RELEASED, content=honest("ada")).typed_id == "ada"
+    with pytest.raises(StepFailed, match="it raises TypeError"):
+        judge.do("plan", sheet=RELEASED)
+    with start_judge(RELEASED) as closed:
         pass
-    with pytest.raises(StepFailed, match="reading it ends the process"):
+    with pytest.raises(StepFailed, match="The server of processes has ended"):
         closed.do("plan", sheet=RELEASED, content=b"")
 
 
