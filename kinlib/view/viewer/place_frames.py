@@ -17,7 +17,7 @@ from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.rigid.lie import inverse
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.figures.arm import draw_joints, pose_text
+from kinlib.view.figures.arm import describe_arm, draw_joints, frame_text
 from kinlib.view.figures.joint_bodies import stations
 from kinlib.view.viewer.assignment_player import bare_scene, table_cells
 from kinlib.view.viewer.frame_candidates import frame_candidates
@@ -99,8 +99,8 @@ class ByHand(Viewer):
     @property
     def alt(self) -> str:
         """The text alternative of the current picture."""
-        whole = [f"Frame {i} {pose_text(T)}." for i, T in enumerate(self.frames) if not np.isnan(T).any()]
-        return f"{draw_joints(self.chain).alt} {' '.join(whole) or 'No frame is placed yet.'}"
+        whole = [frame_text((str(i), T)) for i, T in enumerate(self.frames) if not np.isnan(T).any()]
+        return f"{describe_arm(self.chain, self.q)} {' '.join(whole) or 'No frame is placed yet.'}"
 
     @traitlets.validate("frames")
     def _validate_frames(self, proposal: Any) -> Array:

@@ -254,7 +254,7 @@ def test_frames_with_open_entries_are_synchronized_with_the_page():
     assert np.isnan(hand.frames[0, 1, 2])
     assert "No frame is placed yet." in hand.alt
     hand.frames = kl.assign_frames(kl.robots.rpr(), convention="standard").frames
-    assert "Frame 3 at" in hand.alt
+    assert "Frame {3} at" in hand.alt
 
 
 def test_an_invalid_array_of_frames_is_refused():

@@ -71,7 +71,7 @@ export function endEffectorText(tree) {
   return `The end-effector is at ${placeText(tree, 0)} m.`;
 }
 
-/** A linkage as it is at q: its bodies, and where its joints are. */
+/** A linkage as it is at q on its curve, where it is closed: its bodies, and where its joints are. */
 export function describeLinkage(data, tree) {
   const joints = data.pieces
     .filter(({ joins }) => joins)
@@ -79,5 +79,5 @@ export function describeLinkage(data, tree) {
       const place = new Vector3(...at).applyMatrix4(tree.body(arm, body).matrixWorld).toArray();
       return `${name} joins ${joins.join(' and ')} at ${vectorText(data.planar ? place.slice(0, 2) : place)}`;
     });
-  return `${data.name} with the bodies ${data.bodies.join(', ')}. ${joints.join('; ')}. All lengths in metres.`;
+  return `${data.name} with the bodies ${data.bodies.join(', ')}. ${joints.join('; ')}. All lengths in metres. It is closed.`;
 }
