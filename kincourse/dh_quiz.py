@@ -175,11 +175,7 @@ class Quiz:
         self._solved = self._read = False
         self.problem = draw_next(f"{self.seed}/{self.asked}", self.convention, self.suspects)
         figure = self.problem.figure() if self.problem.figure else None
-        heading = Card(
-            "note",
-            f"Arm {self.asked}",
-            [f"Give a DH table in the {self.convention} convention. {FREE}"],
-        )
+        heading = Card("note", f"Arm {self.asked}", [f"Give a DH table in the {self.convention} convention. {FREE}"])
         self._statement_box.value = heading.html() + (figure.html() if figure else "")
         self._table_box.value = EMPTY_TABLE
         self._feedback_box.value = ""

@@ -115,12 +115,7 @@ class DHFramesAnswer(Numbers):
                     "Each frame is given in the frame before, and not in {s}.",
                     f"{each} in the frame before.",
                 ),
-                (
-                    "reversed",
-                    T[::-1],
-                    "The frames are right, but their order is reversed.",
-                    "",
-                ),
+                ("reversed", T[::-1], "The frames are right, but their order is reversed.", ""),
             ],
             pieces=range(len(T)),
         )

@@ -171,12 +171,7 @@ class PoseAnswer(Numbers):
             "The rotation is right; the position is left at 0.",
             UNTOUCHED.format("Every number is 0"),
         )
-        yield (
-            "R^T and -p",
-            homogeneous(R.T, -p),
-            INVERSE,
-            "",
-        )
+        yield ("R^T and -p", homogeneous(R.T, -p), INVERSE, "")
         yield (
             "millimetres",
             homogeneous(R, 1000 * p),

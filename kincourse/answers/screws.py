@@ -89,11 +89,7 @@ class ScrewsAnswer(Numbers):
                 "omega for a translation",
                 "This is a translation, so $\\omega$ is 0, and the direction is in $v$.",
             ),
-            (
-                no_unit,
-                "not a unit vector",
-                "$\\omega$ is not a unit vector.",
-            ),
+            (no_unit, "not a unit vector", "$\\omega$ is not a unit vector."),
             (
                 omega and abs(moment @ direction) < 1e-9 and along > 2e-3 * of_moment,
                 "moment along the axis",
@@ -179,12 +175,7 @@ class ScrewsAnswer(Numbers):
             "The moment $v$ is in millimetres. Give it in metres.",
         )
         if S.ndim > 1:
-            yield (
-                "reversed",
-                S[::-1],
-                "The screw axes are right, but their order is reversed.",
-                "",
-            )
+            yield ("reversed", S[::-1], "The screw axes are right, but their order is reversed.", "")
             for i in range(len(S) - 1):
                 order = np.arange(len(S))
                 order[[i, i + 1]] = i + 1, i

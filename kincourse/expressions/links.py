@@ -379,11 +379,7 @@ _ORDERS = {
             "rotate by $\\theta$ and $\\alpha$ before both translations",
             _wrong_order("theta", "alpha", "d", "a"),
         ),
-        (
-            "a along the old x",
-            "move by $a$ along $x_{i-1}$ instead of $x_i$",
-            _wrong_order("d", "a", "theta", "alpha"),
-        ),
+        ("a along the old x", "move by $a$ along $x_{i-1}$ instead of $x_i$", _wrong_order("d", "a", "theta", "alpha")),
     ],
     "modified": [
         (
@@ -391,11 +387,7 @@ _ORDERS = {
             "rotate by $\\alpha$ and $\\theta$ before both translations",
             _wrong_order("alpha", "theta", "a", "d"),
         ),
-        (
-            "d along the old z",
-            "move by $d$ along $z_{i-1}$ instead of $z_i$",
-            _wrong_order("a", "d", "alpha", "theta"),
-        ),
+        ("d along the old z", "move by $d$ along $z_{i-1}$ instead of $z_i$", _wrong_order("a", "d", "alpha", "theta")),
     ],
 }
 """For each convention, other orders of the four factors that are no convention."""

@@ -161,11 +161,7 @@ def slider_place(crank: Expression, rod: Expression, offset: Expression, A: Expr
         ),
         ("lengths swapped", "swap the lengths of crank and rod", _slider(rod, crank, offset, A)),
         *(
-            (
-                "other mode",
-                f"take the other assembly mode {text}",
-                2 * crank * cos(A) - _slider(crank, rod, wrong, A),
-            )
+            ("other mode", f"take the other assembly mode {text}", 2 * crank * cos(A) - _slider(crank, rod, wrong, A))
             for text, wrong in (
                 ("without the offset", 0 * offset),
                 ("with the opposite sign of the offset", negative(offset)),
@@ -371,10 +367,7 @@ direction_of = Operation(
 _distance = Operation("length", lambda v: np.hypot(*v), "|{0}|".format)
 
 rotated = Operation(
-    "rotated",
-    _rotated,
-    lambda angle, x: f"R{angle if angle.startswith('(') else f'({angle})'}\\,{x}",
-    _rotated_changes,
+    "rotated", _rotated, lambda angle, x: f"R{angle if angle.startswith('(') else f'({angle})'}\\,{x}", _rotated_changes
 )
 """A vector (2,) of the plane, rotated by an angle in radians."""
 

@@ -66,10 +66,7 @@ def _rpy_changes(node: Expression) -> Changes:
         )
     text = f"transpose ${label}$, which takes coordinates in the joint's frame to the parent's"
     yield Change("rotation transposed", text, "transpose every rotation"), transpose(node)
-    yield (
-        Change("rotation left out", f"leave out ${label}$", "leave out every rotation"),
-        given("I", np.eye(3)),
-    )
+    yield (Change("rotation left out", f"leave out ${label}$", "leave out every rotation"), given("I", np.eye(3)))
     if not rpy.arguments:  # they are given in radians
         text = "read the angles as degrees"
         yield (

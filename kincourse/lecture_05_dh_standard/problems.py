@@ -157,12 +157,7 @@ def offsets(sampler: ArmSampler) -> Problem:
             stack(h1 - h2, h2 - h3, h3),
             OFFSETS_ADVICE,
         ),
-        (
-            "inner angles",
-            "give the inner angles between the links",
-            np.pi - c,
-            "$\\theta_i$ is 0 for a straight arm.",
-        ),
+        ("inner angles", "give the inner angles between the links", np.pi - c, "$\\theta_i$ is 0 for a straight arm."),
         (
             "inner angles",
             "give the inner angles between the links",
@@ -419,15 +414,5 @@ def scara(sampler: ArmSampler) -> Problem:
 SHEET = Sheet(
     "05_dh_standard",
     "Denavit-Hartenberg tables in the standard convention",
-    [
-        four_numbers,
-        one_row,
-        whole_table,
-        offsets,
-        chain_of_matrices,
-        faulty_entry,
-        parallel_axes,
-        base_and_tool,
-        scara,
-    ],
+    [four_numbers, one_row, whole_table, offsets, chain_of_matrices, faulty_entry, parallel_axes, base_and_tool, scara],
 )

@@ -187,10 +187,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
     ).astype(float)
     axes = [Z, sign * Y, sign * Y, -sign * Y, X]
     robot = arm(
-        [*zip(axes, [np.zeros(3), *points], strict=True)],
-        pose((X, Y, Z), points[-1] + X),
-        "Your arm",
-        "drawn for you",
+        [*zip(axes, [np.zeros(3), *points], strict=True)], pose((X, Y, Z), points[-1] + X), "Your arm", "drawn for you"
     )
     table = assign_frames(robot, convention="modified").table
     same_direction, without_d = table.rows.copy(), table.rows.copy()
@@ -392,10 +389,7 @@ def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
         given={"a_1": first, "a_2": second, "moved_to": moved},
         answer=Numbers(answer.value, unit="m"),
         solution=answer,
-        advice={
-            "leave out $-x$": "$a_2$ leads from joint 2 to joint 3.",
-            "entries swapped": "$a_1$ leads to joint 2.",
-        },
+        advice={"leave out $-x$": "$a_2$ leads from joint 2 to joint 3.", "entries swapped": "$a_1$ leads to joint 2."},
     )
 
 

@@ -301,11 +301,7 @@ def which_line(sampler: ArmSampler) -> Problem:
                 line_of(3 - where, "<axis"),
                 "This axis is correct: it is a unit vector, because $0.6^2 + 0.8^2 = 1$, and its components may be negative.",
             ),
-            mistake(
-                "counted from 0",
-                wrong - 1,
-                "This is the line above the wrong element. Lines count from 1.",
-            ),
+            mistake("counted from 0", wrong - 1, "This is the line above the wrong element. Lines count from 1."),
             mistake(
                 "the end of the joint",
                 line_of(where, "</joint"),

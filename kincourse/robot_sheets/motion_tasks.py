@@ -159,10 +159,7 @@ def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
     )
 
 
-@task(
-    *("The body form", 3, "04_poe_body#The body form"),
-    *("pose", f"{POSE_NOTE} {VALUES_NOTE}", BODY_FORM_SOLUTION),
-)
+@task(*("The body form", 3, "04_poe_body#The body form"), *("pose", f"{POSE_NOTE} {VALUES_NOTE}", BODY_FORM_SOLUTION))
 def body_form(robot: Chain, sampler: ArmSampler) -> Problem:
     """Forward kinematics by the body form."""
     arm = random_arm(sampler, robot)

@@ -131,11 +131,7 @@ def table_mistakes(table: DHTable) -> list[Mistake]:
             rows[:, [0, 3, 2, 1]],
             "alpha and theta are swapped: alpha is about x, theta about z.",
         ),
-        (
-            "no theta",
-            rows * (1, 1, 1, 0),
-            "Every theta is 0. Theta is the angle from one x axis to the next, at home.",
-        ),
+        ("no theta", rows * (1, 1, 1, 0), "Every theta is 0. Theta is the angle from one x axis to the next, at home."),
         ("column after column", rows.T.reshape(rows.shape), "You listed column after column. List row after row."),
         ("every alpha 0", rows * (1, 0, 1, 1), "Every alpha is 0. Alpha is the angle from one z axis to the next."),
         ("every d 0", rows * (1, 1, 0, 1), "Every d is 0. It is the step along z from one x to the next."),

@@ -65,12 +65,7 @@ CASES = {
     "-R p": (INVERSE, posed(R.T, -R @ p) @ B, ["$-R\\,p$ as the position"], "$-p$ as"),
     "p kept": (INVERSE, posed(R.T, p) @ B, ["position unchanged"], "minus"),
     "R^T p": (INVERSE, posed(R.T, R.T @ p) @ B, ["minus sign of $-R^T p$"], "unchanged"),
-    "B inverted": (
-        INVERSE,
-        np.linalg.inv(A) @ np.linalg.inv(B),
-        ["inverse of $B$ instead of $B$"],
-        "$A$",
-    ),
+    "B inverted": (INVERSE, np.linalg.inv(A) @ np.linalg.inv(B), ["inverse of $B$ instead of $B$"], "$A$"),
     "the other order": (INVERSE, B @ np.linalg.inv(A), ["swapped $A^{-1}$ and $B$"], "left out"),
     "B alone": (INVERSE, B, ["left out $A^{-1}$"], "swapped"),
     "entry by entry": (INVERSE, np.linalg.inv(A) * B, ["entry by entry"], "swapped"),

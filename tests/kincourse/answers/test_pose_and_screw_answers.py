@@ -242,9 +242,7 @@ def test_a_slip_in_one_screw_is_named_for_this_screw():
 
 def test_the_slips_of_vectors_are_what_their_texts_say():
     right = np.array([[1.0, 2, 3], [4, 5, 6]])
-    expected = {
-        "Only one sign is wrong: $z$ of the arrow.": right * [[1, 1, 1], [1, 1, -1]],
-    }
+    expected = {"Only one sign is wrong: $z$ of the arrow.": right * [[1, 1, 1], [1, 1, -1]]}
     check_slips(VectorsAnswer(right, names=["the point", "the arrow"]), expected)
     check_slips(VectorsAnswer(right[0], unit="m"), {"Only one sign is wrong: $z$.": right[0] * [1, 1, -1]})
 
