@@ -199,63 +199,43 @@ def _link_changes(convention: Convention, node: Expression) -> Changes:
     a, alpha, d, theta = node.arguments
     other: Convention = "modified" if convention == "standard" else "standard"
     row, of = node.latex, node.operation
+    changes: list[tuple[Change, Expression]] = []
 
-    every = "multiply the rows in the other convention"
-    changes = [
-        (
-            Change("the other convention", f"read ${row}$ in the {other} convention", every, CONVENTION_ADVICE),
-            _link_operation(other, row)(*node.arguments),
-        ),
-        (
-            Change("a and d swapped", f"swap $a$ and $d$ in ${row}$", "swap $a$ and $d$ in every row", LENGTHS_ADVICE),
-            of(d, alpha, a, theta),
-        ),
-        (
-            Change(
-                "angles swapped",
-                f"swap $\\alpha$ and $\\theta$ in ${row}$",
-                "swap $\\alpha$ and $\\theta$ in every row",
-            ),
-            of(a, theta, d, alpha),
-        ),
-        (
-            Change("only the joint", f"leave out $a$ and $\\alpha$ in ${row}$", "leave out every $a$ and $\\alpha$"),
-            of(0.0, 0.0, d, theta),
-        ),
-        (Change("only the common normal", f"leave out $d$ and $\\theta$ in ${row}$"), of(a, alpha, 0.0, 0.0)),
-    ]
+    def add(name: str, text: str, wrong: Expression, everywhere: str = "", advice: str = "") -> None:
+        changes.append((Change(name, text, everywhere, advice), wrong))
+
+    text, everywhere = f"read ${row}$ in the {other} convention", "multiply the rows in the other convention"
+    in_the_other = _link_operation(other, row)(*node.arguments)
+    add("the other convention", text, in_the_other, everywhere, CONVENTION_ADVICE)
+    everywhere = "swap $a$ and $d$ in every row"
+    add("a and d swapped", f"swap $a$ and $d$ in ${row}$", of(d, alpha, a, theta), everywhere, LENGTHS_ADVICE)
+    text, everywhere = f"swap $\\alpha$ and $\\theta$ in ${row}$", "swap $\\alpha$ and $\\theta$ in every row"
+    add("angles swapped", text, of(a, theta, d, alpha), everywhere)
+    text, everywhere = f"leave out $a$ and $\\alpha$ in ${row}$", "leave out every $a$ and $\\alpha$"
+    add("only the joint", text, of(0.0, 0.0, d, theta), everywhere)
+    add("only the common normal", f"leave out $d$ and $\\theta$ in ${row}$", of(a, alpha, 0.0, 0.0))
     for name, text, in_order in _ORDERS[convention]:
-        changes.append((Change(name, f"{text} in ${row}$", text), in_order(*node.arguments)))
-    text = f"rotate by $\\alpha$ about the $y$ axis in ${row}$"
-    changes.append((Change("alpha about y", text), _about_y[convention](*node.arguments)))
-    text = f"swap the sine and the cosine of $\\theta$ in ${row}$"
-    changes.append((Change("sine and cosine swapped", text), of(a, alpha, d, np.pi / 2 - theta)))
-    text = f"swap the sine and the cosine of $\\alpha$ in ${row}$"
-    changes.append((Change("sine and cosine swapped", text), of(a, np.pi / 2 - alpha, d, theta)))
+        add(name, f"{text} in ${row}$", in_order(*node.arguments), text)
+    add("alpha about y", f"rotate by $\\alpha$ about the $y$ axis in ${row}$", _about_y[convention](*node.arguments))
+    for letter, wrong in (
+        ("\\theta", of(a, alpha, d, np.pi / 2 - theta)),
+        ("\\alpha", of(a, np.pi / 2 - alpha, d, theta)),
+    ):
+        add("sine and cosine swapped", f"swap the sine and the cosine of ${letter}$ in ${row}$", wrong)
     if d.operation is _joint_variable:
         variable, constant = d.arguments
+        q = f"${variable.latex}$"
         advice = "A prismatic joint changes $d$; its $\\theta$ is a constant."
-        wrong_column = Change(
-            "prismatic variable in theta", f"add ${variable.latex}$ to $\\theta$ instead of $d$", advice=advice
-        )
-        changes.append((wrong_column, of(a, alpha, constant, theta + variable)))
-        text = f"add ${variable.latex}$ to $a$ instead of $d$"
-        changes.append(
-            (Change("prismatic variable in a", text, advice=LENGTHS_ADVICE), of(a + variable, alpha, constant, theta))
-        )
-        text = f"swap ${variable.latex}$ and ${a.latex}$"
-        changes.append(
-            (Change("a and d swapped", text, advice=LENGTHS_ADVICE), of(variable, alpha, a + constant, theta))
-        )
+        text, wrong = f"add {q} to $\\theta$ instead of $d$", of(a, alpha, constant, theta + variable)
+        add("prismatic variable in theta", text, wrong, advice=advice)
+        text, wrong = f"add {q} to $a$ instead of $d$", of(a + variable, alpha, constant, theta)
+        add("prismatic variable in a", text, wrong, advice=LENGTHS_ADVICE)
+        text, wrong = f"swap {q} and ${a.latex}$", of(variable, alpha, a + constant, theta)
+        add("a and d swapped", text, wrong, advice=LENGTHS_ADVICE)
     if theta.operation is _joint_variable:
         variable, constant = theta.arguments
         text = f"add ${variable.latex}$ to $d$ instead of $\\theta$"
-        changes.append(
-            (
-                Change("revolute variable in d", text, "add every joint value to $d$"),
-                of(a, alpha, d + variable, constant),
-            )
-        )
+        add("revolute variable in d", text, of(a, alpha, d + variable, constant), "add every joint value to $d$")
     # In a row with zeros many of these change nothing, and are no mistakes there.
     is_full = all(entry.value for entry in node.arguments)
     yield from (one for one in changes if is_full or not np.allclose(one[1].value, node.value))

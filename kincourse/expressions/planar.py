@@ -310,10 +310,8 @@ def _direction_changes(node: Expression) -> Changes:
     yield Change("arguments of arctan2", "swap the two arguments of `np.arctan2`"), swapped(line)
     if line.value[0] < 0:  # otherwise it is the same
         text = "take `np.arctan` of the quotient, which loses the quadrant"
-        yield (
-            Change("arctan for arctan2", text),
-            Operation("arctan", lambda v: np.arctan(v[1] / v[0]), "{0}".format)(line),
-        )
+        of_quotient = Operation("arctan", lambda v: np.arctan(v[1] / v[0]), "{0}".format)
+        yield Change("arctan for arctan2", text), of_quotient(line)
     yield Change("half a turn off", f"take the opposite direction of ${line.latex}$"), np.pi + node
 
 

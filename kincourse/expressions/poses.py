@@ -78,26 +78,20 @@ def _pose_changes(node: Expression) -> Changes:
 
 
 def _rotation_changes(node: Expression) -> Changes:
-    yield (
-        Change("rotation transposed", f"use the transpose of ${node.latex}$ instead of ${node.latex}$"),
-        transpose(node),
-    )
+    text = f"use the transpose of ${node.latex}$ instead of ${node.latex}$"
+    yield Change("rotation transposed", text), transpose(node)
 
 
 def _inverse_changes(node: Expression) -> Changes:
     inner = node.arguments[0]
     T = inner.latex
     yield Change("inverse left out", f"use ${T}$, where its inverse belongs", "leave out every inverse"), inner
-    text = f"transpose ${T}$ instead of inverting it"
-    yield (
-        Change("transpose for inverse", text, "transpose poses instead of inverting them", INVERSE_ADVICE),
-        transpose(inner),
-    )
-    text = f"negate ${T}$ instead of inverting it"
-    yield (
-        Change("negative for inverse", text, "negate poses instead of inverting them", INVERSE_ADVICE),
-        negative(inner),
-    )
+    for name, verb, instead in (
+        ("transpose for inverse", "transpose", transpose(inner)),
+        ("negative for inverse", "negate", negative(inner)),
+    ):
+        everywhere = f"{verb} poses instead of inverting them"
+        yield Change(name, f"{verb} ${T}$ instead of inverting it", everywhere, INVERSE_ADVICE), instead
     if inner.arguments:  # a given pose has this change itself
         text = f"use the rotation of ${T}$, where its transpose belongs"
         yield Change("rotation transposed", text, advice=INVERSE_ADVICE), _rotation_kept(inner)
@@ -200,21 +194,13 @@ def _exp_changes(node: Expression) -> Changes:
     yield Change("joint value left out", f"leave out ${q.latex}$ in {factor}"), exp(S, 1.0)
     if S.value[:3].any():  # for a prismatic joint, the series ends there
         for term, series in (("linear", _linear), ("quadratic", _quadratic)):
-            text = "stop the series of {0} after its {1} term"
-            yield (
-                Change("series cut short", text.format(factor, term), text.format("each exponential", term), "", False),
-                series(S, q),
+            text, everywhere = (
+                f"stop the series of {one} after its {term} term" for one in (factor, "each exponential")
             )
+            yield Change("series cut short", text, everywhere, one_by_one=False), series(S, q)
     text = f"take the exponential of each entry instead of {factor}"
-    yield (
-        Change(
-            "exponential of each entry",
-            text,
-            "take the exponential of each entry (`np.exp`) instead of that of the matrix",
-            one_by_one=False,
-        ),
-        _entrywise_exponential(S, q),
-    )
+    everywhere = "take the exponential of each entry (`np.exp`) instead of that of the matrix"
+    yield Change("exponential of each entry", text, everywhere, one_by_one=False), _entrywise_exponential(S, q)
 
 
 def _logarithm(T: Array) -> Array:

@@ -195,10 +195,8 @@ def _rotation_changes(node: Expression) -> Changes:
     if raw := _raw_axis(omega):
         once = partial(_formula, lambda q: (1, sin(q), _size(raw.value) * (1 - cos(q))), _squared, 1.0)
         text = f"divide by the length only once in the square of $[{raw.latex}]$"
-        yield (
-            Change("divided once", text, advice=UNIT_AXIS, alone=True),
-            Operation("divided once", once, "{0}".format)(unit(raw), theta),
-        )
+        divided_once = Operation("divided once", once, "{0}".format)(unit(raw), theta)
+        yield Change("divided once", text, advice=UNIT_AXIS, alone=True), divided_once
         text = f"use ${raw.latex}$, which is no unit vector, in Rodrigues' formula"
         yield Change("formula for a unit axis", text, FOR_UNIT_AXES, UNIT_AXIS), _printed_rotation(raw, theta)
 
@@ -235,10 +233,8 @@ def _skew_changes(node: Expression) -> Changes:
             lambda w: hat(w) + np.diag(w),
         ),
     ):
-        yield (
-            Change(name, f"{text} in ${node.latex}$", advice=advice),
-            Operation(name, wrong, "[{0}]".format)(*node.arguments),
-        )
+        change = Change(name, f"{text} in ${node.latex}$", advice=advice)
+        yield change, Operation(name, wrong, "[{0}]".format)(*node.arguments)
 
 
 def _twist_changes(node: Expression) -> Changes:

@@ -246,18 +246,14 @@ def _screws_changes(node: Expression) -> Changes:
     yield Change("halves swapped", text, "swap the halves of the screws"), _swap_halves(node)
     if node.value[..., :3].any():
         text = f"take the moments of ${node.latex}$ with the opposite sign"
-        yield (
-            Change("sign of v", text, "take all moments with the opposite sign", one_by_one=False),
-            _negate_moments(node),
-        )
+        everywhere = "take all moments with the opposite sign"
+        yield Change("sign of v", text, everywhere, one_by_one=False), _negate_moments(node)
 
 
 def _screw_changes(node: Expression) -> Changes:
     omega, v = node.arguments
-    yield (
-        Change("halves swapped", "write $(v, \\omega)$", "write $(v, \\omega)$ for revolute joints", ORDER_ADVICE),
-        screw(v, omega),
-    )
+    text, everywhere = "write $(v, \\omega)$", "write $(v, \\omega)$ for revolute joints"
+    yield Change("halves swapped", text, everywhere, ORDER_ADVICE), screw(v, omega)
     yield Change("turn as slide", "write the screw of a prismatic joint, $(0, \\omega)$"), screw(0 * omega, omega)
     yield Change("sign of omega", "take $\\omega$ with the opposite sign, but not $v$"), screw(negative(omega), v)
 
@@ -311,10 +307,8 @@ def _slide_changes(node: Expression) -> Changes:
 def _advancing_changes(node: Expression) -> Changes:
     turning, omega, p, h = node.arguments
     advance = f"{h.latex}\\,{omega.latex}"
-    yield (
-        Change("no pitch", f"leave out ${advance}$", advice="A helical joint also translates along its axis."),
-        turning,
-    )
+    advice = "A helical joint also translates along its axis."
+    yield Change("no pitch", f"leave out ${advance}$", advice=advice), turning
     advice = f"The body also translates along the axis: add ${advance}$."
     for name, text, wrong in (
         ("left-handed", f"take ${advance}$ with the opposite sign", negative(h) * omega),

@@ -51,33 +51,20 @@ def _rpy_changes(node: Expression) -> Changes:
         everywhere = "rotate about the frames' own axes, $R_x R_y R_z$"
         yield Change("own axes", text, everywhere, AXES_ADVICE), _moving(rpy)
     if rotated != [1]:  # the pitch is the second angle in either order
-        text = "read the angles as yaw, pitch and roll"
-        yield (
-            Change("yaw first", text, text, "The first of the three is the roll, about $x$."),
-            _rpy_rotation(rpy[::-1]),
-        )
+        text, advice = "read the angles as yaw, pitch and roll", "The first of the three is the roll, about $x$."
+        yield Change("yaw first", text, text, advice), _rpy_rotation(rpy[::-1])
     if len(rotated) > 1:
+        text = f"take the angles of ${label}$ as one rotation vector"
         advice = "Roll, pitch and yaw are three rotations, one after the other, and not one rotation vector."
-        yield (
-            Change(
-                "rotation vector", f"take the angles of ${label}$ as one rotation vector", advice=advice, alone=True
-            ),
-            _one_rotation(rpy),
-        )
+        yield Change("rotation vector", text, advice=advice, alone=True), _one_rotation(rpy)
     text = f"transpose ${label}$, which takes coordinates in the joint's frame to the parent's"
     yield Change("rotation transposed", text, "transpose every rotation"), transpose(node)
     yield (Change("rotation left out", f"leave out ${label}$", "leave out every rotation"), given("I", np.eye(3)))
     if not rpy.arguments:  # they are given in radians
-        text = "read the angles as degrees"
-        yield (
-            Change("radians as degrees", text, text, "Angles of a URDF file are in radians: 1.5708 is a right angle."),
-            _rpy_rotation(_scaled(rpy, np.pi / 180)),
-        )
-        text = "convert the angles to degrees"
-        yield (
-            Change("radians in degrees", text, text, "The functions of NumPy and of `kinlib` take radians."),
-            _rpy_rotation(_scaled(rpy, 180 / np.pi)),
-        )
+        text, advice = "read the angles as degrees", "Angles of a URDF file are in radians: 1.5708 is a right angle."
+        yield Change("radians as degrees", text, text, advice), _rpy_rotation(_scaled(rpy, np.pi / 180))
+        text, advice = "convert the angles to degrees", "The functions of NumPy and of `kinlib` take radians."
+        yield Change("radians in degrees", text, text, advice), _rpy_rotation(_scaled(rpy, 180 / np.pi))
     for count in (1, 2, 3):
         for chosen in combinations(rotated, count):
             names = "every angle" if count == len(rotated) > 1 else "the " + " and the ".join(NAMES[k] for k in chosen)
