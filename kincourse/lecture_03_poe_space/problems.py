@@ -38,6 +38,7 @@ from kincourse.text.joint_table import joint_table
 from kinlib.chains.robots import SLIDE, X, Y, Z, angled_arm, arm, pose
 from kinlib.rigid.lie import adjoint
 from kinlib.rigid.lie import homogeneous as pose_of
+from kinlib.symbolic.formulas import screw as symbolic_screw
 from kinlib.symbolic.merge_rotations import homogeneous
 from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
@@ -483,11 +484,8 @@ def _symbolic_home(robot: LetteredArm) -> sp.Matrix:
 
 
 def _symbolic_screws(robot: LetteredArm) -> sp.Matrix:
-    rows = []
-    for letter, axis, p in zip(robot.joint_types, map(exact, robot.axes), _symbolic_points(robot), strict=False):
-        omega, v = (sp.zeros(3, 1), axis) if letter == "P" else (axis, p.cross(axis))
-        rows.append(sp.Matrix.vstack(omega, v).T)
-    return sp.Matrix.vstack(*rows)
+    joints = zip(robot.axes, _symbolic_points(robot)[:-1], robot.chain.lines.pitch, strict=True)
+    return sp.Matrix.vstack(*(symbolic_screw(axis, p, pitch).T for axis, p, pitch in joints))
 
 
 def _links(robot: LetteredArm, lengths: Mapping[str, float]) -> list[Expression]:

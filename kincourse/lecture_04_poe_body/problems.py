@@ -37,6 +37,8 @@ from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.rigid.lie import adjoint, exp, homogeneous
 from kinlib.rigid.lie import inverse as invert
 from kinlib.rigid.screw import screw
+from kinlib.symbolic.formulas import screw as symbolic_screw
+from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.groups.ordering import Ordering
@@ -376,7 +378,12 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
             )
             for i in (1, 2, 3)
         ),
-        ("joints before", "move each axis by the joints before it", _by_joints_before(robot, q) @ qdot, CARRY_ADVICE),
+        (
+            "joints before",
+            "move each axis by the joints before it",
+            Chain(B, robot.home).jacobian(q) @ qdot,
+            CARRY_ADVICE,
+        ),
     ):
         V = V.mistaken_for(wrong, name, text, advice)
     per_second = rate_words.replace("degrees", "degrees/s").replace(" m", " m/s")
@@ -394,14 +401,6 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
             "term left out": "Every joint that moves adds its column times its rate.",
             "use degrees as radians": "Both $q$ and $\\dot q$ are given in degrees: use `np.radians` on each.",
         },
-    )
-
-
-def _by_joints_before(robot: Chain, q: Array) -> Array:
-    """The body screws, each carried by the joints before it as in the space Jacobian, in columns."""
-    steps = exp(robot.body_screws * q[:, None])
-    return np.column_stack(
-        [adjoint(np.linalg.multi_dot([np.eye(4), *steps[:i], np.eye(4)])) @ B for i, B in enumerate(robot.body_screws)]
     )
 
 
@@ -508,13 +507,9 @@ def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
             B = B.mistaken_for(wrong, name, text, "Directions and points of body screws are given in {b}.")
         return B
 
-    points = sp.zeros(3, 1)
-    rows: list[sp.Matrix] = []
-    for i in reversed(range(n)):
-        points -= symbols[i + 1] * sp.Matrix(links[i + 1].astype(int))
-        axis = sp.Matrix(axes[i].astype(int))
-        omega, v = (sp.zeros(3, 1), axis) if robot.joint_types[i] == "P" else (axis, points.cross(axis))
-        rows.insert(0, sp.Matrix.vstack(omega, v).T)
+    steps = [letter * exact(link) for letter, link in zip(symbols, links, strict=True)]
+    points = [-sum(steps[i + 1 :], sp.zeros(3, 1)) for i in range(n)]
+    rows = [symbolic_screw(*joint).T for joint in zip(axes, points, robot.chain.lines.pitch, strict=True)]
     return Problem(
         statement="The drawing shows an arm at home. Each link is parallel to an axis of {s}, and its length is the letter beside "
         f"it. Give the body screws $B_1$ to $B_{n}$ in {{b}}, in rows: {n} rows of six formulas in "

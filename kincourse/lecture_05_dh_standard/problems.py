@@ -12,7 +12,7 @@ from kincourse.expressions.poses import inverse, with_position
 from kincourse.expressions.poses import pose as given_pose
 from kincourse.mistakes.dh import base_in_a_row, entry_names, other_entries, table_mistakes, tool_in_a_row
 from kincourse.problem import problem
-from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler, are_distinguishable
+from kincourse.sampling.arms import ArmSampler, are_distinguishable
 from kincourse.sampling.drawn_machines import draw_table_frames, is_readable, lengths, table_frames
 from kincourse.sampling.drawn_machines import table_mistakes as drawn_table_mistakes
 from kincourse.text.joint_table import MARKS_BY_ROW, joint_table
@@ -49,9 +49,7 @@ def four_numbers(sampler: ArmSampler) -> Problem:
         not are_distinguishable([np.zeros(3), start[:3, 3], (start @ link(row, "standard").value)[:3, 3]])
         or (row > 0).all()
     ):
-        x = sampler.choice(AXIS_DIRECTIONS)
-        z = sampler.choice([axis for axis in AXIS_DIRECTIONS if not axis @ x])
-        start = pose((x, np.cross(z, x), z), np.abs(sampler.point(3)))
+        start = pose(sampler.axes(), np.abs(sampler.point(3)))
         row = np.array(
             [
                 sampler.integer(1, 6),
