@@ -8,8 +8,6 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-
 from kincourse.robot_sheets.robot_sheet import robot_sheet
 from kinlib.chains.chain import Chain
 from misstep.sheet import Sheet
@@ -28,22 +26,7 @@ def dumps(robot: Chain, tasks: Sequence[str]) -> str:
     >>> loads(dumps(rpr(), ["home_pose"]), "a test")[1]
     ['home_pose']
     """
-    limits = (
-        None
-        if robot.limits is None
-        else [[_limit_to_json(low), _limit_to_json(high)] for low, high in robot.limits.tolist()]
-    )
-    data = {
-        "kinlib sheet": FORMAT_VERSION,
-        "tasks": list(tasks),
-        "name": robot.name,
-        "source": robot.source,
-        "joint_names": list(robot.joint_names),
-        "screws": robot.screws.tolist(),
-        "home": robot.home.tolist(),
-        "points": robot.joint_points.tolist(),
-        "limits": limits,
-    }
+    data = {"kinlib sheet": FORMAT_VERSION, "tasks": list(tasks), **robot.to_dict()}
     return json.dumps(data, ensure_ascii=False) + "\n"
 
 
@@ -56,34 +39,14 @@ def loads(text: str, source: str) -> tuple[Chain, list[str]]:
     """
     try:
         data = json.loads(text)
-        if data["kinlib sheet"] != FORMAT_VERSION:
-            raise ValueError(
-                f"its format is {data['kinlib sheet']!r}, and this kincourse reads format {FORMAT_VERSION}"
-            )
-        limits = None if data["limits"] is None else np.array([_limits_from_json(*ends) for ends in data["limits"]])
-        robot = Chain(
-            data["screws"],
-            data["home"],
-            data["points"],
-            str(data["name"]),
-            str(data["source"]),
-            limits,
-            tuple(map(str, data["joint_names"])),
-        )
-        return robot, [str(task) for task in data["tasks"]]
-    except (KeyError, TypeError, ValueError) as error:
+        if (version := data.pop("kinlib sheet")) != FORMAT_VERSION:
+            raise ValueError(f"its format is {version!r}, and this kincourse reads format {FORMAT_VERSION}")
+        tasks = [str(task) for task in data.pop("tasks")]
+        return Chain.from_dict(data), tasks
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
         raise ValueError(
             f"{source} is not a valid file of a robot sheet: {error}. If it was edited by hand, take a fresh copy."
         ) from error
-
-
-def _limit_to_json(end: float) -> float | None:
-    """A joint limit as a JSON value: null where it is infinite, because JSON has no infinity."""
-    return end if np.isfinite(end) else None
-
-
-def _limits_from_json(low: float | None, high: float | None) -> tuple[float, float]:
-    return -np.inf if low is None else low, np.inf if high is None else high
 
 
 def validate_name(name: str) -> str:
