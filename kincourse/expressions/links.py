@@ -1,7 +1,7 @@
 r"""Link transforms in solutions: the matrix of a DH row in either convention, and the product of the matrices of a table."""
 
-from collections.abc import Iterable, Sequence
-from functools import cache, partial, reduce
+from collections.abc import Callable, Iterable, Sequence
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -9,8 +9,11 @@ import numpy as np
 from kincourse.expressions.poses import inverse
 from kinlib.arrays.validation import Array
 from kinlib.dh.table import Convention
+from kinlib.dh.table import joint_transform as z_motion
+from kinlib.dh.table import normal_transform as x_motion
+from kinlib.rigid.lie import exp as exponential
 from misstep.mutants.expression import Change, Changes, Expression, Operation, given, negative, product
-from misstep.mutants.operations import DEGREES_ADVICE
+from misstep.mutants.operations import DEGREES_ADVICE, function
 
 CONVENTION_ADVICE = (
     "A standard row is $R_z(\\theta)\\,T_z(d)\\,T_x(a)\\,R_x(\\alpha)$, joint first; a modified row is "
@@ -31,6 +34,9 @@ RADIANS_ADVICE = "Angles are typed in radians: a right angle is `np.pi / 2`."
 OFFSET_ADVICE = "In a row with an offset $c$, $\\theta = q + c$: the offset is added to $q$."
 
 Rows = Array | Sequence[Sequence[float]]
+
+Link = Callable[[float, float, float, float], Array]
+"""A function from a, alpha, d and theta to a pose (4, 4)."""
 
 
 def link(row: Array | Sequence[float | Expression], convention: Convention, i: int = 1, label: str = "") -> Expression:
@@ -215,8 +221,9 @@ def _link_changes(convention: Convention, node: Expression) -> Changes:
     add("only the joint", text, of(0.0, 0.0, d, theta), everywhere)
     add("only the common normal", f"leave out $d$ and $\\theta$ in ${row}$", of(a, alpha, 0.0, 0.0))
     for name, text, in_order in _ORDERS[convention]:
-        add(name, f"{text} in ${row}$", in_order(*node.arguments), text)
-    add("alpha about y", f"rotate by $\\alpha$ about the $y$ axis in ${row}$", _about_y[convention](*node.arguments))
+        add(name, f"{text} in ${row}$", function(name, in_order, "A")(*node.arguments), text)
+    about_y = function("alpha about y", _LINKS_ABOUT_Y[convention], "A")(*node.arguments)
+    add("alpha about y", f"rotate by $\\alpha$ about the $y$ axis in ${row}$", about_y)
     for letter, wrong in (
         ("\\theta", of(a, alpha, d, np.pi / 2 - theta)),
         ("\\alpha", of(a, np.pi / 2 - alpha, d, theta)),
@@ -306,75 +313,52 @@ def _joint_value_changes(node: Expression) -> Changes:
             yield Change(name, text.format(q), text.format(several), advice, False), factor * node
 
 
-def _rotation(axis: int, angle: float) -> Array:
-    T = np.eye(4)
-    i, j = (axis + 1) % 3, (axis + 2) % 3
-    c, s = np.cos(angle), np.sin(angle)
-    T[[i, i, j, j], [i, j, i, j]] = c, -s, s, c
-    return T
-
-
-def _translation(axis: int, length: float) -> Array:
-    T = np.eye(4)
-    T[axis, 3] = length
-    return T
-
-
-def _in_order(names: Sequence[str], a: float, alpha: float, d: float, theta: float) -> Array:
-    """The product of the factors of a row in an order."""
-    factors = {
-        "a": _translation(0, a),
-        "alpha": _rotation(0, alpha),
-        "d": _translation(2, d),
-        "theta": _rotation(2, theta),
-        "alpha about y": _rotation(1, alpha),
-    }
-    return reduce(np.matmul, [factors[name] for name in names])
-
-
-def _standard(a: float, alpha: float, d: float, theta: float) -> Array:
-    ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
-    return np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
-
-
-def _modified(a: float, alpha: float, d: float, theta: float) -> Array:
-    ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
-    return np.array([[c, -s, 0, a], [s * ca, c * ca, -sa, -d * sa], [s * sa, c * sa, ca, d * ca], [0, 0, 0, 1]])
-
-
 @cache
 def _link_operation(convention: Convention, label: str) -> Operation:
-    of = _standard if convention == "standard" else _modified
-    return Operation("link transform", of, lambda *_: label, partial(_link_changes, convention))
+    return Operation("link transform", _LINKS[convention], lambda *_: label, partial(_link_changes, convention))
 
 
-def _wrong_order(*names: str) -> Operation:
-    return Operation("link in another order", partial(_in_order, names), lambda *_: "A")
+_LINKS: dict[str, Link] = {
+    "standard": lambda a, alpha, d, theta: z_motion(d, theta) @ x_motion(a, alpha),
+    "modified": lambda a, alpha, d, theta: x_motion(a, alpha) @ z_motion(d, theta),
+}
 
-
-_ORDERS = {
+_ORDERS: dict[str, list[tuple[str, str, Link]]] = {
     "standard": [
         (
             "rotations first",
             "rotate by $\\theta$ and $\\alpha$ before both translations",
-            _wrong_order("theta", "alpha", "d", "a"),
+            lambda a, A, d, H: z_motion(0, H) @ x_motion(0, A) @ z_motion(d, 0) @ x_motion(a, 0),
         ),
-        ("a along the old x", "move by $a$ along $x_{i-1}$ instead of $x_i$", _wrong_order("d", "a", "theta", "alpha")),
+        (
+            "a along the old x",
+            "move by $a$ along $x_{i-1}$ instead of $x_i$",
+            lambda a, A, d, H: z_motion(d, 0) @ x_motion(a, 0) @ z_motion(0, H) @ x_motion(0, A),
+        ),
     ],
     "modified": [
         (
             "rotations first",
             "rotate by $\\alpha$ and $\\theta$ before both translations",
-            _wrong_order("alpha", "theta", "a", "d"),
+            lambda a, A, d, H: x_motion(0, A) @ z_motion(0, H) @ x_motion(a, 0) @ z_motion(d, 0),
         ),
-        ("d along the old z", "move by $d$ along $z_{i-1}$ instead of $z_i$", _wrong_order("a", "d", "alpha", "theta")),
+        (
+            "d along the old z",
+            "move by $d$ along $z_{i-1}$ instead of $z_i$",
+            lambda a, A, d, H: x_motion(a, 0) @ z_motion(d, 0) @ x_motion(0, A) @ z_motion(0, H),
+        ),
     ],
 }
 """For each convention, other orders of the four factors that are no convention."""
 
-_about_y = {
-    "standard": _wrong_order("theta", "d", "a", "alpha about y"),
-    "modified": _wrong_order("alpha about y", "a", "theta", "d"),
+
+def _about_y(alpha: float) -> Array:
+    return exponential(np.array([0, alpha, 0, 0, 0, 0]))
+
+
+_LINKS_ABOUT_Y: dict[str, Link] = {
+    "standard": lambda a, alpha, d, theta: z_motion(d, theta) @ x_motion(a, 0) @ _about_y(alpha),
+    "modified": lambda a, alpha, d, theta: _about_y(alpha) @ x_motion(a, 0) @ z_motion(d, theta),
 }
 
 _axial_twists = Operation(
@@ -409,7 +393,7 @@ _WRONG_TWISTS = (
     (
         "frame of the second twist",
         "write the second twist in frame $i-1$, where its $z$ is already rotated",
-        lambda a, A, d, H: _twists(A, a, H * _rotation(0, A)[:3, 2], d * _rotation(0, A)[:3, 2]),
+        lambda a, A, d, H: _twists(A, a, H * x_motion(0, A)[:3, 2], d * x_motion(0, A)[:3, 2]),
     ),
 )
 """Twists that people take for those of a row, from a, alpha, d and theta."""
