@@ -15,6 +15,7 @@ from pathlib import Path
 from kincourse import sheets
 from kincourse.robot_sheets.robot_file import dumps, validate_name
 from kincourse.robot_sheets.robot_sheet import TASKS, robot_sheet, tasks_for
+from kincourse.table_of_lectures import in_words
 from kinlib.chains.chain import Chain
 from misstep.release.instructor_notebook import notebook
 
@@ -26,8 +27,6 @@ answer cell, run the cell, and then run the check below it. You may check as oft
 
 A wrong answer costs nothing here. If it comes from a common mistake, the card names the mistake and the section to read \
 again. The robot is stored in the file `{file}`: keep it in the folder of this notebook."""
-
-COUNT_WORDS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten")
 
 
 def new_sheet(
@@ -75,7 +74,7 @@ def new_sheet(
         entry._replace(solution=entry.solution.replace("{k}", str(k))) for k, entry in enumerate(entries, start=1)
     ]
     intro = INTRO_TEMPLATE.format(
-        count=COUNT_WORDS[len(tasks)], points=sheet.points, robot=robot_name, file=f"{sheet_name}.json"
+        count=in_words(len(tasks)).capitalize(), points=sheet.points, robot=robot_name, file=f"{sheet_name}.json"
     )
     text = notebook(sheet, numbered_entries, intro, IMPORT_LINES)
     folder.mkdir(parents=True, exist_ok=True)

@@ -70,7 +70,7 @@ def joint_values(types: str, typed: Sequence[float] | Array, letter: str = "q") 
     ]
 
 
-def values_in_radians(types: str, q: Sequence[float] | Array, letter: str = "q") -> list[Expression]:
+def values_in_radians(types: str, q: Sequence[float] | Array) -> list[Expression]:
     """The values of joints in radians and metres, as they are needed.
 
     >>> [change.name for change, _ in values_in_radians("P", [0.5])[0].changes()]
@@ -78,7 +78,7 @@ def values_in_radians(types: str, q: Sequence[float] | Array, letter: str = "q")
     """
     kinds = {"R": _JOINT_ANGLE, "P": _JOINT_LENGTH}
     return [
-        given(f"{letter}_{i}", float(value), kinds[kind])
+        given(f"q_{i}", float(value), kinds[kind])
         for i, (kind, value) in enumerate(zip(types, q, strict=True), start=1)
     ]
 

@@ -59,13 +59,13 @@ def serial_urdf(joints: Sequence[UrdfJoint], links: Sequence[str]) -> str:
     return robot_urdf(links, [joint.element(parent, child) for joint, parent, child in ends])
 
 
-def robot_urdf(links: Iterable[str], elements: Iterable[str], name: str = "yours") -> str:
+def robot_urdf(links: Iterable[str], elements: Iterable[str]) -> str:
     r"""Write a URDF of links and further elements.
 
     >>> robot_urdf(["a"], [])
     '<robot name="yours">\n<link name="a"/>\n</robot>'
     """
-    return "\n".join([f'<robot name="{name}">', *(f'<link name="{link}"/>' for link in links), *elements, "</robot>"])
+    return "\n".join(['<robot name="yours">', *(f'<link name="{link}"/>' for link in links), *elements, "</robot>"])
 
 
 def fence_urdf(text: str) -> str:
