@@ -6,7 +6,7 @@ The pages are written to build/site/html, or to the folder html in the folder th
 import sys
 from pathlib import Path
 
-from kinsite import STRICT, npm_packages
+from kinsite import npm_packages
 from kinsite.browser_lab import lab
 from kinsite.browser_lab.wheels import Unreachable
 from kinsite.execute import ROOT, NotebookError
@@ -14,6 +14,8 @@ from kinsite.sphinx_source import write_source
 from sphinx.cmd.build import main as sphinx
 
 HERE = Path(__file__).resolve().parent
+STRICT = ("-n", "-W", "--keep-going")
+"""Options of Sphinx: every warning fails the build, after all of them have been reported."""
 
 
 def build(folder: Path = ROOT / "build" / "site") -> int:
@@ -21,20 +23,9 @@ def build(folder: Path = ROOT / "build" / "site") -> int:
     npm_packages.install()
     write_source(folder / "source")
     built_lab = lab.build()
-    arguments = (
-        *STRICT,
-        "-q",
-        "-c",
-        HERE,
-        "-d",
-        folder / "doctrees",
-        "-D",
-        f"kinlib_lab={'lab' if built_lab else ''}",
-        "-D",
-        f"kinlib_python_mb={lab.megabytes(built_lab)}",
-        folder / "source",
-        folder / "html",
-    )
+    values = (f"kinlib_lab={'lab' if built_lab else ''}", f"kinlib_python_mb={lab.megabytes(built_lab)}")
+    settings = [word for value in values for word in ("-D", value)]
+    arguments = (*STRICT, "-q", "-c", HERE, "-d", folder / "doctrees", *settings, folder / "source", folder / "html")
     failed = int(sphinx(["-b", "html", *map(str, arguments)]))
     lab.copy_to_site(built_lab, folder / "html" / "lab")
     return failed

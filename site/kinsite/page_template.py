@@ -37,7 +37,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_directive("kinlib-wrong-answers", WrongAnswersDirective)
     app.connect("builder-inited", copy_files)
     app.connect("html-page-context", set_context, priority=800)
-    app.connect("build-finished", remove_old_pages)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
@@ -84,17 +83,6 @@ def copy_files(app: Sphinx) -> None:
         shutil.copytree(files, Path(app.outdir) / "files", dirs_exist_ok=True)
 
 
-def remove_old_pages(app: Sphinx, failed: Exception | None) -> None:
-    """Remove pages whose source is gone: Sphinx leaves them, and search engines would find them."""
-    known = {*app.env.found_docs, "search"}
-    for path in [] if failed else Path(app.outdir).rglob("*.html"):
-        name = path.relative_to(app.outdir).with_suffix("").as_posix()
-        if name.startswith("embed/"):
-            name = path.parent.relative_to(Path(app.outdir) / "embed").as_posix()
-        if name not in known and not name.startswith(("_static/", "lab/")):
-            path.unlink()
-
-
 def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree: Any) -> None:
     """Set the values that the templates need for a page."""
     context["body"] = adapt(context.get("body", ""))
@@ -139,8 +127,9 @@ def adapt(body: str) -> str:
 def elsewhere(repository: str, path: str) -> dict[str, str]:
     """Return the addresses that open a notebook of a repository on GitHub elsewhere, by the name of the place.
 
-    >>> elsewhere("https://github.com/ada/course", "notebooks/03.ipynb")["Colab"]
-    'https://colab.research.google.com/github/ada/course/blob/main/notebooks/03.ipynb'
+    >>> print(*elsewhere("https://github.com/ada/course", "notebooks/03.ipynb").values())
+    https://mybinder.org/v2/gh/ada/course/main?urlpath=lab/tree/notebooks/03.ipynb
+    https://colab.research.google.com/github/ada/course/blob/main/notebooks/03.ipynb
     >>> elsewhere("https://example.org/ada/course", "notebooks/03.ipynb")
     {}
     """

@@ -67,9 +67,9 @@ def all_pages() -> Iterator[tuple[str, str]]:
     yield from independent_checks.pages()
     yield from census.pages()
     yield from progress.pages(*({path: executed[path] for path in paths} for paths in (LECTURES, SHEETS)))
-    for module in (gallery, mistakes, reference):
-        source = Path(module.__file__ or "").read_text("utf-8")
-        yield from cached_pages(module.__name__.rpartition(".")[2], module.pages, source).items()
+    yield from gallery.pages()
+    yield from reference.pages()
+    yield from cached_pages("mistakes", mistakes.pages, Path(mistakes.__file__).read_text("utf-8")).items()
 
 
 def handwritten_pages() -> Iterator[tuple[str, str]]:

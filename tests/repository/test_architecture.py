@@ -83,12 +83,6 @@ def test_no_file_names_the_host_of_a_registry():
     assert not {name: match[0] for name, match in matches.items() if match}
 
 
-def test_versions_are_pinned_in_one_place():
-    assert not files("*uv.lock"), (
-        "versions are pinned in constraints.txt; the lock file of uv contains the host of a registry"
-    )
-
-
 def differences(notebook):
     """Yield why a notebook must not be committed: it is not tidy, or a checked output differs from machine to machine."""
     if tidied(copy.deepcopy(notebook)) != notebook:

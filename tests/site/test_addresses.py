@@ -6,9 +6,8 @@ import tomllib
 
 import pytest
 from browser import watched
-from built_site import ROOT, SITE
-from kinsite import demonstration, embeds, page_template
-from kinsite.html_tree import read_html
+from built_site import SITE
+from kinsite import demonstration
 
 from kincourse import find_question, open_sheet
 
@@ -47,14 +46,6 @@ def test_a_page_scrolls_at_once_if_reduced_motion_is_preferred(page, site_addres
     found = [page.evaluate(behaviour)]
     page.emulate_media(reduced_motion="reduce")
     assert [*found, page.evaluate(behaviour)] == ["smooth", "auto"]
-
-
-def test_every_mistake_of_the_index_leads_to_its_message(site_folder):
-    index = (site_folder / "mistakes/index.html").read_text("utf-8")
-    links = re.findall(r'<a href="(\w+\.html)#(mistake-[^"]+)"', index)
-    assert len(links) > 400
-    texts = {name: (site_folder / "mistakes" / name).read_text("utf-8") for name in {name for name, _ in links}}
-    assert [link for link in links if texts[link[0]].count(f'id="{link[1]}"') != 1] == []
 
 
 def test_an_address_with_joint_values_opens_the_arm_in_this_configuration(page, site_address):
@@ -145,17 +136,6 @@ def test_every_page_for_a_frame_is_complete_and_leads_back_to_its_section(site_f
     assert not faults, faults[:5]
 
 
-def test_what_is_removed_from_a_page_is_removed_from_its_frames(tmp_path):
-    question, figure = '<div data-misstep-question="05/a"><p>Why?</p></div>', "<div data-kinlib-viewer></div>"
-    taken = set()
-    htmls = [read_html(html) for html in (question, figure, figure)]
-    outputs = [(html, embeds.add_address(html, "row", "lectures/05", taken)) for html in htmls]
-    assert [anchor for _, anchor in outputs] == ["question-05-a", "figure-row", "figure-row-2"]
-    embeds.write_pages(tmp_path, "lectures/05", "Title", outputs)
-    embeds.write_pages(tmp_path, "lectures/05", "Title", outputs[:2])
-    assert {path.stem for path in tmp_path.rglob("*.html")} == {"question-05-a", "figure-row"}
-
-
 def test_the_guide_offers_the_script_that_fits_a_frame():
     assert "".join(LISTENER.split()) in "".join((SITE / "instructors.md").read_text("utf-8").split())
 
@@ -211,13 +191,3 @@ def test_without_a_repository_no_page_links_to_one(site_folder):
     assert ("Report a fault" in html) == bool(settings["repository"])
     lecture = (site_folder / "lectures" / "03_poe_space.html").read_text("utf-8")
     assert ("colab.research" in lecture) == settings["repository"].startswith("https://github.com/")
-
-
-def test_a_repository_on_github_gives_links_to_a_notebook_elsewhere():
-    """The paths are those of files in the repository, which Binder and Colab open."""
-    for path in ("notebooks/03_poe_space.ipynb", "exercises/03_poe_space/03_poe_space.ipynb"):
-        links = page_template.elsewhere("https://github.com/ada/course", path)
-        assert set(links) == {"Binder", "Colab"}
-        assert all(link.endswith(path) for link in links.values())
-        assert (ROOT / path).exists()
-    assert page_template.elsewhere("https://example.org/ada/course", path) == {}

@@ -5,7 +5,7 @@ import re
 import subprocess
 import sys
 from email.parser import Parser
-from importlib.metadata import PackageNotFoundError, version
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 from zipfile import ZipFile
@@ -34,7 +34,7 @@ def download(name: str, release: str = "", python: str = "3.12", sha256: str = "
 
     Raises Unreachable if pip cannot download it, ValueError if the hash is different.
     """
-    release = release or installed_version(name)
+    release = release or version(name)
     folder = DOWNLOADS / f"{canonicalize_name(name)}-{release}"
     if not list(folder.glob("*.whl")):
         pip = f"-m pip download --quiet --disable-pip-version-check --no-deps {PURE_PYTHON} --python-version={python}"
@@ -49,17 +49,6 @@ def download(name: str, release: str = "", python: str = "3.12", sha256: str = "
             f"{wheel.name} must have the sha256 {sha256}; got {found}. Build again: the file has been deleted."
         )
     return wheel
-
-
-def installed_version(name: str) -> str:
-    """Look up the installed version of a package.
-
-    Raises ValueError if the package is not installed.
-    """
-    try:
-        return version(name)
-    except PackageNotFoundError:
-        raise ValueError(f"The lab needs {name}, which is not installed. Add it to pyproject.toml.") from None
 
 
 def build(folder: Path) -> list[Path]:

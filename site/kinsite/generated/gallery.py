@@ -5,6 +5,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from kincourse.text.joint_table import joint_table
 from kinlib import linkages, robots
+from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.formatting import format_rows, markdown_table
@@ -73,12 +75,19 @@ CURVE_POINTS = 160
 
 @dataclass(frozen=True, eq=False)
 class Entry:
-    """One page of the gallery: the name of the function, the robot that it makes, its docstring and a picture."""
+    """One page of the gallery: the name of the function, the robot that it makes, its docstring, where it is drawn."""
 
     function: str
     robot: Chain | Mechanism
     docstring: str
-    picture: Picture
+    q: Array
+
+    @cached_property
+    def picture(self) -> Picture:
+        """The drawing of the robot."""
+        if isinstance(self.robot, Chain):
+            return draw_arm(self.robot, self.q, show={"tool"})
+        return draw_linkage(self.robot, self.q)
 
     @property
     def kind(self) -> str:
@@ -88,9 +97,9 @@ class Entry:
         return f"{len(self.robot.joints)} joints"
 
     @property
-    def module(self) -> Any:
-        """The module of the function."""
-        return robots if isinstance(self.robot, Chain) else linkages
+    def name(self) -> str:
+        """The function, as the reference lists it."""
+        return f"{(robots if isinstance(self.robot, Chain) else linkages).__name__}.{self.function}"
 
 
 def pages() -> Iterator[tuple[str, str]]:
@@ -98,13 +107,13 @@ def pages() -> Iterator[tuple[str, str]]:
 
     Raises ValueError for a robot without a source.
     """
-    arms = [arm_entry(name, make) for name, make in public_functions(robots) if name not in NOT_ROBOTS]
-    mechanisms = [linkage_entry(name, make) for name, make in public_functions(linkages)]
-    for entry in arms + mechanisms:
-        if not entry.robot.source.strip():
-            raise ValueError(f"{entry.function} must have a source; got none. Name the document that it comes from.")
-        yield f"robots/{entry.function}.svg", follow_theme(entry.picture.svg)
-        yield f"robots/{entry.function}.md", page(entry)
+    arms = [entry(name, make) for name, make in public_functions(robots) if name not in NOT_ROBOTS]
+    mechanisms = [entry(name, make) for name, make in public_functions(linkages)]
+    for one in arms + mechanisms:
+        if not one.robot.source.strip():
+            raise ValueError(f"{one.function} must have a source; got none. Name the document that it comes from.")
+        yield f"robots/{one.function}.svg", follow_theme(one.picture.svg)
+        yield f"robots/{one.function}.md", page(one)
     yield "robots/index.md", overview(arms, mechanisms)
 
 
@@ -115,29 +124,20 @@ def public_functions(module: Any) -> list[tuple[str, Callable[..., Any]]]:
     return sorted(own, key=lambda pair: pair[1].__code__.co_firstlineno)
 
 
-def arm_entry(name: str, make: Callable[..., Chain]) -> Entry:
-    """Make the entry of an arm, drawn at home or as POSES says."""
-    chain = make()
-    q = np.array(POSES.get(name, np.zeros(chain.n)), dtype=float)
-    return Entry(name, chain, inspect.getdoc(make) or "", draw_arm(chain, q, show={"tool"}))
+def entry(name: str, make: Callable[..., Chain | Mechanism]) -> Entry:
+    """Make the entry of a robot, and choose where it is drawn."""
+    robot = make(**LENGTHS.get(name, {}))
+    return Entry(name, robot, inspect.getdoc(make) or "", configuration(name, robot))
 
 
-def linkage_entry(name: str, make: Callable[..., Mechanism]) -> Entry:
-    """Make the entry of a linkage, drawn in a configuration in which it closes.
+def configuration(name: str, robot: Chain | Mechanism) -> Array:
+    """Return where an arm is drawn, at home or as POSES says, or where a linkage closes.
 
-    Raises ValueError if none is found.
+    Raises ValueError if a linkage does not close from the guess in START_CONFIGURATIONS.
     """
-    mechanism = make(**LENGTHS.get(name, {}))
-    q = closed_configuration(name, mechanism)
-    return Entry(name, mechanism, inspect.getdoc(make) or "", draw_linkage(mechanism, q))
-
-
-def closed_configuration(name: str, mechanism: Mechanism) -> Any:
-    """Find a configuration in which a linkage closes.
-
-    Raises ValueError if none is found from the guess in START_CONFIGURATIONS.
-    """
-    assembly = mechanism.assemble(START_CONFIGURATIONS.get(name, np.zeros(mechanism.n)))
+    if isinstance(robot, Chain):
+        return np.array(POSES.get(name, np.zeros(robot.n)), dtype=float)
+    assembly = robot.assemble(START_CONFIGURATIONS.get(name, np.zeros(robot.n)))
     if not assembly.converged:
         raise ValueError(
             f"{name} must close from its guess in START_CONFIGURATIONS, but it does not. Try another guess."
@@ -187,14 +187,13 @@ def cards(entries: list[Entry], size: str = "") -> str:
 
 def page(entry: Entry) -> str:
     """Write the page of one robot: the figure, the source and the tables."""
-    function = f"{entry.module.__name__}.{entry.function}"
-    call = f"kl.{'.'.join(function.split('.')[-2:])}"
+    call = f"kl.{'.'.join(entry.name.split('.')[-2:])}"
     # the reference says what the function raises, and the source follows below
     paragraphs = [text for text in entry.docstring.split(PARAGRAPH_BREAK) if not text.startswith(("Raises", "Source:"))]
     text = GREEK_NAME.sub(lambda found: GREEK[found[0]], PARAGRAPH_BREAK.join(paragraphs))
     head = f"# {escape(entry.robot.name)}\n\n{prose(text)}\n"
-    source = f"**Source.** {escape(entry.robot.source)}. In Python it is {{py:func}}`{call} <{function}>`."
-    tables = arm_tables(entry.robot) if isinstance(entry.robot, Chain) else linkage_table(entry.function, entry.robot)
+    source = f"**Source.** {escape(entry.robot.source)}. In Python it is {{py:func}}`{call} <{entry.name}>`."
+    tables = arm_tables(entry.robot) if isinstance(entry.robot, Chain) else linkage_table(entry.robot, entry.q)
     return "\n\n".join([head, raw_html(figure(entry)), source, tables]) + "\n"
 
 
@@ -202,11 +201,10 @@ def figure(entry: Entry) -> str:
     """Show a robot in the viewer or, if a linkage has more than one degree of freedom, as a drawing."""
     if isinstance(entry.robot, Chain):
         return explore(entry.robot).html()
-    q = closed_configuration(entry.function, entry.robot)
-    if entry.robot.mobility(q).finite == 1:
-        curve = entry.robot.trace(q, points=CURVE_POINTS).q
-        return drive(entry.robot, q, curves=[curve], labels=["as it is assembled"]).html()
-    return draw_linkage(entry.robot, q).html()
+    if entry.robot.mobility(entry.q).finite == 1:
+        curve = entry.robot.trace(entry.q, points=CURVE_POINTS).q
+        return drive(entry.robot, entry.q, curves=[curve], labels=["as it is assembled"]).html()
+    return entry.picture.html()
 
 
 def arm_tables(chain: Chain) -> str:
@@ -259,9 +257,9 @@ def angle(x: float) -> str:
     return f"{factor}\\pi" + (f"/{fraction.denominator}" if fraction.denominator > 1 else "")
 
 
-def linkage_table(function: str, mechanism: Mechanism) -> str:
+def linkage_table(mechanism: Mechanism, q: Array) -> str:
     """Count the bodies, joints, loops and degrees of freedom of a linkage."""
-    mobility = mechanism.mobility(closed_configuration(function, mechanism))
+    mobility = mechanism.mobility(q)
     counts = {
         "bodies, including the ground": len(mechanism.bodies),
         "joints": len(mechanism.joints),

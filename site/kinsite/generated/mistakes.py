@@ -123,6 +123,8 @@ def common_text(messages: Sequence[str]) -> str:
     'You turned … times as far.'
     >>> common_text(["You swapped $a$ and $b$. See 1.", "You swapped $b$ and $c$. See 2.", "You left out $p$."])
     'You swapped … and ….'
+    >>> common_text(["Always 0.5."] * 3)
+    'Always 0.5.'
     """
     groups: list[tuple[list[list[str]], list[str]]] = []
     for message in messages:
