@@ -33,12 +33,6 @@ def each(paths):
     return pytest.mark.parametrize("path", paths, ids=lambda path: path.relative_to(ROOT).as_posix())
 
 
-def test_the_notebooks_are_found():
-    """With a wrong folder, the tests below would have no cases and could not fail."""
-    assert ROOT / "notebooks" / "00_start_here.ipynb" in LECTURES
-    assert {path.relative_to(ROOT).parts[0] for path in NOTEBOOKS} == set(FOLDERS)
-
-
 # --- source ---
 
 
