@@ -9,6 +9,7 @@ from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
+from answered import Answered
 from browser import (
     TIMEOUT_MS,
     contrast,
@@ -21,7 +22,6 @@ from browser import (
 )
 from PIL import Image
 from strategies import ROBOTS
-from traitlets import Bool, HasTraits
 from urdf_files import TWO_FINGERS
 
 import kinlib as kl
@@ -443,12 +443,6 @@ def test_a_question_elsewhere_on_the_page_or_the_reader_removes_the_cover(show):
     assert not covers.first.is_visible()
     page.get_by_role("button", name="Show anyway").last.click()
     wait_until_drawn(page, 2)
-
-
-class Answered(HasTraits):
-    """A question as the viewer sees it: all that it uses is this trait."""
-
-    committed = Bool(False)
 
 
 # --- messages and failures ---

@@ -32,6 +32,15 @@ def overlapping_labels(picture):
     return [(a[2], b[2]) for a, b in combinations(boxes, 2) if (a[0] < b[1]).all() and (b[0] < a[1]).all()]
 
 
+def assert_complete(picture):
+    """Every line and every polygon of the drawing is on its sheet."""
+    left, top, width, height = map(float, re.search(r'viewBox="([^"]+)"', picture.svg)[1].split())
+    pairs = " ".join(re.findall(r' points="([^"]+)"', picture.svg)).split()
+    points = np.array([pair.split(",") for pair in pairs], dtype=float)
+    assert (points >= (left, top)).all()
+    assert (points <= (left + width, top + height)).all()
+
+
 def assert_visible_in_the_dark(picture):
     """The drawing on a page has a rule for each of its colours, by which lines and letters stay visible."""
     colours = {colour for _, _, colour in COLOUR.findall(picture.svg)}

@@ -2,7 +2,7 @@
 
 import numpy as np
 from fingerprints import assert_unchanged
-from legible import assert_visible_in_the_dark, overlapping_labels
+from legible import assert_complete, assert_visible_in_the_dark, overlapping_labels
 from urdf_files import TWO_FINGERS
 
 import kinlib as kl
@@ -129,6 +129,7 @@ def test_every_drawing_is_legible_on_light_and_on_dark_pages():
     for name, draw in PICTURES.items():
         picture = draw()
         assert not overlapping_labels(picture), name
+        assert_complete(picture)
         assert_visible_in_the_dark(picture)
 
 

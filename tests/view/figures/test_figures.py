@@ -10,15 +10,16 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
+from answered import Answered
 from legible import overlapping_labels
 from matplotlib import pyplot as plt
 from strategies import ROBOTS
-from traitlets import Bool, HasTraits
 
 import kinlib as kl
 from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
 from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, plot, slide
 from kinlib.view.drawing.canvas import Canvas
+from kinlib.view.drawing.crop import crop
 from kinlib.view.figures.dh_table import draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
 
@@ -86,6 +87,16 @@ def test_a_text_alternative_is_escaped():
     assert '"><script>' not in Picture("<svg/>", 'twenty characters and "><script>alert(1)</script>').html()
 
 
+def test_a_plot_has_no_colour_that_follows_no_rule():
+    """matplotlib leaves out the colour of black text; then it would be black on a dark page."""
+    alt = "Two lines that go up, and a mark."
+    svg = plot([1, 2], {"a": [1, 2], "b": [2, 3]}, xlabel="x", ylabel="y", alt=alt, mark=1).svg
+    assert "#000000" not in svg
+    glyphs = [group for group in re.findall(r"<g[^>]*>", svg) if "scale(" in group and "translate" in group]
+    assert glyphs
+    assert all("fill: #1f2328" in group for group in glyphs)
+
+
 def test_what_cannot_be_drawn_is_refused():
     curve = partial(plot, [0, 1], xlabel="x", ylabel="y", alt="Curves that cannot be drawn.")
     for draw, says in [
@@ -98,6 +109,7 @@ def test_what_cannot_be_drawn_is_refused():
         (lambda: curve({"a": [0, 1, 2]}), r"curve 'a' must have the shape of x, \(2,\); got \(3,\)"),
         (lambda: curve({"a": [0, 1]}, log="z"), "log must be"),
         (lambda: slide(lambda _: None, "nothing", []), "at least one value"),
+        (lambda: crop([Picture("<svg></svg>", "A drawing with nothing in it.")]), "crop takes drawings made by kinlib"),
     ]:
         with pytest.raises(ValueError, match=says):
             draw()
@@ -117,12 +129,6 @@ def test_an_arm_is_drawn_without_importing_matplotlib():
 
 
 # --- widgets ---
-
-
-class Answered(HasTraits):
-    """A question as the widgets see it: all that they use is this trait."""
-
-    committed = Bool(False)
 
 
 def a_line(slope):

@@ -12,8 +12,8 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
+from answered import Answered
 from PIL import Image
-from traitlets import Bool, HasTraits
 
 import kinlib as kl
 from kincourse.lecture_08_closed_chains.drawings.torus import side_by_side
@@ -120,10 +120,7 @@ def test_every_kind_is_saved_as_pixels_and_for_print(shown, tmp_path):
 
 
 def test_a_viewer_that_waits_for_a_question_is_not_saved(tmp_path):
-    class Question(HasTraits):
-        committed = Bool(False)
-
-    viewer = view.explore(kl.robots.rpr(), after=(question := Question()))
+    viewer = view.explore(kl.robots.rpr(), after=(question := Answered()))
     with pytest.raises(ValueError, match="waits for a question"):
         viewer.save(tmp_path / "arm.html")
     question.committed = True

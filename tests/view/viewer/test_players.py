@@ -6,7 +6,7 @@ from functools import partial
 
 import numpy as np
 import pytest
-from traitlets import Bool, HasTraits
+from answered import Answered
 
 import kinlib as kl
 from kincourse import open_sheet
@@ -26,12 +26,6 @@ WALK = [[0.6, -0.9, 0.4, 0.3], [0.5, 1.6, 0.4, 0.0]]
 
 each_arm = pytest.mark.parametrize("chain", ARMS, ids=lambda chain: chain.name)
 each_convention = pytest.mark.parametrize("convention", CONVENTIONS)
-
-
-class Answered(HasTraits):
-    """A question as the viewer sees it: all that it uses is this trait."""
-
-    committed = Bool(False)
 
 
 def state_of(viewer):
