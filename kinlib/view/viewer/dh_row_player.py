@@ -14,10 +14,10 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
 from kinlib.dh.table import Convention, dh_transform, validate_convention
-from kinlib.rigid.lie import adjoint
+from kinlib.rigid.lie import adjoint, homogeneous
 from kinlib.view.drawing.canvas import Canvas, view_axes
 from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE, PALE_GREY, VIOLET
-from kinlib.view.drawing.picture import Picture
+from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import frame_text
 from kinlib.view.figures.dh_table import (
     MOTION_ORDER,
@@ -124,7 +124,7 @@ def play_walk(rows: ArrayLike, *, after: Any = None) -> RowPlayer:
     >>> player = play_walk([[0.4, 0, 0.1, 0]])
     >>> player.done = 2
     >>> player.alt
-    'Motions that move a frame: 2 of 2 done. The moving frame is at (0.4, 0, 0.1), x along x, y along y, z along z.'
+    'Motions that move a frame: 2 of 2 done. The moving frame is at (0.4, 0, 0.1), x along x, y along y, z along z. Reached: {0} at ...'
     """
     values = np.atleast_2d(validation.vectors(rows, "rows", 4))
     stops = poses_along_arm(values)
@@ -182,18 +182,19 @@ def draw_tracks(tracks: Sequence[dict[str, Any]], done: int) -> Picture:
                 canvas.line(ends, colour if k < done else PALE_GREY, 3.0, "-" if k < done else ":", level=3)
                 name = motion["symbol"].removeprefix(f"T_{motion['axis']}").strip("()")
                 canvas.label(ends.mean(axis=0), f"${name}$", colour if k < done else GREY)
-        for flag in track["flags"]:
-            if flag["after"] <= done:
-                canvas.triad(np.reshape(flag["pose"], (4, 4)), flag["name"], FRAME_SHARE * size)
+        start = poses[0, :3, 3]
+        reached = {flag["name"]: poses[flag["after"]] for flag in track["flags"] if flag["after"] <= done}
+        for name, T in reached.items():
+            canvas.triad(T, name, FRAME_SHARE * size)
         canvas.triad(poses[-1], "", FRAME_SHARE * size, (PALE_GREY,) * 3, level=1)
         if done not in {flag["after"] for flag in track["flags"]}:
             canvas.triad(poses[done], "", 1.3 * FRAME_SHARE * size)
-        place, of = poses[done].copy(), ""
-        place[:3, 3] -= poses[0, :3, 3]
         if track["title"]:
-            canvas.label(poses[0, :3, 3], track["title"], INK, [(36, -44), (36, -54)])
-            of = f", {track['title']} convention,"
-        sentences.append(frame_text(("", place)).replace("Frame {}", f"The moving frame{of} is"))
+            canvas.label(start, track["title"], INK, [(36, -44), (36, -54)])
+        of = f", {track['title']} convention," if track["title"] else ""
+        moving = frame_text(("", homogeneous(poses[done, :3, :3], poses[done, :3, 3] - start)))
+        places = "; ".join(f"{{{name}}} at {vector_text(T[:3, 3] - start)}" for name, T in reached.items())
+        sentences.append(f"{moving.replace('Frame {}', f'The moving frame{of} is')} Reached: {places}.")
     count = len(tracks[0]["motions"])
     return canvas.picture(f"Motions that move a frame: {done} of {count} done. {' '.join(sentences)}", cropped=True)
 

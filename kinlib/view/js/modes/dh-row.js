@@ -4,9 +4,9 @@
 import { renderMathText, setSentence } from '../controls/math-text.js';
 import { button, formatNumber, h, moveSlider, named, slider, stepsOf } from '../dom.js';
 import { listen } from '../model.js';
-import { frameText } from '../scene/describe.js';
+import { frameText, vectorText } from '../scene/describe.js';
 import { dashedLine, label } from '../scene/shapes.js';
-import { add, middle } from '../vectors.js';
+import { add, middle, minus } from '../vectors.js';
 import { angleSectors } from './angle-sectors.js';
 import { frame, mixColours, originOf } from './frame-drawing.js';
 
@@ -257,10 +257,14 @@ export function dhRowMotions({ model, stage, data }) {
 
 /** Where the frame of each track is, measured from the frame at which its row begins. */
 function describeRow(tree, tracks, done) {
-  const places = tracks.map(({ title, stops }, k) => {
+  const places = tracks.map(({ title, stops, flags }, k) => {
     const T = tree.pose(k).map((row, i) => [...row.slice(0, 3), row[3] - (originOf(stops[0])[i] ?? 0)]);
     const of = title ? `, ${title} convention,` : '';
-    return frameText('i', T).replace('Frame {i}', `The moving frame${of} is`);
+    const moving = frameText('i', T).replace('Frame {i}', `The moving frame${of} is`);
+    const reached = flags
+      .filter(({ after }) => after <= done)
+      .map(({ name, pose }) => `{${name}} at ${vectorText(minus(originOf(pose), originOf(stops[0])))}`);
+    return `${moving} Reached: ${reached.join('; ')}.`;
   });
   const count = formatNumber(done, Number.isInteger(done) ? 0 : 1);
   return `Motions that move a frame: ${count} of ${tracks[0].motions.length} done. ${places.join(' ')}`;

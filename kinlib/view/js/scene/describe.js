@@ -10,7 +10,7 @@ function numberText(value) {
   return Math.abs(value) > ROUNDING ? `${Number(value.toPrecision(3))}` : '0';
 }
 
-function vectorText(values) {
+export function vectorText(values) {
   return `(${values.map(numberText).join(', ')})`;
 }
 
