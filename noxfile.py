@@ -149,12 +149,6 @@ def benchmarks(session: nox.Session) -> None:
 
 
 @nox.session
-def axe(session: nox.Session) -> None:
-    """Build the site, and check every page for accessibility, in the light and in the dark theme; needs a Chromium."""
-    run_pytest(session, "tests/site/every_page_with_axe.py")
-
-
-@nox.session
 def pdf(session: nox.Session) -> None:
     """Print the lectures of the site as one PDF; needs a built site and a Chromium."""
     session.run(PYTHON, "site/pdf.py", *session.posargs)

@@ -145,13 +145,28 @@ def compressed_size(path):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_axe_finds_no_violation_in_light_and_dark_mode(chromium, chromium_without_webgl, site_address, kind):
-    """`nox -s axe` checks every page. One viewer that draws is enough: many take long without a graphics card."""
+    """One viewer that draws is enough: many take long without a graphics card."""
     open_page = unwatched if kind == "missing" else watched  # the browser reports a missing page as an error
     browser = chromium if kind == "arm" else chromium_without_webgl
     with open_page(browser, viewport=PHONE if kind == "phone" else DESKTOP) as page:
         page.goto(f"{site_address}/{KINDS[kind]}")
         assert violations(page) == []
         assert page.evaluate(OVERFLOW) <= 0, "the page is wider than the window"
+
+
+@pytest.mark.nightly
+def test_axe_finds_no_violation_on_any_page(chromium_without_webgl, site_address, site_folder):
+    found = {}
+    for path in sorted(site_folder.rglob("*.html")):
+        name = path.relative_to(site_folder).as_posix()
+        if name.startswith(("_static/", "lab/")):
+            continue
+        with watched(chromium_without_webgl, viewport=DESKTOP) as page:
+            page.context.set_default_timeout(120_000)
+            page.goto(f"{site_address}/{name}")
+            if faults := violations(page):
+                found[name] = faults
+    assert not found
 
 
 # --- questions, sliders and progress ---
