@@ -16,19 +16,14 @@ from misstep.grading.judging.result import Result
 from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata, text_cells
 from misstep.grading.publish.result_store import ResultStore, write_if_changed
 
-METADATA_KEY = "misstep"
-"""The key in the metadata of an autograded notebook under which the digest of its result is stored."""
 
-
-def write_notebook(
-    out: Path, student: str, content: bytes | None, *, released: Path, target: Path, digest: str
-) -> None:
+def write_notebook(out: Path, student: str, content: bytes | None, *, released: Path, target: Path) -> None:
     """Write the notebook of a stored result."""
     if result := ResultStore(out).load(student):
-        write_if_changed(target, autograded_notebook(content, result, _read(released), digest))
+        write_if_changed(target, autograded_notebook(content, result, _read(released)))
 
 
-def autograded_notebook(content: bytes | None, result: Result, released: NotebookNode, digest: str) -> str:
+def autograded_notebook(content: bytes | None, result: Result, released: NotebookNode) -> str:
     """The graded notebook, or, if nbformat cannot read it, the released one. nbformat is stricter than the grader."""
     texts = text_cells(released)
     try:
@@ -36,9 +31,7 @@ def autograded_notebook(content: bytes | None, result: Result, released: Noteboo
         nbformat.validate(notebook)
     except Exception:  # nbformat raises many kinds of errors for invalid notebooks
         notebook = fill_outputs(deepcopy(released), replace(result, cells=()), texts)
-    notebook.metadata = {METADATA_KEY: {"result": digest}, **notebook.metadata}
-    # The metadata first, so that the digest is found without reading the notebook. Indented, it would take five times as long.
-    return json.dumps({"metadata": notebook.metadata, **notebook}, ensure_ascii=False) + "\n"
+    return json.dumps(notebook, ensure_ascii=False) + "\n"  # indented, it would take five times as long
 
 
 @cache

@@ -4,16 +4,14 @@ Afterwards formgrader, generate_feedback and export find what `nbgrader autograd
 gradebook.db, and a notebook in autograded/ for each student. Grades that were entered by hand stay.
 """
 
-import json
 import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from datetime import datetime
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from nbgrader.api import Gradebook, MissingEntry
+from nbgrader.api import Gradebook, MissingEntry, SubmittedNotebook
 from nbgrader.coursedir import CourseDirectory
 from traitlets.config.loader import PyFileConfigLoader
 
@@ -26,12 +24,6 @@ FOLDER_NAME = re.compile(r"[^./\\\0+][^/\\\0+]{0,79}")
 
 GENERATE = "nbgrader generate_assignment {} --force"
 """Without --force, nbgrader skips an assignment whose released notebook is there already, as it is in a checkout."""
-
-DIGEST = re.compile(rb'"misstep": \{"result": "([0-9a-f]{64})"\}')
-"""How an autograded notebook names the result that it was made from."""
-
-HEAD_BYTES = 1000
-"""The beginning of an autograded notebook, which has its digest."""
 
 
 def read_course(folder: Path) -> CourseDirectory:
@@ -57,20 +49,40 @@ class GradebookWriter:
         self.invalid_ids: list[str] = []
 
     def record(self, result: Result) -> dict[str, Any]:
-        """Write the points of a result. A result that is already there is not written again.
-
-        Returns the arguments of `write_notebook`, which writes its notebook; none if there is nothing to write.
-        """
+        """Write the points of a result. Returns the arguments of `write_notebook`; none if there is no place for it."""
         if not FOLDER_NAME.fullmatch(result.student):
             self.invalid_ids.append(result.student)
             return {}
         folder = self._course.format_path(self._course.autograded_directory, result.student, result.sheet)
-        target = Path(folder, f"{result.sheet}.ipynb")
-        digest = sha256(json.dumps(result.to_dict()).encode()).hexdigest()
-        if not self._overwrite and _stored_digest(target) == digest:
-            return {}
-        _record_points(self._gradebook, result, _submission_time(self._course, result))
-        return {"released": self._released, "target": target, "digest": digest}
+        self._record_points(result, _submission_time(self._course, result))
+        return {"released": self._released, "target": Path(folder, f"{result.sheet}.ipynb")}
+
+    def _record_points(self, result: Result, submitted: datetime | None) -> None:
+        """Write all points and comments. Where points change, a grade given by hand is to be looked at again."""
+        problems = {f"check-{k}": problem for k, problem in enumerate(result.problems, start=1)}
+        blank = {
+            f"answer-{k}" for k, problem in enumerate(result.problems, start=1) if problem.state in {"blank", "missing"}
+        }
+        notebook = self._submission_notebook(result)
+        names = {cell.id: cell.name for cell in [*notebook.notebook.grade_cells, *notebook.notebook.solution_cells]}
+        notebook.assignment.timestamp = submitted or notebook.assignment.timestamp
+        for grade in notebook.grades:
+            points = problems[names[grade.cell_id]].points
+            if self._overwrite or grade.auto_score != points:
+                grade.auto_score = points
+                grade.needs_manual_grade = grade.manual_score is not None
+        for comment in notebook.comments:
+            comment.auto_comment = "No response." if names[comment.cell_id] in blank else None
+        self._gradebook.db.commit()
+
+    def _submission_notebook(self, result: Result) -> SubmittedNotebook:
+        names = (result.sheet, result.sheet, result.student)
+        with suppress(MissingEntry):
+            return self._gradebook.find_submission_notebook(*names)
+        self._gradebook.update_or_create_student(result.student)
+        with self._gradebook.db.no_autoflush:  # nbgrader adds a submission to its assignment, and then to the session
+            self._gradebook.update_or_create_submission(result.sheet, result.student)
+        return self._gradebook.find_submission_notebook(*names)
 
     def entered(self, problems: Sequence[str]) -> dict[str, list[Override]]:
         """The points and comments that were entered in formgrader, by student.
@@ -129,31 +141,3 @@ def _submission_time(course: CourseDirectory, result: Result) -> datetime | None
     ):  # an invalid time, or an error of nbgrader in its own message about it
         submitted = None
     return submitted
-
-
-def _stored_digest(path: Path) -> str | None:
-    """The digest in an autograded notebook, whose metadata comes first."""
-    with suppress(OSError), path.open("rb") as stream:
-        found = DIGEST.search(stream.read(HEAD_BYTES))
-        return found[1].decode() if found else None
-    return None
-
-
-def _record_points(gradebook: Gradebook, result: Result, submitted: datetime | None) -> None:
-    """Write all points and comments of one submission."""
-    problems = {f"check-{k}": problem for k, problem in enumerate(result.problems, start=1)}
-    blank = {
-        f"answer-{k}" for k, problem in enumerate(result.problems, start=1) if problem.state in {"blank", "missing"}
-    }
-    gradebook.update_or_create_student(result.student)
-    with gradebook.db.no_autoflush:  # nbgrader adds a submission to its assignment before it adds it to the session
-        gradebook.update_or_create_submission(result.sheet, result.student)
-    notebook = gradebook.find_submission_notebook(result.sheet, result.sheet, result.student)
-    names = {cell.id: cell.name for cell in [*notebook.notebook.grade_cells, *notebook.notebook.solution_cells]}
-    notebook.assignment.timestamp = submitted or notebook.assignment.timestamp
-    for grade in notebook.grades:
-        grade.auto_score = problems[names[grade.cell_id]].points
-        grade.needs_manual_grade = grade.manual_score is not None  # the instructor should look at it again
-    for comment in notebook.comments:
-        comment.auto_comment = "No response." if names[comment.cell_id] in blank else None
-    gradebook.db.commit()
