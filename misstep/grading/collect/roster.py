@@ -41,7 +41,7 @@ class Roster:
     rows        a row for each student
     id_column   the column with the ids that students type into their sheets
     key_column  the column with the number that the names of downloaded files contain
-    grade_column, max_column   Moodle's grade and maximum grade; None on other platforms
+    grade_column  Moodle's grade, to the left of the maximum grade; None on other platforms
     test_keys   the keys of students who do not exist: Canvas's test student
     unsure_of   the headers of other columns that may have the ids, if no header is known
     delimiter   what separates the cells in the file
@@ -53,7 +53,6 @@ class Roster:
     id_column: int
     key_column: int
     grade_column: int | None = None
-    max_column: int | None = None
     test_keys: Sequence[str] = ()
     unsure_of: Sequence[str] = ()
     delimiter: str = ","
@@ -117,11 +116,10 @@ def read_roster(path: Path, id_column: str | None = None) -> Roster:
             f"{path} must have the students' ids in the column {wanted}, which is missing or mostly empty. "
             "Name the column with --id-column."
         )
-    maximum = grade + 1 if grade is not None else None
     tests = [_key(kind, row[key]) for row in people if kind == "canvas" and _is_test_student(row, key)]
     is_unsure = kind == "moodle" and not id_column and not {*MOODLE_IDS} & {*titles}
     unsure_of = [columns[place] for place in filled[1:]] if is_unsure else []
-    roster = Roster(kind, columns, people, filled[0], key, grade, maximum, tests, unsure_of, delimiter)
+    roster = Roster(kind, columns, people, filled[0], key, grade, tests, unsure_of, delimiter)
     ids = [name.lower() for name in roster.ids]
     if repeated := sorted({name for name in ids if ids.count(name) > 1}):
         same = ", ".join(name for name in roster.ids if name.lower() == repeated[0])

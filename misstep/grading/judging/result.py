@@ -117,3 +117,9 @@ class Result:
     def to_dict(self) -> dict[str, Any]:
         """The result as JSON holds it. It is not copied, because its cells have all outputs in them."""
         return {**vars(self), "problems": [*map(vars, self.problems)], "cells": [*map(vars, self.cells)]}
+
+    @classmethod
+    def from_dict(cls, data: Mapping[str, Any]) -> "Result":
+        """Read the dictionary of `to_dict`. Raises KeyError or TypeError for any other."""
+        problems = [ProblemResult(**problem) for problem in data["problems"]]
+        return cls(**{**data, "problems": problems, "cells": [RanCell(**cell) for cell in data["cells"]]})

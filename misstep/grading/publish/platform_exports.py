@@ -55,10 +55,10 @@ def _moodle(roster: Roster, results_by_id: ResultsById, _: str, __: float) -> st
     for row in roster.rows:
         filled = list(row)
         result = results_by_id.get(roster.id_of(row))
-        if result and roster.grade_column is not None and roster.max_column is not None:
-            scale = float(row[roster.max_column].replace(",", ".")) / result.max
-            points = format_points(result.points * scale)
-            filled[roster.grade_column] = points.replace(".", ",") if "," in row[roster.max_column] else points
+        if result and roster.grade_column is not None:
+            maximum = row[roster.grade_column + 1]
+            points = format_points(result.points * float(maximum.replace(",", ".")) / result.max)
+            filled[roster.grade_column] = points.replace(".", ",") if "," in maximum else points
         rows.append(filled)
     return format_csv(roster.columns, rows, roster.delimiter)
 

@@ -9,10 +9,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
 from urllib.parse import quote
 
-from misstep.grading.judging.result import ProblemResult, RanCell, Result
+from misstep.grading.judging.result import Result
 
 FORMAT_VERSION = 5
 """The version of the format of the files."""
@@ -66,7 +65,7 @@ class ResultStore:
         try:
             record = json.loads(self._path(student).read_text("utf-8"))
             is_current = record["version"] == FORMAT_VERSION and fingerprint in {None, record["fingerprint"]}
-            return _from_dict(record["result"]) if is_current and record["result"]["student"] == student else None
+            return Result.from_dict(record["result"]) if is_current and record["result"]["student"] == student else None
         except (OSError, ValueError, KeyError, TypeError):
             return None  # an older version, or not one of these files: the submission is graded again
 
@@ -106,9 +105,3 @@ def open_results(folder: Path, sheet: str) -> Iterator[ResultStore]:
             )
         write_if_changed(owner, f"{sheet}\n")
         yield ResultStore(folder)
-
-
-def _from_dict(data: dict[str, Any]) -> Result:
-    problems = [ProblemResult(**problem) for problem in data.pop("problems")]
-    cells = [RanCell(**cell) for cell in data.pop("cells")]
-    return Result(**data, problems=problems, cells=cells)

@@ -359,8 +359,8 @@ def test_grades_hold_points_reasons_and_mistakes():
 
 def exported(kind, header, rows, id_column, column=None):
     graded = [result("ada"), result("bob", [problem("03.1", 0.0), problem("03.2", 2 / 3)])]
-    grades = [header.index("Grade"), header.index("Maximum Grade")] if kind == "moodle" else []
-    return export(Roster(kind, header, rows, header.index(id_column), 0, *grades), graded, column)
+    grade = header.index("Grade") if kind == "moodle" else None
+    return export(Roster(kind, header, rows, header.index(id_column), 0, grade), graded, column)
 
 
 def test_each_platform_takes_back_who_and_the_points_in_its_own_form():
