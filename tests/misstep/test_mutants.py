@@ -12,8 +12,8 @@ from misstep.answers.function import Function
 from misstep.answers.number import Numbers
 from misstep.judge import judge
 from misstep.mistakes import mistake
-from misstep.mutants.expression import PAST_TENSES, Change, given, product
-from misstep.mutants.mutants import mutant, mutate, mutations, pairs, value_of
+from misstep.mutants.expression import PAST_TENSES, Change, given
+from misstep.mutants.mutants import mutant
 from misstep.mutants.operations import (
     ANGLE,
     LENGTH,
@@ -212,19 +212,6 @@ def test_every_mutant_is_explained_by_its_own_name(values):
         if judgement.state != "right":
             reached = [other for other in asked.mutants if all(asked.answer.agrees(other.value, wrong.value))]
             assert judgement.findings[0].alternatives[0] in {other.names for other in reached}
-
-
-@hypothesis_given(arrays(float, (3, 2, 2), elements=st.floats(0.5, 2)))
-def test_two_changes_of_different_factors_commute(values):
-    one, two, three = (given(name, value, MATRIX) for name, value in zip("ABC", values, strict=True))
-    root = product(one, two, three)
-    for first, second in list(pairs(root, mutations(root)))[:200]:
-        if len(first.replaced) == len(second.replaced) == 1:
-            nodes = {id(one), id(two), id(three)}
-            if first.replaced.keys() <= nodes and second.replaced.keys() <= nodes:
-                forwards = value_of(mutate(root, first.replaced, second.replaced))
-                backwards = value_of(mutate(root, second.replaced, first.replaced))
-                np.testing.assert_allclose(forwards, backwards)
 
 
 def test_powers_exponentials_and_logarithms_have_their_mistakes():

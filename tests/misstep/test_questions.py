@@ -38,17 +38,6 @@ def question():
     return Question(read_questions(QUESTIONS, "03.toml")["order"])
 
 
-def test_a_prediction_is_recorded_and_not_judged(question):
-    face = question._repr_mimebundle_()
-    assert (question.committed, question.choice) == (False, -1)
-    question.commit(0)
-    assert (question.committed, question.choice) == (True, 0)
-    reply = question._widget.children[-1].value
-    assert "Recorded" in reply
-    assert "acts last" not in reply
-    assert "application/vnd.jupyter.widget-view+json" in face
-
-
 def test_a_self_check_explains_the_choice_and_names_the_right_one():
     check = QUESTIONS.replace("predict", "check").replace("explanation = ", "# ")
     question = Question(read_questions(check, "03.toml")["order"])
@@ -60,15 +49,20 @@ def test_a_self_check_explains_the_choice_and_names_the_right_one():
     assert "The correct answer is B: the right factor. It stands" in reply
 
 
-def test_an_explanation_opens_only_after_the_prediction(question):
+def test_a_prediction_is_recorded_and_explained_only_afterwards(question):
+    assert (question.committed, question.choice) == (False, -1)
     lesson = "<strong>from the left</strong>"
     explanation = Explanation(question)
     seen = [*question._repr_mimebundle_().values(), *explanation._repr_mimebundle_().values(), explanation.card.html()]
     assert not any("from the left" in str(one) for one in seen)
     question.commit(0)
+    assert (question.committed, question.choice) == (True, 0)
     assert lesson in explanation.card.html()
     assert 'href="02_b.ipynb"' in explanation.card.html()
-    assert "from the left" not in question._widget.children[-1].value, "the reply above the picture does not explain"
+    reply = question._widget.children[-1].value
+    assert "Recorded" in reply
+    assert "from the left" not in reply, "the reply above the picture does not explain"
+    assert "acts last" not in reply
 
 
 def test_clicking_a_letter_commits_once_and_disables_all_buttons(question):

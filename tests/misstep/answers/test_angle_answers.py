@@ -25,14 +25,10 @@ def test_a_different_angle_is_wrong(angle, off):
     assert not any(answer.agrees(answer.read(angle + off), answer.value))
 
 
-def test_the_order_counts_unless_any_order_is_set():
-    answer = Angles(np.array([0.5, -0.5]))
-    assert answer.agrees(answer.read([-0.5, 0.5]), answer.value) == [False, False]
-
-
-def test_one_right_angle_of_two_is_recognised():
-    answer = Angles(np.array([0.5, -0.5]), any_order=True)
-    assert sorted(answer.agrees(answer.read([2.0, 0.5]), answer.value)) == [False, True]
+def test_in_any_order_one_right_angle_of_two_is_recognised_and_otherwise_the_order_counts():
+    for any_order, typed, right in [(False, [-0.5, 0.5], [False, False]), (True, [2.0, 0.5], [False, True])]:
+        answer = Angles(np.array([0.5, -0.5]), any_order=any_order)
+        assert sorted(answer.agrees(answer.read(typed), answer.value)) == right
 
 
 def test_an_angle_is_read_within_half_a_turn_of_the_right_one():
