@@ -78,7 +78,8 @@ def _elements(parent: ET.Element) -> Iterator[ET.Element]:
 
 
 def _draw_element(element: ET.Element, axes: "Axes", order: int, points: float) -> None:
-    from matplotlib.patches import Circle, Polygon, Rectangle
+    from matplotlib.patches import Circle, PathPatch, Rectangle
+    from matplotlib.path import Path
 
     number = lambda name, default="0": float(element.get(name) or default)  # noqa: E731
     tag = element.tag.rpartition("}")[2]
@@ -97,7 +98,8 @@ def _draw_element(element: ET.Element, axes: "Axes", order: int, points: float) 
             style |= {"linestyle": (0, on_off), "capstyle": "butt"}
         else:
             style["capstyle"] = "round"
-        axes.add_patch(Polygon(corners, closed=tag == "polygon", joinstyle="round", **style))
+        ends = corners[:1] if tag == "polygon" else corners[:0]
+        axes.add_patch(PathPatch(Path(np.concatenate([corners, ends])), joinstyle="round", **style))
     elif tag == "circle":
         axes.add_patch(Circle((number("cx"), number("cy")), number("r"), **style))
     elif tag == "rect":

@@ -82,6 +82,7 @@ def test_an_image_has_the_marks_of_the_drawing_where_they_are(tmp_path):
         svg.polygon(np.array([[60.0, 10], [80, 10], [80, 30], [60, 30]]), "#00ff00"),
         svg.polyline(np.array([[60.0, 40], [140, 40]]), "#0000ff", 4, "--"),
         svg.text((100.0, 20.0), "$S_{12}$", "#ff00ff", 14),
+        svg.polyline(np.array([[142.0, 4], [148, 4], [148, 12], [142, 12], [142, 4]]), "#00ffff", 2),
     ]
     half = svg.document(marks, 200, 100).replace('viewBox="0 0 200 100"', 'viewBox="50 0 100 50"')
     Picture(half, ALT).save(tmp_path / "marks.PNG")
@@ -102,6 +103,8 @@ def test_an_image_has_the_marks_of_the_drawing_where_they_are(tmp_path):
     assert left + right == pytest.approx(200, abs=4)
     assert 8 < top < 16
     assert 22 < bottom < 34
+    closing = pixels[int(8 / 50 * height), int(92 / 100 * width)]  # the last side, which ends where the line begins
+    assert np.abs(closing - (0, 255, 255)).max() < 100
     dashes = np.abs(pixels[int(0.8 * height)] - (0, 0, 255)).max(axis=1) < 100
     assert np.count_nonzero(np.diff(dashes.astype(int)) == 1) >= 6
 
