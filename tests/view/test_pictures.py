@@ -61,7 +61,7 @@ PICTURES = {
         FOUR_BAR, [1, 0.3, 2, 0], ghost=CLOSED[1], points={"P": ("coupler", (2, 1, 0))}
     ),
     "open slider-crank": lambda: view.draw_linkage(SLIDER, [0.5, 0.2, 3, 0]),
-    "platform": lambda: view.draw_linkage(kl.linkages.three_rrr(), np.zeros(9)),
+    "platform": lambda: view.draw_linkage(kl.linkages.three_rrr(), np.zeros(9), names=False),
     "hexapod": lambda: view.draw_linkage(kl.linkages.stewart_gough(), np.zeros(36)),
     "gripper": lambda: draw_tree(HAND, [0.1, 0.02]),
 }
@@ -103,7 +103,7 @@ PICTURES_LOOKED_AT = {
     "moment": (3433504553, 611.6),
     "four-bar": (3835366647, 3560.0),
     "open slider-crank": (88074339, 2402.3),
-    "platform": (4021646325, 324.7),
+    "platform": (2296567341, 501.2),
     "hexapod": (958927615, 70.8),
     "gripper": (2020709182, 2858.0),
 }

@@ -1,4 +1,4 @@
-"""The drawings of lectures 00, 01 and 10: the parts of an arm, the readings of a pose, a rotation, and two arms with one tray."""
+"""The drawings of lecture 01: the readings of a pose, and a rotation."""
 
 from itertools import product
 
@@ -6,26 +6,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from kincourse.lecture_00_start_here.drawings import draw_parts
 from kincourse.lecture_01_frames.drawings import draw_rotation, draw_three_readings
-from kinlib.chains.robots import X, Y, Z, pose, rpr, youbot
+from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.view.drawing.canvas import view_axes
-from kinlib.view.drawing.picture import vector_text
-
-
-def test_every_part_is_named_and_every_joint_is_where_it_is():
-    """But not the end-effector: where it is, a blank step asks for."""
-    for chain in (youbot(), rpr()):
-        alt = draw_parts(chain).alt
-        assert all(f"joint {i} (" in alt for i in range(1, chain.n + 1))
-        assert all(f"link {i}" in alt for i in range(1, chain.n))
-        assert alt.index("base") < alt.index("joint 1") < alt.index("link 1") < alt.index("end-effector")
-        joints = chain.link_poses(np.zeros(chain.n))[:, :3, 3]
-        assert all(f"{i} at {vector_text(p)}" in alt for i, p in enumerate(joints, start=1))
-        assert alt.partition("Joints, in metres")[0].endswith("to the end-effector. ")
-    svg = draw_parts(youbot()).svg
-    assert all(f"link {i}" in svg for i in (1, 2, 3))
-    assert "link 4" not in svg, "a link without length has no label"
 
 
 def test_what_cannot_be_drawn_is_refused():
