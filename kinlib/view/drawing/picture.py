@@ -69,14 +69,18 @@ class Picture:
         label = f' role="img"><title>{title}</title><desc>{html.escape(self.alt)}</desc>'
         return re.sub(r"(<svg[^>]*)>", lambda head: head[1] + label, self.svg, count=1)
 
+    def contents(self) -> dict[str, Callable[[], str | bytes]]:
+        """Return for each kind of file a function that makes its contents, with the text alternative."""
+        title = self.caption or first_sentence(self.alt)
+        images = {kind: partial(image_bytes, self.figure or self.svg, kind, title, self.alt) for kind in KINDS}
+        return {"svg": self.labelled_svg, "html": lambda: page(self.alt, self.html()), **images}
+
     def save(self, path: str | PathLike[str]) -> None:
         """Save the drawing with its text alternative: as an image, .svg, .png or .pdf, or as a page of its own, .html.
 
-        Raises ValueError for another ending.
+        Raises ValueError for another ending, and for a folder that does not exist.
         """
-        title = self.caption or first_sentence(self.alt)
-        images = {kind: partial(image_bytes, self.figure or self.svg, kind, title, self.alt) for kind in KINDS}
-        save(path, {"svg": self.labelled_svg, "html": lambda: page(self.alt, self.html()), **images})
+        save(path, self.contents())
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         return {"text/html": self.html(), "text/plain": self.alt}

@@ -1,6 +1,6 @@
 """Drawings of DH tables: one row as the four numbers between two axes, and a whole table as its arm with its frames."""
 
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -109,12 +109,9 @@ def draw_table(
     'table. Frame 0 at (0, 0, 0), x along (1, 0, 0), z along (0, 0, 1). Frame 1 at (1, 0, 0), x along (1, 0, 0), z along (0, 0, 1).'
     """
     q = np.zeros(table.n) if q is None else validation.vectors(q, "q", table.n)
-    links = table.link_transforms(q)
-    frames = [table.base]
-    for link in links:
-        frames.append(frames[-1] @ link)
+    frames = np.stack([*accumulate(table.link_transforms(q), np.matmul, initial=table.base)])
     corners = _corners(table, frames)
-    origins = np.array([T[:3, 3] for T in frames])
+    origins = frames[:, :3, 3]
     tip = frames[-1] @ table.tool
     floor = origins * (1, 1, 0) if numbers else origins
     seen = np.concatenate([np.zeros((1, 3)), origins, corners, tip[None, :3, 3], floor])
@@ -155,18 +152,13 @@ def _arc(canvas: Canvas, centre: ArrayLike, plane: Array, angle: float, name: st
     canvas.label(middle, name, INK, [(0, 0), (6, 4), (-6, -4), (0, 14), (14, 10), (0, -14), (-14, -10)], 13)
 
 
-def _corners(table: DHTable, frames: list[Array]) -> Array:
+def _corners(table: DHTable, frames: Array) -> Array:
     """Return the point between two frames at which the translation along one axis ends and the other begins, (m, 3)."""
-    corners = []
-    for start, end in pairwise(frames):
-        if table.convention == "standard":
-            z, across = start[:3, 2], end[:3, 3] - start[:3, 3]
-            corners.append(start[:3, 3] + (across @ z) * z)
-        else:
-            x, across = start[:3, 0], end[:3, 3] - start[:3, 3]
-            corners.append(start[:3, 3] + (across @ x) * x)
-    return np.array(corners)
+    first = frames[:-1, :3, 2 if table.convention == "standard" else 0]
+    steps = np.diff(frames[:, :3, 3], axis=0)
+    corners: Array = frames[:-1, :3, 3] + (steps * first).sum(axis=1, keepdims=True) * first
+    return corners
 
 
-def _describe(table: DHTable, frames: list[Array]) -> str:
+def _describe(table: DHTable, frames: Array) -> str:
     return " ".join([f"{table.name}.", *(f"Frame {i} {pose_text(T)}." for i, T in enumerate(frames))])

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
-from kinlib.view.drawing.picture import Picture, page
+from kinlib.view.drawing.picture import Picture, page, save
 from kinlib.view.drawing.static_page import is_without_kernel
 from kinlib.view.figures.arm import ARM_LAYERS, describe_arm, draw_arm
 from kinlib.view.viewer.cell_memory import keep_in_cell
@@ -134,7 +134,8 @@ class ViewerBase(PageWidget):
 
         Or its current drawing, as .svg, .png or .pdf.
 
-        Raises ValueError for another ending, and if the viewer is covered until a question is answered.
+        Raises ValueError for another ending, for a folder that does not exist, and if the viewer is covered until a question
+        is answered.
         """
         if self.covered:
             raise ValueError(
@@ -146,10 +147,7 @@ class ViewerBase(PageWidget):
             script = (STATIC / "viewer.js").read_text("utf-8")
             return page(self.alt, f"{self.html()}<script>{script}\nkinlib.startViewers();</script>")
 
-        if Path(path).suffix.lower() == ".html":
-            Path(path).write_text(whole_page(), "utf-8")
-        else:
-            self._picture().save(path)
+        save(path, {**self._picture().contents(), "html": whole_page})
 
     def html(self) -> str:
         """Return the viewer for a page without a kernel: its state as JSON, and a drawing that loader.js replaces."""

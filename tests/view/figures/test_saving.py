@@ -70,8 +70,9 @@ def test_other_endings_are_refused_and_nothing_is_written(shown, tmp_path):
     for name in ("arm.jpg", "arm", "svg", ".svg", "arm.svg.gz", "arm.htm"):
         with pytest.raises(ValueError, match=r"path must end in \.svg, \.html, \.png or \.pdf; got "):
             drawn.save(tmp_path / name)
-    with pytest.raises(ValueError, match="path must be in a folder that exists; got "):
-        drawn.save(tmp_path / "missing" / "arm.svg")
+    for name in ("arm.svg", "arm.html"):
+        with pytest.raises(ValueError, match="path must be in a folder that exists; got "):
+            drawn.save(tmp_path / "missing" / name)
     assert not list(tmp_path.iterdir())
 
 
