@@ -1,7 +1,5 @@
 """Formulas of the pages: drawn when the reader comes near, readable before that, complete in print, and well placed."""
 
-import re
-
 import pytest
 from browser import watched
 from built_site import DESKTOP, PHONE
@@ -112,17 +110,6 @@ def test_a_frame_has_no_formula_that_waits(site_folder):
     frames = [path.read_text("utf-8") for path in (site_folder / "embed").rglob("*.html")]
     assert any('class="katex-html"' in html for html in frames)
     assert not any(late_formulas.BEGIN in html for html in frames)
-
-
-def test_taken_out_of_its_templates_a_page_is_what_it_was(site_folder):
-    drawn = late_formulas.show_all((site_folder / LONGEST_LECTURE).read_text("utf-8"))
-    assert "<template>" not in drawn
-    page = read_html(re.search(r"<article.*</article>", drawn, re.DOTALL)[0])
-    before = inner_html(page)
-    late_formulas.defer(page, at_once=0)
-    deferred = inner_html(page)
-    assert deferred.count(late_formulas.BEGIN) > 100
-    assert late_formulas.show_all(deferred) == before
 
 
 def test_a_comma_stays_on_the_line_of_its_formula(page, site_address):
