@@ -4,8 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
-from kinlib.arrays.validation import Array
-from kinlib.rigid.lie import exp
+from kinlib.rigid.lie import exp, homogeneous
 from kinlib.view.drawing.canvas import Canvas, moved, view_axes
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GHOST_GREY, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
@@ -45,9 +44,9 @@ def draw_three_readings(T: ArrayLike, point: ArrayLike) -> Picture:
     panels = [np.array([k * width, 0.0, 0.0]) for k in range(3)]
     canvas = Canvas([low, low + 2 * panels[1]], "top")
     for title, shift in zip(TITLES, panels, strict=True):
-        _draw_axes(canvas, np.eye(4), "a", shift)
+        canvas.triad(homogeneous(np.eye(3), shift), "a", AXIS_LENGTH, letters="xy")
         if title != "motion":
-            _draw_axes(canvas, T, "b", shift)
+            canvas.triad(homogeneous(T[:3, :3], T[:3, 3] + shift), "b", AXIS_LENGTH, letters="xy")
         canvas.label(np.add(shift, (low[0] + width / 2 - 0.4, low[1] - 0.5, 0)), title, INK, [(0, 0)], 14)
     pose, change, motion = panels
     canvas.arrow(pose, pose + T[:3, 3], VIOLET, 2.0)
@@ -69,15 +68,6 @@ def draw_three_readings(T: ArrayLike, point: ArrayLike) -> Picture:
         f"{before} in {{b}} is {after} in {{a}}. Motion: a body at {before} moves to {after}.",
         cropped=True,
     )
-
-
-def _draw_axes(canvas: Canvas, T: Array, name: str, shift: Array) -> None:
-    origin = shift + T[:3, 3]
-    for axis, letter, colour in zip(T[:3, :2].T, "xy", AXIS_COLOURS, strict=False):
-        tip = origin + AXIS_LENGTH * axis
-        canvas.arrow(origin, tip, colour, 2.2)
-        canvas.label(origin + 1.18 * AXIS_LENGTH * axis, letter, colour, [(0, 0), (8, 8), (-8, -8)], 10)
-    canvas.label(origin, f"{{{name}}}", INK, [(-14, -12), (14, -14), (-16, 12)], 11)
 
 
 def draw_rotation(axis: int, degrees: float) -> Picture:

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
-from kinlib.arrays.validation import Array
+from kinlib.rigid.lie import homogeneous
 from kinlib.view.drawing.canvas import MARGIN_SHARE, Canvas
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
@@ -53,8 +53,8 @@ def draw_adjoint_steps(S: ArrayLike, M: ArrayLike) -> Picture:
     canvas = Canvas(ends, "top", size=(720, 460), sizes=np.zeros((2, 3)))
     panels = [np.array([k * width, 0.0, 0.0]) for k in range(3)]
     for title, shift in zip(TITLES, panels, strict=True):
-        _draw_axes(canvas, np.eye(4), "s", shift, AXIS_SHARE * width)
-        _draw_axes(canvas, M, "b", shift, AXIS_SHARE * width)
+        canvas.triad(homogeneous(np.eye(3), shift), "s", AXIS_SHARE * width, letters="xy")
+        canvas.triad(homogeneous(R, p + shift), "b", AXIS_SHARE * width, letters="xy")
         canvas.label(np.add(shift, (0.28 * width, min(0, p[1]) - 0.22 * width, 0)), title, INK, [(0, 0)], 13)
     first, second, third = panels
     canvas.arrow(first, first + p, GREY, 1.4, style="--")
@@ -81,11 +81,3 @@ def draw_adjoint_steps(S: ArrayLike, M: ArrayLike) -> Picture:
         f"Step (c): its components along the axes of {{b}} are {vector_text(parts)}.",
         cropped=True,
     )
-
-
-def _draw_axes(canvas: Canvas, T: Array, name: str, shift: Array, length: float) -> None:
-    origin = shift + T[:3, 3]
-    for axis, letter, colour in zip(T[:3, :2].T, "xy", AXIS_COLOURS, strict=False):
-        canvas.arrow(origin, origin + length * axis, colour, 1.8)
-        canvas.label(origin + 1.15 * length * axis, letter, colour, [(0, 0), (8, 8), (-8, -8)], 10)
-    canvas.label(origin, f"{{{name}}}", INK, [(-14, -12), (14, -14), (-16, 12)], 11)

@@ -236,17 +236,25 @@ class Canvas:
         self.label((xs[-1], ys.mean(), 0), "y in m", AXIS_COLOURS[1], [(40, -8)], 9)
 
     def triad(
-        self, T: Array, name: str, length: float, colours: Sequence[str] = AXIS_COLOURS, level: float = 5.0
+        self,
+        T: Array,
+        name: str,
+        length: float,
+        colours: Sequence[str] = AXIS_COLOURS,
+        level: float = 5.0,
+        *,
+        letters: str = "xyz",
     ) -> None:
-        """Draw a frame: three arrows with x, y, z at their tips and the frame's name at its origin."""
+        """Draw a frame: arrows with x, y, z at their tips, or some of them, and the frame's name at its origin."""
         origin = T[:3, 3]
-        for axis, letter, colour in zip(T[:3, :3].T, "xyz", colours, strict=True):
-            tip = origin + length * axis
-            self.arrow(origin, tip, colour, 2.2, level=level)
+        for letter in letters:
+            k = "xyz".index(letter)
+            tip = origin + length * T[:3, k]
+            self.arrow(origin, tip, colours[k], 2.2, level=level)
             # Beyond the tip, along the arrow, because a letter beside it could be read as that of another arrow.
             away = self.project(tip) - self.project(origin)
             away = 9 * away / max(float(np.linalg.norm(away)), 1e-9)
-            self.label(tip, letter, colour, [(away[0], away[1]), *LABEL_OFFSETS], 10)
+            self.label(tip, letter, colours[k], [(away[0], away[1]), *LABEL_OFFSETS], 10)
         if name:
             self.label(origin, f"{{{name}}}", INK, [(-15, -11), (15, -13), (-28, -15), (28, -17), *LABEL_OFFSETS], 11)
 

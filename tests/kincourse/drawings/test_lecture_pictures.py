@@ -58,13 +58,13 @@ PICTURES = {
 
 PICTURES_LOOKED_AT = {
     "parts": (3104922741, 822.0),
-    "three readings": (2798995919, 2550.3),
+    "three readings": (3660427763, 1903.2),
     "rotation": (1087938994, 1329.3),
     "cross product": (2179415992, 1555.6),
     "twist matrix": (2655128, 3757.2),
     "series": (1044509461, 2453.5),
     "motions": (3486296376, 4187.5),
-    "adjoint": (1916013759, 3786.7),
+    "adjoint": (4109699754, 1732.9),
     "mid-formula": (1227804212, 4087.2),
     "mid-formula, all from {b}": (953338182, 2168.7),
     "velocities": (3194410292, 3683.3),
