@@ -507,7 +507,7 @@ class _Search:
 
     @cached_property
     def _invariants(self) -> AxisInvariants:
-        return AxisInvariants(self.arm, FILTER_TOL_FACTOR * self.tolerance, self.fixed)
+        return AxisInvariants(self.arm, FILTER_TOL_FACTOR * self.tolerance, "signs" in self.fixed)
 
     def _pairs(self) -> Iterator[Corrections]:
         """Yield the pairs of which each one changes every invariant that is wrong without it."""

@@ -31,12 +31,12 @@ class AxisInvariants:
     """The invariants of a reference, with which those of other mechanisms with the same joint types are compared.
 
     tolerance   how far cosines may differ, and lengths on an arm of one metre
-    fixed       "signs" if the joint signs are fixed, "zeros" if the zeros are: then the axes at home are a rigid body
+    signs_fixed whether the joint signs are fixed
     """
 
     reference: Chain
     tolerance: float
-    fixed: frozenset[str] = frozenset()
+    signs_fixed: bool = False
 
     def of(self, axis: Array, point: Array) -> Array:
         """Compute the invariants of other mechanisms, directions and points of their axes (..., n, 3) each -> (..., k)."""
@@ -54,13 +54,8 @@ class AxisInvariants:
             for i, j in self._runs
         ]
         one, two = (axis[:, [pair[k] for pair in self._rigid_pairs]] for k in range(2))
-        here, before, after = (axis[:, [k + step for k in self._prismatic]] for step in (0, -1, 1))
-        triples = _dot(_cross(before, here), after)
         values: list[ArrayLike] = [_dot(u, v), moment[self._skew], distance[self._parallel], along]
-        values += [_dot(one, two), triples]
-        if "zeros" in self.fixed:
-            first, second = (self._lines[k] for k in np.triu_indices(len(self._lines), 1))
-            values.append(_dot(point[:, second] - point[:, first], _cross(axis[:, first], axis[:, second])))
+        values.append(_dot(one, two))
         return np.moveaxis(np.concatenate([np.reshape(value, (-1, *axis.shape[2:])) for value in values]), 0, -1)
 
     def distances_along(self, values: Array) -> Iterator[tuple[Integers, float, float]]:
@@ -72,14 +67,14 @@ class AxisInvariants:
     def violated(self, values: Array) -> Booleans:
         """Return which invariants (..., k) differ from those of the reference for every choice of signs."""
         violated = np.abs(values - self._values) > self._tolerances
-        if "signs" not in self.fixed:
+        if not self.signs_fixed:
             violated &= np.abs(values + self._values) > self._tolerances
         return violated
 
     def agree(self, values: Array) -> Booleans:
         """Return for which mechanisms (...) all invariants (..., k) agree for one choice of the joint signs."""
         same = np.abs(values - self._values) <= self._tolerances
-        if "signs" in self.fixed:
+        if self.signs_fixed:
             return _all(same)
         opposite = np.abs(values + self._values) <= self._tolerances
         possible = _all(~self.violated(values))
@@ -100,62 +95,45 @@ class AxisInvariants:
         return np.array([k for k, letter in enumerate(self.reference.joint_types) if letter != "P"], dtype=int)
 
     @cached_property
-    def _prismatic(self) -> list[int]:
-        """The prismatic joints between two others, about which the neighbours cannot be rotated."""
-        return [k for k in range(1, self.reference.n - 1) if self.reference.joint_types[k] == "P"]
-
-    @cached_property
     def _rigid_pairs(self) -> list[tuple[int, int]]:
         """The pairs of directions with a fixed angle, other than neighbouring lines."""
-        if "zeros" in self.fixed:
-            return list(combinations(range(self.reference.n), 2))
         types = self.reference.joint_types
         neighbours = [(k, k + 1) for k in range(len(types) - 1) if "P" in types[k : k + 2]]
-        return neighbours + [(k - 1, k + 1) for k in self._prismatic]
+        # The neighbours of a prismatic joint cannot be rotated about it.
+        return neighbours + [(k - 1, k + 1) for k in range(1, len(types) - 1) if types[k] == "P"]
 
     @cached_property
     def _sines(self) -> Array:
         axis = self.reference.lines.axis[self._lines]
-        sines: Array = np.linalg.norm(np.cross(axis[:-1], axis[1:]), axis=-1)
+        sines: Array = np.linalg.norm(cross(axis[:-1], axis[1:]), axis=-1)
         return sines
 
-    def _slides(self, pair: int) -> Array:
-        """The directions of the prismatic joints between two neighbouring lines."""
-        return self.reference.lines.axis[self._lines[pair] + 1 : self._lines[pair + 1]]
+    @cached_property
+    def _adjacent(self) -> list[int]:
+        """The pairs of lines of neighbouring joints: a prismatic joint between two lines may change their distance."""
+        return np.flatnonzero(np.diff(self._lines) == 1).tolist()
 
     @cached_property
     def _skew(self) -> list[int]:
-        """The pairs of lines that are clearly not parallel, and whose common normal no prismatic joint between them changes."""
-        axis = self.reference.lines.axis[self._lines]
-        clear = np.abs(np.sum(axis[:-1] * axis[1:], axis=-1)) < CLEARLY_NOT_PARALLEL_COS
-        normals = np.cross(axis[:-1], axis[1:])
-        return [k for k in range(len(normals)) if clear[k] and not _any(self._slides(k) @ normals[k])]
+        """The adjacent pairs of lines that are clearly not parallel."""
+        return [k for k in self._adjacent if self._sines[k] > np.sqrt(1 - CLEARLY_NOT_PARALLEL_COS**2)]
 
     @cached_property
     def _parallel(self) -> list[int]:
-        """The pairs of parallel lines with a fixed distance. That of nearly parallel ones depends on the last digits."""
-        axis = self.reference.lines.axis[self._lines]
-        return [
-            k
-            for k, sine in enumerate(self._sines)
-            if sine < SAME_DISTANCE_RAD and not _any(np.cross(self._slides(k), axis[k]))
-        ]
+        """The adjacent pairs of parallel lines. The distance of nearly parallel ones depends on the last digits."""
+        return [k for k in self._adjacent if self._sines[k] < SAME_DISTANCE_RAD]
 
     @cached_property
     def _runs(self) -> list[tuple[int, int]]:
         """The pairs i < j between which all lines are parallel: the two normals are a fixed distance apart along these lines.
 
-        A prismatic joint between changes this distance, and so does a helical joint with its zero.
+        A helical joint changes this distance with its zero.
         """
-        axis, types = self.reference.lines.axis[self._lines], self.reference.joint_types
-        starts = [i for i in self._skew if not _any(np.cross(self._slides(i), axis[i]))]
-        ends = [j for j in self._skew if not _any(np.cross(self._slides(j), axis[j + 1]))]
+        types = self.reference.joint_types
         return [
             (i, j)
-            for i in starts
-            for j in ends
-            if i < j
-            and set(range(i + 1, j)) <= set(self._parallel)
+            for i, j in combinations(self._skew, 2)
+            if set(range(i + 1, j)) <= set(self._parallel)
             and set(types[self._lines[i + 1] : self._lines[j] + 1]) == {"R"}
         ]
 
@@ -169,14 +147,11 @@ class AxisInvariants:
     def _tolerances(self) -> Array:
         length = self.tolerance * (1 + float(np.ptp(self.reference.joint_points, axis=0).max()))
         along = [length / min(self._sines[i], self._sines[j]) ** 2 for i, j in self._runs]
-        angles = len(self._rigid_pairs) + len(self._prismatic)
-        lengths = len(self._lines) * (len(self._lines) - 1) // 2 if "zeros" in self.fixed else 0
         counted = [
             (self.tolerance, len(self._sines)),
             (length, len(self._skew) + len(self._parallel)),
             *((tolerance, 1) for tolerance in along),
-            (self.tolerance, angles),
-            (length, lengths),
+            (self.tolerance, len(self._rigid_pairs)),
         ]
         return np.repeat([tolerance for tolerance, _ in counted], [count for _, count in counted])
 
@@ -214,10 +189,6 @@ def neighbours(lines: Line) -> Neighbours:
 def _all(values: Booleans) -> Booleans:
     result: Booleans = np.logical_and.reduce(values, axis=-1)
     return result
-
-
-def _any(values: Array) -> bool:
-    return bool((np.abs(values) > SAME_DISTANCE_RAD).any())
 
 
 def _cross(u: Array, v: Array) -> Array:
