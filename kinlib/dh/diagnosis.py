@@ -39,7 +39,7 @@ from kinlib.dh.mistakes import (
 )
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.printed_digits import ALMOST_1, Rounding, judge_rounding
-from kinlib.dh.table import Convention, DHTable, joint_axes, table_poses
+from kinlib.dh.table import Convention, DHTable, _joint_axes, _table_poses
 
 MAX_TOLD = 3
 """How many equally simple explanations the text lists."""
@@ -520,7 +520,7 @@ class _Search:
 
     def _values(self, candidates: Sequence[Corrections]) -> Array:
         """Compute the invariants of the corrected tables, (N, k)."""
-        return self._by_setting(candidates, lambda table, rows: self._invariants.of(*joint_axes(table, rows)))
+        return self._by_setting(candidates, lambda table, rows: self._invariants.of(*_joint_axes(table, rows)))
 
     def _may_agree(self, candidates: Sequence[Corrections]) -> Booleans:
         """Return which of the corrected tables can be the arm, as far as their invariants and their free choices show it."""
@@ -529,7 +529,7 @@ class _Search:
         agree = self._invariants.agree(self._values(candidates))
         if self.fixed >= {"zeros", "signs"}:
             q = random_configurations(self.arm.n, 4)
-            poses = self._by_setting(candidates, lambda table, rows: table_poses(table, rows[:, None], q))
+            poses = self._by_setting(candidates, lambda table, rows: _table_poses(table, rows[:, None], q))
             loose = FILTER_TOL_FACTOR * self.tolerance
             agree &= _same_motion(poses, self.arm.fk(q), self.fixed, loose)
         return agree

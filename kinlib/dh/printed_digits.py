@@ -18,7 +18,7 @@ from kinlib.chains.joint_maps import CHECKED_CONFIGURATIONS, JointMap, joint_map
 from kinlib.dh.equivalence import Equivalence, equivalent
 from kinlib.dh.invariants import neighbours
 from kinlib.dh.parsing import COLUMNS, joint_entries
-from kinlib.dh.table import DHTable, moved_rows
+from kinlib.dh.table import DHTable, _moved_rows
 from kinlib.rigid.lie import exp
 
 FIT_STEPS = 60
@@ -154,7 +154,7 @@ def _fits(table: DHTable, arm: Chain, nearest: Equivalence | JointMap, half_unit
     order = [COLUMNS.index(name) for name in FACTORS[table.convention]]
     motions = Chain(np.tile([ROW_SCREWS[COLUMNS[k]] for k in order], (len(table.rows), 1)), np.eye(4))
     q = random_configurations(arm.n, CHECKED_CONFIGURATIONS)
-    numbers = moved_rows(table, table.rows, nearest.signs * q + nearest.offsets)
+    numbers = _moved_rows(table, table.rows, nearest.signs * q + nearest.offsets)
     scale, bounded = half_unit.copy(), np.ones(half_unit.shape, bool)
     for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
         scale[entry], bounded[entry] = 1.0, False
