@@ -130,16 +130,14 @@ class Grader:
                     raise UnusableNotebook("Nothing was handed in.")
                 plan = self._plan(judge, content)
                 seed_id = student if seed_id is None else seed_id or plan.typed_id or student
-                seed, run = self._run_for(judge, plan, seed_id)
+                run, verdicts, limits = self._attempt(judge, plan, seed_id)
+                redrawn = dict[int, float]()
+                if any(verdicts[k].points for k in self._covered):
+                    redrawn, more = self._redrawn_points(judge, plan, seed_id, self._covered, run.parsed.answers)
+                    limits += more
             except UnusableNotebook as error:
                 limits = [str(error)] if isinstance(error, UnreadInTime) else []
                 return self._result(student, "broken", str(error), self._unanswered, digest=digest, limits=limits)
-            answers = run.parsed.answers
-            verdicts, limits = self._verdicts(judge, seed_id, seed, answers)
-            limits, redrawn = [*run.limits, *limits], dict[int, float]()
-            if any(verdicts[k].points for k in self._covered):
-                redrawn, more_limits = self._redrawn_points(judge, plan, seed_id, self._covered, answers)
-                limits += more_limits
         notes = {
             k: [*plan.remarks.get(k, ()), *filter(None, [run.parsed.check_errors.get(k)])] for k in self.sheet.checks
         }
@@ -148,7 +146,7 @@ class Grader:
             student,
             status,
             reason,
-            self._problem_results(verdicts, answers, notes, redrawn),
+            self._problem_results(verdicts, run.parsed.answers, notes, redrawn),
             notes=run.parsed.remarks,
             typed_id=run.parsed.typed_id,
             digest=digest,
@@ -193,26 +191,23 @@ class Grader:
             points = min(one.points, redrawn.get(k, one.points))
             typed = [TYPED_NOTE.format(one.points, one.number, k)] if points < one.points else []
             state = one.state if k in answers else "missing"
-            own_points = one.points if k in self._covered else None
-            results.append(
-                replace(
-                    one,
-                    points=points,
-                    state=state,
-                    notes=[*notes.get(k, ()), *typed],
-                    answer=answers.get(k),
-                    own_points=own_points,
-                )
-            )
+            known: dict[str, Any] = {"answer": answers.get(k), "notes": [*notes.get(k, ()), *typed]}
+            if k in self._covered:
+                known["own_points"] = one.points
+            results.append(replace(one, points=points, state=state, **known))
         return results
 
-    def _run_for(self, judge: StepProcess, plan: RunPlan, student: str, draw: Draw | None = None) -> tuple[int, Run]:
-        """Run a submission with the numbers of a student, or with other ones; the seed of the run, and what was read of it."""
+    def _attempt(
+        self, judge: StepProcess, plan: RunPlan, student: str, draw: Draw | None = None
+    ) -> tuple[Run, dict[int, ProblemResult], list[str]]:
+        """Run a submission with the numbers of a student, or with others; its verdicts, and the limits it reached."""
         try:
             seed, redacted = judge.do("redacted sheet", seconds=DRAW_SECONDS, student=student, draw=draw)
         except StepFailed as error:
             raise UnreadInTime(f"The numbers of {student!r} could not be drawn: {error}") from error
-        return seed, self._run_until_complete(judge, redacted, plan, student)
+        run = self._run_until_complete(judge, redacted, plan, student)
+        verdicts, limits = self._verdicts(judge, student, seed, run.parsed.answers, draw)
+        return run, verdicts, [*run.limits, *limits]
 
     def _run_until_complete(self, judge: StepProcess, redacted: str, plan: RunPlan, student: str) -> Run:
         """Run the cells and read their output. If a cell ends the process, run the others again without it.
@@ -257,10 +252,8 @@ class Grader:
             for student in PROBES:
                 try:
                     plan = self._plan(judge, self.sheet.solution)
-                    seed, run = self._run_for(judge, plan, student)
-                    answers = run.parsed.answers
-                    own, _ = self._verdicts(judge, student, seed, answers)
-                    redrawn, _ = self._redrawn_points(judge, plan, student, sorted(covered), answers)
+                    run, own, _ = self._attempt(judge, plan, student)
+                    redrawn, _ = self._redrawn_points(judge, plan, student, sorted(covered), run.parsed.answers)
                 except UnusableNotebook:
                     covered.clear()
                     break
@@ -282,11 +275,10 @@ class Grader:
         best, limits = dict.fromkeys(problems, 0.0), list[str]()
         for number in range(REDRAWS):
             draw = Draw(self.sheet.key, number, frozenset(problems))
-            seed, run = self._run_for(judge, plan, student, draw)
-            verdicts, judge_limits = self._verdicts(judge, student, seed, run.parsed.answers, draw)
+            run, verdicts, more = self._attempt(judge, plan, student, draw)
             changed = [k for k in best if run.parsed.answers.get(k) != own_answers.get(k)]
             best |= {k: max(best[k], verdicts[k].points) for k in changed}
-            limits += [*run.limits, *judge_limits]
+            limits += more
         return best, limits
 
     def _verdicts(
