@@ -124,13 +124,17 @@ class Canvas:
         pixels: Array = self._sheet / 2 + (self.project(points) - self._middle) * self._scale * (1, -1)
         return pixels
 
+    def along(self, start: ArrayLike, end: ArrayLike) -> Array:
+        """Return the direction from one point to another on the sheet, (2,), to the right and up; 0 if it is seen end-on."""
+        way = self.project(end) - self.project(start)
+        direction: Array = way / max(float(np.linalg.norm(way)), 1e-9)
+        return direction
+
     def beside(self, points: ArrayLike, pixels: float) -> Array:
         """Move a line (m, 3) sideways on the sheet, so that lines that cover each other can be drawn side by side."""
         line = np.asarray(points, dtype=float)
-        along = self.project(line[-1]) - self.project(line[0])
-        if not (length := float(np.linalg.norm(along))):
-            return line
-        moved: Array = line + (pixels / self._scale / length) * (np.array([-along[1], along[0]]) @ self._plane)
+        right, up = self.along(line[0], line[-1])
+        moved: Array = line + (pixels / self._scale) * (np.array([-up, right]) @ self._plane)
         return moved
 
     def line(
@@ -252,9 +256,8 @@ class Canvas:
             tip = origin + length * T[:3, k]
             self.arrow(origin, tip, colours[k], 2.2, level=level)
             # Beyond the tip, along the arrow, because a letter beside it could be read as that of another arrow.
-            away = self.project(tip) - self.project(origin)
-            away = 9 * away / max(float(np.linalg.norm(away)), 1e-9)
-            self.label(tip, letter, colours[k], [(away[0], away[1]), *LABEL_OFFSETS], 10)
+            right, up = 9 * self.along(origin, tip)
+            self.label(tip, letter, colours[k], [(right, up), *LABEL_OFFSETS], 10)
         if name:
             self.label(origin, f"{{{name}}}", INK, [(-15, -11), (15, -13), (-28, -15), (28, -17), *LABEL_OFFSETS], 11)
 

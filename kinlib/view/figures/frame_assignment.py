@@ -3,7 +3,6 @@
 import numpy as np
 
 from kinlib.dh.assignment import FrameAssignment
-from kinlib.rigid.screw import line
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture
@@ -56,7 +55,6 @@ class _Drawing:
     def __init__(self, assignment: FrameAssignment, until: int | None) -> None:
         self.assignment, self.state = assignment, state_after(assignment, until)
         self.chain = assignment.chain
-        self.axes = line(self.chain.screws).axis
         room = np.concatenate([self.chain.joint_points, self.chain.home[None, :3, 3]])
         self.near, self.feet = visible_features(assignment)
         seen = np.concatenate([room, assignment.frames[self.near, :3, 3], self.feet])
@@ -92,7 +90,7 @@ class _Drawing:
 
     def _lines(self) -> None:
         """Draw the joint axes, long enough to reach the feet of the normals on them."""
-        for i, (z, point) in enumerate(zip(self.axes, self.chain.joint_points, strict=True)):
+        for i, (z, point) in enumerate(zip(self.chain.lines.axis, self.chain.joint_points, strict=True)):
             low, high = span_on_axis(z, point, self.feet)
             ends = point + (low - 0.18 * self.canvas.size) * z, point + (high + 0.3 * self.canvas.size) * z
             strong = self.state.axes[i]
@@ -122,16 +120,14 @@ class _Drawing:
         if not parts:
             return
         length = (0.17 + 0.08 * self._rank(i)) * self.canvas.size
-        for letter in "xyz":
-            if letter in parts:
-                k = "xyz".index(letter)
-                colour = AXIS_COLOURS[k] if strong else _faded(AXIS_COLOURS[k])
-                tip = T[:3, 3] + length * T[:3, k]
-                self.canvas.arrow(T[:3, 3], tip, colour, 2.4 if strong else 1.6, level=4 + strong + 0.01 * k)
-                away = self.canvas.project(tip) - self.canvas.project(T[:3, 3])
-                away = 11 * away / max(float(np.linalg.norm(away)), 1e-9)
-                places = [(away[0], away[1]), *((away[0] + dx, away[1] + dy) for dx, dy in _LABEL_NUDGES)]
-                self.canvas.label(tip, f"${letter}_{i}$", colour, places, 10)
+        for letter in sorted(set(parts) - {"O"}):
+            k = "xyz".index(letter)
+            colour = AXIS_COLOURS[k] if strong else _faded(AXIS_COLOURS[k])
+            tip = T[:3, 3] + length * T[:3, k]
+            self.canvas.arrow(T[:3, 3], tip, colour, 2.4 if strong else 1.6, level=4 + strong + 0.01 * k)
+            x, y = 11 * self.canvas.along(T[:3, 3], tip)
+            places = [(x, y), *((x + dx, y + dy) for dx, dy in _LABEL_NUDGES)]
+            self.canvas.label(tip, f"${letter}_{i}$", colour, places, 10)
         self.canvas.dot(T[:3, 3], INK if strong else _faded(INK), 6 if strong else 4, level=6)
         if self.state.kind == "origin" and strong:
             self.canvas.label(T[:3, 3], f"$O_{i}$", INK)
