@@ -21,6 +21,7 @@ Withholding: where submissions run, neither the answer nor its class is availabl
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any, ClassVar
 
@@ -115,6 +116,11 @@ class Answer(ABC):
 
         Raises Unreadable with what was expected and what was given.
         """
+
+    @cached_property
+    def _right(self) -> Any:
+        """The right answer, as `agrees` compares it."""
+        return self.read(self.value)
 
     def from_author(self, value: Any) -> Any:
         """Read a wrong answer of the author, or the value of a mutant; by default like one of a student."""

@@ -5,7 +5,6 @@ import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 from itertools import pairwise
 from math import inf
 from typing import Any
@@ -115,10 +114,6 @@ class Interval(Answer):
         if all(self.agrees(given, _complement(self._right))):
             return "complement", "You gave the complement: all numbers that do not belong to the right answer."
         return None
-
-    @cached_property
-    def _right(self) -> Pieces:
-        return pieces(self.value)
 
     def _has_bounds_of(self, one: Pieces, other: Pieces, tolerance: float) -> bool:
         bounds = [[bound for piece in some for bound in (piece.low, piece.high)] for some in (one, other)]

@@ -123,10 +123,6 @@ class Members(Answer):
             if not all(self.agrees(opposite, self._right)):
                 yield Mistake("all signs", opposite, "The elements have the right size and the wrong signs.")
 
-    @cached_property
-    def _right(self) -> Read:
-        return self.read(self.value)
-
     def _is_same(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> bool:
         return all(self.item.agrees(one, other, tolerance))
 

@@ -93,9 +93,5 @@ class Table(Answer):
         name, kind = self._column(part)
         return kind.hint(given[name], 0)
 
-    @property
-    def _right(self) -> dict[str, Any]:
-        return self.read(self.value)
-
     def _column(self, part: int) -> tuple[str, Answer]:
         return list(self.columns.items())[part]

@@ -51,6 +51,14 @@ def test_the_inputs_depend_on_the_seed_only():
     np.testing.assert_array_equal(inputs[0], squares().inputs)
 
 
+def test_two_functions_can_be_compared_without_reading_them_first():
+    """So a grader compares the right answers of two variants."""
+    answer = squares()
+    assert answer.agrees(np.square, lambda x: x * x) == [True]
+    assert answer.agrees(lambda x: 2 * x, lambda x: x + x) == [True]
+    assert answer.agrees(lambda x: 2 * x, np.square) == [False]
+
+
 def test_a_lookup_table_of_the_practice_inputs_is_wrong_at_other_inputs():
     problem = asked()
     known = {tuple(x): x**2 for (x,) in problem.answer.inputs}
