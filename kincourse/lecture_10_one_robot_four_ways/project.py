@@ -53,8 +53,8 @@ class Project:
     'Top view and front view of a machine, wi'
     """
 
-    def __init__(self, student: str, kind: int | None = None) -> None:
-        self._student, self._machine = student, draw_machine(student, kind)
+    def __init__(self, student: str) -> None:
+        self._student, self._machine = student, draw_machine(student)
 
     @property
     def name(self) -> str:

@@ -2,6 +2,7 @@
 
 import re
 from functools import reduce
+from itertools import count
 
 import numpy as np
 import pytest
@@ -16,7 +17,15 @@ from kinlib.rigid.lie import adjoint, exp, inverse
 from kinlib.rigid.rpy import roll_pitch_yaw
 from kinlib.urdf.chains import load_urdf, to_urdf
 
-MACHINES = range(len(KINDS))
+
+def student_with(machine):
+    """The first id whose machine is of this kind."""
+    return next(student for student in map("student {}".format, count()) if draw_machine(student).name == machine)
+
+
+each_machine = pytest.mark.parametrize(
+    "student", [student_with(kind.name) for kind in KINDS], ids=[kind.name for kind in KINDS]
+)
 
 
 def write_urdf(frames, joints, limits):
@@ -31,17 +40,17 @@ def write_urdf(frames, joints, limits):
     return serial_urdf(written, ["base", *(f"link_{i}" for i in range(1, len(joints) + 1)), "tool"])
 
 
-def descriptions(student, kind=None):
+def descriptions(student):
     """The right descriptions of a student's machine."""
-    right = draw_machine(student, kind)
+    right = draw_machine(student)
     urdf = write_urdf(right.file_frames, right.table.joints, right.limits)
     return {"screws": (right.chain.screws, right.chain.home, right.points), "table": right.table, "urdf": urdf}
 
 
-@pytest.mark.parametrize("kind", MACHINES)
-def test_right_descriptions_agree_with_the_log_and_with_each_other(kind):
-    project = Project("ada", kind)
-    result = project.verify(**descriptions("ada", kind))
+@each_machine
+def test_right_descriptions_agree_with_the_log_and_with_each_other(student):
+    project = Project(student)
+    result = project.verify(**descriptions(student))
     assert result.passed, str(result)
     assert str(result).count("agrees") == 9 + 3
 
@@ -78,10 +87,10 @@ def planted_in_urdf(right):
         yield f"joint {i + 1}", right["urdf"][: found.start()] + 'axis xyz="0 0 -1"' + right["urdf"][found.end() :]
 
 
-@pytest.mark.parametrize("kind", MACHINES)
+@each_machine
 @pytest.mark.parametrize("name", ["screws", "table", "urdf"])
-def test_a_planted_fault_is_found_and_named_at_its_joint(name, kind):
-    project, right = Project("grace", kind), descriptions("grace", kind)
+def test_a_planted_fault_is_found_and_named_at_its_joint(name, student):
+    project, right = Project(student), descriptions(student)
     faults = {"screws": planted_in_screws, "table": planted_in_table, "urdf": planted_in_urdf}[name](right)
     shown = "URDF" if name == "urdf" else name
     for place, wrong in faults:
@@ -101,9 +110,9 @@ def product_poses(name, description, q):
     return description.fk(q) if name == "table" else load_urdf(description).fk(q)
 
 
-@pytest.mark.parametrize("kind", MACHINES)
-def test_two_faults_are_not_blamed_on_one_joint(kind):
-    project, right = Project("emmy", kind), descriptions("emmy", kind)
+@each_machine
+def test_two_faults_are_not_blamed_on_one_joint(student):
+    project, right = Project(student), descriptions(student)
     rows = right["table"].rows.copy()
     rows[0, 0], rows[3, 2] = rows[0, 0] + 0.05, rows[3, 2] - 0.06
     rows[1, 1] += 0.4
@@ -113,11 +122,11 @@ def test_two_faults_are_not_blamed_on_one_joint(kind):
     assert "more than one is wrong" in str(finding)
 
 
-@pytest.mark.parametrize("kind", MACHINES)
-def test_no_description_passes_that_is_computed_from_another(kind):
-    project, right = Project("alan", kind), descriptions("alan", kind)
+@each_machine
+def test_no_description_passes_that_is_computed_from_another(student):
+    project, right = Project(student), descriptions(student)
     from_screws, from_file, from_table = (
-        draw_machine("alan", kind).chain,
+        draw_machine(student).chain,
         load_urdf(right["urdf"]),
         right["table"].to_chain(),
     )
@@ -137,24 +146,22 @@ def test_no_description_passes_that_is_computed_from_another(kind):
             assert "read them off the drawing" in str(finding)
 
 
-@pytest.mark.parametrize("kind", MACHINES)
-def test_the_received_description_is_wrong_at_one_joint(kind):
-    for student in ("ada", "grace", "alan"):
-        project = Project(student, kind)
-        right = draw_machine(student, kind).chain
-        finding = project.verify(received=(project.received, right.home))["body screws"]
-        assert not finding.agrees
-        wrong = np.abs(project.received @ adjoint(right.home).T - right.screws).max(axis=1) > 1e-3
-        (joint,) = np.flatnonzero(wrong)
-        assert finding.place == f"joint {joint + 1}"
+@each_machine
+def test_the_received_description_is_wrong_at_one_joint(student):
+    project, right = Project(student), draw_machine(student).chain
+    finding = project.verify(received=(project.received, right.home))["body screws"]
+    assert not finding.agrees
+    wrong = np.abs(project.received @ adjoint(right.home).T - right.screws).max(axis=1) > 1e-3
+    (joint,) = np.flatnonzero(wrong)
+    assert finding.place == f"joint {joint + 1}"
 
 
-@pytest.mark.parametrize("kind", MACHINES)
-def test_each_path_has_its_effect_and_no_other(kind):
-    paths, chain = Project("ada", kind).paths.values(), draw_machine("ada", kind).chain
+@each_machine
+def test_each_path_has_its_effect_and_no_other(student):
+    paths, chain = Project(student).paths.values(), draw_machine(student).chain
     effects = [effect_of(chain, path) for path in paths]
     assert sorted(effects) == sorted(EFFECTS)
-    file = load_urdf(descriptions("ada", kind)["urdf"])
+    file = load_urdf(descriptions(student)["urdf"])
     assert [effect_of(file, path) for path in paths] == effects  # limits are in the file too
     (leaves,) = (path for path, effect in zip(paths, effects, strict=True) if effect == "leaves")
     assert np.abs(chain.fk(leaves.q)[:, 2, 3] - leaves.table_m).max() < CONTACT_M  # so the pen alone does not show it
