@@ -123,10 +123,6 @@ def test_three_decimals_are_enough():
     printed = right.rows.round(3).tolist()
     for anchored in (False, True):
         assert judge(Problem("", DHTableAnswer(right, anchored=anchored), []), printed).state == "right"
-    elsewhere = judge(
-        Problem("", DHTableAnswer(right, anchored=True), []), [printed[0], [*printed[1][:3], 1.0], printed[2]]
-    )
-    assert elsewhere.findings[0].message == "All but one entry can stand: look again at $\\theta$ in row 2."
 
 
 def test_an_anchored_table_takes_base_and_tool_from_the_problem():
@@ -161,7 +157,7 @@ def test_a_prismatic_joint_follows_from_the_problem_or_from_the_typed_table():
         {"a": 0.25, "alpha": -1.1, "d": "q2+0.35", "theta": 0.5},
         {"a": 0.4, "alpha": 0.9, "d": 0.15, "theta": "q3"},
     ]
-    for given in (ROWS, named, [named[0], named[1], named[2]]):
+    for given in (ROWS, named):
         assert judge(Problem("", DHTableAnswer(sliding), []), given).state == "right"
     for given in (named, DHTable(named, convention="standard")):
         message = judge_table(given).findings[0].message
@@ -178,25 +174,19 @@ def test_two_mistakes_are_named_and_more_are_left_to_the_first_difference():
     assert message == "Axes 1 and 2 make an angle of 34.38 degrees in your table, and of 40.11 degrees in the arm."
 
 
-@pytest.mark.parametrize(
-    ("rows", "name", "message"),
-    [
-        (np.array(ROWS) * (1, 0, 1, 1), "every alpha 0", "Your table moves as if every $\\alpha$ were 0."),
-        (np.array(ROWS) * (1, 1, 0, 1), "d left out", "Your table moves as if every $d$ were 0."),
-        (-np.array(ROWS), "all signs", "Your table moves as if every entry had the other sign."),
-        (ROWS[::-1], "rows swapped", "Your rows run from the tool to the base. Row 1 belongs to joint 1, at the base."),
+def test_a_mistake_in_a_whole_table_has_its_name():
+    rows = np.array(ROWS)
+    for wrong, name, message in [
+        (rows * (1, 0, 1, 1), "every alpha 0", "Your table moves as if every $\\alpha$ were 0."),
+        (rows * (1, 1, 0, 1), "d left out", "Your table moves as if every $d$ were 0."),
+        (-rows, "all signs", "Your table moves as if every entry had the other sign."),
+        (rows[::-1], "rows swapped", "Your rows run from the tool to the base. Row 1 belongs to joint 1, at the base."),
         (rows_with((1, 3, 0)), "offset forgotten", None),
-        (
-            np.array(ROWS) * (1000, 1, 1000, 1),
-            "unit of length",
-            "The lengths are in millimetres, but were read as metres.",
-        ),
-    ],
-)
-def test_a_mistake_in_a_whole_table_has_its_name(rows, name, message):
-    finding = judge_table(np.array(rows).tolist(), anchored=True).findings[0]
-    assert finding.mistake == name
-    assert message in (None, finding.message)
+        (rows * (1000, 1, 1000, 1), "unit of length", "The lengths are in millimetres, but were read as metres."),
+    ]:
+        finding = judge_table(np.array(wrong).tolist(), anchored=True).findings[0]
+        assert finding.mistake == name
+        assert message in (None, finding.message)
 
 
 def test_a_right_table_says_how_it_differs_from_ours():
@@ -224,8 +214,6 @@ def test_feedback_on_a_wrong_table_names_the_mistake():
         (DHTable(ROWS, convention="modified"), modified),
         (RIGHT.converted("modified"), modified),
         (RIGHT.converted("modified").rows, "The table is in the modified convention, but was read as standard."),
-        (DHTable(ROWS, convention="standard", joints="RPR"), "Which column holds the variable?"),
-        (rows_with((0, 1, 0.1), (1, 0, 9.0), (1, 2, 5.0)), "Axes 1 and 2 make an angle"),
     ]:
         assert words in judge_table(given).findings[0].message
 

@@ -67,7 +67,7 @@ def test_a_screw_is_told_which_half_is_right_if_one_is():
     problem = Problem("", ScrewsAnswer(right), [])
     assert problem.answer.parts == ["screw 1"]
     told = {
-        (0, 0, 1, 9, -2, 0.5): "$\\omega$ is right, but $v$ is not.",
+        (0, 0, 1, 9, -2, 0.5): "$\\omega$ is right, but $v$ is not. Look at $v_x$: all other entries are right.",
         (0, 0.0005, 1, 9, -2, 0.5): "$\\omega$ is right, but $v$ is not.",
         (0, 2, 0, 0, -2, 0.5): "$v$ is right, but $\\omega$ is not.",
         (0, 1, 0, 9, -2, 0.5): "$\\omega$ is not right.",
@@ -154,10 +154,6 @@ def test_hints_name_the_wrong_entries():
     assert RotationAnswer(R).hint(wrong[:3, :3], 0) == "8 of the 9 entries are right. Look at row 1, column 2."
     assert PoseAnswer(T).hint(turned(R, (1, 2, 9)), 1) == "2 of the 3 entries are right. Look at $z$."
     assert PoseAnswer(T).hint(turned(R, (1, 8, 9)), 1) == ""
-    right = np.array([0, 0, 1, 0, -2, 0.5])
-    assert ScrewsAnswer(right).hint(np.array([0, 0, 1, 0, -2, 9]), 0) == (
-        "$\\omega$ is right, but $v$ is not. Look at $v_z$: all other entries are right."
-    )
     points = VectorsAnswer(np.array([[1.0, 2, 3], [4, 5, 6]]), names=["the point", "the arrow"])
     assert points.hint(np.array([[1.0, 2, 9], [6, 4, 5]]), 0) == "2 of the 3 entries are right. Look at $z$."
     assert points.hint(np.array([[1.0, 2, 9], [6, 4, 5]]), 1).startswith("Its components have the right sizes")
@@ -282,15 +278,13 @@ def test_a_check_gives_what_the_own_numbers_give():
         assert answer.check(answer.value, 0) == answer.check(np.round(answer.value, 3), 0) == ""
 
 
-def test_one_wrong_sign_is_shown_by_a_check_or_by_its_place():
+def test_one_wrong_sign_is_shown_by_a_check():
     S = np.array([0.6, 0, 0.8, 4, 0, -3])
     messages = {
         sign: judge(Problem("", ScrewsAnswer(S), []), S * sign).findings[0].text
         for sign in ((-1, 1, 1, 1, 1, 1), (1, 1, 1, 1, 1, -1))
     }
     assert all("0$; your numbers give" in text and "_" not in text for text in messages.values())
-    position = judge(Problem("", PoseAnswer(TURN), []), TURN * [[1, 1, 1, -1], *[[1] * 4] * 3]).findings[0]
-    assert position.text == "Only one sign is wrong: $x$ of the position."
 
 
 def test_a_copied_row_is_seen_where_the_right_rows_differ():
