@@ -26,8 +26,22 @@ def symbol(name: str) -> str:
     return f"$\\{name}$" if name.startswith(ANGLE_COLUMNS) else f"${name}$"
 
 
+class _DHNumbers(Numbers):
+    """Numbers of a DH table, lengths and angles; angles are compared modulo a full turn."""
+
+    def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
+        angles_agree = _same_angle(one, other, tolerance)
+        return np.where(self.kinds() == PURE, angles_agree, super().same_entries(one, other, tolerance))
+
+    def length_entries(self) -> NDArray[np.bool_]:
+        return np.asarray(self.kinds() == LENGTH)
+
+    def angle_entries(self) -> NDArray[np.bool_]:
+        return np.asarray(self.kinds() == PURE)
+
+
 @dataclass(frozen=True, eq=False)
-class DHEntriesAnswer(Numbers):
+class DHEntriesAnswer(_DHNumbers):
     """Named entries of a DH table, shape (k,): lengths in metres, angles in radians.
 
     An entry is an angle if its name contains alpha or theta. Each entry is a part.
@@ -47,10 +61,6 @@ class DHEntriesAnswer(Numbers):
         # A card capitalizes the first word of a sentence, and "A_1" (a link transform) is not a_1 (a length).
         return [name if " " in name else f"entry {symbol(name)}" for name in self.names]
 
-    def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
-        angles_agree = _same_angle(one, other, tolerance)
-        return np.where(self.kinds() == PURE, angles_agree, super().same_entries(one, other, tolerance))
-
     def part_indices(self) -> list[int]:
         return list(range(len(self.names)))
 
@@ -63,12 +73,6 @@ class DHEntriesAnswer(Numbers):
     def entry_slips(self) -> Iterator[Slip]:
         for name, rows, text, part in super().entry_slips():
             yield name, rows, text, part if name == "sign of one entry" else ""  # a swap takes two parts
-
-    def length_entries(self) -> NDArray[np.bool_]:
-        return np.asarray(self.kinds() == LENGTH)
-
-    def angle_entries(self) -> NDArray[np.bool_]:
-        return np.asarray(self.kinds() == PURE)
 
     def explanation(self, given: Array, part: int) -> Named | None:
         return _entry_mistake(float(given[part]), float(self.value[part]), self._is_angle(part))
@@ -110,7 +114,7 @@ class DHRowAnswer(DHEntriesAnswer):
 
 
 @dataclass(frozen=True, eq=False)
-class DHRowsAnswer(Numbers):
+class DHRowsAnswer(_DHNumbers):
     """Rows of a DH table at q = 0, shape (m, 4): a, alpha, d, theta, in metres and radians. Each row is a part.
 
     The numbers may also be listed one after the other.
@@ -140,10 +144,6 @@ class DHRowsAnswer(Numbers):
     def place(self, index: Sequence[Any]) -> str:
         return f"{symbol(COLUMNS[index[1]])} in row {index[0] + 1}"
 
-    def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
-        angles_agree = _same_angle(one, other, tolerance)
-        return np.where(self.kinds() == PURE, angles_agree, super().same_entries(one, other, tolerance))
-
     @property
     def rows_are_alike(self) -> bool:
         return True
@@ -152,12 +152,6 @@ class DHRowsAnswer(Numbers):
         """Return whether a right row is not so short that any method gives it, nor one that another unit leaves as it is."""
         seen = self.likeness(given, None).at_sight() if sum(right) < len(right) - 1 else None
         return has_a_telling_row(given, right) and (seen is None or seen[0] == "rounded")
-
-    def length_entries(self) -> NDArray[np.bool_]:
-        return np.asarray(self.kinds() == LENGTH)
-
-    def angle_entries(self) -> NDArray[np.bool_]:
-        return np.asarray(self.kinds() == PURE)
 
     def likeness(self, given: Array, part: int | None) -> Likeness:
         found = super().likeness(given, part)

@@ -296,15 +296,10 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
     wrong_sign, other_length = printed.copy(), printed.copy()
     wrong_sign[i, k] += error
     other_length[i, 2 - k] -= error
-    lines = [
-        f"| {n} | {number(a)} | {number(np.degrees(alpha))}° | {number(d)} | q{n} |"
-        for n, (a, alpha, d, _) in enumerate(printed, 1)
-    ]
-    text = "\n".join(["| i | a | alpha | d | theta |", "| --- | --- | --- | --- | --- |", *lines])
     return Problem(
         statement="This DH table was written for the arm below, in the standard convention, but one of its lengths is wrong. Compare "
         f"the table with the axes, and give the corrected table. The rows that are right already earn nothing. {_given(4)}"
-        f"\n\n{text}\n\n{joint_table(robot)}\n\n{given_frames(table)}",
+        f"\n\n{_format_table(table.changed(rows=printed))}\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
         given={
             "rows": printed,
