@@ -186,8 +186,6 @@ def how_far_off(sampler: ArmSampler) -> Problem:
     wrong = Chain(received @ adjoint(right.home).T, right.home)
     fk = wrong.fk(log.q)
     gaps, off = log.distances_mm(fk), 1000 * np.abs(fk[:, :3, 3] - log.poses[:, :3, 3])
-    traces = np.einsum("kij,kij->k", fk[:, :3, :3], log.poses[:, :3, :3])
-    turned = np.degrees(np.arccos(np.clip((traces - 1) / 2, -1, 1)))
     in_space = log.distances_mm(Chain(received, right.home).fk(log.q))
     of_degrees = log.distances_mm(wrong.fk(np.where(np.array(list(project.joints)) == "P", 1.0, np.pi / 180) * log.q))
     mistakes = {
@@ -201,7 +199,7 @@ def how_far_off(sampler: ArmSampler) -> Problem:
         "first pose": (gaps[0], "This is the distance at the first pose of the log, and not the largest one."),
         "last pose": (gaps[-1], "This is the distance at the last pose of the log, and not the largest one."),
         "least": (gaps.min(), "This is the smallest of the distances."),
-        "degrees": (turned.max(), "This is the largest angle in degrees by which the tool is rotated."),
+        "degrees": (log.angles_deg(fk).max(), "This is the largest angle in degrees by which the tool is rotated."),
         "largest component": (
             off.max(),
             "This is the largest difference along x, y or z alone. The distance is the length of the difference.",
