@@ -1,6 +1,5 @@
 """Poses and rotations in solutions: inverses, exponentials, and the parts of a pose."""
 
-from collections.abc import Callable
 from functools import partial
 from itertools import combinations
 
@@ -10,6 +9,7 @@ from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import hat, homogeneous
 from misstep.mutants.expression import SUM, Change, Changes, Expression, Operation, given, negative, power, transpose
+from misstep.mutants.operations import function
 
 INVERSE_ADVICE = "The inverse of $(R, p)$ is $(R^T, -R^T p)$."
 
@@ -67,7 +67,7 @@ def with_position(T: Array, p: Array) -> Array:
 def _pose_changes(node: Expression) -> Changes:
     yield Change("inverted", f"use the inverse of ${node.latex}$ instead of ${node.latex}$"), inverse(node)
     yield Change("transposed", f"use the transpose of ${node.latex}$ instead of ${node.latex}$"), transpose(node)
-    transposed = _of_pose("rotation transposed", lambda T: homogeneous(T[:3, :3].T, T[:3, 3]), "{0}")
+    transposed = function("rotation transposed", lambda T: homogeneous(T[:3, :3].T, T[:3, 3]), "{0}")
     yield Change("rotation transposed", f"use ${node.latex}$ with the transpose of its rotation"), transposed(node)
     R, p = node.value[:3, :3], node.value[:3, 3]
     for name, what, wrong in (
@@ -98,7 +98,7 @@ def _inverse_changes(node: Expression) -> Changes:
     for template, wrong in _WRONG_POSITIONS.items():
         everywhere = template.format("each pose")
         change = Change("position of the inverse", template.format(f"${T}$"), everywhere, INVERSE_ADVICE)
-        yield change, _of_pose("wrong inverse", wrong, "{0}")(inner)
+        yield change, function("wrong inverse", wrong, "{0}")(inner)
 
 
 def _point_changes(node: Expression) -> Changes:
@@ -243,7 +243,7 @@ def _logarithm_changes(node: Expression) -> Changes:
             "Here a twist is $(\\omega, v)$.",
         ),
     ):
-        yield Change(name, text, advice=advice), _of_pose(name, of, "{0}")(T)
+        yield Change(name, text, advice=advice), function(name, of, "{0}")(T)
 
 
 def _assembled(R: Array, p: Array) -> Array:
@@ -256,14 +256,6 @@ def _with_last_row(T: Array) -> Array:
     moved = T.copy()
     moved[-1, :-1], moved[:-1, -1] = T[:-1, -1], 0
     return moved
-
-
-def _listed(*axes: str) -> str:
-    return f"({', '.join(axes)})"
-
-
-def _of_pose(name: str, of: Callable[[Array], Array], latex: str) -> Operation:
-    return Operation(name, of, latex.format)
 
 
 inverse = Operation("inverse of a pose", np.linalg.inv, power("{-1}"), _inverse_changes, involution=True)
@@ -292,7 +284,9 @@ rotation_only = Operation("rotation as a pose", lambda R: _assembled(R, np.zeros
 translation = Operation("translation", lambda p: _assembled(np.eye(len(p)), p), "(I, {0})".format)
 """The pose that is a translation by p."""
 
-columns = Operation("columns", lambda *axes: np.column_stack(axes), _listed, _columns_changes)
+columns = Operation(
+    "columns", lambda *axes: np.column_stack(axes), lambda *axes: f"({', '.join(axes)})", _columns_changes
+)
 """The rotation whose columns are the axes of a frame."""
 
 to_point = Operation(
@@ -309,7 +303,7 @@ _inverted = Operation("inverted", np.linalg.inv, "{0}".format)
 _last_row = Operation("last row", _with_last_row, "{0}".format)
 _without_corner = Operation("corner", lambda T: T - np.diag([0.0] * (len(T) - 1) + [1.0]), "{0}".format)
 
-_rotation_kept = _of_pose("inverse with R", lambda T: homogeneous(T[:3, :3], -T[:3, :3] @ T[:3, 3]), "{0}")
+_rotation_kept = function("inverse with R", lambda T: homogeneous(T[:3, :3], -T[:3, :3] @ T[:3, 3]), "{0}")
 _WRONG_POSITIONS = {
     "write $-p$ as the position of the inverse of {}": lambda T: homogeneous(T[:3, :3].T, -T[:3, 3]),
     "leave the position unchanged in the inverse of {}": lambda T: homogeneous(T[:3, :3].T, T[:3, 3]),

@@ -237,10 +237,6 @@ def _joint_value_changes(node: Expression, which: Sequence[str] = ("the joint va
             yield Change(name, text.format(q), text.format(several), advice, False), factor * node
 
 
-def _joint_angle_changes(node: Expression) -> Changes:
-    return _joint_value_changes(node, ("the joint values", "the angles"))
-
-
 def _screws_changes(node: Expression) -> Changes:
     text = f"swap the halves of ${node.latex}$"
     yield Change("halves swapped", text, "swap the halves of the screws"), _swap_halves(node)
@@ -460,5 +456,7 @@ _entry_by_entry = Operation("entry by entry", lambda T, S: S * _matrix(_adjoint,
 _advancing = Operation("velocity", lambda turning, omega, _, h: turning + h * omega, lambda *_: "v", _advancing_changes)
 _once = Operation("one exponential", lambda *twists: exponential(sum(twists)), lambda *_: "")
 _JOINT_LENGTH = Operation("joint value", lambda: None, str, _joint_value_changes)
-_JOINT_ANGLE = Operation("joint value", lambda: None, str, _joint_angle_changes)
+_JOINT_ANGLE = Operation(
+    "joint value", lambda: None, str, partial(_joint_value_changes, which=("the joint values", "the angles"))
+)
 _SCREWS = Operation("given screws", lambda: None, str, _screws_changes)

@@ -1,12 +1,11 @@
 r"""The angles of a wrist in solutions: from a rotation R to theta_4, theta_5, theta_6, with R = R_y R_z R_y R_x(-90°)."""
 
-from collections.abc import Callable
-
 import numpy as np
 
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
 from misstep.mutants.expression import Change, Changes, Expression, Operation, given, transpose
+from misstep.mutants.operations import function
 
 X, Y, Z = np.eye(3)
 QUARTER_TURN = exp(np.pi / 2 * X)
@@ -61,10 +60,6 @@ def _everywhere(name: str, text: str, advice: str = "") -> Change:
     return Change(name, text, text, advice, one_by_one=False)
 
 
-def _of(name: str, of: Callable[[Array], Array], node: Expression) -> Expression:
-    return Operation(name, of, "{0}".format)(node)
-
-
 def _rotation_changes(node: Expression) -> Changes:
     yield _everywhere("rotation transposed", "use the transpose of $R$", "$R$ is ${}^3R_6$ as it is."), transpose(node)
 
@@ -76,7 +71,7 @@ def _constant_changes(node: Expression) -> Changes:
         ("sign of the constant", "multiply $R$ by $R_x(-90°)$ instead of $R_x(90°)$", lambda R: R @ QUARTER_TURN.T),
         ("constant on the left", "multiply $R$ by $R_x(90°)$ from the left", lambda R: QUARTER_TURN @ R),
     ):
-        yield _everywhere(name, text, CONSTANT_ADVICE), _of(name, of, R)
+        yield _everywhere(name, text, CONSTANT_ADVICE), function(name, of, "{0}")(R)
 
 
 def _angle_changes(node: Expression) -> Changes:
@@ -94,7 +89,7 @@ def _angle_changes(node: Expression) -> Changes:
         ("theta_6 left out", "leave $\\theta_6$ at 0", "", lambda E: _angles(E) * (1, 1, 0)),
         ("sum twice", "give the sum of $\\theta_4$ and $\\theta_6$ for each of them, where axes 4 and 6 are collinear", "", _sum_twice),
     ):  # fmt: skip
-        yield _everywhere(name, text, advice), _of(name, of, E)
+        yield _everywhere(name, text, advice), function(name, of, "{0}")(E)
 
 
 _ROTATION = Operation("given rotation", lambda: None, str, _rotation_changes)
