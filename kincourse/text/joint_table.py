@@ -26,7 +26,7 @@ def joint_table(chain: Chain, joints: Iterable[int] | None = None, points: Seque
     """
     axis, _, pitch = chain.lines
     kinds = {"R": "revolute", "P": "prismatic", "H": "helical"}
-    rows = []
+    rows = ["| joint | kind | direction | point on the axis (m) |", "| --- | --- | --- | --- |"]
     for i in range(chain.n) if joints is None else joints:
         letter = chain.joint_types[i]
         kind = kinds[letter] if letter != "H" else f"helical, ${number(pitch[i])}$ m/rad"
@@ -34,7 +34,7 @@ def joint_table(chain: Chain, joints: Iterable[int] | None = None, points: Seque
         place = points[i] if points else vector(chain.joint_points[i])
         point = f"${place}$" if letter != "P" else "any"
         rows.append(f"| {i + 1} | {kind} | ${vector(axis[i])}$ | {point} |")
-    return _table(["joint", "kind", "direction", "point on the axis (m)"], rows)
+    return "\n".join(rows)
 
 
 def given_frames(table: DHTable) -> str:
@@ -58,8 +58,3 @@ def end_frames(table: DHTable) -> dict[str, Array]:
     ['T_s0', 'T_s1']
     """
     return {"T_s0": table.base, f"T_s{len(table.rows)}": table.fk(np.zeros(table.n)) @ inverse(table.tool)}
-
-
-def _table(heads: Iterable[str], rows: Iterable[str]) -> str:
-    heads = list(heads)
-    return "\n".join(["| " + " | ".join(heads) + " |", "|" + " --- |" * len(heads), *rows])
