@@ -111,13 +111,12 @@ def test_a_faulty_table_has_one_wrong_row_and_it_is_that_of_the_answer(key):
         assert np.flatnonzero(wrong).tolist() == [int(problem.answer.value[-1]) - 1]
 
 
-@pytest.mark.parametrize("task", TASK_ORDER)
+@pytest.mark.parametrize("task", TASK_ORDER[PROBLEMS_PER_SHEET:])
 def test_students_have_different_answers(task):
+    """The first eight tasks are on the sheets of test_sheets.py."""
     answers = set()
     for problem in variants("PUMA", task, [f"s{i}" for i in range(12)]):
-        value = problem.answer.value
-        numbers = value.rows if isinstance(value, kl.DHTable) else value
-        answers.add(np.round(numbers, 6).tobytes() if not isinstance(value, str) else problem.statement)
+        answers.add(np.round(problem.answer.value, 6).tobytes())
     assert len(answers) > 8
 
 
