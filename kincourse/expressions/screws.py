@@ -374,8 +374,8 @@ def _matrix(blocks: Blocks, T: Array) -> Array:
 
 
 def _by(blocks: Blocks, T: Array, S: Array) -> Array:
-    product: Array = S @ _matrix(blocks, T).T
-    return product
+    changed: Array = S @ _matrix(blocks, T).T
+    return changed
 
 
 def _adjoint(R: Array, P: Array) -> tuple[Any, Any, Any, Any]:
