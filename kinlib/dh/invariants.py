@@ -1,7 +1,7 @@
 """Invariants of a mechanism: what no choice of base, tool, joint zero and joint sign can change.
 
-For two neighbouring axes these are the angle between them and the length of their common normal; for an axis with a common
-normal on either side, the distance between the two along the axis. If a joint changes its sign, its axis has the opposite
+For two neighbouring axes of rotation these are the angle between them and the length of their common normal; for an axis with a
+common normal on either side, the distance between the two along the axis. If a joint changes its sign, its axis has the opposite
 direction; then the cosine, the mutual moment of two axes and the distance along an axis change their signs. So two mechanisms
 can only be equivalent if there are signs of the joints for which all invariants agree. They are found joint by joint, with two
 states for each, for many mechanisms at once; no map between the mechanisms is needed.
@@ -53,9 +53,7 @@ class AxisInvariants:
             _dot(u[:, i + 1], point[:, self._lines[j]] - point[:, self._lines[i + 1]] + start[j] * u[:, j]) - end[i]
             for i, j in self._runs
         ]
-        one, two = (axis[:, [pair[k] for pair in self._rigid_pairs]] for k in range(2))
         values: list[ArrayLike] = [_dot(u, v), moment[self._skew], distance[self._parallel], along]
-        values.append(_dot(one, two))
         return np.moveaxis(np.concatenate([np.reshape(value, (-1, *axis.shape[2:])) for value in values]), 0, -1)
 
     def distances_along(self, values: Array) -> Iterator[tuple[Integers, float, float]]:
@@ -93,14 +91,6 @@ class AxisInvariants:
     def _lines(self) -> Integers:
         """The joints whose axes are lines; a prismatic joint has only a direction."""
         return np.array([k for k, letter in enumerate(self.reference.joint_types) if letter != "P"], dtype=int)
-
-    @cached_property
-    def _rigid_pairs(self) -> list[tuple[int, int]]:
-        """The pairs of directions with a fixed angle, other than neighbouring lines."""
-        types = self.reference.joint_types
-        neighbours = [(k, k + 1) for k in range(len(types) - 1) if "P" in types[k : k + 2]]
-        # The neighbours of a prismatic joint cannot be rotated about it.
-        return neighbours + [(k - 1, k + 1) for k in range(1, len(types) - 1) if types[k] == "P"]
 
     @cached_property
     def _sines(self) -> Array:
@@ -151,7 +141,6 @@ class AxisInvariants:
             (self.tolerance, len(self._sines)),
             (length, len(self._skew) + len(self._parallel)),
             *((tolerance, 1) for tolerance in along),
-            (self.tolerance, len(self._rigid_pairs)),
         ]
         return np.repeat([tolerance for tolerance, _ in counted], [count for _, count in counted])
 
