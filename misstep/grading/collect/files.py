@@ -10,11 +10,10 @@ import stat
 import struct
 import zipfile
 import zlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path, PurePosixPath
-from typing import Protocol
 
 from misstep.grading.collect.notebook import MAX_NOTEBOOK_BYTES
 
@@ -39,22 +38,17 @@ class UnreadableFile(ValueError):
     """This file is not read. The message is for the student."""
 
 
-class ReadBytes(Protocol):
-    """Returns the bytes of a file, or raises UnreadableFile."""
-
-    def __call__(self) -> bytes: ...
-
-
 @dataclass(frozen=True)
 class File:
-    """A file: its path below the folder or in the archive, when it was modified (any scale), and how to read it.
+    """A file: its path below the folder or in the archive, and when it was modified (any scale).
 
+    read    returns its bytes, or raises UnreadableFile
     exists  False for the placeholder of an empty folder: its student is known, but submitted nothing
     """
 
     path: PurePosixPath
     modified: float
-    read: ReadBytes
+    read: Callable[[], bytes]
     exists: bool = True
 
     @property

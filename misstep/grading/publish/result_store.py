@@ -13,9 +13,6 @@ from urllib.parse import quote
 
 from misstep.grading.judging.result import Result
 
-FORMAT_VERSION = 5
-"""The version of the format of the files."""
-
 MAX_NAME_LENGTH = 100
 """The longest file name without its ending; file systems allow 255 bytes."""
 
@@ -57,15 +54,15 @@ class ResultStore:
 
     def save(self, result: Result, fingerprint: str) -> None:
         """Store a result. After this call it is not lost, however the program ends."""
-        record = {"version": FORMAT_VERSION, "fingerprint": fingerprint, "result": result.to_dict()}
+        record = {"fingerprint": fingerprint, "result": result.to_dict()}
         write_if_changed(self._path(result.student), json.dumps(record, ensure_ascii=False) + "\n")
 
     def load(self, student: str, fingerprint: str | None = None) -> Result | None:
         """The result of a student; None if there is none, or, if a fingerprint is given, if it has another one."""
         try:
             record = json.loads(self._path(student).read_text("utf-8"))
-            is_current = record["version"] == FORMAT_VERSION and fingerprint in {None, record["fingerprint"]}
-            return Result.from_dict(record["result"]) if is_current and record["result"]["student"] == student else None
+            is_current = fingerprint in {None, record["fingerprint"]} and record["result"]["student"] == student
+            return Result.from_dict(record["result"]) if is_current else None
         except (OSError, ValueError, KeyError, TypeError):
             return None  # an older version, or not one of these files: the submission is graded again
 
