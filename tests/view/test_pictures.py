@@ -7,6 +7,7 @@ from urdf_files import TWO_FINGERS
 
 import kinlib as kl
 from kinlib import view
+from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from kinlib.view.figures.axis_relations import draw_moving_normal
 from kinlib.view.figures.dh_table import draw_row, draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
@@ -29,6 +30,13 @@ TURNTABLE = kl.robots.arm([((0, 0, 1), (0, 0, 0))], kl.robots.pose(np.eye(3), (1
 HAND = kl.Tree.from_urdf(TWO_FINGERS)
 SHOW = ["axes", "home axes", "body axes", "base", "tool", "links"]
 Z, X = (0, 0, 1), (1, 0, 0)
+MACHINE = np.array([(0, 0, 0), (0, 0, 0.6), (0.5, 0, 0.6), (0.5, 0.3, 0.6), (0.5, 0.3, 0.2)])
+MACHINE_AXES = [
+    DrawnAxis("1", np.array(Z), MACHINE[0]),
+    DrawnAxis("2", np.array((0, 1, 0)), MACHINE[2]),
+    DrawnAxis("3", np.array((0, 0, -1)), MACHINE[3], slides=True),
+]
+MACHINE_MARKS = {"A": MACHINE[2], "B": MACHINE[3], "T": MACHINE[4]}
 
 
 def lettered(chain):
@@ -64,6 +72,7 @@ PICTURES = {
     "platform": lambda: view.draw_linkage(kl.linkages.three_rrr(), np.zeros(9), names=False),
     "hexapod": lambda: view.draw_linkage(kl.linkages.stewart_gough(), np.zeros(36)),
     "gripper": lambda: draw_tree(HAND, [0.1, 0.02]),
+    "machine": lambda: draw_dimensions(MACHINE, MACHINE_AXES, MACHINE_MARKS, arrows={"x1": ((0.5, 0, 0.6), X)}),
 }
 SCENES = {
     "arm": lambda: view.explore(PUMA, start=np.full(6, 0.3), show=LAYERS),
@@ -106,6 +115,7 @@ PICTURES_LOOKED_AT = {
     "platform": (2296567341, 501.2),
     "hexapod": (958927615, 70.8),
     "gripper": (2020709182, 2858.0),
+    "machine": (2274938911, 3511.4),
 }
 SCENES_LOOKED_AT = {
     "arm": (386037431, 760.90747),
