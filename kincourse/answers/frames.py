@@ -10,7 +10,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention
-from kinlib.rigid.lie import inverse
+from kinlib.rigid.lie import homogeneous, inverse
 from misstep.answers.base import TOLERANCE, Unreadable
 from misstep.answers.entries import wrong_slips
 from misstep.answers.likeness import Named
@@ -90,8 +90,7 @@ class DHFramesAnswer(Numbers):
     def slips(self) -> Iterator[Mistake]:
         """Yield our frames with a mistake that breaks the rules: other frames differ in the directions that are free."""
         T = np.asarray(self.value, dtype=float)
-        transposed = T.copy()
-        transposed[:, :3, :3] = T[:, :3, :3].swapaxes(1, 2)
+        transposed = homogeneous(T[:, :3, :3].swapaxes(1, 2), T[:, :3, 3])
         relative = np.concatenate([T[:1], inverse(T[:-1]) @ T[1:]])
         each = "These are the numbers of this frame"
         return wrong_slips(

@@ -461,8 +461,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     printed[row - 1, column - 1] = (
         (right + 0.15) if column in (1, 3) else (right + np.radians(sampler.choice([15, 20])))
     )
-    links = DHTable(rows, convention="modified").link_transforms(np.zeros(3))
-    poses = np.array([reduce(np.matmul, links[: k + 1]) for k in range(3)])
+    poses = table_frames(DHTable(rows, convention="modified"))[1:]
     other, misprint = {1: 3, 2: 4, 3: 1, 4: 2}[column], printed[row - 1, column - 1]
     R, p = poses[row - 1][:3, :3], poses[row - 1][:3, 3]
     in_frame_0 = {1: p[0], 2: np.arctan2(-R[1, 2], R[2, 2]), 3: p[2], 4: np.arctan2(-R[0, 1], R[0, 0])}[column]

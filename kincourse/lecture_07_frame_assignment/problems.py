@@ -20,6 +20,7 @@ from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import equivalent
 from kinlib.dh.formatting import format_rows, markdown_table
 from kinlib.dh.table import DHTable
+from kinlib.rigid.lie import homogeneous
 from kinlib.view import draw_joints
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from kinlib.view.drawing.picture import Picture
@@ -101,12 +102,12 @@ def frames_by_the_rules(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "left-handed",
-                found * _columns(1, -1, 1),
+                found * (1, -1, 1, 1),
                 "Your frames are left-handed. A frame is right-handed if $y = z \\times x$: negate every $y$.",
             ),
             mistake(
                 "axes in rows",
-                _transposed(found),
+                homogeneous(found[:, :3, :3].swapaxes(1, 2), found[:, :3, 3]),
                 "You wrote the axes of each frame into the rows of its rotation matrix. They are its columns.",
             ),
             mistake(
@@ -122,18 +123,6 @@ def frames_by_the_rules(sampler: ArmSampler) -> Problem:
             ),
         ],
     )
-
-
-def _columns(x: float, y: float, z: float) -> Array:
-    """Factors for the axes x, y, z of a pose, as a row (1, 4) that multiplies its columns."""
-    factors: Array = np.array([[x, y, z, 1.0]])
-    return factors
-
-
-def _transposed(frames: Array) -> Array:
-    transposed = frames.copy()
-    transposed[:, :3, :3] = np.swapaxes(frames[:, :3, :3], 1, 2)
-    return transposed
 
 
 def _at_the_joints(frames: Array, robot: Chain) -> Array:

@@ -25,7 +25,7 @@ from kincourse.sampling.drawn_machines import is_in_several_rows, misread, table
 from kincourse.text.joint_table import MARKS_BY_ROW
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import adjoint, inverse
+from kinlib.rigid.lie import adjoint, homogeneous, inverse
 from misstep.answers.choice import Choice
 from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers
@@ -71,15 +71,12 @@ class OriginsAnswer(Numbers):
 
 def misread_origins(T: Array) -> Iterator[tuple[str, Array, str]]:
     """Yield how people get the origins (k, 4, 4) of a drawn file wrong: the name, the wrong poses, and what is true of them."""
-    transposed, straight = T.copy(), T.copy()
-    transposed[:, :3, :3] = T[:, :3, :3].swapaxes(1, 2)
-    straight[:, :3, :3] = np.eye(3)
-    in_base = np.array(list(accumulate(T, np.matmul)))
+    R, p, in_base = T[:, :3, :3], T[:, :3, 3], np.array(list(accumulate(T, np.matmul)))
+    transposed, straight = homogeneous(R.swapaxes(1, 2), p), homogeneous(np.eye(3), p)
+    moved = homogeneous(R, np.diff(in_base[:, :3, 3], axis=0, prepend=0))
     yield "inverse", inverse(T), "Every pose is the inverse: the parent seen from the child."
     yield "R^T", transposed, "In every origin, the rotation is the transpose of the right one."
     yield "no rpy", straight, "Every xyz is right, and every rpy is left at 0."
-    moved = T.copy()
-    moved[1:, :3, 3] = np.diff(in_base[:, :3, 3], axis=0)
     yield "not rotated", moved, "Every xyz is in the axes of {s}. It is wanted in those of the frame of the parent."
     yield "in the base", in_base, "Every pose is in the frame of the base. An origin is in the frame of the parent."
 
