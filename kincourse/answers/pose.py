@@ -94,7 +94,9 @@ class PoseAnswer(Numbers):
         return "" if closed else "The last row of a pose is 0 0 0 1, whatever is above it."
 
     def kinds(self) -> NDArray[np.int_]:
-        return LENGTH * _position_mask()
+        kinds = np.full((4, 4), PURE)
+        kinds[:3, 3] = LENGTH
+        return kinds
 
     def part_indices(self) -> list[Any]:
         return [np.s_[:, :3], np.s_[:, 3]]
@@ -233,17 +235,11 @@ class OriginAnswer(Equivalent):
         return "another xyz", f"The rpy is right, but the xyz is not. {entries_hint(same, XYZ)}".rstrip()
 
 
-def _position_mask() -> NDArray[np.int_]:
-    mask = np.zeros((4, 4), dtype=int)
-    mask[:3, 3] = 1
-    return mask
-
-
 def _rotation_hint(R: Array, same: NDArray[np.bool_]) -> str:
     """Say which entry is wrong, if it is one or two; or that it is no rotation; "" otherwise."""
     if 0 < np.count_nonzero(~same) <= 2:
         return entries_hint(same)
-    return "" if _is_rotation(R) else NOT_A_ROTATION
+    return NOT_A_ROTATION if rotation_check(R) else ""
 
 
 def rotation_check(R: Array) -> str:
@@ -269,7 +265,7 @@ def rotation_check(R: Array) -> str:
 
 def _rotation_description(R: Array, right: Array) -> Named | None:
     """Say how a rotation differs from the right one as a motion: by a right angle, by its angle alone, by its axis alone."""
-    if not _is_rotation(R):
+    if rotation_check(R):
         return "not a rotation", NOT_A_ROTATION
     for turn, columns in ((right.T @ R, "columns"), (R @ right.T, "rows")):
         if np.allclose(np.abs(turn), np.abs(turn).round(), atol=ORTHONORMAL_TOLERANCE):
@@ -282,7 +278,3 @@ def _rotation_description(R: Array, right: Array) -> Named | None:
         if abs(sizes[0] - sizes[1]) < 5 * TOLERANCE:
             return "axis of the rotation", "Your rotation has the right angle; its axis is not right."
     return None
-
-
-def _is_rotation(R: Array) -> bool:
-    return not rotation_check(R)
