@@ -15,27 +15,15 @@ def chain_of(joints, home, name, limits=None):
     return replace(chain, name=name, limits=limits)
 
 
-def seven_joints():
-    """A robot like the KUKA iiwa: seven joints, neighbouring axes perpendicular, a spherical shoulder and a spherical wrist."""
-    heights = (0.15, 0.34, 0.54, 0.74, 0.94, 1.14, 1.14)
-    axes = (Z, Y, Z, -Y, Z, Y, Z)
-    joints = [(axis, (0, 0, height)) for axis, height in zip(axes, heights, strict=True)]
-    ends = np.radians([170, 120, 170, 120, 170, 120, 175])
-    return chain_of(joints, pose((X, Y, Z), (0, 0, 1.266)), "seven", np.stack([-ends, ends], axis=1))
-
-
-def scara():
-    joints = [(Z, (0, 0, 0.4)), (Z, (0.3, 0, 0.4)), (Z, (0.55, 0, 0.4)), (-Z, (0.55, 0, 0.4), SLIDE)]
-    limits = [[-2.5, 2.5], [-2.6, 2.6], [-np.inf, np.inf], [0, 0.2]]
-    return chain_of(joints, pose((X, -Y, -Z), (0.55, 0, 0.35)), "SCARA", limits)
-
+ENDS_OF_SEVEN = np.radians([170, 120, 170, 120, 170, 120, 175])
+ENDS_OF_SCARA = [[-2.5, 2.5], [-2.6, 2.6], [0, 0.2], [-np.inf, np.inf]]
 
 ODD_ROBOTS = {
     "PUMA": kl.robots.puma560(),
     "youBot": kl.robots.youbot(),
-    "seven": seven_joints(),
+    "seven": replace(kl.robots.panda(), limits=np.stack([-ENDS_OF_SEVEN, ENDS_OF_SEVEN], axis=1)),
     "ten": random_arm(np.random.default_rng(10), 10)[0],
-    "SCARA": scara(),
+    "SCARA": replace(kl.robots.scara(), limits=ENDS_OF_SCARA),
     "one turn": chain_of([(Z, (0, 0, 0))], np.eye(4), "wheel"),
     "one turn, far": chain_of([(X, (0.2, 0.1, 0.4))], pose((Y, Z, X), (0.5, 0, 0.4)), "gate"),
     "one slide": chain_of([(Z, (0, 0, 0), SLIDE)], np.eye(4), "lift", [[0, 0.04]]),
