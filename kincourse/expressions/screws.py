@@ -326,18 +326,24 @@ def _change_of_frame_changes(node: Expression) -> Changes:
         if len(S.value) > 1:
             yield Change("rows reversed", "list the screws from the last joint to the first"), node[::-1]
     yield Change("adjoint not transposed", text, advice=advice), _by_transposed_adjoint(T, S)
+    yield from _by_other_blocks(T, S, _OTHER_MATRICES)
     yield Change("frame not changed", f"use ${S.latex}$ as it is given"), S
     yield Change("halves swapped", "swap the halves of the result", advice=ORDER_ADVICE), _swap_halves(node)
     text = f"multiply {Ad} entry by entry (`*` instead of `@`)"
     yield Change("entry by entry", text), _entry_by_entry(T, S)
-    for name, text, blocks in _WRONG_BLOCKS:
-        is_about_brackets = name == "p without brackets"
-        advice = ADJOINT_ADVICE if is_about_brackets or "{Ad}" in text else ""
-        change = Change(name, text.replace("{Ad}", Ad), advice=advice, alone=is_about_brackets)
-        yield change, Operation(name, partial(_by, blocks), "{1}".format)(T, S)
+    yield from _by_other_blocks(T, S, _WRONG_ADJOINTS)
     for text, pose in _WRONG_POSES.items() if T.operation is not inverse else ():
         instead = Operation("another pose", pose, "{0}".format)(T)
         yield Change("position of the inverse", f"{text} ${T.latex}$", alone=True), change_frame(instead, S)
+
+
+def _by_other_blocks(T: Expression, S: Expression, table: Sequence[tuple[str, str, "Blocks"]]) -> Changes:
+    for name, text, blocks in table:
+        is_about_brackets = name == "p without brackets"
+        advice = ADJOINT_ADVICE if is_about_brackets or "{Ad}" in text else ""
+        said = text.replace("{Ad}", f"$\\mathrm{{Ad}}_{{{T.latex}}}$")
+        change = Change(name, said, advice=advice, alone=is_about_brackets)
+        yield change, Operation(name, partial(_by, blocks), "{1}".format)(T, S)
 
 
 def revolute(omega: Expression, p: Expression) -> Expression:
@@ -382,7 +388,7 @@ def _adjoint(R: Array, P: Array) -> tuple[Any, Any, Any, Any]:
     return R, 0, P @ R, R
 
 
-_WRONG_BLOCKS: tuple[tuple[str, str, Blocks], ...] = (
+_OTHER_MATRICES: Sequence[tuple[str, str, Blocks]] = (
     ("only rotated", "rotate both halves without the change of origin", lambda R, _: (R, 0, 0, R)),
     (
         "only rotated",
@@ -401,6 +407,8 @@ _WRONG_BLOCKS: tuple[tuple[str, str, Blocks], ...] = (
     ),
     ("only omega rotated", "rotate $\\omega$ only, with $v$ unchanged", lambda R, _: (R, 0, 0, np.eye(3))),
     ("no moment", "rotate $\\omega$, with $v$ left at zero", lambda R, _: (R, 0, 0, 0)),
+)
+_WRONG_ADJOINTS: Sequence[tuple[str, str, Blocks]] = (
     (
         "block on the wrong side",
         "put the block $[p]R$ of {Ad} in the upper right corner",
