@@ -233,7 +233,7 @@ def _corrections_of_a_pair_of_rows(table: DHTable) -> Iterator[Correction]:
         swapped[[one, two]] = rows[[two, one]]
         letters = {one: joints[two], two: joints[one]} if joints[one] != joints[two] else {}
         fault = Fault("rows swapped", f"Rows {one + 1} and {two + 1} are swapped.", one + 1)
-        yield _replaced(fault, rows, swapped, letters=letters)
+        yield replace(_replaced(fault, rows, swapped), letters=letters)
         for column, name in enumerate(COLUMNS) if two == one + 1 else ():
             here, there = rows[one, column], rows[two, column]
             text = f"Rows {one + 1} and {two + 1}: the entries of {name} are swapped."
@@ -309,13 +309,7 @@ def _correction_of_a_row(row: int, name: str, text: str, column: int, entries: M
     return Correction(fault, {(row, k): float(value) for k, value in entries.items()})
 
 
-def _replaced(
-    fault: Fault,
-    rows: Array,
-    right: Array,
-    columns: Iterable[int] = range(4),
-    letters: Mapping[int, str] | None = None,
-) -> Correction:
+def _replaced(fault: Fault, rows: Array, right: Array, columns: Iterable[int] = range(4)) -> Correction:
     """Construct the correction that replaces some columns of a table where they differ."""
     entries = {
         (row, column): float(right[row, column])
@@ -323,7 +317,7 @@ def _replaced(
         for row in range(len(rows))
         if rows[row, column] != right[row, column]
     }
-    return Correction(fault, entries, letters=letters or {})
+    return Correction(fault, entries)
 
 
 def _scaled(fault: Fault, rows: Array, columns: Sequence[int], factor: float) -> Correction:
