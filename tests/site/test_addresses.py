@@ -7,7 +7,8 @@ import tomllib
 import pytest
 from browser import watched
 from built_site import SITE
-from kinsite import demonstration
+from kinsite import demonstration, embeds
+from kinsite.html_tree import read_html
 
 from kincourse import find_question, open_sheet
 
@@ -134,6 +135,17 @@ def test_every_page_for_a_frame_is_complete_and_leads_back_to_its_section(site_f
         files = re.findall(r'(?:src|href)="((?:\.\./)*_[^"#?]+)', text)
         faults += [f"{path.name}: {name} is missing" for name in files if not (base.parent / name).exists()]
     assert not faults, faults[:5]
+
+
+def test_what_is_removed_from_a_page_is_removed_from_its_frames(tmp_path):
+    question, figure = '<div data-misstep-question="05/a"><p>Why?</p></div>', "<div data-kinlib-viewer></div>"
+    taken = set()
+    htmls = [read_html(html) for html in (question, figure, figure)]
+    outputs = [(html, embeds.add_address(html, "row", "lectures/05", taken)) for html in htmls]
+    assert [anchor for _, anchor in outputs] == ["question-05-a", "figure-row", "figure-row-2"]
+    embeds.write_pages(tmp_path, "lectures/05", "Title", outputs)
+    embeds.write_pages(tmp_path, "lectures/05", "Title", outputs[:2])
+    assert {path.stem for path in tmp_path.rglob("*.html")} == {"question-05-a", "figure-row"}
 
 
 def test_the_guide_offers_the_script_that_fits_a_frame():
