@@ -15,7 +15,8 @@ from itertools import combinations, islice
 from operator import attrgetter
 from typing import Any, TypeVar
 
-from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import Answer, Unreadable
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
 from misstep.mutants.mutants import MutableSolution, Mutation, mutant, value_of

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, is_plausible_angle
-from misstep.answers.base import TOLERANCE
+from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.entries import Slip
 from misstep.answers.likeness import Likeness, Named
 from misstep.answers.number import LENGTH, PURE, Numbers

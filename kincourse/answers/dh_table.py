@@ -25,7 +25,8 @@ from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import CHOICES, equivalent
 from kinlib.dh.mistakes import Fault
 from kinlib.dh.table import DHTable
-from misstep.answers.base import TOLERANCE, Answer, StoredObjects, Unreadable
+from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import Answer, StoredObjects, Unreadable
 from misstep.diagnosis.explanation import MAX_ALTERNATIVES
 from misstep.mistakes import Mistake
 from misstep.sentences import UNTOUCHED

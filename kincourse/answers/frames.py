@@ -11,7 +11,8 @@ from kinlib.chains.chain import Chain
 from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention
 from kinlib.rigid.lie import homogeneous, inverse
-from misstep.answers.base import TOLERANCE, Unreadable
+from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import Unreadable
 from misstep.answers.entries import wrong_slips
 from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from misstep.answers.base import TOLERANCE
+from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.entries import Slip, entries_hint, is_nearly_all, scale_of
 from misstep.answers.likeness import Likeness, Named
 from misstep.answers.number import Numbers

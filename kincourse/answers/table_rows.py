@@ -1,6 +1,7 @@
 """Which rows of a wrong DH table can stay as they are, although the table of an arm is not unique.
 
-Rows as an answer, number by number, are in `dh_row`; what share of the points right parts earn is in `misstep.judge`.
+Which rows count as right is decided in `dh_table`; rows as an answer, number by number, are in `dh_row`; what share of the points
+right parts earn is in `misstep.judge`.
 """
 
 from collections.abc import Iterator
@@ -13,7 +14,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import inverse
-from misstep.answers.base import TOLERANCE
+from misstep.answers.accuracy import TOLERANCE
 
 POSE_TOLERANCE_FACTOR = 3
 """How many times the tolerance of one entry a pose may be off: the rounding errors of the rows add up along the arm."""

@@ -31,7 +31,7 @@ from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
 from kinlib.dh.table import Convention, DHTable, dh_transform
 from kinlib.rigid.lie import exp
 from kinlib.view import draw_arm, draw_frames, draw_joints
-from misstep.answers.base import TOLERANCE
+from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.choice import Choice
 from misstep.answers.entries import Slip
 from misstep.answers.equivalent import Equivalent

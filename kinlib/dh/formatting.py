@@ -1,4 +1,7 @@
-"""Write DH tables as text: headings, and rows with the joint variables in the entries that vary."""
+"""Write DH tables as text: headings, and rows with the joint variables in the entries that vary.
+
+`headings.json` holds the headings of every table that shows its convention; one to be filled in has the names of `COLUMNS`.
+"""
 
 from collections.abc import Callable, Sequence
 from functools import cache

@@ -1,10 +1,13 @@
-"""How far a number in an answer may be off: exact, absolute, relative, decimals or digits."""
+"""How far a number in an answer may be off: by a thousandth, or exact, absolute, relative, decimals or digits."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+TOLERANCE = 1e-3
+"""The accepted error of a number, relative to its size if that is above 1: three printed decimals are enough."""
 
 
 @dataclass(frozen=True)

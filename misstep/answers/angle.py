@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from misstep.answers.base import TOLERANCE
+from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.entries import Slip
 from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers

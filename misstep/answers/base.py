@@ -25,13 +25,11 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import Any, ClassVar
 
+from misstep.answers.accuracy import TOLERANCE
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
 from misstep.sentences import FOUR_DIGITS
 from misstep.storage.deserialize import register_object
-
-TOLERANCE = 1e-3
-"""The accepted error of a number, relative to its size if that is above 1: three printed decimals are enough."""
 
 MAX_NUMBER = 1e12
 """The largest number that an answer may have. A larger one is the result of an error, and its square might overflow."""

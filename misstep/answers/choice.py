@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from misstep import validation
-from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import Answer, Unreadable
 
 MAX_LENGTH = 100
 """A text of so many characters is not the name of an option."""

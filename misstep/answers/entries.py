@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from misstep.answers.base import TOLERANCE, Answer
+from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import Answer
 from misstep.mistakes import Mistake
 from misstep.validation import Array
 

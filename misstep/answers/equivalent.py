@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from misstep.answers.base import TOLERANCE
+from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.entries import scale_of
 from misstep.answers.likeness import FACTORS, Named
 from misstep.answers.number import Numbers

@@ -12,7 +12,8 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from misstep.answers.base import TOLERANCE, Quantifier, Unreadable
+from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import Quantifier, Unreadable
 from misstep.answers.entries import Entries, entries_hint, place_of, scale_of
 from misstep.answers.likeness import Likeness, Named, copied_row
 from misstep.display.text import number

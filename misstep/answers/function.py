@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from misstep import validation
-from misstep.answers.base import TOLERANCE, Answer, Quantifier, Unreadable
+from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import Answer, Quantifier, Unreadable
 from misstep.answers.entries import wrong_slips
 from misstep.answers.likeness import Likeness, Named
 from misstep.answers.number import Numbers

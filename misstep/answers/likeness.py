@@ -13,10 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep import sentences
+from misstep.answers.accuracy import TOLERANCE
 from misstep.validation import Array
-
-RELATIVE = 1e-3
-"""The accepted error of a number relative to its size, so that nothing is said of a number that is hidden in the tolerance."""
 
 MAX_PLACES = 3
 """How many wrong entries are named one by one."""
@@ -59,7 +57,7 @@ class Likeness:
     place: Callable[[Sequence[int]], str] = lambda index: f"entry {', '.join(str(i + 1) for i in index)}"
     reordered: str = "These are the right numbers, but not in the right order."
     columns: Sequence[str] = ()
-    tolerance: float = RELATIVE
+    tolerance: float = TOLERANCE
     is_formula: bool = False
 
     def at_sight(self) -> Named | None:
@@ -298,9 +296,9 @@ def slip_of_typing(mine: float, right: float) -> str:
     one, other = (f"{abs(x):.{decimals}f}" for x in (mine, right))
     if mine * right == 0 or abs(right) < 1e-3:
         return ""
-    if mine * right < 0 and (one == other or abs(mine + right) <= RELATIVE * abs(right)):
+    if mine * right < 0 and (one == other or abs(mine + right) <= TOLERANCE * abs(right)):
         return "sign"
-    if any(abs(mine - factor * right) <= RELATIVE * abs(factor * right) for factor in (10.0, 0.1, 100.0, 0.01)):
+    if any(abs(mine - factor * right) <= TOLERANCE * abs(factor * right) for factor in (10.0, 0.1, 100.0, 0.01)):
         return "decimal point"
     if mine * right < 0 or len(one) != len(other) or len(one.strip("0.").replace(".", "")) < MIN_DIGITS:
         return ""

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep import validation
-from misstep.answers.accuracy import Accuracy, exact
-from misstep.answers.base import MAX_NUMBER, TOLERANCE, Unreadable
+from misstep.answers.accuracy import TOLERANCE, Accuracy, exact
+from misstep.answers.base import MAX_NUMBER, Unreadable
 from misstep.answers.entries import (
     ROUND_OFF,
     Entries,

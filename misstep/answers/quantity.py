@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from misstep import validation
-from misstep.answers.accuracy import Accuracy
-from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.answers.accuracy import TOLERANCE, Accuracy
+from misstep.answers.base import Answer, Unreadable
 from misstep.answers.number import Numbers
 from misstep.formulas.numerals import numeral
 from misstep.mistakes import Mistake

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from misstep import validation
-from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import Answer, Unreadable
 
 MAX_LENGTH = 300
 """The most characters of a word or a short phrase."""

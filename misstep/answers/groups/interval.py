@@ -10,8 +10,8 @@ from math import inf
 from typing import Any
 
 from misstep import validation
-from misstep.answers.accuracy import Accuracy, exact
-from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.answers.accuracy import TOLERANCE, Accuracy, exact
+from misstep.answers.base import Answer, Unreadable
 from misstep.formulas.numerals import numeral, on_one_line
 
 MAX_LENGTH = 300

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from misstep import validation
-from misstep.answers.accuracy import Accuracy
-from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.answers.accuracy import TOLERANCE, Accuracy
+from misstep.answers.base import Answer, Unreadable
 from misstep.answers.entries import scale_of
 from misstep.answers.number import Numbers
 from misstep.answers.text import Text

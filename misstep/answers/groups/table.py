@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from misstep import validation
-from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import Answer, Unreadable
 from misstep.answers.text import forgiving
 from misstep.mistakes import Mistake
 

@@ -16,7 +16,7 @@ from kinlib import linkages, robots
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment, assign_frames
-from kinlib.dh.formatting import format_rows, markdown_table
+from kinlib.dh.formatting import format_rows, headings, in_latex, markdown_table
 from kinlib.dh.table import Convention
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.view import drive, explore
@@ -235,8 +235,8 @@ def screw_text(S: ArrayLike) -> str:
 def dh_table(assignment: FrameAssignment) -> str:
     """Write the table of a frame assignment, with its base and its tool."""
     table = assignment.table
-    link = "i-1" if table.convention == "modified" else "i"
-    names = (f"length $a_{{{link}}}$", f"twist $\\alpha_{{{link}}}$", "offset $d_i$", "angle $\\theta_i$")
+    words = zip(["length", "twist", "offset", "angle"], headings(table.convention)[1:], strict=True)
+    names = [f"{word} ${in_latex(heading)}$" for word, heading in words]
     rows = format_rows(table, length=number, angle=angle, variable="q_{{{}}}".format)
     printed = markdown_table([[f"${cell}$" for cell in row] for row in rows], ["row", *names])
     ends = f"The base and the tool are\n\n$${matrix(table.base)} \\qquad \\text{{and}} \\qquad {matrix(table.tool)}.$$"
