@@ -17,7 +17,7 @@ SCRIPT = """
     reveal_type(table.rows)
     reveal_type(arm.screws)
     reveal_type(arm.fk([0.3]))
-    reveal_type(table.to_chain().jacobian([0.3]))
+    reveal_type(table.jacobian([0.3]))
     reveal_type(arm.within_limits([0.3]))
     reveal_type(kl.assign_frames(arm, convention=convention).frames)
     reveal_type(kl.nearest_rotation(np.eye(3)))

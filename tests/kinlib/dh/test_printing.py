@@ -92,3 +92,14 @@ def test_latex_names_the_variables_and_the_convention():
     assert r"\omega_i & v_i" in kl.robots.rpr()._repr_latex_()
     ring = kl.linkages.ten_links()._repr_latex_()
     assert r"\text{theta\_1} & \text{ground - link 1.1} & (0, 0, 1) & (0, 0, 0) \\" in ring
+
+
+@pytest.mark.oracle("modern_robotics", DHTable.jacobian)
+@pytest.mark.parametrize("convention", CONVENTIONS)
+def test_the_jacobian_of_a_table_is_that_of_its_arm(convention):
+    import modern_robotics as mr
+
+    robot = kl.robots.youbot()
+    table = kl.assign_frames(robot, convention=convention).table
+    q = np.array([0.3, -0.5, 0.7, 0.2, -0.9])
+    np.testing.assert_allclose(table.jacobian(q), mr.JacobianSpace(robot.screws.T, q), atol=1e-12)
