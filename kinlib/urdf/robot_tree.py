@@ -412,6 +412,12 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         """Find the joints from one link to another: up to their nearest common ancestor, and down from it.
 
         Raises ValueError for a name that is no link.
+
+        >>> text = '''<robot name="rig"> <link name="table"/> <link name="post"/> <link name="camera"/>
+        ...     <joint name="at_rear" type="fixed"> <parent link="table"/> <child link="post"/> </joint>
+        ...     <joint name="on_top" type="fixed"> <parent link="post"/> <child link="camera"/> </joint> </robot>'''
+        >>> [(step.joint.name, step.sign) for step in Tree.from_urdf(text).path("camera", "table")]
+        [('on_top', -1), ('at_rear', -1)]
         """
         up, down = (self._ancestors(self._checked(link, name)) for link, name in ((base, "base"), (tip, "tip")))
         shared = {joint.name for joint in up} & {joint.name for joint in down}
