@@ -41,6 +41,8 @@ class Picture:
     ValueError: path must end in .svg, .html, .png or .pdf; got 'nothing.jpg'.
     >>> nothing.html()
     '<figure class="kinlib-figure" ...><style>...</style><img alt="A drawing with nothing in it." ...></figure>'
+    >>> sorted(nothing.contents())
+    ['html', 'pdf', 'png', 'svg']
     """
 
     svg: str

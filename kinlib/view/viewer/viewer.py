@@ -37,7 +37,15 @@ class Values(traitlets.List[float]):
 
 
 class PageWidget(anywidget.AnyWidget):
-    """The base of viewers and films: the script of the page, and what is shown where no widgets are."""
+    """The base of viewers and films: the script of the page, and what is shown where no widgets are.
+
+    >>> class Sentence(PageWidget):
+    ...     alt = "Nothing moves."
+    ...     def html(self):
+    ...         return f"<p>{self.alt}</p>"
+    >>> Sentence().html()
+    '<p>Nothing moves.</p>'
+    """
 
     # The bundle defines one global object, so that a page without modules can run it too; a widget needs a default export.
     _esm = (STATIC / "viewer.js").read_text("utf-8") + "\nexport default kinlib.widget;"
