@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Quantifier, Unreadable
-from misstep.answers.entries import Entries, entries_hint, place_of, scale_of
+from misstep.answers.entries import Entries, Slip, entries_hint, place_of, scale_of, wrong_slips
 from misstep.answers.likeness import Likeness, Named, copied_row
 from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
+from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
 from misstep.validation import Array
 
@@ -164,6 +165,19 @@ class ClosedForm(Entries):
         for piece in self.part_indices():
             scales[piece] = scale_of(values[piece])
         return scales
+
+    def slips(self) -> Iterator[Mistake]:
+        """Yield what the likeness of one part cannot show: the right formulas with every sign wrong, and transposed."""
+        whole = self._whole_slips() if len(self.parts) > 1 else []
+        return wrong_slips(self, whole, lambda formula: formula.values, self.part_indices())
+
+    def _whole_slips(self) -> Iterator[Slip]:
+        right, values = self._right, self._right.values
+        signs = "The sizes are right, but every sign is wrong."
+        yield ("all signs", replace(right, values=-values), signs, signs)
+        if len(self._shape) == 2 and self._shape[0] == self._shape[1]:
+            turned = replace(right, values=values.swapaxes(0, 1))
+            yield ("transposed", turned, "This is the transpose of the right one.", "")
 
     @cached_property
     def _declared(self) -> list[sp.Symbol]:

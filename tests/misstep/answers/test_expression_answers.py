@@ -333,4 +333,9 @@ def test_what_is_seen_in_a_wrong_formula_is_described():
         "Rows 1 and 2 are swapped.",
     )
     assert rows.arrangement(rows.read("[[cos(theta), 2], [theta, 1]]")) == reversed_rows
+    for typed, name in [
+        ("[[-theta, -1], [-cos(theta), -2]]", "all signs"),
+        ("[[theta, cos(theta)], [1, 2]]", "transposed"),
+    ]:
+        assert [slip.name for slip in rows.slips() if all(rows.agrees(rows.read(typed), slip.value))] == [name]
     assert vector.arrangement(vector.read("[cos(theta), theta, 1]")) is None
