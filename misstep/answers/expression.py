@@ -173,7 +173,7 @@ class ClosedForm(Entries):
 
     def _whole_slips(self) -> Iterator[Slip]:
         right, values = self._right, self._right.values
-        signs = "The sizes are right, but every sign is wrong."
+        signs = "The formulas are right, but every sign is wrong."
         yield ("all signs", replace(right, values=-values), signs, signs)
         if len(self._shape) == 2 and self._shape[0] == self._shape[1]:
             turned = replace(right, values=values.swapaxes(0, 1))

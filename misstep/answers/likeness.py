@@ -166,15 +166,16 @@ class Likeness:
             return None
         if is_one:
             return "all signs", "Your formula has the wrong sign."
+        kind = "formulas are" if self.is_formula else "sizes are"
         count, seen = np.count_nonzero(wrong), np.count_nonzero(self._is_seen(right).any(axis=-1))
         if count == seen:
-            return "all signs", "The sizes are right, but every sign is wrong."
+            return "all signs", f"The {kind} right, but every sign is wrong."
         if not self.is_formula and (mine >= 0).all():
             return "signs", "The sizes are right, but no minus sign is left."
         if count > MAX_PLACES:
-            return "signs", f"The sizes are right, but {count} signs are wrong."
+            return "signs", f"The {kind} right, but {count} signs are wrong."
         places = " and ".join(self.place(index) for index in np.argwhere(wrong).tolist())
-        return "signs", f"The sizes are right, but not {'the sign' if count == 1 else 'the signs'} of {places}."
+        return "signs", f"The {kind} right, but not {'the sign' if count == 1 else 'the signs'} of {places}."
 
     def factor(self) -> Named | None:
         """Return whether these are the right numbers, multiplied by a factor."""

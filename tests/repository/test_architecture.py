@@ -144,7 +144,7 @@ def dependencies():
 
 
 def test_the_guide_gives_the_reason_for_each_dependency():
-    lines = (ROOT / "guides" / "dependencies.md").read_text("utf-8").partition("\n## Versions")[0]
+    lines = (ROOT / "guides" / "dependencies.md").read_text("utf-8").partition("\n## The versions of packages")[0]
     assert set(re.findall(r"^- `([\w.-]+)`: \w.{9}", lines, re.MULTILINE)) == dependencies()
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE, RunPlan
 from misstep.grading.judging.result import RanCell
-from misstep.grading.sandbox.limits import MAX_ANSWER_CHARACTERS, SHOWN_KINDS
+from misstep.grading.sandbox.limits import MAX_ANSWER_CHARACTERS, SHOWN_KINDS, TOO_LARGE
 from misstep.storage.deserialize import MIME
 
 MAX_ANSWER_DEPTH = 50
@@ -88,7 +88,8 @@ def _remarks_on_cells(cells: Sequence[RanCell]) -> list[str]:
         failed = again[0]
     if failed:
         which = "with" if len(failed) == 1 else "the first of them with"
-        notes.append(f"{_count_cells(len(failed))} failed, {which} {failed[0].rstrip('.')}.")
+        end = "" if failed[0].endswith("?") else "."
+        notes.append(f"{_count_cells(len(failed))} failed, {which} {failed[0].rstrip('.')}{end}")
     if passed := list(dict.fromkeys(what for cell in cells for what in _passed_over(cell))):
         more = f"; and {len(passed) - MAX_PASSED_OVER} more" if len(passed) > MAX_PASSED_OVER else ""
         notes.append(f"{PASSED_OVER}{'; '.join(passed[:MAX_PASSED_OVER])}{more}.")
@@ -106,9 +107,8 @@ def _passed_over(cell: RanCell) -> list[str]:
 
 
 def _errors(cell: RanCell) -> list[str]:
-    return [
-        f"{output['ename']}: {output['evalue']}"[:300] for output in cell.outputs if output["output_type"] == "error"
-    ]
+    errors = [(output["ename"], output["evalue"]) for output in cell.outputs if output["output_type"] == "error"]
+    return [f"{name}: {text or (TOO_LARGE if name == 'MemoryError' else '')}"[:300] for name, text in errors]
 
 
 def _parse_line(line: bytes, number: int) -> list[dict[str, Any]] | None:

@@ -35,6 +35,12 @@ MAX_CELL_BYTES = 1_000_000
 MAX_BYTES = 4_000_000
 """How many bytes of the output of all cells are kept, as JSON."""
 
+TOO_SLOW = "This cell took too long and was interrupted. Does it contain an endless loop?"
+"""What a page says of a cell that exceeds its time."""
+
+TOO_LARGE = "This cell needed more memory than a submission may use. Does a list grow without end?"
+"""What a page says of a cell that exceeds the memory, if Python itself says nothing."""
+
 
 @dataclass(frozen=True)
 class Limits:

@@ -28,7 +28,7 @@ from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE
 from misstep.grading.redacted_sheet import AnswerWithheld
 from misstep.grading.sandbox.course_stub import Unavailable, Withheld
 from misstep.grading.sandbox.kept_output import OutputBudget, ShownDisplays, TruncatedStream
-from misstep.grading.sandbox.limits import Limits
+from misstep.grading.sandbox.limits import TOO_SLOW, Limits
 from misstep.sheet import OpenSheet
 from misstep.storage.deserialize import MIME
 
@@ -262,7 +262,7 @@ def write_all(descriptor: int, data: bytes) -> None:
 
 
 def _interrupt(*_: Any) -> None:
-    raise CellTimeout("This cell took too long and was interrupted. Does it contain an endless loop?")
+    raise CellTimeout(TOO_SLOW)
 
 
 def _keep_figures_inline() -> None:

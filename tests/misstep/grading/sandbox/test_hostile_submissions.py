@@ -204,6 +204,11 @@ STRANGE = {
     "a loop without end": (lambda: spoiled(1, "while True: pass"), 28, "CellTimeout: This cell took too long"),
     "recursion without end": (lambda: spoiled(1, "f = lambda: f()\nf()"), 28, "RecursionError"),
     "20 GB": (lambda: spoiled(1, "np.ones(20 * 2**27)"), 28, "MemoryError"),
+    "a list without end": (
+        lambda: spoiled(1, "a = [0]\nwhile True:\n    a *= 2"),
+        28,
+        "more memory than a submission may use",
+    ),
     "much printed": (lambda: full(first="for _ in range(20): print('x' * 1_000_000)"), 28, ""),
     "os._exit after four problems": (
         lambda: spoiled(5, "import os\nos._exit(0)"),
