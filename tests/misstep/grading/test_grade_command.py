@@ -442,16 +442,18 @@ def with_points(result, points):
     return replace(result, points=points, problems=[replace(one, points=points) for one in result.problems])
 
 
-def test_a_change_in_the_sheet_of_another_lecture_grades_nothing_again(tmp_path, monkeypatch):
+def test_only_a_change_in_what_a_sheet_imports_grades_again(tmp_path, monkeypatch):
     from misstep.catalog import Course
-    from misstep.grading import fingerprint
+    from misstep.grading import code_digest
 
     course = tmp_path / "circuits"
     text = {
+        "__init__": "",
         "laws": "",
+        "imported_by_none": "",
         "lecture_01_ohm": "",
-        "lecture_02_loops": "",
-        "lecture_03_power": "from . import lecture_01_ohm\n",
+        "lecture_02_loops": "from circuits import laws\n",
+        "lecture_03_power": "from circuits.lecture_01_ohm import problems\n",
     }
 
     def digests():
@@ -459,22 +461,23 @@ def test_a_change_in_the_sheet_of_another_lecture_grades_nothing_again(tmp_path,
             path = course / name / "problems.py" if name.startswith("lecture") else course / f"{name}.py"
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(source)
-        fingerprint.code_digest.cache_clear()
-        return [fingerprint.code_digest("circuits", sheet) for sheet in ("01_ohm", "02_loops", "03_power")]
+        code_digest.code_digest.cache_clear()
+        return [code_digest.code_digest("circuits", sheet) for sheet in ("01_ohm", "02_loops", "03_power")]
 
     monkeypatch.setattr(Course, "folder", course)
-    monkeypatch.setattr(fingerprint, "find_course", lambda _: Course("circuits"))
+    monkeypatch.setattr(code_digest, "find_course", lambda _: Course("circuits"))
     before = digests()
     for changed, again in {
         "lecture_01_ohm": [True, False, True],
         "lecture_02_loops": [False, True, False],
-        "laws": [True, True, True],
+        "laws": [False, True, False],
+        "imported_by_none": [False, False, False],
     }.items():
         text[changed] += "# mended\n"
         after = digests()
         assert [a != b for a, b in zip(before, after, strict=True)] == again
         before = after
-    fingerprint.code_digest.cache_clear()
+    code_digest.code_digest.cache_clear()
 
 
 @pytest.mark.usefixtures("asked")
