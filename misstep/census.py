@@ -18,10 +18,10 @@ from typing import Any
 from misstep.catalog import add_course_argument, find_course
 from misstep.diagnosis.bugs import inseparable_pairs
 from misstep.diagnosis.explanation import CONSEQUENCES, SAME_CONSEQUENCE
+from misstep.display.sentences import BY_CHANCE
 from misstep.judge import Finding, judge
 from misstep.mistakes import Mistake
 from misstep.problem import Problem, Template
-from misstep.sentences import BY_CHANCE
 
 COUNTS = {
     "full_marks": "full marks for a wrong answer",

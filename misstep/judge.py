@@ -10,8 +10,8 @@ from typing import Any, Literal
 
 from misstep.answers.base import Answer, Unreadable
 from misstep.diagnosis.explanation import MAX_LENGTH, Explanation, explain, name_of
+from misstep.display.sentences import BY_CHANCE, BY_LUCK, ROUNDED, STEP_BY_STEP, UNKNOWN
 from misstep.problem import Problem
-from misstep.sentences import BY_CHANCE, BY_LUCK, ROUNDED, STEP_BY_STEP, UNKNOWN
 from misstep.validation import is_blank
 
 State = Literal["right", "partly", "wrong", "blank", "unreadable", "unmarked"]

@@ -14,7 +14,7 @@ from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.entries import Slip
 from misstep.answers.likeness import Likeness, Named
 from misstep.answers.number import LENGTH, PURE, Numbers
-from misstep.sentences import IN_DEGREES, IN_DEGREES_WITH_WRONG_SIGN, LIKE_DEGREES, OTHER_UNIT
+from misstep.display.sentences import IN_DEGREES, IN_DEGREES_WITH_WRONG_SIGN, LIKE_DEGREES, OTHER_UNIT
 
 
 def symbol(name: str) -> str:

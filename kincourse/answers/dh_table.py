@@ -28,8 +28,8 @@ from kinlib.dh.table import DHTable
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Answer, StoredObjects, Unreadable
 from misstep.diagnosis.explanation import MAX_ALTERNATIVES
+from misstep.display.sentences import UNTOUCHED
 from misstep.mistakes import Mistake
-from misstep.sentences import UNTOUCHED
 
 MAX_TEXT_LENGTH = 10_000
 """Maximum number of characters of a typed table. A longer text is refused, because parsing it would take too long."""

@@ -16,8 +16,8 @@ from misstep.answers.base import Unreadable
 from misstep.answers.entries import wrong_slips
 from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers
+from misstep.display.sentences import UNTOUCHED
 from misstep.mistakes import Mistake
-from misstep.sentences import UNTOUCHED
 
 
 @dataclass(frozen=True, eq=False)

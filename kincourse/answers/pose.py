@@ -15,7 +15,7 @@ from misstep.answers.entries import Slip, entries_hint
 from misstep.answers.equivalent import Equivalent
 from misstep.answers.likeness import Likeness, Named
 from misstep.answers.number import LENGTH, PURE, Numbers
-from misstep.sentences import IDENTITY, UNTOUCHED
+from misstep.display.sentences import IDENTITY, UNTOUCHED
 from misstep.validation import Array
 
 NOT_A_ROTATION = "This is not a rotation matrix."

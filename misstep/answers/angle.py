@@ -1,6 +1,6 @@
 """Angles as answers: compared modulo a full turn, and if there are several, in any order if the problem allows it.
 
-What a card says of degrees for radians is in misstep/sentences.py.
+What a card says of degrees for radians is in misstep/display/sentences.py.
 """
 
 from collections.abc import Iterator, Sequence

@@ -26,9 +26,9 @@ from types import MappingProxyType
 from typing import Any, ClassVar
 
 from misstep.answers.accuracy import TOLERANCE
+from misstep.display.sentences import FOUR_DIGITS
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
-from misstep.sentences import FOUR_DIGITS
 from misstep.storage.deserialize import register_object
 
 MAX_NUMBER = 1e12

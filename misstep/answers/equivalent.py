@@ -9,8 +9,8 @@ from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.entries import scale_of
 from misstep.answers.likeness import FACTORS, Named
 from misstep.answers.number import Numbers
+from misstep.display.sentences import IN_DEGREES
 from misstep.mistakes import Mistake
-from misstep.sentences import IN_DEGREES
 from misstep.validation import Array
 
 OF_ALL_ENTRIES = {"all signs", "factor", *(name for name, _ in FACTORS.values())}

@@ -12,8 +12,8 @@ from itertools import permutations
 import numpy as np
 from numpy.typing import NDArray
 
-from misstep import sentences
 from misstep.answers.accuracy import TOLERANCE
+from misstep.display import sentences
 from misstep.validation import Array
 
 MAX_PLACES = 3

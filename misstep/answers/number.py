@@ -31,9 +31,9 @@ from misstep.answers.entries import (
     wrong_slips,
 )
 from misstep.answers.likeness import LENGTH_UNITS, Likeness, Named, copied_row, has_three_digits
+from misstep.display.sentences import OTHER_UNIT
 from misstep.formulas.numerals import numeral
 from misstep.mistakes import Mistake
-from misstep.sentences import OTHER_UNIT
 from misstep.validation import Array
 
 HIDDEN = 1e-6

@@ -9,12 +9,12 @@ from misstep.answers.base import Unreadable
 from misstep.answers.choice import Choice
 from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
+from misstep.display.sentences import STEP_BY_STEP, UNKNOWN
 from misstep.judge import Finding, Judgement, judge
 from misstep.mistakes import mistake
 from misstep.paragraphs import paragraphs
 from misstep.problem import Problem, problem
 from misstep.sampling import Sampler
-from misstep.sentences import STEP_BY_STEP, UNKNOWN
 from misstep.sheet import OpenSheet, Sheet
 from misstep.verdict import Verdict
 

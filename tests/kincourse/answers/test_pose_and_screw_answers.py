@@ -12,9 +12,9 @@ from kinlib.dh.assignment import assign_frames
 from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
 from misstep.answers.base import Unreadable
+from misstep.display.sentences import IDENTITY, UNKNOWN
 from misstep.judge import judge
 from misstep.problem import Problem
-from misstep.sentences import IDENTITY, UNKNOWN
 
 TURN = np.array([[0.0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]])
 
