@@ -7,6 +7,9 @@ import base64
 import hashlib
 import json
 import re
+import socket
+import subprocess
+import time
 from functools import cache
 from html import escape, unescape
 from pathlib import Path
@@ -24,8 +27,6 @@ from kinsite.html_tree import inner_html, insert_html, read_html
 
 katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")  # a formula with an error fails the build
 katex.STARTUP_TIMEOUT = 60.0  # a busy machine needs more than the 5 s of the extension
-# Until its server listens, a connection is refused: the extension repeats it for Windows, and gives up elsewhere.
-katex.KaTeXServer.start_server_process = katex.KaTeXServer.start_network_socket
 
 TEXT = " and ".join(f"not(ancestor::{name})" for name in ("script", "style", "pre", "code", "textarea", "svg"))
 """Which text of a page is read as text, in XPath."""
@@ -38,6 +39,31 @@ SIDE_TRACK = "Side track:"
 """The beginning of the heading of a section that may be skipped. JupyterLab folds it by the metadata of its cell."""
 LENGTH = re.compile(r"([\d.]+)(?:pt|px)?")
 FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<!\\)\$([^$\n]+?)\$")
+
+
+def start_katex(folder: Path, timeout: float) -> tuple[subprocess.Popen[bytes], socket.socket]:
+    """Start the server that typesets formulas, and connect to it as soon as it listens.
+
+    The extension's own function connects as soon as the socket's file exists, and gives up when the connection is
+    refused. But on a busy machine, the server listens only a moment later. (The extension's way for Windows, a network
+    socket, waits 40 ms for each formula: two minutes for the site.)
+    """
+    address = str(folder / "katex.sock")
+    command = katex.KaTeXServer.build_command(socket=address)
+    process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=folder)
+    connection = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+    deadline = time.monotonic() + timeout
+    while connection.connect_ex(address) != 0:
+        if time.monotonic() > deadline:
+            connection.close()
+            process.kill()
+            process.wait()
+            raise katex.KaTeXServer.timeout_error(timeout)
+        time.sleep(0.01)
+    return process, connection
+
+
+katex.KaTeXServer.start_server_process = staticmethod(start_katex)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
