@@ -142,9 +142,6 @@ def test_the_number_of_a_formula_follows_its_end(page, site_address, size):
     assert min(gaps) > 5
 
 
-@pytest.mark.filterwarnings(
-    "ignore:unclosed <socket:ResourceWarning"
-)  # the extension closes no connection that is refused
 def test_a_formula_with_an_error_raises():
     from sphinxcontrib.katex import KaTeXError
 
