@@ -2,7 +2,7 @@
 
 import numpy as np
 from fingerprints import assert_unchanged
-from legible import assert_complete, assert_visible_in_the_dark, overlapping_labels
+from legible import assert_legible
 from urdf_files import TWO_FINGERS
 
 import kinlib as kl
@@ -136,11 +136,7 @@ def test_every_drawing_stays_as_it_was():
 
 
 def test_every_drawing_is_legible_on_light_and_on_dark_pages():
-    for name, draw in PICTURES.items():
-        picture = draw()
-        assert not overlapping_labels(picture), name
-        assert_complete(picture)
-        assert_visible_in_the_dark(picture)
+    assert_legible(PICTURES)
 
 
 def test_every_scene_of_a_viewer_stays_as_it_was():

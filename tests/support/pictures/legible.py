@@ -16,6 +16,15 @@ QUIET = {"white", "#ffffff", PALE_GREY}
 """Paper, and the grid: these need no contrast."""
 
 
+def assert_legible(pictures):
+    """The labels of each picture are apart, all of it is on its sheet, and it stays visible in the dark."""
+    for name, draw in pictures.items():
+        picture = draw()
+        assert not overlapping_labels(picture), name
+        assert_complete(picture)
+        assert_visible_in_the_dark(picture)
+
+
 def overlapping_labels(picture):
     """Return the pairs of labels that cover each other, and check that every label is on the sheet."""
     drawing = ET.fromstring(picture.svg)
