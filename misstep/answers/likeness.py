@@ -38,6 +38,7 @@ class Likeness:
     place            names an entry by its index
     reordered        what is said of the right numbers in another order
     columns          the names of the columns, if they have any
+    tolerance        how far a number may be off, relative to its size alone: nothing is said of what is hidden in the tolerance
     is_formula       whether the entries are formulas, which are compared exactly
 
     >>> right = np.array([[0.5], [-0.25], [0.0]])

@@ -13,15 +13,13 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from misstep.answers.accuracy import TOLERANCE
 from misstep.grading.judging.result import ProblemResult
 from misstep.grading.publish.result_store import stored_results
 from misstep.grading.publish.shared_answers import WRONG_STATES, split_numbers
 
 MAX_FLOAT = 10**300
 """A larger number is no floating-point number."""
-
-SAME = 1e-3
-"""The largest difference of equal numbers, relative to their size if that is above 1."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +64,7 @@ def _as_mapping(data: Any) -> Any:
 
 
 def _relation_of(one: float, other: float) -> str:
-    near = SAME * max(abs(other), 1.0)
+    near = TOLERANCE * max(abs(other), 1.0)
     if abs(one - other) <= near:
         return "="
     if abs(one + other) <= near:

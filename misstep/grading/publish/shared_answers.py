@@ -13,11 +13,9 @@ from typing import Any
 
 import numpy as np
 
+from misstep.answers.accuracy import TOLERANCE
 from misstep.grading.judging.result import Result
 from misstep.grading.publish.csv_table import format_csv
-
-TOLERANCE = 1e-3
-"""The largest difference of equal numbers, relative to their size if that is above 1, as for the judge."""
 
 WRONG_STATES = {"wrong", "partly"}
 
