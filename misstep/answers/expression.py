@@ -16,6 +16,7 @@ from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Quantifier, Unreadable
 from misstep.answers.entries import Entries, Slip, entries_hint, place_of, scale_of, wrong_slips
 from misstep.answers.likeness import Likeness, Named, copied_row
+from misstep.display.sentences import NEGATED_FORMULAS
 from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
 from misstep.mistakes import Mistake
@@ -173,8 +174,7 @@ class ClosedForm(Entries):
 
     def _whole_slips(self) -> Iterator[Slip]:
         right, values = self._right, self._right.values
-        signs = "The formulas are right, but every sign is wrong."
-        yield ("all signs", replace(right, values=-values), signs, signs)
+        yield ("all signs", replace(right, values=-values), NEGATED_FORMULAS, NEGATED_FORMULAS)
         if len(self._shape) == 2 and self._shape[0] == self._shape[1]:
             turned = replace(right, values=values.swapaxes(0, 1))
             yield ("transposed", turned, "This is the transpose of the right one.", "")

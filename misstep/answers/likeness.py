@@ -38,7 +38,7 @@ class Likeness:
     place            names an entry by its index
     reordered        what is said of the right numbers in another order
     columns          the names of the columns, if they have any
-    tolerance        how far a number may be off, relative to its size alone: nothing is said of what is hidden in the tolerance
+    tolerance        how far a number may be off: nothing is said of a number that is hidden in it
     is_formula       whether the entries are formulas, which are compared exactly
 
     >>> right = np.array([[0.5], [-0.25], [0.0]])
@@ -165,18 +165,22 @@ class Likeness:
         wrong, is_one = ~self._equal(mine, right), mine.size == mine.shape[-1]
         if not wrong.any() or not (self._equal(mine, -right) | ~wrong).all() or (is_one and not self.is_formula):
             return None
-        if is_one:
-            return "all signs", "Your formula has the wrong sign."
-        kind = "formulas are" if self.is_formula else "sizes are"
         count, seen = np.count_nonzero(wrong), np.count_nonzero(self._is_seen(right).any(axis=-1))
-        if count == seen:
-            return "all signs", f"The {kind} right, but every sign is wrong."
-        if not self.is_formula and (mine >= 0).all():
+        if is_one or count == seen:
+            return "all signs", self._all_signs(is_one)
+        places = " and ".join(self.place(index) for index in np.argwhere(wrong).tolist())
+        if self.is_formula:  # which may contain further signs
+            return "signs", f"Only the sign is wrong in {places if count <= MAX_PLACES else f'{count} formulas'}."
+        if (mine >= 0).all():
             return "signs", "The sizes are right, but no minus sign is left."
         if count > MAX_PLACES:
-            return "signs", f"The {kind} right, but {count} signs are wrong."
-        places = " and ".join(self.place(index) for index in np.argwhere(wrong).tolist())
-        return "signs", f"The {kind} right, but not {'the sign' if count == 1 else 'the signs'} of {places}."
+            return "signs", f"The sizes are right, but {count} signs are wrong."
+        return "signs", f"The sizes are right, but not {'the sign' if count == 1 else 'the signs'} of {places}."
+
+    def _all_signs(self, is_one: bool) -> str:
+        if not self.is_formula:
+            return "The sizes are right, but every sign is wrong."
+        return "Your formula has the wrong sign." if is_one else sentences.NEGATED_FORMULAS
 
     def factor(self) -> Named | None:
         """Return whether these are the right numbers, multiplied by a factor."""

@@ -300,9 +300,9 @@ def test_signs_and_places_of_formulas_are_named():
     q = sp.Symbol("q", real=True)
     column, square = ClosedForm(sp.Matrix([theta, sp.cos(theta), 1])), ClosedForm(sp.Matrix([[q, 1], [0, 2]]))
     for form, typed, seen in [
-        (column, "[theta, -cos(theta), 1]", ("signs", "The formulas are right, but not the sign of entry 2.")),
+        (column, "[theta, -cos(theta), 1]", ("signs", "Only the sign is wrong in entry 2.")),
         (ClosedForm(q), "-q", ("all signs", "Your formula has the wrong sign.")),
-        (square, "[[-q, -1], [0, -2]]", ("all signs", "The formulas are right, but every sign is wrong.")),
+        (square, "[[-q, -1], [0, -2]]", ("all signs", "Every formula has the wrong sign.")),
         (square, "[[q, 0], [1, 2]]", ("transposed", "This is the transpose of the right one.")),
         (square, "[[abs(q), 1], [0, 2]]", None),  # its sign is wrong at some values alone
     ]:
