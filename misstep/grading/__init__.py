@@ -8,7 +8,7 @@ How one submission gets its grade, in the order of reading:
         gather                   one Submission for each student
         notebook, run_plan       its code cells, and what is run of them: with the sheet's own check cells
     jobs         the submissions that have no result yet
-    fingerprint  a digest of everything that a result depends on; of the code what is imported (code_digest), and nothing else
+    fingerprint  a digest of everything that a result depends on; of the code, only what is imported (code_digest)
     fork_server  the one way in which processes are started, ended and asked: a server imports everything once, and forks
     steps        functions that run in such processes with limits on processor time and memory, and what they return
     redacted_sheet   the sheet without answers, which a child of the sandbox sees

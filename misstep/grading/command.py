@@ -9,7 +9,7 @@ a reason. The folder of results has:
     matches.csv      answers right for other students  feedback/     a page for each student
     canvas.csv, moodle.csv, gradescope.csv            points for the platform that exported the roster
     feedback.zip     all pages, as Moodle and Canvas import them
-    overrides.csv    points, comments and late days by hand, for you to fill in; what a day costs is the rule in publish/overrides.py
+    overrides.csv    points, comments and late days by hand, for you to fill in (--late says what a day costs)
     changes.csv      points that a later run changed, with the reason
     results/         the stored results, from which the next run continues
 """
