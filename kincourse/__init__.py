@@ -20,8 +20,6 @@ else:
         return quiz
 
 
-__version__ = "0.1.0"
-
 __all__ = [
     "COURSE",
     "ask",

@@ -1,11 +1,10 @@
-"""The command line of the course: `kincourse new-sheet robot.urdf --out FOLDER`, and `kincourse new-lecture` for its authors."""
+"""The command line of the course: `kincourse new-sheet robot.urdf --out FOLDER`."""
 
 from collections.abc import Sequence
 
 from misstep.cli import run_command
 
 COMMANDS = {
-    "new-lecture": ("kincourse.new_lecture", "write a small lecture with its sheet, as the beginning of your own"),
     "new-sheet": ("kincourse.new_sheet", "write a sheet of exercises for a robot of your own"),
 }
 

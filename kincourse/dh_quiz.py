@@ -1,22 +1,13 @@
-"""A quiz on DH tables: a random arm at each click, and a table that is judged by equivalence of mechanisms.
-
-Of several random arms, the next one is that which best tells the mistakes apart that still explain what the student did, as
-a teacher would choose the next exercise.
-"""
+"""A quiz on DH tables: a random arm at each click, and a table that is judged by equivalence of mechanisms."""
 
 import secrets
-from collections.abc import Collection, Iterator
 from functools import partial
 
 from kincourse.answers.dh_table import DHTableAnswer
-from kincourse.mistakes.dh import z_on_the_wrong_joint
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
-from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.diagnosis import diagnose
-from kinlib.dh.mistakes import corrected_rows, known_corrections
-from kinlib.dh.table import Convention, DHTable, validate_convention
+from kinlib.dh.table import Convention, validate_convention
 from kinlib.view import draw_joints
 from misstep.display.card import TITLES, Card
 from misstep.judge import Judgement, judge
@@ -25,18 +16,6 @@ from misstep.problem import Problem
 
 JOINT_TYPES = ("RR", "RRR", "RPR", "RRP", "PRR", "RPRR", "RRPR", "RRRR")
 """The types of the joints of the arms, from base to tool."""
-
-CANDIDATES = 8
-"""How many arms are drawn to choose one from."""
-
-MISTAKES = (
-    *("sign of a", "sign of alpha", "sign of d", "a and d swapped", "theta and alpha swapped", "column shifted"),
-    *("variable in the wrong column", "other convention"),
-)
-"""The mistakes that may be suspected, by the names of `kl.diagnose`."""
-
-CLEAR = 0.6
-"""How well an arm must tell each suspected mistake from the others, so that no other arm is drawn."""
 
 FREE = (
     "Only the mechanism is compared. You choose frame 0, the last frame, where each joint has its zero, and in which direction it "
@@ -75,75 +54,10 @@ def draw_problem(seed: str, convention: Convention) -> Problem:
     )
 
 
-def separation(problem: Problem, names: Collection[str]) -> dict[str, float]:
-    """Return for each mistake how well this arm tells it from the others and from a right table, from 0 to 1.
-
-    A table with the mistake, made once, counts 1/k if k of the mistakes lead to tables of the same arm, and 0 if it is right.
-    The result is the mean.
-
-    >>> separation(draw_problem("one", "standard"), ["other convention", "sign of a"])  # this arm has no a
-    {'other convention': 1.0, 'sign of a': 0.0}
-    """
-    agrees, right = problem.answer.agrees, problem.answer.value
-    kinds = [right]  # one table of each arm, the right one first
-    found: dict[str, list[int]] = {name: [] for name in names}
-    for name, table in wrong_tables(right):
-        if name in found:
-            kind = next((k for k, other in enumerate(kinds) if all(agrees(table, other))), len(kinds))
-            kinds += [table] * (kind == len(kinds))
-            found[name].append(kind)
-    count = [sum(kind in reached for reached in found.values()) for kind in range(len(kinds))]
-    return {
-        name: sum(1 / count[kind] for kind in reached if kind) / max(len(reached), 1) for name, reached in found.items()
-    }
-
-
-def wrong_tables(table: DHTable) -> Iterator[tuple[str, DHTable]]:
-    """Yield the names of mistakes, and the tables to which each of them leads from a right one where it is made once.
-
-    >>> tables = wrong_tables(DHTable([[1, 0, 2, 0]], convention="standard"))
-    >>> next(table.columns["a"] for name, table in tables if name == "a and d swapped")
-    array([2.])
-    """
-    yield "other convention", z_on_the_wrong_joint(table)
-    for row, letter in enumerate(table.joints):
-        other = "P" if letter == "R" else "R"
-        yield "variable in the wrong column", table.changed(joints=table.joints[:row] + other + table.joints[row + 1 :])
-    # Almost all corrections are their own inverse, and the inverses of the others are among them.
-    for correction in known_corrections(table, [table.rows], {}):
-        if correction.fault.name in MISTAKES and not correction.convention:
-            yield correction.fault.name, table.changed(rows=corrected_rows(table.rows, [correction]))
-
-
-def draw_next(seed: str, convention: Convention, suspects: Collection[str]) -> Problem:
-    """Draw arms until one tells the suspected mistakes apart; of CANDIDATES that do not, return the one that does it best."""
-    drawn = []
-    for k in range(CANDIDATES):
-        problem = draw_problem(f"{seed}/{k}", convention)
-        told = separation(problem, suspects).values()
-        if all(value >= CLEAR for value in told):
-            return problem
-        drawn.append((sum(told), problem))
-    return max(drawn, key=lambda pair: pair[0])[1]
-
-
-def suspects_after(suspects: Collection[str], problem: Problem, table: DHTable) -> set[str]:
-    """Return the mistakes that still explain what a student did, after the first table of an arm; none if any may.
-
-    A right table excludes the mistakes that would have made it wrong. A wrong one leaves those that explain it.
-    """
-    if all(problem.answer.agrees(table, problem.answer.value)):
-        return {name for name in suspects or MISTAKES if not separation(problem, [name])[name]}
-    found = diagnose(table, problem.answer.value, tolerance=EQUIVALENCE_TOL, in_pairs=False)
-    explaining = {fault.name for explanation in found.explanations for fault in explanation.faults} & {*MISTAKES}
-    return explaining & set(suspects) or explaining or set(suspects)
-
-
 class Quiz:
     """One arm after the other, with a text box for its table. Jupyter displays it as a widget.
 
     right, asked   the number of arms with a right table, and the number of arms drawn so far
-    suspects       the mistakes that still explain what the student did; none if any may
     """
 
     def __init__(self, convention: Convention, seed: str | None = None) -> None:
@@ -153,8 +67,7 @@ class Quiz:
         self.seed = seed if seed is not None else secrets.token_hex(8)
         self.asked = 0
         self.right = 0
-        self.suspects: set[str] = set()
-        self._solved = self._read = False
+        self._solved = False
         self._statement_box = widgets.HTML()
         self._table_box = widgets.Textarea(
             value=EMPTY_TABLE, description="Your table", layout=widgets.Layout(width="95%", height="9em")
@@ -172,8 +85,8 @@ class Quiz:
     def another(self) -> None:
         """Draw the next arm."""
         self.asked += 1
-        self._solved = self._read = False
-        self.problem = draw_next(f"{self.seed}/{self.asked}", self.convention, self.suspects)
+        self._solved = False
+        self.problem = draw_problem(f"{self.seed}/{self.asked}", self.convention)
         figure = self.problem.figure() if self.problem.figure else None
         heading = Card("note", f"Arm {self.asked}", [f"Give a DH table in the {self.convention} convention. {FREE}"])
         self._statement_box.value = heading.html() + (figure.html() if figure else "")
@@ -186,9 +99,6 @@ class Quiz:
         if judgement.state == "right" and not self._solved:
             self._solved = True
             self.right += 1
-        if judgement.state in {"right", "partly", "wrong"} and not self._read:
-            self._read = True  # only the first table of an arm: feedback has explained the mistakes of the others
-            self.suspects = suspects_after(self.suspects, self.problem, self.problem.answer.read(typed))
         lines = [finding.text for finding in judgement.findings]
         self._feedback_box.value = Card(
             judgement.state, TITLES[judgement.state], [*lines, f"{self.right} right of {self.asked}."]

@@ -15,7 +15,6 @@ from pathlib import Path
 from kincourse import sheets
 from kincourse.robot_sheets.robot_file import dumps, validate_name
 from kincourse.robot_sheets.robot_sheet import TASKS, robot_sheet, tasks_for
-from kincourse.table_of_lectures import in_words
 from kinlib.chains.chain import Chain
 from misstep.release.instructor_notebook import notebook
 
@@ -73,9 +72,7 @@ def new_sheet(
     numbered_entries = [
         entry._replace(solution=entry.solution.replace("{k}", str(k))) for k, entry in enumerate(entries, start=1)
     ]
-    intro = INTRO_TEMPLATE.format(
-        count=in_words(len(tasks)).capitalize(), points=sheet.points, robot=robot_name, file=f"{sheet_name}.json"
-    )
+    intro = INTRO_TEMPLATE.format(count=len(tasks), points=sheet.points, robot=robot_name, file=f"{sheet_name}.json")
     text = notebook(sheet, numbered_entries, intro, IMPORT_LINES)
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"{sheet_name}.ipynb"

@@ -10,8 +10,6 @@ from misstep.problem import Problem, Template, problem
 from misstep.sampling import Sampler
 from misstep.sheet import OpenSheet, Sheet
 
-__version__ = "0.1.0"
-
 __all__ = [
     "Course",
     "Mistake",

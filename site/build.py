@@ -4,6 +4,7 @@ The pages are written to build/site/html, or to the folder html in the folder th
 """
 
 import sys
+import time
 from pathlib import Path
 
 from kinsite import npm_packages
@@ -18,22 +19,39 @@ STRICT = ("-n", "-W", "--keep-going")
 """Options of Sphinx: every warning fails the build, after all of them have been reported."""
 
 
-def build(folder: Path = ROOT / "build" / "site") -> int:
+def build(folder: Path) -> int:
     """Build the pages and the lab into a folder. Returns Sphinx's exit code: every warning counts as an error."""
     npm_packages.install()
+    print(
+        "Running the notebooks whose outputs are not kept from before, and writing the source of the pages.", flush=True
+    )
     write_source(folder / "source")
+    print("Building the lab, that is, Python for the pages, unless it is kept from before.", flush=True)
     built_lab = lab.build()
     values = (f"kinlib_lab={'lab' if built_lab else ''}", f"kinlib_python_mb={lab.megabytes(built_lab)}")
     settings = [word for value in values for word in ("-D", value)]
     arguments = (*STRICT, "-q", "-c", HERE, "-d", folder / "doctrees", *settings, folder / "source", folder / "html")
+    print("Writing the pages that have changed.", flush=True)
     failed = int(sphinx(["-b", "html", *map(str, arguments)]))
     lab.copy_to_site(built_lab, folder / "html" / "lab")
     return failed
 
 
+def summary(html: Path, seconds: float) -> str:
+    """Say what was built, and how to look at it."""
+    sizes = [path.stat().st_size for path in html.rglob("*") if path.is_file()]
+    pages = sum("lab" not in path.relative_to(html).parts for path in html.rglob("*.html"))
+    built = f"{pages} pages in {html}, {sum(sizes) / 1e6:.0f} MB with the lab, in {seconds:.0f} s."
+    return f"{built}\nTo look at them: python course.py serve"
+
+
 if __name__ == "__main__":
+    start = time.monotonic()
     try:
-        failed = build(*map(Path, sys.argv[1:2]))
+        folder = Path(sys.argv[1]) if sys.argv[1:] else ROOT / "build" / "site"
+        failed = build(folder)
     except (NotebookError, Unreachable, ValueError) as error:
         sys.exit(f"The site was not built. {error}")
+    if not failed:
+        print(summary(folder / "html", time.monotonic() - start))
     sys.exit(failed)

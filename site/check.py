@@ -1,37 +1,34 @@
 """Check a built site: every page, a lab whose Python and packages are complete, no literal markup.
 
-The folder is build/site/html, or the one that is given: `.venv/bin/python site/check.py`. Before a site is published, it must
-also have the PDF, which site/pdf.py adds: `.venv/bin/python site/check.py --published`.
+The folder is build/site/html, or the one that is given: `.venv/bin/python site/check.py`.
 """
 
-import argparse
 import json
 import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from kinsite.execute import PACKAGES
 from kinsite.sphinx_source import LECTURES, SHEETS
 
 BUILT = Path(__file__).resolve().parents[1] / "build" / "site" / "html"
 FILES = ("index.html", "404.html", "search.html", "sitemap.xml", "lab/notebooks/index.html")
-PDF = "course.pdf"
 LOCK_FILE = "lab/static/pyodide/pyodide-lock.json"
 RUN_LINK = 'class="kinlib-run"'
 
 
-def missing(built: Path, published: bool = False) -> Iterator[str]:
-    """Yield what a site lacks, one line for each file, package and link. A site that is published also has the PDF."""
+def missing(built: Path) -> Iterator[str]:
+    """Yield what a site lacks, one line for each file, package and link."""
     notebooks = [f"{folder}/{path.stem}.html" for folder, paths in NOTEBOOKS.items() for path in paths]
-    for name in (*FILES, *notebooks, LOCK_FILE, *([PDF] if published else [])):
+    for name in (*FILES, *notebooks, LOCK_FILE):
         if not (built / name).is_file():
             yield name
         elif name in notebooks and RUN_LINK not in (built / name).read_text("utf-8"):
             yield f"{name}: the link that runs it in the browser"
     if (lock := built / LOCK_FILE).is_file():
         packages = json.loads(lock.read_text("utf-8"))["packages"]
-        yield from (f"{LOCK_FILE}: {name}" for name in PACKAGES if name not in packages)
+        if "kincourse" not in packages:
+            yield f"{LOCK_FILE}: kincourse"
         files = [f"lab/static/pyodide/{package['file_name']}" for package in packages.values()]
         yield from (name for name in files if not (built / name).is_file())
 
@@ -49,7 +46,7 @@ def literal_markup(built: Path) -> Iterator[str]:
     """Yield each place where a page shows the marks of Markdown or LaTeX themselves, or a word twice."""
     for path in sorted(built.rglob("*.html")):
         name = path.relative_to(built).as_posix()
-        if name.startswith(("lab/", "_static/", "embed/", "files/")):
+        if name.startswith(("lab/", "_static/", "files/")):
             continue
         _, _, article = path.read_text("utf-8").partition('<article role="main"')
         text = ANY_TAG.sub("\n", INLINE_TAG.sub("", NOT_PROSE.sub("\u2026", article)))
@@ -63,12 +60,8 @@ NOTEBOOKS = {"lectures": LECTURES, "sheets": SHEETS}
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description="Check a built site.")
-    parser.add_argument("built", type=Path, nargs="?", default=BUILT, help="its folder; by default %(default)s")
-    parser.add_argument("--published", action="store_true", help="it must have the PDF, too")
-    asked = parser.parse_args()
-    built = asked.built
-    if faults := list(missing(built, asked.published)):
+    built = Path(sys.argv[1]) if sys.argv[1:] else BUILT
+    if faults := list(missing(built)):
         sys.exit(f"The site in {built} must be complete. It lacks:\n" + "\n".join(faults))
     if faults := list(literal_markup(built)):
         sys.exit(f"No page of {built} may show literal markup. Found:\n" + "\n".join(faults))

@@ -25,6 +25,7 @@ extensions = [
     "sphinxcontrib.katex",
     "sphinxext.opengraph",
     "kinsite.cell_outputs",
+    "kinsite.page_bars",
     "kinsite.page_template",
     "kinsite.search_index",
 ]

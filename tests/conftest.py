@@ -15,36 +15,19 @@ from notebook_runs import Recorder
 mpl.use("agg")
 
 # Deadlines measure the machine, not the code. In CI, the same commit draws the same examples; elsewhere each run draws new ones.
-# Of each property they draw 25; `nox -s evidence` draws 100, and --quick 10.
 hypothesis.settings.register_profile(
     "kinlib", deadline=None, derandomize="CI" in os.environ, print_blob=True, max_examples=25
 )
-hypothesis.settings.register_profile("thorough", hypothesis.settings.get_profile("kinlib"), max_examples=100)
-hypothesis.settings.register_profile("quick", hypothesis.settings.get_profile("kinlib"), max_examples=10)
-# `nox -s mutation` runs the tests once for each mutant: a few examples, always the same, and no shrinking.
-hypothesis.settings.register_profile(
-    "mutation",
-    deadline=None,
-    derandomize=True,
-    database=None,
-    max_examples=25,
-    phases=[hypothesis.Phase.explicit, hypothesis.Phase.generate],
-)
-# `nox -s fuzz`: many examples, and a case that takes seconds is a fault too.
-hypothesis.settings.register_profile("fuzz", deadline=5000, max_examples=100_000, print_blob=True)
-hypothesis.settings.register_profile("nightly", hypothesis.settings.get_profile("fuzz"), max_examples=2000)
 hypothesis.settings.load_profile("kinlib")
 
 
 def pytest_configure(config):
-    """Record what nbval executes; with --quick, draw few examples."""
-    if config.getoption("--quick"):
-        hypothesis.settings.load_profile("quick")
+    """Record what nbval executes."""
     config.pluginmanager.register(Recorder())
 
 
 # --- the browser and the site ---
-# Fixtures of a module, not of a session: while Playwright runs, asyncio.run fails in the tests of other modules.
+# conftest.py of the repository gives these tests to one worker. While Playwright runs, asyncio.run fails in other tests.
 
 
 @pytest.fixture(scope="module")

@@ -112,7 +112,7 @@ def table_at(g: Any, q: Any, convention: str) -> Array:
         row = []
         for k, cell in enumerate(line):
             names = {f"q{i + 1}": np.degrees(x) if k == 3 else x for i, x in enumerate(q)}
-            x = float(eval(cell.replace("°", ""), {"__builtins__": {}}, names))  # noqa: S307  our own text
+            x = float(eval(cell.replace("°", ""), {"__builtins__": {}}, names))
             row.append(np.radians(x) if k % 2 else x)
         rows.append(row)
     return chain(rows, convention)

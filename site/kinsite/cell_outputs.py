@@ -22,7 +22,6 @@ from lxml.html import HtmlElement
 from sphinx.application import Sphinx
 from sphinxcontrib import katex
 
-from kinsite.embeds import add_address, cell_of, permalink, write_pages
 from kinsite.html_tree import inner_html, insert_html, read_html
 
 katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")  # a formula with an error fails the build
@@ -95,19 +94,14 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
         for node in doctree.findall(nodes.raw)
         if node.get("format") == "html" and not isinstance(node.parent, nodes.TextElement)
     ]
-    taken, outputs = set(doctree.ids), []
     for node in html:
         output = read_html(node.astext())
         typeset_formulas(output)
         extract_images(output, folder, f"{up}_images")
-        anchor = add_address(output, cell_of(node), page, taken)
         for viewer in output.xpath(".//div[@data-kinlib-viewer][script]"):
             reserve_height(viewer)
-        outputs.append((output, anchor))
         node.rawsource = inner_html(output)
         node.children = [nodes.Text(node.rawsource)]
-    if app.builder.name == "html":
-        write_pages(Path(app.outdir), page, app.env.titles[page].astext(), outputs)
 
 
 def reserve_height(viewer: HtmlElement) -> None:
@@ -118,13 +112,12 @@ def reserve_height(viewer: HtmlElement) -> None:
 
 
 def formula_anchor(tag: str) -> str:
-    """Write the anchor of a numbered formula and its link to copy, which stand before it.
+    """Write the anchor of a numbered formula, which comes before it.
 
-    >>> formula_anchor("5").partition("</span>")[0]
-    '<span class="kinlib-anchor" id="formula-5">'
+    >>> formula_anchor("5")
+    '<span class="kinlib-anchor" id="formula-5"></span>'
     """
-    anchor = make_id(f"formula {tag}")
-    return f'<span class="kinlib-anchor" id="{anchor}"></span>{permalink(anchor, f"formula ({tag})")}'
+    return f'<span class="kinlib-anchor" id="{make_id(f"formula {tag}")}"></span>'
 
 
 def fold_side_tracks(_: Sphinx, doctree: nodes.document, page: str) -> None:

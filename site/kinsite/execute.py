@@ -21,6 +21,7 @@ import nbformat
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from nbformat import NotebookNode
+from tqdm import tqdm
 
 from kinlib.view.drawing.static_page import ENVIRONMENT_VARIABLE
 
@@ -28,7 +29,7 @@ ROOT = Path(__file__).resolve().parents[2]
 CACHE = ROOT / "build" / "executed"
 
 PACKAGES = ("kinlib", "misstep", "kincourse")
-"""The packages of this repository, each with a pyproject.toml of its own."""
+"""The packages of this repository."""
 
 NOT_IN_NOTEBOOKS = ("misstep/grading/", "misstep/release/", "kinlib/view/js/")
 """Folders of the packages that no notebook loads."""
@@ -39,8 +40,8 @@ DEPENDENCIES = ("anywidget", "ipykernel", "ipywidgets", "matplotlib", "mpmath", 
 HASH_LENGTH = 16
 """Characters of the hash in the name of a cached file."""
 
-TIMEOUT_S = 120
-"""How long a cell may run. It is more than a student waits, because builds run on busy machines."""
+TIMEOUT_S = 1200
+"""How long a cell may run. It is much more than a student waits, because builds run on busy machines."""
 
 
 class NotebookError(Exception):
@@ -54,7 +55,8 @@ def execute_all(paths: Iterable[Path], folder: Path = CACHE) -> dict[Path, Noteb
     """
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
         paths = list(paths)
-        return dict(zip(paths, pool.map(lambda path: execute(path, folder), paths), strict=True))
+        executed = pool.map(lambda path: execute(path, folder), paths)
+        return dict(zip(paths, tqdm(executed, "Notebooks", len(paths)), strict=True))
 
 
 def execute(path: Path, folder: Path = CACHE) -> NotebookNode:

@@ -16,7 +16,6 @@ from sphinx import addnodes
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 
-from kinsite.embeds import PERMALINK
 from kinsite.npm_packages import MODULES
 
 UNLISTED = {"404", "search", "index"}
@@ -108,7 +107,7 @@ def clean(node: nodes.Node, own: bool = False) -> str:
     if isinstance(node, nodes.math | nodes.math_block):
         return words(node.astext())
     if isinstance(node, nodes.Text):
-        return str(node) if str(node) != PERMALINK else ""
+        return str(node)
     inline = isinstance(node, nodes.TextElement)
     return ("" if inline else " ").join(filter(None, (clean(child) for child in node.children)))
 

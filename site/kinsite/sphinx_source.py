@@ -15,7 +15,7 @@ from nbformat import NotebookNode
 
 from kincourse.table_of_lectures import fill_home_page
 from kinsite.execute import ROOT, cached_pages, execute_all
-from kinsite.generated import census, gallery, independent_checks, mistakes, performance, progress, reference
+from kinsite.generated import gallery, mistakes, progress, reference
 
 SITE = ROOT / "site"
 LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -62,10 +62,7 @@ def all_pages() -> Iterator[tuple[str, str]]:
     """Yield the path and the text of every page of the site."""
     executed = execute_all([*reversed(LECTURES), *SHEETS])
     yield from handwritten_pages()
-    yield from performance.pages()
     yield from notebook_pages(executed)
-    yield from independent_checks.pages()
-    yield from census.pages()
     yield from progress.pages(*({path: executed[path] for path in paths} for paths in (LECTURES, SHEETS)))
     yield from gallery.pages()
     yield from reference.pages()
@@ -80,16 +77,8 @@ def handwritten_pages() -> Iterator[tuple[str, str]]:
         complete = {"glossary.md": link_lectures, "index.md": fill_home_page}.get(name, str)
         yield name, complete(text)
     yield "notation.md", (ROOT / "NOTATION.md").read_text("utf-8")
-    yield (
-        "contributing.md",
-        (ROOT / "CONTRIBUTING.md").read_text("utf-8").replace("(site/instructors.md)", "(instructors.md)"),
-    )
-    for path in sorted((ROOT / "guides").glob("*.md")):
-        yield f"guides/{path.name}", path.read_text("utf-8")
-    for path in sorted((ROOT / "misstep" / "docs").glob("*.md")):
-        yield f"misstep/{path.name}", path.read_text("utf-8")
     guide = (SITE / "instructors.md").read_text("utf-8").replace("](pages/", "](")
-    yield "instructors.md", performance.with_grading_times(guide)
+    yield "instructors.md", guide
 
 
 def link_lectures(text: str) -> str:

@@ -10,8 +10,6 @@
     'Your answers are lost when you leave the page.',
   ].join(' ');
 
-  const FRAME_RESERVE_PX = 180; // in a frame of fixed height: for the reply to an answer, and the source
-
   const CONFIRM_DELETE =
     'Delete the record of the lectures that you have read, the questions that you have answered ' +
     'and the problems that you have solved?';
@@ -526,29 +524,6 @@
     return `#q=${model.get('q').map((value) => Number(value.toFixed(4)))}`;
   }
 
-  /** Each link "Embed" becomes a button that copies the HTML of a frame, with the present configuration of the arm. */
-  function startEmbedButtons() {
-    for (const link of all('a.kinlib-embed-link')) {
-      const thing = link.closest('.misstep-question') ?? link.parentElement.previousElementSibling;
-      const frame = () => {
-        const height = Math.ceil(thing.offsetHeight) + FRAME_RESERVE_PX;
-        const title = document.title.replace(/"/g, '&quot;');
-        const shown = `src="${link.href}${configurationHash(thing)}" title="${title}"`;
-        return `<iframe ${shown} width="100%" height="${height}" style="border: 0" loading="lazy"></iframe>`;
-      };
-      const button = copyButton(link.textContent, frame, link.className);
-      button.title = 'Copy the HTML that shows this on another page';
-      link.replaceWith(button);
-    }
-  }
-
-  /** In a frame on another page: send the height to that page, which may fit the frame to it. */
-  function sendHeight() {
-    const content = document.querySelector('.kinlib-embed > main');
-    if (!content) return;
-    new ResizeObserver(() => parent.postMessage({ kinlibHeight: content.offsetHeight }, '*')).observe(content);
-  }
-
   /** Buttons that copy code, without the prompts of a console. */
   function addCopyButtons() {
     const code = '.cell_input .highlight, [class*="highlight-python"] .highlight, .highlight-console .highlight';
@@ -614,8 +589,6 @@
 
   document.documentElement.classList.remove('no-js');
   startConfiguration();
-  startEmbedButtons();
-  sendHeight();
   addCopyButtons();
   startContent(document);
   startBar();

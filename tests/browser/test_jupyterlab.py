@@ -99,15 +99,15 @@ def lab(chromium_without_webgl, tmp_path_factory):
     themes.parent.mkdir(parents=True)
     themes.write_text('{"theme": "JupyterLab Dark"}', "utf-8")
     with jupyterlab(folder) as address, watched(chromium_without_webgl, viewport=SIZE) as page:
-        for _ in range(120):
+        for _ in range(1200):
             with contextlib.suppress(Exception):
-                page.request.get(f"{address}/api", timeout=1000)
+                page.request.get(f"{address}/api", timeout=TIMEOUT_MS)
                 break
             page.wait_for_timeout(500)
 
         def open_file(path):
-            page.goto(f"{address}/lab/tree/{path}?reset", timeout=60_000)
-            page.locator(".jp-Notebook .jp-Cell").first.wait_for(timeout=60_000)
+            page.goto(f"{address}/lab/tree/{path}?reset", timeout=TIMEOUT_MS)
+            page.locator(".jp-Notebook .jp-Cell").first.wait_for(timeout=TIMEOUT_MS)
             return page
 
         yield open_file
@@ -118,7 +118,7 @@ def cell(page, source):
 
 
 def run(page, *sources):
-    page.get_by_text("| Idle").first.wait_for(timeout=60_000)
+    page.get_by_text("| Idle").first.wait_for(timeout=TIMEOUT_MS)
     for source in sources:
         cell(page, source).locator(".jp-InputArea-editor").click()
         page.keyboard.press("Control+Enter")
@@ -135,13 +135,13 @@ def test_code_and_side_tracks_are_folded_when_a_notebook_is_opened(lab):
 
 def test_an_explanation_opens_with_the_answer_or_when_it_is_asked_for(lab):
     page = lab(LECTURE)
-    page.get_by_text("| Idle").first.wait_for(timeout=60_000)
+    page.get_by_text("| Idle").first.wait_for(timeout=TIMEOUT_MS)
     page.get_by_role("menuitem", name="Run", exact=True).click()
     page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
     names = ["00/joint-3", "00/joint-5"]
     cards = [cell(page, f'explain("{name}")') for name in names]
     for name, card in zip(names, cards, strict=True):
-        card.get_by_text("You have not committed to an answer yet").wait_for(timeout=60_000)
+        card.get_by_text("You have not committed to an answer yet").wait_for(timeout=TIMEOUT_MS)
         assert words_of(name) not in page.locator(".jp-Notebook").text_content()
     right = find_question(names[0]).right
     cell(page, f'ask("{names[0]}")').get_by_role("button", name="AB"[right == 0], exact=True).click()
@@ -182,15 +182,15 @@ def painted(page, element, style):
 def test_one_click_on_the_section_to_reread_arrives_there(lab):
     page = lab(SHEET)
     run(page, "open_sheet")
-    page.get_by_text("9 problems, ").wait_for(timeout=60_000)
+    page.get_by_text("9 problems, ").wait_for(timeout=TIMEOUT_MS)
     run(page, "given = sheet.given(5)", "sheet.check(5")
     link = page.get_by_role("link", name="Re-read: section “The inverse” of lecture 01, Frames.")
-    link.wait_for(timeout=60_000)
+    link.wait_for(timeout=TIMEOUT_MS)
     assert page.locator(".jp-CodeCell [role=status] a").count() == 1
     link.click()
-    page.wait_for_url("**/lab/tree/notebooks/01_frames.ipynb", timeout=60_000)
+    page.wait_for_url("**/lab/tree/notebooks/01_frames.ipynb", timeout=TIMEOUT_MS)
     page.wait_for_function(
-        f"(() => {{ const top = ({HEADING_TOP})(); return 0 < top && top < innerHeight; }})()", timeout=60_000
+        f"(() => {{ const top = ({HEADING_TOP})(); return 0 < top && top < innerHeight; }})()", timeout=TIMEOUT_MS
     )
 
 
@@ -199,18 +199,18 @@ def test_frames_placed_by_hand_stay_when_a_blank_is_checked_and_the_cell_runs_ag
     run(page, "by_hand = view.assign")
     placing = cell(page, "by_hand = view.assign")
     chosen = placing.locator(".kv-assign select").nth(1)
-    chosen.wait_for(timeout=60_000)
+    chosen.wait_for(timeout=TIMEOUT_MS)
     chosen.focus()
     page.keyboard.press("ArrowDown")
     name = chosen.input_value()
     assert name
     run(page, "row_3 = ...")
-    cell(page, "row_3 = ...").get_by_text("Nothing here yet").wait_for(timeout=60_000)
+    cell(page, "row_3 = ...").get_by_text("Nothing here yet").wait_for(timeout=TIMEOUT_MS)
     assert chosen.input_value() == name
     old = chosen.element_handle()
     run(page, "by_hand = view.assign")
-    page.wait_for_function("select => !select.isConnected", arg=old, timeout=60_000)
-    chosen.wait_for(timeout=60_000)
+    page.wait_for_function("select => !select.isConnected", arg=old, timeout=TIMEOUT_MS)
+    chosen.wait_for(timeout=TIMEOUT_MS)
     assert chosen.input_value() == name
 
 
@@ -221,9 +221,9 @@ MODEL = "document.querySelector('.kv').viewer.model"
 
 def run_first(page):
     """Run the first cell, and wait for its viewer."""
-    page.get_by_text("| Idle").first.wait_for(timeout=60_000)
+    page.get_by_text("| Idle").first.wait_for(timeout=TIMEOUT_MS)
     run_cell(page, 0)
-    page.wait_for_selector(".kv-canvas[data-pictures]", timeout=60_000)
+    page.wait_for_selector(".kv-canvas[data-pictures]", timeout=TIMEOUT_MS)
     return page
 
 

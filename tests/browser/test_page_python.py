@@ -32,7 +32,6 @@ def press(page, element, key="Enter"):
     page.keyboard.press(key)
 
 
-@pytest.mark.nightly
 def test_frames_that_are_placed_by_keyboard_are_judged_by_the_rules_on_the_page(chromium, pages):
     with watched(chromium) as page:
         page.goto(f"{pages}/lectures/07_frame_assignment.html")

@@ -1,7 +1,4 @@
-"""Every notebook runs in a new kernel without warnings, and every figure has a text alternative.
-
-The numbers in the text of a lecture come from its cells; prose_numbers.py defines which numbers, and what counts as a source.
-"""
+"""Every notebook runs in a new kernel without warnings, and every figure has a text alternative."""
 
 import ast
 import gc
@@ -14,9 +11,6 @@ import notebook_runs
 import pytest
 from kinsite.execute import execute
 from nbval.plugin import IPyNbFile
-from prose_numbers import numbers_of, numbers_without_source, sources
-
-from kincourse import COURSE, blanks
 
 ROOT = Path(__file__).parents[2]
 FOLDERS = ("notebooks", "exercises", "solutions")
@@ -116,31 +110,6 @@ def test_a_notebook_runs_without_warnings_and_describes_its_figures(path):
     """The cache has what nbval has executed without a warning; any other notebook is executed here, and a warning raises."""
     undescribed = [what for output in outputs_of(execute(path)) for what in without_alternative(output)]
     assert not undescribed, f"these figures need a text alternative: {undescribed}"
-
-
-@each(LECTURES)
-def test_every_number_in_the_prose_comes_from_a_cell(path):
-    """In the text, in the questions and in the blank steps of a lecture."""
-    cells = execute(path).cells
-    seen = sources(cells)
-    unseen = {cell.id: numbers_without_source(cell.source, seen) for cell in cells if cell.cell_type == "markdown"}
-    for name, assumed, claims in claims_in(path):
-        unseen[name] = numbers_without_source(claims, seen | set(numbers_of(assumed)))
-    unseen = {place: numbers for place, numbers in unseen.items() if numbers}
-    assert not unseen, f"print these in a cell, or write the sentence without them: {unseen}"
-
-
-def claims_in(path):
-    """Yield each question and blank of a lecture: its name, what it assumes, and what it claims."""
-    lecture = path.stem.partition("_")[0]
-    for name, item in COURSE.questions().get(lecture, {}).items():
-        assumed = [item.text, *(option.text for option in item.options if not option.right)]
-        claims = [item.options[item.right].text, *(option.why for option in item.options)]
-        yield name, "\n".join(assumed), "\n".join(claims)
-    for number, step in blanks().items():
-        if number.startswith(f"{lecture}."):
-            problem = step.variant("anybody")
-            yield number, "", "\n".join([problem.statement, *(wrong.message for wrong in problem.known_mistakes)])
 
 
 def outputs_of(notebook):

@@ -12,7 +12,6 @@ import pytest
 from built_site import lab
 from kinsite.browser_lab import pyodide, wheels
 from kinsite.browser_lab.precompile import precompile
-from packaging.requirements import Requirement
 
 
 def wheel(folder, name="arm", files=("arm/__init__.py",), requires=()):
@@ -57,26 +56,13 @@ def test_an_entry_lists_the_imports_and_the_requirements_of_a_wheel(tmp_path):
     assert wheels.entry(path, "3.11")["depends"] == ["numpy", "psygnal", "typing-extensions"]
 
 
-def test_the_three_packages_become_wheels_whose_names_contain_their_hash(tmp_path):
+def test_the_course_becomes_a_wheel_whose_name_contains_its_hash(tmp_path):
     built, again = wheels.build(tmp_path / "one"), wheels.build(tmp_path / "two")
-    assert [wheel.name for wheel in built] == [wheel.name for wheel in again]
-    entries = [wheels.entry(wheel) for wheel in built]
-    assert [entry["imports"] for entry in entries] == [["kinlib"], ["misstep"], ["kincourse"]]
-    assert all(entry["sha256"][:12] in entry["file_name"] for entry in entries)
-    assert {"numpy", "sympy", "matplotlib", "anywidget"} <= set(entries[0]["depends"])
-    assert {"kinlib", "misstep"} <= set(entries[2]["depends"])
-
-
-def test_what_extras_of_the_engine_require_is_required_by_kinlib_or_the_course_too(tmp_path):
-    """Entries of the lock file have no extras, so an extra that the course uses must not require anything else."""
-    built = wheels.build(tmp_path)
-    depends = {name for wheel in built for name in wheels.entry(wheel)["depends"]} | {"mpmath"}  # SymPy requires mpmath
-    with ZipFile(built[1]) as archive:
-        metadata = next(name for name in archive.namelist() if name.endswith("METADATA"))
-        lines = archive.read(metadata).decode().splitlines()
-    extras = [Requirement(line.partition(": ")[2]) for line in lines if "; extra ==" in line]
-    used = {one.name for one in extras for extra in ("formulas", "notebook") if one.marker.evaluate({"extra": extra})}
-    assert {"sympy", "ipywidgets"} <= used <= depends
+    assert built.name == again.name
+    entry = wheels.entry(built)
+    assert entry["imports"] == ["kincourse", "kinlib", "misstep"]
+    assert entry["sha256"][:12] in entry["file_name"]
+    assert {"numpy", "sympy", "matplotlib", "anywidget"} <= set(entry["depends"])
 
 
 def test_a_wheel_with_another_hash_is_refused(tmp_path, monkeypatch):

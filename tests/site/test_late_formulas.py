@@ -106,12 +106,6 @@ def test_a_link_to_a_section_leads_there(page, site_address, size, arrives):
     assert page.evaluate(top) < -1500
 
 
-def test_a_frame_has_no_formula_that_waits(site_folder):
-    frames = [path.read_text("utf-8") for path in (site_folder / "embed").rglob("*.html")]
-    assert any('class="katex-html"' in html for html in frames)
-    assert not any(late_formulas.BEGIN in html for html in frames)
-
-
 def test_a_comma_stays_on_the_line_of_its_formula(page, site_address):
     """If a line ends with a formula, a browser would put the comma at the start of the next line."""
     page.set_viewport_size(PHONE)

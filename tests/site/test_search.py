@@ -9,8 +9,6 @@ from browser import watched
 QUERIES = json.loads(Path(__file__).with_name("search_queries.json").read_text("utf-8"))
 """Words that readers type, each with the beginnings of the addresses that are right first. The ranking was tuned on some."""
 
-FIGURES = ("performance.html", "census.html", "independent_checks.html")
-
 
 @pytest.fixture(scope="module")
 def results(chromium, site_address):
@@ -35,27 +33,6 @@ def test_the_page_that_is_looked_for_is_first_for_five_of_six_queries(results):
     }
     assert len(results) > 140
     assert len(missed) <= len(results) / 6, missed
-
-
-def test_no_page_of_figures_is_above_a_lecture_unless_it_is_looked_for(results):
-    looked_for = {
-        query
-        for half in QUERIES.values()
-        for query, wanted in half.items()
-        if any(page in str(wanted) for page in FIGURES)
-    }
-    for query, addresses in results.items():
-        if query in looked_for:
-            continue
-        kinds = ["figures" if address.startswith(FIGURES) else address.partition("/")[0] for address in addresses]
-        if "figures" in kinds and "lectures" in kinds:
-            assert kinds.index("lectures") < kinds.index("figures"), query
-
-
-def test_no_result_shows_the_sign_of_a_link_to_copy(site_folder):
-    data = (site_folder / "_static" / "search-data.js").read_text("utf-8")
-    assert '"title":"halves swapped"' in data
-    assert "¶" not in data
 
 
 def test_words_that_nothing_contains_and_no_words_get_an_answer(chromium, site_address):

@@ -10,13 +10,9 @@ import pytest
 from accessibility import violations
 from browser import unwatched, watched
 from built_site import DESKTOP, PHONE, ROOT
-from gate import LECTURES, giveaways
 from kinsite import execute, markdown
 from kinsite.generated import gallery
-from kinsite.late_formulas import show_all
-from kinsite.pdf_document import compose_document
 from lessons import plain_words, words_of
-from readings import page_reading
 
 from kincourse import COURSE, find_question
 from misstep.questions.item import LETTERS
@@ -36,7 +32,6 @@ KINDS = {
     "search": "search.html?q=screw",
     "missing": "no/such/page.html",
     "phone": "lectures/00_start_here.html",
-    "frame": "embed/lectures/03_poe_space/question-03-order.html",
 }
 
 
@@ -58,7 +53,7 @@ def pages(site_folder):
     return sorted(
         path.relative_to(site_folder).as_posix()
         for path in site_folder.rglob("*.html")
-        if not {"_static", "lab", "embed"} & set(path.relative_to(site_folder).parts)
+        if not {"_static", "lab"} & set(path.relative_to(site_folder).parts)
     )
 
 
@@ -152,21 +147,6 @@ def test_axe_finds_no_violation_in_light_and_dark_mode(chromium, chromium_withou
         page.goto(f"{site_address}/{KINDS[kind]}")
         assert violations(page) == []
         assert page.evaluate(OVERFLOW) <= 0, "the page is wider than the window"
-
-
-@pytest.mark.nightly
-def test_axe_finds_no_violation_on_any_page(chromium_without_webgl, site_address, site_folder):
-    found = {}
-    for path in sorted(site_folder.rglob("*.html")):
-        name = path.relative_to(site_folder).as_posix()
-        if name.startswith(("_static/", "lab/")):
-            continue
-        with watched(chromium_without_webgl, viewport=DESKTOP) as page:
-            page.context.set_default_timeout(120_000)
-            page.goto(f"{site_address}/{name}")
-            if faults := violations(page):
-                found[name] = faults
-    assert not found
 
 
 # --- questions, sliders and progress ---
@@ -404,8 +384,7 @@ def test_the_pages_of_sheets_contain_no_answers(site_folder):
 
 
 def test_marks_for_tests_are_removed_from_the_pages(site_folder, pages):
-    """The guide to lectures is the one page that mentions them."""
-    assert [name for name in pages if "NBVAL" in (site_folder / name).read_text("utf-8")] == ["guides/lectures.html"]
+    assert [name for name in pages if "NBVAL" in (site_folder / name).read_text("utf-8")] == []
 
 
 def test_only_lines_in_two_columns_become_definitions():
@@ -466,18 +445,3 @@ def test_a_robot_without_a_source_fails_the_build_by_name(monkeypatch):
     )
     with pytest.raises(ValueError, match="rpr must have a source"):
         dict(gallery.pages())
-
-
-# --- giveaways ---
-
-
-@pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
-def test_nothing_above_a_question_gives_its_answer_away(site_folder, path):
-    """On the page, and in the PDF, which opens what the page folds."""
-    page = f"lectures/{path.stem}.html"
-    document = compose_document(site_folder, "html", "", [page])
-    for html in (show_all((site_folder / page).read_text("utf-8")), document):
-        assert (
-            giveaways(page_reading(re.search(r"<article.*</article>", html, re.DOTALL)[0]), path.stem.partition("_")[0])
-            == []
-        )

@@ -1,4 +1,4 @@
-"""The course in the browser: JupyterLite with the notebooks, our packages and Python, on the same site as the pages.
+"""The course in the browser: JupyterLite with the notebooks, our wheel and Python, on the same site as the pages.
 
 The environment variable KINLIB_LAB chooses the release of Python for the browser:
     official   Pyodide's newest release, as on the published site; the build needs access to the Internet
@@ -26,7 +26,7 @@ from packaging.utils import canonicalize_name
 
 from kinsite.browser_lab import pyodide, wheels
 from kinsite.browser_lab.wheels import Unreachable
-from kinsite.execute import PACKAGES, ROOT, package_hash
+from kinsite.execute import ROOT, package_hash
 
 VARIABLE = "KINLIB_LAB"
 DISTRIBUTIONS = {"official": pyodide.official, "offline": pyodide.offline}
@@ -112,7 +112,7 @@ def build_with_jupyterlite(kind: str, folder: Path) -> None:
     shutil.rmtree(folder, ignore_errors=True)
     kernel = sorted((EXTENSIONS[0] / "static" / "pypi").glob("*.whl"))
     distribution = DISTRIBUTIONS[kind]()
-    packages = pyodide.install(distribution, [*wheels.build(folder / "wheel"), *kernel], folder / "python")
+    packages = pyodide.install(distribution, [wheels.build(folder / "wheel"), *kernel], folder / "python")
     precompile(folder / "python", folder / "static" / "pyodide")
     for path in contents():
         target = folder / "contents" / path.relative_to(ROOT)
@@ -168,7 +168,7 @@ def precompile(source: Path, target: Path) -> None:
     lock = json.loads((source / "pyodide-lock.json").read_text("utf-8"))
     entries: dict[str, Any] = {canonicalize_name(name): entry for name, entry in lock["packages"].items()}
     loaded = sorted(required(entries, LIVE_PACKAGES, set(LATER) - {"matplotlib"}))
-    archives = {MODULES: False} | {entries[name]["file_name"]: name in PACKAGES for name in loaded}
+    archives = {MODULES: False} | {entries[name]["file_name"]: name == LIVE_PACKAGES[1] for name in loaded}
     shutil.copytree(source, target)
     warm_up = source.parent / "warm_up.py"
     warm_up.write_text((SITE / "lab" / "live" / "shell.py").read_text("utf-8") + WARM_UP, "utf-8")

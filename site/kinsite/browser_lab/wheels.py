@@ -13,7 +13,7 @@ from zipfile import ZipFile
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-from kinsite.execute import PACKAGES, ROOT
+from kinsite.execute import ROOT
 
 DOWNLOADS = ROOT / "build" / "lab" / "downloads"
 """Downloaded files are kept here, and each is downloaded once."""
@@ -51,21 +51,17 @@ def download(name: str, release: str = "", python: str = "3.12", sha256: str = "
     return wheel
 
 
-def build(folder: Path) -> list[Path]:
-    """Build the wheels of the three packages from this checkout.
+def build(folder: Path) -> Path:
+    """Build the wheel of the course from this checkout.
 
-    The name of each wheel contains a hash of its content. So a browser that caches files by name never uses an old wheel.
+    Its name contains a hash of its content. So a browser that caches files by name never uses an old wheel.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    return [_build(package, folder) for package in PACKAGES]
-
-
-def _build(package: str, folder: Path) -> Path:
-    for old in folder.glob(f"{package}-*.whl"):
+    for old in folder.glob("*.whl"):
         old.unlink()
     command = (sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", str(folder))
-    subprocess.run(command, cwd=ROOT / package, check=True, capture_output=True)
-    (wheel,) = folder.glob(f"{package}-*.whl")
+    subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
+    (wheel,) = folder.glob("*.whl")
     name, release, rest = wheel.name.split("-", 2)
     return wheel.rename(folder / f"{name}-{release}-0{sha256_of(wheel)[:12]}-{rest}")
 
@@ -75,7 +71,7 @@ def entry(wheel: Path, python: str = "3.12") -> dict[str, Any]:
 
     python  the version of Python in the browser, for which the requirements are evaluated
 
-    Requirements of extras are left out: the three packages need nothing for them that kinlib does not require itself.
+    Requirements of extras are left out: no cell of the course needs them.
     """
     with ZipFile(wheel) as archive:
         names = archive.namelist()

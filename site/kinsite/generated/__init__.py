@@ -1,1 +1,1 @@
-"""Pages that are made from the packages: robots, mistakes, reference, progress, performance, independent checks."""
+"""Pages that are made from the packages: robots, mistakes, reference, progress."""

@@ -12,7 +12,6 @@ from docutils.nodes import make_id
 from myst_parser.slugs import github_slugify
 
 from kincourse import find_sheet, sheets
-from kinsite.embeds import permalink
 from misstep.problem import Template
 from misstep.sheet import Sheet
 
@@ -97,7 +96,7 @@ def page(name: str, sheet: Sheet) -> str:
             f"## {template.number} {template.title}",
             f"Re-read: [{heading or 'the lecture'}](../lectures/{lecture}.ipynb{'#' + github_slugify(heading) if heading else ''}).",
             *(
-                f"[`{mistake}`]{{#{(name := anchor(template.number, mistake))}}} {permalink(name, 'mistake')}\n: {message}"
+                f"[`{mistake}`]{{#{anchor(template.number, mistake)}}}\n: {message}"
                 for mistake, message in messages(template).items()
             ),
         ]

@@ -28,7 +28,6 @@ def test_what_cannot_be_drawn_is_refused():
             draw()
 
 
-@pytest.mark.oracle("mpmath", partial_sums)
 @given(screws(), st.floats(-3, 3), points())
 def test_each_sum_is_a_sum_of_powers_with_40_digits(S, q, point):
     with mpmath.workdps(mpmath_oracle.DIGITS):

@@ -189,7 +189,7 @@ def test_the_students_copy_runs_in_its_folder_and_contains_no_solution(project, 
             assert len(line.strip()) < 13 or line.strip() not in text
     notebook = nbformat.reads(text, as_version=4)
     nbformat.validate(notebook)
-    NotebookClient(notebook, timeout=60, resources={"metadata": {"path": folder}}).execute()
+    NotebookClient(notebook, timeout=1200, resources={"metadata": {"path": folder}}).execute()
     cards = [cell.outputs[-1]["data"]["text/plain"] for cell in notebook.cells if cell.id.startswith("check-")]
     assert len(cards) == PROBLEMS_PER_SHEET
     assert all("Nothing here yet" in card for card in cards)

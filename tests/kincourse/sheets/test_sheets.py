@@ -15,8 +15,6 @@ from right_and_wrong import assert_mistakes_are_named
 from kincourse import attempt, blanks, find_sheet, open_sheet, sheets
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
-from misstep.census import is_observation, is_true
-from misstep.diagnosis.explanation import MAX_LENGTH
 from misstep.display.lecture_address import page_address
 from misstep.judge import judge
 from misstep.sheet import SAMPLE_ID
@@ -27,10 +25,7 @@ TEMPLATES = [template for sheet in SHEETS for template in sheet.problems]
 BLANK_STEPS = list(blanks().values())
 NOTEBOOKS = Path(__file__).parents[3] / "notebooks"
 STUDENTS = [f"student {i}" for i in range(7)]
-"""The students whose variants are tested here; every night, evidence/test_many_variants.py tests 200."""
-
-MUTANT_STUDENTS = 1
-"""The number of students to whose problems each mutant of the solution is given as an answer; every night, the census takes 60."""
+"""The students whose variants are tested here."""
 
 NAMING_STUDENTS = 3
 """The number of students to whom each mistake of the author is given as an answer."""
@@ -62,35 +57,6 @@ def test_the_right_answer_scores_full_and_each_mistake_gets_its_own_message(temp
         if isinstance(answer, (Numbers, ClosedForm)):  # what a right answer fulfils, it fulfils
             right = answer.read(answer.value)
             assert not any(answer.check(right, part) for part in range(len(answer.parts)))
-
-
-@each_problem
-def test_every_mutant_that_shares_a_part_with_an_answer_is_near_it(template):
-    problem = variant(template, SAMPLE_ID)
-    agrees = problem.answer.agrees
-    for wrong in problem.mutants[::12]:
-        near = [one.message for one in problem.mutants_near(wrong.value)]
-        assert {one.message for one in problem.mutants if any(agrees(wrong.value, one.value))} <= {*near}
-    # A change whose result is right by chance for this student is a possible mistake, too.
-    assert problem.names_of_mutants >= {name for wrong in problem.mutants for name in wrong.names}
-
-
-@each_problem
-def test_each_mutant_of_the_solution_costs_points_and_is_named(template):
-    for student in STUDENTS[:MUTANT_STUDENTS]:
-        problem = variant(template, student)
-        for wrong in problem.mutants:
-            if wrong.name not in problem.invisible:
-                judgement = judge(problem, wrong.value)
-                assert judgement.fraction < 1
-                own = [one.names for one in problem.mistakes if all(problem.answer.agrees(one.value, wrong.value))]
-                own += [one.names for one in problem.mutants if one.key == wrong.key]  # the same one in other words
-                named = {names for finding in judgement.findings for names in finding.alternatives}
-                value = problem.answer.read(wrong.value)
-                is_seen = any(is_observation(problem, value, finding) for finding in judgement.findings)
-                assert is_seen or named & {wrong.names, *own}, (wrong.name, judgement)
-                assert all(is_true(problem, value, finding) for finding in judgement.findings)
-                assert all(len(finding.text) <= MAX_LENGTH for finding in judgement.findings), judgement
 
 
 @each_problem

@@ -90,7 +90,6 @@ def test_decimals_are_compared_to_three_digits_and_exact_formulas_exactly():
     assert not is_right(ClosedForm(theta), "1.0*theta + 1/10^6")
 
 
-@pytest.mark.oracle("sympy", Reader.read, Reader.points)
 @given(
     st.recursive(
         st.sampled_from([q_1, q_2, a_2, sp.pi, sp.Integer(2), sp.Rational(-1, 3)]),
@@ -280,9 +279,6 @@ def test_every_function_has_the_values_of_sympy():
 SINE = ClosedForm(3 * sp.sin(theta))
 
 
-@pytest.mark.oracle(
-    "sympy", ClosedForm.expressions, ClosedForm.collect, ClosedForm.may_be, ClosedForm.may_share, Reader.points
-)
 def test_a_solution_has_the_values_of_sympy_at_each_point():
     points = SINE._reader.points
     expected = [float((3 * sp.sin(theta)).subs(theta, point["theta"])) for point in points]

@@ -2,10 +2,10 @@
 
 import re
 
-PYTHON_TIMEOUT_MS = 240_000
+PYTHON_TIMEOUT_MS = 1_200_000
 """How long Python may take to start: the first start is slow on a busy machine."""
 
-PAGE_TIMEOUT_MS = 60_000
+PAGE_TIMEOUT_MS = 600_000
 """How long JupyterLab may take to draw its page."""
 
 

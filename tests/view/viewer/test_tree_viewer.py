@@ -8,18 +8,11 @@ from urdf_files import trees
 
 import kinlib as kl
 from kinlib.view.viewer.tree_viewer import (
-    Branch,
     branches,
     explore_tree,
 )
 
 
-@pytest.mark.oracle(
-    "axiom: a branch ends where Tree.poses, which pinocchio confirms, has its tip",
-    branches,
-    Branch.values,
-    Branch.stations,
-)
 @given(trees(mimic=True), st.integers(0, 2**32 - 1))
 def test_every_branch_ends_at_its_tip_and_every_joint_is_drawn_once(drawn, seed):
     tree = kl.Tree.from_urdf(drawn[0])

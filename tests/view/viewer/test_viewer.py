@@ -16,7 +16,6 @@ from kinlib.view import explore
 from kinlib.view.viewer.scene import (
     LAYERS,
     arm_data,
-    joint_data,
     scene,
 )
 from kinlib.view.viewer.viewer import STATIC
@@ -29,7 +28,6 @@ each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.na
 # --- the data of an arm ---
 
 
-@pytest.mark.oracle("modern_robotics", arm_data, scene, joint_data)
 @each_robot
 def test_the_data_of_an_arm_has_the_forward_kinematics_of_modern_robotics(robot):
     """The page moves each body by its screw, so the data alone must give the pose of the arm's tool."""

@@ -1,6 +1,6 @@
 """Remove the outputs of notebooks before a commit, except the text of cells marked # NBVAL_CHECK_OUTPUT.
 
-    python tools/tidy_notebooks.py notebooks/01_frames.ipynb ...
+    python tests/support/tidy_notebooks.py notebooks/01_frames.ipynb ...
 
 nbval compares the outputs of marked cells. nbstripout does not know the mark, and it removes the execution count, without
 which nbval compares nothing.
