@@ -99,16 +99,8 @@ def oracles(session: nox.Session) -> None:
 
 
 @nox.session
-def census(session: nox.Session) -> None:
-    """Judge the wrong answers of 60 students to each problem; `-- --save site/census.json` keeps the counts for the site."""
-    session.run(PYTHON, "-m", "misstep", "census", *session.posargs)
-    session.run(PYTHON, "evidence/checks/judge_outside.py", *session.posargs)
-
-
-@nox.session
 def evidence(session: nox.Session) -> None:
     """Show that the library is right and that feedback is true; every night and before a release, in about an hour."""
-    session.run(PYTHON, "-m", "misstep", "census")
     judged = sorted(map(str, Path("evidence").glob("test_*.py")))  # without the benchmarks, which need a plug-in
     run_pytest(session, *judged, "--numprocesses=auto")
     whole = ("--nightly", "--oracles", "--hypothesis-profile=thorough")

@@ -15,7 +15,7 @@ from nbformat import NotebookNode
 
 from kincourse.table_of_lectures import fill_home_page
 from kinsite.execute import ROOT, cached_pages, execute_all
-from kinsite.generated import census, gallery, independent_checks, mistakes, performance, progress, reference
+from kinsite.generated import gallery, independent_checks, mistakes, performance, progress, reference
 
 SITE = ROOT / "site"
 LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -65,7 +65,6 @@ def all_pages() -> Iterator[tuple[str, str]]:
     yield from performance.pages()
     yield from notebook_pages(executed)
     yield from independent_checks.pages()
-    yield from census.pages()
     yield from progress.pages(*({path: executed[path] for path in paths} for paths in (LECTURES, SHEETS)))
     yield from gallery.pages()
     yield from reference.pages()
@@ -86,8 +85,6 @@ def handwritten_pages() -> Iterator[tuple[str, str]]:
     )
     for path in sorted((ROOT / "guides").glob("*.md")):
         yield f"guides/{path.name}", path.read_text("utf-8")
-    for path in sorted((ROOT / "misstep" / "docs").glob("*.md")):
-        yield f"misstep/{path.name}", path.read_text("utf-8")
     guide = (SITE / "instructors.md").read_text("utf-8").replace("](pages/", "](")
     yield "instructors.md", performance.with_grading_times(guide)
 

@@ -9,7 +9,7 @@ from browser import watched
 QUERIES = json.loads(Path(__file__).with_name("search_queries.json").read_text("utf-8"))
 """Words that readers type, each with the beginnings of the addresses that are right first. The ranking was tuned on some."""
 
-FIGURES = ("performance.html", "census.html", "independent_checks.html")
+FIGURES = ("performance.html", "independent_checks.html")
 
 
 @pytest.fixture(scope="module")

@@ -7,7 +7,7 @@ import urllib.request
 from collections.abc import Callable
 from pathlib import Path
 
-from fresh_copy import Failure, NotTried, Place, free_port, reachable
+from fresh_copy import Failure, NotTried, Place, free_port
 
 LECTURE = "notebooks/00_start_here.ipynb"
 SHEET = "solutions/03_poe_space/03_poe_space.ipynb"
@@ -198,51 +198,3 @@ def container(place: Place) -> None:
     (place.folder / "submissions" / "your id").mkdir(parents=True)
     shutil.copy(place.folder / SHEET, place.folder / "submissions" / "your id")
     place.run(f".venv/bin/misstep grade {SHEET} submissions --out results")
-
-
-# --- an author of another course ---
-
-
-@path
-def new_course(place: Place) -> None:
-    """From the engine alone to a course of its own, tested, released, and with a site."""
-    place.run("python -m venv engine")
-    place.run("python -m pip install ./misstep", replace={"python": "engine/bin/python"})
-    engine, program = place.folder / "misstep", place.folder / "engine/bin/misstep"
-    place.enter("courses")
-    place.run("misstep new-course my_course", replace={"misstep": str(program)})
-    place.enter("courses/my_course")
-    place.run("python -m venv .venv")
-    repository = {"path/to/repository/misstep": str(engine)}
-    place.run(".venv/bin/python -m pip install path/to/repository/misstep", replace=repository)
-    place.run(".venv/bin/python -m pip install -e '.[instructor]'")
-    place.run(".venv/bin/python -m pytest")
-    place.run(".venv/bin/python -m misstep census --course my_course --students 10")
-    if place.run("python -c 'import sys; print(sys.version_info >= (3, 12))'").strip() == "False":
-        raise NotTried("the site of a new course needs Python 3.12")
-    settings = place.folder / "jupyter_lite_config.json"
-    if not reachable(PYODIDE):
-        settings.write_text(settings.read_text("utf-8").replace('"enabled": true', '"enabled": false'), "utf-8")
-    place.run(".venv/bin/python -m pip install -e '.[site]'")
-    wheels = ".venv/bin/python -m pip wheel --no-deps --wheel-dir build/wheels . misstep"
-    place.run(wheels, replace={". misstep": f". {engine}"})
-    place.run(".venv/bin/python -m misstep release")
-    place.run(".venv/bin/python -m sphinx -W . build/site")
-    check_site_of_a_course(place)
-
-
-def check_site_of_a_course(place: Place) -> None:
-    built = place.folder / "build" / "site"
-    if "data-misstep-question" not in (built / "notebooks/01_ohm.html").read_text("utf-8"):
-        raise Failure("The page of the lecture must show its question.")
-    sheet = re.sub("<[^>]+>", "", (built / "exercises/01_ohm/01_ohm.html").read_text("utf-8"))
-    if "resistance_1 = ..." not in sheet or "1 / (1 /" in sheet:
-        raise Failure("The page of the sheet must show the blank cells of students, and no solution.")
-    notebooks = {path.name for path in (built / "lite/files").rglob("*.ipynb")}
-    if notebooks != {"01_ohm.ipynb"}:
-        raise Failure(f"The lab must have the notebooks of the pages; it has {sorted(notebooks)}.")
-    if not reachable(PYODIDE):
-        raise NotTried(f"{PYODIDE} cannot be reached, so the site has no wheels for the browser")
-    lock = json.loads((built / "lite/static/pyodide-lock/pyodide-lock.json").read_text("utf-8"))
-    if not {"my_course", "my-course"} & set(lock["packages"]) or "misstep" not in lock["packages"]:
-        raise Failure("The Python of the browser must have the wheels of the course and the engine.")

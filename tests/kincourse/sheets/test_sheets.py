@@ -15,7 +15,6 @@ from right_and_wrong import assert_mistakes_are_named
 from kincourse import attempt, blanks, find_sheet, open_sheet, sheets
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
-from misstep.census import is_observation, is_true
 from misstep.diagnosis.explanation import MAX_LENGTH
 from misstep.display.lecture_address import page_address
 from misstep.judge import judge
@@ -30,7 +29,7 @@ STUDENTS = [f"student {i}" for i in range(7)]
 """The students whose variants are tested here; every night, evidence/test_many_variants.py tests 200."""
 
 MUTANT_STUDENTS = 1
-"""The number of students to whose problems each mutant of the solution is given as an answer; every night, the census takes 60."""
+"""The number of students to whose problems each mutant of the solution is given as an answer."""
 
 NAMING_STUDENTS = 3
 """The number of students to whom each mistake of the author is given as an answer."""
@@ -86,10 +85,7 @@ def test_each_mutant_of_the_solution_costs_points_and_is_named(template):
                 own = [one.names for one in problem.mistakes if all(problem.answer.agrees(one.value, wrong.value))]
                 own += [one.names for one in problem.mutants if one.key == wrong.key]  # the same one in other words
                 named = {names for finding in judgement.findings for names in finding.alternatives}
-                value = problem.answer.read(wrong.value)
-                is_seen = any(is_observation(problem, value, finding) for finding in judgement.findings)
-                assert is_seen or named & {wrong.names, *own}, (wrong.name, judgement)
-                assert all(is_true(problem, value, finding) for finding in judgement.findings)
+                assert judgement.mistakes or named & {wrong.names, *own}, (wrong.name, judgement)
                 assert all(len(finding.text) <= MAX_LENGTH for finding in judgement.findings), judgement
 
 
