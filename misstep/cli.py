@@ -11,12 +11,8 @@ import sys
 from collections.abc import Mapping, Sequence
 
 COMMANDS = {
-    "census": ("misstep.census", "judge many wrong answers, and count what feedback says to them"),
-    "check": ("misstep.authoring.check", "say what is missing in a course"),
     "grade": ("misstep.grading.command", "grade the submissions of a sheet, in a sandbox"),
-    "new-course": ("misstep.new_course", "write a small course that works, as the beginning of your own"),
-    "new-problem": ("misstep.authoring.new_problem", "add a problem and its cells to a sheet"),
-    "preview": ("misstep.authoring.preview", "show a problem, and each mistake with its card"),
+    "preview": ("misstep.preview", "show a problem, and each mistake with its card"),
     "release": ("misstep.release.student_notebook", "write the students' notebooks from the instructors' notebooks"),
     "unnamed": (
         "misstep.grading.unnamed",

@@ -14,7 +14,7 @@ from misstep.display.sentences import BY_CHANCE, BY_LUCK, ROUNDED, STEP_BY_STEP,
 from misstep.problem import Problem
 from misstep.validation import is_blank
 
-State = Literal["right", "partly", "wrong", "blank", "unreadable", "unmarked"]
+State = Literal["right", "partly", "wrong", "blank", "unreadable"]
 
 
 @dataclass(frozen=True)
@@ -63,9 +63,6 @@ def judge(problem: Problem, given: Any) -> Judgement:
         value = answer.read(given)
     except Unreadable as error:
         return Judgement("unreadable", findings=[Finding(answer.parts, str(error))])
-    if answer.rubric:
-        criteria = ", ".join(f"{name} ({points:g})" for name, points in answer.rubric.items())
-        return Judgement("unmarked", findings=[Finding(answer.parts, f"A person marks it, for: {criteria}.")])
     right = answer.agrees(value, answer.value)
     wrong = [part for part, is_right in enumerate(right) if not is_right]
     if not wrong:

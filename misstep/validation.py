@@ -38,47 +38,34 @@ def has_truth(x: Any) -> bool:
     )
 
 
-def array(x: ArrayLike, name: str, kind: str = "f") -> NDArray[Any]:
-    """Read x as an array of finite numbers: real, or complex if the kind is "c".
+def array(x: ArrayLike, name: str) -> Array:
+    """Read x as an array of finite real numbers.
 
     Raises ValueError for anything else, with the index of the first NaN or infinity.
 
     >>> array([1, 2, 3], "your answer")
     array([1., 2., 3.])
     """
-    noun = "complex" if kind == "c" else "real"
     try:
         values = np.asarray(x)
         if has_truth(x):
             raise TypeError(NO_NUMBER)
-        if kind == "f":
-            values = without_imaginary(values)
-        if values.dtype.kind not in f"iufO{kind}":
-            raise TypeError(f"{values.dtype} is not a {noun} number")
+        if values.dtype.kind == "c" and (np.abs(values.imag) <= IMAGINARY_ROUND_OFF * np.abs(values)).all():
+            values = values.real  # as np.linalg.eigvals gives them
+        if values.dtype.kind not in "iufO":
+            raise TypeError(f"{values.dtype} is not a real number")
         # astype alone would read None as NaN and "1" as 1. Adding zero first refuses both.
         with np.errstate(over="ignore"):  # a long double beyond 1e308 becomes infinity, which is refused below
-            values = np.asarray(values + 0.0).astype(complex if kind == "c" else float, copy=False)
+            values = np.asarray(values + 0.0).astype(float, copy=False)
     except (TypeError, ValueError, OverflowError) as error:
         raise ValueError(
-            f"{name} must be an array of {noun} numbers; got {brief(x)}. "
+            f"{name} must be an array of real numbers; got {brief(x)}. "
             "Is there None, a symbol, a string, True or a row of another length among them?"
         ) from error
     if not np.isfinite(values).all():
         place = f" at index {np.argwhere(~np.isfinite(values))[0].tolist()}" if values.ndim else ""
         raise ValueError(f"{name} contains NaN or infinity{place}. Was there a division by zero before this step?")
     return values
-
-
-def without_imaginary(values: NDArray[Any]) -> NDArray[Any]:
-    """Return complex numbers as real ones if their imaginary parts are only round-off, as `np.linalg.eigvals` gives them.
-
-    >>> without_imaginary(np.array([7 + 0j, 3 + 1e-16j])), without_imaginary(np.array(2 + 1j))
-    (array([7., 3.]), array(2.+1.j))
-    """
-    if values.dtype.kind != "c":
-        return values
-    is_real = np.abs(values.imag) <= IMAGINARY_ROUND_OFF * np.abs(values)
-    return values.real if is_real.all() else values
 
 
 def brief(x: Any) -> str:

@@ -43,7 +43,7 @@ class Verdict:
         is_on_whole = judgement.state != "partly" and len(judgement.findings) == 1
         right_parts = judgement.right_parts if judgement.state == "partly" else ()
         body += paragraphs(judgement.findings, right_parts, is_on_whole=is_on_whole)
-        if judgement.state not in ("right", "blank", "unmarked"):
+        if judgement.state not in ("right", "blank"):
             section = template.lecture.partition("#")[2]
             body.append(Link(f"Re-read: section “{section}” of {template.lecture_name}.", self.address))
         return Card(judgement.state, title, body)

@@ -3,9 +3,9 @@
 What a card says of degrees for radians is in misstep/display/sentences.py.
 """
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from itertools import permutations
 from typing import Any, ClassVar
 
@@ -16,45 +16,31 @@ from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.entries import Slip
 from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers
-from misstep.formulas.numerals import numeral
+from misstep.formulas.evaluation import numeral
 from misstep.validation import Array
 
-TURNS = {"rad": 2 * np.pi, "radians": 2 * np.pi, "degrees": 360.0, "°": 360.0, "gon": 400.0, "turns": 1.0}
-"""A full turn in each unit of an angle."""
-
-_TYPED = {**{name: name for name in TURNS}, "deg": "degrees", "degree": "degrees", "radian": "rad"}
-"""For each unit that may be typed after an angle, the key of TURNS."""
+TURN = 2 * np.pi
 
 
 @dataclass(frozen=True, eq=False)
 class Angles(Numbers):
     """One angle or k angles, shape (k,): 3 pi / 2 and -pi / 2 are the same angle. Each angle is a part.
 
-    unit       a key of TURNS, in which the angles are given, compared and expected
     any_order  whether the order of the k angles is irrelevant
 
     >>> Angles(np.array([0.5, -0.5]), any_order=True).read([2 * np.pi - 0.5, 0.5]).round(9)
     array([ 0.5, -0.5])
-    >>> bearing = Angles(350.0, unit="degrees")
-    >>> bearing.agrees(bearing.read(-10), bearing.value), bearing.agrees(bearing.read(-10 + 2 * np.pi), bearing.value)
-    ([True], [False])
+    >>> bearing = Angles(np.array(np.pi / 2))
+    >>> bearing.read("-270°").round(4)
+    np.float64(1.5708)
     """
 
     unit: str = "rad"
     any_order: bool = False
     noun: ClassVar[str] = "angles, an array"
 
-    def __post_init__(self) -> None:
-        if self.unit not in TURNS:
-            raise ValueError(f"The unit of an angle must be one of {', '.join(TURNS)}; got {self.unit!r}.")
-        super().__post_init__()
-
-    @property
-    def _turn(self) -> float:
-        return TURNS[self.unit]
-
     def _within_half_a_turn(self, angle: Array) -> Array:
-        return np.asarray((angle + self._turn / 2) % self._turn - self._turn / 2)
+        return np.asarray((angle + np.pi) % TURN - np.pi)
 
     @property
     def expected(self) -> str:
@@ -82,13 +68,9 @@ class Angles(Numbers):
         orders = [self._modulo_turns(angles[list(order)]) for order in permutations(range(len(angles)))]
         return min(orders, key=self._difference)
 
-    def typed(self, text: str) -> Fraction | complex:
-        """Return the angle that a text writes, in the unit of the answer; a unit that is typed with it is converted."""
-        plain = text.strip()
-        name = next((name for name in sorted(_TYPED, key=len, reverse=True) if plain.endswith(name)), "")
-        value = numeral(plain.removesuffix(name))
-        turn = TURNS[_TYPED[name]] if name else self._turn
-        return value if turn == self._turn else Fraction(float(value.real) * self._turn / turn)
+    def typed(self, text: str) -> float:
+        plain = re.sub(r"\s*(deg|degrees?)$", "°", text.strip())
+        return numeral(re.sub(r"\s*rad(ians?)?$", "", plain))
 
     def _difference(self, angles: Array) -> tuple[int, float]:
         error = angles - self._right
@@ -97,16 +79,13 @@ class Angles(Numbers):
     def _modulo_turns(self, angles: Array) -> Array:
         shifted = self._right + self._within_half_a_turn(angles - self._right)
         # An angle of more than two turns is most likely in degrees. It keeps its size, and with it its precision.
-        return np.where(np.abs(angles) > 2 * self._turn, angles, shifted)
+        return np.where(np.abs(angles) > 2 * TURN, angles, shifted)
 
     def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         size = np.maximum(self._scales, np.minimum(np.abs(one), np.abs(other)))
-        bound = tolerance * size if self.accuracy is None else tolerance / TOLERANCE * self.accuracy.bound(other)
-        far = (np.abs(one) > 2 * self._turn) & (
-            np.abs(other) > 2 * self._turn
-        )  # in another unit, where this turn means nothing
+        far = (np.abs(one) > 2 * TURN) & (np.abs(other) > 2 * TURN)  # in another unit, where this turn means nothing
         difference = np.where(far, one - other, self._within_half_a_turn(one - other))
-        return np.asarray(np.abs(difference) <= bound, dtype=bool)
+        return np.asarray(np.abs(difference) <= tolerance * size, dtype=bool)
 
     def appearance(self, given: Array, part: int | None) -> Named | None:
         if part is None and (seen := self._placeholder(given)):
@@ -118,8 +97,6 @@ class Angles(Numbers):
         return next(filter(None, (self.likeness(angles, None).at_sight() for angles in orders)), None)
 
     def _placeholder(self, given: Array) -> Named | None:
-        if not self.is_plain:
-            return None
         return replace(self.likeness(given, None), mine=self._within_half_a_turn(given)[..., None]).placeholder()
 
     def arrangement(self, given: Array) -> Named | None:
@@ -127,7 +104,7 @@ class Angles(Numbers):
         if found and found[0] not in {"doubled", "halved"}:
             return found
         # A full turn more has another half.
-        halves = [angles / 2 for angles in (self._within_half_a_turn(self._right), self._right % self._turn)]
+        halves = [angles / 2 for angles in (self._within_half_a_turn(self._right), self._right % TURN)]
         for name, text, values in (("doubled", "twice", [2 * self._right]), ("halved", "half of", halves)):
             if len(self.parts) > 1 and any(self._are_the_same(given, value) for value in values):
                 return name, f"These are {text} the right angles."
@@ -142,9 +119,9 @@ class Angles(Numbers):
         largest = np.abs(self._right).max()
         for name, value, *texts in super()._factor_slips():
             if name == "doubled":
-                also = ", up to full turns." if 2 * largest > self._turn / 2 else "."
+                also = ", up to full turns." if 2 * largest > TURN / 2 else "."
                 yield (name, value, *(text.removesuffix(".") + also for text in texts))
-            elif name == "halved" and largest <= self._turn / 2:
+            elif name == "halved" and largest <= TURN / 2:
                 yield (name, value, *texts)
 
     def place(self, index: Sequence[Any]) -> str:
@@ -153,8 +130,7 @@ class Angles(Numbers):
     def whole_slips(self) -> Iterator[Slip]:
         yield from super().whole_slips()
         X = self._right
-        half = self._turn / 2
-        names = ("$\\pi$", "$\\pi/2$") if self.unit in ("rad", "radians") else (f"{half:g}", f"{half / 2:g}")
+        half, names = np.pi, ("$\\pi$", "$\\pi/2$")
         yield ("half a turn off", X + half, "Your answer is half a turn off.", "This is half a turn off.")
         yield (
             "supplement",

@@ -22,7 +22,6 @@ Withholding: where submissions run, neither the answer nor its class is availabl
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from types import MappingProxyType
 from typing import Any, ClassVar
 
 from misstep.answers.accuracy import TOLERANCE
@@ -80,8 +79,6 @@ class Answer(ABC):
 
     value: Any
     inputs: Sequence[Any] = ()
-    rubric: Mapping[str, float] = MappingProxyType({})
-    """The criteria with their points, if a person marks the answer."""
     stored_objects: ClassVar[StoredObjects] = {}
     """Classes of objects that are answers. Each has a method to_dict(), and its function makes an object from these fields."""
 

@@ -1,12 +1,7 @@
-"""Numbers and arrays of numbers as answers: real, complex, or exact as whole numbers and fractions.
-
-How a number is read that was typed as text, such as "1/3" or "2e-3", is in `misstep.formulas.numerals`.
-"""
+"""Numbers and arrays of numbers as answers."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from decimal import Decimal
-from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
 from typing import Any, ClassVar
@@ -15,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep import validation
-from misstep.answers.accuracy import TOLERANCE, Accuracy, exact
+from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import MAX_NUMBER, Unreadable
 from misstep.answers.entries import (
     ROUND_OFF,
@@ -32,7 +27,7 @@ from misstep.answers.entries import (
 )
 from misstep.answers.likeness import LENGTH_UNITS, Likeness, Named, copied_row, has_three_digits
 from misstep.display.sentences import OTHER_UNIT
-from misstep.formulas.numerals import numeral
+from misstep.formulas.evaluation import numeral
 from misstep.mistakes import Mistake
 from misstep.validation import Array
 
@@ -44,9 +39,6 @@ LENGTH = 1
 
 PURE = 0
 """The kind of numbers of size 1: directions, entries of a rotation, angles beside lengths."""
-
-MAX_EXACT = 10**300
-"""The largest number of an answer with an accuracy of its own. The number of orders of 150 books is smaller."""
 
 SMALLER_UNITS = {
     "m": (1000, "millimetres", "metres"),
@@ -64,68 +56,36 @@ SMALLER_UNITS = {
 class Numbers(Entries):
     """A number, or an array of numbers of a given shape.
 
-    value     whole numbers and fractions (`int`, `Fraction`, text such as "1/3") are exact; others are real or complex
-    unit      the unit of all numbers, for feedback
-    accuracy  how far a number may be off: `exact`, or absolute(0.5), relative(0.02), decimals(2), digits(3)
-    scale     a size that matters, as one number or one for each entry; by default `scale_of` the numbers of the same kind
-    test      a check of each part that a student can do, in a sentence with the own numbers; "" if the part passes it
+    value  the right numbers
+    unit   the unit of all numbers, for feedback
+    scale  a size that matters, as one number or one for each entry; by default `scale_of` the numbers of the same kind
+    test   a check of each part that a student can do, in a sentence with the own numbers; "" if the part passes it
 
-    Without an accuracy, a real or complex number may be off by a thousandth of itself, or of its scale: three digits of the
-    largest number of its kind are enough, 0 is right for 1e-17, and wrong for 3e-7. The array is one part, unless a subclass
-    overrides `parts` and `part_indices`.
+    A number may be off by a thousandth of itself, or of its scale: three digits of the largest number of its kind are enough,
+    0 is right for 1e-17, and wrong for 3e-7. The array is one part, unless a subclass overrides `parts` and `part_indices`.
 
-    >>> Numbers(np.array([1.0, 2.0]), unit="m").read([1, 2])
+    >>> Numbers(np.array([1.0, 2.0]), unit="m").read([1, "4/2 m"])
     array([1., 2.])
     >>> small = Numbers(np.array(3e-7))
     >>> small.agrees(np.array(0.0), small.value), small.agrees(np.array(3e-7), small.value)
     ([False], [True])
-    >>> factorial, third = Numbers(5040), Numbers("1/3")
-    >>> factorial.agrees(factorial.read(5041), factorial.value), third.agrees(third.read(1 / 3), third.value)
-    ([False], [True])
-    >>> impedance = Numbers(3 + 4j)
-    >>> impedance.agrees(impedance.read("5∠53.13°"), impedance.value)
-    [True]
     """
 
     value: Any
     unit: str = ""
-    accuracy: Accuracy | None = field(default=None, kw_only=True)
     scale: Any = field(default=None, kw_only=True)
     test: Callable[[Any], str] | None = field(default=None, kw_only=True)
     noun: ClassVar[str] = "an array"
-
-    def __post_init__(self) -> None:
-        if self.accuracy is None and self._right.dtype.kind == "O":
-            object.__setattr__(self, "accuracy", exact)
-        if any(isinstance(x, str) for x in np.ravel(np.asarray(self.value)).tolist()):
-            object.__setattr__(self, "value", self._right)
 
     @property
     def expected(self) -> str:
         shape = np.shape(self.value)
         what = f"{self.noun} of shape {shape}" if shape else "one number"
-        if self._right.dtype.kind == "c":
-            what = f"{self.noun} of complex numbers, of shape {shape}" if shape else "one complex number, such as 3+4j"
-        what += f" in {self.unit}" if self.unit else ""
-        return f"{what}, {'each number ' if shape else ''}{self.accuracy.words}" if self.accuracy else what
-
-    @property
-    def precision(self) -> str:
-        return f"Give the answer {self.accuracy.words}." if self.accuracy else super().precision
+        return what + (f" in {self.unit}" if self.unit else "")
 
     @cached_property
-    def _right(self) -> NDArray[Any]:
-        """The right numbers: fractions if they are exact, otherwise floating-point numbers."""
-        value = np.asarray(self.value)
-        entries = [numeral(x) if isinstance(x, str) else x for x in value.ravel().tolist()]
-        is_counted = value.dtype.kind in "iu" or all(isinstance(x, int | Fraction) for x in entries)
-        is_exact = self.accuracy is exact or (self.accuracy is None and is_counted and entries)
-        if is_exact and not any(isinstance(x, complex) for x in entries):
-            return _objects([_fraction(x) for x in entries], value.shape)
-        if value.dtype.kind in "OU":
-            kind = complex if any(isinstance(x, complex) for x in entries) else float
-            value = np.reshape(np.asarray(entries, dtype=kind), value.shape)
-        return value.astype(complex if value.dtype.kind == "c" else float, copy=False)
+    def _right(self) -> Array:
+        return np.asarray(self.value, dtype=float)
 
     @property
     def parts(self) -> Sequence[str]:
@@ -148,42 +108,36 @@ class Numbers(Entries):
             quotes = " Give a list without quotes around it." if isinstance(given, str) and expected_shape else ""
             raise Unreadable(f"Expected {self.expected}; got {description}.{quotes or self.remedy(shape)}")
         try:
-            values = self._converted(given)
+            values = validation.array(self._with_typed(given), "your answer")
         except ValueError as error:
             raise Unreadable(f"Expected {self.expected}. {_sentence(str(error))}") from error
         except Exception as error:
             raise Unreadable(
                 f"Expected {self.expected}; got {_kind(given)} that does not turn into numbers."
             ) from error
-        largest = np.asarray(np.abs(values)).max(initial=0)
-        if largest > (MAX_NUMBER if self.accuracy is None else MAX_EXACT):
-            shown = f"{float(largest):.3g}" if largest < 1.7e308 else "a number of more than 300 digits"
-            raise Unreadable(f"Expected {self.expected}; got {shown}. Was there a division by almost zero?")
+        largest = np.abs(values).max(initial=0)
+        if largest > MAX_NUMBER:
+            raise Unreadable(f"Expected {self.expected}; got {largest:.3g}. Was there a division by almost zero?")
         return values
 
-    def _converted(self, given: Any) -> NDArray[Any]:
-        """Read numbers as those of the right answer are: as fractions, complex or real. Raises ValueError for anything else."""
-        values, kind = given if isinstance(given, np.ndarray) else np.asarray(given), self._right.dtype.kind
-        if values.dtype.kind in "OU" and any(isinstance(x, str | Decimal) for x in values.ravel().tolist()):
-            entries = [self.typed(str(x)) if isinstance(x, str | Decimal) else x for x in values.ravel().tolist()]
-            given = values = _objects(entries, values.shape)
-        if kind == "O":
-            if validation.has_truth(given):
-                raise ValueError(validation.NO_NUMBER)
-            return _objects([_fraction(x) for x in values.ravel().tolist()], values.shape)
-        return validation.array(given, "your answer", kind)
+    def _with_typed(self, given: Any) -> Any:
+        """Return numbers in which those that are typed as text are read. Raises ValueError for text that is no number."""
+        values = given if isinstance(given, np.ndarray) else np.asarray(given)
+        if values.dtype.kind not in "OU" or not any(isinstance(x, str) for x in values.ravel().tolist()):
+            return given
+        entries = [self.typed(x) if isinstance(x, str) else x for x in values.ravel().tolist()]
+        filled = np.empty(values.shape, dtype=object)
+        filled.ravel()[:] = entries
+        return filled
 
-    def typed(self, text: str) -> Fraction | complex:
+    def typed(self, text: str) -> float:
         """Return the number that a text writes; the unit of the answer may follow it. Raises ValueError for any other text."""
         plain = text.strip()
         unit = self.unit if self.unit and plain.endswith(self.unit) else ""
-        return numeral(plain[: len(plain) - len(unit)], may_compute=not unit)
+        return numeral(plain[: len(plain) - len(unit)])
 
     def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         """Return, for each entry, whether two arrays have the same number there."""
-        if self.accuracy is not None:
-            bound = tolerance / TOLERANCE * self.accuracy.bound(other)
-            return np.asarray(np.abs(one - other) <= bound, dtype=bool)
         size = np.maximum(self._scales, np.maximum(np.abs(one), np.abs(other)))
         return np.asarray(np.abs(one - other) <= tolerance * size)
 
@@ -212,8 +166,6 @@ class Numbers(Entries):
         return scales
 
     def appearance(self, given: Array, part: int | None) -> Named | None:
-        if not self.is_plain:
-            return None
         if part is None:
             return self.likeness(given, None).placeholder()
         seen = self.likeness(given, part).at_sight()
@@ -222,14 +174,7 @@ class Numbers(Entries):
             return whole if whole and whole[0] == "rounded" else None
         return seen
 
-    @property
-    def is_plain(self) -> bool:
-        """Whether the numbers are real and have no accuracy of their own, so that they can be compared in size."""
-        return self._right.dtype.kind == "f" and self.accuracy is None
-
     def arrangement(self, given: Array) -> Named | None:
-        if not self.is_plain:
-            return None
         if self.rows_are_alike or len(self.parts) == len(np.atleast_2d(self.value)) > 1:
             return self.likeness(given, None).order()
         is_list = np.ndim(self.value) == 1 and len(self.parts) == np.size(self.value) > 1
@@ -245,7 +190,7 @@ class Numbers(Entries):
         hidden = np.asarray((np.abs(given) < HIDDEN) == (np.abs(value) < HIDDEN))
         pieces = self.part_indices()
         agrees = self.agrees(given, value)
-        if self.is_plain and not all(agrees):
+        if not all(agrees):
             same, is_typed = self.same_entries(given, value), has_three_digits(given, value)
             typed = same | has_three_digits(given, value, or_zeros=True)
             agrees = [
@@ -255,8 +200,6 @@ class Numbers(Entries):
         return [fine and bool(np.all(hidden[piece])) for fine, piece in zip(agrees, pieces, strict=True)]
 
     def explanation(self, given: Array, part: int) -> Named | None:
-        if not self.is_plain:
-            return None
         mine, right = ([np.asarray(X)[piece][..., None] for piece in self.core_indices()] for X in (given, self.value))
         return copied_row(mine, right, part, self.parts) or self.likeness(given, part).resemblance()
 
@@ -270,7 +213,7 @@ class Numbers(Entries):
                 order = [other if k == part else k for k in range(len(self.parts))]
                 if other != part and self.agrees(given, self.value[order])[part]:
                     return "another row", f"This is what belongs to {name}."
-        if self.is_plain and (typed := self.likeness(given, part).typing()):
+        if typed := self.likeness(given, part).typing():
             return typed
         if np.size(same) > 1:
             return ("one entry", self.hint(given, part)) if np.count_nonzero(~same) == 1 else None
@@ -298,7 +241,7 @@ class Numbers(Entries):
     def is_rounded(self, given: Array, part: int) -> bool:
         """Return whether a wrong part is the right one, rounded to two or more significant digits."""
         piece = self.part_indices()[part]
-        mine, right = (_real_numbers(array[piece]) for array in (given, self._right))
+        mine, right = (np.ravel(array[piece]) for array in (given, self._right))
         kinds = np.resize(self.kinds()[piece], mine.shape)
         groups = [(mine[kinds == kind], right[kinds == kind]) for kind in set(kinds.ravel().tolist())]
         changed = [group for group in groups if not equal_entries(*group).all()]
@@ -339,11 +282,6 @@ class Numbers(Entries):
             f"The {'size is right, but the sign' if is_one else 'sizes are right, but every sign'} is wrong.",
             "The sizes are right, but every sign is wrong.",
         )
-        if X.dtype.kind == "c":
-            text = "Your answer is the conjugate of the right one: the sign of the imaginary part is wrong."
-            yield ("conjugate", X.conj(), text, text)
-            text = "You swapped the real and the imaginary part."
-            yield ("real and imaginary swapped", X.imag + 1j * X.real, text, text)
         if self.unit in SMALLER_UNITS:
             factor, wrong, right = SMALLER_UNITS[self.unit]
             text = OTHER_UNIT.format(wrong, right)
@@ -352,7 +290,7 @@ class Numbers(Entries):
     def _factor_slips(self) -> Iterator[Slip]:
         X = self._right
         # A rotation has no double, and a small whole number is too often the double of another one.
-        if (self.kinds() != PURE).all() and (self.unit or (_real_numbers(X) % 1).any()):
+        if (self.kinds() != PURE).all() and (self.unit or (X % 1).any()):
             yield ("doubled", 2 * X, "Your answer is twice the right one.", "This is twice the right one.")
             yield ("halved", X / 2, "Your answer is half the right one.", "This is half the right one.")
             for factor in (10, 100, 1000) if X.ndim == 0 else ():
@@ -370,7 +308,7 @@ class Numbers(Entries):
         for entry in places[np.abs(X) > ROUND_OFF]:
             signs = np.where(places == entry, -1, 1)
             # A check shows which one; where there is none, its place is told.
-            is_shown = self.is_plain and self.check(X * signs, int(owners.flat[entry]))
+            is_shown = self.check(X * signs, int(owners.flat[entry]))
             place = "" if is_shown else f": {self.place(np.unravel_index(entry, X.shape))}"
             text = f"Only one sign is wrong{place}."
             yield ("sign of one entry", X * signs, text, text)
@@ -395,27 +333,6 @@ class Numbers(Entries):
     def place(self, index: Sequence[Any]) -> str:
         """Name the place of an entry of the whole array."""
         return place_of(index)
-
-
-def _objects(entries: Sequence[Any], shape: tuple[int, ...]) -> NDArray[Any]:
-    array = np.empty(shape, dtype=object)
-    array.ravel()[:] = entries
-    return array
-
-
-def _fraction(x: Any) -> Fraction:
-    """Return a real number as the fraction that it is. Raises ValueError for anything else."""
-    try:
-        return Fraction(validation.without_imaginary(np.asarray(x)).item() if isinstance(x, complex) else x)
-    except (TypeError, ValueError, OverflowError) as error:
-        raise ValueError(f"Each entry must be a real number; got {validation.brief(x)}.") from error
-
-
-def _real_numbers(array: Any) -> Array:
-    """Return real numbers as floating-point numbers, and of complex ones the real and the imaginary parts."""
-    array = np.ravel(array)
-    parts = [array.real, array.imag] if array.dtype.kind == "c" else [array.astype(float)]
-    return np.concatenate(parts)
 
 
 def _kind(given: Any) -> str:

@@ -13,9 +13,8 @@ Journal of Mathematical Behavior 3 (1982), 3-71.
 """
 
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from itertools import combinations
 
 Alternatives = Sequence[Sequence[str]]
 """The explanations of one wrong answer between which it does not decide, each as the names of mistakes made together."""
@@ -112,26 +111,3 @@ def recurrences(observations: Sequence[Observation]) -> list[Recurrence]:
 
 def _recognised(one: Observation) -> set[str]:
     return {name for alternatives in one.explanations for names in alternatives for name in names}
-
-
-def inseparable_pairs(problems: Iterable[Iterable[Alternatives]]) -> list[tuple[str, str]]:
-    """Return the pairs of mistakes that no problem can tell apart.
-
-    problems  for each problem its wrong answers, each as the alternatives that lead to it
-
-    A problem tells two mistakes apart if one of them alone leads to some wrong answer, and the other alone does not lead to the
-    same one: because it leads to another wrong answer, or to the right one, or cannot be made in this problem. Mistakes that
-    occur only together with others are in no pair.
-
-    >>> sheet = [[[["a"], ["b"]], [["c"]]], [[["a"], ["b"], ["c"]]]]
-    >>> inseparable_pairs(sheet)
-    [('a', 'b')]
-    >>> inseparable_pairs([*sheet, [[["a"]], [["b"]]]])
-    []
-    """
-    answers: dict[str, set[tuple[int, int]]] = defaultdict(set)
-    for k, problem in enumerate(problems):
-        for j, alternatives in enumerate(problem):
-            for name in {names[0] for names in alternatives if len(names) == 1}:
-                answers[name].add((k, j))
-    return [pair for pair in combinations(sorted(answers), 2) if answers[pair[0]] == answers[pair[1]]]

@@ -14,7 +14,6 @@ TONES = {
     "wrong": ("✗", "#b42318"),
     "blank": ("…", "#57606a"),
     "unreadable": ("?", "#6e40c9"),
-    "unmarked": ("✎", "#0b5cad"),
     "note": ("i", "#0b5cad"),
 }
 """For each tone the icon and the colour of the edge."""
@@ -25,7 +24,6 @@ TITLES = {
     "wrong": "Not yet",
     "blank": "Nothing here yet",
     "unreadable": "This cannot be read as an answer",
-    "unmarked": "Ready to be marked",
 }
 """For each state of an answer the title of its card."""
 

@@ -110,6 +110,18 @@ class Reader:
         return Formula(given, numbers, algebra.has_rounded, frozenset(algebra.symbols))
 
 
+def numeral(text: str) -> float:
+    """Return the number that a text writes, which may be computed from others. Raises ValueError for any other text.
+
+    >>> numeral(" 1/3 ") == 1 / 3, numeral("−0.5"), numeral("2e-3"), round(numeral("3pi/2"), 4)
+    (True, -0.5, 0.002, 4.7124)
+    """
+    try:
+        return float(Reader([]).read(text, ()).values[0])
+    except ValueError as error:
+        raise ValueError(f"{text[:40]!r} is not a number. {error}") from error
+
+
 class _NumericAlgebra:
     """The algebra whose values are numbers at the points.
 

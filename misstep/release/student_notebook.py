@@ -34,7 +34,7 @@ def student_version(source: Path) -> str:
     if repeated := ", ".join(repr(name) for name, times in ids.items() if times > 1):
         raise ValueError(
             f"{source}: each cell must have a grade_id of its own; got {repeated} more than once. A copied cell keeps the "
-            "grade_id: delete the copy, and add a problem by `misstep new-problem`."
+            "grade_id: delete the copy."
         )
     for step in (LockCells, ClearSolutions, ClearOutput, CheckCellMetadata, ComputeChecksums):
         try:

@@ -6,9 +6,6 @@ following forms and refuses all others, because anybody can write JSON.
 
     null                                  a blank answer
     {"number": 1.5}, {"text": "..."}, {"truth": true}
-    {"exact": "1/3"}                                   a fraction, or a whole number that no floating-point number is
-    {"real": [...], "imaginary": [...], "shape": [2]}  complex numbers; the shape [] stands for one
-    {"set": [...]}
     {"array": [flat numbers], "shape": [3, 6]}         null stands for NaN and infinity
     {"list": [...]}, {"map": [["a", ...], ...]}
     {"symbolic": "a*cos(q1)"}, {"matrix": [[...], ...]}
@@ -19,11 +16,9 @@ following forms and refuses all others, because anybody can write JSON.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from misstep.formulas.sympy_parsing import MAX_CHARACTERS, expression
 from misstep.validation import Array
@@ -114,30 +109,10 @@ def _numbers(flat: Any, shape: Any) -> Array:
         raise Malformed("The numbers of an array must fill its shape.") from error
 
 
-def _complex(data: dict[str, Any], _: int) -> NDArray[np.complex128]:
-    parts = [_numbers(data[part], data["shape"]) for part in ("real", "imaginary")]
-    return np.asarray(parts[0] + 1j * parts[1])[()]
-
-
 def _truth(is_true: Any, _: int) -> bool:
     if not isinstance(is_true, bool):
         raise Malformed("A truth must be true or false.")
     return is_true
-
-
-def _exact(text: Any, depth: int) -> Fraction:
-    try:
-        above, _, below = _string(text, depth).partition("/")
-        return Fraction(int(above), int(below or 1))
-    except (ValueError, ArithmeticError) as error:
-        raise Malformed("An exact number must be a text such as 1/3.") from error
-
-
-def _set(items: Any, depth: int) -> Any:
-    try:
-        return frozenset(_items(items, depth))
-    except TypeError:  # of what is stored as an array, or as an object
-        return Opaque("a set of what cannot be in a set")
 
 
 def _entry(entry: Any, depth: int) -> tuple[str, Any]:
@@ -212,9 +187,6 @@ READERS: dict[frozenset[str], Callable[[Any, int], Any]] = {
     frozenset({"text"}): _string,
     frozenset({"array", "shape"}): lambda data, _: _numbers(data["array"], data["shape"]),
     frozenset({"truth"}): _truth,
-    frozenset({"exact"}): _exact,
-    frozenset({"real", "imaginary", "shape"}): _complex,
-    frozenset({"set"}): _set,
     frozenset({"list"}): _items,
     frozenset({"map"}): _entries,
     frozenset({"symbolic"}): _formula,

@@ -26,9 +26,6 @@ MAX_PARTS = 4 * MAX_ENTRIES
 MAX_OBJECT_CHARACTERS = 100_000
 """The most characters of the fields of an object as JSON."""
 
-MAX_FLOAT_INTEGER = 2**53
-"""The largest whole number up to which each has a floating-point number of its own."""
-
 Data = dict[str, Any] | None
 
 
@@ -80,7 +77,7 @@ def _serialized(value: Any, place: _Place) -> Data:
     for kinds, write in WRITERS:
         if isinstance(value, kinds):
             return write(value, place)
-    return _symbolic(value, place) or _quantity(value) or _other(value, place)
+    return _symbolic(value, place) or _other(value, place)
 
 
 def _other(value: Any, place: _Place) -> Data:
@@ -116,14 +113,12 @@ def _number(x: float) -> float | None:
 def _array(values: NDArray[Any], place: _Place) -> Data:
     if values.size > MAX_ENTRIES or values.ndim > MAX_DEPTH:
         return {"other": f"array of shape {values.shape}"}
-    if values.dtype.kind == "c":
-        parts = ([_number(x) for x in part.astype(float).ravel().tolist()] for part in (values.real, values.imag))
-        return dict(zip(("real", "imaginary"), parts, strict=True)) | {"shape": list(values.shape)}
-    is_exact = values.dtype.kind in "iu" and bool((np.abs(values) > MAX_FLOAT_INTEGER).any())
-    if values.dtype.kind in "iuf" and not is_exact:
+    if values.dtype.kind == "c" and not np.any(values.imag):  # as np.linalg.eigvals gives them
+        values = values.real
+    if values.dtype.kind in "iuf":
         flat = [_number(x) for x in values.astype(float).ravel().tolist()]
         return {"array": flat, "shape": list(values.shape)}
-    if values.dtype.kind in "bOUiu":
+    if values.dtype.kind in "bOU":
         return _serialized(values.tolist(), place)
     return {"other": f"array of {values.dtype}"}
 
@@ -147,40 +142,15 @@ def _map(value: Mapping[Any, Any], place: _Place) -> Data:
     return {"map": [[str(key)[:80], _serialized(item, place.inside())] for key, item in value.items()]}
 
 
-def _set(values: Any, place: _Place) -> Data:
-    if len(values) > MAX_ENTRIES:
-        return {"other": f"set of {len(values)} entries"}
-    return {"set": [_serialized(item, place.inside()) for item in values]}
-
-
-def _exact(value: Any, _: _Place) -> Data:
-    return {"exact": text} if len(text := str(Fraction(value))) <= MAX_CHARACTERS else {"other": _kind(value)}
-
-
-def _integer(value: Any, place: _Place) -> Data:
-    return _exact(int(value), place) if abs(int(value)) > MAX_FLOAT_INTEGER else {"number": float(value)}
-
-
 WRITERS: tuple[tuple[Any, Callable[[Any, _Place], Data]], ...] = (
     (str, _text),
     (TRUTH, lambda value, _: {"truth": bool(value)}),
-    ((int, np.integer), _integer),
-    ((float, np.floating), lambda value, _: {"number": _number(float(value))}),
+    ((int, float, np.integer, np.floating, Fraction, Decimal), lambda value, _: {"number": _number(float(value))}),
     ((complex, np.complexfloating), lambda value, place: _array(np.asarray(value), place)),
-    ((Fraction, Decimal), _exact),
-    ((set, frozenset), _set),
     (np.ndarray, lambda value, place: _array(np.asarray(value), place)),
     (Mapping, _map),
     ((list, tuple), _list),
 )
-
-
-def _quantity(value: Any) -> Data:
-    """Write a number with a unit of Pint as text; None for anything else."""
-    pint = sys.modules.get("pint")
-    if pint is None or not isinstance(value, pint.Quantity) or np.ndim(value.magnitude):
-        return None
-    return {"text": f"{value.magnitude} {value.units:~P}"}
 
 
 def _symbolic(value: Any, place: _Place) -> Data:

@@ -18,7 +18,6 @@
     table: 0.3,
     contributing: 0.2,
     performance: 0.1,
-    census: 0.1,
     independent_checks: 0.1,
   };
   const LABELS = { term: 'glossary', table: 'robot', independent_checks: 'independent checks' };

@@ -1,4 +1,4 @@
-"""Mistakes across problems: bugs that return, slips, and pairs that no problem tells apart."""
+"""Mistakes across problems: bugs that return, and slips."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from misstep.answers.number import Numbers
-from misstep.diagnosis.bugs import Observation, Recurrence, inseparable_pairs, recurrences
+from misstep.diagnosis.bugs import Observation, Recurrence, recurrences
 from misstep.mistakes import mistake
 from misstep.mutants import expression
 from misstep.problem import Problem, problem
@@ -42,14 +42,19 @@ def work(sheet, bugs):
     ]
 
 
-def pairs(sheet):
-    return inseparable_pairs([[as_alternatives(group) for group in groups] for groups in sheet])
-
-
 @given(sheets(), st.sampled_from(NAMES))
 def test_a_single_bug_is_named_with_those_alone_that_no_problem_tells_apart_from_it(sheet, bug):
     where = [f"01.{k}" for k, groups in enumerate(sheet, start=1) if any(bug in group for group in groups)]
-    alike = {name for pair in pairs(sheet) if bug in pair for name in pair} | {bug}
+    together = [next((set(group) for group in groups if bug in group), set()) for groups in sheet]
+    with_it = [{name for group in groups for name in group} for groups in sheet]
+    alike = {
+        n
+        for n in NAMES
+        if all(
+            (n in names) == (bug in names) and (n in group) == (bug in group)
+            for names, group in zip(with_it, together, strict=True)
+        )
+    } | {bug}
     expected = [Recurrence(" or ".join(sorted(alike)), where, len(where))] if where else []
     assert recurrences(work(sheet, {bug})) == expected
 
@@ -63,15 +68,6 @@ def test_the_order_of_the_problems_does_not_matter_and_no_count_exceeds_the_oppo
     for one in found:
         assert 1 <= len(one.problems) <= one.opportunities <= len(sheet)
         assert not (one.returns and one.is_slip)
-
-
-@given(sheets())
-def test_two_mistakes_are_a_pair_if_each_problem_has_both_in_one_group_or_neither(sheet):
-    def is_pair(one, other):
-        return all((one in group) == (other in group) for groups in sheet for group in groups)
-
-    named = sorted({name for groups in sheet for group in groups for name in group})
-    assert pairs(sheet) == [(one, other) for one in named for other in named if one < other and is_pair(one, other)]
 
 
 def test_of_mistakes_made_together_each_is_counted_that_is_certain():

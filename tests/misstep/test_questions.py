@@ -2,10 +2,9 @@
 
 import pytest
 
-from misstep.catalog import READER_VARIABLE, forget_package, load_course
+from misstep.catalog import READER_VARIABLE, Course
 from misstep.display.card import inline
 from misstep.display.static_output import ENVIRONMENT_VARIABLE
-from misstep.new_course import write_course
 from misstep.questions.item import Item, Option, read_questions
 from misstep.questions.page import explanation_html, question_html
 from misstep.questions.widget import Explanation, Question
@@ -23,14 +22,12 @@ text = 'the right factor'
 right = true
 why = 'It stands next to $M$.'
 """
-NAME = "01/brightness"
+NAME = "02/turns"
 
 
 @pytest.fixture
-def course(tmp_path):
-    write_course(tmp_path / "circuits")
-    yield load_course(tmp_path / "circuits" / "circuits")
-    forget_package("circuits")
+def course():
+    return Course("kincourse")
 
 
 @pytest.fixture

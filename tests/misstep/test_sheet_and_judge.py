@@ -175,11 +175,6 @@ def test_an_unreadable_value_is_refused_with_what_was_expected_and_given():
         assert words in str(refusal.value)
 
 
-def test_numbers_are_read_up_to_the_largest_one():
-    assert Numbers(np.zeros(2), "m").read([1e12, -1e12]).tolist() == [1e12, -1e12]
-    assert Numbers(np.zeros((0, 6))).read(np.zeros((0, 6))).shape == (0, 6)
-
-
 def test_a_card_names_score_mistake_and_section_and_its_findings_are_in_the_order_of_the_parts():
     @problem("99.3", "Two rows", points=4, lecture="01_ohm#Currents")
     def template(draw):

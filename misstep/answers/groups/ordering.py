@@ -11,8 +11,8 @@ import numpy as np
 from misstep import validation
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Answer, Unreadable
+from misstep.answers.choice import plain
 from misstep.answers.entries import wrong_slips
-from misstep.answers.text import forgiving
 from misstep.mistakes import Mistake
 
 
@@ -39,7 +39,7 @@ class Ordering(Answer):
             given = given.tolist()
         if not isinstance(given, (list, tuple)) or len(given) > 10 * len(self.value):
             raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.")
-        given = [self._names.get(forgiving(name), name) if isinstance(name, str) else name for name in given]
+        given = [self._names.get(plain(name), name) if isinstance(name, str) else name for name in given]
         unknown = [name for name in given if not isinstance(name, str) or name not in self.value]
         if unknown:
             quotes = "" if isinstance(unknown[0], str) else " Did you leave out the quotes?"
@@ -54,8 +54,8 @@ class Ordering(Answer):
     @cached_property
     def _names(self) -> dict[str, str]:
         """The names by what matters in them; those that differ only in the case of a letter must be typed as they are."""
-        plain = [forgiving(name) for name in self.value]
-        return {one: name for one, name in zip(plain, self.value, strict=True) if plain.count(one) == 1}
+        names = [plain(name) for name in self.value]
+        return {one: name for one, name in zip(names, self.value, strict=True) if names.count(one) == 1}
 
     def agrees(self, one: Sequence[str], other: Sequence[str], tolerance: float = TOLERANCE) -> list[bool]:
         return [list(one) == list(other)]

@@ -1,0 +1,219 @@
+"""Letters, orders and lines of a file: the answers that are not numbers. Each wrong one is the choice of something else."""
+
+# fmt: off
+import re
+from typing import Any
+
+import numpy as np
+
+from outside import Kinds, kinds_of
+from outside.motions import at, chain, exp, pose, product, rpy_matrix
+
+ORDER = "order|revers|swap|exchang|wrong place|first|last|front|behind|$M$|alphabet|names|listed|statement"
+
+
+def rotations(g: Any) -> list[str]:
+    """The factors of 01.8: what turns about {s} comes to the left, what turns about an own axis to the right."""
+    order: list[str] = []
+    for name, in_the_room in zip(g.turns, g.about_the_room, strict=True):
+        order = [name, *order] if in_the_room else [*order, name]
+    return order
+
+
+def from_the_floor(g: Any) -> list[str]:
+    """The exponentials of 03.6 and the home pose."""
+    above = {below: name for name, below in g.rides_on.items()}
+    order, link = [], "floor"
+    while link in above:
+        link = above[link]
+        order.append(f"e_{link}")
+    return [*order, "M"]
+
+
+def around_home(g: Any) -> list[str]:
+    """The factors of 04.4: the screws that were read in {s} stand to the left of the home pose."""
+    e, k = [f"e_{name}" for name in g.from_floor_to_tool], len(g.read_in_s)
+    return [*e[:k], "M", *e[k:]]
+
+
+def rigid_or_not(g: Any) -> str:
+    """The condition of 01.9 that fails."""
+    T = np.asarray(g.matrix)
+    products = T[:3, :3].T @ T[:3, :3]
+    fails = {
+        "e": not np.allclose(T[3], [0, 0, 0, 1]), "b": not np.allclose(np.diag(products), 1),
+        "c": not np.allclose(products, np.diag(np.diag(products))), "d": np.linalg.det(T[:3, :3]) < 0,
+    }
+    return next((letter for letter, fault in fails.items() if fault), "a")
+
+
+def row_of(T: Any, convention: str) -> list[float]:
+    """The numbers a, alpha, d, theta of a link."""
+    R, p = T[:3, :3], T[:3, 3]
+    if convention == "standard":
+        theta = np.arctan2(R[1, 0], R[0, 0])
+        return [p @ [np.cos(theta), np.sin(theta), 0], np.arctan2(R[2, 1], R[2, 2]), p[2], theta]
+    alpha = np.arctan2(-R[1, 2], R[2, 2])
+    return [p[0], alpha, p @ [0, -np.sin(alpha), np.cos(alpha)], np.arctan2(-R[0, 1], R[0, 0])]
+
+
+def faulty_entry(g: Any) -> str:
+    """The entry of 05.6 that does not fit the frames."""
+    F, convention = np.asarray(g.frames), getattr(g, "convention", "standard")
+    links = [product(np.linalg.inv(F[i]), F[i + 1]) for i in range(len(g.rows))]
+    off = np.array([row_of(T, convention) for T in links]) - g.rows
+    off[:, 1::2] = 2 * np.sin(off[:, 1::2] / 2)
+    i, k = np.unravel_index(int(np.argmax(np.abs(off))), off.shape)
+    return f"{('a', 'alpha', 'd', 'theta')[k]}{i + 1}"
+
+
+def convention_of(g: Any) -> str:
+    """The letter of 06.5."""
+    fits = [np.allclose(chain(at(g.rows, "RR", g.q), name), g.pose, atol=1e-3) for name in ("standard", "modified")]
+    return {(True, False): "a", (False, True): "b", (True, True): "c"}.get((fits[0], fits[1]), "d")
+
+
+def relation(g: Any) -> str:
+    """The letter of 07.1."""
+    (one, two), step = g.axes, np.subtract(*g.points[::-1])
+    normal, same = np.cross(one, two), one @ two > 0
+    if np.abs(normal).max() > 1e-9:
+        return "a" if abs(normal @ step) > 1e-9 else "b"
+    if np.abs(np.cross(one, step)).max() > 1e-9:
+        return "c" if same else "d"
+    return "e" if same else "f"
+
+
+def broken_rule(g: Any) -> str:
+    """The letter of 07.5."""
+    i, F = g.frame, np.asarray(g.frames)
+    before, x, z, origin = F[i - 1][:3, 2], F[i][:3, 0], F[i][:3, 2], F[i][:3, 3]
+    axis, step = np.asarray(g.screws)[i][:3], origin - F[i - 1][:3, 3]
+    broken = {
+        "a": abs(x @ before) > 1e-9, "c": np.abs(np.cross(z, axis)).max() > 1e-9,
+        "d": np.abs(np.cross(origin - g.points[i], axis)).max() > 1e-9, "b": abs(step @ np.cross(x, before)) > 1e-9,
+    }
+    return next((letter for letter, is_broken in broken.items() if is_broken), "e")
+
+
+def same_arm(g: Any) -> str:
+    """The letter of 07.8: the table that moves as the given one does."""
+    q = np.linspace(0.3, 1.7, len(g.table))
+    T = chain(at(g.table, "R" * len(q), q), "standard")
+    poses = {letter: chain(at(rows, "R" * len(q), q), "standard") for letter, rows in g.tables.items()}
+    return str(next(letter for letter, X in poses.items() if np.allclose(X, T, atol=1e-6)))
+
+
+def grashof(g: Any) -> str:
+    """The letter of 08.6."""
+    short, p, q, long = sorted(g.bars)
+    if abs(short + long - p - q) < 1e-9:
+        return "e"
+    return "d" if short + long > p + q else "bacx"[list(g.bars).index(short)]
+
+
+def path_through_a_tree(g: Any) -> str:
+    """The letter of 09.7: up from the base to a common link, and down to the tip."""
+    found = re.findall(r'<joint name="(\w+)" type="(\w+)">\s*<parent link="(\w+)"/> <child link="(\w+)"/>', g.urdf)
+    above = {child: (parent, [name] * (kind != "fixed")) for name, kind, parent, child in found}
+
+    def to_the_root(link: str) -> dict[str, list[str]]:
+        """Each link on the way up, with the joints that move between it and the one below."""
+        way: dict[str, list[str]] = {link: []}
+        while link in above:
+            link, joint = above[link]
+            way[link] = joint
+        return way
+
+    up, down = to_the_root(g.base), to_the_root(g.tip)
+    while len(up) > 1 and len(down) > 1 and list(up)[-2] == list(down)[-2]:
+        up.popitem(), down.popitem()
+    path = [joint for way in (*up.values(), *reversed(down.values())) for joint in way]
+    return str(next(letter for letter, way in g.options.items() if list(way) == path))
+
+
+def one_of_four(g: Any) -> str:
+    """The letter of 10.3: the report that agrees with no other."""
+    reports = {"a": g.T_sb, "b": np.linalg.inv(g.T_bs), "c": pose(rpy_matrix(g.rpy), g.xyz), "d": exp(g.twist)}
+    return max(reports, key=lambda k: float(np.median([np.abs(reports[k] - T).max() for T in reports.values()])))
+
+
+def shared_orders(X: list[str]) -> Kinds:
+    """Return the wrong orders that fit every problem."""
+    made: Kinds = {
+        "reversed the list": (X[::-1], ORDER), "sorted by the alphabet": (sorted(X), ORDER),
+        "put the first one last": ([*X[1:], X[0]], ORDER), "put the last one first": ([X[-1], *X[:-1]], ORDER),
+    }
+    return made | {f"swapped factors {k + 1} and {k + 2}": ([*X[:k], X[k + 1], X[k], *X[k + 2:]], ORDER) for k in range(len(X) - 1)}
+
+
+@kinds_of("01.8")
+def wrong_rotations(g: Any, X: list[str]) -> Kinds:
+    names = list(g.turns)
+    ours = [name for name, about in zip(names, g.about_the_room, strict=True) if about]
+    own = [name for name in names if name not in ours]
+    orders = {
+        "wrote them in the order of time": names, "multiplied each from the left": names[::-1], "put own axes first": own + ours,
+        "put fixed axes first, in the order of time": ours + own, "reversed both groups": own[::-1] + ours,
+        "reversed own axes": ours[::-1] + own[::-1], "put own axes first, fixed axes reversed": own + ours[::-1],
+    }
+    return {label: (order, ORDER) for label, order in orders.items()}
+
+
+@kinds_of("03.6", "04.4")
+def wrong_factors(g: Any, X: list[str]) -> Kinds:
+    e = [name for name in X if name != "M"]
+    listed = [f"e_{name}" for name in (g.rides_on if hasattr(g, "rides_on") else g.from_floor_to_tool)]
+    k = X.index("M")
+    orders = {
+        "put M first": ["M", *e], "put M last": [*e, "M"], "put M in the middle": [*e[:2], "M", *e[2:]],
+        "put M first and reversed": ["M", *e[::-1]], "put M last and reversed": [*e[::-1], "M"],
+        "wrote them as listed": [*listed, "M"], "wrote them as listed, reversed": [*listed[::-1], "M"],
+        "sorted the joints": [*sorted(e[:k]), "M", *sorted(e[k:])], "swapped the sides of M": [*e[k:], "M", *e[:k]],
+        "reversed both sides of M": [*e[:k][::-1], "M", *e[k:][::-1]], "reversed the right side": [*e[:k], "M", *e[k:][::-1]],
+        "put M one joint late": [*e[:k + 1], "M", *e[k + 1:]], "put M one joint early": [*e[:k - 1], "M", *e[k - 1:]],
+    }
+    return {label: (order, ORDER) for label, order in orders.items()}
+
+
+LETTERS = {
+    "01.9": {"a": "not a rigid motion", "b": "unit vectors", "c": "orthogonal", "d": "left-handed", "e": "0 0 0 1"},
+    "06.5": {"a": "standard", "b": "modified", "c": "both|same pose", "d": "neither|at least one"},
+    "07.1": dict.fromkeys("abcdef", "direction|common point|distance"),
+    "07.5": dict.fromkeys("abcd", "obeys") | {"e": "breaks a rule"},
+    "07.8": dict.fromkeys("abcd", "sign|reversed|moved"),
+    "08.5": dict.fromkeys("abcd", "mode|inner|sign"),
+    "08.6": dict.fromkeys("abcde", "shortest|longest"),
+    "09.7": dict.fromkeys("abcde", "root|file|weld|fixed"),
+    "10.3": {"a": "space screws", "b": "body screws", "c": "table", "d": "file"},
+    "10.12": {k: f"joint {k}" for k in "1234"},
+    "10.14": {k: f"You answered {k}" for k in "ABCD"},
+}
+"""For a problem each letter that may be chosen, and the words by which feedback may speak of it."""
+
+
+def _letters(number: str) -> Any:
+    return lambda g, X: {f"chose {letter}": (letter, words) for letter, words in LETTERS[number].items()}
+
+
+for problem in LETTERS:
+    kinds_of(problem)(_letters(problem))
+
+
+@kinds_of("05.6")
+def other_entries(g: Any, X: str) -> Kinds:
+    rows = range(1, len(g.rows) + 1)
+    return {f"chose {k}{i}": (f"{k}{i}", "row|column|agrees|fits") for k in ("a", "alpha", "d", "theta") for i in rows}
+
+
+@kinds_of("09.6", "09.11")
+def other_lines(g: Any, X: float) -> Kinds:
+    words = "correct|agrees|this joint|element|axis|limit|parent|child|origin|line above|line below"
+    made: Kinds = {}
+    joint = 0
+    for i, line in enumerate(g.urdf.splitlines(), start=1):
+        element = re.findall(r"\w+", line)[0]
+        joint += line.startswith("<joint")
+        if joint and i != X and not line.startswith("</"):
+            made[f"gave the {element} of joint {joint}"] = (i, words)
+    return made

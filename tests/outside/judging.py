@@ -1,0 +1,90 @@
+"""What feedback says to the answers from outside, counted: PYTHONPATH=.:tests python -m outside.judging --students 1 --examples"""
+
+import argparse
+import re
+from collections import Counter
+from types import SimpleNamespace
+
+from kincourse import find_sheet, sheets
+from misstep.judge import judge
+from outside import outside_answers
+
+COUNTED = ("told", "unnamed", "false", "full marks", "refused", "undeserved")
+"""The maker's word is on the card; no name, a false claim, full marks of a wrong answer; a right form that has not full marks; a
+mark for what was found by a wrong method."""
+
+
+def says_a_fact(message):
+    """Return whether a message says what was done, and not only what leads to the same answer."""
+    return bool(re.search(r"\bYou\b", message)) and not message.startswith(("This is ", "Several mistakes"))
+
+
+def judged(template, student):
+    """Yield each answer from outside to a problem, with its judgement."""
+    problem = template.variant(student)
+    neighbour = SimpleNamespace(**template.variant(f"the neighbour of {student}").given)
+    for made in outside_answers(template.number, SimpleNamespace(**problem.given), problem.answer.value, neighbour):
+        yield made, judge(problem, made.value)
+
+
+def found(made, judgement):
+    """Yield what is counted of an answer: "wrong" or "right form", and what of COUNTED is so."""
+    if made.right:
+        yield "right form"
+        if judgement.state != "right":
+            yield "refused"
+        return
+    if judgement.state == "unreadable":
+        yield "unreadable"
+        return
+    yield "wrong"
+    if made.has_name:
+        yield "with a name"
+    named = [finding for finding in judgement.findings if finding.mistake]
+    if judgement.state == "right":
+        yield "full marks"
+    elif made.has_name and not named:
+        yield "unnamed"
+    if made.is_named_by(" ".join(f"{one.mistake} {one.message}" for one in judgement.findings)):
+        yield "told"
+    elif any(says_a_fact(one.message) for one in named):
+        yield "false"
+    if made.earns_nothing and 0 < judgement.fraction < 1:
+        yield "undeserved"
+
+
+def counts_of(template, student):
+    """Return how often each of COUNTED is so, and for each the answers with what was said."""
+    counts, examples = Counter(), {}
+    for made, judgement in judged(template, student):
+        said = " | ".join(f"{one.mistake}: {one.text}" for one in judgement.findings)
+        for what in found(made, judgement):
+            counts[what] += 1
+            examples.setdefault(what, []).append(f"{template.number}, {made.label}: {said}")
+    return counts, examples
+
+
+def main():
+    """Print the counts of all problems."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--students", type=int, default=1, help="how many students (1)")
+    parser.add_argument("--sheet", action="append", help="only this sheet; may be repeated")
+    parser.add_argument(
+        "--examples", action="store_true", help="print the answers without a name, and those that are judged wrongly"
+    )
+    options = parser.parse_args()
+    total = Counter()
+    for template in (problem for name in options.sheet or sheets() for problem in find_sheet(name).problems):
+        for k in range(options.students):
+            counts, examples = counts_of(template, f"student {k}")
+            total.update(counts)
+            for what in COUNTED[1:] if options.examples else ():
+                for one in examples.get(what, ()):
+                    print(f"{what}: {one}")
+        print(template.number, dict(sorted(counts.items())))
+    print(f"{total['wrong']} wrong answers, {total['with a name']} of them with a name")
+    print(*(f"{what}: {total[what]}" for what in COUNTED), sep="\n")
+
+
+if __name__ == "__main__":
+    main()

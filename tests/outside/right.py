@@ -1,0 +1,378 @@
+"""The right answers, from the given values and the statement: a second solution of each problem, in plain NumPy and SymPy."""
+
+import re
+from collections.abc import Callable
+from types import SimpleNamespace as Given
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from outside import choices
+from outside.motions import Ad, Array, at, chain, exp, hat, link, logarithm, pose, product, rot, rpy_matrix
+
+inv = np.linalg.inv
+theta, a = sp.symbols("theta a")
+
+
+def radians_of(values: Any, screws: Any) -> Array:
+    """The joint values in radians and metres: the angles are given in degrees."""
+    return np.array(np.where(np.asarray(screws)[:, :3].any(axis=1), np.radians(values), values))
+
+
+def skew(w: Any) -> Any:
+    """The matrix [w] in SymPy."""
+    return sp.Matrix([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
+
+
+def rodrigues(w: Any, sine: Any = None, one_minus_cosine: Any = None) -> Any:
+    """The rotation about a unit vector, as a formula."""
+    sine = sp.sin(theta) if sine is None else sine
+    one_minus_cosine = 1 - sp.cos(theta) if one_minus_cosine is None else one_minus_cosine
+    return sp.eye(3) + sine * skew(w) + one_minus_cosine * skew(w) ** 2
+
+
+def plane(g: Any, order: int = 1, angle: float = 1) -> Array:
+    """The motion of the plane of 01.3."""
+    R, p = rot(2, angle * g.degrees)[:2, :2], np.asarray(g.p, dtype=float)
+    column = R @ p if (g.first == "shift") == (order == 1) else p
+    return np.array([*np.column_stack([R, column]), [0, 0, 1]])
+
+
+def moved(g: Any, swap: bool = False, angle: float = 1) -> Array:
+    """The pose of 01.7; with `swap` the sides of both motions are exchanged."""
+    own, fixed = pose(rot(np.asarray(g.axis), angle * g.degrees), [0] * 3), pose(np.eye(3), g.shift)
+    if (g.own == "turn") == swap:
+        own, fixed = fixed, own
+    return product(fixed, g.T_sb, own)
+
+
+def screw(w: Any, p: Any) -> Array:
+    """The screw axis of a revolute joint."""
+    return np.array([*w, *np.cross(p, w)])
+
+
+def tilted(g: Any) -> Array:
+    """The direction of 03.2."""
+    c, s = np.cos(np.radians(g.degrees)), np.sin(np.radians(g.degrees))
+    return np.array(c * np.asarray(g.from_axis) + s * np.asarray(g.towards))
+
+
+def axes_to_screws(g: Any) -> Array:
+    """The screws of a table of joints."""
+    return np.array(
+        [[0, 0, 0, *d] if k == "P" else screw(d, p) for k, d, p in zip(g.letters, g.axes, g.points, strict=True)]
+    )
+
+
+def series_error(g: Any) -> float:
+    """The distance of 02.5 in millimetres."""
+    t = g.theta
+    return float(1000 * g.radius * np.hypot(np.cos(t) - 1 + t**2 / 2, np.sin(t) - t))
+
+
+def log_of_rotation(R: Any) -> Array:
+    """The logarithm of a rotation, unit axis times angle."""
+    m = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    return np.array(m / np.linalg.norm(m) * np.arctan2(np.linalg.norm(m), np.trace(R) - 1))
+
+
+def helix(g: Any) -> Any:
+    """The motion of 02.8 as a formula."""
+    w, p = sp.Matrix(g.axis), sp.Matrix(g.point)
+    R = rodrigues(w)
+    column = p - R * p + g.pitch * theta * w
+    return sp.Matrix.vstack(R.row_join(column), sp.Matrix([[0, 0, 0, 1]]))
+
+
+def jacobian(g: Any, q: Any) -> Array:
+    """The body Jacobian, (n, 6), one row for each joint."""
+    B = np.asarray(g.body_screws)
+    e = [exp(b, x) for b, x in zip(B, q, strict=True)]
+    return np.array([Ad(inv(product(np.eye(4), *e[i + 1 :]))) @ B[i] for i in range(len(B))])
+
+
+def wrist(g: Any) -> Array:
+    """The singular value of q_2 and the rate of joint 1 in 04.10, by turning axis 3 until it lies along axis 1."""
+    z, u = np.array([0, 0, 1.0]), np.asarray(g.axis_2)
+    c, s = np.cos(np.radians(g.tilt)), np.sin(np.radians(g.tilt))
+    axis_3 = c * z + s * np.asarray(g.towards)
+    for side in (1, -1):  # the angle about u from axis 3 to plus or minus axis 1
+        q = np.degrees(np.arctan2(u @ np.cross(axis_3, side * z), axis_3 @ (side * z)))
+        if abs(q) < 90:
+            return np.array([q, -side * g.rate_3])
+    raise AssertionError
+
+
+def table_at(g: Any, q: Any, convention: str) -> Array:
+    """The pose at q of the table that is given as text, in the standard or modified convention."""
+    lines = [line.split("|") for line in g.text.strip().splitlines()[1:]]
+    rows = []
+    for line in lines:
+        row = []
+        for k, cell in enumerate(line):
+            names = {f"q{i + 1}": np.degrees(x) if k == 3 else x for i, x in enumerate(q)}
+            x = float(eval(cell.replace("°", ""), {"__builtins__": {}}, names))
+            row.append(np.radians(x) if k % 2 else x)
+        rows.append(row)
+    return chain(rows, convention)
+
+
+def moved_columns(g: Any, step: int) -> Array:
+    """The rows of the other convention: a and alpha one row down (1) or up (-1), 0 in the empty row."""
+    rows = np.array(g.rows, dtype=float)
+    rows[:, :2] = np.roll(rows[:, :2], step, axis=0)
+    rows[0 if step == 1 else -1, :2] = 0
+    return rows
+
+
+def joints_of(text: str) -> list[Given]:
+    """The joints of a URDF text, in order: origin, axis, mimic."""
+
+    def numbers(name: str, of: str, missing: Any) -> Array:
+        found = re.search(rf'{name}="([^"]*)"', of)
+        return np.array([float(x) for x in found[1].split()] if found else missing)
+
+    joints = []
+    for block in re.findall(r"<joint.*?</joint>", text, re.DOTALL):
+        origin = (re.search(r"<origin[^>]*>", block) or [""])[0]
+        axis = (re.search(r"<axis[^>]*>", block) or [""])[0]
+        mimic = (re.search(r"<mimic[^>]*>", block) or [""])[0]
+        rpy = numbers("rpy", origin, [0, 0, 0])
+        rpy = np.where(np.abs(np.abs(rpy) - 1.5708) < 1e-3, np.sign(rpy) * np.pi / 2, rpy)
+        joints.append(
+            Given(
+                xyz=numbers("xyz", origin, [0, 0, 0]),
+                rpy=rpy,
+                axis=numbers("xyz", axis, [1, 0, 0]),
+                multiplier=float(numbers("multiplier", mimic, [1])[0]),
+                offset=float(numbers("offset", mimic, [0])[0]),
+            )
+        )
+    return joints
+
+
+def frames_of(g: Any, order: str = "zyx") -> list[Array]:
+    """The poses of all joints in the base, at home."""
+    poses = [np.eye(4)]
+    for joint in joints_of(g.urdf):
+        poses.append(poses[-1] @ pose(rpy_matrix(joint.rpy, order), joint.xyz))
+    return poses[1:]
+
+
+def last_axis(g: Any) -> Array:
+    """The screw axis of joint 3 of a file."""
+    T = frames_of(g)[2]
+    return screw(T[:3, :3] @ joints_of(g.urdf)[2].axis, T[:3, 3])
+
+
+def mimicked(g: Any, q2: Any = None) -> Array:
+    """The place of the tool in 09.9."""
+    swing, fold, weld = joints_of(g.urdf)
+    q2 = fold.multiplier * g.q + fold.offset if q2 is None else q2
+    T = product(
+        pose(np.eye(3), swing.xyz), exp([*swing.axis, 0, 0, 0], g.q),
+        pose(np.eye(3), fold.xyz), exp([*fold.axis, 0, 0, 0], q2), pose(np.eye(3), weld.xyz),
+    )  # fmt: skip
+    return np.array(T[:3, 3])
+
+
+def to_point_C(bars: Any, A: float) -> list[tuple[float, float]]:
+    """The angles of coupler and rocker in both modes, as np.arctan2 gives them."""
+    g, crank, b, c = bars
+    B, D = crank * np.array([np.cos(A), np.sin(A)]), np.array([g, 0])
+    d = D - B
+    r = float(np.linalg.norm(d))
+    x = (r**2 + b**2 - c**2) / (2 * r)
+    y = np.sqrt(b**2 - x**2)
+    found = []
+    for side in (1, -1):
+        C = B + x * d / r + side * y * np.array([-d[1], d[0]]) / r
+        found.append((float(np.arctan2(*(C - B)[::-1])), float(np.arctan2(*(C - D)[::-1]))))
+    return found
+
+
+def coupler_point(g: Any) -> Array:
+    """The point P of 08.3."""
+    crank, A = g.bars[1], np.radians(g.degrees)
+    coupler = to_point_C(g.bars, A)[0][0]
+    c, s = np.cos(coupler), np.sin(coupler)
+    return np.array([crank * np.cos(A) + c * g.along - s * g.left, crank * np.sin(A) + s * g.along + c * g.left])
+
+
+def slider_x(g: Any) -> float:
+    """The x of the slider in 08.4."""
+    A = np.radians(g.degrees)
+    return float(g.crank * np.cos(A) + np.sqrt(g.rod**2 - (g.offset - g.crank * np.sin(A)) ** 2))
+
+
+def mobility(d: int, N: int, joint_mobilities: Any) -> float:
+    """The formula of Gruebler and Kutzbach."""
+    return float(d * (N - 1 - len(joint_mobilities)) + sum(joint_mobilities))
+
+
+def legs(g: Any) -> float:
+    """The mobility of 08.8."""
+    return mobility(g.d, 2 + sum(len(leg) - 1 for leg in g.legs), [f for leg in g.legs for f in leg])
+
+
+def last_screw(g: Any) -> Array:
+    """The screw axis of joint 3 of a standard table."""
+    T = chain(np.asarray(g.rows)[:2], "standard")
+    return screw(T[:3, 2], T[:3, 3])
+
+
+def poe(g: Any, S: Any = None, M: Any = None, q: Any = None) -> Array:
+    """The pose by the product of exponentials."""
+    S = axes_to_screws(g) if S is None else S
+    return product(*(exp(s, x) for s, x in zip(S, g.q if q is None else q, strict=True)), g.home if M is None else M)
+
+
+def joint_origin(g: Any, order: str = "zyx") -> Array:
+    """The origin of joint 2 in the frame of joint 1, 10.4."""
+    R = rpy_matrix(np.radians(g.rpy_1_in_degrees), order)
+    return np.array(R.T @ (np.asarray(g.place_2) - g.xyz_1))
+
+
+def in_letters(g: Any, height_of_q2: float = 1) -> Any:
+    """The position of 10.5 as a formula."""
+    q1, q2 = sp.symbols("q1 q2")
+    a, b = (sp.Rational(str(x)) for x in (g.a, g.b))
+    radius, height = (a + q2, g.lift * b) if g.slides else (b * sp.cos(q2), a + height_of_q2 * g.lift * b * sp.sin(q2))
+    return sp.Matrix([radius * sp.cos(q1), radius * sp.sin(q1), height])
+
+
+RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
+    "01.3": ("matrix", plane),
+    "01.4": ("vectors", lambda g: np.array([(g.T_sc @ [*g.point_c, 1])[:3], g.T_sc[:3, :3] @ g.arrow_c])),
+    "01.5": ("pose", lambda g: inv(g.T_sg)),
+    "01.6": ("pose", lambda g: inv(g.T_st) @ g.T_sc @ g.T_co),
+    "01.7": ("pose", moved),
+    "02.1": ("matrix", lambda g: np.block([[hat(g.omega), np.reshape(g.v, (3, 1))], [np.zeros((1, 4))]])),
+    "02.2": ("rotation", lambda g: rot(np.array(g.direction) / np.linalg.norm(g.direction), g.degrees)),
+    "02.3": ("formula", lambda g: rodrigues(g.omega)),
+    "02.4": ("formula", lambda g: sp.Matrix(g.point) - rodrigues(g.omega) * sp.Matrix(g.point)),
+    "02.5": ("millimetres", series_error),
+    "02.6": ("pose", lambda g: exp([*g.omega, *g.v], g.seconds)),
+    "02.7": ("vector", lambda g: log_of_rotation(np.asarray(g.R))),
+    "02.8": ("formula", helix),
+    "03.1": ("screws", axes_to_screws),
+    "03.2": ("screw", lambda g: screw(tilted(g), g.point)),
+    "03.3": ("screw", lambda g: np.array([0, 0, 0, *np.array(g.direction) / np.linalg.norm(g.direction)])),
+    "03.4": ("screw", lambda g: screw(g.axis, g.point) + np.array([0, 0, 0, *g.lead / 2 / np.pi * np.array(g.axis)])),
+    "03.7": ("pose function", lambda g: lambda q: poe(g, g.screws, g.home, q)),
+    "03.8": ("pose", lambda g: poe(g, g.screws, g.home @ pose(np.eye(3), [0, 0, g.longer]))),
+    "04.2": ("screws", lambda g: np.asarray(g.screws) @ Ad(inv(g.home)).T),
+    "04.3": ("screws", lambda g: np.asarray(g.body_screws) @ Ad(g.home).T),
+    "04.5": ("pose", lambda g: product(g.home, *map(exp, g.body_screws, radians_of(g.values, g.body_screws)))),
+    "04.6": (
+        "pose",
+        lambda g: product(*(e := list(map(exp, g.screws, radians_of(g.values, g.screws))))[:2], g.home, *e[2:]),
+    ),
+    "04.7": ("screws", lambda g: np.asarray(g.body_screws) @ Ad(inv(g.T_bt)).T),
+    "04.8": ("screw", lambda g: jacobian(g, radians_of(g.values, g.body_screws))[1]),
+    "04.9": ("screw", lambda g: np.radians(g.rates) @ jacobian(g, np.radians(g.values))),
+    "04.10": ("vector", wrist),
+    "05.2": (
+        "pose",
+        lambda g: link((g.a, np.radians(g.alpha_degrees), g.d, np.radians(g.theta_degrees)), "standard"),
+    ),
+    "05.4": ("entries", lambda g: np.radians(np.diff([0, *g.headings_degrees]))),
+    "05.5": ("pose", lambda g: table_at(g, g.q, "standard")),
+    "05.7": (
+        "vector",
+        lambda g: np.array([
+            x for i in (0, 1) for x in (np.hypot(*(np.diff(g.points, axis=0)[i, :2])), np.diff(g.points, axis=0)[i, 2])
+        ]),
+    ),
+    "05.8": ("pose", lambda g: product(g.base, chain(at(g.rows, "RR", g.q), "standard"), g.tool)),
+    "06.1": ("pose", lambda g: link((g.a, g.alpha, g.d, g.theta), "modified")),
+    "06.2": ("screws", lambda g: np.array([[g.alpha, 0, 0, g.a, 0, 0], [0, 0, g.theta, 0, 0, g.d]])),
+    "06.3": ("rows", lambda g: moved_columns(g, 1)),
+    "06.4": ("rows", lambda g: moved_columns(g, -1)),
+    "06.7": (
+        "rotation",
+        lambda g: chain(
+            [(0, k * np.pi / 2, 0, np.radians(t)) for k, t in zip((-1, 1, -1), g.degrees, strict=True)], "modified"
+        )[:3, :3],
+    ),
+    "06.8": (
+        "pose",
+        lambda g: chain(at(g.rows, "RPR", [np.radians(g.values[0]), g.values[1], np.radians(g.values[2])]), "modified"),
+    ),
+    "07.7": ("vector", lambda g: np.array([g.moved_to, g.a_1 + g.a_2 - g.moved_to])),
+    "08.1": (
+        "screw",
+        lambda g: logarithm(
+            product(
+                exp(g.S["D"], np.radians(g.degrees["D"])), exp(g.S["C"], np.radians(g.degrees["C"])), g.G,
+                exp(g.S["B"], -np.radians(g.degrees["B"])), exp(g.S["A"], -np.radians(g.degrees["A"])),
+            )
+        ),
+    ),
+    "08.2": ("angles", lambda g: np.array([D for _, D in to_point_C(g.bars, np.radians(g.degrees))])),
+    "08.3": ("vector", coupler_point),
+    "08.4": ("length", slider_x),
+    "08.7": (
+        "angles",
+        lambda g: float(
+            np.arccos((g.bars[0] ** 2 + g.bars[1] ** 2 - (g.bars[2] + g.bars[3]) ** 2) / (2 * g.bars[0] * g.bars[1]))
+        ),
+    ),
+    "08.8": ("count", legs),
+    "09.1": ("pose", lambda g: pose(rpy_matrix(np.where(np.abs(np.abs(g.rpy) - 1.5708) < 1e-3, np.sign(g.rpy) * np.pi / 2, g.rpy)), g.xyz)),
+    "09.2": ("vector", lambda g: rpy_matrix(g.rpy) @ g.axis),
+    "09.3": ("vector", lambda g: frames_of(g)[2][:3, 3]),
+    "09.4": ("screw", last_axis),
+    "09.5": ("pose", lambda g: frames_of(g)[-1]),
+    "09.9": ("vector", mimicked),
+    "09.10": ("vector", lambda g: frames_of(g)[2][:3, :3].T @ g.omega),
+    "10.1": ("screw", last_screw),
+    "10.2": ("screws", lambda g: np.asarray(g.body_screws) @ Ad(inv(g.T_bc)).T),
+    "10.4": ("vector", joint_origin),
+    "10.6": ("count", lambda g: mobility(6, int(sum(g.joints)) - len(g.joints) + 2, np.ones(int(sum(g.joints))))),
+    "10.7": ("pose", poe),
+    "01.8": ("order", choices.rotations),
+    "01.9": ("letter", choices.rigid_or_not),
+    "03.6": ("order", choices.from_the_floor),
+    "04.4": ("order", choices.around_home),
+    "05.6": ("letter", choices.faulty_entry),
+    "06.5": ("letter", choices.convention_of),
+    "07.1": ("letter", choices.relation),
+    "07.5": ("letter", choices.broken_rule),
+    "07.8": ("letter", choices.same_arm),
+    "08.6": ("letter", choices.grashof),
+    "09.7": ("letter", choices.path_through_a_tree),
+    "09.8": (
+        "origin",
+        lambda g: np.array([[g.a, -g.d * np.sin(g.alpha), g.d * np.cos(g.alpha)], [g.alpha, 0, 0]]),
+    ),
+    "10.3": ("letter", choices.one_of_four),
+    "10.5": ("formula", in_letters),
+}  # fmt: skip
+"""For each problem the kind of its answer, and the function from its given values to the right answer."""
+
+IN_A_DRAWING = {
+    "pose": ["01.1"],
+    "rotation": ["01.2"],
+    "screw": ["03.5", "04.1"],
+    "formula": ["03.9", "03.10", "04.11"],
+    "pose function": ["03.11"],
+    "row": ["05.1"],
+    "table": ["05.3", "06.10", "07.3", "07.4", "07.6"],
+    "entry": ["06.6"],
+    "wrists": ["06.9"],
+    "frames": ["07.2", "10.11"],
+    "counts": ["08.9"],
+    "screws": ["03.12", "04.12", "10.9"],
+    "rows": ["05.9", "06.11", "10.10"],
+    "vectors": ["07.9", "09.12", "10.8"],
+    "letter": ["08.5", "10.12", "10.14"],
+    "line": ["09.6", "09.11"],
+    "millimetres": ["10.13"],
+}
+"""For each kind of answer the problems whose right answer is in a drawing, or is one of several, and so in no given value."""
+
+read_from_a_drawing = {number for numbers in IN_A_DRAWING.values() for number in numbers}
+
+RIGHT |= {number: (kind, lambda _: None) for kind, numbers in IN_A_DRAWING.items() for number in numbers}
