@@ -26,7 +26,6 @@ LINK_TARGETS = {
     r"\.\./exercises/(\w+)/\1\.ipynb": r"../sheets/\1.ipynb",
     r"\.\./NOTATION\.md": "../notation.md",
     r"\.\./site/pages/glossary\.md": "../glossary.md",
-    r"\.\./CONTRIBUTING\.md": "../contributing.md",
 }
 """Where the links of a notebook lead on the site."""
 

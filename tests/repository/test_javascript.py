@@ -11,7 +11,7 @@ from kinlib.view.viewer.viewer import STATIC
 
 ROOT = Path(__file__).parents[2]
 NPM = shutil.which("npm")
-SITE = [ROOT / "site" / "static", ROOT / "site" / "lab" / "extension" / "static"]
+JS = ROOT / "kinlib" / "view" / "js"
 
 
 @pytest.fixture(scope="module")
@@ -19,22 +19,22 @@ def node_modules():
     """The packages that package-lock.json names, installed once."""
     if NPM is None:
         pytest.skip("There is no npm. Install Node 20 or newer to change the JavaScript.")
-    lock, installed = ROOT / "package-lock.json", ROOT / "node_modules" / ".package-lock.json"
+    lock, installed = JS / "package-lock.json", JS / "node_modules" / ".package-lock.json"
     if not installed.exists() or installed.stat().st_mtime < lock.stat().st_mtime:
-        done = subprocess.run([NPM, "ci"], cwd=ROOT, capture_output=True, text=True, check=False)
+        done = subprocess.run([NPM, "ci"], cwd=JS, capture_output=True, text=True, check=False)
         if done.returncode:
             pytest.skip(f"npm ci failed.\n{done.stderr[-500:]}")
-    return ROOT / "node_modules"
+    return JS / "node_modules"
 
 
 def test_the_committed_bundle_equals_a_new_build(node_modules, tmp_path):
-    command = json.loads((ROOT / "package.json").read_text("utf-8"))["scripts"]["build"].split()
+    command = json.loads((JS / "package.json").read_text("utf-8"))["scripts"]["build"].split()
     entry = [word for word in command if not word.startswith("--outfile")]
     bundle = tmp_path / "viewer.js"
     # npm finds esbuild in node_modules, on every system
     done = subprocess.run(
         [NPM, "exec", "--offline", "--", *entry, f"--outfile={bundle}"],
-        cwd=ROOT, capture_output=True, text=True, check=False,
+        cwd=JS, capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     assert bundle.read_bytes() == (STATIC / "viewer.js").read_bytes(), "run: npm run build"
@@ -42,10 +42,10 @@ def test_the_committed_bundle_equals_a_new_build(node_modules, tmp_path):
 
 def test_the_linter_and_the_formatter_find_nothing_to_change(node_modules):
     done = subprocess.run(
-        [NPM, "run", "--silent", "lint"], cwd=ROOT, capture_output=True, encoding="utf-8", check=False
+        [NPM, "run", "--silent", "lint"], cwd=JS, capture_output=True, encoding="utf-8", check=False
     )
     assert done.returncode == 0, f"run: npm run format\n{done.stdout}{done.stderr}"
 
 
 def test_the_lock_file_names_no_registry():
-    assert '"resolved"' not in (ROOT / "package-lock.json").read_text("utf-8")
+    assert '"resolved"' not in (JS / "package-lock.json").read_text("utf-8")
