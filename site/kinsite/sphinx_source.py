@@ -37,8 +37,9 @@ NBVAL_MARK = "# NBVAL_CHECK_OUTPUT"
 
 SAMPLE_NOTE = """\
 :::{{note}}
+:class: kinlib-sample
 The numbers below are those of the id "your id". Your own numbers are different, because they are computed from your id:
-run this sheet in the browser, or {{download}}`download it </{path}>` and open it in Jupyter, and write your id in its first cell.
+work on this page with a browser that runs scripts, or {{download}}`download it </{path}>` and open it in Jupyter, and write your id in its first cell.
 :::
 """
 

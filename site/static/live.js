@@ -29,18 +29,33 @@
     'Code that you change is kept in this browser, and handed in nowhere.',
   ];
   const SHEET = note.dataset.kinlibSheet; // the address of the notebook, on the page of a sheet
-  const SHEET_INTRODUCTION =
-    'Work on this sheet here: write your id, type an answer below each problem, and press Check. ' +
-    'The numbers of a problem appear when you come to it. ' +
-    'Your answers are kept in this browser. When you are done, download the notebook with your answers and hand it in. ' +
-    `The first check loads Python, ${PYTHON_SIZE}, which this browser keeps. `;
+  const SHEET_INTRODUCTION = [
+    'Work on this sheet here: write your id, type an answer below each problem, and press Check.',
+    stores()
+      ? 'Your answers are kept in this browser.'
+      : 'This browser keeps no answers: do not close this page before the end.',
+    'When you are done, download the notebook with your answers and hand it in.',
+    `The first check loads Python, ${PYTHON_SIZE}, which this browser keeps.`,
+  ].join(' ');
   const SAMPLE_ID = /^(student = )"([^"\\\n]*)"$/m; // in the cell that opens the sheet
   const SOLVED = 'application/vnd.misstep.solved+json';
   const WIDGET = 'application/vnd.jupyter.widget-view+json';
   const PREVIEW = 'You have changed the code: the result below is that of the original. Run the cell.';
   const STOPPED = 'Stopped. All variables are lost: the next run starts Python again, and first runs the cells above.';
   const NOT_RUN = 'Not run, because a cell above ended with an error. Run it again to go on without that cell.';
+  const STALE = 'This card belongs to an answer that you have changed since. Press Check.';
   const NEEDS_LAB = 'This output has a widget that this page cannot show: ';
+
+  /** Whether the browser lets a page store anything. */
+  function stores() {
+    try {
+      localStorage.setItem(`${KEY}:probe`, '');
+      localStorage.removeItem(`${KEY}:probe`);
+      return true;
+    } catch {
+      return false;
+    }
+  }
 
   const labLink = () => h('a', { href: note.dataset.kinlibRun }, 'open this lecture in the lab');
   const loaded = {};
@@ -80,7 +95,10 @@
     if (key !== KEY) return;
     typed = loadTyped() ?? typed;
     for (const cell of cells)
-      if (cell.key in typed && typed[cell.key] !== cell.source()) cell.edit(typed[cell.key], false);
+      if (cell.key in typed && typed[cell.key] !== cell.source()) {
+        cell.edit(typed[cell.key], false);
+        if (cell.role === 'open') showMyNumbers(); // of the id that was typed in the other tab
+      }
   });
 
   // --- the status of Python, below the cell that was run ---
@@ -235,7 +253,10 @@
       if (cell.failed && queue.length) {
         const stopped = queue.filter((other) => other.dependsOn(cell));
         queue = queue.filter((other) => !stopped.includes(other));
-        for (const other of stopped) other.finish(other.asked ? NOT_RUN : '');
+        for (const other of stopped) {
+          other.finish(other.asked ? NOT_RUN : '');
+          if (other.role === 'check') other.dropCard();
+        }
       }
       runNext();
     },
@@ -250,6 +271,7 @@
     cell.sent = true;
     if (cell.role === 'open') executed.clear(); // other numbers for all problems
     executed.set(cell, cell.source());
+    cell.madeFrom = madeFrom(cell);
     worker.postMessage({ source: cell.source(), cell: cell.key });
   }
 
@@ -266,6 +288,33 @@
     };
     inView = new IntersectionObserver(onScroll);
     for (const { role, element } of cells) if (role === 'show') inView.observe(element);
+  }
+
+  /** The code from which a problem or a card is made: that of the opening cell, and for a card that of its answers. */
+  function madeFrom({ role, problem }) {
+    const answers = cells.filter((cell) => role === 'check' && cell.role === 'answer' && cell.problem === problem);
+    return [cells[0], ...answers].map((cell) => cell.source()).join('\0');
+  }
+
+  /** Cover each problem that does not have the numbers of the id at the top, and mark each card of an earlier answer. */
+  function markStale() {
+    for (const cell of cells) {
+      if (cell.role === 'show') cell.cover(cell.madeFrom !== madeFrom(cell));
+      if (cell.role === 'check') cell.markCard(cell.madeFrom !== madeFrom(cell));
+    }
+  }
+
+  /** The id at the top of the sheet, or nothing while it is that of the example. */
+  function ownId() {
+    const id = SAMPLE_ID.exec(cells[0].source())?.[2] ?? '';
+    return id === SAMPLE_ID.exec(cells[0].original)?.[2] ? '' : id;
+  }
+
+  /** Show the numbers of the id at the top, if the reader has typed one and has agreed to load Python. */
+  function showMyNumbers() {
+    if (!ownId() || !hasAgreed()) return;
+    run(cells.find(({ role }) => role === 'show'));
+    showInView();
   }
 
   const isCurrent = (cell) => executed.get(cell) === cell.source();
@@ -340,12 +389,9 @@
       const use = () => {
         const text = this.source().replace(SAMPLE_ID, (_, before) => `${before}${JSON.stringify(field.value.trim())}`);
         this.edit(text, false);
-        if (!hasAgreed()) ask(this, use);
-        else {
-          run(this);
-          run(cells.find(({ role }) => role === 'show'));
-          showInView();
-        }
+        if (!ownId()) said.textContent = 'Type your own id first.';
+        else if (!hasAgreed()) ask(this, use);
+        else showMyNumbers();
       };
       field.addEventListener('keydown', (event) => {
         if (event.key !== 'Enter') return;
@@ -354,7 +400,61 @@
         use();
       });
       const button = h('button', { type: 'button', class: 'kinlib-button', onclick: use }, 'Show my numbers');
-      this.element.before(h('p', { class: 'kinlib-live-id' }, h('label', {}, 'Your id ', field), ' ', button));
+      const said = h('span', { class: 'kinlib-live-note', role: 'status' });
+      this.sayId = (text) => {
+        said.textContent = text;
+        if (field.value !== id()) field.value = id(); // typed in another tab, or in the cell
+      };
+      const row = h(
+        'p',
+        { class: 'kinlib-live-id', id: 'your-id' },
+        h('label', {}, 'Your id ', field),
+        ' ',
+        button,
+        ' ',
+        said,
+      );
+      this.element.before(row);
+    }
+
+    /** Cover a problem whose numbers belong to another id, and say what to do; or uncover it. */
+    cover(isCovered) {
+      if (!this.output || !SHEET) return;
+      this.coverBox?.remove();
+      this.output.hidden = isCovered && !this.isExample;
+      this.coverBox = null;
+      if (!isCovered) return;
+      const example = SAMPLE_ID.exec(cells[0].original)?.[2];
+      const id = ownId();
+      const link = h('a', { href: '#your-id' }, 'at the top');
+      const todo = id
+        ? ['This problem will have the numbers of the id ', h('strong', {}, id), ': press Show my numbers ', link, '.']
+        : ['This problem has numbers of your own: type your id ', link, ', and press Show my numbers.'];
+      const look = () => {
+        this.isExample = true;
+        this.cover(true);
+      };
+      const button = h('button', { type: 'button', class: 'kinlib-button', onclick: look }, 'Look at an example');
+      this.coverBox = h('div', { class: 'kinlib-live-cover' });
+      if (this.isExample)
+        this.coverBox.append(h('p', {}, `An example, with the numbers of the id “${example}”, not with yours.`));
+      else this.coverBox.append(h('p', {}, ...todo), ...(this.madeFrom === undefined && !id ? [button] : []));
+      this.output.before(this.coverBox);
+    }
+
+    /** Say of a card that it belongs to an earlier answer. */
+    markCard(isStale) {
+      if (!this.output || this.madeFrom === undefined) return;
+      this.output.classList.toggle('kinlib-stale', isStale);
+      if (!queue.includes(this) && isStale) this.status.textContent = STALE;
+      else if (this.status.textContent === STALE) this.status.textContent = '';
+    }
+
+    /** Remove a card whose answer does not run any more. */
+    dropCard() {
+      this.output?.replaceChildren();
+      this.output?.classList.remove('kinlib-stale');
+      this.madeFrom = undefined;
     }
 
     /** Put a message where it is seen, also if the code is folded. */
@@ -431,6 +531,7 @@
       keep(this.key, changed ? this.area.value : null);
       this.resetButton.hidden = !changed;
       this.status.textContent = changed && !executed.has(this) && !SHEET ? PREVIEW : '';
+      if (SHEET && this.isReady) markStale();
     }
 
     reset() {
@@ -467,6 +568,12 @@
 
     finish(text, ran = false) {
       if (ran && this.fresh) this.clear(); // it has displayed nothing
+      if (this.role === 'show' && ran && !this.failed) {
+        this.isExample = false;
+        this.cover(this.madeFrom !== madeFrom(this));
+        cells[0].sayId(`These are the numbers of the id “${ownId()}”.`);
+      }
+      if (this.role === 'check' && ran) this.markCard(false);
       this.status.textContent = text;
       this.nameButton(this.runLabel);
       this.element.removeAttribute('aria-busy');
@@ -666,6 +773,12 @@
       seen.set(source, (seen.get(source) ?? 0) + 1);
       return new Cell(element, index + 1, `${source}#${seen.get(source)}`);
     });
+  if (SHEET) {
+    for (const cell of cells) cell.isReady = true;
+    document.querySelector('.kinlib-sample')?.remove(); // each problem says it itself
+    markStale();
+    showMyNumbers();
+  }
   document.addEventListener('kinlib-needs-python', (event) => {
     const cell = cells.find(({ element }) => element.contains(event.target));
     if (!cell) return;

@@ -191,6 +191,24 @@ def test_a_number_can_be_typed_and_letters_change_nothing(youbot):
     assert q_of(page)[1] == 1.25
 
 
+@pytest.mark.parametrize("typed", ["90°", "90 deg", "pi/2", "0,5 pi", "\N{MINUS SIGN}270°", "1.5707963267948966 rad"])
+def test_an_angle_is_read_as_it_is_typed(youbot, typed):
+    field = youbot.get_by_label("Joint 2, radians, as a number")
+    field.fill(typed)
+    field.press("Enter")
+    assert np.sin(q_of(youbot)[1]) == pytest.approx(1)
+
+
+def test_ninety_in_a_field_of_radians_asks_for_degrees(youbot):
+    before = q_of(youbot)
+    field = youbot.get_by_label("Joint 2, radians, as a number")
+    field.fill("90")
+    field.press("Enter")
+    assert q_of(youbot) == before
+    youbot.get_by_role("button", name="90°?").click()
+    assert q_of(youbot)[1] == pytest.approx(np.pi / 2)
+
+
 def test_play_moves_one_joint_after_the_other_and_reset_goes_back_to_the_start(youbot):
     page = youbot
     set_q(page, [0, 0.5, 0, 0, 0])

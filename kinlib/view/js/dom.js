@@ -11,7 +11,21 @@ export function h(tag, settings = {}, ...children) {
 }
 
 /** Attributes that keep JupyterLab from handling the arrow keys while the element has the focus. */
-export const NO_SHORTCUTS = { 'data-lm-suppress-shortcuts': 'true' };
+const SUPPRESS = 'data-lm-suppress-shortcuts';
+const SUPPRESSED = `[${SUPPRESS}]`;
+export const NO_SHORTCUTS = { [SUPPRESS]: 'true' };
+
+/** Ctrl+S saves the notebook wherever the focus is: JupyterLab, which listens after this, must find no such element. */
+addEventListener(
+  'keydown',
+  (event) => {
+    const held = (event.ctrlKey || event.metaKey) && event.key === 's' && event.target.closest?.(SUPPRESSED);
+    if (!held) return;
+    held.removeAttribute(SUPPRESS);
+    setTimeout(() => held.setAttribute(SUPPRESS, 'true'));
+  },
+  true,
+);
 
 /** Make a button: button('▶ Play', start, { class: 'kv-play' }). */
 export function button(content, onclick, settings = {}) {

@@ -2,6 +2,7 @@
 // drawn when q changes, so that it makes no difference whether the page or Python changed it.
 import { button, formatNumber, h, NO_SHORTCUTS, renderSymbol, stepsOf, uniqueId } from '../dom.js';
 import { playButton, ROUND_MS } from './play-button.js';
+import { typedNumber } from './typed-number.js';
 
 const DEGREE = Math.PI / 180;
 
@@ -58,16 +59,7 @@ function sliderRow(slider, state) {
       set(Math.max(low, Math.min(high, value)));
     },
   });
-  const field = h('input', {
-    ...NO_SHORTCUTS,
-    type: 'number',
-    step: 'any',
-    'aria-label': `${label}, as a number`,
-    onchange: () => {
-      if (field.value.trim() === '') field.value = formatNumber(state.q()[column], 3);
-      else set(Number(field.value));
-    },
-  });
+  const field = typedNumber(isAngle, label, () => state.q()[column], set);
   const degrees = h('span', { class: 'kv-degrees', 'aria-hidden': 'true' });
   let last;
   return {
@@ -76,9 +68,10 @@ function sliderRow(slider, state) {
       { class: 'kv-row' },
       h('label', { for: id, title: label }, renderSymbol(name)),
       range,
-      field,
+      field.element,
       h('span', { class: 'kv-unit' }, unit),
       degrees,
+      field.hint,
     ),
     update(q) {
       const value = q[column];
@@ -86,7 +79,7 @@ function sliderRow(slider, state) {
       last = value;
       if (Number(range.value) !== value) range.value = value;
       range.style.setProperty('--share', `${Math.max(0, Math.min(100, (100 * (value - low)) / (high - low)))}%`);
-      if (document.activeElement !== field || Number(field.value) !== value) field.value = formatNumber(value, 3);
+      field.show(value);
       const text = isAngle ? `${formatNumber(value / DEGREE, 0)}°` : '';
       degrees.textContent = text;
       range.setAttribute(
