@@ -22,8 +22,11 @@ export function readTyped(text) {
 export function typedNumber(isAngle, label, current, set) {
   const hint = h('span', { class: 'kv-ask', role: 'status' });
   const say = (...content) => hint.replaceChildren(...content);
+  let asked = ''; // what the question is about: when the focus moves to its button, it must stay
   const apply = () => {
+    if (asked && field.value === asked) return;
     say();
+    asked = '';
     const typed = readTyped(field.value);
     if (!typed) show(current());
     else if (!isAngle && ['deg', 'rad'].includes(typed.unit)) say('a length, in m');
@@ -32,8 +35,10 @@ export function typedNumber(isAngle, label, current, set) {
     else if (typed.unit === 'm') say('an angle: 1.57, pi/2 or 90°');
     else if (Math.abs(typed.value) <= TURN) set(typed.value);
     else {
+      asked = field.value;
       const degrees = button(`${typed.value}°?`, () => {
         say();
+        asked = '';
         set(typed.value * DEGREE);
         field.focus();
       });
