@@ -125,6 +125,17 @@ def _make_explanation(question: Question, output: str) -> "widgets.Widget":
     return box
 
 
+ROW = "misstep-option-row"
+STYLE = (
+    f"<style>.{ROW} {{ position: relative; overflow: visible; border-radius: 4px }} "
+    f".{ROW}:has(button:enabled):hover {{ background: color-mix(in srgb, currentColor 8%, transparent) }} "
+    f".{ROW} button {{ position: static; overflow: visible }} "
+    f".{ROW} button::after {{ content: ''; position: absolute; inset: 0; z-index: 1; cursor: pointer }} "
+    f".{ROW} button:disabled::after {{ content: none }}</style>"
+)
+"""An option is pressed anywhere in its row: its button covers the row."""
+
+
 def _make_widget(question: Question) -> "widgets.Widget":
     """Return the question with its options: for each option a button with its letter, and its text, which may contain formulas."""
     import ipywidgets as widgets
@@ -138,12 +149,9 @@ def _make_widget(question: Question) -> "widgets.Widget":
         button = widgets.Button(description=letter, tooltip=f"Commit to {letter}: {option.text}", layout=narrow)
         button.on_click(lambda _, index=index: question.commit(index))
         buttons.append(button)
-        rows.append(
-            widgets.HBox(
-                [button, widgets.HTMLMath(inline(option.text), layout=widgets.Layout(flex="1 1 auto"))],
-                layout=widgets.Layout(align_items="baseline"),
-            )
-        )
+        text = widgets.HTMLMath(inline(option.text), layout=widgets.Layout(flex="1 1 auto"))
+        row = widgets.HBox([button, text], layout=widgets.Layout(align_items="baseline"))
+        rows.append(row.add_class(ROW))
 
     def show_choice(_: Any = None) -> None:
         if not question.committed:
@@ -160,5 +168,5 @@ def _make_widget(question: Question) -> "widgets.Widget":
 
     question.observe(show_choice, "committed")
     show_choice()
-    head = widgets.HTMLMath(f"<b>{KINDS[item.kind]}.</b> {inline(item.text)}")
+    head = widgets.HTMLMath(f"{STYLE}<b>{KINDS[item.kind]}.</b> {inline(item.text)}")
     return widgets.VBox([head, *rows, reply])

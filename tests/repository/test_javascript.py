@@ -41,9 +41,7 @@ def test_the_committed_bundle_equals_a_new_build(node_modules, tmp_path):
 
 
 def test_the_linter_and_the_formatter_find_nothing_to_change(node_modules):
-    done = subprocess.run(
-        [NPM, "run", "--silent", "lint"], cwd=JS, capture_output=True, encoding="utf-8", check=False
-    )
+    done = subprocess.run([NPM, "run", "--silent", "lint"], cwd=JS, capture_output=True, encoding="utf-8", check=False)
     assert done.returncode == 0, f"run: npm run format\n{done.stdout}{done.stderr}"
 
 
