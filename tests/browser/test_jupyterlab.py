@@ -148,7 +148,9 @@ def test_an_explanation_opens_with_the_answer_or_when_it_is_asked_for(lab):
     row.scroll_into_view_if_needed()
     row.click(position={"x": row.bounding_box()["width"] - 9, "y": 9})  # far from the button
     cards[0].get_by_text(words_of(names[0])).wait_for()
-    assert f"but {'ABCDEF'[right]} is right" in cards[0].text_content()  # inner_text leaves out a cell that is not drawn
+    assert (
+        f"but {'ABCDEF'[right]} is right" in cards[0].text_content()
+    )  # inner_text leaves out a cell that is not drawn
     assert words_of(names[1]) not in page.locator(".jp-Notebook").text_content()
     cards[1].get_by_role("button", name="Show anyway").click()
     cards[1].get_by_text(words_of(names[1])).wait_for()

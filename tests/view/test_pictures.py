@@ -1,7 +1,6 @@
-"""Every drawing and every scene of a viewer stays as it was when it was last looked at."""
+"""Every drawing is legible on light and on dark pages."""
 
 import numpy as np
-from fingerprints import assert_unchanged
 from legible import assert_legible
 from urdf_files import TWO_FINGERS
 
@@ -13,8 +12,7 @@ from kinlib.view.figures.dh_table import draw_row, draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.figures.lettered_chain import draw_lettered_chain
 from kinlib.view.viewer.dh_row_player import draw_tracks
-from kinlib.view.viewer.scene import LAYERS
-from kinlib.view.viewer.tree_viewer import draw_tree, explore_tree
+from kinlib.view.viewer.tree_viewer import draw_tree
 
 PUMA, YOUBOT, RPPR = kl.robots.puma560(), kl.robots.youbot(), kl.robots.rppr()
 ASSIGNED = kl.assign_frames(PUMA, convention="standard")
@@ -74,70 +72,7 @@ PICTURES = {
     "gripper": lambda: draw_tree(HAND, [0.1, 0.02]),
     "machine": lambda: draw_dimensions(MACHINE, MACHINE_AXES, MACHINE_MARKS, arrows={"x1": ((0.5, 0, 0.6), X)}),
 }
-SCENES = {
-    "arm": lambda: view.explore(PUMA, start=np.full(6, 0.3), show=LAYERS),
-    "chosen joints": lambda: view.explore(RPPR, joints=[1, 3], frames={"1": FRAMES["b"]}),
-    "moving frames": lambda: view.slide_frames(
-        lambda x: FRAMES | {"x": kl.exp([0, 0, x, x, 0, 1])}, "x", [0, 1], arrows=True
-    ),
-    "row": lambda: view.play_row(ROW),
-    "walk": lambda: view.play_walk(WALK),
-    "assignment": lambda: view.play_assignment(YOUBOT, convention="modified"),
-    "frames to place": lambda: view.assign(PUMA, convention="standard"),
-    "linkage": lambda: view.drive(FOUR_BAR, CLOSED[0], across=("A", "D")),
-    "spatial linkage": lambda: view.drive(BENNETT, BENNETT.assemble([1, 2, 1, 2]).q),
-    "gripper": lambda: explore_tree(HAND, [0.1, 0.02]),
-}
-
-PICTURES_LOOKED_AT = {
-    "arm": (1214095093, 2741.3),
-    "arm with frames": (2523445182, -4.2),
-    "joints": (1549438050, 2655.6),
-    "helical joints": (3228830669, 2428.9),
-    "frames": (3767135440, 1565.8),
-    "skew axes": (2578015585, 2467.9),
-    "parallel axes": (2444999531, 2179.8),
-    "moving normal": (525818598, 3154.7),
-    "row": (3859784281, 3837.9),
-    "row, motion by motion": (2289320278, -2340.6),
-    "factors": (2093173514, 514.9),
-    "table": (2271884965, 577.2),
-    "table with a fixed row": (1390553082, 2648.4),
-    "assignment of one joint": (2803617801, 695.5),
-    "assignment, a normal": (1352779420, 3026.3),
-    "assignment, a row": (160711780, 3450.3),
-    "assignment": (895743639, -2647.5),
-    "lettered arm": (2167237704, 346.2),
-    "velocity": (261351886, 350.5),
-    "moment": (3433504553, 611.6),
-    "four-bar": (3835366647, 3560.0),
-    "open slider-crank": (88074339, 2402.3),
-    "platform": (2296567341, 501.2),
-    "hexapod": (958927615, 70.8),
-    "gripper": (2020709182, 2858.0),
-    "machine": (2274938911, 3511.4),
-}
-SCENES_LOOKED_AT = {
-    "arm": (386037431, 760.90747),
-    "chosen joints": (587140397, 0.09739),
-    "moving frames": (4208098671, 8.50037),
-    "row": (617896469, 169.97360),
-    "walk": (251542438, 10.49853),
-    "assignment": (408302159, 63.86155),
-    "frames to place": (1078110188, 1013.32128),
-    "linkage": (3759846649, 12.24071),
-    "spatial linkage": (2932293627, 6.75289),
-    "gripper": (3121369546, 8.98151),
-}
-
-
-def test_every_drawing_stays_as_it_was():
-    assert_unchanged(PICTURES, PICTURES_LOOKED_AT, tolerance=0.4)  # pixels: last digits may differ by machine
 
 
 def test_every_drawing_is_legible_on_light_and_on_dark_pages():
     assert_legible(PICTURES)
-
-
-def test_every_scene_of_a_viewer_stays_as_it_was():
-    assert_unchanged(SCENES, SCENES_LOOKED_AT, tolerance=1e-4)

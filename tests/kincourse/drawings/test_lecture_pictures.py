@@ -1,7 +1,6 @@
-"""Every drawing of the lectures stays as it was when it was last looked at."""
+"""Every drawing of the lectures is legible on light and on dark pages."""
 
 import numpy as np
-from fingerprints import assert_unchanged
 from legible import assert_legible
 
 import kinlib as kl
@@ -55,34 +54,6 @@ PICTURES = {
     "loop in a URDF": lambda: draw_urdf_tree(FOUR_BAR),
     "two arms": lambda: draw_two_arms(PUMA, PUMA, np.full(6, 0.3), np.full(6, -0.3), width=0.8, base=M),
 }
-
-PICTURES_LOOKED_AT = {
-    "parts": (3104922741, 822.0),
-    "three readings": (3660427763, 1903.2),
-    "rotation": (1087938994, 1329.3),
-    "cross product": (2179415992, 1555.6),
-    "twist matrix": (2655128, 3757.2),
-    "series": (1044509461, 2453.5),
-    "motions": (3486296376, 4187.5),
-    "adjoint": (4109699754, 1732.9),
-    "mid-formula": (1227804212, 4087.2),
-    "mid-formula, all from {b}": (953338182, 2168.7),
-    "velocities": (3194410292, 3683.3),
-    "lost direction": (1350093179, 1229.2),
-    "last frame": (2241927059, 1638.5),
-    "last frame, revolute": (27255008, 1676.8),
-    "rotation axes": (1631004220, 3717.2),
-    "nearly parallel axes": (2767911083, 3862.5),
-    "torus": (1283594954, 1801.0),
-    "joint of a URDF": (1703652205, 5449.8),
-    "tree of a URDF": (3568454187, 2950.8),
-    "loop in a URDF": (3872518642, 2415.9),
-    "two arms": (2194950359, 2532.8),
-}
-
-
-def test_every_drawing_of_the_lectures_stays_as_it_was():
-    assert_unchanged(PICTURES, PICTURES_LOOKED_AT, tolerance=0.4)
 
 
 def test_every_drawing_of_the_lectures_is_legible_on_light_and_on_dark_pages():
