@@ -3,7 +3,6 @@
 A file is written only if its text changes, so that Sphinx reads only what has changed.
 """
 
-import ast
 import re
 from collections.abc import Iterator, Mapping
 from html import unescape
@@ -32,14 +31,12 @@ LINK_TARGETS = {
 OUTPUT_LINK = re.compile(r'href="([\w./]+)\.(?:ipynb|md)(?:#([^"]*))?"')
 """A link in the output of a cell: to a section to re-read, or in an explanation. Sphinx does not resolve links in HTML."""
 
-NBVAL_MARK = "# NBVAL_CHECK_OUTPUT"
-"""A comment for the tests, which compare the output of its cell. Readers do not need it."""
-
 SAMPLE_NOTE = """\
 :::{{note}}
 :class: kinlib-sample
 The numbers below are those of the id "your id". Your own numbers are different, because they are computed from your id:
-work on this page with a browser that runs scripts, or {{download}}`download it </{path}>` and open it in Jupyter, and write your id in its first cell.
+work on this page in a browser that runs scripts, or
+{{download}}`download it </{path}>` and open it in Jupyter, and write your id in its first cell.
 :::
 """
 
@@ -106,43 +103,19 @@ def notebook_pages(executed: Mapping[Path, NotebookNode]) -> Iterator[tuple[str,
 
 
 def adapt(notebook: NotebookNode) -> NotebookNode:
-    """Make the links of a notebook lead to the pages of the site, name its cells, and remove the marks that only tests need."""
+    """Make the links of a notebook lead to the pages of the site, and name its cells."""
     for cell in notebook.cells:
         if cell.cell_type == "markdown":
             for old, new in LINK_TARGETS.items():
                 cell.source = re.sub(rf"\]\({old}", f"]({new}", cell.source)
         else:
             cell.metadata["kinlib-cell"] = cell.get("id", "")  # names the addresses of its figures
-            cell.source = cell.source.removeprefix(f"{NBVAL_MARK}\n")
-            if is_plumbing(cell.source):
-                cell.metadata["tags"] = sorted({*cell.metadata.get("tags", []), "hide-input"})
             for data in (output["data"] for output in cell.outputs if "text/html" in output.get("data", {})):
                 for old, new in LINK_TARGETS.items():
                     data["text/html"] = re.sub(f'href="{old}', f'href="{new}', data["text/html"])
                 data["text/html"] = OUTPUT_LINK.sub(link_to_page, data["text/html"])
     notebook.metadata.pop("widgets", None)
     return notebook
-
-
-def is_plumbing(source: str) -> bool:
-    r"""Whether a cell only imports and asks questions: then a page folds its code, because the questions are what is read.
-
-    >>> is_plumbing("import kinlib as kl\ndisplay(*(ask(f'03/check-{k}') for k in (1, 2)))"), is_plumbing("import kinlib")
-    (True, True)
-    >>> is_plumbing("arm = kl.robots.youbot()\nask('03/bug')"), is_plumbing("%pip install kinlib")
-    (False, False)
-    """
-    try:
-        tree = ast.parse(source)
-    except SyntaxError:  # a magic
-        return False
-    calls = {ast.unparse(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
-    only = all(
-        isinstance(node, ast.Import | ast.ImportFrom | ast.Expr | ast.For)
-        or (isinstance(node, ast.Assign) and isinstance(node.value, ast.Call))
-        for node in tree.body
-    )
-    return bool(tree.body) and only and calls <= {"ask", "explain", "display"}
 
 
 def link_to_page(found: re.Match[str]) -> str:

@@ -10,7 +10,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
-from tidy_notebooks import MARK, tidied
+from tidy_notebooks import TAG, is_checked, tidied
 
 import kinlib
 
@@ -101,13 +101,14 @@ def test_a_committed_notebook_has_no_output_except_short_checked_text(path, comm
     notebook = json.loads(path.read_text("utf-8"))
     assert list(differences(notebook)) == []
     if path.parent.name == "notebooks":
-        marked = [cell for cell in notebook["cells"] if MARK in "".join(cell["source"])]
-        assert all(cell["outputs"] for cell in marked), f"a cell with the mark {MARK} must have an output: run it"
+        marked = [cell for cell in notebook["cells"] if is_checked(cell)]
+        assert all(cell["outputs"] for cell in marked), f"a cell with the tag {TAG} must have an output: run it"
     assert path.stat().st_size <= 150_000, "at most 150 kB: move large content to a file, or to kinlib"
 
 
 def make_notebook(**output):
-    cell = {"cell_type": "code", "metadata": {}, "source": [MARK, "\n1 / 3"], "execution_count": 1, "outputs": [output]}
+    metadata = {"tags": [TAG]}
+    cell = {"cell_type": "code", "metadata": metadata, "source": ["1 / 3"], "execution_count": 1, "outputs": [output]}
     return {"cells": [cell], "metadata": {"language_info": {"name": "python"}}}
 
 

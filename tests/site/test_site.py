@@ -383,10 +383,6 @@ def test_the_pages_of_sheets_contain_no_answers(site_folder):
         assert answers.count("...") >= 7, (path.name, answers)
 
 
-def test_marks_for_tests_are_removed_from_the_pages(site_folder, pages):
-    assert [name for name in pages if "NBVAL" in (site_folder / name).read_text("utf-8")] == []
-
-
 def test_only_lines_in_two_columns_become_definitions():
     """Two spaces make a definition, a bracket before a word does not; and text may follow the list."""
     assert markdown.paragraph("A point (n, 3) on every axis") == "A point (n, 3) on every axis"

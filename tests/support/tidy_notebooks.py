@@ -1,8 +1,8 @@
-"""Remove the outputs of notebooks before a commit, except the text of cells marked # NBVAL_CHECK_OUTPUT.
+"""Remove the outputs of notebooks before a commit, except the text of cells with the tag nbval-check-output.
 
     python tests/support/tidy_notebooks.py notebooks/01_frames.ipynb ...
 
-nbval compares the outputs of marked cells. nbstripout does not know the mark, and it removes the execution count, without
+nbval compares the outputs of these cells. nbstripout does not know the tag, and it removes the execution count, without
 which nbval compares nothing.
 """
 
@@ -10,7 +10,11 @@ import json
 import sys
 from pathlib import Path
 
-MARK = "# NBVAL_CHECK_OUTPUT"
+TAG = "nbval-check-output"
+
+
+def is_checked(cell):
+    return TAG in cell["metadata"].get("tags", ())
 
 
 def tidied(notebook):
@@ -20,7 +24,7 @@ def tidied(notebook):
     for cell in notebook["cells"]:
         cell["metadata"].pop("execution", None)
         if cell["cell_type"] == "code":
-            marked = MARK in "".join(cell["source"])
+            marked = is_checked(cell)
             cell["execution_count"] = 1 if marked and cell["outputs"] else None
             cell["outputs"] = [text_of(output) for output in cell["outputs"] if marked]
     return notebook

@@ -1,7 +1,7 @@
 """Keep what nbval executes, so that neither other tests nor the build of the site execute a notebook again.
 
 nbval starts a new kernel for each notebook, executes its cells one after the other, and compares the outputs of those that are
-marked with NBVAL_CHECK_OUTPUT. It ignores the rest of what the kernel sends. Here all of it is recorded, and nbclient turns it
+tagged nbval-check-output. It ignores the rest of what the kernel sends. Here all of it is recorded, and nbclient turns it
 into outputs and widgets, just as if it had executed the notebook itself. `kinsite.execute.execute` reads these from the cache.
 """
 
