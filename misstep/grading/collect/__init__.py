@@ -1,1 +1,0 @@
-"""What students submitted: folders, zip files, rosters and notebooks, read without trust."""
