@@ -2,15 +2,8 @@
 
     misstep grade submissions/ --sheet 03 --out results/
 
-The folder of results has:
-
-    grades.csv       a row for each student, with the reasons     report.html   how the class did, and what needs your eyes
-    feedback/        a page for each student                      feedback.zip  all pages, as Moodle and Canvas import them
-    unnamed.csv      wrong answers that no mistake explains       overrides.csv points and comments by hand, for you to fill in
-    canvas.csv, moodle.csv, gradescope.csv                        the points in the file of the platform that --roster names
-
-Each file is written completely or not at all, and the same submissions give the same files. So a run that was ended in
-any way is simply started again.
+site/instructors.md says what the results are. Each file is written completely or not at all, and the same submissions give the
+same files. So a run that was ended in any way is simply started again.
 """
 
 import argparse
@@ -26,19 +19,20 @@ from urllib.parse import quote
 from zipfile import ZipFile, ZipInfo
 
 from misstep.catalog import Course, add_course_argument, find_course
+from misstep.grading.collect.roster import export, read_roster
+from misstep.grading.collect.submissions import CANVAS, MOODLE, Gathered, gather
 from misstep.grading.escape import csv_text, format_points, printable
 from misstep.grading.judging import Request, SheetName
 from misstep.grading.overrides import read_overrides
 from misstep.grading.pages import report_page
 from misstep.grading.result import ABSENT, FLAGS, Result
-from misstep.grading.roster import export, read_roster
 from misstep.grading.similarity import shared_answers, unnamed_rows
-from misstep.grading.submissions import CANVAS, MOODLE, Gathered, gather
 from misstep.grading.workers import grade_within, open_executor
 
 MAX_NAMED = 30
-"""How many students are named in a line of the terminal; the report and grades.csv name all."""
-
+"""How many students are named in a line."""
+PLATFORMS = {"moodle": MOODLE, "canvas": CANVAS}
+"""Those that take pages back, with the names of their files."""
 PAGE_MARK = b'<meta name="generator" content="misstep grade">'
 
 
@@ -98,16 +92,12 @@ def run(options: argparse.Namespace) -> int:
         text = export(roster, points, sheet.points, sheet.name, options.column)
         write(options.out / f"{roster.kind}.csv", text.encode())
     counts = Counter(result.status for result in results)
-    say(f"{len(results)} students: {', '.join(f'{number} {status}' for status, number in sorted(counts.items()))}.")
-    for line in attention:
-        say(line)
-    say(f"The results are in {options.out}: open report.html, then grades.csv.")
+    summary = (
+        f"{len(results)} students: {', '.join(f'{number} {status}' for status, number in sorted(counts.items()))}."
+    )
+    for line in [summary, *attention, f"The results are in {options.out}: open report.html, then grades.csv."]:
+        print(printable(line))  # the one place from which names of files and students reach the terminal
     return 1 if attention else 0
-
-
-def say(line: str) -> None:
-    """Print a line. This is the one place from which names of files and students reach the terminal."""
-    print(printable(line))
 
 
 def sheet_name(course: Course, text: str, site: str) -> SheetName:
@@ -116,8 +106,8 @@ def sheet_name(course: Course, text: str, site: str) -> SheetName:
     Raises ValueError if there is none.
     """
     path = Path(text)
-    folder = str(path.parent.resolve()) if path.suffix in (".json", ".ipynb") else str(Path.cwd())
-    stem = path.stem if path.suffix in (".json", ".ipynb") else text.strip("/")
+    is_file = path.suffix in (".json", ".ipynb")
+    folder, stem = (str(path.parent.resolve()), path.stem) if is_file else (str(Path.cwd()), text.strip("/"))
     matching = [name for name in course.sheets() if name == stem or name.partition("_")[0] == stem]
     name = matching[0] if len(matching) == 1 else stem
     return SheetName(name, course.reference, "" if matching else folder, site or course.site)
@@ -201,39 +191,29 @@ def write_all(out: Path, sheet: str, gathered: Gathered, results: Sequence[Resul
     header = ["problem", "answers", "each number beside the right one", "an example", "right there"]
     write(out / "unnamed.csv", csv_text(header, unnamed_rows(results)).encode())
     write(out / "report.html", report_page(results, sheet, attention).encode())
-    uploads = {}
-    for one in gathered.submissions:
-        name = feedback_name(gathered.kind, one.files[0].name, sheet) if one.files else None
-        if name:
-            uploads[name] = pages[f"{file_name(one.student)}.html"]
-    if uploads:
+    handed_in = [one for one in gathered.submissions if one.files and gathered.kind in PLATFORMS]
+    if handed_in:
         buffer = BytesIO()
         with ZipFile(buffer, "w") as archive:
-            for upload in sorted(uploads.items()):
-                archive.writestr(
-                    ZipInfo(upload[0]), upload[1]
-                )  # each has the same date, so that equal pages give equal bytes
+            for one in handed_in:  # each page has the same date, so that equal pages give equal bytes
+                upload = ZipInfo(feedback_name(gathered.kind, one.files[0].name, sheet))
+                archive.writestr(upload, pages[f"{file_name(one.student)}.html"])
         write(out / "feedback.zip", buffer.getvalue())
 
 
 def grades_table(results: Sequence[Result]) -> str:
     """Return the grades as CSV, with a row for each result, of which there is at least one."""
-    numbers = [one.number for one in results[0].problems]
     last = ["reason", "mistakes", "id in the sheet", "file", "by hand"]
-    header = ["student", "points", "max", "status", *numbers, *last]
+    header = ["student", "points", "max", "status", *(one.number for one in results[0].problems), *last]
     rows = []
     for one in results:
         told = (one.reason, *one.notes)
         flags = [f"{FLAGS[flag]}: {about}" for flag, about in one.flags.items() if about and about not in told]
-        rows.append(
-            [
-                *(one.student, format_points(one.points), format_points(one.max), one.status),
-                *(format_points(problem.points) for problem in one.problems),
-                " | ".join(filter(None, [one.reason, *one.notes, *flags])),
-                "; ".join(f"{problem.number} {name}" for problem in one.problems for name in problem.mistakes),
-                *(", ".join(one.typed), one.file, " | ".join(one.changes)),
-            ]
-        )
+        first = [one.student, format_points(one.points), format_points(one.max), one.status]
+        points = [format_points(problem.points) for problem in one.problems]
+        reason = " | ".join(filter(None, [*told, *flags]))
+        mistakes = "; ".join(f"{problem.number} {name}" for problem in one.problems for name in problem.mistakes)
+        rows.append([*first, *points, reason, mistakes, ", ".join(one.typed), one.file, " | ".join(one.changes)])
     return csv_text(header, rows)
 
 
@@ -249,8 +229,8 @@ def file_name(student: str) -> str:
     return (name if len(name) <= 100 else f"{name[:80]}%{digest}") or "%"
 
 
-def feedback_name(kind: str, path: PurePosixPath, sheet: str) -> str | None:
-    """Return the name of a page by which the platform assigns it to its student; None if it takes no pages back.
+def feedback_name(kind: str, path: PurePosixPath, sheet: str) -> str:
+    """Return the name of a page by which a platform assigns it to its student.
 
     Source: mod/assign/feedback/file/importziplib.php of Moodle; infer_comment_context_from_filename of Canvas.
 
@@ -259,10 +239,7 @@ def feedback_name(kind: str, path: PurePosixPath, sheet: str) -> str | None:
     >>> feedback_name("canvas", PurePosixPath("lovelaceada_LATE_1815_99_x-2.ipynb"), "03_poe_space")
     'lovelaceada_LATE_1815_99_feedback.html'
     """
-    pattern = {"moodle": MOODLE, "canvas": CANVAS}.get(kind)
-    match = next(filter(None, map(pattern.fullmatch, path.parts)), None) if pattern else None
-    if match is None:
-        return None
+    match = next(filter(None, map(PLATFORMS[kind].fullmatch, path.parts)))
     if kind == "moodle":
         return f"{match['name'].replace('_', ' ')}_{match['key']}_assignfeedback_file_{sheet}.html"
     return f"{match.string[: match.start('file')]}feedback.html"

@@ -6,7 +6,6 @@ cell raises no error; nbgrader_config.py therefore names `Refuse` as its preproc
 
 import re
 from collections.abc import Sequence
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -79,8 +78,6 @@ def record(course: CourseDirectory, assignment: str, sheet: str, results: Sequen
 
 def _record(gradebook: Gradebook, assignment: str, sheet: str, result: Result) -> None:
     points = {f"check-{k}": one.points for k, one in enumerate(result.problems, start=1)}
-    with suppress(MissingEntry):
-        gradebook.find_student(result.student)
     gradebook.update_or_create_student(result.student)
     with gradebook.db.no_autoflush:  # nbgrader adds a submission to its assignment, and then to the session
         gradebook.update_or_create_submission(assignment, result.student)

@@ -1,7 +1,6 @@
 """Judge what one student handed in: stored answers in, a Result out, whatever the files are.
 
-The numbers are drawn anew from the id that the student should have, and the answers, which are data, are judged again. So
-nothing that a notebook says about points counts.
+The numbers are drawn anew from the id that the student should have, so nothing that a notebook says about points counts.
 """
 
 import json
@@ -12,61 +11,50 @@ from functools import cache
 from typing import Any
 
 from misstep.catalog import find_course
+from misstep.diagnosis.bugs import Observation
 from misstep.display.card import Link
 from misstep.display.lecture_address import page_address
 from misstep.grading import result as states
-from misstep.grading.notebook import Unreadable, Work, choose
-from misstep.grading.overrides import Override, find
+from misstep.grading.collect.notebook import Work, choose
+from misstep.grading.collect.submissions import Submission, Unreadable
+from misstep.grading.overrides import Override
 from misstep.grading.pages import feedback_page
 from misstep.grading.result import ProblemResult, Result
 from misstep.grading.similarity import relation
-from misstep.grading.submissions import Submission
 from misstep.judge import Finding, Judgement, judge
 from misstep.problem import Problem, Template
 from misstep.sheet import SAMPLE_ID, Sheet
 from misstep.storage.deserialize import Malformed, Opaque, from_data
 from misstep.storage.serialize import to_data
-from misstep.verdict import Verdict, observation
+from misstep.verdict import Verdict
 
 NO_ANSWER = "No answer is stored: the check cell of this problem was not run, or the notebook was not saved afterwards."
 
 
 @dataclass(frozen=True)
 class SheetName:
-    """A sheet, as another process finds it.
-
-    course  a reference for find_course
-    folder  where the file of a robot's own sheet is, "" for a sheet of a lecture
-    site    the address of the course's site, "" if it has none
-    """
+    """A sheet, as another process finds it."""
 
     name: str
-    course: str
-    folder: str = ""
-    site: str = ""
+    course: str  # a reference for find_course
+    folder: str = ""  # where the file of a robot's own sheet is, "" for a sheet of a lecture
+    site: str = ""  # the address of the course's site, "" if it has none
 
+    @cache  # noqa: B019 - there are few of them, and they live as long as the process
     def find(self) -> Sheet:
         """Return the sheet itself."""
-        return _find(self)
-
-
-@cache
-def _find(name: SheetName) -> Sheet:
-    with chdir(name.folder) if name.folder else nullcontext():
-        return find_course(name.course).find_sheet(name.name)
+        with chdir(self.folder) if self.folder else nullcontext():
+            return find_course(self.course).find_sheet(self.name)
 
 
 @dataclass(frozen=True)
 class Request:
-    """What is needed to grade one student.
-
-    uses_typed_id  whether the numbers are those of the id that was typed, also where another one is expected
-    """
+    """What is needed to grade one student."""
 
     sheet: SheetName
     submission: Submission
     overrides: Sequence[Override] = ()
-    uses_typed_id: bool = False
+    uses_typed_id: bool = False  # also where another id is expected
 
 
 def grade(request: Request) -> Result:
@@ -84,24 +72,18 @@ def grade(request: Request) -> Result:
     work, typed = chosen.work, chosen.work.ids
     # The id that was typed last, if several were, because its numbers are those that the student saw last.
     id_ = typed[-1] if typed and (request.uses_typed_id or not one.id) else one.id
-    problems = [
-        _judged(template, id_, work, k, request.sheet.site) for k, template in enumerate(sheet.problems, start=1)
-    ]
-    flags, reason, notes = _flags(one, problems, work, id_), "", list(chosen.notes)
-    if not work.answers:
-        reason = f"{states.FLAGS['not run']}."
+    judged = (_judged(template, id_, work, k, request.sheet.site) for k, template in enumerate(sheet.problems, start=1))
+    problems, notes = list(judged), list(chosen.notes)
+    flags = _flags(one, problems, work, id_)
+    reason = "" if work.answers else f"{states.FLAGS['not run']}."
     if len(chosen.ids) > 2:
         flags["several ids"] = ", ".join(chosen.ids[:5])
     if "other id" in flags:
         notes.append(_other_id(sheet, work, one.id, id_, problems))
         flags["other id"] = notes[-1]
     status = states.GRADED if work.answers else states.NOT_RUN
-    result = Result(
-        *(one.student, sum(each.points for each in problems), sheet.points, status, problems, reason, notes),
-        flags=flags,
-        typed=typed,
-        file=chosen.name,
-    )
+    earned = sum(each.points for each in problems)
+    result = Result(one.student, earned, sheet.points, status, problems, reason, notes, flags, typed, chosen.name)
     return finished(result, request)
 
 
@@ -116,14 +98,14 @@ def ungraded(request: Request, status: str, reason: str, flag: str) -> Result:
 def finished(result: Result, request: Request) -> Result:
     """Return a result as the instructor decided, with its page."""
     problems = []
+    decisions = {one.problem: one for one in request.overrides}
     for problem in result.problems:
-        decided, points = find(request.overrides, problem.number), problem.points
-        if decided:
+        if decided := decisions.get(problem.number):
             points = problem.points if decided.points is None else decided.points
             problem = replace(problem, points=points, note=decided.sentence(problem.points))  # noqa: PLW2901
         problems.append(problem)
     total, notes = sum(problem.points for problem in problems), list(result.notes)
-    if decided := find(request.overrides, ""):
+    if decided := decisions.get(""):
         notes.append(decided.sentence(total))
         total = total if decided.points is None else decided.points
     result = replace(result, points=total, problems=problems, notes=notes)
@@ -176,7 +158,7 @@ def _judged(template: Template, id_: str, work: Work, k: int, site: str) -> Prob
         answer=None if judgement.state == "unreadable" else data,
         mistakes=judgement.mistakes,
         unnamed=(relation(data, right), right) if is_unnamed else None,
-        seen=observation(template, problem, [judgement]),
+        seen=Observation(template.number, (), [one.alternatives for one in judgement.findings if one.alternatives]),
     )
 
 

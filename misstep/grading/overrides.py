@@ -6,29 +6,25 @@ bob,03.2,,See page 12.                   a comment only
 cyn,,20,You explained it to me.          without a problem: of the whole sheet
 """
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 
 from misstep.display.text import points as in_words
+from misstep.grading.collect.roster import read_table
 from misstep.grading.escape import csv_text
-from misstep.grading.roster import read_table
 from misstep.sheet import Sheet
 
 COLUMNS = ("student", "problem", "points", "comment")
-FILE = "overrides.csv"
 
 
 @dataclass(frozen=True)
 class Override:
-    """What an instructor decided about a problem of a student, or, with the problem "", about the whole sheet.
-
-    points  None if only a comment is given
-    """
+    """What an instructor decided about a problem of a student."""
 
     student: str
-    problem: str
-    points: float | None
+    problem: str  # "" for the whole sheet
+    points: float | None  # None if only a comment is given
     comment: str
 
     def sentence(self, before: float) -> str:
@@ -49,7 +45,7 @@ def read_overrides(out: Path, sheet: Sheet, students: Collection[str]) -> dict[s
     Raises ValueError that names every line with a fault: an unknown student or problem, points that are no number or too many,
     and a line that is there twice.
     """
-    path = out / FILE
+    path = out / "overrides.csv"
     if not path.exists():
         out.mkdir(parents=True, exist_ok=True)
         path.write_text(csv_text(COLUMNS, []), "utf-8")
@@ -83,8 +79,3 @@ def read_overrides(out: Path, sheet: Sheet, students: Collection[str]) -> dict[s
     if faults:
         raise ValueError(f"{path} has faults, and nothing was graded: {'; '.join(faults)}.")
     return found
-
-
-def find(overrides: Sequence[Override], problem: str) -> Override | None:
-    """Return the override of a problem, "" for the whole sheet; None if there is none."""
-    return next((one for one in overrides if one.problem == problem), None)

@@ -33,23 +33,11 @@ STATES = {
 FORMULA_OR_CODE = re.compile(r"\$\$?(?P<formula>[^$\n]+)\$\$?|`(?P<code>[^`\n]+)`")
 
 ATTRIBUTES = {"xmlns", "display", "stretchy", "fence", "form", "separator", "mathvariant", "columnalign", "rowspacing"}
-ATTRIBUTES |= {
-    "columnspacing",
-    "columnlines",
-    "rowlines",
-    "width",
-    "height",
-    "linethickness",
-    "minsize",
-    "maxsize",
-    "accent",
-}
+ATTRIBUTES |= {"columnspacing", "columnlines", "rowlines", "width", "height", "linethickness", "minsize", "maxsize"}
 """The attributes of MathML that lead nowhere. A formula with any other one, such as href, is shown as it was typed."""
 
-MAX_FORMULA = 1000
-MAX_ANSWER = 2000
+MAX_FORMULA, MAX_ANSWER = 1000, 2000
 """The longest formula that is converted, and the longest answer that is shown, in characters."""
-
 SMALL_FRACTION = re.compile(r"\\[td]frac(?![a-zA-Z])")
 """Fractions of another size, which latex2mathml does not know."""
 
@@ -124,30 +112,21 @@ def report_page(results: Sequence[Result], sheet: str, attention: Sequence[str])
             Counter(one.state for one in alike),
             Counter(name for one in alike for name in set(one.mistakes)),
         )
-        problems.append(
-            {
-                "number": alike[0].number,
-                "title": alike[0].title,
-                "max": alike[0].max,
-                "mean": sum(one.points for one in alike) / count,
-                "states": [(state, states[state]) for state in STATES if states[state]],
-                "mistakes": sorted(mistakes.items(), key=lambda item: (-item[1], item[0])),
-                "unnamed": sum(one.unnamed is not None for one in alike),
-            }
-        )
+        number, title, maximum = alike[0].number, alike[0].title, alike[0].max
+        mean, unnamed = sum(one.points for one in alike) / count, sum(one.unnamed is not None for one in alike)
+        counted = [(state, states[state]) for state in STATES if states[state]]
+        ordered = sorted(mistakes.items(), key=lambda item: (-item[1], item[0]))
+        problems.append((number, title, maximum, mean, counted, ordered, unnamed))
+    figures = {"sheet": sheet, "count": count, "max": present[0].max, "problems": problems, "attention": attention}
     return (
         _environment()
         .get_template("report.html")
         .render(
-            sheet=sheet,
-            count=count,
-            absent=len(results) - count if any(one.status == ABSENT for one in results) else 0,
+            **figures,
+            absent=len(results) - count,
             mean=sum(result.points for result in present) / count,
-            max=present[0].max,
             totals=sorted(Counter(int(result.points) for result in present).items()),
             returning=sorted(returning.items(), key=lambda item: (-item[1], item[0])),
-            problems=problems,
-            attention=attention,
         )
     )
 

@@ -26,54 +26,40 @@ FLAGS = {
 
 @dataclass(frozen=True)
 class ProblemResult:
-    """What one problem earned.
-
-    state     right, partly, wrong, blank, unreadable; or missing, if no answer is stored
-    lines     of the card, the last one with its address if there is a section to re-read
-    answer    the answer as data, in the form of misstep.storage.deserialize; None if it has no such form
-    unnamed   for a wrong answer that no mistake explains: how each number is related to the right one, and the right answer
-    seen      which mistakes can be made and which were
-    note      what the instructor decided
-    """
+    """What one problem earned."""
 
     number: str
     title: str
     points: float
     max: float
-    state: str
-    lines: Sequence[str] = ()
-    address: str = ""
+    state: str  # right, partly, wrong, blank, unreadable; or missing, if no answer is stored
+    lines: Sequence[str] = ()  # of the card
+    address: str = ""  # of the section to re-read, which the last line names
     statement: str = ""
-    answer: Any = None
+    answer: Any = None  # as data; None if it has no known form
     mistakes: Sequence[str] = ()
-    unnamed: tuple[str, Any] | None = None
+    unnamed: tuple[str, Any] | None = (
+        None  # of a wrong answer without a name: its relation to the right one, and that one
+    )
     seen: Observation | None = None
-    note: str = ""
+    note: str = ""  # what the instructor decided
 
 
 @dataclass(frozen=True)
 class Result:
-    """The grade of one submission, with its reasons.
-
-    reason  one sentence for the student, "" if there was no fault
-    notes   remarks for the student
-    flags   for each of FLAGS that applies, what it is about
-    typed   the ids for which the answers were checked
-    file    the name of the notebook that counts
-    page    the page of feedback, as HTML
-    """
+    """The grade of one submission, with its reasons."""
 
     student: str
     points: float
     max: float
     status: str
     problems: Sequence[ProblemResult]
-    reason: str = ""
-    notes: Sequence[str] = ()
-    flags: Mapping[str, str] = field(default_factory=dict)
-    typed: Sequence[str] = ()
-    file: str = ""
-    page: str = field(default="", repr=False)
+    reason: str = ""  # for the student, "" if there was no fault
+    notes: Sequence[str] = ()  # for the student
+    flags: Mapping[str, str] = field(default_factory=dict)  # for each of FLAGS that applies, what it is about
+    typed: Sequence[str] = ()  # the ids for which the answers were checked
+    file: str = ""  # the name of the notebook that counts
+    page: str = field(default="", repr=False)  # of feedback, as HTML
 
     @property
     def recurrences(self) -> list[Recurrence]:

@@ -5,7 +5,7 @@ with the other sign, 0, or a multiple. And two students with other numbers who g
 """
 
 import json
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from itertools import combinations
 from typing import Any
@@ -55,18 +55,13 @@ def relation(answer: Any, right: Any) -> str:
     (form, mine), (right_form, others) = split_numbers(answer), split_numbers(right)
     if not mine or form != right_form:
         return "of another form"
-    return " ".join(_relation_of(one, other) for one, other in zip(mine, others, strict=True))
-
-
-def _relation_of(one: float, other: float) -> str:
-    near = TOLERANCE * max(abs(other), 1.0)
-    if abs(one - other) <= near:
-        return "="
-    if abs(one + other) <= near:
-        return "-"
-    if abs(one) <= near:
-        return "0"
-    return f"x{one / other:.2g}" if abs(other) > near else "not 0"
+    said = []
+    for one, other in zip(mine, others, strict=True):
+        near = TOLERANCE * max(abs(other), 1.0)
+        multiple = f"x{one / other:.2g}" if abs(other) > near else "not 0"
+        cases = {"=": abs(one - other), "-": abs(one + other), "0": abs(one)}
+        said.append(next((name for name, distance in cases.items() if distance <= near), multiple))
+    return " ".join(said)
 
 
 def unnamed_rows(results: Iterable[Result]) -> list[list[str]]:
@@ -77,11 +72,7 @@ def unnamed_rows(results: Iterable[Result]) -> list[list[str]]:
             if one.unnamed:
                 alike[one.number, one.unnamed[0]].append((one.answer, one.unnamed[1]))
     ordered = sorted(alike.items(), key=lambda item: (item[0][0], -len(item[1]), item[0][1]))
-    return [[number, str(len(ones)), said, *map(_rounded, ones[0])] for (number, said), ones in ordered]
-
-
-def _rounded(data: Any) -> str:
-    return json.dumps(json.loads(json.dumps(data), parse_float=lambda text: round(float(text), 4)))
+    return [[number, str(len(ones)), said, *map(json.dumps, ones[0])] for (number, said), ones in ordered]
 
 
 def shared_answers(results: Sequence[Result]) -> dict[str, str]:
@@ -98,10 +89,7 @@ def shared_answers(results: Sequence[Result]) -> dict[str, str]:
                 groups[f"{form} {[f'{number:.6g}' for number in numbers]}"].append(place)
         for group in groups.values():
             for one, other in combinations(group, 2) if len(group) <= MAX_GROUP else ():
-                if (
-                    "right" not in (states := Counter(results[at].problems[k].state for at in (one, other)))
-                    or len(states) > 1
-                ):
+                if {results[one].problems[k].state, results[other].problems[k].state} != {"right"}:
                     pairs[one, other].append(results[one].problems[k].number)
     found: dict[str, list[str]] = defaultdict(list)
     for pair, problems in pairs.items():

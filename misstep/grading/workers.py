@@ -19,10 +19,8 @@ from misstep.grading.result import Result
 
 MEMORY_BYTES = 6_000_000_000
 """The address space of a process that grades, where the system can limit it."""
-
 START_SECONDS = 600.0
 """How long a new process may take to import the course, which no student is to blame for."""
-
 CONTEXT: Any = multiprocessing.get_context("forkserver" if sys.platform != "win32" else "spawn")
 
 _own = threading.local()
@@ -38,10 +36,9 @@ class _Worker:
         theirs.close()  # so that each side notices when the other one has ended
         self._wait(START_SECONDS)
 
-    def grade(self, request: Request, seconds: float) -> Result:
+    def grade(self, request: Request, seconds: float) -> Any:
         self._pipe.send((request, seconds))
-        result: Result = self._wait(seconds)
-        return result
+        return self._wait(seconds)
 
     def _wait(self, seconds: float) -> Any:
         if not self._pipe.poll(seconds):
@@ -75,9 +72,7 @@ def _serve(pipe: Connection, first: Request) -> None:
 
 def grade_within(request: Request, seconds: float) -> Result:
     """Grade one student in the process of this thread. One that ends or takes longer is replaced, and the result says why."""
-    worker = getattr(_own, "worker", None)
-    if worker is None:
-        worker = _own.worker = _Worker(request)
+    worker = _own.worker = getattr(_own, "worker", None) or _Worker(request)
     try:
         graded: Result = worker.grade(request, seconds)
         return graded

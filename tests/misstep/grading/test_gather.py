@@ -7,9 +7,9 @@ import zipfile
 import pytest
 from submissions import NAME, SHEET, write, zipped
 
+from misstep.grading.collect.roster import export, read_roster
+from misstep.grading.collect.submissions import gather
 from misstep.grading.command import feedback_name
-from misstep.grading.roster import export, read_roster
-from misstep.grading.submissions import gather
 
 X = b"{}"
 

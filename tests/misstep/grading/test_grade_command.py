@@ -14,9 +14,9 @@ from submissions import NAME, SHEET, answered, as_bytes, emissions, released, wr
 from kincourse import COURSE
 from misstep.cli import main
 from misstep.grading import workers
+from misstep.grading.collect.submissions import gather
 from misstep.grading.command import sheet_name
 from misstep.grading.judging import Request
-from misstep.grading.submissions import gather
 from misstep.grading.workers import grade_within, open_executor
 
 FULL = 19

@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from submissions import NAME, SHEET, answered, as_bytes, emissions, released, write, zipped
 
-from misstep.grading import notebook as reading
-from misstep.grading.notebook import Unreadable, choose, read_work
-from misstep.grading.submissions import SourceFile, list_files
+from misstep.grading.collect import notebook as reading
+from misstep.grading.collect.notebook import Unreadable, choose, read_work
+from misstep.grading.collect.submissions import SourceFile, list_files
 
 ADA = as_bytes(answered("ada"))
 CODE = "cell_type", "code"
@@ -124,7 +124,7 @@ def test_of_several_notebooks_the_newest_with_answers_counts(tmp_path):
 
 
 def test_a_file_that_is_too_large_is_refused_before_it_is_in_memory(tmp_path, monkeypatch):
-    monkeypatch.setattr("misstep.grading.submissions.MAX_BYTES", 1000)
+    monkeypatch.setattr("misstep.grading.collect.submissions.MAX_BYTES", 1000)
     bomb = write(tmp_path, **{"x.zip": zipped({"x.ipynb": b" " * 100_000})})
     with pytest.raises(Unreadable, match=r"x\.ipynb could not be read: x\.ipynb has more than|has more than"):
         choose(list_files(bomb / "x.zip"), SHEET)

@@ -22,25 +22,18 @@ from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from misstep.grading.roster import Roster
+from misstep.grading.collect.roster import Roster
 
 CANVAS = re.compile(r"(?P<name>[^_]+)_(?:LATE_)?(?P<key>\d+)_\d+_(?P<file>.+)")
 MOODLE = re.compile(r"(?P<name>.+)_(?P<key>\d+)_assignsubmission_[a-z]+_?(?P<file>.*)", re.DOTALL)
 GRADESCOPE = "submission_metadata.yml"
-
 COPY = re.compile(r"(.*?)[-_ ]*(?:\(\d+\)|copy\s*\d*|kopie\s*\d*)", re.IGNORECASE)
 """A name that a browser, an editor or a person has made from another one."""
 
-SKIPPED = ("__MACOSX", "Thumbs.db", "desktop.ini")
-
-READ = (".ipynb", ".zip")
-"""The endings of the files in which a sheet may be."""
-
+SKIPPED = re.compile(r"\.|(?:__MACOSX|Thumbs\.db|desktop\.ini)$")
 MAX_FILES = 100_000
-
 MAX_BYTES = 500_000_000
 """The largest file that is read, with all its outputs."""
-
 ARCHIVE_ERRORS = (zipfile.BadZipFile, zlib.error, NotImplementedError, RuntimeError, ValueError, EOFError, OSError)
 """The errors that zipfile raises for damaged archives, depending on which bytes are wrong."""
 
@@ -51,38 +44,26 @@ class Unreadable(ValueError):
 
 @dataclass(frozen=True)
 class SourceFile:
-    """A file of a student.
+    """A file of a student, or a member of a zip file."""
 
-    name      its path below the folder of submissions, to show and to sort
-    path      the file on the disk
-    member    if this file is a zip file, the path of the member that is meant, "" for the file itself
-    modified  when it was modified, in seconds
-    fault     why it cannot be read, as far as this is seen without opening it
-    """
-
-    name: PurePosixPath
+    name: PurePosixPath  # below the folder of submissions
     path: Path
-    member: str = ""
-    modified: float = 0.0
-    fault: str = ""
+    member: str = ""  # if the path is a zip file, the member that is meant
+    modified: float = 0.0  # in seconds
+    fault: str = ""  # why it cannot be read, as far as this is seen without opening it
 
     @property
     def is_read(self) -> bool:
         """Whether a sheet may be in it."""
-        return self.name.suffix.lower() in READ
+        return self.name.suffix.lower() in (".ipynb", ".zip")
 
 
 @dataclass(frozen=True)
 class Submission:
-    """What one student handed in.
+    """What one student handed in."""
 
-    student  the id, or without a roster the name of the folder, or the one that the platform gives
-    id       the id that the student should have typed; "" if nobody knows it
-    files    in any order; none if nothing was handed in
-    """
-
-    student: str
-    id: str
+    student: str  # the id, or without a roster the name of the folder, or the one that the platform gives
+    id: str  # that the student should have typed; "" if nobody knows it
     files: Sequence[SourceFile] = ()
 
 
@@ -100,7 +81,7 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
 
     Raises ValueError if there are no files, and if more than half of the students are not in the roster.
     """
-    files = [file for file in list_files(source) if not _is_skipped(file.name)]
+    files = [file for file in list_files(source) if not any(map(SKIPPED.match, file.name.parts))]
     if not files:
         raise ValueError(f"{source} contains no submission. Give the folder, or the zip file, of the submissions.")
     kind, owned = _by_owner(files, sheet, roster)
@@ -111,8 +92,7 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
             continue
         id_ = (roster.id_for_key(key) if key else roster.spelled(name)) if roster else None
         student = id_ or (f"{name}_{key}" if key and key != name else name)
-        own_folder_id = "" if key else name
-        known = found.setdefault(student, Submission(student, id_ or own_folder_id))
+        known = found.setdefault(student, Submission(student, id_ or ("" if key else name)))
         found[student] = replace(known, files=[*known.files, *own])
     remarks = [f"Left out, because it is the platform's test student: {name}." for name, _ in tests]
     if roster:
@@ -133,25 +113,16 @@ def _compare(roster: Roster, kind: str, found: Mapping[str, Submission]) -> list
             f"column {column!r} has, for example, {', '.join(roster.ids[:3])}. Is it the list of this course, from the same "
             "platform as the submissions?"
         )
-    remarks = (
-        [f"Not in the roster, and so not in the file for the platform: {', '.join(unlisted)}."] if unlisted else []
-    )
-    if roster.unsure_of:
-        remarks.append(
-            f"The ids are read from the column {roster.columns[roster.id_column]!r} of the roster, and not from "
-            f"{', '.join(map(repr, roster.unsure_of))}. Name another column with --id-column."
-        )
-    return remarks
+    return [
+        f"Not in the roster, and so not in the file for the platform: {one}." for one in [", ".join(unlisted)] if one
+    ]
 
 
 # --- files ---
 
 
 def list_files(source: Path) -> list[SourceFile]:
-    """List every file of a folder or of a zip file, or the one file that is given.
-
-    Links, pipes and folders that cannot be read are listed with their fault. A folder of nothing but a platform's zip files
-    is listed as one download.
+    """List every file of a folder or of a zip file; links, pipes and folders that cannot be read are listed with their fault.
 
     Raises ValueError for a source that does not exist, and for a zip file that is damaged.
     """
@@ -222,10 +193,6 @@ def zip_time(member: zipfile.ZipInfo) -> float:
         return float(timegm((*member.date_time, 0, 0, 0)))
     except ValueError:  # a month 0
         return 0.0
-
-
-def _is_skipped(name: PurePosixPath) -> bool:
-    return any(part.startswith(".") or part in SKIPPED for part in name.parts)
 
 
 def read_bytes(file: SourceFile) -> bytes:

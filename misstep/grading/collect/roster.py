@@ -24,39 +24,24 @@ from pathlib import Path
 from misstep.grading.escape import csv_text, format_points
 
 Row = Sequence[str]
-
 PARTICIPANT = re.compile(r"(?P<word>\D*[^\W\d_]\D*?)\s*(?P<key>\d+)")
 """Moodle's first column: "Participant 1815", "Teilnehmer/in1815", in the language of the user who exported the table."""
-
 TEST_STUDENT = re.compile(r"student, test|test student|[0-9a-f]{32,}", re.IGNORECASE)
 """Canvas's test student: the name in English, and the login in every language."""
-
 MOODLE_IDS = ("id number", "username")
 
 
 @dataclass(frozen=True)
 class Roster:
-    """The list of students of a course. Columns are given by their place, because two may have the same header.
+    """The list of students of a course. Columns are given by their place, because two may have the same header."""
 
-    kind          canvas, moodle, gradescope or own
-    columns       the header, unchanged
-    rows          a row for each student
-    id_column     the column with the ids that students type into their sheets
-    key_column    the column with the number that the names of downloaded files contain
-    grade_column  Moodle's grade, to the left of the maximum grade; None on other platforms
-    test_keys     the keys of students who do not exist: Canvas's test student
-    unsure_of     the headers of other columns that may have the ids, if no header is known
-    delimiter     what separates the cells in the file
-    """
-
-    kind: str
+    kind: str  # canvas, moodle, gradescope or own
     columns: Sequence[str]
     rows: Sequence[Row]
-    id_column: int
-    key_column: int
-    grade_column: int | None = None
-    test_keys: Sequence[str] = ()
-    unsure_of: Sequence[str] = ()
+    id_column: int  # with the ids that students type into their sheets
+    key_column: int  # with the number that the names of downloaded files contain
+    grade_column: int | None = None  # Moodle's, to the left of the maximum grade
+    test_keys: Sequence[str] = ()  # of students who do not exist: Canvas's test student
     delimiter: str = ","
 
     def id_of(self, row: Row) -> str:
@@ -124,10 +109,10 @@ def read_roster(path: Path, id_column: str | None = None) -> Roster:
             f"{path} must have the students' ids in the column {wanted}, which is missing or mostly empty. "
             "Name the column with --id-column."
         )
-    tests = [_key(kind, row[key]) for row in people if kind == "canvas" and _is_test_student(row, key)]
-    is_unsure = kind == "moodle" and not id_column and not {*MOODLE_IDS} & {*titles}
-    unsure_of = [columns[place] for place in filled[1:]] if is_unsure else []
-    roster = Roster(kind, columns, people, filled[0], key, grade, tests, unsure_of, delimiter)
+    tests = [
+        row[key].strip() for row in people if kind == "canvas" and any(map(TEST_STUDENT.fullmatch, row[: key + 4]))
+    ]
+    roster = Roster(kind, columns, people, filled[0], key, grade, tests, delimiter)
     _refuse_repeated(path, columns[filled[0]], [name.casefold() for name in roster.ids])
     if kind != "own":
         _refuse_repeated(path, columns[key], [_key(kind, row[key]).casefold() for row in people])
@@ -213,11 +198,6 @@ def _number(cell: str) -> float | None:
     return float(cell.replace(",", ".")) if re.fullmatch(r"\s*\d+([.,]\d+)?\s*", cell) else None
 
 
-def _is_test_student(row: Row, key: int) -> bool:
-    """Whether a row of Canvas is the test student, who has no login, or one that Canvas made up."""
-    return any(TEST_STUDENT.fullmatch(cell.strip()) for cell in row[: key + 4])
-
-
 def read_table(path: Path) -> tuple[list[str], list[Row], str]:
     """A table of a spreadsheet: its header, its rows, and what separates its cells.
 
@@ -247,7 +227,7 @@ def _key(kind: str, cell: str) -> str:
 
 
 def export(roster: Roster, points: Mapping[str, float], maximum: float, sheet: str, column: str | None = None) -> str:
-    """The roster with the points of a sheet, as its platform imports it. A student without points has an empty cell.
+    """The roster with the points of a sheet, as its platform imports it: Moodle's are scaled to the maximum that it names.
 
     points  by id
     column  the column of the sheet; by default the only column that contains the sheet's name, or else this name
@@ -255,8 +235,15 @@ def export(roster: Roster, points: Mapping[str, float], maximum: float, sheet: s
     matching = [name for name in roster.columns if sheet.casefold() in name.casefold() and " - " not in name]
     title = column or (matching[0] if len(matching) == 1 else sheet)
     cells = [format_points(points[id_]) if (id_ := roster.id_of(row)) in points else "" for row in roster.rows]
+    rows: list[Row] = []
     if roster.kind == "moodle":
-        return _moodle(roster, points, maximum)
+        place = roster.grade_column or 0
+        for row in roster.rows:
+            id_, full = roster.id_of(row), row[place + 1]
+            text = format_points(points[id_] * float(full.replace(",", ".")) / maximum) if id_ in points else row[place]
+            decimals = text.replace(".", ",") if "," in full else text
+            rows.append([*row[:place], decimals, *row[place + 1 :]])
+        return csv_text(roster.columns, rows, roster.delimiter)
     if roster.kind == "canvas":
         # Up to the section: the columns before the first assignment, where the row of the points possible has a number.
         titles = [name.strip().casefold() for name in roster.columns]
@@ -266,16 +253,3 @@ def export(roster: Roster, points: Mapping[str, float], maximum: float, sheet: s
         return csv_text([*roster.columns[: section + 1], title], [out_of, *rows], roster.delimiter)
     rows = [[*row, cell, format_points(maximum)] for row, cell in zip(roster.rows, cells, strict=True)]
     return csv_text([*roster.columns, title, f"{title} - Max Points"], rows, roster.delimiter)
-
-
-def _moodle(roster: Roster, points: Mapping[str, float], maximum: float) -> str:
-    """Moodle's worksheet with its column of grades filled in, scaled to the maximum that it names."""
-    rows, place = [], roster.grade_column or 0
-    for row in roster.rows:
-        filled = list(row)
-        if (id_ := roster.id_of(row)) in points:
-            full = row[place + 1]
-            text = format_points(points[id_] * float(full.replace(",", ".")) / maximum)
-            filled[place] = text.replace(".", ",") if "," in full else text
-        rows.append(filled)
-    return csv_text(roster.columns, rows, roster.delimiter)

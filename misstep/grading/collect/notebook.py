@@ -10,11 +10,11 @@ import json
 import re
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 from typing import Any
 
-from misstep.grading.submissions import (
+from misstep.grading.collect.submissions import (
     ARCHIVE_ERRORS,
     COPY,
     SourceFile,
@@ -28,7 +28,6 @@ from misstep.storage.deserialize import MIME
 
 MAX_NOTEBOOKS = 10
 """How many notebooks of one student are looked at, the newest first."""
-
 STRING = rb'"(?:[^"\\]++|\\.)*+"'
 VALUE = rb"""[\[{](?:%b|[^\[\]{}"]++)*+[\]}]""" % STRING
 for _ in range(12):  # levels of nesting; what is nested more deeply is read like the rest
@@ -42,10 +41,8 @@ OUTPUT = re.compile(
 because its quotes are escaped in JSON."""
 
 MAX_ANSWER = 400_000
-"""The longest stored answer, in characters."""
-
 MAX_ID = 200
-"""The longest id, in characters."""
+"""The longest stored answer and the longest id, in characters."""
 
 ANSWER_CELL, ANSWER_NAME = re.compile(r"given = sheet\.given\((\d{1,3})\)"), re.compile(r"answer-(\d{1,3})")
 """How an answer cell begins, and what it is called in a sheet as it was released."""
@@ -62,16 +59,11 @@ OTHER_FORMATS = {
 
 @dataclass(frozen=True)
 class Work:
-    """What a notebook stores for one sheet.
+    """What a notebook stores for one sheet."""
 
-    answers  by the number of the problem, the last stored answer as JSON text, and the id for which it was checked
-    stale    the problems whose answer cell was run after its check, as far as the execution counts show
-    is_sheet whether the notebook is of this sheet at all
-    """
-
-    answers: Mapping[int, tuple[str, str]] = field(default_factory=dict)
-    stale: Sequence[int] = ()
-    is_sheet: bool = False
+    answers: Mapping[int, tuple[str, str]]  # by problem, the last answer as JSON, and the id for which it was checked
+    stale: Sequence[int]  # the problems whose answer cell was run after its check, as far as the execution counts show
+    is_sheet: bool  # whether the notebook is of this sheet at all
 
     @property
     def ids(self) -> list[str]:
@@ -81,12 +73,12 @@ class Work:
 
 @dataclass(frozen=True)
 class Chosen:
-    """The notebook of a student that counts, its name, and remarks: `ids` are those in all notebooks of the student."""
+    """The notebook of a student that counts, its name, remarks, and the ids in all notebooks of the student."""
 
     work: Work
     name: str
-    notes: Sequence[str] = ()
-    ids: Sequence[str] = ()
+    notes: Sequence[str]
+    ids: Sequence[str]
 
 
 def choose(files: Sequence[SourceFile], sheet: str) -> Chosen:
@@ -113,10 +105,9 @@ def choose(files: Sequence[SourceFile], sheet: str) -> Chosen:
     if not found:
         raise Unreadable(" ".join(faults[:3]))
     name, work = max(found, key=lambda one: bool(one[1].answers))  # the first of them, which is the newest
-    notes = (
-        [f"Of {len(found)} notebooks of this sheet, {name} counts, the newest with answers."] if len(found) > 1 else []
-    )
-    notes += [fault for fault in faults if "cannot" in fault or "could not" in fault]
+    notes = [fault for fault in faults if "could not" in fault]
+    if len(found) > 1:
+        notes.append(f"Of {len(found)} notebooks of this sheet, {name} counts, the newest with answers.")
     return Chosen(work, name, notes, list(dict.fromkeys(id_ for _, one in found for id_ in one.ids)))
 
 
@@ -156,14 +147,9 @@ def read_work(content: bytes, sheet: str) -> Work:
     """
     cells = _parse(content).get("cells")
     if not isinstance(cells, list):
-        raise Unreadable(
-            "The file is JSON but not a notebook, because it has no cells. Hand in the file that ends in .ipynb."
-        )
+        raise Unreadable("The file is JSON but not a notebook: it has no cells. Hand in the file that ends in .ipynb.")
     answers: dict[int, tuple[str, str]] = {}
-    checked, written = (
-        dict[int, int](),
-        dict[int, int](),
-    )  # when the check cell and the answer cell ran, as cells are counted
+    checked, written = dict[int, int](), dict[int, int]()  # when check cells and answer cells ran, by the cells' counts
     is_sheet = False
     for cell in cells:
         if not isinstance(cell, dict) or cell.get("cell_type") != "code":
@@ -225,9 +211,7 @@ def _explanation(content: bytes, error: Exception) -> str:
     """Return why the bytes are no JSON, in a sentence for the student."""
     if marker := CONFLICT.search(content):
         line = content.count(b"\n", 0, marker.start()) + 1
-        return (
-            f"The file contains an unresolved merge conflict, in line {line}. Resolve it, and open the notebook once."
-        )
+        return f"The file contains an unresolved merge conflict, in line {line}. Resolve it, and open the notebook."
     start = content.lstrip()
     for signature, description in OTHER_FORMATS.items():
         if start.startswith(signature):
