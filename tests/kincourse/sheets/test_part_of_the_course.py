@@ -8,6 +8,8 @@ import pytest
 from misstep.catalog import load_course
 
 GUIDE = Path(__file__).parents[3] / "guides" / "other_courses.md"
+
+
 @pytest.fixture(scope="module")
 def course(tmp_path_factory):
     """The course of the guide, in a folder."""
