@@ -11,17 +11,14 @@ import sys
 from collections.abc import Mapping, Sequence
 
 COMMANDS = {
-    "grade": ("misstep.grading.command", "grade the submissions of a sheet, in a sandbox"),
+    "export": ("misstep.grading.prairielearn", "write the problems of the course for PrairieLearn"),
+    "grade": ("misstep.grading.command", "grade the submissions of a sheet, without running them"),
     "preview": ("misstep.preview", "show a problem, and each mistake with its card"),
     "release": ("misstep.release.student_notebook", "write the students' notebooks from the instructors' notebooks"),
-    "unnamed": (
-        "misstep.grading.unnamed",
-        "list the wrong answers of a graded class that have no name, without names of students",
-    ),
 }
 """For each command its module, and what it does."""
 
-EXTRAS = {"grade": "misstep[grading]", "unnamed": "misstep[grading]", "release": "misstep[release]"}
+EXTRAS = {"grade": "misstep[grading]", "release": "misstep[release]"}
 """For each command the extra that installs what it requires besides NumPy."""
 
 

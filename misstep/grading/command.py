@@ -1,343 +1,245 @@
-"""Grade a sheet: a folder or a download of submissions in, a folder of results out.
+"""Grade a sheet: a folder or a download of submissions in, a folder of results out. Nothing of a submission is run.
 
-    misstep grade solutions/03_poe_space/03_poe_space.ipynb submissions/ --out results/
+    misstep grade submissions/ --sheet 03 --out results/
 
-Grading may be stopped at any moment, and continues where it was when it is started again. Every submission gets a grade and
-a reason. The folder of results has:
-
-    grades.csv       a row for each student           report.html   how the class did, for the lecture
-    matches.csv      answers right for other students  feedback/     a page for each student
-    canvas.csv, moodle.csv, gradescope.csv            points for the platform that exported the roster
-    feedback.zip     all pages, as Moodle and Canvas import them
-    overrides.csv    points, comments and late days by hand, for you to fill in (--late says what a day costs)
-    changes.csv      points that a later run changed, with the reason
-    results/         the stored results, from which the next run continues
+site/instructors.md says what the results are. Each file is written completely or not at all, and the same submissions give the
+same files. So a run that was ended in any way is simply started again.
 """
 
 import argparse
-import errno
 import sys
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
-from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
-from dataclasses import dataclass, fields
-from functools import partial
-from importlib.util import find_spec
-from itertools import chain
-from pathlib import Path
-from typing import TYPE_CHECKING
+from collections import Counter, defaultdict
+from collections.abc import Sequence
+from concurrent.futures import as_completed
+from dataclasses import replace
+from hashlib import sha256
+from io import BytesIO
+from pathlib import Path, PurePosixPath
+from urllib.parse import quote
+from zipfile import ZipFile, ZipInfo
 
-from misstep.grading.collect.gather import Submission, WrongRoster, gather
-from misstep.grading.collect.roster import read_roster
-from misstep.grading.collect.run_plan import ReleasedSheet, read_released_sheet
-from misstep.grading.fork_server import ProcessEnded
-from misstep.grading.jobs import GradingJob, grade_best, make_jobs, run_bounded
-from misstep.grading.judging.cluster import ClusterUnreachable, connect, grade_on_worker
-from misstep.grading.judging.grader import Grader, start_judge
-from misstep.grading.judging.result import Result
-from misstep.grading.publish.feedback_zip import write_feedback_zip
-from misstep.grading.publish.overrides import LateRule, check_overrides, write_template
-from misstep.grading.publish.result_store import FolderInUse, ResultStore, open_results
-from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
-from misstep.grading.steps import StepFailed, StepProcesses
-from misstep.grading.write_results import ResultWriter
+from misstep.catalog import Course, add_course_argument, find_course
+from misstep.grading.collect.roster import export, read_roster
+from misstep.grading.collect.submissions import CANVAS, MOODLE, Gathered, gather
+from misstep.grading.escape import csv_text, format_points, printable
+from misstep.grading.judging import Request, SheetName
+from misstep.grading.overrides import read_overrides
+from misstep.grading.pages import report_page
+from misstep.grading.result import ABSENT, FLAGS, Result
+from misstep.grading.similarity import shared_answers, unnamed_rows
+from misstep.grading.workers import grade_within, open_executor
 
-if TYPE_CHECKING:
-    from misstep.grading.nbgrader.gradebook import GradebookWriter
-
-REQUIRED = ("IPython", "jinja2", "latex2mathml", "mistune", "tqdm", "yaml")
-"""The packages of the extra. They are imported where they are used, because that takes long."""
-
-EXPLAINED_ERRORS = (ModuleNotFoundError, SandboxUnavailable, FolderInUse, ProcessEnded, StepFailed, ClusterUnreachable)
-"""The errors whose message is a sentence for the instructor."""
-
-PROGRESS = "{desc}: {n_fmt} of {total_fmt} |{bar:30}| about {remaining} left"
-"""How a terminal shows the progress: the estimate is minutes and seconds, from the time that the last ones took."""
-
-MIN_KEY_LENGTH = 8
-
-TABLES_SECONDS, TABLES_SECONDS_PER_STUDENT = 30.0, 0.5
-"""Processor time for comparing and writing the tables of a class."""
-
-PENDING_PER_WORKER = 3
-"""How many submissions are read ahead for each worker, so that no worker waits for the disk."""
+MAX_NAMED = 30
+"""How many students are named in a line."""
+PLATFORMS = {"moodle": MOODLE, "canvas": CANVAS}
+"""Those that take pages back, with the names of their files."""
+PAGE_MARK = b'<meta name="generator" content="misstep grade">'
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of the command to a parser."""
-    parser.add_argument("sheet", type=Path, metavar="SHEET", help="the notebook of the sheet: solutions/X/X.ipynb")
-    parser.add_argument("submissions", type=Path, metavar="SUBMISSIONS", help="a folder, or the zip file of a platform")
+    parser.add_argument("submissions", type=Path, help="a folder, the zip file of a platform, or one notebook")
     parser.add_argument(
-        "--course",
-        metavar="COURSE",
-        help="the package or the folder of the course (default: the installed one that has the sheet, or else the one beside solutions/)",
+        "--sheet", required=True, help="the sheet: 03, 03_poe_space, or the .json file of a robot's sheet"
     )
     parser.add_argument("--out", type=Path, required=True, metavar="RESULTS", help="the folder for the results")
     parser.add_argument("--roster", type=Path, metavar="CSV", help="the list of students, as the platform exports it")
     parser.add_argument("--id-column", metavar="NAME", help="the column of the roster with the ids that students type")
+    parser.add_argument("--column", metavar="NAME", help="the column of the sheet on the platform (default: the sheet)")
     parser.add_argument(
-        "--column", metavar="NAME", help="the column of the sheet on the platform (default: the sheet's name)"
+        "--typed-ids", action="store_true", help="take the numbers of the ids that are typed in the sheets"
     )
     parser.add_argument(
-        "--site",
-        metavar="URL",
-        help="the address of the course's site, to whose lectures feedback links (default: the one that the course names)",
+        "--gradebook", type=Path, metavar="FOLDER", help="the folder of an nbgrader course, to fill its gradebook"
     )
     parser.add_argument(
-        "--key", metavar="KEY", help="a secret: then only answers count that are right for other numbers too"
+        "--site", default="", metavar="URL", help="the address of the course's site, to which feedback links"
     )
-    parser.add_argument("--key-file", type=Path, metavar="FILE", help="the file with the key, instead of --key")
+    parser.add_argument("--workers", type=int, default=2, metavar="N", help="how many at a time (default: 2)")
     parser.add_argument(
-        "--limit",
-        action="append",
-        default=[],
-        metavar="NAME=NUMBER",
-        help=f"change a limit of what one submission may use, as often as you like; the limits are: {Limits()}",
+        "--scheduler", metavar="tcp://HOST:PORT", help="the scheduler of a Dask cluster, instead of workers here"
     )
-    parser.add_argument("--jobs", type=int, default=2, metavar="N", help="how many at a time (default: 2)")
-    parser.add_argument(
-        "--regrade",
-        nargs="*",
-        metavar="PROBLEM",
-        help="grade every submission again, even if it has a result; with numbers such as 03.2, only these problems",
-    )
-    parser.add_argument(
-        "--late",
-        default="",
-        metavar="percent=NUMBER,...",
-        help="what the days late of overrides.csv cost: percent of the maximum for each day, and if you like free=DAYS and lowest=PERCENT",
-    )
-    parser.add_argument(
-        "--only", nargs="+", metavar="ID", help="grade only these students, and leave the other results as they are"
-    )
-    parser.add_argument(
-        "--cluster", metavar="tcp://HOST:PORT", help="the scheduler of a Dask cluster that runs the submissions"
-    )
-    parser.add_argument(
-        "--gradebook", type=Path, metavar="FOLDER", help="the folder of an nbgrader course, to fill its gradebook too"
-    )
-    parser.add_argument(
-        UNSAFE_OPTION,
-        action="store_true",
-        dest="unsafe",
-        help="run submissions with your own rights; use it only for code that you trust",
-    )
+    parser.add_argument("--seconds", type=float, default=60.0, help="how long one student may take (default: 60)")
+    add_course_argument(parser)
 
 
 def run(options: argparse.Namespace) -> int:
-    """Grade, and return the exit code: 0 done, 1 some or all submissions could not be graded, 2 impossible request."""
-    if options.jobs < 1:
-        raise ValueError(f"--jobs must be at least 1; got {options.jobs}.")
-    if missing := next((package for package in REQUIRED if find_spec(package) is None), None):
-        raise ModuleNotFoundError(f"No module named {missing!r}")
-    try:
-        return _run(options)
-    except OSError as error:
-        raise ValueError(_explain(error)) from error
-    except EXPLAINED_ERRORS as error:
-        raise ValueError(str(error)) from error
-    except WrongRoster as error:
-        print(f"misstep grade: {error}", file=sys.stderr)
-        return 1
-    except KeyboardInterrupt:
-        print(
-            "misstep grade: stopped. All results so far are stored; the same command continues from there.",
-            file=sys.stderr,
-        )
-        return 130
-
-
-def _explain(error: OSError) -> str:
-    """What an error of the system means for the results, and what to do."""
-    if error.errno in {errno.ENOSPC, errno.EDQUOT}:
-        where = f" at {error.filename}" if error.filename else ""
-        return f"the disk is full{where}. All results so far are stored. Free some space; the same command continues from there."
-    if error.errno == errno.EROFS:
-        return f"{error.filename} cannot be written, because its disk is read-only. Choose another folder with --out."
-    return f"{error.filename}: {error.strerror}." if error.filename and error.strerror else str(error)
-
-
-def _run(options: argparse.Namespace) -> int:
-    limits = _read_limits(options.limit)
-    late = LateRule.parse(options.late) if options.late else None
-    sheet = read_released_sheet(options.sheet, options.course, options.site, _read_key(options.key, options.key_file))
+    """Grade, and return the exit code: 0 done, 1 something needs the eyes of the instructor, 2 impossible request."""
+    if options.workers < 1 or options.seconds <= 0:
+        raise ValueError(f"--workers and --seconds must be positive; got {options.workers} and {options.seconds:g}.")
+    name = sheet_name(find_course(options.course), options.sheet, options.site)
+    sheet = name.find()
     roster = read_roster(options.roster, options.id_column) if options.roster else None
     gathered = gather(options.submissions, sheet.name, roster)
-    selected = _select(gathered.submissions, options.only)
-    for remark in gathered.remarks:
-        print(remark)
-    with (
-        open_results(options.out, sheet.name) as store,
-        _open_gradebook(options, sheet) as gradebook,
-        ThreadPoolExecutor(options.jobs) as pool,
-        start_judge(sheet, has_gradebook=gradebook is not None) as judge,
-    ):
-        write_template(options.out)
-        check_overrides(options.out, has_late_rule=late is not None)
-        failures, limited = Run(options, sheet, limits, judge, store, pool).grade(selected)
-        students = [submission.student for submission in gathered.submissions]
-        writer = ResultWriter(options.out, judge, pool, late)
-        if gradebook:
-            writer.fill_gradebook(gradebook, selected)
-        writer.write_pages(students)
-        summary = judge.do(
-            "tables",
-            seconds=TABLES_SECONDS + TABLES_SECONDS_PER_STUDENT * len(students),
-            out=options.out,
-            students=students,
-            roster=roster,
-            column=options.column,
-            limits=str(limits),
-            late=late,
-        )
-        write_feedback_zip(options.out, gathered, sheet.name)
-    summary += [f"Limits: {limits}.", *sorted(writer.remarks)]
-    summary += [
-        f"{student} reached a limit, also when graded alone: {'; '.join(why)}." for student, why in limited.items()
-    ]
-    if options.unsafe:
-        summary.append(f"{UNSAFE_OPTION}: the submissions ran with your rights.")
-    print("\n".join(summary))
-    for student, error in failures.items():
-        print(f"Not graded: {student}: {error!r}. The same command tries again.", file=sys.stderr)
-    return 1 if failures else 0
+    students = [one.student for one in gathered.submissions]
+    overrides = read_overrides(options.out, sheet, students)
+    if options.gradebook:
+        from misstep.grading.gradebook import open_gradebook, record  # here, because nbgrader takes a second to import
 
-
-def _open_gradebook(
-    options: argparse.Namespace, sheet: ReleasedSheet
-) -> "AbstractContextManager[GradebookWriter | None]":
-    """The gradebook of the nbgrader course, if there is one."""
-    if options.gradebook is None:
-        return nullcontext()
-    from misstep.grading.nbgrader.gradebook import open_gradebook  # here, because it takes a second to import
-
-    return open_gradebook(options.gradebook, sheet, overwrite=options.regrade is not None)
-
-
-def _read_limits(settings: Sequence[str]) -> Limits:
-    """The limits, changed by settings such as "cell_seconds=20".
-
-    Raises ValueError for a setting of another form.
-    """
-    values: dict[str, float] = {}
-    known = {field.name: field.type for field in fields(Limits)}
-    for setting in settings:
-        name, _, text = setting.partition("=")
-        try:
-            values[name] = (int if known[name] in {int, "int"} else float)(text)
-        except (KeyError, ValueError) as error:
-            raise ValueError(
-                f"--limit takes NAME=NUMBER, with one of the names {', '.join(known)}; got {setting!r}."
-            ) from error
-    return Limits(**values)  # type: ignore[arg-type]
-
-
-def _read_key(key: str | None, file: Path | None) -> str:
-    """The key, or that in a file; "" if there is none.
-
-    Raises ValueError for a key of less than 8 characters, which can be guessed, and for the name of a file as the key.
-    """
-    if key is None and file is None:
-        return ""
-    if key is not None and file is not None:
-        raise ValueError("Give the key with --key or with --key-file, not with both.")
-    is_file = False
-    with suppress(OSError):  # a key may be what cannot be the name of a file
-        is_file = key is not None and Path(key).is_file()
-    if is_file:
-        raise ValueError(f"--key takes the key itself; {key} is a file. Pass it with --key-file {key}.")
+        course, released = open_gradebook(options.gradebook, sheet.name)
+    requests = [Request(name, one, overrides.get(one.student, ()), options.typed_ids) for one in gathered.submissions]
     try:
-        text = file.read_text("utf-8").strip() if file else str(key)
-    except (OSError, UnicodeDecodeError) as error:
-        raise ValueError(f"The key cannot be read from {file}: {getattr(error, 'strerror', None) or error}.") from error
-    if len(text) < MIN_KEY_LENGTH:
-        raise ValueError(
-            f"The key must have at least {MIN_KEY_LENGTH} characters; it has {len(text)}. Students must not guess it."
+        results = with_flags_of_class(grade_all(requests, options))
+    except KeyboardInterrupt:
+        print("\nmisstep grade: stopped, and nothing was written. Start the same command again.", file=sys.stderr)
+        return 130
+    attention = [*gathered.remarks, *sentences(results)]
+    if options.gradebook:
+        attention += record(course, released, sheet.name, results)
+    write_all(options.out, sheet.name, gathered, results, attention)
+    if roster and roster.kind != "own":
+        points = {one.student: one.points for one in results if one.status != ABSENT or one.points}
+        text = export(roster, points, sheet.points, sheet.name, options.column)
+        write(options.out / f"{roster.kind}.csv", text.encode())
+    counts = Counter(result.status for result in results)
+    summary = (
+        f"{len(results)} students: {', '.join(f'{number} {status}' for status, number in sorted(counts.items()))}."
+    )
+    for line in [summary, *attention, f"The results are in {options.out}: open report.html, then grades.csv."]:
+        print(printable(line))  # the one place from which names of files and students reach the terminal
+    return 1 if attention else 0
+
+
+def sheet_name(course: Course, text: str, site: str) -> SheetName:
+    """Return the sheet that is meant by a number, a name, or the path of a robot's file or of a notebook.
+
+    Raises ValueError if there is none.
+    """
+    path = Path(text)
+    is_file = path.suffix in (".json", ".ipynb")
+    folder, stem = (str(path.parent.resolve()), path.stem) if is_file else (str(Path.cwd()), text.strip("/"))
+    matching = [name for name in course.sheets() if name == stem or name.partition("_")[0] == stem]
+    name = matching[0] if len(matching) == 1 else stem
+    return SheetName(name, course.reference, "" if matching else folder, site or course.site)
+
+
+def grade_all(requests: Sequence[Request], options: argparse.Namespace) -> list[Result]:
+    """Grade all students, with a bar that shows how far it is, in the order of the requests."""
+    from tqdm import tqdm
+
+    with open_executor(options.workers, options.scheduler) as executor:
+        futures = {executor.submit(grade_within, request, options.seconds): k for k, request in enumerate(requests)}
+        results: dict[int, Result] = {}
+        try:
+            for future in tqdm(as_completed(futures), total=len(futures), desc=requests[0].sheet.name, disable=None):
+                results[futures[future]] = future.result()
+        except BaseException:
+            executor.shutdown(wait=False, cancel_futures=True)
+            raise
+    return [results[k] for k in range(len(requests))]
+
+
+def with_flags_of_class(results: Sequence[Result]) -> list[Result]:
+    """Return the results with the flags that need a look at several students."""
+    owners: dict[str, list[str]] = defaultdict(list)
+    for result in results:
+        for id_ in result.typed:
+            owners[id_.casefold()].append(result.student)
+    shared = shared_answers(results)
+    flagged = []
+    for result in results:
+        others = sorted({who for id_ in result.typed for who in owners[id_.casefold()]} - {result.student})
+        added = {"same id": f"also {', '.join(others[:5])}"} if others else {}
+        if result.student in shared:
+            added["same answers"] = shared[result.student]
+        flagged.append(replace(result, flags={**result.flags, **added}))
+    return flagged
+
+
+def sentences(results: Sequence[Result]) -> list[str]:
+    """Return what needs the eyes of an instructor: a sentence for each kind, with all names."""
+    lines = []
+    for flag, text in FLAGS.items():
+        named = [
+            f"{one.student} ({about})" if (about := one.flags[flag].rstrip(".")) and flag != "absent" else one.student
+            for one in results
+            if flag in one.flags
+        ]
+        if named:
+            more = f", and {len(named) - MAX_NAMED} more, see grades.csv" if len(named) > MAX_NAMED else ""
+            lines.append(f"{text}: {', '.join(named[:MAX_NAMED])}{more}.")
+    typed = [one for one in results if one.typed]
+    if len(typed) > 1 and 2 * sum("other id" in one.flags for one in typed) > len(typed):
+        lines.append(
+            "Most ids that were typed are not the names of the submissions. Pass --roster with the ids of the students, or "
+            "--typed-ids to take the numbers of the ids that were typed."
         )
-    return text
+    return lines
 
 
-def _select(submissions: Sequence[Submission], only: Sequence[str] | None) -> list[Submission]:
-    if not only:
-        return list(submissions)
-    ids = {student.casefold() for student in only}
-    selected = [submission for submission in submissions if submission.student.casefold() in ids]
-    if unknown := ids - {submission.student.casefold() for submission in selected}:
-        raise ValueError(
-            f"There is no submission of {', '.join(sorted(unknown))}. --only takes ids as in the column student of grades.csv."
-        )
-    return selected
+# --- files ---
 
 
-@dataclass(frozen=True)
-class Run:
-    """One run of the command: what it was asked for, and where its results go."""
+def write(path: Path, content: bytes) -> None:
+    """Write a file in one step."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    partial = path.with_name(f".{path.name}.partial")
+    partial.write_bytes(content)
+    partial.replace(path)
 
-    options: argparse.Namespace
-    sheet: ReleasedSheet
-    limits: Limits
-    judge: StepProcesses
-    store: ResultStore
-    pool: Executor
 
-    def grade(self, submissions: Sequence[Submission]) -> tuple[dict[str, BaseException], dict[str, Sequence[str]]]:
-        """Grade what has no result yet, and store each result at once.
+def write_all(out: Path, sheet: str, gathered: Gathered, results: Sequence[Result], attention: Sequence[str]) -> None:
+    """Write the pages and tables of a class, and remove the pages of students who left it."""
+    pages = {f"{file_name(one.student)}.html": one.page.encode() for one in results if one.status != ABSENT}
+    folder = out / "feedback"
+    for path in folder.glob("*.html"):
+        if path.name not in pages and PAGE_MARK in path.read_bytes()[:1000]:
+            path.unlink()
+    for name, page in pages.items():
+        write(folder / name, page)
+    write(out / "grades.csv", grades_table(results).encode())
+    header = ["problem", "answers", "each number beside the right one", "an example", "right there"]
+    write(out / "unnamed.csv", csv_text(header, unnamed_rows(results)).encode())
+    write(out / "report.html", report_page(results, sheet, attention).encode())
+    handed_in = [one for one in gathered.submissions if one.files and gathered.kind in PLATFORMS]
+    if handed_in:
+        buffer = BytesIO()
+        with ZipFile(buffer, "w") as archive:
+            for one in handed_in:  # each page has the same date, so that equal pages give equal bytes
+                upload = ZipInfo(feedback_name(gathered.kind, one.files[0].name, sheet))
+                archive.writestr(upload, pages[f"{file_name(one.student)}.html"])
+        write(out / "feedback.zip", buffer.getvalue())
 
-        A submission that reaches a limit is graded again at the end, alone: neither the load of the machine nor the number of
-        jobs may cost a point.
 
-        Returns the errors of those that could not be graded, and the limits of those that reached one alone.
-        """
-        from tqdm import tqdm  # here, because it is slow to import, and the other processes start meanwhile
+def grades_table(results: Sequence[Result]) -> str:
+    """Return the grades as CSV, with a row for each result, of which there is at least one."""
+    last = ["reason", "mistakes", "id in the sheet", "file", "by hand"]
+    header = ["student", "points", "max", "status", *(one.number for one in results[0].problems), *last]
+    rows = []
+    for one in results:
+        told = (one.reason, *one.notes)
+        flags = [f"{FLAGS[flag]}: {about}" for flag, about in one.flags.items() if about and about not in told]
+        first = [one.student, format_points(one.points), format_points(one.max), one.status]
+        points = [format_points(problem.points) for problem in one.problems]
+        reason = " | ".join(filter(None, [*told, *flags]))
+        mistakes = "; ".join(f"{problem.number} {name}" for problem in one.problems for name in problem.mistakes)
+        rows.append([*first, *points, reason, mistakes, ", ".join(one.typed), one.file, " | ".join(one.changes)])
+    return csv_text(header, rows)
 
-        failures, limited, again = dict[str, BaseException](), dict[str, Sequence[str]](), list[Submission]()
-        with tqdm(total=len(submissions), desc=self.sheet.name, bar_format=PROGRESS, disable=None) as bar:
-            jobs = self._jobs(submissions, bar.update)
-            if (first := next(jobs, None)) is None:
-                return {}, {}  # without starting a sandbox
-            with self._start_workers() as (submit, worker_count):
 
-                def outcomes() -> Iterator[tuple[GradingJob, Result | BaseException]]:
-                    for job, outcome in run_bounded(submit, chain([first], jobs), PENDING_PER_WORKER * worker_count):
-                        if isinstance(outcome, Result) and outcome.limits:
-                            again.append(job.submission)  # without its bytes, of which many might not fit into memory
-                        else:
-                            yield job, outcome
-                    yield from run_bounded(submit, self._jobs(again, bar.update), 1)
+def file_name(student: str) -> str:
+    """Return a file name for a student: readable if the id is, different for each id, and never a path.
 
-                for job, outcome in outcomes():
-                    bar.update()
-                    if isinstance(outcome, BaseException):
-                        failures[job.submission.student] = outcome
-                        continue
-                    result = self._store(job, outcome)
-                    if result.limits:
-                        limited[result.student] = result.limits
-        return failures, limited
+    >>> file_name("ada"), file_name("../ö"), file_name("")
+    ('ada', '%2E.%2F%C3%B6', '%')
+    """
+    name = quote(student, safe=" @+,=", errors="surrogatepass")
+    name = name.replace(".", "%2E", 1) if name.startswith(".") else name
+    digest = sha256(student.encode(errors="surrogatepass")).hexdigest()[:16]
+    return (name if len(name) <= 100 else f"{name[:80]}%{digest}") or "%"
 
-    def _store(self, job: GradingJob, outcome: Result) -> Result:
-        result = job.complete(outcome)
-        if self.options.regrade and (old := self.store.load(result.student)):
-            result = result.keeping(old, self.options.regrade)
-        self.store.save(result, job.fingerprint)
-        return result
 
-    def _jobs(self, submissions: Sequence[Submission], skip: Callable[[], object]) -> Iterator[GradingJob]:
-        """The jobs of the submissions that have no result yet."""
-        for job in make_jobs(submissions, self.sheet, f"{self.limits}, {not self.options.unsafe}"):
-            if self.options.regrade is None and self.store.load(job.submission.student, job.fingerprint):
-                skip()
-            else:
-                yield job
+def feedback_name(kind: str, path: PurePosixPath, sheet: str) -> str:
+    """Return the name of a page by which a platform assigns it to its student.
 
-    @contextmanager
-    def _start_workers(self) -> Iterator[tuple[Callable[[GradingJob], Future[Result]], int]]:
-        """A function that submits a job, and how many jobs run at a time: in threads with one grader, or on a cluster."""
-        is_safe = not self.options.unsafe
-        if self.options.cluster:
-            with connect(self.options.cluster) as (executor, worker_count):
-                grade = partial(grade_on_worker, (self.sheet, self.limits, is_safe))
-                yield lambda job: executor.submit(grade_best, grade, *job.request), worker_count
-            return
-        with Grader(self.sheet, self.limits, is_safe, self.judge) as grader:
-            yield lambda job: self.pool.submit(grade_best, grader.grade, *job.request), self.options.jobs
+    Source: mod/assign/feedback/file/importziplib.php of Moodle; infer_comment_context_from_filename of Canvas.
+
+    >>> feedback_name("moodle", PurePosixPath("Ada Lovelace_1815_assignsubmission_file_/x.ipynb"), "03_poe_space")
+    'Ada Lovelace_1815_assignfeedback_file_03_poe_space.html'
+    >>> feedback_name("canvas", PurePosixPath("lovelaceada_LATE_1815_99_x-2.ipynb"), "03_poe_space")
+    'lovelaceada_LATE_1815_99_feedback.html'
+    """
+    match = next(filter(None, map(PLATFORMS[kind].fullmatch, path.parts)))
+    if kind == "moodle":
+        return f"{match['name'].replace('_', ' ')}_{match['key']}_assignfeedback_file_{sheet}.html"
+    return f"{match.string[: match.start('file')]}feedback.html"

@@ -39,6 +39,7 @@
   ].join(' ');
   const SAMPLE_ID = /^(student = )"([^"\\\n]*)"$/m; // in the cell that opens the sheet
   const SOLVED = 'application/vnd.misstep.solved+json';
+  const ANSWER = 'application/vnd.misstep.answer+json'; // what a check stores for the grader
   const WIDGET = 'application/vnd.jupyter.widget-view+json';
   const PREVIEW = 'You have changed the code: the result below is that of the original. Run the cell.';
   const STOPPED = 'Stopped. All variables are lost: the next run starts Python again, and first runs the cells above.';
@@ -616,6 +617,23 @@
       this.output.append(displayed(data, this.asked, this.kept));
       if (focused !== document.activeElement) focused?.focus({ preventScroll: true });
       record(data[SOLVED]);
+      if (SHEET && data[ANSWER]) keep(this.storedKey, JSON.stringify({ sources: this.sources(), data }));
+    }
+
+    get storedKey() {
+      return `stored ${this.id}`;
+    }
+
+    /** The code on which a stored answer depends: an answer that was changed after its check does not count. */
+    sources() {
+      const before = cells.filter(({ role, problem }) => role === 'open' || (role === 'answer' && problem === this.problem));
+      return before.map((cell) => cell.source()).join('\n');
+    }
+
+    /** The output of the last check, as Jupyter saves it; null if there was none, or if the answer has changed since. */
+    stored() {
+      const { sources, data } = JSON.parse(loadTyped()?.[this.storedKey] ?? typed[this.storedKey] ?? '{}');
+      return sources === this.sources() ? { output_type: 'display_data', data, metadata: {} } : null;
     }
 
     showStream({ name, text }) {
@@ -724,16 +742,24 @@
     if (solved) document.dispatchEvent(new CustomEvent('kinlib-solved', { detail: [solved].flat() }));
   }
 
-  /** The notebook of the sheet with what the reader has typed, which is handed in. */
+  /** The notebook of the sheet with what the reader has typed and the answers that were checked, which is handed in. */
   async function download() {
     const notebook = await (await fetch(SHEET)).json();
+    const unchecked = [];
     for (const cell of cells) {
-      if (cell.source() === cell.original) continue;
       const handedIn = notebook.cells.find(({ id }) => id === cell.id);
+      const stored = cell.role === 'check' && cell.stored();
+      if (cell.source() === cell.original && !stored) {
+        if (cell.role === 'check') unchecked.push(cell.problem);
+        continue;
+      }
       handedIn.source = cell.source();
-      handedIn.outputs = [];
+      handedIn.outputs = stored ? [stored] : [];
       handedIn.execution_count = null;
     }
+    downloaded.textContent = unchecked.length
+      ? `Not checked, or changed after the check, and so not graded: problem ${unchecked.join(', ')}. Press Check there, and download again.`
+      : 'All answers are checked and stored in the notebook.';
     const file = new Blob([JSON.stringify(notebook, null, 1)], { type: 'application/x-ipynb+json' });
     const link = h('a', { href: URL.createObjectURL(file), download: SHEET.split('/').pop() });
     link.click();
@@ -786,9 +812,10 @@
     run(cell, event.detail.refused);
   });
   const button = h('button', { type: 'button', class: 'kinlib-button', onclick: download }, 'Download with my answers');
+  const downloaded = h('p', { role: 'status' });
   note.replaceChildren(
     ...(SHEET
-      ? [SHEET_INTRODUCTION, h('p', {}, button)]
+      ? [SHEET_INTRODUCTION, h('p', {}, button), downloaded]
       : [
           INTRODUCTION,
           h(

@@ -5,7 +5,7 @@ import re
 from latex2mathml.converter import convert
 
 from kincourse import find_sheet, sheets
-from misstep.grading.publish.mathml import SMALL_FRACTION
+from misstep.grading.pages import SMALL_FRACTION
 
 
 def test_every_formula_is_valid_latex():

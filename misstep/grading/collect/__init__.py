@@ -1,1 +1,1 @@
-"""What students submitted: folders, zip files, rosters and notebooks, read without trust."""
+"""What was handed in: files, their students, and the answers that notebooks store; read without trust."""

@@ -1,24 +1,53 @@
-"""Notebooks that students submit: their code cells, read without trust and without nbformat, in whatever state they are.
+"""What a student handed in, read without trust: the answers that check cells have stored in a notebook.
 
-A notebook may have been edited in Colab or VS Code, may have Windows line ends, and may be damaged. Each reason why a file
-cannot be used is a sentence for the student.
+Nothing of a notebook is run. Long outputs are cut out before the JSON is read, so they cost no memory. Each reason why a file
+cannot be used is a sentence for the student. Call this in a process that may be ended (`workers`), because bytes can be made
+to be slow.
 """
 
+import io
 import json
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
+import zipfile
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import PurePosixPath
 from typing import Any
 
-MAX_NOTEBOOK_BYTES = 32 << 20
-"""The largest notebook that is read, in bytes, with all its outputs."""
+from misstep.grading.collect.submissions import (
+    ARCHIVE_ERRORS,
+    COPY,
+    SourceFile,
+    Unreadable,
+    read_bytes,
+    read_stream,
+    unreadable,
+    zip_time,
+)
+from misstep.storage.deserialize import MIME
 
-MAX_CELLS = 1000
+MAX_NOTEBOOKS = 10
+"""How many notebooks of one student are looked at, the newest first."""
+STRING = rb'"(?:[^"\\]++|\\.)*+"'
+VALUE = rb"""[\[{](?:%b|[^\[\]{}"]++)*+[\]}]""" % STRING
+for _ in range(12):  # levels of nesting; what is nested more deeply is read like the rest
+    VALUE = rb"""[\[{](?:%b|[^\[\]{}"]++|%b)*+[\]}]""" % (STRING, VALUE)
+OUTPUT = re.compile(
+    rb'"(?:(?:text|image|audio|video|application(?!/vnd\.misstep\.answer))/[^"\\]*+"\s*+:\s*+(?:%b|%b)|text"\s*+:\s*+%b)'
+    % (STRING, VALUE, VALUE),
+    re.DOTALL,
+)
+"""An output of a cell with its MIME type, stored answers excepted, or a list of printed lines. A text cannot look like one,
+because its quotes are escaped in JSON."""
 
-MAX_JSON_PARTS = 500_000
-"""The most brackets and commas that a notebook may have. An empty list takes two bytes in the file and sixty in memory."""
+MAX_ANSWER = 400_000
+MAX_ID = 200
+"""The longest stored answer and the longest id, in characters."""
 
-CONFLICT_MARKER = re.compile(r"^(<{7} |={7}$|>{7} )", re.MULTILINE)
+ANSWER_CELL, ANSWER_NAME = re.compile(r"given = sheet\.given\((\d{1,3})\)"), re.compile(r"answer-(\d{1,3})")
+"""How an answer cell begins, and what it is called in a sheet as it was released."""
+
+CONFLICT = re.compile(rb"^(<{7} |={7}$|>{7} )", re.MULTILINE)
 
 OTHER_FORMATS = {
     b"%PDF": "a PDF. Hand in the notebook itself, the file that ends in .ipynb.",
@@ -28,75 +57,161 @@ OTHER_FORMATS = {
 }
 
 
-class UnusableNotebook(ValueError):
-    """The file contains nothing that can be run. The message is for the student."""
+@dataclass(frozen=True)
+class Work:
+    """What a notebook stores for one sheet."""
+
+    answers: Mapping[int, tuple[str, str]]  # by problem, the last answer as JSON, and the id for which it was checked
+    stale: Sequence[int]  # the problems whose answer cell was run after its check, as far as the execution counts show
+    is_sheet: bool  # whether the notebook is of this sheet at all
+
+    @property
+    def ids(self) -> list[str]:
+        """The ids for which the answers were checked, each once."""
+        return list(dict.fromkeys(id_ for _, id_ in self.answers.values()))
 
 
 @dataclass(frozen=True)
-class CodeCell:
-    """A code cell of a notebook: its index among all cells, its source, and the name that nbgrader gave it.
+class Chosen:
+    """The notebook of a student that counts, its name, remarks, and the ids in all notebooks of the student."""
 
-    count  its execution count, by which editors number the cells in the order in which they ran; 0 if there is none
+    work: Work
+    name: str
+    notes: Sequence[str]
+    ids: Sequence[str]
+
+
+def choose(files: Sequence[SourceFile], sheet: str) -> Chosen:
+    """Read the notebooks of one student, and choose the newest one that has answers to a sheet.
+
+    Raises Unreadable if no file is a notebook of the sheet.
     """
+    notebooks = sorted((one for file in files if file.is_read or file.fault for one in _unpacked(file)), key=_age)
+    if not any(file.name.suffix.lower() == ".ipynb" or file.fault for file, _ in notebooks):
+        names = ", ".join(file.name.name for file in files[:5])
+        raise Unreadable(f"There is no notebook, only: {names}. Hand in the file that ends in .ipynb.")
+    found: list[tuple[str, Work]] = []
+    faults: list[str] = []
+    for file, content in notebooks[: -MAX_NOTEBOOKS - 1 : -1]:
+        try:
+            work = read_work(read_bytes(file) if content is None else content, sheet)
+        except Unreadable as error:
+            faults.append(f"{file.name.name}: {error}" if len(notebooks) > 1 else str(error))
+            continue
+        if work.is_sheet:
+            found.append((file.name.name, work))
+        else:
+            faults.append(f"{file.name.name} is not the sheet {sheet}. Was another sheet handed in?")
+    if not found:
+        raise Unreadable(" ".join(faults[:3]))
+    name, work = max(found, key=lambda one: bool(one[1].answers))  # the first of them, which is the newest
+    notes = [fault for fault in faults if "could not" in fault]
+    if len(found) > 1:
+        notes.append(f"Of {len(found)} notebooks of this sheet, {name} counts, the newest with answers.")
+    return Chosen(work, name, notes, list(dict.fromkeys(id_ for _, one in found for id_ in one.ids)))
 
-    index: int
-    source: str
-    name: str = ""
-    count: int = 0
+
+def _age(one: tuple[SourceFile, bytes | None]) -> tuple[float, int, str]:
+    """Return what grows with a newer file: a browser calls the newer of two downloads X (1).ipynb."""
+    stem = one[0].name.stem
+    number = re.search(r"(\d+)\)?$", stem) if COPY.fullmatch(stem) else None
+    return one[0].modified, int(number[1][:9]) if number else int(bool(COPY.fullmatch(stem))), str(one[0].name)
 
 
-def code_cells(content: bytes) -> list[CodeCell]:
-    """The code cells of a notebook.
+def _unpacked(file: SourceFile) -> Iterator[tuple[SourceFile, bytes | None]]:
+    """Yield a file itself, or the notebooks in it if it is a zip file, with their content. Nothing is written to the disk."""
+    if file.fault or file.name.suffix.lower() != ".zip":
+        yield file, None
+        return
+    try:
+        with zipfile.ZipFile(io.BytesIO(read_bytes(file))) as archive:
+            members = [one for one in archive.infolist() if one.filename.lower().endswith(".ipynb")]
+            members = [one for one in members if not re.search(r"(^|[/\\])(\.|__MACOSX)", one.filename)]
+            for member in sorted(members, key=lambda one: one.date_time)[-MAX_NOTEBOOKS:]:
+                name = file.name.parent / PurePosixPath(member.filename.replace("\\", "/")).name
+                with archive.open(member) as stream:
+                    yield replace(file, name=name, modified=zip_time(member)), read_stream(stream, name)
+    except ARCHIVE_ERRORS as error:
+        yield replace(file, fault=str(unreadable(file.name, error))), None
 
-    Raises UnusableNotebook, with a sentence for the student, if the file is not a notebook.
+
+def read_work(content: bytes, sheet: str) -> Work:
+    """Read the stored answers to a sheet from the bytes of a notebook.
+
+    Raises Unreadable, with a sentence for the student, if the bytes are no notebook.
+
+    >>> output = {"data": {MIME: {"sheet": "01_x", "problem": 2, "student": "ada", "answer": {"number": 1.5}}}}
+    >>> cell = {"cell_type": "code", "source": "sheet.check(2, x)", "outputs": [output]}
+    >>> read_work(json.dumps({"cells": [cell]}).encode(), "01_x").answers
+    {2: ('{"number": 1.5}', 'ada')}
     """
     cells = _parse(content).get("cells")
     if not isinstance(cells, list):
-        raise UnusableNotebook(
-            "The file is JSON but not a notebook, because it has no cells. Hand in the file that ends in .ipynb."
-        )
-    if len(cells) > MAX_CELLS:
-        raise UnusableNotebook(f"The notebook has {len(cells)} cells; a sheet has at most {MAX_CELLS}.")
-    parsed = (_code_cell(index, cell) for index, cell in enumerate(cells) if isinstance(cell, dict))
-    return [cell for cell in parsed if cell]
+        raise Unreadable("The file is JSON but not a notebook: it has no cells. Hand in the file that ends in .ipynb.")
+    answers: dict[int, tuple[str, str]] = {}
+    checked, written = dict[int, int](), dict[int, int]()  # when check cells and answer cells ran, by the cells' counts
+    is_sheet = False
+    for cell in cells:
+        if not isinstance(cell, dict) or cell.get("cell_type") != "code":
+            continue
+        source, count = _source(cell), cell.get("execution_count")
+        count = count if isinstance(count, int) else 0
+        stored = [one for output in _list(cell.get("outputs")) if (one := _stored(output, sheet))]
+        is_sheet = is_sheet or bool(stored) or f'"{sheet}"' in source.replace("'", '"')
+        for number, text, student in stored:
+            if count >= checked.get(number, 0):
+                answers[number], checked[number] = (text, student), count
+        if found := ANSWER_CELL.match(source) or ANSWER_NAME.fullmatch(str(cell.get("id"))):
+            number = int(found[1])
+            written[number] = max(written.get(number, 0), count)
+    stale = [number for number, count in checked.items() if 0 < count < written.get(number, 0)]
+    return Work(answers, stale, is_sheet)
+
+
+def _stored(output: Any, sheet: str) -> tuple[int, str, str] | None:
+    """Return the problem, the answer as JSON and the id that an output of a check cell stores; None for any other output."""
+    data = output.get("data") if isinstance(output, dict) else None
+    emission = data.get(MIME) if isinstance(data, dict) else None
+    match emission:
+        case {"sheet": str(name), "problem": int(number), "student": str(student), "answer": answer} if name == sheet:
+            try:
+                text = json.dumps(answer)
+            except RecursionError:
+                return None
+            id_ = student[:MAX_ID].encode(errors="replace").decode().strip()
+            return (number, text, id_) if len(text) <= MAX_ANSWER else None
+    return None
+
+
+def _list(value: Any) -> list[Any]:
+    return value if isinstance(value, list) else []
+
+
+def _source(cell: Mapping[str, Any]) -> str:
+    source = cell.get("source", "")
+    return "".join(line for line in (source if isinstance(source, list) else [source]) if isinstance(line, str))
 
 
 def _parse(content: bytes) -> dict[str, Any]:
     if not content.strip():
-        raise UnusableNotebook("The file is empty. Save the notebook, and hand it in again.")
-    if len(content) > MAX_NOTEBOOK_BYTES:
-        raise UnusableNotebook(
-            f"The file is larger than {MAX_NOTEBOOK_BYTES / 1e6:.0f} MB, and so it is not read. Clear all outputs, save, and "
-            "hand it in again."
-        )
-    if sum(map(content.count, (b"[", b"{", b","))) > MAX_JSON_PARTS:
-        raise UnusableNotebook("The JSON has more parts than any notebook of this course.")
-    text = _decode(content)
+        raise Unreadable("The file is empty. Save the notebook, and hand it in again.")
+    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        content = content.decode("utf-16", errors="replace").encode()
+    short = OUTPUT.sub(b'"cut":0', content)
     try:
-        notebook = json.loads(text)
+        notebook = json.loads(short.decode("utf-8-sig", errors="replace"))
     except (ValueError, RecursionError) as error:
-        raise UnusableNotebook(_explain(text, content, error)) from error
+        raise Unreadable(_explanation(content, error)) from error
     if not isinstance(notebook, dict):
-        raise UnusableNotebook("The file is JSON but not a notebook. Hand in the file that ends in .ipynb.")
+        raise Unreadable("The file is JSON but not a notebook. Hand in the file that ends in .ipynb.")
     return notebook
 
 
-def _decode(content: bytes) -> str:
-    encoding = "utf-16" if content[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
-    try:
-        return content.decode(encoding)
-    except UnicodeDecodeError:
-        return content.decode("latin-1")  # the structure of a notebook is ASCII, so at most some letters are wrong
-
-
-def _explain(text: str, content: bytes, error: Exception) -> str:
-    """Why the text is not JSON, in a sentence for the student."""
-    if markers := list(CONFLICT_MARKER.finditer(text)):
-        line = text[: markers[0].start()].count("\n") + 1
-        return (
-            f"The file contains an unresolved merge conflict: {len(markers)} marker lines, the first is line {line}. "
-            "Resolve the conflict, and open the notebook once before you hand it in."
-        )
+def _explanation(content: bytes, error: Exception) -> str:
+    """Return why the bytes are no JSON, in a sentence for the student."""
+    if marker := CONFLICT.search(content):
+        line = content.count(b"\n", 0, marker.start()) + 1
+        return f"The file contains an unresolved merge conflict, in line {line}. Resolve it, and open the notebook."
     start = content.lstrip()
     for signature, description in OTHER_FORMATS.items():
         if start.startswith(signature):
@@ -106,23 +221,3 @@ def _explain(text: str, content: bytes, error: Exception) -> str:
     if start.startswith(b"{"):
         return f"The notebook is cut off or damaged: {error}. Open it, save it, and hand it in again."
     return "The file is not a notebook. Hand in the file that ends in .ipynb, not a script or a text."
-
-
-def _code_cell(index: int, cell: Mapping[str, Any]) -> CodeCell | None:
-    if cell.get("cell_type") != "code":
-        return None
-    source = cell.get("source", "")
-    lines = source if isinstance(source, list) else [source]
-    text = "".join(line for line in lines if isinstance(line, str)).encode(errors="replace").decode()
-    text = text.replace("\r\n", "\n").replace("\r", "\n")
-    metadata = cell.get("metadata")
-    metadata = metadata if isinstance(metadata, dict) else {}
-    nbgrader = metadata.get("nbgrader")
-    names = [nbgrader.get("grade_id") if isinstance(nbgrader, dict) else None, cell.get("id"), metadata.get("id")]
-    count = cell.get("execution_count")
-    return CodeCell(
-        index,
-        text,
-        next((name for name in names if isinstance(name, str) and name), ""),
-        count if isinstance(count, int) else 0,
-    )

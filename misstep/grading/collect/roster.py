@@ -1,4 +1,4 @@
-"""Rosters: the list of students of a course, as a learning platform exports it, or your own. It has the students' ids.
+"""Rosters: the list of students of a course, as a learning platform exports it, or your own, and the points for it.
 
 Canvas      Grades, Export:                    Student, ID, SIS User ID, SIS Login ID, Section, ...
 Moodle      the assignment's grading worksheet: Identifier, Full name, Email address, ..., Grade, Maximum grade, ...
@@ -21,51 +21,46 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-Row = Sequence[str]
+from misstep.grading.escape import csv_text, format_points
 
+Row = Sequence[str]
 PARTICIPANT = re.compile(r"(?P<word>\D*[^\W\d_]\D*?)\s*(?P<key>\d+)")
 """Moodle's first column: "Participant 1815", "Teilnehmer/in1815", in the language of the user who exported the table."""
-
 TEST_STUDENT = re.compile(r"student, test|test student|[0-9a-f]{32,}", re.IGNORECASE)
 """Canvas's test student: the name in English, and the login in every language."""
-
 MOODLE_IDS = ("id number", "username")
 
 
 @dataclass(frozen=True)
 class Roster:
-    """The list of students of a course. Columns are given by their place, because two may have the same header.
+    """The list of students of a course. Columns are given by their place, because two may have the same header."""
 
-    kind        canvas, moodle, gradescope or own
-    columns     the header, unchanged
-    rows        a row for each student
-    id_column   the column with the ids that students type into their sheets
-    key_column  the column with the number that the names of downloaded files contain
-    grade_column  Moodle's grade, to the left of the maximum grade; None on other platforms
-    test_keys   the keys of students who do not exist: Canvas's test student
-    unsure_of   the headers of other columns that may have the ids, if no header is known
-    delimiter   what separates the cells in the file
-    """
-
-    kind: str
+    kind: str  # canvas, moodle, gradescope or own
     columns: Sequence[str]
     rows: Sequence[Row]
-    id_column: int
-    key_column: int
-    grade_column: int | None = None
-    test_keys: Sequence[str] = ()
-    unsure_of: Sequence[str] = ()
+    id_column: int  # with the ids that students type into their sheets
+    key_column: int  # with the number that the names of downloaded files contain
+    grade_column: int | None = None  # Moodle's, to the left of the maximum grade
+    test_keys: Sequence[str] = ()  # of students who do not exist: Canvas's test student
     delimiter: str = ","
 
     def id_of(self, row: Row) -> str:
         """The id of a student, as it is typed into sheets."""
         return unicodedata.normalize("NFC", row[self.id_column].strip())
 
-    @property
+    @cached_property
     def ids(self) -> list[str]:
         """The ids of all students, without test students."""
         people = [row for row in self.rows if _key(self.kind, row[self.key_column]) not in self.test_keys]
         return [name for row in people if (name := self.id_of(row))]
+
+    def spelled(self, name: str) -> str | None:
+        """An id as the roster spells it, whatever its capitals; None if the roster does not have it."""
+        return self._spellings.get(name.casefold())
+
+    @cached_property
+    def _spellings(self) -> Mapping[str, str]:
+        return {name.casefold(): name for name in self.ids}
 
     def id_for_key(self, key: str) -> str | None:
         """The id of the student whose files have this key in a download; None if there is no such student."""
@@ -85,15 +80,15 @@ def read_roster(path: Path, id_column: str | None = None) -> Roster:
 
     id_column  the header of the column with the ids; by default the first of the platform's id columns that is filled in most rows
 
-    Raises ValueError for a table of an unknown kind, without such a column, or with the same id twice.
+    Raises ValueError for a table of an unknown kind, without such a column, or with the same id or key twice.
     """
     columns, rows, delimiter = read_table(path)
     titles = [column.strip().casefold() for column in columns]
     kind = _kind(titles, rows)
     if kind is None:
         raise ValueError(
-            f"{path} has the columns {', '.join(columns)[:300] or 'none'}. A roster must be an export of Canvas, Moodle or "
-            "Gradescope, or a table with a column id."
+            f"{path} must be an export of Canvas, Moodle or Gradescope, or a table with a column id; it has the columns "
+            f"{', '.join(columns)[:300] or 'none'}."
         )
     grade = _grade_column(rows) if kind == "moodle" else None
     if kind == "moodle" and grade is None:
@@ -109,32 +104,27 @@ def read_roster(path: Path, id_column: str | None = None) -> Roster:
         candidates = _id_columns(kind, titles, people, key, grade)
     filled = [place for place in candidates if 2 * sum(bool(row[place].strip()) for row in people) > len(people)]
     if not filled:
-        wanted = (
-            id_column.strip().casefold() if id_column else " or ".join(columns[place] for place in candidates) or "id"
-        )
+        wanted = id_column or " or ".join(columns[place] for place in candidates) or "id"
         raise ValueError(
             f"{path} must have the students' ids in the column {wanted}, which is missing or mostly empty. "
             "Name the column with --id-column."
         )
-    tests = [_key(kind, row[key]) for row in people if kind == "canvas" and _is_test_student(row, key)]
-    is_unsure = kind == "moodle" and not id_column and not {*MOODLE_IDS} & {*titles}
-    unsure_of = [columns[place] for place in filled[1:]] if is_unsure else []
-    roster = Roster(kind, columns, people, filled[0], key, grade, tests, unsure_of, delimiter)
-    ids = [name.lower() for name in roster.ids]
-    if repeated := sorted({name for name in ids if ids.count(name) > 1}):
-        same = ", ".join(name for name in roster.ids if name.lower() == repeated[0])
-        raise ValueError(
-            f"Each id must occur once; in {path}, column {columns[filled[0]]!r} has the id {repeated[0]!r} "
-            f"{ids.count(repeated[0])} times ({same}). Capitals make no difference."
-        )
-    keys = Counter(_key(kind, row[key]).casefold() for row in people)
-    if kind != "own" and (shared := [name for name, count in keys.items() if count > 1]):
-        same = ", ".join(roster.id_of(row) for row in people if _key(kind, row[key]).casefold() == shared[0])
-        raise ValueError(
-            f"Each student must have a key of their own, by which files are assigned; in {path}, column {columns[key]!r} has "
-            f"the key {shared[0]!r} for {same}. Correct the list, or export it again."
-        )
+    tests = [
+        row[key].strip() for row in people if kind == "canvas" and any(map(TEST_STUDENT.fullmatch, row[: key + 4]))
+    ]
+    roster = Roster(kind, columns, people, filled[0], key, grade, tests, delimiter)
+    _refuse_repeated(path, columns[filled[0]], [name.casefold() for name in roster.ids])
+    if kind != "own":
+        _refuse_repeated(path, columns[key], [_key(kind, row[key]).casefold() for row in people])
     return roster
+
+
+def _refuse_repeated(path: Path, column: str, names: Sequence[str]) -> None:
+    if repeated := [name for name, count in Counter(names).items() if count > 1]:
+        raise ValueError(
+            f"{path}: each id must occur once, whatever its capitals; the column {column!r} repeats {', '.join(repeated[:5])}. "
+            "Correct the list, or export it again."
+        )
 
 
 def _kind(titles: Sequence[str], rows: Sequence[Row]) -> str | None:
@@ -147,16 +137,12 @@ def _kind(titles: Sequence[str], rows: Sequence[Row]) -> str | None:
         has_grades = _grade_column(rows) is not None or "id" not in titles
         if "identifier" in titles or (len(titles) >= 5 and has_grades):
             return "moodle"
-    if ({"id", "section"} <= set(titles) and {"student", "lastname"} & set(titles)) or _points_row(rows) is not None:
+    has_points_row = any(len(row) > 3 and row[0].startswith("    ") and not row[1].strip() for row in rows)
+    if ({"id", "section"} <= set(titles) and {"student", "lastname"} & set(titles)) or has_points_row:
         return "canvas"
     if {"sid", "email"} <= set(titles):
         return "gradescope"
     return "own" if "id" in titles else None
-
-
-def _points_row(rows: Sequence[Row]) -> Row | None:
-    """Canvas's row of the points possible: its first cell begins with four spaces, and it has no id."""
-    return next((row for row in rows if len(row) > 3 and row[0].startswith("    ") and not row[1].strip()), None)
 
 
 def _key_column(kind: str, titles: Sequence[str], rows: Sequence[Row]) -> int:
@@ -176,8 +162,7 @@ def _id_columns(kind: str, titles: Sequence[str], people: Sequence[Row], key: in
         return [titles.index("sid"), titles.index("email")]
     if kind == "canvas":
         if "sis login id" in titles:
-            known = ("sis login id", "sis user id", "id")
-            return [titles.index(name) for name in known if name in titles]
+            return [titles.index(name) for name in ("sis login id", "sis user id", "id") if name in titles]
         # Translated: Student, ID, [SIS User ID,] SIS Login ID, Section, ...; the cells of the last one repeat.
         words = [place for place in range(key + 1, min(key + 3, len(titles))) if _is_id_column(people, place)]
         return [*reversed(words), key]
@@ -194,11 +179,8 @@ def _id_columns(kind: str, titles: Sequence[str], people: Sequence[Row], key: in
 def _is_id_column(people: Sequence[Row], place: int) -> bool:
     """Whether the cells are ids: most are filled, all are different, and none has a space."""
     cells = [row[place].strip() for row in people if row[place].strip()]
-    return (
-        2 * len(cells) > len(people)
-        and len({*cells}) == len(cells)
-        and not any(re.search(r"\s", cell) for cell in cells)
-    )
+    is_filled = 2 * len(cells) > len(people) and len({*cells}) == len(cells)
+    return is_filled and not any(re.search(r"\s", cell) for cell in cells)
 
 
 def _grade_column(rows: Sequence[Row]) -> int | None:
@@ -216,11 +198,6 @@ def _number(cell: str) -> float | None:
     return float(cell.replace(",", ".")) if re.fullmatch(r"\s*\d+([.,]\d+)?\s*", cell) else None
 
 
-def _is_test_student(row: Row, key: int) -> bool:
-    """Whether a row of Canvas is the test student, who has no login, or one that Canvas made up."""
-    return any(TEST_STUDENT.fullmatch(cell.strip()) for cell in row[: key + 4])
-
-
 def read_table(path: Path) -> tuple[list[str], list[Row], str]:
     """A table of a spreadsheet: its header, its rows, and what separates its cells.
 
@@ -228,23 +205,51 @@ def read_table(path: Path) -> tuple[list[str], list[Row], str]:
     """
     try:
         text = path.read_text("utf-8-sig")
-        head = text.partition("\n")[0]
-        delimiter = max(",;\t", key=head.count)  # Moodle and Canvas use the delimiter of the user's language
+        delimiter = max(",;\t", key=text.partition("\n")[0].count)  # platforms use the one of the user's language
         header, *lines = [*csv.reader(io.StringIO(text), delimiter=delimiter)] or [[]]
-        rows: list[Row] = [[*line, *[""] * (len(header) - len(line))][: len(header)] for line in lines if any(line)]
-        return header, rows, delimiter
+        return header, [[*line, *[""] * len(header)][: len(header)] for line in lines if any(line)], delimiter
     except UnicodeDecodeError as error:
         raise ValueError(
             f'{path} must be a table in UTF-8; it is in another encoding. A spreadsheet saves it as "CSV UTF-8"; or take the '
             "file as the platform exported it."
         ) from error
-    except OSError as error:
-        raise ValueError(f"{path} cannot be read: {error.strerror}. Is it the file of the roster?") from error
-    except csv.Error as error:
-        raise ValueError(f"{path} cannot be read as a table (CSV in UTF-8): {error}.") from error
+    except (OSError, csv.Error) as error:
+        raise ValueError(f"{path} must be a table, CSV in UTF-8: {error}.") from error
 
 
 def _key(kind: str, cell: str) -> str:
     """The key in a cell: Moodle, and no other platform, writes a word in front of it."""
     match = PARTICIPANT.fullmatch(cell.strip()) if kind == "moodle" else None
     return match["key"] if match else cell.strip()
+
+
+# --- the points, in the columns that the platform imports ---
+
+
+def export(roster: Roster, points: Mapping[str, float], maximum: float, sheet: str, column: str | None = None) -> str:
+    """The roster with the points of a sheet, as its platform imports it: Moodle's are scaled to the maximum that it names.
+
+    points  by id
+    column  the column of the sheet; by default the only column that contains the sheet's name, or else this name
+    """
+    matching = [name for name in roster.columns if sheet.casefold() in name.casefold() and " - " not in name]
+    title = column or (matching[0] if len(matching) == 1 else sheet)
+    cells = [format_points(points[id_]) if (id_ := roster.id_of(row)) in points else "" for row in roster.rows]
+    rows: list[Row] = []
+    if roster.kind == "moodle":
+        place = roster.grade_column or 0
+        for row in roster.rows:
+            id_, full = roster.id_of(row), row[place + 1]
+            text = format_points(points[id_] * float(full.replace(",", ".")) / maximum) if id_ in points else row[place]
+            decimals = text.replace(".", ",") if "," in full else text
+            rows.append([*row[:place], decimals, *row[place + 1 :]])
+        return csv_text(roster.columns, rows, roster.delimiter)
+    if roster.kind == "canvas":
+        # Up to the section: the columns before the first assignment, where the row of the points possible has a number.
+        titles = [name.strip().casefold() for name in roster.columns]
+        section = titles.index("section") if "section" in titles else min(roster.id_column + 1, len(titles) - 1)
+        out_of = ["    Points Possible", *[""] * section, format_points(maximum)]
+        rows = [[*row[: section + 1], cell] for row, cell in zip(roster.rows, cells, strict=True)]
+        return csv_text([*roster.columns[: section + 1], title], [out_of, *rows], roster.delimiter)
+    rows = [[*row, cell, format_points(maximum)] for row, cell in zip(roster.rows, cells, strict=True)]
+    return csv_text([*roster.columns, title, f"{title} - Max Points"], rows, roster.delimiter)

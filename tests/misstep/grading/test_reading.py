@@ -1,91 +1,159 @@
-"""Bytes of students: each step that reads them takes time in proportion to them, and none stalls the others."""
+"""Reading: what a file stores is found whatever an editor did to it, and each file that is no notebook has a reason."""
 
-import subprocess
-import sys
-import time
-from functools import partial
+import json
+import tracemalloc
+import zipfile
+from contextlib import suppress
+from pathlib import PurePosixPath
 
-import heavy_notebooks
 import pytest
-import submissions
-from heavy_notebooks import READABLE, UNREADABLE, honest
-from submissions import SHEET
+from hypothesis import given
+from hypothesis import strategies as st
+from submissions import NAME, SHEET, answered, as_bytes, emissions, released, write, zipped
 
-if lacking := submissions.sandbox_lacks():
-    pytest.skip(f"NOTHING IS READ: this machine lacks {lacking}", allow_module_level=True)
+from misstep.grading.collect import notebook as reading
+from misstep.grading.collect.notebook import Unreadable, choose, read_work
+from misstep.grading.collect.submissions import SourceFile, list_files
 
-from misstep.__main__ import main
-from misstep.grading.collect.notebook import UnusableNotebook
-from misstep.grading.collect.run_plan import read_released_sheet
-from misstep.grading.judging.grader import start_judge
-from misstep.grading.publish.result_store import ResultStore
-from misstep.grading.sandbox.limits import Limits
-from misstep.grading.steps import StepFailed
-
-SECONDS = Limits().reading_seconds
-
-RELEASED = read_released_sheet(submissions.released())
-SOLUTION = str(submissions.ROOT / "solutions" / SHEET / f"{SHEET}.ipynb")
+ADA = as_bytes(answered("ada"))
+CODE = "cell_type", "code"
 
 
-@pytest.fixture(scope="module")
-def judge():
-    with start_judge(RELEASED) as started:
-        yield started
+def without_metadata(notebook):
+    for cell in notebook["cells"]:
+        cell.pop("id")
+        cell["metadata"] = {}
+    return notebook
 
 
-def test_no_notebook_reaches_the_limit_of_what_reads_it(judge):
-    for name, make in READABLE.items():
-        plan = judge.do("plan", seconds=SECONDS, sheet=RELEASED, content=make("ada"))
-        assert (len(plan.problems), plan.typed_id) == (12, "ada"), name
-    for name, (make, reason) in UNREADABLE.items():
-        with pytest.raises(UnusableNotebook) as refused:
-            judge.do("plan", seconds=SECONDS, sheet=RELEASED, content=make("ada"))
-        assert reason in str(refused.value), name
+def with_output(data):
+    notebook = answered("ada")
+    notebook["cells"][1]["outputs"] = [{"output_type": "display_data", "metadata": {}, "data": data}]
+    return as_bytes(notebook)
 
 
-def test_an_answer_that_is_slow_to_quote_or_to_walk_costs_only_its_problem(tmp_path):
-    shown = partial(honest, last=heavy_notebooks.SHOWN)
-    made = {"eve": heavy_notebooks.heavy_answer, "fay": heavy_notebooks.nested_answer, "ada": shown}
-    for student, make in made.items():
-        (tmp_path / "in" / student).mkdir(parents=True)
-        (tmp_path / "in" / student / "x.ipynb").write_bytes(make(student))
-    assert main(["grade", SOLUTION, str(tmp_path / "in"), "--out", str(tmp_path / "out")]) == 0
-    store = ResultStore(tmp_path / "out")
-    assert [store.load(student).points for student in made] == [25, 25, 28]
-    assert {path.stem for path in (tmp_path / "out" / "feedback").iterdir()} == {*made}
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"\xef\xbb\xbf" + ADA,
+        ADA.decode().encode("utf-16"),
+        ADA.replace(b"\n", b"\r\n"),
+        ADA.replace(b"Problem", b"Pr\xffblem"),
+        as_bytes(without_metadata(answered("ada"))),
+        with_output({"text/plain": str(list(range(300_000)))}),
+        with_output({"application/vnd.plotly.v1+json": {"z": [[0.5, float("nan")] * 20_000]}}),
+        with_output({"text/html": '\\"[{' * 500_000, "application/json": [list(range(200_000))] * 3}),
+    ],
+    ids=["BOM", "UTF-16", "CRLF", "latin", "Colab", "print", "Plotly", "animation"],
+)
+def test_an_editor_and_long_outputs_cost_no_answer(content):
+    work = read_work(content, SHEET)
+    assert (sorted(work.answers), work.ids, list(work.stale)) == (list(range(1, 10)), ["ada"], [])
 
 
-def test_a_step_that_takes_too_long_or_ends_its_process_costs_itself_alone(judge):
-    for _ in range(2):
-        with pytest.raises(StepFailed, match=r"it takes more than 0\.01 s of processor time"):
-            judge.do("plan", seconds=0.01, sheet=RELEASED, content=READABLE["an image of 20 MB"]("ada"))
-        assert judge.do("plan", sheet=RELEASED, content=honest("ada")).typed_id == "ada"
-    with pytest.raises(StepFailed, match="it raises TypeError"):
-        judge.do("plan", sheet=RELEASED)
-    with start_judge(RELEASED) as closed:
-        pass
-    with pytest.raises(StepFailed, match="The server of processes has ended"):
-        closed.do("plan", sheet=RELEASED, content=b"")
+def test_long_outputs_take_little_more_memory_than_the_file():
+    content = with_output({"image/png": "A" * 20_000_000, "text/json": {"z": [list(range(1_000_000))] * 3}})
+    tracemalloc.start()
+    read_work(content, SHEET)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 10_000_000
 
 
-# --- stopping ---
+@pytest.mark.parametrize(
+    ("content", "reason"),
+    [
+        (b" \n", "The file is empty"),
+        (b"%PDF-1.4", "a PDF"),
+        (zipped({"a": b""}), "a zip archive"),
+        (b"\x1f\x8b", "a compressed archive"),
+        (b"<!DOCTYPE html>", "a web page"),
+        (b"print(1)", "not a notebook"),
+        (ADA[:5000], "cut off or damaged"),
+        (b'{\n<<<<<<< HEAD\n "cells": []\n=======\n', "an unresolved merge conflict, in line 2"),
+        (b'{"cells":' + b"[" * 200_000, "nested too deeply"),
+        (b"[1, 2]", "JSON but not a notebook"),
+        (b'{"worksheets": []}', "it has no cells"),
+    ],
+)
+def test_what_is_no_notebook_has_a_reason(content, reason):
+    with pytest.raises(Unreadable, match=reason):
+        read_work(content, SHEET)
 
 
-@pytest.mark.parametrize("moment", [".lock", "results/ada.json"])
-def test_an_interrupt_ends_the_run_at_any_moment_and_says_so_in_a_sentence(moment, tmp_path):
-    """A submission that would run for an hour does not keep it."""
-    endless = submissions.as_bytes(submissions.handed_in("eve", first="import time\nwhile True: time.sleep(1)"))
-    for student, content in (("ada", honest("ada")), ("eve", endless), ("fay", endless)):
-        (tmp_path / "in" / student).mkdir(parents=True)
-        (tmp_path / "in" / student / "x.ipynb").write_bytes(content)
-    limits = [f"--limit={name}=3600" for name in ("cell_seconds", "cell_wall_seconds", "seconds", "wall_seconds")]
-    command = [sys.executable, "-m", "misstep", "grade", SOLUTION, str(tmp_path / "in"), "--out", str(tmp_path / "out")]
-    with subprocess.Popen([*command, *limits], cwd=submissions.ROOT, stderr=subprocess.PIPE, text=True) as process:
-        while not (tmp_path / "out" / moment).exists() and process.poll() is None:
-            time.sleep(0.01)
-        process.send_signal(2)
-        told = process.communicate(timeout=120)[1]
-    assert process.returncode == 130
-    assert "the same command continues from there" in told
-    assert "Traceback" not in told
+def test_the_answer_that_was_checked_last_counts_and_a_later_answer_cell_is_noticed():
+    notebook = answered("ada")
+    first = next(cell for cell in notebook["cells"] if cell["id"] == "check-1")
+    again = json.loads(json.dumps(first)) | {"execution_count": 90}
+    emissions({"cells": [again]})[0]["answer"] = {"number": 7.0}
+    notebook["cells"].insert(0, again)
+    assert read_work(as_bytes(notebook), SHEET).answers[1] == ('{"number": 7.0}', "ada")
+    next(cell for cell in notebook["cells"] if cell["id"] == "answer-3")["execution_count"] = 99
+    assert list(read_work(as_bytes(notebook), SHEET).stale) == [3]
+
+
+def test_a_sheet_that_was_not_run_is_known_and_another_sheet_too(tmp_path):
+    assert read_work(as_bytes(released()), SHEET).is_sheet
+    assert not read_work(as_bytes(answered("ada")), "02_motions").is_sheet
+    write(tmp_path, **{"x.ipynb": answered("ada")})
+    with pytest.raises(Unreadable, match=r"x\.ipynb is not the sheet 02_motions"):
+        choose(list_files(tmp_path), "02_motions")
+
+
+def test_of_several_notebooks_the_newest_with_answers_counts(tmp_path):
+    old, new = answered("ada", wrong=[1]), answered("ada", wrong=[2])
+    archive = tmp_path / "work.zip"
+    with zipfile.ZipFile(archive, "w") as members:
+        members.writestr("../../../evil.ipynb", b"{}")
+        members.writestr("__MACOSX/._X.ipynb", b"\0")
+        members.writestr(".ipynb_checkpoints/X.ipynb", as_bytes(old))
+        for name, minute, content in (("b.ipynb", 1, old), ("a/X.ipynb", 3, new), ("Y.ipynb", 5, released())):
+            members.writestr(zipfile.ZipInfo(name, (2036, 1, 1, 0, minute, 0)), as_bytes(content))
+    chosen = choose([SourceFile(PurePosixPath("work.zip"), archive)], SHEET)
+    assert chosen.work.answers == read_work(as_bytes(new), SHEET).answers
+    assert (chosen.name, list(chosen.notes)) == (
+        "X.ipynb",
+        ["Of 3 notebooks of this sheet, X.ipynb counts, the newest with answers."],
+    )
+    assert [path.name for path in tmp_path.iterdir()] == ["work.zip"]
+    copies = [
+        SourceFile(PurePosixPath(name), tmp_path / name) for name in (NAME, f"{SHEET} (2).ipynb", f"{SHEET} (10).ipynb")
+    ]
+    write(tmp_path, **{one.name.name: answered("ada") for one in copies})
+    assert choose(copies, SHEET).name == f"{SHEET} (10).ipynb"
+
+
+def test_a_file_that_is_too_large_is_refused_before_it_is_in_memory(tmp_path, monkeypatch):
+    monkeypatch.setattr("misstep.grading.collect.submissions.MAX_BYTES", 1000)
+    bomb = write(tmp_path, **{"x.zip": zipped({"x.ipynb": b" " * 100_000})})
+    with pytest.raises(Unreadable, match=r"x\.ipynb could not be read: x\.ipynb has more than|has more than"):
+        choose(list_files(bomb / "x.zip"), SHEET)
+
+
+JSON = st.recursive(
+    st.none()
+    | st.booleans()
+    | st.integers()
+    | st.floats()
+    | st.text(max_size=5)
+    | st.sampled_from([SHEET, "code", "ada"]),
+    lambda inner: (
+        st.lists(inner, max_size=4)
+        | st.dictionaries(
+            st.sampled_from(
+                ["cells", *CODE, "outputs", "data", reading.MIME, "sheet", "problem", "student", "answer", "source"]
+            ),
+            inner,
+            max_size=5,
+        )
+    ),
+    max_leaves=30,
+)
+
+
+@given(JSON, st.binary(max_size=3), st.integers(0, 400))
+def test_any_bytes_are_read_or_refused_with_a_sentence(data, noise, place):
+    content = json.dumps({"cells": [data, {"cell_type": "code", "outputs": [{"data": {reading.MIME: data}}]}]}).encode()
+    for changed in (content, content[:place] + noise + content[place:]):
+        with suppress(Unreadable):
+            assert all(json.loads(text) is None or text for text, _ in read_work(changed, SHEET).answers.values())

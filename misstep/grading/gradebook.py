@@ -1,0 +1,90 @@
+"""nbgrader: write results into the gradebook of a course, which formgrader and `nbgrader export` read.
+
+A grade that was entered by hand in formgrader stays. `nbgrader autograde` would give everybody full points, because a check
+cell raises no error; nbgrader_config.py therefore names `Refuse` as its preprocessor.
+"""
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from nbgrader.api import Gradebook, MissingEntry
+from nbgrader.coursedir import CourseDirectory
+from nbgrader.preprocessors import NbGraderPreprocessor
+from traitlets.config.loader import PyFileConfigLoader
+
+from misstep.grading.result import ABSENT, Result
+
+FOLDER_NAME = re.compile(r"[^./\\\0+][^/\\\0+]{0,79}")
+"""An id that nbgrader allows: the name of a student's folder, without a +."""
+
+GENERATE = "nbgrader generate_assignment {} --force"
+"""Without --force, nbgrader skips an assignment whose released notebook is there already, as it is in a checkout."""
+
+
+class Refuse(NbGraderPreprocessor):  # type: ignore[misc]  # nbgrader ships no types
+    """Stops `nbgrader autograde` with a sentence that says what to do."""
+
+    def preprocess(self, nb: Any, resources: Any) -> Any:
+        """Raise RuntimeError."""
+        raise RuntimeError(
+            "In this course, nbgrader autograde would give everybody full points. "
+            "Run: misstep grade submitted --sheet NAME --out results --gradebook ."
+        )
+
+
+def open_gradebook(folder: Path, sheet: str) -> tuple[CourseDirectory, str]:
+    """Return the nbgrader course in a folder, and the name of the sheet's assignment in it.
+
+    Raises ValueError for a folder that is no nbgrader course, and for an assignment that is not generated.
+    """
+    if not (folder / "nbgrader_config.py").is_file():
+        raise ValueError(f"{folder} must have an nbgrader_config.py; is it the top folder of the nbgrader course?")
+    config = PyFileConfigLoader("nbgrader_config.py", path=str(folder.resolve())).load_config()
+    config.CourseDirectory.root = str(folder.resolve())
+    course = CourseDirectory(config=config)
+    missing = f"The gradebook must have the assignment {sheet}. First run: {GENERATE.format(sheet)}"
+    if course.db_url.startswith("sqlite:///") and not Path(course.db_url.removeprefix("sqlite:///")).is_file():
+        raise ValueError(missing)
+    try:
+        with Gradebook(course.db_url, course.course_id) as gradebook:
+            gradebook.find_notebook(sheet, sheet)
+    except MissingEntry as error:
+        raise ValueError(missing) from error
+    return course, sheet
+
+
+def record(course: CourseDirectory, assignment: str, sheet: str, results: Sequence[Result]) -> list[str]:
+    """Write the points of all students who handed something in. Returns remarks for the instructor.
+
+    Where points change, a grade that was given by hand is marked as one to be looked at again.
+    """
+    remarks = []
+    with Gradebook(course.db_url, course.course_id) as gradebook:
+        for result in results:
+            if result.status == ABSENT:
+                continue
+            if not FOLDER_NAME.fullmatch(result.student):
+                remarks.append(f"{result.student} is not in the gradebook, because nbgrader does not allow this id.")
+                continue
+            _record(gradebook, assignment, sheet, result)
+            if abs(result.points - sum(one.points for one in result.problems)) > 1e-9:
+                remarks.append(
+                    f"{result.student} has points for the whole sheet by hand, which a gradebook cannot hold."
+                )
+    return remarks
+
+
+def _record(gradebook: Gradebook, assignment: str, sheet: str, result: Result) -> None:
+    points = {f"check-{k}": one.points for k, one in enumerate(result.problems, start=1)}
+    gradebook.update_or_create_student(result.student)
+    with gradebook.db.no_autoflush:  # nbgrader adds a submission to its assignment, and then to the session
+        gradebook.update_or_create_submission(assignment, result.student)
+    notebook = gradebook.find_submission_notebook(sheet, assignment, result.student)
+    names = {cell.id: cell.name for cell in notebook.notebook.grade_cells}
+    for grade in notebook.grades:
+        if grade.auto_score != points[names[grade.cell_id]]:
+            grade.auto_score = points[names[grade.cell_id]]
+            grade.needs_manual_grade = grade.manual_score is not None
+    gradebook.db.commit()

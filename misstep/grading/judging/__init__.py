@@ -1,1 +1,0 @@
-"""Judging: from one submission to its result. The judge runs in a process that never runs student code."""

@@ -1,0 +1,247 @@
+"""PrairieLearn: the problems of a course as questions of a server that holds the answers, for points that count.
+
+    misstep export prairielearn OUT
+
+OUT is the folder of a PrairieLearn course: `infoCourse.json`, a course instance with an assessment for each sheet, and a folder for
+each question, whose `server.py` names the problem. PrairieLearn calls `generate`, `parse`, `grade` and `file` with one dictionary;
+these draw the numbers from the variant's seed, read what its elements have read, judge it, and draw the figure. The packages
+themselves are copied to `serverFilesCourse`, where PrairieLearn looks for modules. They need NumPy, SymPy and matplotlib there.
+
+Source: https://docs.prairielearn.com/question/server/ and the JSON schemas of PrairieLearn.
+"""
+
+import json
+import shutil
+from argparse import ArgumentParser, Namespace
+from functools import lru_cache
+from importlib.util import find_spec
+from itertools import chain
+from pathlib import Path
+from typing import Any
+from uuid import NAMESPACE_URL, uuid5
+
+import numpy as np
+
+from misstep.answers.base import Unreadable
+from misstep.answers.choice import Choice
+from misstep.answers.groups.ordering import Ordering
+from misstep.catalog import Course, add_course_argument, find_course
+from misstep.judge import judge
+from misstep.problem import Problem, Template
+from misstep.storage.serialize import to_data
+from misstep.verdict import Verdict
+
+Data = dict[str, Any]
+"""What PrairieLearn passes to each function, which changes it in place."""
+
+INSTANCE = "Course"
+
+QUESTION = """<pl-question-panel>
+<markdown>{{{params.statement}}}</markdown>
+{{#params.alt}}<pl-figure type="dynamic" file-name="figure.svg" alt="{{params.alt}}"></pl-figure>{{/params.alt}}
+{{#params.given}}<details><summary>The given values, to copy</summary><pre>{{params.given}}</pre></details>{{/params.given}}
+</pl-question-panel>
+{{#params.matrices}}
+<p><pl-matrix-component-input answers-name="{{name}}" label="{{label}}" rows="{{rows}}" columns="{{columns}}">
+</pl-matrix-component-input></p>
+{{/params.matrices}}
+{{#params.has.formulas}}<p>Formulas in Python's notation, such as <code>L_1*cos(q_1)</code>.</p>{{/params.has.formulas}}
+{{#params.formulas}}
+<p>{{#cells}}<pl-string-input answers-name="{{name}}" aria-label="{{name}}" size="14" show-help-text="false">
+</pl-string-input> {{/cells}}</p>
+{{/params.formulas}}
+{{#params.has.choices}}
+<pl-multiple-choice answers-name="answer" order="fixed" hide-letter-keys="true">
+{{#params.choices}}<pl-answer correct="{{right}}">{{text}}</pl-answer>{{/params.choices}}
+</pl-multiple-choice>
+{{/params.has.choices}}
+{{#params.has.blocks}}
+<pl-order-blocks answers-name="answer" grading-method="ranking" source-blocks-order="alphabetized" feedback="none">
+{{#params.blocks}}<pl-answer correct="true" ranking="{{place}}">{{text}}</pl-answer>{{/params.blocks}}
+</pl-order-blocks>
+{{/params.has.blocks}}
+<pl-submission-panel>{{{feedback.card}}}</pl-submission-panel>
+"""
+"""One page for all questions: each shows the inputs for which `generate` has left the sizes."""
+
+SERVER = """from {package} import find_sheet
+from misstep.grading.prairielearn import Question
+
+question = Question(find_sheet({sheet!r}).problems[{index}])
+generate, parse, grade, file = question.generate, question.parse, question.grade, question.file
+"""
+
+
+class Question:
+    """The functions of one question, which PrairieLearn calls."""
+
+    def __init__(self, template: Template) -> None:
+        self._template = template
+        self._variant = lru_cache(maxsize=4)(template.variant)
+
+    def _problem(self, data: Data) -> Problem:
+        return self._variant(f"prairielearn {data['variant_seed']}")
+
+    def generate(self, data: Data) -> None:
+        """Draw the numbers, and leave the statement, the sizes of the inputs and the right answer in the data."""
+        problem = self._problem(data)
+        figure = problem.figure() if problem.figure else None
+        given = "\n".join(f"{name} = {_literal(value)}" for name, value in problem.given.items())
+        inputs: Data = {"matrices": [], "formulas": [], "choices": [], "blocks": []}
+        if isinstance(problem.answer, Choice):
+            inputs["choices"] = [
+                {"text": f"{name}: {text}", "right": str(name == problem.answer.value).lower()}
+                for name, text in problem.answer.options.items()
+            ]
+        elif isinstance(problem.answer, Ordering):
+            blocks = enumerate(problem.answer.value, start=1)
+            inputs["blocks"] = [{"text": name, "place": place} for place, name in blocks]
+        else:
+            right = _right(problem)
+            if right.dtype == object:
+                rows = [[f"entry_{i + 1}_{j + 1}" for j in range(right.shape[1])] for i in range(right.shape[0])]
+                inputs["formulas"] = [{"cells": [{"name": name} for name in row]} for row in rows]
+                data["correct_answers"].update(zip(chain(*rows), map(str, right.ravel()), strict=True))
+            else:
+                for k, matrix in enumerate(_matrices(right), start=1):
+                    name, label = f"answer_{k}_", "" if right.ndim < 3 else f"{k}: "
+                    rows, columns = matrix.shape
+                    inputs["matrices"].append({"name": name, "label": label, "rows": rows, "columns": columns})
+                    value = {"_type": "ndarray", "_value": matrix.tolist(), "_dtype": "float64"}
+                    data["correct_answers"][name] = value
+        data["params"].update(statement=problem.statement, given=given, alt=getattr(figure, "alt", ""), **inputs)
+        data["params"]["has"] = {kind: bool(ones) for kind, ones in inputs.items()}
+
+    def parse(self, data: Data) -> None:
+        """Say of an answer that is none why it cannot be read; PrairieLearn then counts no attempt."""
+        problem = self._problem(data)
+        if data["format_errors"]:
+            return
+        try:
+            problem.answer.read(_submitted(problem, data))
+        except (Unreadable, ValueError, KeyError, TypeError, IndexError) as error:
+            data["format_errors"][next(iter(data["submitted_answers"]), "answer")] = str(error)
+
+    def grade(self, data: Data) -> None:
+        """Judge the answer: the points, those of each part, and the card as feedback."""
+        problem = self._problem(data)
+        judgement = judge(problem, _submitted(problem, data))
+        data["score"] = judgement.fraction
+        data["partial_scores"] = {
+            part: {"score": float(judgement.state == "right" or part in judgement.right_parts), "weight": 1}
+            for part in problem.answer.parts
+        }
+        data["feedback"]["card"] = Verdict(self._template, judgement).card.html()
+
+    def file(self, data: Data) -> bytes | None:
+        """Return the figure as SVG."""
+        figure = self._problem(data).figure
+        svg: str = figure().labelled_svg() if figure else ""
+        return svg.encode() if data["filename"] == "figure.svg" else None
+
+
+def _right(problem: Problem) -> np.ndarray[Any, Any]:
+    """Return the right answer as an array: of numbers, or of formulas as texts."""
+    stored: Any = to_data(problem.answer.value)
+    if "matrix" in stored:
+        return np.array([[entry["symbolic"] for entry in row] for row in stored["matrix"]], dtype=object)
+    if "fields" in stored:
+        return np.array(stored["fields"]["rows"], dtype=float)
+    if "array" in stored:
+        return np.array(stored["array"], dtype=float).reshape(stored["shape"])
+    raise ValueError(f"There is no input for an answer such as {problem.answer.expected}.")
+
+
+def _matrices(right: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """Return an array as a stack of matrices: a vector is one row."""
+    return right.reshape(-1, *np.atleast_2d(right).shape[-2:])
+
+
+def _submitted(problem: Problem, data: Data) -> Any:
+    """Return what was answered, as a student would give it to a check."""
+    given = data["submitted_answers"]
+    if isinstance(problem.answer, Choice):
+        keys = [option["key"] for option in data["params"]["answer"]]
+        return list(problem.answer.options)[keys.index(given["answer"])]
+    if isinstance(problem.answer, Ordering):
+        return [block["inner_html"].strip() for block in given["answer"]]
+    right = _right(problem)
+    if right.dtype == object:
+        rows, columns = (range(1, size + 1) for size in right.shape)
+        entries = [[given[f"entry_{i}_{j}"] for j in columns] for i in rows]
+        return [row[0] for row in entries] if right.shape[1] == 1 else entries
+    return np.array([given[one["name"]]["_value"] for one in data["params"]["matrices"]], dtype=float).reshape(
+        right.shape
+    )
+
+
+def _literal(value: Any) -> str:
+    return f"np.array({value.tolist()})" if isinstance(value, np.ndarray) else repr(value)
+
+
+# --- the command ---
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Add the arguments of `misstep export`."""
+    parser.add_argument("platform", choices=["prairielearn"])
+    parser.add_argument("out", type=Path, help="a new folder for the PrairieLearn course")
+    add_course_argument(parser)
+
+
+def run(options: Namespace) -> int:
+    """Write the course, and say which problems are left out."""
+    count, left_out = export(find_course(options.course), options.out)
+    print(f"{options.out} is a PrairieLearn course with {count} questions.")
+    if left_out:
+        print(f"Left out, because their answer is a function: {', '.join(left_out)}.")
+    return 0
+
+
+def export(course: Course, out: Path) -> tuple[int, list[str]]:
+    """Write the PrairieLearn course into a new folder. Returns the number of questions, and the problems that are left out.
+
+    Raises ValueError for a folder that has something in it.
+    """
+    if out.exists() and any(out.iterdir()):
+        raise ValueError(f"{out} must be a new or an empty folder; it has {next(out.iterdir()).name}.")
+    topics, count, left_out = [], 0, []
+    for name in course.sheets():
+        sheet = course.find_sheet(name)
+        questions = []
+        for index, template in enumerate(sheet.problems):
+            if template.variant("sample").answer.inputs:
+                left_out.append(template.number)
+                continue
+            id_ = f"{name}/{index + 1:02}"
+            folder = out / "questions" / id_
+            info = {"uuid": _uuid(course, id_), "title": f"{template.number} {template.title}", "type": "v3"}
+            _write(folder / "info.json", {**info, "topic": sheet.title, "tags": [name], "singleVariant": False})
+            (folder / "question.html").write_text(QUESTION, "utf-8")
+            code = SERVER.format(package=course.package, sheet=name, index=index)
+            (folder / "server.py").write_text(code, "utf-8")
+            questions.append({"id": id_, "autoPoints": template.points, "maxAutoPoints": template.points})
+        number, count = name.partition("_")[0], count + len(questions)
+        assessment = {"uuid": _uuid(course, name), "type": "Homework", "title": sheet.title, "set": "Homework"}
+        zones = [{"title": sheet.title, "questions": questions}]
+        path = out / "courseInstances" / INSTANCE / "assessments" / name / "infoAssessment.json"
+        _write(path, {**assessment, "number": number, "zones": zones})
+        topics.append({"name": sheet.title, "color": "blue1"})
+    _write(out / "infoCourse.json", {"name": course.package, "title": course.package, "topics": topics})
+    instance = {"uuid": _uuid(course, INSTANCE), "longName": INSTANCE}
+    _write(out / "courseInstances" / INSTANCE / "infoCourseInstance.json", instance)
+    for package in ("misstep", course.package, *course.requires):
+        spec = find_spec(package)
+        source = Path(next(iter(spec.submodule_search_locations or [])) if spec else package)
+        shutil.copytree(source, out / "serverFilesCourse" / package, ignore=shutil.ignore_patterns("__pycache__"))
+    return count, left_out
+
+
+def _uuid(course: Course, name: str) -> str:
+    """Return the same identifier for the same question in each export, so that PrairieLearn keeps its history."""
+    return str(uuid5(NAMESPACE_URL, f"https://misstep/{course.package}/{name}"))
+
+
+def _write(path: Path, content: Data) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(content, indent=2) + "\n", "utf-8")

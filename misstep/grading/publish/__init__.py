@@ -1,1 +1,0 @@
-"""What is published of results: pages, tables, and files for learning platforms."""
