@@ -15,7 +15,7 @@ from kincourse.text.joint_table import joint_table
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.diagnosis import diagnose
-from kinlib.dh.mistakes import corrected_rows, known_corrections
+from kinlib.dh.slips import tables_with_a_slip
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.view import draw_joints
 from misstep.display.card import TITLES, Card
@@ -109,10 +109,7 @@ def wrong_tables(table: DHTable) -> Iterator[tuple[str, DHTable]]:
     for row, letter in enumerate(table.joints):
         other = "P" if letter == "R" else "R"
         yield "variable in the wrong column", table.changed(joints=table.joints[:row] + other + table.joints[row + 1 :])
-    # Almost all corrections are their own inverse, and the inverses of the others are among them.
-    for correction in known_corrections(table, [table.rows], {}):
-        if correction.fault.name in MISTAKES and not correction.convention:
-            yield correction.fault.name, table.changed(rows=corrected_rows(table.rows, [correction]))
+    yield from ((name, wrong) for name, wrong in tables_with_a_slip(table) if name in MISTAKES)
 
 
 def draw_next(seed: str, convention: Convention, suspects: Collection[str]) -> Problem:

@@ -10,7 +10,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 import kincourse.answers.dh_table  # noqa: F401  it says how a stored table is read
-from kinlib.dh.parsing import COLUMNS, _split_table
+from kinlib.dh.parsing import COLUMNS, split_table
 from kinlib.dh.table import DHTable
 from misstep.storage.deserialize import from_data
 from misstep.storage.serialize import to_data
@@ -111,5 +111,5 @@ def _typed(table):
 
 def _texts(rows):
     """The entries of a table that are text, in any form of the table."""
-    rows = _split_table(rows)[0] if isinstance(rows, str) else [row for row in rows if isinstance(row, dict)]
+    rows = split_table(rows, None)[0] if isinstance(rows, str) else [row for row in rows if isinstance(row, dict)]
     return [row[column] for row in rows for column in COLUMNS if isinstance(row[column], str)]

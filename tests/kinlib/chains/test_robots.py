@@ -132,7 +132,6 @@ PRINTED_TABLES = (
 """Each robot with the convention, the rows and the tool of its document."""
 
 
-@pytest.mark.oracle("roboticstoolbox", robots.rprr, robots.puma560, robots.rpr_lecture7)
 def test_the_screws_move_as_the_printed_table_does():
     for make, convention, rows, tool in PRINTED_TABLES:
         robot, arm = make(), convention(*rows)
@@ -140,7 +139,6 @@ def test_the_screws_move_as_the_printed_table_does():
             close(robot.fk(q), arm.fkine(q).A @ tool)
 
 
-@pytest.mark.oracle("roboticstoolbox", robots.ur5e, robots.panda, robots.scara)
 def test_the_arms_of_makers_move_as_their_tables_do():
     rtb = pytest.importorskip("roboticstoolbox")
     turns, lengths, offsets = (
@@ -198,9 +196,6 @@ def drawn_robots():
     )
 
 
-@pytest.mark.oracle(
-    "spatialmath", robots.plain_arm, robots.angled_arm, robots.mid_formula_arm, robots.hrr, robots.arm, robots.pose
-)
 def test_a_robot_moves_as_spatialmath_walks_through_its_drawing():
     pytest.importorskip("spatialmath")
     for robot, walked in drawn_robots():
@@ -211,7 +206,6 @@ def test_a_robot_moves_as_spatialmath_walks_through_its_drawing():
 # --- EduFill: the youBot ---
 
 
-@pytest.mark.oracle("printed: EduFill module, lecture 1", robots.youbot)
 def test_the_youbot_in_the_drawn_configuration_steps_up_by_its_third_link():
     """[0, 0, pi/2, -pi/2, -pi/4]: two lengths forward, one up, the last forward again, the gripper turned by 45 degrees."""
     T = robots.youbot().fk([0, 0, PI / 2, -PI / 2, -PI / 4])
@@ -225,7 +219,6 @@ def test_the_youbot_in_the_drawn_configuration_steps_up_by_its_third_link():
 PRINTED_M1 = np.array([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1], [0, 0, 0, 0]])
 
 
-@pytest.mark.oracle("printed: Forward kinematics II, example 1", robots.rpr)
 def test_our_M_of_example_1_differs_from_the_printed_one_in_two_entries():
     assert np.argwhere(robots.rpr().home != PRINTED_M1).tolist() == [[2, 0], [3, 3]]
 
@@ -233,7 +226,6 @@ def test_our_M_of_example_1_differs_from_the_printed_one_in_two_entries():
 # --- Forward kinematics II, example 2 ---
 
 
-@pytest.mark.oracle("printed: Forward kinematics II, body-form example", robots.rppr)
 def test_B1_and_B4_of_example_2_are_as_printed():
     w, q1, q4 = (0, 1, 0), (-2, -2, 0), (-2, 0, 0)
     for q in (q1, q4):

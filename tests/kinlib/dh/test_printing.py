@@ -11,7 +11,6 @@ from strategies import ROBOTS, chains_with_values
 import kinlib as kl
 from kinlib import DHTable
 from kinlib.dh.assignment_steps import AssignmentStep
-from kinlib.dh.equivalence import describe_pose
 
 CONVENTIONS = ["standard", "modified"]
 
@@ -44,18 +43,16 @@ def test_a_printed_table_is_read_back(convention, drawn):
     assert again.fk({f"q{i + 1}": 0 for i in range(table.n)}).shape == (4, 4)
 
 
-@pytest.mark.oracle("text: written out in the test", kl.Equivalence.choices)
 def test_the_repr_of_a_result_says_what_its_text_says():
     step = AssignmentStep("x", 1, "x_1 is along the normal.", "The opposite direction.")
     assert str(step) == "x_1 is along the normal. (Also right: The opposite direction.)"
-    assert describe_pose(kl.exp([0, 0, np.pi, 0, 0, 0])) == "rotated by 180 degrees, translated by 0 m"
     table = kl.assign_frames(kl.robots.rpr(), convention="standard").table
     assert repr(table).startswith("DHTable('RPR', standard, 3 rows: RPR, base = [[")
     flipped = table.changed(signs=[1, 1, -1])
     for found in (kl.equivalent(table, flipped), kl.diagnose(table, flipped)):
         assert " ".join(str(found).splitlines()) in repr(found)
-        assert "Joint 3 has the opposite sign." in repr(found)
-    assert kl.equivalent(table, flipped).choices(1e-8) == [("signs", "Joint 3 has the opposite sign.")]
+        assert "joint 3: " in repr(found)
+    assert kl.equivalent(table, flipped).choices(1e-8) == [("signs", "joint 3: q counts in the opposite direction")]
 
 
 @pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
@@ -92,14 +89,3 @@ def test_latex_names_the_variables_and_the_convention():
     assert r"\omega_i & v_i" in kl.robots.rpr()._repr_latex_()
     ring = kl.linkages.ten_links()._repr_latex_()
     assert r"\text{theta\_1} & \text{ground - link 1.1} & (0, 0, 1) & (0, 0, 0) \\" in ring
-
-
-@pytest.mark.oracle("modern_robotics", DHTable.jacobian)
-@pytest.mark.parametrize("convention", CONVENTIONS)
-def test_the_jacobian_of_a_table_is_that_of_its_arm(convention):
-    import modern_robotics as mr
-
-    robot = kl.robots.youbot()
-    table = kl.assign_frames(robot, convention=convention).table
-    q = np.array([0.3, -0.5, 0.7, 0.2, -0.9])
-    np.testing.assert_allclose(table.jacobian(q), mr.JacobianSpace(robot.screws.T, q), atol=1e-12)

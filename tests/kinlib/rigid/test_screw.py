@@ -18,14 +18,12 @@ def close(got, expected, atol=1e-13):
     np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
 
 
-@pytest.mark.oracle("modern_robotics", screw)
 @given(points(), directions(), st.floats(-1, 1))
 def test_a_screw_agrees_with_modern_robotics(point, axis, pitch):
     close(screw(axis, point, pitch), mr.ScrewToAxis(point, axis, pitch))
     close(screw(axis, point), mr.ScrewToAxis(point, axis, 0))
 
 
-@pytest.mark.oracle("pytransform3d", line)
 @given(screws())
 def test_a_line_is_the_one_of_pytransform3d(S):
     point, axis, pitch = pt.screw_parameters_from_screw_axis(S)
@@ -90,9 +88,3 @@ def test_an_invalid_direction_point_or_pitch_is_refused(arguments, message):
 def test_a_twist_that_is_not_a_screw_axis_is_refused(S, message):
     with pytest.raises(ValueError, match=message):
         line(S)
-
-
-def test_six_screws_in_columns_are_refused_with_advice():
-    rows = screw(np.eye(3)[[2, 1, 1, 2, 1, 2]], np.arange(18.0).reshape(6, 3) ** 2)
-    with pytest.raises(ValueError, match=r"Screw axes go in rows, but yours are in columns: try S\.T"):
-        line(rows.T)
