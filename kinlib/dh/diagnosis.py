@@ -104,6 +104,7 @@ class Diagnosis:
     comparison    of this table and the arm, up to the choices that are not fixed; if the table is "rounded", to within the rounding
     explanations  all explanations that are equally simple, the most plausible one first; empty if the table is right
     nearest       if nothing explains the table: the table with other numbers that describes the arm, as few as were found
+    up_to         the choices up to which it does, in words, if these are fixed
     unfixed       the comparison up to every choice, if some of them are fixed and the table is not right
     tolerance     differences below it are not mentioned
     rounding      what the digits of the table show of their rounding, in words; "" with a given tolerance
@@ -116,6 +117,7 @@ class Diagnosis:
     comparison: Equivalence
     explanations: Sequence[TableExplanation] = ()
     nearest: DHTable | None = None
+    up_to: str = ""
     unfixed: Equivalence | None = None
     tolerance: float = EQUIVALENCE_TOL
     rounding: str = ""
@@ -164,7 +166,7 @@ class Diagnosis:
         lines = [f"{mistakes} was found that explains this table.{rounding} {self.difference}".rstrip()]
         if self.nearest is not None:
             lines += [
-                "It would describe the arm with these numbers, the largest difference first:",
+                f"It would describe the arm{self.up_to} with these numbers, the largest difference first:",
                 *_different_entries(self.table, self.nearest),
             ]
         return "\n".join(lines)
@@ -198,15 +200,15 @@ class Diagnosis:
         digits = f" to the digits that are printed ({self.rounding})" if self.verdict == "rounded" else ""
         found = self.comparison
         choices = found.choices(self.tolerance)
-        if not choices:
-            off = f"; its poses differ by {format_number(found.difference, 2)} at 16 configurations" if digits else ""
-            yield f"This table describes the arm{digits}{off}."
-            return
         metres, radians = measured_difference(self.table.to_chain(), self.arm)
-        yield (
-            f"For the same q, the poses of the table and of the arm differ by up to {format_number(metres, 3)} m and "
-            f"{format_number(math.degrees(radians), 3)}°, at 1000 random configurations."
+        differ = (
+            f"differ by up to {format_number(metres, 3)} m and {format_number(math.degrees(radians), 3, zero=1e-6)}°, "
         )
+        differ += "at 1000 random configurations."
+        if not choices:
+            yield f"This table describes the arm{digits}" + (f"; their poses {differ}" if digits else ".")
+            return
+        yield f"For the same q, the poses of the table and of the arm {differ}"
         yield f"The table describes the arm{digits}, up to these choices:"
         yield from (fault.text for fault in _choices_as_faults(self.table, found, self.tolerance))
         kinds = {name for name, _ in choices}
@@ -312,12 +314,17 @@ def _explained(  # noqa: PLR0917
         return replace(found, verdict="undecided")
     if explanations or "H" in found.arm.joint_types:
         return found
-    nearest = _nearest_table(table, found.arm, fixed, half_unit, noise)
+    nearest, up_to = _nearest_table(table, found.arm, fixed, half_unit, noise), ""
+    if nearest is None and fixed:
+        nearest, up_to = (
+            _nearest_table(table, found.arm, frozenset(), half_unit, noise),
+            f", up to {', '.join(CHOICES)},",
+        )
     places = [] if nearest is None else _different_places(table, nearest)
-    if nearest is not None and len(places) <= bounds[0][1]:
+    if nearest is not None and len(places) <= bounds[0][1] and not up_to:
         faults = [_wrong_number(table, nearest, row, column) for row, column in places]
         return replace(found, explanations=[TableExplanation(faults, table, nearest)])
-    return replace(found, nearest=nearest)
+    return replace(found, nearest=nearest, up_to=up_to)
 
 
 @dataclass(frozen=True)

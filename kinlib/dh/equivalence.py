@@ -139,7 +139,7 @@ def format_offset(letter: str, offset: float, tolerance: float) -> str:
     >>> format_offset("R", 3 * np.pi / 2, 1e-8), format_offset("P", 0.25, 1e-8), format_offset("R", 2 * np.pi, 1e-8)
     ('-90°', '0.25 m', '')
     """
-    value = offset if letter == "P" else math.pi - (math.pi - offset) % (2 * math.pi)
+    value = offset if letter == "P" else math.pi - (math.pi - offset + 1e-9) % (2 * math.pi) + 1e-9
     if abs(value) <= tolerance:
         return ""
     return f"{format_number(value, 6)} m" if letter == "P" else f"{format_number(math.degrees(value), 6, zero=1e-6)}°"
@@ -157,7 +157,7 @@ def describe_pose(T: Array, tolerance: float = 0.0) -> str:
         axis = np.where(np.abs(omega) <= max(tolerance, 1e-9), 0.0, omega) / angle
         largest = int(np.argmax(np.abs(axis)))
         if np.abs(axis[largest]) > 1 - 1e-9:
-            about, angle = "xyz"[largest], math.copysign(angle, axis[largest])
+            about, angle = "xyz"[largest], math.copysign(angle, axis[largest] if angle < math.pi - 1e-9 else 1.0)
         else:
             about = format_vector(axis)
         parts.append(f"rotated by {format_number(math.degrees(angle), 6)}° about {about}")

@@ -111,16 +111,6 @@ def test_a_matrix_is_accepted_if_and_only_if_modern_robotics_accepts_it(T, size,
                 read(Y, "X")
 
 
-FAULTS = {
-    "NaN in the rotation": (np.s_[1, 2], np.nan, r"X contains NaN or infinity at index \[1, 2, 1, 2\]"),
-    "infinity in the translation": (np.s_[0, 3], np.inf, r"X contains NaN or infinity at index \[1, 2, 0, 3\]"),
-    "a last row": (np.s_[3, 0], 2e-6, r"X is not a pose at index \[1, 2\]: .*0 0 0 1; got \[2\.e-06 "),
-    "a last entry": (np.s_[3, 3], 0.0, r"X is not a pose at index \[1, 2\]: .*0 0 0 1; got \[0\. 0\. 0\. 0\.\]"),
-    "no rotation": (np.s_[0, 0], 1.1, r"X is not rigid at index \[1, 2\]: R\^T R differs from the identity by 0\.21\."),
-    "a reflection": (np.s_[2, 2], -1.0, r"X is a reflection at index \[1, 2\] \(det R = -1\)"),
-}
-
-
 C, S = np.cos(0.7).round(4), np.sin(0.7).round(4)
 DEFECT = r"home is not rigid: R\^T R differs from the identity by "
 NOT_RIGID = {
@@ -133,10 +123,6 @@ NOT_RIGID = {
         r"home is not a pose.*0 0 0 1; got \[1\. 2\. 3\. 1\.\]\. .*Try the transpose",
     ),
     "four printed digits": ([[C, -S, 0], [S, C, 0], [0, 0, 1]], DEFECT + r"\d\.?\d?e-05\. Were its entries"),
-    "squares that overflow": (1e200 * np.eye(3), DEFECT + r"1e.300\. "),
-    "negative entries whose squares overflow": (-1e200 * np.eye(3), DEFECT + r"1e.300\. "),
-    # R^T R has entries infinity minus infinity here, that is NaN, which is not greater than any tolerance.
-    "overflow to NaN": (1e200 * np.array([[1, -1, 0], [1, 1, 0], [0, 0, 1]]), "not rigid"),
     "a reflection": (QUARTER_TURN[:, [1, 0, 2]], r"reflection \(det R = -1\).*Are two axes swapped"),
     "one bad matrix of a batch": (
         np.stack([np.eye(3)] * 9 + [1.1 * np.eye(3)]).reshape(2, 5, 3, 3),

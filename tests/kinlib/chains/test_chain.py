@@ -109,15 +109,6 @@ def test_a_batch_is_its_configurations_one_at_a_time(shape):
 # --- a chain stays what it is ---
 
 
-@pytest.mark.parametrize("name", ["screws", "home", "points", "body_screws", "joint_points"])
-def test_the_arrays_of_a_chain_cannot_be_written_to(name):
-    for chain in (robots.rpr(), Chain(robots.rpr().screws, np.eye(4), robots.rpr().points)):
-        with pytest.raises(ValueError, match="read-only"):
-            getattr(chain, name)[0, 0] = 7
-    with pytest.raises(AttributeError):
-        setattr(chain, name, np.eye(4))
-
-
 # --- what is refused ---
 
 SCREWS = robots.youbot().screws
@@ -167,10 +158,6 @@ def test_invalid_joint_values_are_refused_by_every_method(q, message):
     for method in (arm.fk, arm.fk_body, arm.link_poses, arm.jacobian, arm.body_jacobian, arm.within_limits):
         with pytest.raises(ValueError, match=message):
             method(q)
-
-
-def test_a_long_translation_is_not_a_large_rotation():
-    close(robots.rpr().fk([0, 1e9, 0])[:3, 3], [0, 0, 1e9 + 1], atol=1e-6)
 
 
 @pytest.mark.parametrize("k", [-1, 6, 1.5, "2", None])
@@ -254,12 +241,3 @@ def test_a_chain_says_its_joints_and_equals_one_with_equal_fields():
     assert len({arm, again, robots.rpr(), robots.rprr()}) == 3
     assert arm != robots.rpr()
     assert arm != 3
-
-
-def test_random_configurations_are_ones_that_fk_takes():
-    """Some files have limits of 1e16 for a joint that rotates without end."""
-    arm = Chain(robots.rpr().screws, np.eye(4), limits=[[-1e16, 1e16], [0, 1], [-np.inf, 1e16]])
-    q = arm.random_configurations(100)
-    arm.fk(q)
-    assert arm.within_limits(q).all()
-    assert np.abs(q).max() <= np.pi

@@ -11,7 +11,6 @@ from strategies import chains_with_values, rotations
 
 import kinlib as kl
 from kinlib import Chain, nearest_rotation
-from kinlib.chains.robots import rpr
 
 
 def close(got, expected, atol=1e-12):
@@ -43,12 +42,6 @@ def test_a_chain_is_stored_as_json_and_read_back(drawn):
     for name in ("screws", "home", "points", "limits"):
         assert np.array_equal(getattr(one, name), getattr(again, name))
     assert (again.name, again.source, again.joint_names) == ("an arm", "a test", names)
-
-
-@pytest.mark.parametrize("data", [[], {"screws": []}, {**rpr().to_dict(), "joints": 3}])
-def test_other_data_is_refused(data):
-    with pytest.raises(ValueError, match="A chain as data must be a dictionary with the keys home, screws"):
-        Chain.from_dict(data)
 
 
 @given(rotations(), st.integers(1, 4))

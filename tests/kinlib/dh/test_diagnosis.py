@@ -224,7 +224,7 @@ def test_rounded_numbers_are_right_to_their_digits_and_a_mistake_is_found_throug
     assert diagnose(UR5, UR5.changed(rows=TYPED_PI).to_chain(), CHOICES).verdict == "rounded"
     four = UR5.changed(rows=UR5.rows.round(4))
     assert str(diagnose(four, UR5)).startswith(
-        "This table describes the arm to the digits that are printed (lengths to 0.0001 m); its poses differ by"
+        "This table describes the arm to the digits that are printed (lengths to 0.0001 m); their poses differ by"
     )
     assert "Row 5: d should be 0.09465; the table has 0.098." in str(diagnose(with_entries(four, (5, "d", 0.098)), UR5))
     hidden = diagnose(with_entries(four, (5, "d", 0.095)), UR5, CHOICES)

@@ -124,17 +124,6 @@ def test_the_panda_s_table_read_in_the_wrong_convention_is_recognised():
     assert fault.text == "The table is in the modified convention, but was read as standard."
 
 
-@pytest.mark.parametrize("joints", [UR5_JOINTS, PANDA_JOINTS], ids=["UR5", "Panda"])
-@pytest.mark.parametrize("convention", ["standard", "modified"])
-def test_frames_are_assigned_to_them_with_base_and_tool_made_explicit(joints, convention):
-    chain, model = from_pinocchio(joints)
-    found = kl.assign_frames(chain, convention=convention)
-    q = np.random.default_rng(1).uniform(-3, 3, (20, chain.n))
-    np.testing.assert_allclose(found.table.fk(q), poses(model, q), rtol=0, atol=1e-9)
-    assert len(found.table.rows) == chain.n
-    assert kl.check_frames(chain, found.frames, convention) == []
-
-
 def test_puma_560_is_the_robotics_toolbox_s_puma_560():
     rtb = pytest.importorskip("roboticstoolbox")
     links = rtb.models.DH.Puma560().links

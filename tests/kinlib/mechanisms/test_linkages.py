@@ -146,35 +146,6 @@ def test_a_five_bar_has_mobility_2_and_its_tip_lies_on_two_circles():
 # --- platforms ---
 
 
-def directions_of_three():
-    return np.array([[np.cos(a), np.sin(a)] for a in 2 * np.pi / 3 * np.arange(3)])
-
-
-def three_rrr_motors(base, platform, upper, lower, pose):
-    """The motor angles for a pose (x, y, phi) of the platform: in each arm the knee lies on two circles, the first is taken."""
-    x, y, phi = pose
-    turn = np.array([[np.cos(phi), -np.sin(phi)], [np.sin(phi), np.cos(phi)]])
-    for out in directions_of_three():
-        foot, corner = base * out, np.array([x, y]) + turn @ (platform * out)
-        knee = intersections(foot, upper, corner, lower)[0]
-        yield angle(knee - foot) - angle(-out)
-
-
-@pytest.mark.parametrize("pose", [(-0.05, 0.02, -0.4)])
-def test_the_3_rrr_reaches_the_pose_of_its_inverse_kinematics(pose):
-    linkage = linkages.three_rrr()
-    motors = dict(zip(("A1", "A2", "A3"), three_rrr_motors(0.5, 0.2, 0.3, 0.3, pose), strict=True))
-    modes = linkage.assembly_modes(hold=motors)
-    x, y, phi = pose
-    wanted = np.array([[np.cos(phi), -np.sin(phi), 0, x], [np.sin(phi), np.cos(phi), 0, y], [0, 0, 1, 0], [0, 0, 0, 1]])
-    # The platform is drawn at the end of the first arm, stretched inwards.
-    drawn = exp([0, 0, 0, 0.5 - 0.3 - 0.3 - 0.2, 0, 0])
-    away = [np.abs(linkage.poses(q)["end"] @ drawn - wanted).max() for q in modes]
-    assert min(away, default=np.inf) < EXACT
-    mobility = linkage.mobility(modes[int(np.argmin(away))])
-    assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (3, 3, 3)
-
-
 def test_the_stewart_gough_platform_reaches_the_pose_of_its_leg_lengths():
     """A leg is as long as head and foot are apart: nothing else is asked of the plate's pose."""
     linkage = linkages.stewart_gough()

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kinlib import linkages, screw
+from kinlib import screw
 from kinlib.mechanisms.joints import spherical, universal
 from kinlib.mechanisms.levenberg_marquardt import null_space
 from kinlib.mechanisms.mobility import finite_mobility, group_dimension
@@ -94,25 +94,3 @@ def test_another_isolated_solution_nearby_does_not_count():
 
 
 # --- in words ---
-
-
-def test_the_text_of_a_mobility_compares_the_three_numbers():
-    arch = linkages.stretched_arch().mobility([0, 0, 0])
-    assert str(arch) == (
-        "The Gruebler-Kutzbach count is 0. The infinitesimal mobility is 1, but the finite mobility is 0: "
-        "this configuration is singular, no infinitesimal motion continues to a finite one."
-    )
-    crossing = linkages.four_bar(4, 1, 4, 1).mobility([0, 0, 0, 0])
-    assert (
-        "is 2, but the finite mobility is 1: this configuration is singular, perhaps branches of the motion cross"
-        in str(crossing)
-    )
-    assert str(linkages.triangle().mobility([0, 0, 0])).endswith(
-        "The infinitesimal mobility is 0, so nothing can move."
-    )
-    bennett = linkages.bennett()
-    moving = bennett.mobility(bennett.assemble([1, 2, 1, 2]).q)
-    assert (
-        str(moving)
-        == "The Gruebler-Kutzbach count is -2. The infinitesimal mobility is 1, and so is the finite mobility."
-    )

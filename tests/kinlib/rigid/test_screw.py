@@ -9,7 +9,6 @@ from hypothesis import strategies as st
 from strategies import directions, points, screws
 
 from kinlib import line, screw
-from kinlib.rigid.screw import is_prismatic
 
 Z = (0, 0, 1)
 
@@ -29,21 +28,6 @@ def test_a_line_is_the_one_of_pytransform3d(S):
     point, axis, pitch = pt.screw_parameters_from_screw_axis(S)
     for got, expected in zip(line(S), (axis, point, pitch), strict=True):
         close(got, expected)
-
-
-def test_a_batch_of_mixed_joints_is_its_elements():
-    axis = np.array([[0, 0, 1], [0, 1, 0], [1, 0, 0]])
-    point = np.array([[1, 2, 3], [4, 5, 6], [7, 8, 9]])
-    pitch = np.array([0.0, np.inf, 0.25])
-    S = screw(axis, point, pitch)
-    for i in range(3):
-        np.testing.assert_array_equal(S[i], screw(axis[i], point[i], pitch[i]))
-        for part, whole in zip(line(S[i]), line(S), strict=True):
-            np.testing.assert_array_equal(part, whole[i])
-    assert is_prismatic(S).tolist() == [False, True, False]
-    assert screw(Z, np.zeros((0, 3))).shape == (0, 6)
-    assert screw(Z, np.zeros((2, 5, 3))).shape == (2, 5, 6)
-    assert [part.shape for part in line(S[:0])] == [(0, 3), (0, 3), (0,)]
 
 
 # --- what is refused ---

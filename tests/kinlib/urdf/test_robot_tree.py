@@ -1,6 +1,5 @@
 """Whole URDF files: the poses of all links, mimic joints, a floating base, and chains between any two links."""
 
-from dataclasses import replace
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -174,7 +173,7 @@ def test_a_tree_prints_its_links_and_the_values_of_its_joints():
         (lambda tree: tree.pose("plam", "thumb"), "base must be the name of a link; got 'plam'. Did you mean palm"),
         (lambda tree: tree.chain("finger", "nail"), r"Line 7, .*joint curl mimics joint grip, and has the multiplier -0\.5, not 1 or -1"),
         (lambda tree: tree.chain("thumb", "finger"), r'bend mimics joint grip, and moves with grip\. .*pose\("thumb", "finger", q\)'),
-        (lambda tree: tree.chain(), r"Pass tip=\.\.\., one of thumb, nail, or palm, from which they branch off\."),
+        (lambda tree: tree.chain(), r"Pass tip=\.\.\., one of thumb \(\d joints?\), nail .*, or palm, from which"),
         (lambda tree: tree.poses({"girp": 1}), r"names of the joint values of hand; got 'girp'\. Did you mean grip\?"),
         (lambda tree: tree.poses({}), r"a value for each joint of hand; got none for grip\. .*dict\.fromkeys\(names, 0\.0\)"),
     ],
@@ -182,24 +181,6 @@ def test_a_tree_prints_its_links_and_the_values_of_its_joints():
 def test_errors_say_what_must_hold_and_what_to_try(call, said):
     with pytest.raises(ValueError, match=said):
         call(Tree.from_urdf(HAND))
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "said"),
-    [
-        (
-            '"grip" multi',
-            '"gripp" multi',
-            r"Line 6, <mimic> in .*got 'gripp'\. The joints that move are grip, bend, curl\.",
-        ),
-        ('"grip" multi', '"curl" multi', "must not mimic each other in a circle; got bend, curl"),
-        ('offset="0.5"', 'offset="1e7"', r"must be between -1e\+06 and 1e\+06; got 1e\+07"),
-        ('"bend" type="continuous"', '"bend" type="planar"', "must have one degree of freedom; this joint is planar"),
-    ],
-)
-def test_a_faulty_mimic_joint_is_refused_where_its_value_is_needed(old, new, said):
-    with pytest.raises(ValueError, match=said):
-        Tree.from_urdf(HAND.replace(old, new)).poses([0.1])
 
 
 # --- write and read back ---
@@ -220,22 +201,6 @@ def test_a_tree_is_read_back_from_its_file(drawn):
     theirs = link_poses_by_pinocchio(text, tree.moving_joint_names, tree.joint_values(q))
     assert_equal_poses(tree.poses(q), theirs)
     assert_equal_poses(back.poses(q), theirs)
-
-
-@pytest.mark.parametrize(
-    ("names", "written", "joints"),
-    [
-        ((), ["base_link", "link_1", "link_2", "link_3", "tool"], 4),
-        (("a", "b", "c", "d", "e"), ["a", "b", "c", "d", "e"], 4),
-        (("a", "b", "c", "d"), ["a", "b", "c", "link_3", "d"], 4),
-        (("a", "link_3", "c", "d"), ["a", "link_3", "c", "link_3_0", "d"], 4),
-    ],
-)
-def test_the_links_of_a_file_have_the_names_of_the_chain(names, written, joints):
-    text = to_urdf(replace(kl.robots.rpr(), link_names=names))
-    assert list(Tree.from_urdf(text).links) == written
-    assert text.count("<joint ") == joints
-    np.testing.assert_allclose(kl.load_urdf(text).home, kl.robots.rpr().home, atol=1e-15)
 
 
 # --- planar and floating joints ---

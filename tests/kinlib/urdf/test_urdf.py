@@ -1,7 +1,5 @@
 """URDF files: random trees against Pinocchio, round trips, what the parts of a file mean, and files with faults."""
 
-import os
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -202,7 +200,6 @@ def linked(links, *joints):
             'Line 4, <child> in <joint name="j0">: joint j0 must join links of this file; there is no link "β"',
         ),
         (linked(["base", "arm"], ["bsae", "arm"]), "Did you mean base"),
-        (linked("abcdefghijklm", "aβ"), r"The links are a, b, c, d, e, f, g, h, i, j, k, l and 1 more\.$"),
         (
             linked("abcd", "ab", "bc", "cd", "db"),
             "Line 9, <child> in <joint .*link b is already the child of joint j0 in line 6.*cannot describe loops",
@@ -213,7 +210,10 @@ def linked(links, *joints):
             r'Line 4, <link name="c">: a tree must have one root.*there are others, such as a\. Which',
         ),
         (linked(""), 'Line 1, <robot name="r">: it must have at least one <link>'),
-        (linked("abc", "ab", "ac"), r'Line 2, <link name="a">: exactly one end .*; got 2\. Pass tip=.*, one of b, c'),
+        (
+            linked("abc", "ab", "ac"),
+            r'Line 2, <link name="a">: exactly one end .*; got 2\. Pass tip=.*, one of b \(1 joint\), c \(1 joint\)',
+        ),
         (linked("a"), "got 0. Pass a base with a moving joint below it"),
         (linked("ab", "ab").replace('<child link="b"/>', ""), "Line 4, .*it must have a <child link=...>"),
         (
@@ -254,8 +254,6 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
         ("\n<robot>\n<link name=a/>", "Line 3: the file must be XML; not well-formed .*Is a quote missing"),
         ("<robot name='\ud800'/>", "surrogates not allowed"),
         ("\n<sdf/>", "Line 2, <sdf>: the first element of a URDF must be <robot>; this is an SDF file"),
-        # Found by fuzzing: a message that repeated the whole input
-        (f'<robot name="r"><link {"a" * 2000}="x"/></robot>', r"<link> in .*name=...; its attributes are: a{200}\.$"),
         ("\n" + BOMB + "]>\n<robot name='&j;'/>", "Line 2, <!DOCTYPE>: a URDF must have no document type"),
         (
             "<robot name='r'>\n" + "<a>" * (MAX_DEPTH + 1),
@@ -263,8 +261,6 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
         ),
         ("<robot>" + " " * MAX_BYTES, "A URDF must have at most 4 MB; this text has 4.0 MB"),
         ("robot.urdf", "There is no file 'robot.urdf'. Pass the path of a URDF, or its text"),
-        ("https://example.com/robot.urdf", "must be a local file; got the address"),
-        (os.curdir, "is a directory"),
         (None, "must be the path or the text of a URDF; got NoneType None"),
     ],
     ids=lambda value: repr(value)[:40].replace(
