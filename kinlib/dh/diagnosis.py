@@ -105,7 +105,7 @@ class Diagnosis:
     explanations  all explanations that are equally simple, the most plausible one first; empty if the table is right
     nearest       if nothing explains the table: the table with other numbers that describes the arm, as few as were found
     up_to         the choices up to which it does, in words, if these are fixed
-    unfixed       the comparison up to every choice, if some of them are fixed and the table is not right
+    unfixed       the comparison up to every choice, if some of them are fixed and no single entry explains the table
     tolerance     differences below it are not mentioned
     rounding      what the digits of the table show of their rounding, in words; "" with a given tolerance
     in_pairs      whether pairs of mistakes were tried
@@ -300,9 +300,12 @@ def _explained(  # noqa: PLR0917
         ]
         if explanations:
             break
-    unfixed = equivalent(table, found.arm, tolerance=exact) if fixed else None
-    for bound, _ in bounds if fixed else ():
+    # No choices are fewer changes than a single entry.
+    is_simple = any(len(each.faults) == 1 and _count_edits(each) <= 1 for each in explanations)
+    unfixed = None
+    for bound, _ in bounds if fixed and not is_simple else ():
         near = equivalent(table, found.arm, tolerance=bound)
+        unfixed = near if unfixed is None else unfixed
         if near.verdict == "same":
             explanations = _with_choices(explanations, table, near, bound)
             break
@@ -410,10 +413,15 @@ def _with_choices(
     choice = TableExplanation(faults, table, corrected, is_a_choice=True)
     if not explanations or any(_says_as_much(each, choice) for each in explanations):
         return explanations or [choice] * bool(faults)
-    first = explanations[0]
-    edits = int(np.sum(first.corrected.rows != first.table.rows)) + sum(_weight(fault) - 1 for fault in first.faults)
-    changes = sum(map(_weight, faults))
-    return [choice] if changes < edits or (changes == edits and len(first.faults) > 1) else explanations
+    edits, changes = _count_edits(explanations[0]), sum(map(_weight, faults))
+    is_pair = len(explanations[0].faults) > 1
+    return [choice] if changes < edits or (changes == edits and is_pair) else explanations
+
+
+def _count_edits(explanation: TableExplanation) -> int:
+    """Count the entries that an explanation changes; a pose or an invented number counts as one more."""
+    edits = int(np.sum(explanation.corrected.rows != explanation.table.rows))
+    return edits + sum(_weight(fault) - 1 for fault in explanation.faults)
 
 
 def _weight(fault: Fault) -> int:

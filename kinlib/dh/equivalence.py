@@ -221,12 +221,13 @@ def equivalent(
     near = _nearly_parallel(one) | _nearly_parallel(other)
     is_another = _has_other_invariants(one, other, max(loose, 10 * NEARLY_PARALLEL_LOSS if near.any() else 0.0))
     if not is_another:
-        found += joint_maps(one, other, frozenset(fixed), max(loose, NEARLY_PARALLEL_LOSS if near.any() else 0.0))
+        within = max(loose, NEARLY_PARALLEL_LOSS if near.any() else 0.0)
+        found += joint_maps(one, other, frozenset(fixed), within, tolerance=tolerance)
         if same := [each for each in found if each.difference <= tolerance]:
             shortest = min(same, key=lambda each: description_length(each, tolerance))
             # Two zeros half a turn away may be the sign of a joint between.
             if np.sum(np.abs(np.cos(shortest.offsets) + 1) < HALF_TURN_TOL) > 1:
-                more = joint_maps(one, other, frozenset(fixed), loose, more=True)
+                more = joint_maps(one, other, frozenset(fixed), within, tolerance=tolerance, more=True)
                 same += [each for each in more if each.difference <= tolerance]
                 shortest = min(same, key=lambda each: description_length(each, tolerance))
             return answer("same", shortest)

@@ -61,11 +61,14 @@ def identity_map(one: Chain, other: Chain) -> JointMap:
     return _measured(JointMap(np.eye(4), np.eye(4), np.ones(one.n), np.zeros(one.n)), one, other)
 
 
-def joint_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float, *, more: bool = False) -> list[JointMap]:
+def joint_maps(
+    one: Chain, other: Chain, fixed: frozenset[str], loose: float, *, tolerance: float = 0.0, more: bool = False
+) -> list[JointMap]:
     """Find maps from one chain to another with the same joint types, those whose axes agree to within `loose`.
 
     fixed  what may not differ, of `CHOICES`
     loose  in metres and radians. The difference of the poses that remains can be larger or smaller
+    tolerance  where the poses differ by no more, maps that change more joints are not sought
     more   whether more signs of the joints are tried, which may take fewer words
     """
     u = one.lines.axis
@@ -81,7 +84,19 @@ def joint_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float, *,
                         np.concatenate([start.signs, start.offsets.round(6)]).tobytes() + start.base.round(6).tobytes()
                     )
                     found.setdefault(key, start)
-    return [_completed(start, one, other, fixed) for start in found.values()]
+    completed: list[JointMap] = []
+    fewest = one.n * 2
+    for start in sorted(found.values(), key=_changed_joints):
+        if _changed_joints(start) > fewest:
+            break
+        completed.append(_completed(start, one, other, fixed))
+        if completed[-1].difference <= tolerance:
+            fewest = min(fewest, _changed_joints(start) + 2)  # base and tool may take up two changes
+    return completed
+
+
+def _changed_joints(start: JointMap) -> int:
+    return int(np.sum(start.signs < 0) + np.sum(np.abs(start.offsets) > SAME_DISTANCE_RAD))
 
 
 def _sign_choices(  # noqa: PLR0917

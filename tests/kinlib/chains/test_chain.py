@@ -49,11 +49,6 @@ def test_fk_and_body_jacobian_agree_with_pinocchio(robot):
         close(robot.body_jacobian(row), np.roll(J, 3, axis=0))  # pinocchio stacks (v, omega)
 
 
-@each_robot
-def test_body_screws_are_the_adjoint_of_the_inverse_home(robot):
-    close(robot.body_screws, [mr.Adjoint(mr.TransInv(robot.home)) @ S for S in robot.screws])
-
-
 @given(chains_with_values())
 def test_the_lines_of_the_axes_are_those_of_pytransform3d(drawn):
     chain, _ = drawn

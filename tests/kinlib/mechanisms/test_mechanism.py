@@ -14,7 +14,6 @@ from scipy.spatial.transform import Rotation
 from strategies import chains_with_values, points
 
 from kinlib import Chain, Mechanism, exp, linkages, robots, screw
-from kinlib.mechanisms.closure import Closure
 from kinlib.mechanisms.joints import (
     Joint,
     spherical,
@@ -213,29 +212,7 @@ def test_if_links_cannot_meet_the_message_has_the_residual():
 # --- traces ---
 
 
-def test_a_held_value_is_constant_along_a_trace():
-    linkage, hold, _ = DESCRIBED["five-bar"]
-    q = linkage.assembly_modes(hold=hold)[0]
-    curve = linkage.trace(q, hold={"A": q[0]})
-    assert (curve.q[:, 0] == q[0]).all()
-    assert (curve.tangents[:, 0] == 0).all()
-    # Along the motion nothing opens, to first order, and a unit tangent is as long as a unit step.
-    close(np.einsum("mij,mj->mi", linkage.jacobian(curve.q), curve.tangents), 0)
-    close(np.linalg.norm(curve.tangents, axis=1), 1)
-    assert np.linalg.norm(linkage.residual(curve.q), axis=1).max() < EXACT
-
-
 # --- closure equations whose solutions are known ---
-
-
-def closure_of(equations, start=(0.0,), *, is_angle=False, search_range=2.0, tolerance=1e-13):
-    n = len(start)
-    q = np.array(start, dtype=float)
-    return Closure(equations, q, np.arange(n), np.full(n, is_angle), np.full(n, search_range), tolerance)
-
-
-def cosine(x):
-    return np.cos(x), -np.sin(x)[:, None]
 
 
 # --- from chains ---

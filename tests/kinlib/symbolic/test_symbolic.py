@@ -86,13 +86,6 @@ def test_puma_with_symbolic_lengths_agrees_with_sympy_mechanics():
     close(np.array(symbolic.fk(*puma()).subs(values), dtype=float)[:3], np.array(oracle, dtype=float))
 
 
-@pytest.mark.parametrize("pitch", [0, sp.Rational(1, 10), -2])
-def test_a_screw_of_fractions_is_the_one_of_modern_robotics(pitch):
-    axis, point = (sp.Rational(2, 3), sp.Rational(-1, 3), sp.Rational(2, 3)), (1, sp.Rational(1, 4), -2)
-    expected = mr.ScrewToAxis(*(np.array(part, dtype=float) for part in (point, axis)), float(pitch))
-    close(numbers(symbolic.screw(axis, point, pitch)).ravel(), expected)
-
-
 # --- short results ---
 
 
