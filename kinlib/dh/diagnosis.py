@@ -25,6 +25,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import (
+    NEARLY_PARALLEL_LOSS,
     Equivalence,
     describe_pose,
     equivalent,
@@ -272,7 +273,7 @@ def diagnose(
         found = replace(found, rounding=words)
     if rounding.verdict == "rounded":
         return replace(found, verdict="rounded", comparison=rounding.comparison, tolerance=noise)
-    if comparison.verdict == "undecided" and rounding.verdict != "excluded":
+    if comparison.verdict == "undecided":
         return replace(found, verdict="undecided")
     return _explained(found, reference, fixed, half_unit, noise, rounding)
 
@@ -324,6 +325,8 @@ def _explained(  # noqa: PLR0917
             f", up to {', '.join(CHOICES)},",
         )
     places = [] if nearest is None else _different_places(table, nearest)
+    if nearest is not None and np.abs(nearest.rows - table.rows).max() < NEARLY_PARALLEL_LOSS:
+        return replace(found, verdict="undecided")  # as small as what nearly parallel axes lose
     if nearest is not None and len(places) <= bounds[0][1] and not up_to:
         faults = [_wrong_number(table, nearest, row, column) for row, column in places]
         return replace(found, explanations=[TableExplanation(faults, table, nearest)])
