@@ -22,8 +22,9 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import largest_difference, random_configurations
 from kinlib.dh.diagnosis import Diagnosis, diagnose
-from kinlib.dh.equivalence import CHOICES, equivalent
-from kinlib.dh.mistakes import Fault
+from kinlib.dh.equivalence import Equivalence, equivalent
+from kinlib.dh.joint_maps import CHOICES
+from kinlib.dh.slips import Fault
 from kinlib.dh.table import DHTable
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Answer, StoredObjects, Unreadable
@@ -129,6 +130,8 @@ class DHTableAnswer(Answer):
         """The rows that must be changed, as few as possible: those of a single mistake rather than others."""
         fewest = wrong_rows(given, self.value)
         for each in self._diagnose(given).explanations:
+            if each.is_a_choice:
+                continue
             wrong, right = (np.column_stack([table.rows, table.signs]) for table in (given, each.corrected))
             changed: list[int] = np.flatnonzero((wrong != right).any(axis=1)).tolist()
             if 0 < len(changed) <= len(fewest):
@@ -137,7 +140,7 @@ class DHTableAnswer(Answer):
 
     def counts(self, given: DHTable, right: Sequence[bool]) -> bool:
         """Return whether a right row is not so short that any method gives it, and no mistake runs through the whole table."""
-        found = self._diagnose(given).explanations
+        found = [one for one in self._diagnose(given).explanations if not one.is_a_choice]
         runs_through = sum(right) < len(right) - 1 and any(one.faults[0].row is None for one in found[:1])
         return has_a_telling_row(given.rows, right) and not runs_through
 
@@ -213,7 +216,11 @@ class DHTableAnswer(Answer):
             for end in ENDS
             if np.allclose(getattr(given, end), getattr(ours, end), rtol=0, atol=TOLERANCE)
         }
-        explanations = [one.faults for one in diagnosis.explanations if not any(f.name in sound for f in one.faults)]
+        explanations = [
+            one.faults
+            for one in diagnosis.explanations
+            if not one.is_a_choice and not any(f.name in sound for f in one.faults)
+        ]
         wrong = {i + 1 for i in self._wrong_rows(given)} if len(self.parts) > 1 else set()
         fitting = [faults for faults in explanations if all(fault.row in {None, *wrong} for fault in faults)]
         if fitting or (explanations and len(wrong) != 1):
@@ -222,7 +229,7 @@ class DHTableAnswer(Answer):
         if diagnosis.unfixed and diagnosis.unfixed.verdict == "same":
             return (
                 "another start",
-                "Your table moves like the arm, from another start. " + diagnosis.difference.partition(". ")[2],
+                f"Your table moves like the arm, from another start. {_choices(diagnosis.unfixed)}",
             )
         return None
 
@@ -258,7 +265,7 @@ class DHTableAnswer(Answer):
     def remark(self, given: DHTable) -> str:
         """Return how a right table differs from ours, where the rules leave a choice; "" if it does not."""
         if not self.anchored:
-            return _choices(self._diagnose(given))
+            return _choices(self._diagnose(given).comparison)
         if given.joints != self.value.joints:
             return ""
         theirs, ours = (table_frames(table) for table in (given, self.value))
@@ -283,9 +290,9 @@ _COLUMN = re.compile(r"\b(alpha|theta|d)\b|\ba\b(?= (?:is measured|has|and (?:d|
 """The name of a column or an axis in a sentence, and not the article."""
 
 
-def _choices(diagnosis: Diagnosis) -> str:
-    # The advice on `fixed` is for callers of `diagnose`, and not for a card.
-    return " ".join(line for line in str(diagnosis).splitlines()[1:] if "fixed=" not in line)
+def _choices(found: Equivalence) -> str:
+    """Describe the choices in which a table differs from ours, each in a sentence."""
+    return " ".join(f"{text[0].upper()}{text[1:]}." for _, text in found.choices(found.tolerance))
 
 
 def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:

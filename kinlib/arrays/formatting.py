@@ -91,11 +91,14 @@ def latex_array(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 
 def format_different(one: float, other: float) -> tuple[str, str]:
-    """Write two numbers with SHOWN_DIGITS, or with as many more as show that they differ.
+    """Write two numbers with SHOWN_DIGITS, or with as many more as show by how much they differ.
 
-    >>> format_different(0.4318, 0.5), format_different(0.407, 0.40700001)
-    (('0.4318', '0.5'), ('0.407', '0.40700001'))
+    >>> format_different(0.4318, 0.5), format_different(0.36442, 0.36435)
+    (('0.4318', '0.5'), ('0.36442', '0.36435'))
     """
     one, other = (0.0 if abs(number) < ROUNDING_ERROR * abs(one - other) else number for number in (one, other))
-    texts = [(f"{one:.{digits}g}", f"{other:.{digits}g}") for digits in range(SHOWN_DIGITS, 18)]
-    return next((pair for pair in texts if pair[0] != pair[1]), texts[0])
+    for digits in range(SHOWN_DIGITS, 18):
+        texts = f"{one:.{digits}g}", f"{other:.{digits}g}"
+        if max(abs(float(texts[0]) - one), abs(float(texts[1]) - other)) <= abs(one - other) / 20:
+            break
+    return texts

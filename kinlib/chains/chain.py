@@ -9,43 +9,22 @@ The same motion can be written in three forms, which differ in the position of t
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property, reduce, wraps
-from inspect import signature
+from functools import cached_property, reduce
+from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table, latex_array
 from kinlib.arrays.limits import TakesLimitedValues, validate_limits
 from kinlib.arrays.validation import Array, JointValues
-from kinlib.rigid import lie
-from kinlib.rigid.lie import _moved, _product, _running_products, _screw_constants, _screw_motions, adjoint, inverse
+from kinlib.rigid.lie import adjoint, exponentials, homogeneous, inverse, moved_screws
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
 
 SCREW_HEADINGS = ["i", "joint", "omega", "v"]
-
-
-def _in_chunks(equation: Callable[[Chain, Array], Array]) -> Callable[[Chain, JointValues], Array]:
-    """Read q (..., n), and evaluate an equation of `Chain` for a chunk of the configurations at a time, which stays in the cache.
-
-    The equation takes q (n, N), and its result has the N configurations in its last dimension, too: see `lie._product`.
-    """
-
-    @wraps(equation)
-    def method(self: Chain, q: JointValues) -> Array:
-        def of_rows(rows: Array) -> Array:
-            return np.ascontiguousarray(np.moveaxis(equation(self, rows.T), -1, 0))
-
-        return lie.in_chunks(of_rows, self.in_order(q), 1)
-
-    # `help` shows what the method takes, and not what the equation does.
-    own, q = (shown := signature(equation)).parameters.values()
-    method.__signature__ = shown.replace(parameters=[own, q.replace(annotation="JointValues")])  # type: ignore[attr-defined]
-    return method
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -222,21 +201,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         """
         return validation.read_only_copy(self.screws @ adjoint(inverse(self.home)).T)
 
-    @cached_property
-    def _constants(self) -> Array:
-        return validation.read_only_copy(_screw_constants(self.screws))
-
-    @cached_property
-    def _body_constants(self) -> Array:
-        return validation.read_only_copy(_screw_constants(self.body_screws))
-
-    @cached_property
-    def _rotates(self) -> NDArray[np.bool_]:
-        """Which joints are not prismatic, (n,)."""
-        return ~is_prismatic(self.screws)
-
-    @_in_chunks
-    def fk(self, q: Array) -> Array:
+    def fk(self, q: JointValues) -> Array:
         """Compute the pose of the tool by the space form: T(q) = e^[S1]q1 ... e^[Sn]qn M.
 
         q (..., n) in radians and metres -> T_sb (..., 4, 4), for any number of configurations at once. Here and in the other
@@ -249,11 +214,10 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         >>> rprr().fk(np.zeros((1000, 4))).shape
         (1000, 4, 4)
         """
-        motions = _screw_motions(self._constants, q)  # e^[S1]q1, ..., e^[Sn]qn
-        return reduce(_product, [*motions, self.home])
+        motions = exponentials(self.screws, self.in_order(q))  # e^[S1]q1, ..., e^[Sn]qn
+        return reduce(np.matmul, [*motions, self.home])
 
-    @_in_chunks
-    def fk_body(self, q: Array) -> Array:
+    def fk_body(self, q: JointValues) -> Array:
         """Compute the pose of the tool by the body form: T(q) = M e^[B1]q1 ... e^[Bn]qn.
 
         q (..., n) -> (..., 4, 4), equal to fk(q).
@@ -265,8 +229,8 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         >>> np.allclose(rppr().fk_body([1, 2, 3, 4]), rppr().fk([1, 2, 3, 4]), atol=1e-13)
         True
         """
-        motions = _screw_motions(self._body_constants, q)  # e^[B1]q1, ..., e^[Bn]qn
-        return reduce(_product, [self.home, *motions])
+        motions = exponentials(self.body_screws, self.in_order(q))  # e^[B1]q1, ..., e^[Bn]qn
+        return reduce(np.matmul, [self.home, *motions])
 
     def fk_mid(self, q: JointValues, k: int) -> Array:
         """Compute the pose of the tool with M after the first k joints: e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn.
@@ -282,17 +246,11 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         """
         q = self.in_order(q)
         k = validation.whole_number(k, "k", self.n)  # the number of joints to the left of M
-        rows = q.reshape(-1, self.n).T
-        before, after = (
-            _screw_motions(self._constants[:k], rows[:k]),
-            _screw_motions(self._body_constants[k:], rows[k:]),
-        )
-        T: Array = reduce(_product, [*before, self.home, *after])
-        poses: Array = np.moveaxis(T, -1, 0).reshape(*q.shape[:-1], 4, 4)
-        return poses
+        before = exponentials(self.screws[:k], q[..., :k])  # e^[S1]q1, ..., e^[Sk]qk
+        after = exponentials(self.body_screws[k:], q[..., k:])  # e^[Bk+1]qk+1, ..., e^[Bn]qn
+        return reduce(np.matmul, [*before, self.home, *after])
 
-    @_in_chunks
-    def link_poses(self, q: Array) -> Array:
+    def link_poses(self, q: JointValues) -> Array:
         """Compute the pose of every link: frame i is attached to link i; at q = 0 it is at joint i and parallel to {s}.
 
         q (..., n) -> (..., n, 4, 4):  T_i(q) = e^[S1]q1 ... e^[Si]qi M_i, with M_i the translation to joint_points[i].
@@ -306,12 +264,12 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         >>> youbot().link_poses(np.zeros(5))[3, :3, 3]       # joint 4 of the youBot at home
         array([0.323, 0.   , 0.147])
         """
-        T = _running_products(_screw_motions(self._constants, q))[1:]  # e^[S1]q1 ... e^[Si]qi
-        T[:, :3, 3] += np.einsum("aijn,aj->ain", T[:, :3, :3], self.joint_points)  # ... M_i
-        return T
+        motions = exponentials(self.screws, self.in_order(q))
+        at_joints = homogeneous(np.eye(3), self.joint_points)  # M_1, ..., M_n
+        products = accumulate(motions, np.matmul)  # e^[S1]q1 ... e^[Si]qi
+        return np.stack([T @ M for T, M in zip(products, at_joints, strict=True)], axis=-3)
 
-    @_in_chunks
-    def jacobian(self, q: Array) -> Array:
+    def jacobian(self, q: JointValues) -> Array:
         """Compute the space Jacobian: column i is the twist of the tool, in {s}, at unit speed of joint i.
 
         q (..., n) -> (..., 6, n). Column i is the screw axis of joint i, moved by the joints before it:
@@ -325,11 +283,12 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         >>> bool((rpr().jacobian([0, 0, 0]) == rpr().screws.T).all())      # at home no axis has moved yet
         True
         """
-        before = _running_products(_screw_motions(self._constants, q))[:-1]  # e^[S1]q1 ... e^[Si-1]qi-1
-        return np.swapaxes(_moved(before, self.screws), 0, 1)
+        motions = exponentials(self.screws, self.in_order(q))
+        start = np.broadcast_to(np.eye(4), motions[0].shape)
+        before = np.stack([*accumulate(motions[:-1], np.matmul, initial=start)], axis=-3)  # e^[S1]q1 ... e^[Si-1]qi-1
+        return np.swapaxes(moved_screws(before, self.screws), -1, -2)
 
-    @_in_chunks
-    def body_jacobian(self, q: Array) -> Array:
+    def body_jacobian(self, q: JointValues) -> Array:
         """Compute the body Jacobian, the same twists in {b}: J_b = Ad(T^-1) J_s.
 
         q (..., n) -> (..., 6, n). Column i is the screw axis of joint i in {b}, moved back by the joints after it:
@@ -342,9 +301,10 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         >>> np.allclose(rpr().body_jacobian([0, 0, 0]), rpr().body_screws.T)
         True
         """
-        back = _screw_motions(self._body_constants, -q)[::-1]  # e^-[Bn]qn, ..., e^-[B1]q1
-        after = _running_products(back)[-2::-1]  # e^-[Bn]qn ... e^-[Bi+1]qi+1
-        return np.swapaxes(_moved(after, self.body_screws), 0, 1)
+        motions = exponentials(self.body_screws, -self.in_order(q))[::-1]  # e^-[Bn]qn, ..., e^-[B1]q1
+        start = np.broadcast_to(np.eye(4), motions[0].shape)
+        after = [*accumulate(motions[:-1], np.matmul, initial=start)][::-1]  # e^-[Bn]qn ... e^-[Bi+1]qi+1
+        return np.swapaxes(moved_screws(np.stack(after, axis=-3), self.body_screws), -1, -2)
 
     def changed(self, **fields: Any) -> Chain:
         """Copy the chain with some fields replaced: screws, home, points, name, source, limits, joint_names, link_names.
@@ -411,7 +371,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         array([1. , 0.5])
         """
         q = super().in_order(q, argument)
-        validation.rotation_angles(np.abs(q * self._rotates))
+        validation.rotation_angles(np.abs(q * self.screws[:, :3].any(axis=1)))
         return q
 
 

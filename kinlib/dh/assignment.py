@@ -15,21 +15,25 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import accumulate
 
 import numpy as np
 
 from kinlib.arrays import validation
-from kinlib.arrays.tolerances import INTERSECTION_TOL_M, PARALLEL_TOL_RAD, RELOCATE_PRISMATIC_RAD
+from kinlib.arrays.tolerances import INTERSECTION_TOL_M, PARALLEL_TOL_RAD, RELOCATE_PRISMATIC_RAD, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.assignment_steps import ACCURACY_SAMPLES, AssignmentStep, explain_assignment
 from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.dh.parsing import MAX_LENGTH_M
 from kinlib.dh.table import Convention, DHTable, joint_transform, normal_transform, validate_convention
-from kinlib.rigid.lie import cross, homogeneous
+from kinlib.rigid.lie import cross, homogeneous, nearest_rotation
 
 PARALLEL_BOUNDS_RAD = 10.0 ** np.arange(-11.5, -4.5, 0.5)
 """The bounds below which axes are tried as parallel; the last one is beyond every pair that is nearly parallel."""
+
+SNAPPED_DECIMALS = 5
+"""To how many decimals of a metre a snapped table is rounded; its angles have one fewer, in degrees."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,10 +94,13 @@ class FrameAssignment(validation.ReadOnly):
         return explain_assignment(self.chain, self.table, self.frames, self.normals, self.accuracy)
 
 
-def assign_frames(chain: Chain, convention: Convention) -> FrameAssignment:
+def assign_frames(chain: Chain, convention: Convention, *, snap: bool = False) -> FrameAssignment:
     """Assign DH frames to an arm, and derive its table.
 
     The product of the table equals chain.fk to about 1e-12; for nearly parallel axes, `accuracy` says how closely.
+
+    snap  whether axes that are parallel or perpendicular up to the digits of a typed pi / 2 are taken as exactly that, and
+          numbers as the short ones that they are near, so that the table is clean; `accuracy` is the pose error that this costs
 
     Raises ValueError for anything but a chain, for an unknown convention, and for a helical joint, which a DH row cannot describe.
     Source: EduFill manipulation module, steps I to IX; Chapter 4 review, seven steps (standard); DH example with
@@ -113,10 +120,40 @@ def assign_frames(chain: Chain, convention: Convention) -> FrameAssignment:
         )
     exact = _assign(chain, convention, PARALLEL_TOL_RAD)
     if exact and not any(normal.is_nearly_parallel for normal in exact.normals):
-        return exact
+        return _snapped(exact) if snap else exact
     # One bound for the whole arm: an axis that is treated as parallel passes its small error on to the next comparison.
     results = [exact, *(_assign(chain, convention, bound) for bound in PARALLEL_BOUNDS_RAD)]
-    return min((result for result in results if result), key=lambda result: result.accuracy)
+    best = min((result for result in results if result), key=lambda result: result.accuracy)
+    if not snap:
+        return best
+    clean = (_snapped(result) for result in results if result)
+    return min(clean, key=lambda result: (_count_digits(result.table), result.accuracy))
+
+
+def _snapped(found: FrameAssignment) -> FrameAssignment:
+    """Replace the numbers of a table by the short ones that they are near; base and tool keep the ends where they are."""
+    table, chain = found.table, found.chain
+    degrees = np.degrees(table.rows[:, [1, 3]])
+    rows = table.rows.round(SNAPPED_DECIMALS) + 0.0
+    near = np.abs(degrees - degrees.round()) < np.degrees(TYPED_PI_ERROR)
+    rows[:, [1, 3]] = np.radians(np.where(near, degrees.round(), degrees.round(SNAPPED_DECIMALS - 1))) + 0.0
+    base, tool = (_clean_pose(T) for T in (table.base, table.tool))
+    clean = table.changed(rows=rows, base=base, tool=tool)
+    frames = np.array([*accumulate(clean.link_transforms(np.zeros(chain.n)), np.matmul, initial=clean.base)])
+    return FrameAssignment(chain, clean, frames, found.normals)
+
+
+def _clean_pose(T: Array) -> Array:
+    """Round what is off by the digits of a typed pi / 2, and return the pose nearest to that."""
+    rounded = T.copy()
+    rounded[:3] = np.where(np.abs(T[:3] - T[:3].round(4)) < TYPED_PI_ERROR, T[:3].round(4), T[:3])
+    rounded[:3, 3] = T[:3, 3].round(SNAPPED_DECIMALS)
+    return nearest_rotation(rounded)
+
+
+def _count_digits(table: DHTable) -> int:
+    """Count the digits of a table as it is printed, which are fewer where its numbers are clean."""
+    return sum(character.isdigit() for character in str(table))
 
 
 def _assign(chain: Chain, convention: Convention, parallel_below: float) -> FrameAssignment | None:

@@ -1,29 +1,32 @@
 """Invariants of a mechanism: what no choice of base, tool, joint zero and joint sign can change.
 
-For two neighbouring axes of rotation these are the angle between them and the length of their common normal; for an axis with a
-common normal on either side, the distance between the two along the axis. If a joint changes its sign, its axis has the opposite
-direction; then the cosine, the mutual moment of two axes and the distance along an axis change their signs. So two mechanisms
-can only be equivalent if there are signs of the joints for which all invariants agree. They are found joint by joint, with two
-states for each, for many mechanisms at once; no map between the mechanisms is needed.
+Two neighbouring axes of rotation u, v have the cosine u . v and the mutual moment, the distance along u x v; parallel axes have
+their distance instead; and an axis with a common normal on either side has the distance between these two along the axis. If a
+joint changes its sign, its axis has the opposite direction, and then these numbers change their signs: the cosine and the moment
+with the sign of either axis, the distance along an axis with the sign of that axis. Two mechanisms can only be equivalent if some
+signs of the joints make all invariants agree.
+
+For example, two arms whose cosines are (0.5, 0) and (-0.5, 0) agree if joint 1 has the opposite sign, or joints 2 and 3 have.
 """
 
-from collections.abc import Iterator
+from __future__ import annotations
+
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import combinations
-from typing import NamedTuple
+from itertools import combinations, pairwise, product
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kinlib.arrays.tolerances import CLEARLY_NOT_PARALLEL_COS, PARALLEL_TOL_RAD, SAME_DISTANCE_RAD
+from kinlib.arrays.tolerances import CLEARLY_NOT_PARALLEL_COS, SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import cross
-from kinlib.rigid.screw import Line
 
 Booleans = NDArray[np.bool_]
-Integers = NDArray[np.int_]
+
+MAX_LINES = 10
+"""Of so many axes all signs are tried."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,87 +34,99 @@ class AxisInvariants:
     """The invariants of a reference, with which those of other mechanisms with the same joint types are compared.
 
     tolerance   how far cosines may differ, and lengths on an arm of one metre
-    signs_fixed whether the joint signs are fixed
     """
 
     reference: Chain
     tolerance: float
-    signs_fixed: bool = False
 
     def of(self, axis: Array, point: Array) -> Array:
         """Compute the invariants of other mechanisms, directions and points of their axes (..., n, 3) each -> (..., k)."""
-        axis, point = (np.moveaxis(vectors, (-1, -2), (0, 1)) for vectors in (axis, point))
-        u, v = axis[:, self._lines[:-1]], axis[:, self._lines[1:]]
-        between = point[:, self._lines[1:]] - point[:, self._lines[:-1]]
-        across = _cross(u, v)
-        moment = _dot(between, across)
-        distance = np.sqrt(np.sum(_cross(between, u) ** 2, axis=0))
+        u, v = axis[..., self.lines[:-1], :], axis[..., self.lines[1:], :]
+        between = point[..., self.lines[1:], :] - point[..., self.lines[:-1], :]
+        across = cross(u, v)
+        cosine, moment = _dot(u, v), _dot(between, across)
+        distance = np.linalg.norm(cross(between, u), axis=-1)
         # The places of the feet of each common normal on its two axes, measured from the points.
         squared_sine = np.maximum(_dot(across, across), np.finfo(float).tiny)
-        start, end = _dot(_cross(between, v), across) / squared_sine, _dot(_cross(between, u), across) / squared_sine
-        along = [
-            _dot(u[:, i + 1], point[:, self._lines[j]] - point[:, self._lines[i + 1]] + start[j] * u[:, j]) - end[i]
-            for i, j in self._runs
-        ]
-        values: list[ArrayLike] = [_dot(u, v), moment[self._skew], distance[self._parallel], along]
-        return np.moveaxis(np.concatenate([np.reshape(value, (-1, *axis.shape[2:])) for value in values]), 0, -1)
-
-    def distances_along(self, values: Array) -> Iterator[tuple[Integers, float, float]]:
-        """Yield the parallel joints between two common normals, and the distance of these in the reference and in values (k,)."""
-        first = len(self._sines) + len(self._skew) + len(self._parallel)
-        for k, (i, j) in enumerate(self._runs, start=first):
-            yield self._lines[i + 1 : j + 1], float(self._values[k]), float(values[k])
+        start, end = _dot(cross(between, v), across) / squared_sine, _dot(cross(between, u), across) / squared_sine
+        along: list[ArrayLike] = []
+        for i, j in self._runs:
+            own, to = axis[..., self.lines[i + 1], :], point[..., self.lines[j], :] - point[..., self.lines[i + 1], :]
+            along.append((_dot(own, to + start[..., [j]] * u[..., j, :]) - end[..., i])[..., None])
+        return np.concatenate([cosine, moment[..., self._skew], distance[..., self._parallel], *along], axis=-1)
 
     def violated(self, values: Array) -> Booleans:
         """Return which invariants (..., k) differ from those of the reference for every choice of signs."""
-        violated = np.abs(values - self._values) > self._tolerances
-        if not self.signs_fixed:
-            violated &= np.abs(values + self._values) > self._tolerances
-        return violated
+        same, opposite = self._compared(values)
+        return ~(same | opposite)
 
-    def agree(self, values: Array) -> Booleans:
+    def agree(self, values: Array, signs_are_fixed: bool = False) -> Booleans:
         """Return for which mechanisms (...) all invariants (..., k) agree for one choice of the joint signs."""
-        same = np.abs(values - self._values) <= self._tolerances
-        if self.signs_fixed:
+        same, opposite = self._compared(values)
+        if signs_are_fixed:
             return _all(same)
-        opposite = np.abs(values + self._values) <= self._tolerances
-        possible = _all(~self.violated(values))
-        # Which of the two signs of a line can be reached from the lines before it.
-        plus, minus = possible, possible
-        for line in range(len(self._lines)):
+        possible = _all(same | opposite)
+        plus = minus = possible  # whether each of the two signs of a line can be reached from the lines before it
+        for line in range(len(self.lines)):
             if line:
-                pair = [k for k, lines in enumerate(self._sign_of) if lines == (line - 1, line)]
+                pair = self._with_sign_of((line - 1, line))
                 keep, change = _all(same[..., pair]), _all(opposite[..., pair])
                 plus, minus = (plus & keep) | (minus & change), (plus & change) | (minus & keep)
-            own = [k for k, lines in enumerate(self._sign_of) if lines == (line,)]
+            own = self._with_sign_of((line,))
             plus, minus = plus & _all(same[..., own]), minus & _all(opposite[..., own])
         return plus | minus
 
+    def sign_choices(self, values: Array, *, more: bool = False) -> list[Array]:
+        """Return signs (n,) of the joints for which all invariants (k,) agree: for each first and last one, those with fewest -1.
+
+        more  also all signs with a single -1. A prismatic joint, whose axis is no line, has the sign 1. Of more than MAX_LINES
+              lines, those with at most two -1 are tried
+        """
+        count = len(self.lines)
+        if count <= MAX_LINES:
+            patterns = np.array([*product((1.0, -1.0), repeat=count)]).reshape(2**count, count)
+        else:
+            flips = [(), *((i,) for i in range(count)), *combinations(range(count), 2)]
+            patterns = np.array([[-1.0 if i in flip else 1.0 for i in range(count)] for flip in flips])
+        factors = np.array([patterns[:, list(own)].prod(axis=1) for own in self._sign_of]).reshape(-1, len(patterns)).T
+        off = np.abs(factors * values - self._values)
+        chosen: dict[object, Array] = {}
+        for pattern in sorted(patterns[(off <= self._tolerances).all(axis=1)], key=lambda signs: -signs.sum()):
+            signs = np.ones(self.reference.n)
+            signs[self.lines] = pattern
+            is_single = more and (pattern < 0).sum() == 1
+            chosen.setdefault(tuple(pattern) if is_single else (*pattern[:1], *pattern[-1:]), signs)
+        return [*chosen.values()]
+
+    def _compared(self, values: Array) -> tuple[Booleans, Booleans]:
+        """Return which invariants are the same, and which are with the opposite sign."""
+        return np.abs(values - self._values) <= self._tolerances, np.abs(values + self._values) <= self._tolerances
+
+    def _with_sign_of(self, lines: tuple[int, ...]) -> list[int]:
+        """The invariants that change their signs with these lines."""
+        return [k for k, own in enumerate(self._sign_of) if own == lines]
+
     @cached_property
-    def _lines(self) -> Integers:
+    def lines(self) -> NDArray[np.int_]:
         """The joints whose axes are lines; a prismatic joint has only a direction."""
         return np.array([k for k, letter in enumerate(self.reference.joint_types) if letter != "P"], dtype=int)
 
     @cached_property
     def _sines(self) -> Array:
-        axis = self.reference.lines.axis[self._lines]
+        axis = self.reference.lines.axis[self.lines]
         sines: Array = np.linalg.norm(cross(axis[:-1], axis[1:]), axis=-1)
         return sines
 
     @cached_property
-    def _adjacent(self) -> list[int]:
-        """The pairs of lines of neighbouring joints: a prismatic joint between two lines may change their distance."""
-        return np.flatnonzero(np.diff(self._lines) == 1).tolist()
-
-    @cached_property
     def _skew(self) -> list[int]:
-        """The adjacent pairs of lines that are clearly not parallel."""
-        return [k for k in self._adjacent if self._sines[k] > np.sqrt(1 - CLEARLY_NOT_PARALLEL_COS**2)]
+        """The pairs of lines of neighbouring joints that are clearly not parallel: a prismatic joint between may move them."""
+        clear = np.sqrt(1 - CLEARLY_NOT_PARALLEL_COS**2)
+        return [k for k, (i, j) in enumerate(pairwise(self.lines)) if j == i + 1 and self._sines[k] > clear]
 
     @cached_property
     def _parallel(self) -> list[int]:
-        """The adjacent pairs of parallel lines. The distance of nearly parallel ones depends on the last digits."""
-        return [k for k in self._adjacent if self._sines[k] < SAME_DISTANCE_RAD]
+        """The pairs of parallel lines of neighbouring joints. The distance of nearly parallel ones depends on the last digits."""
+        return [k for k, (i, j) in enumerate(pairwise(self.lines)) if j == i + 1 and self._sines[k] < SAME_DISTANCE_RAD]
 
     @cached_property
     def _runs(self) -> list[tuple[int, int]]:
@@ -119,17 +134,16 @@ class AxisInvariants:
 
         A helical joint changes this distance with its zero.
         """
-        types = self.reference.joint_types
+        types = np.array([*self.reference.joint_types])
         return [
             (i, j)
             for i, j in combinations(self._skew, 2)
-            if set(range(i + 1, j)) <= set(self._parallel)
-            and set(types[self._lines[i + 1] : self._lines[j] + 1]) == {"R"}
+            if {*range(i + 1, j)} <= {*self._parallel} and (types[self.lines[i + 1] : self.lines[j] + 1] == "R").all()
         ]
 
     @cached_property
     def _sign_of(self) -> list[tuple[int, ...]]:
-        """The lines whose signs decide the sign of an invariant; the first ones only, as the others are compared without sign."""
+        """The lines whose signs decide the sign of each invariant; distances of parallel lines have none."""
         pairs = [*range(len(self._sines)), *self._skew]
         return [*((k, k + 1) for k in pairs), *(() for _ in self._parallel), *((i + 1,) for i, _ in self._runs)]
 
@@ -137,53 +151,20 @@ class AxisInvariants:
     def _tolerances(self) -> Array:
         length = self.tolerance * (1 + float(np.ptp(self.reference.joint_points, axis=0).max()))
         along = [length / min(self._sines[i], self._sines[j]) ** 2 for i, j in self._runs]
-        counted = [
-            (self.tolerance, len(self._sines)),
-            (length, len(self._skew) + len(self._parallel)),
-            *((tolerance, 1) for tolerance in along),
-        ]
-        return np.repeat([tolerance for tolerance, _ in counted], [count for _, count in counted])
+        return np.array(
+            [self.tolerance] * len(self._sines) + [length] * (len(self._skew) + len(self._parallel)) + along
+        )
 
     @cached_property
     def _values(self) -> Array:
         return self.of(self.reference.lines.axis, self.reference.joint_points)
 
 
-class Neighbours(NamedTuple):
-    """How each axis of an arm lies to the next one, (n - 1,) each: the sine of the angle between them, the acute angle in radians,
-    and the length of their common normal in metres.
-    """
-
-    sine: Array
-    angle: Array
-    distance: Array
-
-
-def neighbours(lines: Line) -> Neighbours:
-    """Compute the angles and the distances of neighbouring axes.
-
-    >>> from kinlib.chains.robots import youbot
-    >>> neighbours(youbot().lines).distance
-    array([0.033, 0.155, 0.135, 0.   ])
-    """
-    u, v, between = lines.axis[:-1], lines.axis[1:], np.diff(lines.point, axis=0)
-    normal = cross(u, v)
-    sine = np.linalg.norm(normal, axis=-1)
-    is_parallel = sine <= PARALLEL_TOL_RAD
-    along_normal = np.abs(np.sum(between * normal, axis=-1)) / np.where(is_parallel, 1.0, sine)
-    distance = np.where(is_parallel, np.linalg.norm(cross(between, u), axis=-1), along_normal)
-    return Neighbours(sine, np.arctan2(sine, np.abs(np.sum(u * v, axis=-1))), distance)
+def _dot(u: Array, v: Array) -> Array:
+    products: Array = np.sum(u * v, axis=-1)
+    return products
 
 
 def _all(values: Booleans) -> Booleans:
     result: Booleans = np.logical_and.reduce(values, axis=-1)
     return result
-
-
-def _cross(u: Array, v: Array) -> Array:
-    return cross(u.T, v.T).T
-
-
-def _dot(u: Array, v: Array) -> Array:
-    products: Array = np.sum(u * v, axis=0)
-    return products

@@ -1,13 +1,12 @@
-"""Parse the rows of DH tables as people type them: lists, dictionaries, or the text of a slide.
+"""Parse the rows of DH tables as people type them: numbers, dictionaries, or text with a heading.
 
-In every form, a row becomes four numbers (a, alpha, d, theta), the type of its joint and the joint's sign. An entry may contain
-the joint variable (`q1`, `theta_1`, `d_2`), pi, fractions, and named lengths, as on a keyboard or as in LaTeX. Angles are in
-radians, unless the text says degrees, in the heading of the column or after the number.
+In every form, a row becomes four numbers (a, alpha, d, theta), the type of its joint and the joint's sign. An entry may contain the
+joint variable (`q1`, `theta_1`, `d_2`), pi, fractions, and named lengths. Angles are in radians, unless the text says degrees, in the
+heading of the column or after the number.
 
 What is written is honoured or refused. The variables must be numbered 1, 2, ... in the order of the rows; a variable without a
-number belongs to the joint of its row. Rows in another order are refused and not sorted, because a row leads from the frame of
-the row before, so their order has a meaning of its own. A heading a_{i-1} or alpha_{i-1} contradicts the standard convention, and a_i
-or alpha_i the modified one.
+number belongs to the joint of its row. A heading a_{i-1} or alpha_{i-1} contradicts the standard convention, and a_i or alpha_i
+the modified one.
 """
 
 import ast
@@ -24,31 +23,24 @@ from kinlib.arrays.validation import Array
 
 COLUMNS = ("a", "alpha", "d", "theta")
 ANGLE_COLUMNS = ("alpha", "theta")
-MOVING_COLUMNS = ("d", "theta")
 
-COLUMN_SYNONYMS = {
-    "ψ": "alpha",
-    "psi": "alpha",
-    "twist": "alpha",
-    "length": "a",
-    "offset": "d",
-    "angle": "theta",
-}
+COLUMN_SYNONYMS = {"psi": "alpha", "twist": "alpha", "length": "a", "offset": "d", "angle": "theta"}
 """Other names of the columns; the EduFill manipulation module writes psi where others write alpha."""
 
 ROW_NUMBER_HEADINGS = ("i", "j", "k", "n", "#", "no", "no.", "nr", "row", "link", "joint", "index", "axis", "frame")
 """Headings of a column that counts the rows."""
 
-JOINT_VARIABLE = re.compile(r"(q|theta|d)_?(\d*)", re.ASCII)
+JOINT_VARIABLE = re.compile(r"(?:q|theta|d)_?(\d*)", re.ASCII)
 
-NUMBER = r"(?>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)"
+NUMBER = r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
-ENTRY_TOKEN = re.compile(
-    rf"({NUMBER}(?![\d_.])|\))\s*(?=[A-Za-z(])|{NUMBER}(?![\w.])|[A-Za-z_]\w*\b|[-+*/()\s]", re.ASCII
-)
-"""A part of an entry: a number, a name, or an operator. The first group is a factor, if the other factor follows without a sign.
-
-Python also reads 0x1F and 1_000 as numbers, but people do not."""
+SPELLINGS = {
+    "\theta": "theta", "\alpha": "alpha", "\frac": "\\frac",  # without r in front of a text, Python reads \t, \a and \f
+    **dict.fromkeys("−–—", "-"), **dict.fromkeys("·×⋅", "*"), **dict.fromkeys(("º", "˚", r"^{\circ}", r"^\circ"), "°"),
+    **{subscript: str(digit) for digit, subscript in enumerate("₀₁₂₃₄₅₆₇₈₉")},
+    "₋": "-", "ᵢ": "i", "π": "pi", "θ": "theta", "ϑ": "theta", "α": "alpha", "ψ": "psi",
+}  # fmt: skip
+"""Signs that are written on paper, as a keyboard has them."""
 
 OPERATORS: dict[type[ast.operator], Callable[[complex, complex], complex]] = {
     ast.Add: operator.add,
@@ -57,30 +49,11 @@ OPERATORS: dict[type[ast.operator], Callable[[complex, complex], complex]] = {
     ast.Div: operator.truediv,
 }
 
-SPELLINGS = {
-    # In a text without r in front of it, Python reads \t, \a and \f as a tab, a bell and a form feed.
-    "\theta": "theta",
-    "\alpha": "alpha",
-    "\frac": "\\frac",
-    **dict.fromkeys("−–—", "-"),
-    **dict.fromkeys("·×⋅", "*"),
-    **dict.fromkeys(("º", "˚", r"^{\circ}", r"^\circ", r"\circ"), "°"),
-    **{subscript: str(digit) for digit, subscript in enumerate("₀₁₂₃₄₅₆₇₈₉")},
-    "₋": "-",
-    "ᵢ": "i",
-    "π": "pi",
-    "θ": "theta",
-    "ϑ": "theta",
-    "α": "alpha",
-}
-"""Signs that are written on paper, as a keyboard has them."""
-
 MAX_TEXT_LENGTH, MAX_ENTRY_LENGTH = 100_000, 200
 """The maximum length of a text and of an entry, in characters; no table that people type is longer."""
 
 MAX_LENGTH_M = 1e12
-"""The maximum of a and d, in metres: beyond it a pose cannot resolve a millimetre. The normals of nearly parallel axes can be far
-away, but not that far."""
+"""The maximum of a and d, in metres: beyond it a pose cannot resolve a millimetre."""
 
 
 def joint_entries(joints: str) -> list[tuple[int, int]]:
@@ -149,7 +122,7 @@ def read_rows(
         raise ValueError(f"joints must be a string with a letter for each row; got {validation.describe(joints)}.")
     lengths, degrees = _validate_lengths(lengths), set[str]()
     if isinstance(rows, str):
-        rows, degrees = _split_table(rows, convention)
+        rows, degrees = split_table(rows, convention)
     if not isinstance(rows, Sequence) or not any(isinstance(row, Mapping) for row in rows):
         numbers = validation.vectors(rows, "rows", 4)
         if numbers.ndim != 2:
@@ -262,19 +235,18 @@ def _joint_of_row(row: Sequence["_Entry"], number: int) -> tuple[str, float, tup
             f"Row {number}: the joint variable in {column} must be q or -q, without a factor; its factor is {factor:g}."
         )
     name = entry.variables[0]
-    digits = JOINT_VARIABLE.fullmatch(name)[2]  # type: ignore[index]
+    digits = JOINT_VARIABLE.fullmatch(name)[1]  # type: ignore[index]
     return ("R" if column == "theta" else "P"), factor, (name, int(digits) if digits else None)
 
 
-def _split_table(text: str, convention: str | None = None) -> tuple[list[dict[str, str]], set[str]]:
+def split_table(text: str, convention: str | None) -> tuple[list[dict[str, str]], set[str]]:
     """Split a text into rows of entries by column name, and find the columns whose numbers are degrees."""
     if len(text) > MAX_TEXT_LENGTH:
         raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
     lines = [line for line in _respelled(text).strip().splitlines() if line.strip(" |-+:\t")]
     if len(lines) < 2:
         raise ValueError("A table as text must have a heading, such as 'a | alpha | d | theta', and at least one row.")
-    separator = next((sign for sign in "|;," if sign in lines[0]), None)
-    head = [_parse_heading(cell, convention) for cell in _split_line(lines[0], separator)]
+    head = [_parse_heading(cell, convention) for cell in _split_line(lines[0])]
     names = [name for name, _ in head]
     if sorted(name for name in names if name in COLUMNS) != sorted(COLUMNS):
         raise ValueError(
@@ -282,7 +254,7 @@ def _split_table(text: str, convention: str | None = None) -> tuple[list[dict[st
         )
     rows = []
     for number, line in enumerate(lines[1:], start=1):
-        cells = _split_line(line, separator)
+        cells = _split_line(line)
         if len(cells) == len(head) + 1 and cells[0].rstrip(".") == str(number):
             cells = cells[1:]  # the rows are numbered, but their column has no heading
         if len(cells) != len(head):
@@ -291,42 +263,27 @@ def _split_table(text: str, convention: str | None = None) -> tuple[list[dict[st
             )
         rows.append(dict(zip(names, cells, strict=True)))
     for name in {*names} & {*ROW_NUMBER_HEADINGS}:
-        _validate_row_numbers([row[name].rstrip(".") for row in rows])
-    return rows, {name for name, degrees in head if degrees}
-
-
-def _validate_row_numbers(labels: Sequence[str]) -> None:
-    if all(re.fullmatch(r"\d{1,4}", label, re.ASCII) for label in labels):
-        first = int(labels[0])
-        if list(map(int, labels)) != list(range(first, first + len(labels))):
+        labels = [row[name].rstrip(".") for row in rows]
+        are_numbers = all(re.fullmatch(r"\d{1,4}", label, re.ASCII) for label in labels)
+        if are_numbers and [*map(int, labels)] != [*range(int(labels[0]), int(labels[0]) + len(labels))]:
             raise ValueError(
                 f"The rows must be in the order of their numbers, none of them missing or twice; got {', '.join(labels):.100}. "
                 "Sort the rows, because each of them begins at the frame of the row before."
             )
+    return rows, {name for name, degrees in head if degrees}
 
 
-def _split_line(line: str, separator: str | None) -> list[str]:
-    """Split a line at bars, as in Markdown, at the semicolons or commas of a CSV file, or at white space."""
-    line = line.strip()
-    if separator == "|":
-        return [cell.strip() for cell in line.strip("|").split("|")]
-    if separator:
-        import csv  # for the few tables that come from a spreadsheet
-
-        return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
-    return re.split(r"\s{2,}|\t", line) if re.search(r"\s{2,}|\t", line) else line.split()
+def _split_line(line: str) -> list[str]:
+    """Split a line at bars, as in Markdown, or at white space."""
+    if "|" in line:
+        return [cell.strip() for cell in line.strip().strip("|").split("|")]
+    return re.split(r"\s{2,}|\t", line.strip()) if re.search(r"\S(\s{2,}|\t)", line.strip()) else line.split()
 
 
 def _respelled(text: str) -> str:
-    """Replace signs that are written on paper by what a keyboard has: θ₁ by theta1, ½π by (1/2)pi."""
+    """Replace signs that are written on paper by what a keyboard has: θ₁ by theta1."""
     for sign, plain in SPELLINGS.items():
         text = text.replace(sign, plain)
-    # A number in front of a fraction of numbers is its whole part: 1½ is 1.5.
-    for fraction in set(re.findall(r"[¼-¾⅐-⅞]", text)):
-        import unicodedata  # needed for the signs of fractions alone, and slow to load
-
-        parts = unicodedata.normalize("NFKC", fraction).replace("⁄", "/")
-        text = re.sub(rf"(\d+){fraction}", rf"(\1+{parts})", text).replace(fraction, f"({parts})")
     return text
 
 
@@ -340,28 +297,20 @@ def _parse_heading(head: str, convention: str | None) -> tuple[str, bool]:
             f"Lengths must be in metres, but the heading {head!r:.60} says {unit[0]}. Write 0.4 for 400 mm."
         )
     degrees = bool(re.search(r"deg|°", head))
-    plain = re.sub(r"[\\${}\s°]", "", head).lower()
-    plain = re.sub(r"[(\[](?![ijkn](?:-1)?[)\]])[^()\[\]]*[)\]]", "", plain)
-    found = re.fullmatch(r"(\w+?)_?[(\[]?[ijkn](-1)?[)\]]?", plain)
-    if found and plain not in COLUMN_SYNONYMS:
-        name = COLUMN_SYNONYMS.get(found[1], found[1])
-        if name in ("a", "alpha"):
-            _validate_index(head, name, found[2] is not None, convention)
-        if name in COLUMNS:
-            return name, degrees
-    name = re.sub(r"_.*", "", plain)
-    return COLUMN_SYNONYMS.get(name, name), degrees
-
-
-def _validate_index(head: str, name: str, is_before: bool, convention: str | None) -> None:
-    """Refuse a heading of a or alpha whose index belongs to the other convention."""
-    said = "modified" if is_before else "standard"
-    if convention in ("standard", "modified") and said != convention:
+    plain = re.sub(r"[\\${}\s°]|[(\[](?![ijkn](?:-1)?[)\]])[^()\[\]]*[)\]]", "", head).lower()
+    found = re.fullmatch(r"([a-z]+?)_?[(\[]?[ijkn](-1)?[)\]]?", plain)
+    name = COLUMN_SYNONYMS.get(found[1], found[1]) if found and plain not in COLUMN_SYNONYMS else ""
+    if name not in COLUMNS:
+        plain = re.sub(r"_.*", "", plain)
+        return COLUMN_SYNONYMS.get(plain, plain), degrees
+    said = "modified" if found and found[2] else "standard"
+    if name in ("a", "alpha") and convention in ("standard", "modified") and said != convention:
         raise ValueError(
             f"The heading {head!r:.60} is that of a {said} table, but convention is {convention!r}. These two are often confused: row i "
             f"has a_i and alpha_i in the standard convention, and a_{{i-1}} and alpha_{{i-1}} in the modified one (Craig). Write "
             f"convention={said!r}, or, if the numbers are those of a {convention} table, write {name} without an index."
         )
+    return name, degrees
 
 
 class _Entry(NamedTuple):
@@ -378,67 +327,39 @@ def _parse_entry(row: Any, column: str, number: int, lengths: Mapping[str, float
         raise ValueError(
             f"Row {number} has no {column}{given}. Each row must have all of {', '.join(COLUMNS)}; write 0 for an empty entry."
         )
-    entry = row[column]
-    place = f"Row {number}, {column}"
+    entry, place = row[column], f"Row {number}, {column}"
     if not isinstance(entry, str):
         return _Entry(_single_number(entry, place))
     if len(entry) > MAX_ENTRY_LENGTH:
         raise ValueError(
             f"{place}: an entry must have at most {MAX_ENTRY_LENGTH} characters; {entry[:20]!r}... has {len(entry)}."
         )
-    text, has_unit = _plain_entry(entry)
-    is_angle = column in ANGLE_COLUMNS
-    if (has_unit or in_degrees) and not is_angle:
+    text = re.sub(r"\\frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))", _respelled(entry)).strip()
+    text = re.sub(r"[\\{}$]|\b(?:np|math)\.", "", text)
+    text, units = re.subn(rf"({NUMBER})\s*(?:°|deg\b)", r"(\1*pi/180)", text)
+    text = re.sub(rf"({NUMBER}|\))\s*(?=(?:pi|q_?\d*)\b|theta)", r"\1*", text)
+    if (units or in_degrees) and column not in ANGLE_COLUMNS:
         raise ValueError(f"{place}: {entry!r} is an angle, but {column} is a length. Are two columns swapped?")
     try:
-        tree = ast.parse(_with_products(text), mode="eval").body
+        if re.search(r"[^\w\s.+*/()-]|\d_|\b0[a-zA-Z]", text):  # Python also reads 0x1F and 1_000, but people do not
+            raise TypeError("not an entry of a table")
+        tree = ast.parse(text, mode="eval").body
         value = _evaluate(tree, column, lengths)
-    except (SyntaxError, KeyError, TypeError, ZeroDivisionError) as error:
+    except (SyntaxError, KeyError, TypeError, ZeroDivisionError, ValueError) as error:
         raise ValueError(
             f"{place}: an entry must be a number, or a joint variable with a number; got {entry!r}. {_hint(text, column, error)}."
         ) from error
     if not np.isfinite(value):
         raise ValueError(f"{place}: an entry must be a finite number; got {entry!r}.")
     # A heading in degrees applies to bare numbers; an entry with pi or a unit has its own unit.
-    has_unit = has_unit or re.search(r"\bpi\b", text) is not None
+    has_unit = bool(units) or re.search(r"\bpi\b", text) is not None
     if in_degrees and not has_unit:
         value, has_unit = complex(math.radians(value.real), value.imag), True
-    if is_angle:
+    if column in ANGLE_COLUMNS:
         _validate_angle(value.real, place, repr(entry) if has_unit else f"{value.real:g} rad")
     names = (node.id for node in ast.walk(tree) if isinstance(node, ast.Name))
     variables = (name.replace("_", "") for name in names if name not in lengths and _is_variable(name, column))
-    return _Entry(value, list(dict.fromkeys(variables)))
-
-
-def _plain_entry(entry: str) -> tuple[str, bool]:
-    """Return an entry in Python's spelling, except for products without a sign, and whether it has a unit of angles."""
-    text = _respelled(entry).strip()
-    fraction, argument = r"\\?[dtc]?frac", r"\s*(?:\{([^{}]*)\}|(\d|\\?pi(?![A-Za-z])))"
-    text = re.sub(rf"(?<![\w.])(\d+)\s*{fraction}\{{(\d+)\}}\{{(\d+)\}}", r"(\1+\2/\3)", text)  # 1\frac{1}{2} is 1.5
-    text = re.sub(rf"{fraction}{argument}{argument}", lambda f: f"(({f[1] or f[2]})/({f[3] or f[4]}))", text)
-    text = re.sub(r"[\\{}$]", "", text)
-    text = re.sub(r"\b(?:np|numpy|math|sp|sympy)\.", "", text)
-    text, units = re.subn(rf"({NUMBER})\s*(?:°|deg(?:rees?)?\b)|\b(?:radians|deg2rad)\(([^()]*)\)", _in_radians, text)
-    text, radians = re.subn(rf"({NUMBER}|pi|\))\s*rad(?:ians?)?\b", r"\1", text)
-    # Spong marks the variable with an asterisk: θ_1*.
-    text = re.sub(r"(\b(?:q|theta|d)_?\d*)\^?\*(?=\s*$|\s+[-+]\s|\s*\))", r"\1", text)
-    return text, bool(units or radians) or re.search(r"°|\bdeg", text) is not None
-
-
-def _in_radians(found: re.Match[str]) -> str:
-    return f"(({found[1] or found[2]})*pi/180)"
-
-
-def _with_products(text: str) -> str:
-    """Write the sign of each product: 3pi is 3*pi. Raises TypeError for a character that no entry has."""
-    words, place = [], 0
-    while place < len(text):
-        found = ENTRY_TOKEN.match(text, place)
-        if found is None:
-            raise TypeError("not an entry of a table")
-        words.append(f"{found[1]}*" if found[1] else found[0])
-        place = found.end()
-    return "".join(words)
+    return _Entry(value, [*dict.fromkeys(variables)])
 
 
 def _hint(text: str, column: str, error: Exception) -> str:
@@ -446,15 +367,10 @@ def _hint(text: str, column: str, error: Exception) -> str:
         return f"The decimal sign is a point: write {comma[1] or 0}.{comma[2]}"
     if unit := re.search(r"\d\s*([mc]?m)\b", text):
         return f"Lengths are in metres: write 0.4 for 400 mm, without {unit[1]}"
-    if re.fullmatch(r"\W*(nan|inf|infinity|none)", text, re.IGNORECASE):
-        return "Each entry must be known; write 0 for an empty one"
     if isinstance(error, KeyError):
         name = error.args[0]
-        number = re.sub(r"\D", "", name)
-        is_variable = (
-            f"If {name} is the joint variable, write q{number}; if not, give" if column in MOVING_COLUMNS else "Give"
-        )
-        return f"{is_variable} lengths={{{name!r}: ...}}"
+        variable = f"If {name} is the joint variable, write q{re.sub(r'[^0-9]', '', name)}; if not, give"
+        return f"{variable if column in ('d', 'theta') else 'Give'} lengths={{{name!r}: ...}}"
     return "Try 0.5, pi/2, q1 + pi/2 or -90°"
 
 

@@ -224,7 +224,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         >>> DHTable([[0.4, 0, 0, 0]], convention="standard").link_transforms([np.pi / 2])[0, :3, 3].round(3) + 0.0
         array([0. , 0.4, 0. ])
         """
-        return np.moveaxis(_row_transforms(self, self.rows, self.in_order(q)), 0, -3)
+        return np.moveaxis(row_transforms(self, self.rows, self.in_order(q)), 0, -3)
 
     def fk(self, q: JointValues) -> Array:
         """Compute the pose of the tool: base A_1(q_1) ... A_m tool.
@@ -237,7 +237,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         >>> DHTable([[0.4, 0, 0, 0]], convention="modified").fk(np.zeros((1000, 1))).shape
         (1000, 4, 4)
         """
-        return _table_poses(self, self.rows, self.in_order(q))
+        return table_poses(self, self.rows, self.in_order(q))
 
     def jacobian(self, q: JointValues) -> Array:
         """Compute the space Jacobian: column i is the twist of the tool, in {s}, at unit speed of joint i.
@@ -262,7 +262,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 
     @cached_property
     def _chain(self) -> Chain:
-        z, points = _joint_axes(self, self.rows)
+        z, points = joint_axes(self, self.rows)
         # The point nearest the origin keeps its digits where a distant normal has put the frame far along the axis.
         near = points - z * np.sum(z * points, axis=1, keepdims=True)
         pitches = [0.0 if self.joints[row] == "R" else np.inf for row, _ in joint_entries(self.joints)]
@@ -346,7 +346,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 DHTable.__init__.__annotations__["rows"] = "TableRows"  # for `help`, because the attribute is an array
 
 
-def _moved_rows(table: DHTable, rows: Array, q: Array) -> Array:
+def rows_at(table: DHTable, rows: Array, q: Array) -> Array:
     """Add sign times q to the entry that each joint changes, in the rows of a table or of others that differ in their numbers.
 
     rows (..., m, 4), q (..., n), batch dimensions that broadcast -> (..., m, 4). The next functions take the same rows.
@@ -357,20 +357,20 @@ def _moved_rows(table: DHTable, rows: Array, q: Array) -> Array:
     return moved
 
 
-def _row_transforms(table: DHTable, rows: Array, q: Array) -> Array:
+def row_transforms(table: DHTable, rows: Array, q: Array) -> Array:
     """Compute A_i or T_i of each row, (m, ..., 4, 4)."""
-    columns = np.moveaxis(_moved_rows(table, rows, q), -1, 0)
+    columns = np.moveaxis(rows_at(table, rows, q), -1, 0)
     return np.moveaxis(dh_transform(*columns, convention=table.convention), -3, 0)
 
 
-def _table_poses(table: DHTable, rows: Array, q: Array) -> Array:
+def table_poses(table: DHTable, rows: Array, q: Array) -> Array:
     """Compute base A_1 ... A_m tool, (..., 4, 4)."""
-    return reduce(np.matmul, [*_row_transforms(table, rows, q), table.tool], table.base)
+    return reduce(np.matmul, [*row_transforms(table, rows, q), table.tool], table.base)
 
 
-def _joint_axes(table: DHTable, rows: Array) -> tuple[Array, Array]:
+def joint_axes(table: DHTable, rows: Array) -> tuple[Array, Array]:
     """Compute the joint axes in {s} at home: their directions (..., n, 3), and a point on each axis (..., n, 3)."""
-    links = _row_transforms(table, rows, np.zeros(table.n))
+    links = row_transforms(table, rows, np.zeros(table.n))
     start = np.broadcast_to(table.base, links.shape[1:])
     frames = np.stack([*accumulate(links, np.matmul, initial=start)], axis=-3)
     moving = np.array([row for row, _ in joint_entries(table.joints)])

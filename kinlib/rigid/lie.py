@@ -6,16 +6,13 @@ distinguishes the two groups by the last dimensions: 3 and 3x3 for rotations, 6 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
-
-MAX_CHUNK = 500
-"""Larger batches are computed in chunks of so many elements, because all that belongs to so many poses stays in a core's cache."""
 
 SERIES_BELOW_RAD = 1e-4
 """For smaller angles, coefficients that divide by theta^2 are the first two terms of their series; the third is below 1e-17."""
@@ -89,8 +86,6 @@ def exp(x: ArrayLike) -> Array:
            [ 0.,  0.,  0.,  1.]])
     """
     x = _generator(x)
-    if x.size > MAX_CHUNK * x.shape[-1]:
-        return in_chunks(exp, x, 1)
     with np.errstate(over="ignore"):  # an angle that overflows is refused, too
         theta = validation.rotation_angles(_length(x[..., :3]))[..., None, None]
     small = theta < SERIES_BELOW_RAD
@@ -126,10 +121,6 @@ def log(X: ArrayLike) -> Array:
     array([0.      , 0.      , 1.570796, 1.      , 0.      , 0.      ])
     """
     X = validation.rotations_or_poses(X, "X")
-    return in_chunks(_log, X, 2) if X.size > MAX_CHUNK * X.shape[-1] ** 2 else _log(X)
-
-
-def _log(X: Array) -> Array:
     q = _quaternion(X[..., :3, :3])
     w, axis = q[..., :1], q[..., 1:]
     sine = _length(axis)[..., None]
@@ -182,6 +173,47 @@ def adjoint(X: ArrayLike) -> Array:
     Ad[..., :3, :3] = Ad[..., 3:, 3:] = R
     Ad[..., 3:, :3] = _hat(X[..., :3, 3]) @ R
     return Ad
+
+
+def exponentials(S: Array, q: Array) -> Array:
+    """Compute the factors e^[S_1]q_1, ..., e^[S_n]q_n of the PoE formula, with the joint in the first dimension.
+
+    Screw axes S (n, 6), joint values q (..., n) -> (n, ..., 4, 4). For |omega| = 1 the angle of S q is q, and
+
+        e^[S]q = I + q D + sin(q) ([S] - D) + (1 - cos(q)) [S]^2,    D = [S] + [S]^3,
+
+    where D is the translation along the axis for each radian. For a prismatic joint [S]^2 = 0, and I + q [S] is left.
+    The screw axes are not validated: `kinlib.rigid.screw.axes` does that.
+
+    Source: Modern Robotics, (3.51) and (3.88): R = I + sin(q) W + (1 - cos(q)) W^2, p = (I q + (1 - cos(q)) W + (q - sin(q)) W^2) v.
+
+    >>> exponentials(np.array([[0, 0, 1, 0, -1, 0]]), np.array([np.pi / 2])).round(3)[0, :3, 3]
+    array([ 1., -1.,  0.])
+    """
+    S1 = _hat(S)
+    S2 = S1 @ S1
+    D = S1 + S2 @ S1
+    D[:, :3, :3] = 0.0  # W + W^3, up to rounding
+    matrices = np.stack([np.broadcast_to(np.eye(4), S1.shape), D, S1 - D, S2], axis=1).reshape(len(S), 4, 16)
+    angle = np.moveaxis(q, -1, 0)
+    numbers = np.stack([np.ones_like(angle), angle, np.sin(angle), 1 - np.cos(angle)], axis=-1)
+    factors: Array = (numbers.reshape(len(S), math.prod(q.shape[:-1]), 4) @ matrices).reshape(*angle.shape, 4, 4)
+    return factors
+
+
+def moved_screws(T: Array, S: Array) -> Array:
+    """Compute screw axes after motions: Ad(T) S = (R omega, R v + p x R omega).
+
+    T (..., n, 4, 4), S (n, 6) -> (..., n, 6). The poses are not validated; `adjoint` is the matrix Ad(T).
+
+    Source: Modern Robotics, definition 3.20.
+
+    >>> moved_screws(homogeneous(np.eye(3), [[2, 0, 0]]), np.array([[0, 0, 1, 0, 0, 0]])) + 0.0
+    array([[ 0.,  0.,  1.,  0., -2.,  0.]])
+    """
+    R = T[..., :3, :3]
+    omega, v = (R @ part[..., None] for part in (S[:, :3], S[:, 3:]))
+    return np.concatenate([omega[..., 0], v[..., 0] + cross(T[..., :3, 3], omega[..., 0])], axis=-1)
 
 
 def nearest_rotation(X: ArrayLike) -> Array:
@@ -265,24 +297,6 @@ def perpendicular(axis: ArrayLike) -> Array:
     return unit
 
 
-def in_chunks(function: Callable[[Array], Array], x: Array, trailing: int) -> Array:
-    """Evaluate a function of arrays for a chunk of their elements at a time.
-
-    trailing  how many dimensions an element has; those before are the batch
-
-    >>> in_chunks(inverse, np.tile(np.eye(4), (3, 1000, 1, 1)), 2).shape
-    (3, 1000, 4, 4)
-    """
-    rows = x.reshape(-1, *x.shape[-trailing:])
-    results = first = function(rows[:MAX_CHUNK])
-    if len(rows) > MAX_CHUNK:
-        results = np.empty((len(rows), *first.shape[1:]))
-        results[:MAX_CHUNK] = first
-    for start in range(MAX_CHUNK, len(rows), MAX_CHUNK):
-        results[start : start + MAX_CHUNK] = function(rows[start : start + MAX_CHUNK])
-    return results.reshape(*x.shape[:-trailing], *first.shape[1:])
-
-
 def _generator(x: ArrayLike) -> Array:
     x = validation.array(x, "x")
     if x.shape[-1:] not in {(3,), (6,)}:
@@ -310,57 +324,6 @@ def _hat(x: Array) -> Array:
     W = np.zeros((*x.shape, 3))
     W[..., [2, 0, 1], [1, 2, 0]] = x
     return W - np.swapaxes(W, -1, -2)
-
-
-def _screw_constants(S: Array) -> Array:
-    """Compute what `_screw_motions` needs of screw axes (n, 6) and no joint value changes: I, D, [S] - D and [S]^2, (n, 16, 4).
-
-    D = [S] + [S]^3 is the translation along the axis for each radian, by the pitch.
-    """
-    S1 = _hat(S)
-    S2 = S1 @ S1
-    D = S1 + S2 @ S1
-    D[:, :3, :3] = 0.0  # W + W^3, up to rounding
-    return np.stack([np.broadcast_to(np.eye(4), S1.shape), D, S1 - D, S2], axis=-1).reshape(len(S), 16, 4)
-
-
-def _screw_motions(constants: Array, q: Array) -> Array:
-    """Compute the factors e^[S_1]q_1, ..., e^[S_n]q_n of the PoE formula: constants (n, 16, 4), q (n, N) -> (n, 4, 4, N).
-
-    A screw axis has |omega| = 1, so that omega q has the angle q, and exp(S q) is a sum of four constant matrices:
-
-        e^[S]q = I + q D + sin(q) ([S] - D) + (1 - cos(q)) [S]^2,    D = [S] + [S]^3
-
-    For a prismatic joint [S]^2 = 0, and I + q [S] is left.
-    Source: Modern Robotics, (3.51) and (3.88): R = I + sin(q) W + (1 - cos(q)) W^2, p = (I q + (1 - cos(q)) W + (q - sin(q)) W^2) v.
-    """
-    numbers = np.stack([np.ones_like(q), q, np.sin(q), 1 - np.cos(q)], axis=1)
-    motions: Array = (constants @ numbers).reshape(len(q), 4, 4, q.shape[1])
-    return motions
-
-
-def _product(A: Array, B: Array) -> Array:
-    """Multiply N pairs of matrices, (4, 4, N) each, or one (4, 4) with N: a third of the time of `A @ B` with N in front.
-
-    `@` calls its routine for every small pair; here each of the 64 products of numbers is one step over N neighbours in memory.
-    """
-    product: Array = np.einsum("ij...,jk...->ik...", A, B)
-    return product
-
-
-def _running_products(E: Array) -> Array:
-    """Multiply factors (n, 4, 4, N) one after the other: I, E_1, E_1 E_2, ..., E_1 ... E_n, (n + 1, 4, 4, N)."""
-    products = [np.broadcast_to(np.eye(4)[:, :, None], E.shape[1:])]
-    for E_i in E:
-        products.append(_product(products[-1], E_i))
-    return np.stack(products)
-
-
-def _moved(T: Array, S: Array) -> Array:
-    """Move n screw axes, each by N motions: T (n, 4, 4, N), S (n, 6) -> Ad(T) S = (R omega, R v + p x R omega), (n, 6, N)."""
-    omega, v = np.einsum("aijn,akj->kain", T[:, :3, :3], S.reshape(-1, 2, 3))
-    moment = cross(np.swapaxes(T[:, :3, 3], 1, 2), np.swapaxes(omega, 1, 2))
-    return np.concatenate([omega, v + np.swapaxes(moment, 1, 2)], axis=1)
 
 
 def _quaternion(R: Array) -> Array:

@@ -465,7 +465,9 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
             paths = [[joint.child for joint in reversed(self._ancestors(tip))] for tip in tips]
             shared = [same[0] for same in zip(*paths, strict=False) if len(set(same)) == 1]
             before = f", or {shared[-1]}, from which they branch off" if shared and shared[-1] != base else ""
-            choices = f"Pass tip=..., one of {', '.join(tips)}{before}."
+            counts = [sum(joint.moves for joint, _ in self.path(base, tip)) for tip in tips]
+            named = (f"{tip} ({count} joint{'s'[: count != 1]})" for tip, count in zip(tips, counts, strict=True))
+            choices = f"Pass tip=..., one of {', '.join(named)}{before}."
         raise self.link_elements[base].error(
             f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
         )

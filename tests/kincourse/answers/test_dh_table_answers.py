@@ -57,8 +57,8 @@ def test_only_a_table_with_several_other_choices_moves_from_another_start():
     assert judge_table(elsewhere).state == "right"
     finding = judge_table(elsewhere, anchored=True).findings[0]
     assert finding.mistake == "another start"
-    assert finding.message.startswith("Your table moves like the arm, from another start. Joint 1 has another zero, ")
-    assert "degrees away" in finding.message
+    assert finding.message.startswith("Your table moves like the arm, from another start. Joint 1: its zero is ")
+    assert "° away" in finding.message
     lifted = judge_table(rows_with((0, 2, -0.2)), anchored=True).findings[0]
     assert (lifted.mistake, lifted.message) == ("sign of d", "$d$ has the wrong sign.")
 
@@ -171,7 +171,7 @@ def test_two_mistakes_are_named_and_more_are_left_to_the_first_difference():
     message = (
         judge_table(rows_with((0, 0, 0.2), (0, 1, 0.6), (1, 0, 0.3), (1, 1, 1.3), (1, 2, 0.4))).findings[0].message
     )
-    assert message == "Axes 1 and 2 make an angle of 34.38 degrees in your table, and of 40.11 degrees in the arm."
+    assert message == "Axes 2 and 3 make an angle of 74.48 degrees in your table, and of 63.03 degrees in the arm."
 
 
 def test_a_mistake_in_a_whole_table_has_its_name():
@@ -202,7 +202,7 @@ def test_a_right_table_says_how_it_differs_from_ours():
         "It differs from ours where the rules leave a choice: z_1 is reversed, so the variable of joint 2 has a minus sign."
     )
     free = DHTableAnswer(RIGHT).remark(RIGHT.changed(rows=rows_with((1, 3, 0.5 + np.pi / 2))))
-    assert free == "Joint 2 has another zero, -90 degrees away."
+    assert free == "Joint 2: its zero is -90° away."
 
 
 def test_feedback_on_a_wrong_table_names_the_mistake():

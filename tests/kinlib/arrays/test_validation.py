@@ -2,7 +2,6 @@
 
 import copy
 import pickle
-from fractions import Fraction
 
 import modern_robotics as mr
 import numpy as np
@@ -10,11 +9,10 @@ import pytest
 import sympy
 from hypothesis import given
 from hypothesis import strategies as st
-from strategies import directions, poses
+from strategies import poses
 
 import kinlib as kl
 from kinlib.arrays import validation
-from kinlib.rigid.lie import log
 
 QUARTER_TURN = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
 
@@ -48,21 +46,6 @@ def test_anything_but_an_array_of_numbers_is_refused_by_name(x):
         ValueError, match=r"point must be an array of real numbers; got \w+ .*Does it contain None, a symbol, a str"
     ):
         validation.vectors(x, "point", 3)
-
-
-@pytest.mark.oracle("fractions", validation.array, validation.real_array, validation.vectors, validation.read_only_copy)
-@given(st.lists(st.tuples(st.integers(), st.integers(1, 10**20)), min_size=3, max_size=3))
-def test_a_fraction_is_read_as_the_nearest_double(pairs):
-    fractions = [Fraction(*pair) for pair in pairs]
-    expected = [p / q for p, q in pairs]  # Python divides integers to the nearest double
-    for read in (validation.array, validation.real_array, lambda x, name: validation.vectors(x, name, 3)):
-        assert read(fractions, "x").tolist() == expected
-    assert validation.read_only_copy(fractions).tolist() == expected
-
-
-def test_a_value_is_described_by_its_type_and_the_beginning_of_its_repr():
-    assert validation.describe(range(3)) == "range range(0, 3)"
-    assert validation.describe("q" * 99) == f"str {('q' * 12 + '...' + 'q' * 13)!r}"
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
@@ -106,12 +89,6 @@ def test_an_axis_that_is_not_unit_is_refused_with_its_length(axis, message):
         validation.unit_vectors(axis, "axis")
 
 
-@given(directions())
-def test_an_axis_that_was_normalized_is_kept_to_the_last_bit(u):
-    once = validation.unit_vectors(u * (1 + 5e-10), "axis")
-    assert (validation.unit_vectors(once, "axis") == once).all()
-
-
 # --- rotations and poses ---
 
 
@@ -119,7 +96,6 @@ NOISE = st.one_of(st.floats(0, 1e-8), st.floats(1e-2, 1.0))
 """Noise on which two libraries agree, whatever their tolerances: rounding errors, or a hundredth and more."""
 
 
-@pytest.mark.oracle("modern_robotics", validation.rotations_or_poses, validation.poses)
 @given(poses(), NOISE, st.integers(0, 99))
 def test_a_matrix_is_accepted_if_and_only_if_modern_robotics_accepts_it(T, size, seed):
     X = T.copy()
@@ -135,26 +111,6 @@ def test_a_matrix_is_accepted_if_and_only_if_modern_robotics_accepts_it(T, size,
                 read(Y, "X")
 
 
-FAULTS = {
-    "NaN in the rotation": (np.s_[1, 2], np.nan, r"X contains NaN or infinity at index \[1, 2, 1, 2\]"),
-    "infinity in the translation": (np.s_[0, 3], np.inf, r"X contains NaN or infinity at index \[1, 2, 0, 3\]"),
-    "a last row": (np.s_[3, 0], 2e-6, r"X is not a pose at index \[1, 2\]: .*0 0 0 1; got \[2\.e-06 "),
-    "a last entry": (np.s_[3, 3], 0.0, r"X is not a pose at index \[1, 2\]: .*0 0 0 1; got \[0\. 0\. 0\. 0\.\]"),
-    "no rotation": (np.s_[0, 0], 1.1, r"X is not rigid at index \[1, 2\]: R\^T R differs from the identity by 0\.21\."),
-    "a reflection": (np.s_[2, 2], -1.0, r"X is a reflection at index \[1, 2\] \(det R = -1\)"),
-}
-
-
-@pytest.mark.parametrize("fault", FAULTS)
-@pytest.mark.parametrize("read", [lambda X: validation.rotations_or_poses(X, "X"), log], ids=["validation", "log"])
-def test_the_error_has_the_index_of_the_first_faulty_pose(fault, read):
-    entry, value, message = FAULTS[fault]
-    X = np.tile(np.eye(4), (3, 1000, 1, 1))
-    X[1, 2][entry] = X[2, 9][entry] = value
-    with pytest.raises(ValueError, match=f"^{message}"):
-        read(X)
-
-
 C, S = np.cos(0.7).round(4), np.sin(0.7).round(4)
 DEFECT = r"home is not rigid: R\^T R differs from the identity by "
 NOT_RIGID = {
@@ -167,10 +123,6 @@ NOT_RIGID = {
         r"home is not a pose.*0 0 0 1; got \[1\. 2\. 3\. 1\.\]\. .*Try the transpose",
     ),
     "four printed digits": ([[C, -S, 0], [S, C, 0], [0, 0, 1]], DEFECT + r"\d\.?\d?e-05\. Were its entries"),
-    "squares that overflow": (1e200 * np.eye(3), DEFECT + r"1e.300\. "),
-    "negative entries whose squares overflow": (-1e200 * np.eye(3), DEFECT + r"1e.300\. "),
-    # R^T R has entries infinity minus infinity here, that is NaN, which is not greater than any tolerance.
-    "overflow to NaN": (1e200 * np.array([[1, -1, 0], [1, 1, 0], [0, 0, 1]]), "not rigid"),
     "a reflection": (QUARTER_TURN[:, [1, 0, 2]], r"reflection \(det R = -1\).*Are two axes swapped"),
     "one bad matrix of a batch": (
         np.stack([np.eye(3)] * 9 + [1.1 * np.eye(3)]).reshape(2, 5, 3, 3),
@@ -220,12 +172,3 @@ def test_arrays_of_other_kinds_are_refused_by_name(given, words):
     for function in (kl.exp, kl.robots.rpr().fk, kl.hat):
         with pytest.raises(ValueError, match=f"must be a plain array; {words}"):
             function(given)
-
-
-@pytest.mark.parametrize("function", [kl.exp, kl.hat])
-def test_the_matrix_of_a_rotation_vector_is_not_read_as_three_vectors(function):
-    for generator in (kl.hat([1, 2, 3]), kl.hat([1, 2, 3, 4, 5, 6])):
-        with pytest.raises(ValueError, match=r"vee first"):
-            function(generator)
-    assert function(np.zeros((3, 3))).shape == (3, 3, 3)
-    assert function(np.eye(3)).shape == (3, 3, 3)

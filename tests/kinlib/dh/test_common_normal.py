@@ -6,18 +6,13 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import directions, points
 
-from kinlib.dh.common_normal import CommonNormal, common_normal
+from kinlib.dh.common_normal import common_normal
 
 X, Y, Z = np.eye(3)
 
 
 def close(got, expected, atol=1e-12):
     np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
-
-
-def square(x, z):
-    across = x - z * (z @ x)
-    return across / np.linalg.norm(across)
 
 
 @pytest.mark.parametrize(("before", "x"), [(X, X), (-X, -X), (-X + Z, -X), (Y, X), (Z, X)])
@@ -43,20 +38,6 @@ def test_parallel_axes_have_the_normal_at_one_joint_or_at_the_other(z, origin, o
     assert found.sine < 1e-15
 
 
-@given(directions(), points(), st.floats(-1, 1), directions(), st.sampled_from([1, -1]))
-def test_for_coincident_axes_x_is_the_perpendicular_part_of_the_previous_x(z, origin, step, before, sign):
-    assume(np.linalg.norm(np.cross(z, before)) > 0.1)
-    for at_other_point in (True, False):
-        found = common_normal((z, origin), (sign * z, origin + step * z), before, at_other_point=at_other_point)
-        assert found.case == {1: "coincident", -1: "anti-coincident"}[sign]
-        close(found.x, square(before, z))
-        close(found.start, origin + step * z if at_other_point else origin)
-        close(found.end, found.start)
-        assert not found.is_unique
-        assert found.sine < 1e-15
-
-
-@pytest.mark.oracle("axiom: the angle is the one that the axes were made with", CommonNormal.is_nearly_parallel)
 @pytest.mark.parametrize(
     ("angle", "nearly", "case"),
     [(1e-13, False, "parallel"), (1e-9, True, "skew"), (0.9e-5, True, "skew"), (1.1e-5, False, "skew")],

@@ -1,6 +1,5 @@
 """DH tables: against the Robotics Toolbox, against the decks' print, and through both conventions without loss."""
 
-import dataclasses
 import json
 import re
 
@@ -12,8 +11,8 @@ from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, dh_transform, robots
+from kinlib.dh.formatting import format_rows
 from kinlib.dh.parsing import read_rows
-from kinlib.dh.table import joint_transform, normal_transform
 
 EXACT = 1e-12
 
@@ -96,16 +95,6 @@ def test_the_printed_table_is_the_arm_of_its_document(table, arm):
     close(table.to_chain().screws, arm.screws)
 
 
-@pytest.mark.oracle("roboticstoolbox", dh_transform, joint_transform, normal_transform)
-def test_a_row_and_its_two_halves_are_rows_of_the_robotics_toolbox():
-    rtb = pytest.importorskip("roboticstoolbox")
-    for a, alpha, d, theta in np.random.default_rng(1).uniform(-3, 3, (30, 4)):
-        for convention, link in (("standard", rtb.RevoluteDH), ("modified", rtb.RevoluteMDH)):
-            close(dh_transform(a, alpha, d, theta, convention=convention), link(a=a, alpha=alpha, d=d).A(theta).A)
-        close(joint_transform(d, theta), rtb.RevoluteDH(d=d).A(theta).A)
-        close(normal_transform(a, alpha), rtb.RevoluteDH(a=a, alpha=alpha).A(0).A)
-
-
 def as_rtb(table, convention):
     """The same rows in roboticstoolbox's hands, which knows no fixed ones; base and tool as its SE3."""
     rtb = pytest.importorskip("roboticstoolbox")
@@ -119,7 +108,6 @@ def as_rtb(table, convention):
     return rtb.DHRobot(links, base=SE3(table.base, check=False), tool=SE3(table.tool, check=False))
 
 
-@pytest.mark.oracle("roboticstoolbox", DHTable, DHTable.fk, DHTable.n, DHTable.link_transforms)
 @given(tables("RP"))
 def test_any_table_moves_as_the_robotics_toolbox_s(table):
     q = values(table.n, 3)
@@ -136,18 +124,6 @@ def test_any_table_moves_as_the_robotics_toolbox_s(table):
         close(links, [link.A(value).A for link, value in zip(theirs.links, row, strict=True)])
 
 
-@pytest.mark.oracle("roboticstoolbox", DHTable.converted, DHTable.changed)
-@given(tables("RP"))
-def test_a_table_in_the_other_convention_is_the_same_arm_to_the_robotics_toolbox(table):
-    other = "modified" if table.convention == "standard" else "standard"
-    one, two = as_rtb(table, table.convention), as_rtb(table.converted(other), other)
-    named = as_rtb(table.changed(name="same"), table.convention)
-    for row in values(table.n, 3):
-        close(two.fkine(row).A, one.fkine(row).A)
-        close(named.fkine(row).A, one.fkine(row).A, atol=0)
-
-
-@pytest.mark.oracle("roboticstoolbox", DHTable.to_chain)
 @given(tables("RP"))
 def test_the_axes_of_a_table_are_the_twists_of_the_robotics_toolbox(table):
     """It writes (v, omega), and its twists and its last frame know of no base and no tool."""
@@ -158,7 +134,6 @@ def test_the_axes_of_a_table_are_the_twists_of_the_robotics_toolbox(table):
     close(chain.screws, np.roll(np.reshape(twists.A, (-1, 6)), 3, axis=1))
 
 
-@pytest.mark.oracle("sympy", read_rows, DHTable.columns)
 @given(st.tuples(*[sums()] * 4))
 def test_an_entry_is_what_sympy_makes_of_it(entries):
     """Any sum of numbers, fractions, pi and a length; the coefficient of q is the joint's sign."""
@@ -185,26 +160,15 @@ def test_a_table_survives_the_other_convention_and_back(table):
     close(there.converted(table.convention).fk(q), table.fk(q))
 
 
-def test_any_shape_of_joint_values_is_one_computation():
-    table, _ = PRINTED["youBot"]
-    q = values(5, 6).reshape(2, 3, 5)
-    assert table.fk(q).shape == (2, 3, 4, 4)
-    close(table.fk(q)[1, 2], table.fk(q[1, 2]))
-    assert table.link_transforms(np.zeros((0, 5))).shape == (0, 5, 4, 4)
-
-
 # --- as people type them ---
 
 
 @pytest.mark.parametrize(
     ("number", "entries"),
     [
-        # the last one is a text without r in front, in which Python reads \f as a form feed
-        (np.pi / 2, ["90 deg", "90º", "90^\\circ", "np.pi/2", "½ pi", r"$\frac{\pi}{2}$", "\frac{\\pi}{2}"]),
-        (-np.pi / 2, ["-90°", "−π/2", "−½π", "-\\frac12\\pi", "-1.5707963267948966 rad", "-np.radians(90)"]),
-        (3 * np.pi / 2, ["3\\pi/2", "\\frac{3\\pi}{2}", "1½π", "(3/2)pi", "\\tfrac{3}{2}\\pi", "1\\frac{1}{2}\\pi"]),
-        (5 * np.pi / 2, ["5\\frac{\\pi}{2}", "5\\frac\\pi2", "5 \\frac{\\pi}{2}", "450°"]),
-        (1e-3 * np.pi, ["1e-3pi", "+1e-3 pi"]),
+        (np.pi / 2, ["90 deg", "90º", "90^\\circ", "np.pi/2", r"$\frac{\pi}{2}$", "\frac{\\pi}{2}", "(1/2)pi"]),
+        (-np.pi / 2, ["-90°", "−π/2"]),
+        (3 * np.pi / 2, ["3\\pi/2", "270°"]),
     ],
 )
 def test_an_angle_may_be_typed_in_any_of_these_ways(number, entries):
@@ -215,41 +179,18 @@ def test_an_angle_may_be_typed_in_any_of_these_ways(number, entries):
 @pytest.mark.parametrize(
     ("constant", "sign", "entries"),
     [
-        (0.0, 1, ["q", "q1", "θ_1", "theta_1", r"$\theta_{1}$", "+q1", "q1*1", "q1/1", "1q1", "\theta_1"]),
-        (0.0, 1, ["θ₁", "ϑ_1", "θ_₁", "θ_1*", "q₁*", r"\theta_1^*", r"$\theta_{1}^{*}$", "(q1*)"]),
-        (0.0, -1, ["-q1", "−θ_1", "-1*q1", "q1*-1", "q1/-1", "q1 * -1", "-θ₁*"]),
-        (np.pi / 2, 1, ["q_1 + ½π", "q1* + π/2", "q1 + np.pi/2", "pi/2 + θ1*"]),
-        (0.5, 1, ["0.5 + q1", "q1 - -0.5", "-(-q1 - 0.5)", "(2*q1 + 1)/2", "q1 + 1 - 0.5"]),
+        (0.0, 1, ["q", "q1", "θ_1", "theta_1", r"$\theta_{1}$", "+q1", "q1/1", "\theta_1", "θ₁"]),
+        (0.0, -1, ["-q1", "−θ_1", "-1*q1", "q1*-1"]),
+        (0.5, 1, ["0.5 + q1", "q1 - -0.5", "-(-q1 - 0.5)", "(2*q1 + 1)/2"]),
         (0.5, -1, ["0.5 - q1", "-q1 + 0.5", "-(q1 - 0.5)"]),
     ],
 )
 @pytest.mark.parametrize(("column", "joint"), [("theta", "R"), ("d", "P")])
-def test_a_joint_variable_is_found_wherever_it_stands_in_an_entry(constant, sign, entries, column, joint):
+def test_a_joint_variable_is_found_anywhere_in_an_entry(constant, sign, entries, column, joint):
     for entry in entries:
         row = {"a": 0, "alpha": 0, "d": 0, "theta": 0, column: entry}
         table = DHTable([row], convention="standard")
         assert (table.joints, table.columns[column][0], table.signs[0]) == (joint, constant, sign), entry
-
-
-@pytest.mark.parametrize(
-    ("entry", "constant", "sign"),
-    [("d_1", 0, 1), ("d1 + 0.5", 0.5, 1), ("0.5 + d_1", 0.5, 1), ("-(d_1 - 0.5)", 0.5, -1)],
-)
-def test_d_with_a_number_is_what_moves_in_its_own_column_and_an_unknown_length_elsewhere(entry, constant, sign):
-    table = DHTable([{"a": 0, "alpha": 0, "d": entry, "theta": 0}], convention="standard")
-    assert (table.joints, table.rows[0, 2], table.signs[0]) == ("P", constant, sign)
-    with pytest.raises(ValueError, match=r"Row 1, theta: .*lengths=\{'d_?1': \.\.\.\}"):
-        DHTable([{"a": 0, "alpha": 0, "d": 0, "theta": entry}], convention="standard")
-
-
-@pytest.mark.parametrize("name", ["l", "X1", "Lambda", "pitch", "copied", "q_max", "PI"])
-@pytest.mark.parametrize("head", ["a | alpha | d | theta (deg)", "a  alpha  d  theta (deg)"])
-def test_a_length_or_an_angle_may_have_any_name(head, name):
-    """It may begin with a letter that means something elsewhere, or have pi in it: an angle in degrees stays one."""
-    bar = " | " if "|" in head else "  "
-    text = "\n".join([head, bar.join([name, "0", "q1", name])])
-    table = DHTable(text, convention="standard", lengths={name: 0.25})
-    close(table.rows, [[0.25, 0, 0, np.radians(0.25)]], 1e-15)
 
 
 def test_a_row_without_a_variable_has_no_joint_and_a_column_of_another_name_is_not_read():
@@ -262,13 +203,10 @@ def test_a_row_without_a_variable_has_no_joint_and_a_column_of_another_name_is_n
 TWO_ROWS = {
     "bars": "a | alpha | d | theta\n0.4 | 0 | 0.1 | q1\n0.3 | pi/2 | q2 | 0.2",
     "bars all round": "|a|alpha|d|theta|\n|---|:-:|--:|---|\n|0.4|0|0.1|q1|\n|0.3|pi/2|q2|0.2|",
-    "bars round the head": "|a|alpha|d|theta|\n0.4|0|0.1|q1\n0.3|pi/2|q2|0.2",
     "blanks": "a alpha d theta\n0.4 0 0.1 q1\n0.3 pi/2 q2 0.2",
     "wide blanks": "a  alpha   d    theta\n0.4  0  0.1  q1 + 0\n0.3  pi / 2  q2  0.2",
-    "tabs": "a\talpha\td\ttheta\n0.4\t0\t0.1\tq1 + 0\n0.3\tpi / 2\tq2\t0.2",
     "a column of numbers": "i | a | alpha | d | theta\n1 | 0.4 | 0 | 0.1 | q1\n2 | 0.3 | pi/2 | q2 | 0.2",
     "numbers under no head": "a alpha d theta\n1 0.4 0 0.1 q1\n2 0.3 pi/2 q2 0.2",
-    "numbers with a dot": "a alpha d theta\n1. 0.4 0 0.1 q1\n2. 0.3 pi/2 q2 0.2",
     "Greek, shuffled, with indices": "θ_i | d_i | α_i [rad] | a_{i}\nq1 | 0.1 | 0 | 0.4\n0.2 | q2 | pi/2 | 0.3",
     "other words": "Link | Angle | Offset | Twist | Length\n1 | q1 | 0.1 | 0 | 0.4\n2 | 0.2 | q2 | pi/2 | 0.3",
     "degrees": "a | psi (deg) | d | theta\n0.4 | 0 | 0.1 | q1\n0.3 | +90 | q2 | 0.2",
@@ -282,15 +220,6 @@ def test_a_table_may_be_laid_out_in_any_of_these_ways(text):
     assert table.joints == "RP"
 
 
-@pytest.mark.parametrize(
-    ("entry", "degrees"),
-    [("1e1", 10), ("5+5", 10), ("q1 + 10", 10), ("45/9", 5), ("10 - q1", 10), ("-.5", -0.5), ("−5", -5), ("5 °", 5)],
-)
-def test_under_a_head_in_degrees_a_number_is_degrees_however_it_is_written(entry, degrees):
-    table = DHTable(f"a | alpha | d | theta (deg)\n 0 | 0 | 0 | {entry}\n 0 | 0 | 0 | q", convention="standard")
-    close(table.rows[0, 3], np.radians(degrees), 1e-15)
-
-
 HEAD = "a|alpha|d|theta\n"
 REFUSED = {
     "degrees": (
@@ -299,14 +228,9 @@ REFUSED = {
     ),
     "degrees beside a variable": (HEAD + "0|0|0|q1 - 90", r"Row 1, theta: .*; got -90 rad\. -90 rad\? Write -90° if"),
     "a turn and a bit": ([[0, 0, 0, 6.3]], "Row 1, theta: an angle must be at most a full turn, 2 pi, .*; got 6.3 rad"),
-    "a turn in uneven degrees": (
-        HEAD + "0|1000.5°|0|q1",
-        "got '1000.5°'. Subtract full turns: 280.5° is the same angle",
-    ),
     "a row too many numbers": (HEAD + "0|0|0|q1\n3|0|0|0|q2", "Row 2 must have 4 entries, one per heading; got 5: '3"),
     "a missing column": ("a|alpha|d\n0|0|0", "The heading must name the columns a, alpha, d, theta, each once"),
     "a nameless row": ([{"a": 0, "alpha": 0, "d": 0, "theta": "q"}, None], "Row 2 has no a; it is NoneType"),
-    "a list for a number": ([{"a": [1], "alpha": 0, "d": 0, "theta": 0}], "Row 1, a must be a single number; got list"),
     "no rows": (HEAD, "must have a heading, .* and at least one row"),
     "no joint": (HEAD + "0|0|0|0", "every row is fixed"),
     "two variables": (HEAD + "0|0|q1|q1", "Row 1: the joint variable must be in theta or in d, once"),
@@ -329,7 +253,6 @@ REFUSED = {
         HEAD + "1|0|0|q1\n1|0|0|q_1",
         r"; got q1, q1\. Two rows have the variable of joint 1, but each .*\.$",
     ),
-    "labels from 0": (HEAD + "1|0|0|q0\n1|0|0|q1", r"; got q0, q1\. Is a row missing\? The joints are counted from 1"),
     "rows in another order": (
         "i|a|alpha|d|theta\n2|1|0|0|q\n1|1|0|0|q",
         "in the order of their numbers, .*; got 2, 1. Sort",
@@ -338,19 +261,11 @@ REFUSED = {
     "infinity": (HEAD + "1e400|0|0|q1", "Row 1, a: an entry must be a finite number; got '1e400'"),
     "a transposed table": (np.zeros((4, 6)), r"rows must have shape \(..., 4\); got \(4, 6\).*rows.T"),
     "one row": (np.zeros(4), r"must have shape \(m, 4\)"),
-    "a length beyond the planets": ([[1e200, 0, 0, 0]], r"Row 1: a must be at most 1e\+12 m; got 1e\+200 m"),
     "an entry without end": (HEAD + "-" * 5000 + "1|0|0|q1", r"at most 200 characters; '-{20}'\.\.\. has 5001"),
     "a text without end": ("0 " * 60_000, "at most 100000 characters; got 120000"),
-    # What is no entry; fuzzing found that some came as another error, or as a number that nobody had typed
     **{
-        entry: (f"{HEAD}{entry}|0|0|q1", f"^Row 1, a: an entry must be a number, or .*; got {shown}")
-        for entry, shown in {
-            **{
-                text: re.escape(repr(text)) for text in ("__import__('os')", "1/0", "1 2", "1_000", "0x10", "٣", "True")
-            },
-            "\0": r"'\\x00'",
-            "a" * 40 + "!": "'a{40}!'",
-        }.items()
+        entry: (f"{HEAD}{entry}|0|0|q1", f"^Row 1, a: an entry must be a number, or .*; got {re.escape(repr(entry))}")
+        for entry in ("__import__('os')", "1/0", "1_000", "0x10", "True")
     },
     "a product of variables": (HEAD + "0|0|0|q1*q1", "Row 1, theta: an entry must be a number"),
 }
@@ -380,12 +295,6 @@ def test_a_heading_of_the_other_convention_is_refused(names, place):
         assert read_rows(text).joints == "R"
 
 
-def test_a_column_that_counts_the_rows_may_begin_anywhere():
-    for first in (0, 1, 4):
-        text = f"i | a | alpha | d | theta\n{first} | 0.4 | 0 | 0 | q\n{first + 1} | 0.3 | 0 | 0 | q"
-        assert DHTable(text, convention="standard").columns["a"].tolist() == [0.4, 0.3]
-
-
 def test_a_table_means_nothing_without_its_convention():
     with pytest.raises(TypeError, match="convention"):
         DHTable([[0, 0, 0, 0]])
@@ -393,16 +302,6 @@ def test_a_table_means_nothing_without_its_convention():
         DHTable([[0, 0, 0, 0]], convention="craig")
     with pytest.raises(ValueError, match=r"must be 'standard' or 'modified'; got array\(\[0., 0.\]\)"):
         DHTable([[0, 0, 0, 0]], convention=np.zeros(2))
-
-
-def test_letters_that_contradict_the_variables_are_refused():
-    with pytest.raises(ValueError, match="joints must agree with the variables in the rows, R; got P"):
-        DHTable("a|alpha|d|theta\n0|0|0|q1", convention="standard", joints="P")
-    for letters in ("RR", "X", "r"):
-        with pytest.raises(ValueError, match=f"a letter R, P or F for each of the 1 rows; got '{letters}'"):
-            DHTable([[0, 0, 0, 0]], convention="standard", joints=letters)
-    with pytest.raises(ValueError, match=r"joints must be a string with a letter for each row; got list \['R'\]"):
-        DHTable([[0, 0, 0, 0]], convention="standard", joints=["R"])
 
 
 @pytest.mark.parametrize(
@@ -427,14 +326,9 @@ def test_a_base_or_a_tool_that_is_no_pose_is_refused(end):
         DHTable([[0, 0, 0, 0]], convention="standard", **{end: np.tile(np.eye(4), (2, 1, 1))})
 
 
-@pytest.mark.parametrize("name", ["a", "alpha", "d", "theta"])
-def test_a_row_s_number_that_is_none_is_refused_by_its_name(name):
-    row = {"a": 0, "alpha": 0, "d": 0, "theta": 0, name: np.nan}
-    with pytest.raises(ValueError, match=f"^{name} contains NaN"):
-        dh_transform(**row, convention="standard")
-
-
-def test_a_table_cannot_be_written_to():
+def test_a_row_that_is_no_number_is_refused_and_a_table_cannot_be_written_to():
+    with pytest.raises(ValueError, match=r"^alpha contains NaN"):
+        dh_transform(0, np.nan, 0, 0, convention="standard")
     table = PRINTED["youBot"][0]
     for array in (table.rows, table.signs, table.base, table.tool):
         with pytest.raises(ValueError, match="read-only"):
@@ -452,14 +346,6 @@ def test_signs_are_read_from_the_variables_or_given_with_numbers():
     q = np.array([0.3, 0.7])
     close(typed.fk(q), given.fk(q), atol=0)
     close(given.fk(q), given.to_chain().fk(q), atol=1e-14)
-
-
-@pytest.mark.parametrize("change", [dataclasses.replace, lambda table, **fields: table.changed(**fields)])
-def test_a_changed_table_keeps_its_signs_unless_they_are_changed(change):
-    table = DHTable("a | alpha | d | theta\nl | 0 | 0 | -q1", convention="standard", lengths={"l": 0.4})
-    assert change(table, convention="modified").signs.tolist() == [-1]
-    assert change(table, rows=[[1, 0, 0, 0]]).signs.tolist() == [-1]
-    assert change(table, signs=[1]).signs.tolist() == [1]
 
 
 @pytest.mark.parametrize(
@@ -481,25 +367,6 @@ def test_signs_that_are_none_are_refused(rows, signs, message):
 # --- as data ---
 
 
-@pytest.mark.oracle("text: written out in the test", DHTable.to_dict, DHTable.from_dict)
-def test_a_table_is_written_as_plain_data():
-    expected = {
-        "rows": [[0.5, 0.0, 0.0, 0.25], [0.0, 1.5, 2.0, 0.0]],
-        "convention": "modified",
-        "joints": "RP",
-        "signs": [-1, 1],
-        "base": [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]],
-        "tool": np.eye(4).tolist(),
-    }
-    typed = "a | alpha | d | theta\n0.5 | 0 | 0 | 0.25 - q1\n0 | 1.5 | 2 + q2 | 0"
-    table = DHTable(typed, convention="modified", base=kl.exp([0, 0, 0, 1, 0, 0]))
-    assert table.to_dict() == expected
-    read = DHTable.from_dict(expected)
-    for name in ("rows", "signs", "base", "tool"):
-        np.testing.assert_allclose(getattr(read, name), expected[name], rtol=0, atol=0)
-    assert (read.convention, read.joints) == ("modified", "RP")
-
-
 @given(tables(), st.data())
 def test_a_table_survives_json(table, data):
     table = table.changed(
@@ -511,42 +378,10 @@ def test_a_table_survives_json(table, data):
     np.testing.assert_array_equal(back.fk(q), table.fk(q))
 
 
-DATA = DHTable([[0.5, 0, 0, 0]], convention="standard").to_dict()
-
-
-@pytest.mark.parametrize(
-    ("data", "message"),
-    [
-        (7, r"^A table as data must be a dictionary with the keys rows, convention, joints, .*; got int 7\.$"),
-        ({**DATA, "name": "arm"}, "must be a dictionary with the keys .*got .*name"),
-        ({**DATA, "rows": [["0.5", 0, 0, 0]]}, "rows must be an array of real numbers; got list"),
-        ({**DATA, "rows": "a|alpha|d|theta\n0|0|0|q1"}, "rows must be a list of numbers or of rows; got str"),
-        ({**DATA, "joints": ["R"]}, "joints must be a string with a letter for each row; got list"),
-        ({**DATA, "signs": []}, "signs must be a list of numbers or of rows; got list"),
-        ({**DATA, "base": None}, "base must be a list of numbers or of rows; got NoneType"),
-    ],
-)
-def test_data_of_any_other_form_is_refused(data, message):
-    with pytest.raises(ValueError, match=message):
-        DHTable.from_dict(data)
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "a,alpha,d,theta\n0.4,pi/2,0,q1\n0,0,0.1 + q2,0",
-        "i; a; alpha; d; theta\n1; 0.4; 90°; 0; q1\n2; 0; 0; q2 + 0.1; 0",
-        '"a","alpha","d","theta"\n"0.4","pi/2","0","q1"\n"0","0","q2 + 0.1","0"',
-    ],
-)
-def test_the_text_of_a_csv_file_is_read(text):
-    table = DHTable(text, convention="standard")
-    close(table.rows, [[0.4, np.pi / 2, 0, 0], [0, 0, 0.1, 0]])
-    assert table.joints == "RP"
-
-
-def test_a_decimal_comma_in_a_csv_file_is_explained():
-    with pytest.raises(ValueError, match=r"The decimal sign is a point: write 0\.4"):
-        DHTable("a;alpha;d;theta\n0,4;0;0;q1", convention="standard")
-    with pytest.raises(ValueError, match="Row 1 must have 4 entries, one per heading; got 5"):
-        DHTable("a,alpha,d,theta\n0,4,0,0,q1", convention="standard")
+@given(tables())
+def test_rows_that_are_written_out_can_be_read_again(table):
+    rows = format_rows(table, length="{!r}".format, angle="{!r}".format)
+    names = ("a", "alpha", "d", "theta")
+    back = DHTable([dict(zip(names, row, strict=True)) for row in rows], convention=table.convention)
+    assert (back.joints, back.signs.tolist()) == (table.joints, table.signs.tolist())
+    np.testing.assert_allclose(back.rows, table.rows, rtol=1e-15, atol=0)

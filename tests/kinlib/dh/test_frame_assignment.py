@@ -12,8 +12,7 @@ from test_dh_table import PRINTED
 import kinlib as kl
 from kinlib import robots
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.assignment_steps import explain_assignment
-from kinlib.dh.common_normal import CommonNormal, common_normal
+from kinlib.dh.common_normal import common_normal
 
 CONVENTIONS = ("standard", "modified")
 COUNT = 300
@@ -36,7 +35,6 @@ def fuzzed(convention, count=COUNT, angle=None, seed=0):
 # --- as the decks print it ---
 
 
-@pytest.mark.oracle("printed: DH example with n = 5, Kinematics under DH", assign_frames)
 @pytest.mark.parametrize("name", PRINTED)
 def test_the_assignment_gives_the_deck_s_own_table(name):
     printed, chain = PRINTED[name]
@@ -46,14 +44,6 @@ def test_the_assignment_gives_the_deck_s_own_table(name):
     np.testing.assert_allclose(found.table.base, np.eye(4), rtol=0, atol=1e-12)
 
 
-def test_deck_n_5_s_fifth_row_is_the_tool():
-    """The deck writes its fixed tool as a fifth row; here a table has a row a joint, and the tool stands behind it."""
-    printed, chain = PRINTED["n = 5"]
-    tool = printed.link_transforms(np.zeros(chain.n))[-1]
-    np.testing.assert_allclose(assign_frames(chain, convention="modified").table.tool, tool, rtol=0, atol=1e-12)
-
-
-@pytest.mark.oracle("scipy", common_normal, CommonNormal, CommonNormal.is_unique)
 @pytest.mark.parametrize("case", AXIS_CASES)
 def test_a_common_normal_runs_between_the_feet_that_scipy_finds_nearest(case):
     """How far to go along both axes so that the way between is shortest: least squares, with rank 1 where it is free."""
@@ -127,18 +117,6 @@ def test_nearly_parallel_axes_cost_no_more_than_they_must(angle, convention):
 
 
 @each_convention
-def test_a_table_that_is_not_exact_says_so_at_its_end(convention):
-    chain, _ = arm(np.random.default_rng(3), 2, cases=(), angle=1e-8, slides=0)
-    found = assign_frames(chain, convention=convention)
-    assert 1e-11 < found.accuracy < 1e-6
-    assert "only approximately" in found.steps[-1].text
-    assert found.steps[-1].text.endswith("The nearly parallel axes limit its accuracy.")
-    assert f"{found.accuracy:.1e}" in found.steps[-1].text
-    assert "Hayati" in next(step.text for step in found.steps if step.kind == "normal")
-
-
-@pytest.mark.oracle("roboticstoolbox", kl.FrameAssignment.accuracy)
-@each_convention
 def test_the_accuracy_is_what_two_others_find_between_the_table_and_the_arm(convention):
     """Axes 1e-9 rad off parallel are taken as parallel, and that much is wrong: the Robotics Toolbox's arm beside Pinocchio's."""
     rtb, _ = pytest.importorskip("roboticstoolbox"), pytest.importorskip("pinocchio")
@@ -150,17 +128,6 @@ def test_the_accuracy_is_what_two_others_find_between_the_table_and_the_arm(conv
     by_table = found.table.base @ rtb.DHRobot(links).fkine(q).A @ found.table.tool
     worst = np.abs(by_table - pinocchio_oracle.pinocchio_loop(pinocchio_oracle.pinocchio_model(chain), q)).max()
     assert 1e-10 < found.accuracy <= 1.01 * worst < 2 * found.accuracy
-
-
-@each_convention
-def test_of_two_pairs_only_the_one_that_gains_is_taken_as_parallel(convention):
-    turned, lean = kl.exp([0.3, -0.5, 0.7]), [0, 1e-11, 1e-11 + 3e-6]
-    points = np.array([(0, 0, 0), (0.3, 0.2, 0.5), (0.5, 0.6, 0.1)]) @ turned.T
-    axes = [turned @ [0, -np.sin(angle), np.cos(angle)] for angle in lean]
-    screws = np.array([kl.screw(axis, point) for axis, point in zip(axes, points, strict=True)])
-    found = assign_frames(kl.Chain(screws, np.eye(4), points), convention=convention)
-    assert [normal.is_unique for normal in found.normals] == [False, True]
-    assert found.accuracy < 1e-9
 
 
 # --- the rules ---
@@ -194,16 +161,6 @@ def test_frames_obey_the_rules(convention):
 
 
 @each_convention
-def test_the_frames_are_the_table_s_own(convention):
-    for found, _, _ in fuzzed(convention, count=50, seed=7):
-        T = found.table.base
-        for frame, link in zip(found.frames[1:], found.table.link_transforms(np.zeros(found.chain.n)), strict=True):
-            T = T @ link
-            np.testing.assert_allclose(T, frame, atol=1e-10)
-        np.testing.assert_allclose(T @ found.table.tool, found.chain.home, atol=1e-10)
-
-
-@each_convention
 def test_the_choices_that_the_decks_prescribe(convention):
     for found, _, _ in fuzzed(convention, count=100, seed=8):
         frames, chain = found.frames, found.chain
@@ -225,31 +182,7 @@ def test_the_choices_that_the_decks_prescribe(convention):
             np.testing.assert_allclose(found.table.rows[0], 0, atol=1e-12)
 
 
-@pytest.mark.parametrize("off", [0, 1e-13, -1e-13])
-def test_a_tool_that_is_off_the_last_axis_by_rounding_alone_is_on_it(off):
-    home = kl.exp([0, 0, 0.5, 0, 0, 0])
-    home[:3, 3] = 0.3, off, 0.7
-    found = assign_frames(kl.Chain([kl.screw((0, 0, 1), (0.3, 0, 0))], home), convention="standard")
-    assert found.table.rows[0].tolist() == [0, 0, pytest.approx(0.7), pytest.approx(0.5)]
-    np.testing.assert_allclose(found.table.tool, np.eye(4), atol=1e-12)
-
-
 # --- the steps ---
-
-
-@pytest.mark.oracle(
-    "printed: DH example with n = 5, Kinematics under DH",
-    kl.FrameAssignment.steps,
-    explain_assignment,
-)
-@each_convention
-def test_the_steps_come_in_the_order_of_the_decks(convention):
-    for found, _, _ in fuzzed(convention, count=20, seed=9):
-        n = found.chain.n
-        links = [(kind, i) for i in range(1, n) for kind in ("normal", "origin", "x", "y")]
-        rows = [("row", i) for i in range(1, n + 1)]
-        expected = [("axes", None), ("first", 0), *links, ("last", n), *rows, ("accuracy", None)]
-        assert [(step.kind, step.frame) for step in found.steps] == expected
 
 
 @each_convention
@@ -295,37 +228,16 @@ def test_the_steps_say_where_axes_and_frames_stand(convention):
                 assert float(length) == pytest.approx(np.linalg.norm(normal.end - normal.start), rel=1e-3)
 
 
-def leaning(angle, letters="RR"):
-    """Two axes, the second 0.3 m off and leaning so much across that way; its joint stands 0.5 m up."""
-    turned = kl.exp([0.3, -0.5, 0.7])
-    axes = turned @ [0, 0, 1], turned @ [0, -np.sin(angle), np.cos(angle)]
-    points = np.array([(0, 0, 0), (0.3, 0.2, 0.5)]) @ turned.T
-    lines = zip(letters, axes, points, strict=True)
-    screws = [kl.screw(axis, point, np.inf if letter == "P" else 0.0) for letter, axis, point in lines]
-    return kl.Chain(np.array(screws), np.eye(4), points)
-
-
-@each_convention
-@pytest.mark.parametrize("letters", ["RP", "PR"])
-def test_a_slide_that_is_nearly_parallel_has_no_normal_that_runs_away(letters, convention):
-    """A slide has no line: laid across its neighbour it meets it, and no digit is lost."""
-    found = assign_frames(leaning(1e-8, letters), convention=convention)
-    normal, origin = found.steps[2:4]
-    assert normal.text.startswith("Axes 1 and 2 intersect: ")
-    assert "1.0e-08 rad apart. But a prismatic joint has no line of its own" in normal.text
-    assert "ill-conditioned" not in normal.text
-    assert np.abs(vectors(origin.text)).max() < 1
-    assert found.accuracy < 1e-14
-    assert "up to rounding" in found.steps[-1].text
-
-
-@pytest.mark.parametrize("letter", ["R", "P"])
-def test_the_last_frame_stands_where_its_row_says_that_its_joint_is_at_zero(letter):
-    chain = kl.Chain([kl.screw((0, 0, 1), (1, 0, 0), 0.0 if letter == "R" else np.inf)], np.eye(4))
-    *_, last, row, _ = assign_frames(chain, convention="modified").steps
-    d, theta = {"R": ("0", "q_1"), "P": ("q_1", "0")}[letter]
-    assert last.text.startswith(f"Frame 1 is placed such that d_1 = {d} and theta_1 = {theta}. ")
-    assert row.text == f"Row 1: a_0 = 0, alpha_0 = 0, d_1 = {d}, theta_1 = {theta}."
+@pytest.mark.parametrize("convention", CONVENTIONS)
+def test_snapped_numbers_are_clean_and_what_they_cost_is_said(convention):
+    """A file with 1.5708 for a right angle; the poses differ by what the clean numbers change."""
+    exact = assign_frames(robots.puma560(), convention=convention).table
+    typed = exact.changed(rows=exact.rows + np.where(np.abs(exact.rows * [0, 1, 0, 0]) > 1, 3.7e-6, 0.0)).to_chain()
+    found = assign_frames(typed, convention=convention, snap=True)
+    degrees = np.degrees(found.table.rows[:, [1, 3]])
+    np.testing.assert_allclose(degrees, degrees.round(), rtol=0, atol=1e-12)
+    assert 1e-7 < found.accuracy < 1e-4
+    assert error(found, configurations(np.random.default_rng(0), typed)) < 2 * found.accuracy
 
 
 # --- what is refused ---

@@ -30,13 +30,6 @@ def test_every_assignment_of_ours_passes(name, convention):
     assert check_frames(arm, assign_frames(arm, convention=convention).frames, convention) == []
 
 
-def test_another_right_assignment_passes_too():
-    """x_4 turned round, with y_4; the last frame may stand anywhere that its x allows."""
-    half_turn = kl.exp([0, 0, np.pi, 0, 0, 0])
-    assert rules(drawn(4, half_turn)) == set()
-    assert rules(drawn(0, kl.exp([0, 0, 1.0, 0, 0, 0.3]))) == set()
-
-
 def along(x):
     """The right frames with another x_1, which need not be perpendicular to z_1 nor a unit vector."""
     frames = RIGHT.copy()
@@ -75,7 +68,6 @@ BROKEN = {
 }
 
 
-@pytest.mark.oracle("printed: EduFill module, steps II to V", check_frames)
 @pytest.mark.parametrize(("frames", "broken"), BROKEN.values(), ids=BROKEN)
 def test_each_broken_rule_is_named_at_its_frame(frames, broken):
     breaches = check_frames(ARM, frames, "standard")
@@ -104,14 +96,6 @@ def test_the_rules_do_not_hang_on_where_the_arm_stands(R):
     T[:3, :3], T[:3, 3] = R, (1, 2, 3)
     moved = kl.Chain(ARM.screws @ kl.adjoint(T).T, T @ ARM.home)
     assert check_frames(moved, T @ RIGHT, "standard") == []
-
-
-def test_a_prismatic_axis_may_lie_anywhere():
-    arm = kl.robots.rpr_lecture7()
-    frames = assign_frames(arm, convention="modified").frames.copy()
-    assert not [breach for breach in check_frames(arm, frames, "modified") if breach.rule == "origin on axis"]
-    frames[2, :3, 3] += (0.1, 0, 0)
-    assert "origin on axis" not in {breach.rule for breach in check_frames(arm, frames, "modified")}
 
 
 def test_a_frame_too_few_is_refused():

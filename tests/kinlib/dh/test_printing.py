@@ -1,7 +1,6 @@
 """Tables, chains, assignments and linkages print what they contain."""
 
 import re
-from html.parser import HTMLParser
 
 import numpy as np
 import pytest
@@ -11,21 +10,8 @@ from strategies import ROBOTS, chains_with_values
 import kinlib as kl
 from kinlib import DHTable
 from kinlib.dh.assignment_steps import AssignmentStep
-from kinlib.dh.equivalence import describe_pose
 
 CONVENTIONS = ["standard", "modified"]
-
-
-class Cells(HTMLParser):
-    """Collects the text of the cells of HTML tables."""
-
-    def __init__(self, html):
-        super().__init__()
-        self.texts = []
-        self.feed(html)
-
-    def handle_data(self, data):
-        self.texts.append(data)
 
 
 @pytest.mark.parametrize("convention", CONVENTIONS)
@@ -44,18 +30,16 @@ def test_a_printed_table_is_read_back(convention, drawn):
     assert again.fk({f"q{i + 1}": 0 for i in range(table.n)}).shape == (4, 4)
 
 
-@pytest.mark.oracle("text: written out in the test", kl.Equivalence.choices)
 def test_the_repr_of_a_result_says_what_its_text_says():
     step = AssignmentStep("x", 1, "x_1 is along the normal.", "The opposite direction.")
     assert str(step) == "x_1 is along the normal. (Also right: The opposite direction.)"
-    assert describe_pose(kl.exp([0, 0, np.pi, 0, 0, 0])) == "rotated by 180 degrees, translated by 0 m"
     table = kl.assign_frames(kl.robots.rpr(), convention="standard").table
     assert repr(table).startswith("DHTable('RPR', standard, 3 rows: RPR, base = [[")
     flipped = table.changed(signs=[1, 1, -1])
     for found in (kl.equivalent(table, flipped), kl.diagnose(table, flipped)):
         assert " ".join(str(found).splitlines()) in repr(found)
-        assert "Joint 3 has the opposite sign." in repr(found)
-    assert kl.equivalent(table, flipped).choices(1e-8) == [("signs", "Joint 3 has the opposite sign.")]
+        assert "joint 3: " in repr(found)
+    assert kl.equivalent(table, flipped).choices(1e-8) == [("signs", "joint 3: q counts in the opposite direction")]
 
 
 @pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
@@ -67,23 +51,6 @@ def test_a_printed_chain_can_be_built_again(robot):
     np.testing.assert_allclose(home, robot.home, atol=1e-3)
 
 
-@pytest.mark.parametrize(
-    "thing",
-    [
-        kl.robots.youbot(),
-        kl.assign_frames(kl.robots.youbot(), convention="modified").table,
-        kl.assign_frames(kl.robots.youbot(), convention="standard"),
-        kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3),
-    ],
-    ids=lambda thing: type(thing).__name__,
-)
-def test_html_has_every_entry_that_is_printed(thing):
-    cells = Cells(thing._repr_html_()).texts
-    lines = [line for line in str(thing).splitlines() if "|" in line]
-    printed = {entry.strip() for line in lines for entry in line.split("|")}
-    assert printed <= set(cells)
-
-
 def test_latex_names_the_variables_and_the_convention():
     table = kl.assign_frames(kl.robots.youbot(), convention="modified").table
     assert r"\alpha_{i-1} & d_i & \theta_i" in table._repr_latex_()
@@ -92,14 +59,3 @@ def test_latex_names_the_variables_and_the_convention():
     assert r"\omega_i & v_i" in kl.robots.rpr()._repr_latex_()
     ring = kl.linkages.ten_links()._repr_latex_()
     assert r"\text{theta\_1} & \text{ground - link 1.1} & (0, 0, 1) & (0, 0, 0) \\" in ring
-
-
-@pytest.mark.oracle("modern_robotics", DHTable.jacobian)
-@pytest.mark.parametrize("convention", CONVENTIONS)
-def test_the_jacobian_of_a_table_is_that_of_its_arm(convention):
-    import modern_robotics as mr
-
-    robot = kl.robots.youbot()
-    table = kl.assign_frames(robot, convention=convention).table
-    q = np.array([0.3, -0.5, 0.7, 0.2, -0.9])
-    np.testing.assert_allclose(table.jacobian(q), mr.JacobianSpace(robot.screws.T, q), atol=1e-12)

@@ -4,7 +4,6 @@ import modern_robotics as mr
 import mpmath_oracle
 import numpy as np
 import pytest
-import scipy.linalg
 from hypothesis import given
 from strategies import poses, twists
 
@@ -43,7 +42,6 @@ def close(got, expected, atol=EXACT):
 # --- against 40 digits ---
 
 
-@pytest.mark.oracle("mpmath", exp, log)
 @pytest.mark.parametrize("angle", ANGLES)
 def test_exp_and_log_are_right_to_1e_13_at_every_angle(angle):
     x = twists_of_angle(angle)
@@ -62,14 +60,6 @@ def test_exp_and_log_are_right_to_1e_13_at_every_angle(angle):
         close(np.minimum(np.abs(omega - x[:, :3]).max(-1), np.abs(omega + x[:, :3]).max(-1)), 0)
 
 
-@pytest.mark.parametrize("size", [5e-324, 1e-310, 1e-160, 2.0**-511, 1e-100, 1e-9])
-def test_tiny_turns_are_neither_lost_nor_nan(size):
-    """Where theta^2 underflows, exp still knows omega, and log returns it to the last digit that a denormal has."""
-    x = np.concatenate([size * DIRECTIONS, np.ones_like(DIRECTIONS)], axis=-1)
-    close(exp(x), np.eye(4) + hat(x), atol=4e-16 + 2 * size)
-    np.testing.assert_allclose(log(exp(x))[:, :3], x[:, :3], rtol=1e-15, atol=1e-323)
-
-
 def test_log_of_an_exact_half_turn_has_angle_pi_and_the_positive_axis():
     """R = 2 a a^T - I in exact arithmetic, for axes whose matrix is exact in doubles."""
     for axis in [(1, 0, 0), (0, 1, 0), (0, 0, 1), (0.6, 0.8, 0), (0, -0.6, 0.8), (-2 / 3, 2 / 3, 1 / 3), (-1, 0, 0)]:
@@ -83,7 +73,6 @@ def test_log_of_an_exact_half_turn_has_angle_pi_and_the_positive_axis():
 # --- against libraries that we did not write ---
 
 
-@pytest.mark.oracle("modern_robotics", hat, vee)
 @given(twists())
 def test_hat_and_vee_agree_with_modern_robotics(x):
     close(hat(x), mr.VecTose3(x), atol=0)
@@ -91,20 +80,10 @@ def test_hat_and_vee_agree_with_modern_robotics(x):
     close(vee(hat(x)), mr.se3ToVec(mr.VecTose3(x)), atol=0)
 
 
-@pytest.mark.oracle("modern_robotics", inverse, adjoint)
 @given(poses())
 def test_inverse_and_adjoint_agree_with_modern_robotics(T):
     close(inverse(T), mr.TransInv(T))
     close(adjoint(T), mr.Adjoint(T))
-
-
-@pytest.mark.oracle("scipy", exp, log)
-@given(poses())
-def test_the_exponential_series_of_a_logarithm_is_the_pose(T):
-    close(scipy.linalg.expm(hat(log(T))), T)
-    close(exp(log(T)), T)
-    close(log(T[:3, :3]), log(T)[:3], atol=0)
-    assert np.linalg.norm(log(T)[:3]) <= np.pi + 1e-15
 
 
 # --- batches ---
@@ -157,16 +136,3 @@ def test_an_invalid_argument_is_refused_with_the_remedy(argument, message, funct
     for function in functions:
         with pytest.raises(ValueError, match=message):
             function(argument)
-
-
-@pytest.mark.parametrize("place", [np.s_[0, 1], np.s_[1, 1], np.s_[3, 2], np.s_[3, 3]])
-def test_vee_takes_what_single_precision_rounded_and_no_more(place):
-    """A sum of two entries, and each of the last row, may stray from 0 by 1e-6."""
-    for size, passes in ((0.4e-6, True), (1.5e-6, False)):
-        X = hat([0.1, 0.2, 0.3, 1, 2, 3])
-        X[place] += size
-        if passes:
-            close(vee(X), [0.1, 0.2, 0.3, 1, 2, 3], atol=size)
-        else:
-            with pytest.raises(ValueError, match="Then take its log first"):
-                vee(X)

@@ -1,6 +1,5 @@
 """Whole URDF files: the poses of all links, mimic joints, a floating base, and chains between any two links."""
 
-from dataclasses import replace
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -12,7 +11,6 @@ from urdf_files import ARMS, link_poses_by_pinocchio, poses_by_pinocchio, trees,
 
 import kinlib as kl
 from kinlib import Tree, to_urdf
-from kinlib.arrays.validation import TakesJointValues
 from kinlib.mechanisms.linkages import four_bar
 
 CLOSE = 1e-9
@@ -39,7 +37,6 @@ def assert_equal_poses(ours, theirs):
         np.testing.assert_allclose(T, theirs[link], rtol=0, atol=CLOSE, err_msg=link)
 
 
-@pytest.mark.oracle("pinocchio", Tree.poses, Tree.joint_values)
 @given(trees(mimic=True), any_pose(), st.integers(0, 2**32 - 1))
 def test_every_link_of_any_tree_moves_as_pinocchio_says(drawn, base, seed):
     text, *_ = drawn
@@ -53,7 +50,6 @@ def test_every_link_of_any_tree_moves_as_pinocchio_says(drawn, base, seed):
     assert_equal_poses(tree.poses(q, base=base), floating)
 
 
-@pytest.mark.oracle("pinocchio", Tree.pose, Tree.chain, Tree.coupling, Tree.offsets, kl.load_urdf)
 @given(trees(mimic=True))
 def test_pose_and_chain_agree_with_pinocchio_between_any_two_links(drawn):
     text, base, tip = drawn
@@ -74,7 +70,6 @@ def test_pose_and_chain_agree_with_pinocchio_between_any_two_links(drawn):
     np.testing.assert_allclose(chain.fk(q[:, columns]), expected, rtol=0, atol=CLOSE)
 
 
-@pytest.mark.oracle("pinocchio", Tree.jacobian)
 @given(trees(mimic=True))
 def test_the_jacobian_of_any_link_is_that_of_pinocchio(drawn):
     """Pinocchio's has a column for each joint that moves, (v, omega); the coupling matrix adds those of mimic joints."""
@@ -96,9 +91,6 @@ def test_the_jacobian_of_any_link_is_that_of_pinocchio(drawn):
         np.testing.assert_allclose(J, expected, rtol=0, atol=CLOSE)
 
 
-@pytest.mark.oracle(
-    "axiom: what is given by name is what is given by position", TakesJointValues.in_order, kl.Chain.in_order
-)
 def test_joint_values_may_be_given_by_name():
     tree = Tree.from_urdf(urdf_text("Franka Panda with hand"))
     q = np.random.default_rng(5).uniform(-1, 1, (3, tree.n))
@@ -116,8 +108,6 @@ def test_joint_values_may_be_given_by_name():
     assert single.poses({})["a"].tolist() == np.eye(4).tolist()
 
 
-@pytest.mark.oracle("pinocchio", Tree.from_urdf, Tree.root, Tree.links, Tree.tips, Tree.limits, Tree.n)
-@pytest.mark.oracle("pinocchio", Tree.joint_names, Tree.moving_joint_names)
 @pytest.mark.parametrize("name", ["Franka Panda with hand", "UR5e"])
 def test_a_shipped_arm_has_the_links_and_limits_of_pinocchio_and_its_mimic_joints_follow(name):
     pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
@@ -171,23 +161,6 @@ def test_a_tree_prints_its_links_and_the_values_of_its_joints():
     assert repr(tree) == "Tree(hand, 6 links, 1 independent joint: revolute)"
 
 
-@pytest.mark.oracle("text: written out in the test", Tree.path)
-def test_a_path_goes_up_to_the_common_ancestor_and_down_again():
-    path = Tree.from_urdf(HAND).path("tip", "thumb")
-    assert [(joint.name, sign) for joint, sign in path] == [("curl", -1), ("bend", -1), ("grip", 1)]
-
-
-def test_links_between_which_nothing_moves_have_a_constant_pose():
-    tree = Tree.from_urdf(HAND)
-    assert tree.pose("wrist", "palm")[:3, 3].tolist() == [0, 0, 2]
-    assert tree.pose("palm", "wrist", np.zeros((4, 1))).shape == (4, 4, 4)
-    assert tree.pose("nail", "nail").tolist() == np.eye(4).tolist()
-    with pytest.raises(
-        ValueError, match=r'none does between palm and wrist\. Their constant pose is .*pose\("palm", "wrist"\)'
-    ):
-        tree.chain("palm", "wrist")
-
-
 @pytest.mark.parametrize(
     ("call", "said"),
     [
@@ -200,7 +173,7 @@ def test_links_between_which_nothing_moves_have_a_constant_pose():
         (lambda tree: tree.pose("plam", "thumb"), "base must be the name of a link; got 'plam'. Did you mean palm"),
         (lambda tree: tree.chain("finger", "nail"), r"Line 7, .*joint curl mimics joint grip, and has the multiplier -0\.5, not 1 or -1"),
         (lambda tree: tree.chain("thumb", "finger"), r'bend mimics joint grip, and moves with grip\. .*pose\("thumb", "finger", q\)'),
-        (lambda tree: tree.chain(), r"Pass tip=\.\.\., one of thumb, nail, or palm, from which they branch off\."),
+        (lambda tree: tree.chain(), r"Pass tip=\.\.\., one of thumb \(\d joints?\), nail .*, or palm, from which"),
         (lambda tree: tree.poses({"girp": 1}), r"names of the joint values of hand; got 'girp'\. Did you mean grip\?"),
         (lambda tree: tree.poses({}), r"a value for each joint of hand; got none for grip\. .*dict\.fromkeys\(names, 0\.0\)"),
     ],
@@ -208,34 +181,6 @@ def test_links_between_which_nothing_moves_have_a_constant_pose():
 def test_errors_say_what_must_hold_and_what_to_try(call, said):
     with pytest.raises(ValueError, match=said):
         call(Tree.from_urdf(HAND))
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "said"),
-    [
-        (
-            '"grip" multi',
-            '"gripp" multi',
-            r"Line 6, <mimic> in .*got 'gripp'\. The joints that move are grip, bend, curl\.",
-        ),
-        ('"grip" multi', '"curl" multi', "must not mimic each other in a circle; got bend, curl"),
-        ('offset="0.5"', 'offset="1e7"', r"must be between -1e\+06 and 1e\+06; got 1e\+07"),
-        ('"bend" type="continuous"', '"bend" type="planar"', "must have one degree of freedom; this joint is planar"),
-    ],
-)
-def test_a_faulty_mimic_joint_is_refused_where_its_value_is_needed(old, new, said):
-    with pytest.raises(ValueError, match=said):
-        Tree.from_urdf(HAND.replace(old, new)).poses([0.1])
-
-
-def test_a_faulty_mimic_joint_does_not_affect_the_chains_of_other_joints():
-    """The hand of alex_psyonic_hands.urdf in example-robot-data names joints that it does not have; its arms are fine."""
-    tree = Tree.from_urdf(HAND.replace('"grip" multi', '"gripp" multi'))
-    assert "-gripp + 0.5" in str(tree)
-    np.testing.assert_allclose(tree.chain("palm", "thumb").fk([0.1]), tree.pose("palm", "thumb", [0.1]), atol=1e-15)
-    for call in (tree.chain, tree.pose):
-        with pytest.raises(ValueError, match="it must name a joint that moves; got 'gripp'"):
-            call("palm", "finger", *([[0.1]] if call == tree.pose else []))
 
 
 # --- write and read back ---
@@ -256,51 +201,6 @@ def test_a_tree_is_read_back_from_its_file(drawn):
     theirs = link_poses_by_pinocchio(text, tree.moving_joint_names, tree.joint_values(q))
     assert_equal_poses(tree.poses(q), theirs)
     assert_equal_poses(back.poses(q), theirs)
-
-
-@given(trees())
-def test_a_chain_keeps_the_names_of_its_links(drawn):
-    text, base, tip = drawn
-    try:
-        chain = kl.load_urdf(text, base, tip)
-    except ValueError:
-        return
-    assert (chain.link_names[0], chain.link_names[-1]) == (base, tip)
-    written = Tree.from_urdf(to_urdf(chain))
-    back = written.chain(base, tip)
-    q = np.random.default_rng(4).uniform(-3, 3, (2, chain.n))
-    np.testing.assert_allclose(back.fk(q), chain.fk(q), rtol=0, atol=1e-12)
-    # Where the path goes up to its tip, the frame of the tip is not at the last joint, and it becomes a link of its own.
-    assert set(chain.link_names) <= set(written.links)
-    assert back.link_names == chain.link_names or len(written.links) == chain.n + 2 == len(chain.link_names) + 1
-
-
-@pytest.mark.parametrize(
-    ("names", "written", "joints"),
-    [
-        ((), ["base_link", "link_1", "link_2", "link_3", "tool"], 4),
-        (("a", "b", "c", "d", "e"), ["a", "b", "c", "d", "e"], 4),
-        (("a", "b", "c", "d"), ["a", "b", "c", "link_3", "d"], 4),
-        (("a", "link_3", "c", "d"), ["a", "link_3", "c", "link_3_0", "d"], 4),
-    ],
-)
-def test_the_links_of_a_file_have_the_names_of_the_chain(names, written, joints):
-    text = to_urdf(replace(kl.robots.rpr(), link_names=names))
-    assert list(Tree.from_urdf(text).links) == written
-    assert text.count("<joint ") == joints
-    np.testing.assert_allclose(kl.load_urdf(text).home, kl.robots.rpr().home, atol=1e-15)
-
-
-def test_the_names_of_the_links_of_a_chain_are_counted_and_different():
-    arm = kl.robots.rpr()
-    with pytest.raises(
-        ValueError, match=r"link_names must have 4 names, the base and .* or one more for the tool; got 3"
-    ):
-        replace(arm, link_names=("a", "b", "c"))
-    with pytest.raises(
-        ValueError, match=r"names of the links must be different; got a, b, b, d\. Pass other link_names"
-    ):
-        to_urdf(replace(arm, link_names=("a", "b", "b", "d")))
 
 
 # --- planar and floating joints ---

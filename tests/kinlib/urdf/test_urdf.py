@@ -1,11 +1,5 @@
 """URDF files: random trees against Pinocchio, round trips, what the parts of a file mean, and files with faults."""
 
-import builtins
-import io
-import os
-import re
-import tracemalloc
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -25,7 +19,6 @@ CLOSE = 1e-9
 # --- random trees ---
 
 
-@pytest.mark.oracle("scipy", origin)
 @given(points(7))
 def test_origin_turns_about_fixed_axes_as_scipy_says(rpy):
     expected = Rotation.from_euler("xyz", rpy).as_matrix()  # lower case: fixed axes
@@ -79,7 +72,6 @@ def test_any_chain_is_read_back_from_its_file(chain):
     assert_same(load_urdf(to_urdf(chain)), chain)
 
 
-@pytest.mark.oracle("pinocchio", to_urdf)
 @given(named_chains())
 def test_pinocchio_reads_the_files_of_to_urdf(chain):
     q = configurations(chain, 2)
@@ -91,15 +83,6 @@ def test_pinocchio_reads_the_files_of_to_urdf(chain):
 def test_a_helical_joint_is_refused_with_the_reason():
     with pytest.raises(ValueError, match=r"URDF has no helical joint; joint 1 of HRR arm is helical"):
         to_urdf(robots.hrr())
-
-
-@pytest.mark.parametrize(
-    ("names", "weld"), [("a b c", "weld"), ("weld b c", "weld_0"), ("a weld_0 weld", "weld_1"), ("weld_0 a b", "weld")]
-)
-def test_the_fixed_joint_at_the_end_has_a_unique_name(names, weld):
-    arm = robots.rpr()
-    text = to_urdf(kl.Chain(arm.screws, arm.home, joint_names=tuple(names.split())))
-    assert re.findall('<joint name="(.+)" type', text) == [*names.split(), weld]
 
 
 @pytest.mark.parametrize(
@@ -137,13 +120,6 @@ def test_without_an_axis_it_is_x_and_without_an_origin_it_is_the_parent_s():
     assert chain.home.tolist() == np.eye(4).tolist()
 
 
-@pytest.mark.parametrize("xyz", ["0 0 5", "0 0 1e-5", "0 0 1e300"])
-def test_an_axis_is_normalized(xyz):
-    """As Pinocchio does, and KDL: a slide along 0 0 5 by one metre is one metre."""
-    text = one_joint(f'<axis xyz="{xyz}"/><limit lower="0" upper="1"/>', "prismatic")
-    assert load_urdf(text).fk([1.0])[:3, 3].tolist() == [0, 0, 1]
-
-
 @pytest.mark.parametrize(
     ("said", "limits"),
     [
@@ -155,42 +131,6 @@ def test_an_axis_is_normalized(xyz):
 )
 def test_a_limit_that_is_not_given_is_0_and_a_joint_may_be_locked(said, limits):
     assert load_urdf(one_joint(f"<limit {said}/>", "revolute")).limits.tolist() == [limits]
-
-
-def test_only_the_file_itself_is_opened(tmp_path, monkeypatch):
-    path = tmp_path / "arm.urdf"
-    path.write_text(one_joint('<visual><mesh filename="mesh.stl"/></visual>'), "utf-8")
-    (tmp_path / "mesh.stl").write_text("not to be read")
-    load_urdf(path)
-    opened, real = [], io.open
-    for module in (builtins, io):
-        monkeypatch.setattr(
-            module, "open", lambda file, *rest, **more: opened.append(file) or real(file, *rest, **more)
-        )
-    load_urdf(path)
-    assert [os.fspath(file) for file in opened] == [os.fspath(path)]
-
-
-def test_an_empty_document_type_is_refused():
-    with pytest.raises(ValueError, match=r"^Line 2, <!DOCTYPE>: a URDF must have no document type and no entities"):
-        load_urdf("\n<!DOCTYPE robot>\n" + one_joint())
-
-
-@pytest.mark.parametrize(
-    "before", ["", "\n\n  ", "\ufeff", "\n<?xml version='1.0' encoding='latin-1'?>\n", "<!-- < -->"]
-)
-def test_a_text_may_begin_with_blank_lines_a_declaration_or_a_comment(before):
-    assert load_urdf(before + one_joint().replace('"one"', '"Ärmchen"')).name == "Ärmchen"
-
-
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
-def test_a_file_may_be_in_any_encoding_that_it_declares(tmp_path, encoding):
-    path = tmp_path / "arm.urdf"
-    says = encoding.removesuffix("-sig")
-    path.write_bytes(
-        (f'<?xml version="1.0" encoding="{says}"?>' + one_joint().replace('"one"', '"Ä"')).encode(encoding)
-    )
-    assert load_urdf(path).name == load_urdf(str(path)).name == "Ä"
 
 
 # --- files with errors: the message has the element, the line and the reason ---
@@ -260,7 +200,6 @@ def linked(links, *joints):
             'Line 4, <child> in <joint name="j0">: joint j0 must join links of this file; there is no link "β"',
         ),
         (linked(["base", "arm"], ["bsae", "arm"]), "Did you mean base"),
-        (linked("abcdefghijklm", "aβ"), r"The links are a, b, c, d, e, f, g, h, i, j, k, l and 1 more\.$"),
         (
             linked("abcd", "ab", "bc", "cd", "db"),
             "Line 9, <child> in <joint .*link b is already the child of joint j0 in line 6.*cannot describe loops",
@@ -271,7 +210,10 @@ def linked(links, *joints):
             r'Line 4, <link name="c">: a tree must have one root.*there are others, such as a\. Which',
         ),
         (linked(""), 'Line 1, <robot name="r">: it must have at least one <link>'),
-        (linked("abc", "ab", "ac"), r'Line 2, <link name="a">: exactly one end .*; got 2\. Pass tip=.*, one of b, c'),
+        (
+            linked("abc", "ab", "ac"),
+            r'Line 2, <link name="a">: exactly one end .*; got 2\. Pass tip=.*, one of b \(1 joint\), c \(1 joint\)',
+        ),
         (linked("a"), "got 0. Pass a base with a moving joint below it"),
         (linked("ab", "ab").replace('<child link="b"/>', ""), "Line 4, .*it must have a <child link=...>"),
         (
@@ -312,8 +254,6 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
         ("\n<robot>\n<link name=a/>", "Line 3: the file must be XML; not well-formed .*Is a quote missing"),
         ("<robot name='\ud800'/>", "surrogates not allowed"),
         ("\n<sdf/>", "Line 2, <sdf>: the first element of a URDF must be <robot>; this is an SDF file"),
-        # Found by fuzzing: a message that repeated the whole input
-        (f'<robot name="r"><link {"a" * 2000}="x"/></robot>', r"<link> in .*name=...; its attributes are: a{200}\.$"),
         ("\n" + BOMB + "]>\n<robot name='&j;'/>", "Line 2, <!DOCTYPE>: a URDF must have no document type"),
         (
             "<robot name='r'>\n" + "<a>" * (MAX_DEPTH + 1),
@@ -321,8 +261,6 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
         ),
         ("<robot>" + " " * MAX_BYTES, "A URDF must have at most 4 MB; this text has 4.0 MB"),
         ("robot.urdf", "There is no file 'robot.urdf'. Pass the path of a URDF, or its text"),
-        ("https://example.com/robot.urdf", "must be a local file; got the address"),
-        (os.curdir, "is a directory"),
         (None, "must be the path or the text of a URDF; got NoneType None"),
     ],
     ids=lambda value: repr(value)[:40].replace(
@@ -349,22 +287,3 @@ def test_files_that_are_not_a_urdf_are_refused(tmp_path, content, said):
     path.write_bytes(content)
     with pytest.raises(ValueError, match=said):
         load_urdf(path)
-
-
-def test_a_large_file_is_refused_before_it_is_read(tmp_path):
-    path = tmp_path / "arm.urdf"
-    with path.open("wb") as file:
-        file.truncate(100_000_000)
-    tracemalloc.start()
-    try:
-        with pytest.raises(ValueError, match=r"at most 4 MB; this file has 100.0 MB"):
-            load_urdf(path)
-        assert tracemalloc.get_traced_memory()[1] < 1_000_000
-    finally:
-        tracemalloc.stop()
-
-
-@pytest.mark.skipif(not os.path.exists("/dev/zero"), reason="no device that never ends")  # noqa: PTH110
-def test_a_device_is_refused():
-    with pytest.raises(ValueError, match="There is no file '/dev/zero'"):
-        load_urdf("/dev/zero")

@@ -1,0 +1,137 @@
+"""What the digits of a table's numbers say, and the numbers nearest to them with which the table would describe an arm.
+
+A number that is typed as 0.43 stands for everything between 0.425 and 0.435, so a table with rounded numbers does not have the
+poses of its arm, although nobody made a mistake. All lengths of a table are taken to have as many decimals as the one that has
+the most, and so are all angles, in radians or in degrees, whichever takes fewer.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain, largest_difference, random_configurations
+from kinlib.dh.joint_maps import COMPARED_CONFIGURATIONS, JointMap, linearized
+from kinlib.dh.parsing import COLUMNS, joint_entries
+from kinlib.dh.table import DHTable, rows_at
+from kinlib.rigid.lie import exp
+
+ALL_DECIMALS = 12
+"""A number with as many decimals was not rounded by a person."""
+
+FIT_STEPS = 20
+"""How many least-squares steps lead to the nearest numbers."""
+
+LARGEST_FIT = 1e3
+"""If a number has to change by more than this, in metres and radians, the fit does not converge."""
+
+ROW_SCREWS = {
+    "theta": (0, 0, 1, 0, 0, 0),
+    "d": (0, 0, 0, 0, 0, 1),
+    "a": (0, 0, 0, 1, 0, 0),
+    "alpha": (1, 0, 0, 0, 0, 0),
+}
+"""The screw axes of the four motions of a row, in the frame that it begins with; all of them pass through its origin."""
+
+FACTORS = {"standard": ("theta", "d", "a", "alpha"), "modified": ("alpha", "a", "theta", "d")}
+"""The order of these motions by convention."""
+
+
+def typed_half_units(rows: Array) -> tuple[Array, str]:
+    """Read from the digits of a table how far its numbers may be off, (m, 4) -> half units (m, 4), and the units in words.
+
+    >>> half, words = typed_half_units(np.array([[0.425, np.pi / 2, 0.1, 0.12]]))
+    >>> half[0, 0], words
+    (np.float64(0.0005), 'lengths to 0.001 m, angles to 0.01 rad')
+    """
+    lengths, angles = rows[:, [0, 2]], rows[:, [1, 3]]
+    # Nobody rounds right angles; but the files of arms have pi / 2 with five digits.
+    is_right = (np.abs(np.sin(2 * angles)) < TYPED_PI_ERROR) & (angles != 0)
+    typed = angles[~is_right & (angles != 0)]
+    degrees, unit = np.degrees(typed), 1.0
+    length_decimals, angle_decimals = _decimals(lengths), _decimals(typed)
+    # A number in degrees was converted, so its last digit in radians is lost.
+    is_in_degrees = (np.abs(degrees - degrees.round(6)) <= 4 * np.spacing(np.abs(degrees))).all()
+    if is_in_degrees and _decimals(degrees.round(6)) + 2 < angle_decimals:
+        angle_decimals, unit = _decimals(degrees.round(6)), np.radians(1)
+    # Zeros alone do not show how many decimals they have.
+    if not typed.size:
+        angle_decimals = ALL_DECIMALS if is_right.any() else length_decimals
+    if not lengths.any():
+        length_decimals = angle_decimals
+    half = np.empty(rows.shape)
+    half[:, [0, 2]] = 0.5 * 10.0**-length_decimals
+    half[:, [1, 3]] = np.maximum(0.5 * unit * 10.0**-angle_decimals, TYPED_PI_ERROR * (is_right | (not typed.size)))
+    words = [f"lengths to {10.0**-length_decimals:g} m"] if length_decimals < ALL_DECIMALS else []
+    if angle_decimals < ALL_DECIMALS:
+        words.append(f"angles to {10.0**-angle_decimals:g}{' rad' if unit == 1 else '°'}")
+    return np.maximum(half, np.spacing(np.abs(rows)) / 2), ", ".join(words)
+
+
+def _decimals(numbers: Array) -> int:
+    """Return how many decimals the number with the most of them has, in the shortest form that reads back as the same number."""
+    texts = (np.format_float_positional(number, trim="-") for number in numbers.ravel())
+    return max((len(text.partition(".")[2]) for text in texts), default=0)
+
+
+def rounding_effect(table: DHTable, half_unit: Array) -> float:
+    """Bound the difference in an entry of a pose that the rounding of the numbers can make, in metres and radians.
+
+        sum of the half units of all lengths + reach * sum of the half units of all angles
+
+    The reach is the sum of all lengths, with the tool, and with prismatic joints moved by pi metres; it is at least 1, because a
+    rotation matrix changes by the angle itself.
+    """
+    lengths = np.abs(table.rows[:, [0, 2]]) + half_unit[:, [0, 2]]
+    reach = lengths.sum() + np.linalg.norm(table.tool[:3, 3]) + np.pi * table.joints.count("P")
+    return float(half_unit[:, [0, 2]].sum() + max(1.0, reach) * half_unit[:, [1, 3]].sum())
+
+
+class NearestRows(NamedTuple):
+    """The rows (m, 4) with which a table describes an arm, and the largest difference in a pose that they leave."""
+
+    rows: Array
+    difference: float
+
+
+def nearest_rows(
+    table: DHTable, arm: Chain, start: JointMap, fixed: frozenset[str], half_unit: Array, *, few: bool
+) -> NearestRows | None:
+    """Find the rows nearest to those of a table with which it describes an arm, up to the choices that are not fixed.
+
+    start  a map from the chain of the table to the arm, from which the search begins
+    few    whether as few entries as possible change; otherwise the sum of their squares in half units is smallest
+    None   if the search does not converge
+
+    The four motions of each row are those of a chain of 4 m joints whose values are the numbers. So its body Jacobian says how
+    the poses change with the numbers, and each step is a least-squares problem. If few entries are to change, the weight of an
+    entry grows with the change that it had in the step before.
+    """
+    order = [COLUMNS.index(name) for name in FACTORS[table.convention]]
+    motions = Chain(np.tile([ROW_SCREWS[COLUMNS[k]] for k in order], (len(table.rows), 1)), np.eye(4))
+    q = random_configurations(arm.n, COMPARED_CONFIGURATIONS)
+    values = rows_at(table, table.rows, start.signs * q + start.offsets)[..., order].reshape(len(q), -1)
+    unit = half_unit.copy()
+    for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
+        unit[entry] = 1.0  # these are free
+    units, X, Y, target = unit[:, order].ravel(), start.base @ table.base, table.tool @ start.tool, arm.fk(q)
+    free = [np.full(6, float(name not in fixed)) for name in ("base", "tool")]
+    change, weight = np.zeros(units.size), np.ones(units.size)
+    if few:  # of parallel axes, any d can change; it is the one that is given
+        weight = np.where(table.rows[:, order].ravel() == 0, 0.1, 1.0)
+    for _ in range(FIT_STEPS):
+        error, J = linearized(X, motions, values + change, Y, target)
+        scale = np.concatenate([free[0], units * weight, free[1]])
+        wanted = J[:, 6:-6] @ change - error
+        step = np.linalg.lstsq(J * scale, wanted, rcond=1e-10)[0] * scale
+        if not np.isfinite(step).all() or np.abs(step).max() > LARGEST_FIT:
+            return None
+        X, Y, change = exp(step[:6]) @ X, Y @ exp(step[-6:]), step[6:-6]
+        if few:
+            weight = np.abs(change / units) + 1e-2
+    difference = largest_difference(X @ motions.fk(values + change) @ Y, target)
+    rows = table.rows + change.reshape(-1, 4)[:, np.argsort(order)]
+    return NearestRows(np.where(np.abs(rows) < ROUNDING_ERROR, 0.0, rows), difference)

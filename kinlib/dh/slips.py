@@ -1,0 +1,374 @@
+"""The slips that people make in DH tables: one table of them, used in both directions.
+
+Forwards, `slip.change` makes the slip in the rows of a right table; `tables_with_a_slip` does so in every place. Backwards,
+`corrections` undoes every slip in every place where it could have been made, for `kinlib.dh.diagnosis`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from itertools import combinations, permutations
+
+import numpy as np
+
+from kinlib.arrays.formatting import format_degrees, format_different
+from kinlib.arrays.tolerances import ROUNDING_ERROR
+from kinlib.arrays.validation import Array
+from kinlib.dh.parsing import COLUMNS, joint_entries
+from kinlib.dh.table import Convention, DHTable
+from kinlib.rigid.angles import wrap_angle
+
+A, ALPHA, D, THETA = range(4)
+LENGTHS, ANGLES = (A, D), (ALPHA, THETA)
+
+OTHER_CONVENTION: dict[Convention, Convention] = {"standard": "modified", "modified": "standard"}
+
+NUMBERS = {"wrong number", "offset forgotten"}
+"""The faults that are corrected by a number that the table does not suggest; so they could explain almost anything."""
+
+MIN_LENGTH_MM = 5
+"""The smallest length that is taken as one in millimetres."""
+
+Change = Callable[[Array], Array]
+
+
+@dataclass(frozen=True)
+class Slip:
+    """A slip: what was done to the numbers, and how it is undone.
+
+    name    the same in every sheet and every diagnosis
+    text    what was done, in a sentence with {row} and {other}, the numbers of the rows, from 1
+    change  makes the slip: rows (m, 4) -> (m, 4) of a whole table; of one row, (1, 4); or of two, (2, 4)
+    undo    corrects it; None if the same change does
+    column  the column in which it was made, if there is one
+    """
+
+    name: str
+    text: str
+    change: Change
+    undo: Change | None = None
+    column: int | None = None
+
+    @property
+    def correction(self) -> Change:
+        """The change that undoes the slip."""
+        return self.undo or self.change
+
+
+def scale(columns: Sequence[int], factor: float) -> Change:
+    """Return the change that multiplies some columns by a factor."""
+    factors = np.ones(4)
+    factors[[*columns]] = factor
+    return lambda rows: rows * factors
+
+
+def swap(one: int, two: int) -> Change:
+    """Return the change that swaps two columns."""
+    order = np.arange(4)
+    order[[one, two]] = two, one
+    return lambda rows: rows[:, order]
+
+
+def roll(columns: Sequence[int], by: int) -> Change:
+    """Return the change that moves the numbers of some columns down by some rows; those of the last rows come first."""
+
+    def change(rows: Array) -> Array:
+        rows = rows.copy()
+        rows[:, columns] = np.roll(rows[:, columns], by, axis=0)
+        return rows
+
+    return change
+
+
+def reorder(order: Sequence[int]) -> Change:
+    """Return the change that writes the columns in another order."""
+    return lambda rows: rows[:, [*order]]
+
+
+def antiparallel(rows: Array) -> Array:
+    """Take parallel axes as pointing in the other direction: alpha = 0 becomes pi, and pi becomes 0."""
+    alpha = rows[:, [ALPHA]]
+    is_parallel = (np.abs(np.sin(alpha)) < ROUNDING_ERROR) & (np.arange(4) == ALPHA)
+    return np.where(is_parallel, np.pi - np.abs(alpha), rows)
+
+
+RULE = "it is the angle from one z to the next about the x between them, by the right-hand rule"
+
+MEASURED = "a is measured along x, d along z"
+ORDER = "The columns are in the order {typed}, but were read as a, alpha, d, theta."
+DEGREES, RADIANS = 180 / np.pi, np.pi / 180
+
+SLIPS_OF_A_TABLE = [
+    Slip("degrees", "The angles are in degrees, but were read as radians.", scale(ANGLES, DEGREES), scale(ANGLES, RADIANS)),
+    *(
+        Slip("unit of length", text, scale(LENGTHS, factor), scale(LENGTHS, 1 / factor))
+        for factor, text in (
+            (1e3, "The lengths are in millimetres, but were read as metres."),
+            (1e2, "The lengths are in centimetres, but were read as metres."),
+            (1e-3, "The lengths are a thousandth of those of the arm. Is the arm in millimetres?"),
+        )
+    ),
+    Slip("sign of alpha", f"Every alpha has the wrong sign: {RULE}.", scale([ALPHA], -1), column=ALPHA),
+    *(Slip(f"sign of {COLUMNS[k]}", f"Every {COLUMNS[k]} has the wrong sign.", scale([k], -1), column=k) for k in (D, A, THETA)),
+    Slip("a and d swapped", f"The columns a and d are swapped: {MEASURED}.", swap(A, D), column=A),
+    Slip("theta and alpha swapped", "The columns theta and alpha are swapped.", swap(THETA, ALPHA), column=THETA),
+    *(
+        Slip(name, f"{what} one row too {'low' if by == 1 else 'high'}{why}.", roll(columns, by), roll(columns, -by), column)
+        for by in (1, -1)
+        for name, what, columns, column, why in (
+            ("column shifted", "The columns a and alpha are", (A, ALPHA), None, ": a_{{i-1}} and a_i were confused"),
+            *(("column shifted", f"The column {name} is", (k,), k, "") for k, name in enumerate(COLUMNS)),
+            ("rows shifted", "The rows are", range(4), None, ""),
+        )
+    ),
+    *(
+        Slip("columns in another order", ORDER.format(typed=", ".join(COLUMNS[k] for k in order)), reorder(order), reorder(back))
+        for order in permutations(range(4))
+        if order not in {(A, ALPHA, D, THETA), (D, ALPHA, A, THETA), (A, THETA, D, ALPHA)}
+        for back in [np.argsort(order).tolist()]
+    ),
+]  # fmt: skip
+"""The slips that run through a whole table."""
+
+IN_A_ROW = "Row {row}: "
+
+SLIPS_OF_A_ROW = [
+    Slip("sign of alpha", IN_A_ROW + "alpha has the wrong sign.", scale([ALPHA], -1), column=ALPHA),
+    Slip("antiparallel", IN_A_ROW + "the axes are parallel, but in the other direction.", antiparallel, column=ALPHA),
+    *(Slip(f"sign of {COLUMNS[k]}", f"{IN_A_ROW}{COLUMNS[k]} has the wrong sign.", scale([k], -1), column=k) for k in (D, A, THETA)),
+    *(
+        Slip(name, f"{IN_A_ROW}{COLUMNS[k]} is in {unit}, but was read as {right}.", scale([k], factor), scale([k], 1 / factor), k)
+        for name, unit, right, factor, columns in (
+            ("unit of length", "millimetres", "metres", 1000.0, LENGTHS),
+            ("degrees", "degrees", "radians", DEGREES, ANGLES),
+        )
+        for k in columns
+    ),
+    Slip("a and d swapped", f"{IN_A_ROW}a and d are swapped. {MEASURED}.", swap(A, D), column=A),
+    Slip("theta and alpha swapped", IN_A_ROW + "theta and alpha are swapped.", swap(THETA, ALPHA), column=THETA),
+]  # fmt: skip
+"""The slips in one row, the most frequent ones first."""
+
+SLIPS_OF_TWO_ROWS = [
+    Slip("rows swapped", "Rows {row} and {other} are swapped.", roll(range(4), 1)),
+    *(
+        Slip(
+            "entry one row off",
+            f"Rows {{row}} and {{other}}: the entries of {name} are swapped.",
+            roll([k], 1),
+            column=k,
+        )
+        for k, name in enumerate(COLUMNS)
+    ),
+]
+"""The slips between two rows; single entries are swapped between neighbouring rows only."""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A fault of a table: its name, a sentence that describes it, and its row (from 1) and column, if it has any.
+
+    name  of a slip; or "other convention", "variable in the wrong column", "sign of q", "wrong number", "offset forgotten", "another
+          zero", "wrong base" or "wrong tool"
+    """
+
+    name: str
+    text: str
+    row: int | None = None
+    column: str | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Correction:
+    """A fault and its correction: the change of the numbers of the table, its convention, and the letters and signs of its joints.
+
+    letters   the right letters by row; reversed, the rows whose joint counts in the opposite direction
+    """
+
+    fault: Fault
+    change: Change = field(default=lambda rows: rows)
+    convention: Convention | None = None
+    letters: dict[int, str] = field(default_factory=dict)
+    reversed: frozenset[int] = frozenset()
+
+
+def corrected_rows(rows: Array, corrections: Sequence[Correction]) -> Array:
+    """Apply corrections to the numbers of a table, (m, 4) -> (m, 4): first those of the whole table."""
+    for correction in sorted(corrections, key=lambda each: each.fault.row is not None):
+        rows = correction.change(rows)
+    return rows
+
+
+def corrected_table(table: DHTable, corrections: Sequence[Correction]) -> DHTable:
+    """Apply corrections to a table."""
+    convention = next((each.convention for each in corrections if each.convention), table.convention)
+    letters, signs = [*table.joints], table.signs.copy()
+    for correction in corrections:
+        signs[[*correction.reversed]] *= -1
+        for row, letter in correction.letters.items():
+            letters[row] = letter
+    rows = corrected_rows(table.rows, corrections)
+    return table.changed(rows=rows, convention=convention, joints="".join(letters), signs=signs)
+
+
+def tables_with_a_slip(table: DHTable) -> Iterator[tuple[str, DHTable]]:
+    """Yield the names of slips, and the tables to which each of them leads from a right one where it is made once.
+
+    >>> tables = tables_with_a_slip(DHTable([[1, 0, 2, 0]], convention="standard"))
+    >>> next(table.columns["a"] for name, table in tables if name == "a and d swapped")
+    array([2.])
+    """
+    for slip, places in _slips_in_places(len(table.rows)):
+        rows = _changed(slip.change, places)(table.rows)
+        with suppress(ValueError):  # no table has an angle of many turns
+            if (rows != table.rows).any():
+                yield slip.name, table.changed(rows=rows)
+
+
+def _slips_in_places(m: int) -> Iterator[tuple[Slip, list[int]]]:
+    """Yield every slip with the rows in which it can be made, [] for the whole table."""
+    yield from ((slip, [row]) for row in range(m) for slip in SLIPS_OF_A_ROW)
+    for one, two in combinations(range(m), 2):
+        yield from ((slip, [one, two]) for slip in SLIPS_OF_TWO_ROWS[: None if two == one + 1 else 1])
+    yield from ((slip, []) for slip in SLIPS_OF_A_TABLE)
+
+
+def _changed(change: Change, places: list[int]) -> Change:
+    """Return the change of the whole rows that a change of some rows is."""
+    if not places:
+        return change
+
+    def in_places(rows: Array) -> Array:
+        rows = rows.copy()
+        rows[places] = change(rows[places])
+        return rows
+
+    return in_places
+
+
+def corrections(table: DHTable, right: Array, zeros_are_fixed: bool, signs_are_fixed: bool) -> list[Correction]:
+    """Return the corrections that leave the joint types as they are, the most usual ones first.
+
+    right           (k, 4) rows of right tables of the arm, whose numbers are tried in place of wrong ones
+    zeros_are_fixed whether the entries that the joints change count, and signs_are_fixed, whether their directions do
+    """
+    variables = [] if zeros_are_fixed else joint_entries(table.joints)
+    other = OTHER_CONVENTION[table.convention]
+    text = f"The table is in the {other} convention, but was read as {table.convention}."
+    found = [Correction(Fault("other convention", text), convention=other)]
+    for slip, places in _slips_in_places(len(table.rows)):
+        if len({table.joints[row] for row in places}) > 1 and slip.name == "rows swapped":
+            continue
+        if len(places) == 1 and ((places[0], slip.column) in variables or not _is_likely(slip, table.rows[places[0]])):
+            continue
+        found.append(Correction(_fault(slip, places, table), _changed(slip.correction, places)))
+    if signs_are_fixed:
+        found += _corrections_of_signs(table)
+    return [*found, *_corrections_of_a_number(table, right, zeros_are_fixed)]
+
+
+def _is_likely(slip: Slip, row: Array) -> bool:
+    """Whether a number of the row can come from the slip: only a large one is in millimetres or in degrees."""
+    smallest = {"unit of length": MIN_LENGTH_MM, "degrees": 1.0}.get(slip.name, 0.0)
+    return slip.column is None or smallest == 0 or bool(abs(row[slip.column]) > smallest)
+
+
+def _fault(slip: Slip, places: Sequence[int], table: DHTable) -> Fault:
+    """Describe a slip in its place; an entry of 0 that changes places with another one is a single entry in the wrong row."""
+    column = None if slip.column is None else COLUMNS[slip.column]
+    row, other = (places[0] + 1 if places else None), (places[-1] + 1 if places else None)
+    if slip.name == "entry one row off" and len(filled := [k for k in places if table.rows[k, slip.column]]) == 1:
+        row, other = filled[0] + 1, places[0] + places[1] - filled[0] + 1
+        return Fault(slip.name, f"Row {row}: the entry of {column} belongs in row {other}.", row, column)
+    if slip.name == "antiparallel":
+        angle = 180 - round(abs(np.degrees(table.rows[places[0], ALPHA])))
+        directions = "opposite directions" if angle else "the same direction"
+        text = f"Row {row}: the axes are parallel with {directions}: alpha should be {angle} degrees."
+        return Fault(slip.name, text, row, column)
+    return Fault(slip.name, slip.text.format(row=row, other=other), row, column)
+
+
+def corrections_of_joint_types(table: DHTable, joint_types: str) -> list[list[Correction]]:
+    """Return the ways to give a table the joint types of an arm: variables in the other column, or two rows swapped."""
+    right = [*table.joints]
+    columns = []
+    for (row, _), letter in zip(joint_entries(table.joints), joint_types, strict=True):
+        right[row] = letter
+        if letter != table.joints[row]:
+            kind, column = ("prismatic", "d") if letter == "P" else ("revolute", "theta")
+            text = f"Row {row + 1}: the joint variable belongs in {column}, because this joint is {kind}."
+            fault = Fault("variable in the wrong column", text, row + 1, column)
+            columns.append(Correction(fault, letters={row: letter}))
+    if not columns:
+        return [[]]
+    ways = [columns]
+    for one, two in combinations(range(len(right)), 2):
+        letters = {one: table.joints[two], two: table.joints[one]}
+        if [letters.get(row, letter) for row, letter in enumerate(table.joints)] == right:
+            slip = SLIPS_OF_TWO_ROWS[0]
+            swapped = Correction(_fault(slip, [one, two], table), _changed(slip.change, [one, two]))
+            ways.append([replace(swapped, letters=letters)])
+    return ways
+
+
+def _corrections_of_signs(table: DHTable) -> Iterator[Correction]:
+    """Yield the corrections of joints that count in the opposite direction: one of them, or all that rotate."""
+    for row, letter in enumerate(table.joints):
+        if letter != "F":
+            name, sign = "theta" if letter == "R" else "d", "-" if table.signs[row] > 0 else "+"
+            text = f"Row {row + 1}: the joint counts in the opposite direction; {name} should have {sign}q."
+            yield Correction(Fault("sign of q", text, row + 1, name), reversed=frozenset({row}))
+    turning = [row for row, letter in enumerate(table.joints) if letter == "R"]
+    if len(turning) > 1:
+        fault = Fault("sign of theta", "Every theta has the wrong sign, with its q.", None, "theta")
+        yield Correction(fault, _changed(scale([THETA], -1), turning), reversed=frozenset(turning))
+
+
+def _corrections_of_a_number(table: DHTable, right: Array, zeros_are_fixed: bool) -> Iterator[Correction]:
+    """Yield the corrections of one entry to a number that the arm suggests, or to a usual angle."""
+    lengths = right[:, LENGTHS].ravel()
+    variables = joint_entries(table.joints)
+    is_bare = zeros_are_fixed and not table.rows[:, THETA].any()
+    if is_bare and len(right) == len(table.rows) and np.count_nonzero(right[:, THETA]) > 1:
+        turning = [row for row, column in variables if column == THETA]
+        offsets = (f"{format_degrees(right[row, THETA])} in row {row + 1}" for row in turning if right[row, THETA])
+        fault = Fault("offset forgotten", f"The offsets of theta are missing: {', '.join(offsets)}.", None, "theta")
+        yield Correction(fault, _set(turning, THETA, right[turning, THETA]))
+    for row, column in np.ndindex(table.rows.shape):
+        if (row, column) in variables and not zeros_are_fixed:
+            continue
+        name, typed = COLUMNS[column], float(table.rows[row, column])
+        values = np.concatenate([[0.0], lengths, -lengths])
+        if column in ANGLES:
+            # If an axis is drawn in the opposite direction, an angle becomes its supplement.
+            angles = np.concatenate([right[:, column], wrap_angle(np.pi - right[:, column])])
+            values = np.concatenate([[0.0, np.pi / 2, -np.pi / 2, np.pi], angles, -angles])
+        for value in {round(float(value), 12) + 0.0: float(value) for value in values}.values():
+            if abs(value - typed) >= ROUNDING_ERROR:
+                kind, (should, has) = "wrong number", format_entries(value, typed, column)
+                text = f"Row {row + 1}: {name} should be {should}; the table has {has}."
+                if (row, column) in variables and not typed:
+                    kind, text = "offset forgotten", f"Row {row + 1}: the offset of {name} is missing, {should}."
+                yield Correction(Fault(kind, text, row + 1, name), _set([row], column, value))
+
+
+def _set(rows_: Sequence[int], column: int, value: float | Array) -> Change:
+    def change(rows: Array) -> Array:
+        rows = rows.copy()
+        rows[rows_, column] = value
+        return rows
+
+    return change
+
+
+def format_entries(one: float, other: float, column: int) -> tuple[str, str]:
+    """Write two entries of a column with as many digits as it takes to tell them apart, angles in degrees.
+
+    >>> format_entries(0.36442, 0.36435, D), format_entries(np.pi / 2, 0, ALPHA)
+    (('0.36442', '0.36435'), ('90°', '0°'))
+    """
+    factor, unit = (180 / np.pi, "°") if column in ANGLES else (1.0, "")
+    first, second = format_different(round(factor * one, 9), round(factor * other, 9))
+    return first + unit, second + unit
