@@ -62,7 +62,6 @@ def test_decimals_are_compared_to_three_digits_and_exact_formulas_exactly():
     assert not is_right(ClosedForm(theta), "1.0*theta + 1/10^6")
 
 
-@pytest.mark.oracle("sympy", Reader.read, Reader.points)
 @given(
     st.recursive(
         st.sampled_from([q_1, q_2, a_2, sp.pi, sp.Integer(2), sp.Rational(-1, 3)]),
