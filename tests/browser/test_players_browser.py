@@ -170,23 +170,6 @@ def test_the_motions_move_the_frame_to_the_row_s_matrix_in_both_conventions(show
     assert "along the common normal" in page.locator(".kv-motion-text").first.inner_text()
 
 
-def test_half_a_motion_is_half_of_its_angle_or_distance(show):
-    page = show(play_row(ROW, convention="standard"))
-    box = page.get_by_label("Motions done").bounding_box()
-    page.mouse.click(box["x"] + 0.4 * box["width"], box["y"] + box["height"] / 2)
-    done = get(page, "done")
-    assert 1 < done < 2
-    expected = kl.dh_transform(0, 0, 0.6 * (done - 1), 1.4, convention="standard")
-    np.testing.assert_allclose(carried(page, 0), expected, atol=1e-12)
-    page.keyboard.press("ArrowRight")  # the slider has the focus, so keys go to the next motion
-    assert get(page, "done") == 2
-    page.keyboard.press("End")
-    assert get(page, "done") == 4
-    assert {"xi", "zi"} <= drawn(page)
-    page.keyboard.press("ArrowLeft")
-    assert get(page, "done") == 3
-
-
 def test_a_motion_is_animated_unless_reduced_motion_is_preferred(show):
     page = show(at(play_row(ROW, convention="standard"), done=3))
     seen = f"window.seen = new Set(); {MODEL}.on('change:done', () => window.seen.add({MODEL}.get('done')))"
@@ -228,12 +211,6 @@ def test_a_film_is_played_paused_and_leafed_through_and_its_text_follows(show):
     page.get_by_label("Time").press("End")
     assert picture.get_attribute("aria-label") == shown.scenes[-1]["alt"]
     assert picture.locator("img:visible").count() == 1
-
-
-def test_with_reduced_motion_a_film_steps_from_scene_to_scene(show):
-    page = show(shown := opening(), reduced_motion="reduce")
-    page.get_by_role("button", name="Play").click()
-    assert get(page, "at") == shown.scenes[0]["end"]
 
 
 # --- frames by hand ---

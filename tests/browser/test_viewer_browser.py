@@ -5,7 +5,7 @@ Pictures are drawn without WebGL, which is much faster here, unless a test is ab
 
 from contextlib import ExitStack
 from io import BytesIO
-from itertools import combinations, pairwise
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -26,9 +26,7 @@ from urdf_files import TWO_FINGERS
 
 import kinlib as kl
 from kinlib.mechanisms.linkages import four_bar
-from kinlib.rigid.screw import screw
 from kinlib.view import assign, draw_arm, drive, explore, play_row, play_walk, slide_frames
-from kinlib.view.viewer.scene import LAYERS
 from kinlib.view.viewer.tree_viewer import explore_tree
 
 DEGREE = np.pi / 180
@@ -250,24 +248,6 @@ def test_the_view_is_rotated_panned_and_zoomed_by_mouse_and_by_keys(youbot):
         seen.add(now)
 
 
-def test_a_wheel_scrolls_the_page_until_the_picture_has_the_focus(youbot):
-    page = youbot
-    page.evaluate("document.body.style.height = '3000px'")
-    page.mouse.move(200, 200)
-    page.mouse.wheel(0, 200)
-    page.wait_for_function("window.scrollY > 100", timeout=TIMEOUT_MS)
-    page.evaluate("document.body.style.height = ''; scrollTo(0, 0)")
-
-
-def test_a_named_view_looks_along_an_axis(youbot):
-    page = youbot
-    page.emulate_media(reduced_motion="reduce")
-    for name, axes in {"front": [(1, 0, 0), (0, 0, 1)], "top": [(1, 0, 0), (0, 1, 0)]}.items():
-        page.get_by_role("button", name=name).click()
-        columns = page.evaluate("document.querySelector('.kv').viewer.stage.camera.threeCamera.matrixWorld.elements")
-        np.testing.assert_allclose(np.reshape(columns, (4, 4))[:2, :3], axes, atol=1e-12)
-
-
 def test_with_reduced_motion_play_goes_in_steps(youbot):
     page = youbot
     page.emulate_media(reduced_motion="reduce")
@@ -479,14 +459,6 @@ def test_a_configuration_beyond_its_limits_is_shown_with_a_message(show, chromiu
     assert not message.is_visible()
 
 
-def test_an_arm_of_zero_length_is_shown(show):
-    pivot = kl.Chain(np.array([screw((0, 0, 1)), screw((0, 1, 0)), screw((0, 0, 1))]), np.eye(4), name="wrist")
-    page = show(explore(pivot, show=LAYERS))
-    set_q(page, [0.5, 0.5, 0.5])
-    np.testing.assert_allclose(pose(page), pivot.fk([0.5, 0.5, 0.5]), atol=1e-12)
-    assert np.isfinite(page.evaluate("document.querySelector('.kv').viewer.stage.camera.scale"))
-
-
 def test_an_arm_that_cannot_be_shown_gives_a_message_on_the_page(show):
     broken = explore(kl.robots.rpr()).html().replace('"scene":', '"scheme":')
     page = show(broken, count=0)
@@ -503,15 +475,6 @@ def test_a_lost_context_is_created_again(show, chromium):
     page.evaluate("globalThis[Symbol.for('kinlib.renderers')][0]()")
     settled(page, lambda: page.evaluate("document.querySelector('.kv').viewer.stage.draw()"))
     assert shown_pixels(page) == before
-
-
-def test_a_page_without_a_viewer_does_not_load_the_bundle(chromium_without_webgl, tmp_path):
-    with watched(chromium_without_webgl) as page:
-        asked = []
-        page.on("request", lambda request: asked.append(request.url))
-        page.goto(static_page(tmp_path, "<p>Nothing moves here.</p>").as_uri())
-        page.wait_for_load_state("networkidle")
-        assert not [url for url in asked if "viewer.js" in url]
 
 
 def test_labels_in_the_picture_have_sufficient_contrast_in_both_themes_which_follow_the_page(youbot):
@@ -574,30 +537,3 @@ def test_a_screen_reader_gets_the_arm_and_the_position_of_its_tool(youbot):
 
 
 # --- resources ---
-
-
-def test_an_arm_with_everything_shown_needs_few_draw_calls(show, chromium):
-    page = show(explore(kl.robots.puma560(), show=LAYERS), browser=chromium)
-    settled(page, lambda: set_q(page, np.full(6, 0.1)))
-    assert 20 < page.evaluate("document.querySelector('.kv').viewer.stage.calls") <= 120
-
-
-def test_a_thousand_updates_do_not_grow_the_heap(show):
-    page = show(explore(kl.robots.puma560(), show=LAYERS))
-    devtools = page.context.new_cdp_session(page)
-
-    def heap_after_updates():
-        page.evaluate(
-            """async () => { const { model, stage } = document.querySelector('.kv').viewer;
-                for (let k = 0; k < 1000; k += 1) {
-                    model.set('q', [0, 1, 2, 3, 4, 5].map((joint) => Math.sin(k / 50 + joint)));
-                    if (k % 100 === 0) stage.paint();
-                } }"""
-        )
-        devtools.send("HeapProfiler.collectGarbage")
-        return devtools.send("Runtime.getHeapUsage")["usedSize"]
-
-    heap_after_updates()  # the trail is full, and the functions are compiled
-    sizes = [heap_after_updates() for _ in range(3)]
-    # On a busy machine a collection may stop early. But what leaks grows in each round.
-    assert min(after - before for before, after in pairwise(sizes)) < 200_000, "bytes that 1000 updates left behind"

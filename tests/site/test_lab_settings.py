@@ -1,10 +1,8 @@
 """The files of the lab: every hash is checked, and a file that cannot be downloaded is reported."""
 
-import gzip
 import hashlib
 import importlib
 import json
-import re
 from urllib.error import URLError
 from zipfile import ZipFile
 
@@ -142,12 +140,6 @@ def test_loaded_modules_are_compiled_and_nothing_is_kept_that_no_cell_can_use(tm
 # --- the lab ---
 
 
-def test_an_unknown_release_is_refused(monkeypatch):
-    monkeypatch.setenv(lab.VARIABLE, "offical")
-    with pytest.raises(ValueError, match=r"KINLIB_LAB must be one of official, offline, none; got 'offical'"):
-        lab.build()
-
-
 @pytest.mark.parametrize(("choice", "fails"), [("", False), ("official", True)])
 def test_without_a_network_the_lab_is_left_out_unless_it_was_requested(tmp_path, monkeypatch, capsys, choice, fails):
     def no_network(address, timeout):
@@ -170,66 +162,3 @@ def test_without_a_network_the_lab_is_left_out_unless_it_was_requested(tmp_path,
     else:
         assert lab.build() is None
         assert "The site has no lab" in capsys.readouterr().err
-
-
-def test_the_page_of_a_notebook_begins_with_a_preview_and_the_service_worker_knows_its_version(tmp_path):
-    for app in lab.APPS:
-        (tmp_path / app).mkdir()
-        (tmp_path / app / "index.html").write_text('<html><head></head><body class="x"><div></div></body></html>')
-        lab.complete_page(tmp_path / app / "index.html")
-    pages = {app: (tmp_path / app / "index.html").read_text() for app in lab.APPS}
-    assert all('<html lang="en"><head>' in page and "favicon.svg" in page for page in pages.values())
-    assert '<body class="x">\n<style>' in pages["notebooks"]
-    assert 'src="../start.js"' in pages["notebooks"]
-    assert "start.js" not in pages["tree"]
-    (tmp_path / "service-worker.js").write_text("theirs();")
-    python = tmp_path / "static" / "pyodide"
-    python.mkdir(parents=True)
-    needs = {
-        "ipython": ["numpy", "jedi"],
-        "kincourse": ["sympy"],
-        "numpy": [],
-        "sympy": [],
-        "jedi": [],
-        "pillow": ["numpy"],
-    }
-    packages = {name: {"file_name": f"{name}.whl", "depends": needed} for name, needed in needs.items()}
-    for name in packages:
-        with ZipFile(python / f"{name}.whl", "w") as archive:
-            archive.writestr(f"{name}/__init__.py", f"{name} = 1\n")
-    (python / "pyodide-lock.json").write_text(json.dumps({"packages": packages}))
-    (python / "pyodide.mjs").write_bytes(bytes(1_000_000))
-    (python / f"{lab.WASM}.packed").write_bytes(bytes(11_000_000))
-    lab.add_own_files(tmp_path)
-    worker = (tmp_path / "service-worker.js").read_text()
-    assert re.match(r"const VERSION = '[0-9a-f]{16}';\n", worker)
-    assert worker.endswith("theirs();")
-    live = tmp_path / "live"
-    assert {path.name for path in live.iterdir()} == {
-        "live-lock.json", "load.json", "packages.packed", "shell.py", "worker.js"
-    }  # fmt: skip
-    loads = json.loads((live / "load.json").read_text())
-    small = sum((live / name).stat().st_size for name in ("live-lock.json", "packages.packed"))
-    assert loads == {"total": 12_000_000 + small, "modules": 1_000_000, "later": {"sympy": ["sympy.whl"]}}
-    assert lab.megabytes(tmp_path) == "13"
-    sizes, _, contents = gzip.decompress((live / "packages.packed").read_bytes()).partition(b"\n")
-    assert list(json.loads(sizes)) == ["ipython/__init__.py", "kincourse/__init__.py", "numpy/__init__.py"]
-    assert contents == b"ipython = 1\nkincourse = 1\nnumpy = 1\n"
-    lock = json.loads((live / "live-lock.json").read_text())["packages"]
-    assert {name: entry["depends"] for name, entry in lock.items()} == {"jedi": [], "pillow": []}
-
-
-def test_the_lab_is_copied_to_the_site_when_it_changes_and_deleted_when_there_is_none(tmp_path):
-    built, target = tmp_path / "offline" / "html", tmp_path / "site" / "lab"
-    built.mkdir(parents=True)
-    (built / "index.html").write_text("a lab")
-    lab.hash_file(built.parent).write_text("first hash")
-    lab.copy_to_site(built, target)
-    (target / "index.html").write_text("not copied again")
-    lab.copy_to_site(built, target)
-    assert (target / "index.html").read_text() == "not copied again"
-    lab.hash_file(built.parent).write_text("second hash")
-    lab.copy_to_site(built, target)
-    assert (target / "index.html").read_text() == "a lab"
-    lab.copy_to_site(None, target)
-    assert not target.exists()

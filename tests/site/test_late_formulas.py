@@ -14,7 +14,6 @@ WAITING_IN_SIGHT = """[...document.querySelectorAll('kinlib-formula')].filter((f
   const { top, bottom } = formula.getBoundingClientRect();
   return formula.checkVisibility() && bottom > 0 && top < innerHeight;
 }).length"""
-DRAW_ALL = "dispatchEvent(new Event('beforeprint'))"
 UNFOLDED_WIDTHS = """[...document.querySelectorAll('.katex-mathml:has(+ kinlib-formula)')]
   .filter((formula) => !formula.closest('details:not([open])')).map((formula) => formula.offsetWidth)"""
 
@@ -46,16 +45,6 @@ def test_every_formula_in_sight_is_drawn(page, site_address):
     assert page.evaluate(WAITING_IN_SIGHT) == 0
 
 
-def test_a_formula_in_a_folded_explanation_is_drawn_when_it_opens(page, site_address):
-    page.goto(f"{site_address}/{LECTURE_03}")
-    formula = page.locator("details:not([open]):has(kinlib-formula)").last
-    formula.scroll_into_view_if_needed()
-    before = page.evaluate(WAITING)
-    formula.evaluate("(details) => { details.open = true; }")
-    page.wait_for_function(f"{WAITING} < {before}")
-    page.wait_for_function(f"{WAITING_IN_SIGHT} === 0")
-
-
 def test_without_scripts_each_formula_is_shown_as_mathml(chromium, site_address, site_folder):
     html = (site_folder / LECTURE_03).read_text("utf-8")
     with watched(chromium, java_script_enabled=False) as page:
@@ -65,21 +54,6 @@ def test_without_scripts_each_formula_is_shown_as_mathml(chromium, site_address,
         widths = page.evaluate(UNFOLDED_WIDTHS)
     assert len(widths) > 100
     assert min(widths) > 3
-
-
-def test_the_first_screen_is_complete_without_scripts(chromium, site_folder, site_address):
-    """On the pages that have least text before their first formula that waits."""
-    texts = {path: path.read_text("utf-8") for path in site_folder.rglob("*.html")}
-    before = {
-        path: html.index(late_formulas.BEGIN) - html.index("<article")
-        for path, html in texts.items()
-        if late_formulas.BEGIN in html
-    }
-    assert len(before) > 20
-    with watched(chromium, viewport={"width": 1920, "height": 1200}, java_script_enabled=False) as page:
-        for path in sorted(before, key=before.get)[:8]:
-            page.goto(f"{site_address}/{path.relative_to(site_folder).as_posix()}")
-            assert page.evaluate(WAITING_IN_SIGHT) == 0, path
 
 
 @pytest.mark.parametrize(
@@ -104,36 +78,6 @@ def test_a_link_to_a_section_leads_there(page, site_address, size, arrives):
     page.wait_for_function(f"{top} < -1500")
     page.wait_for_timeout(800)
     assert page.evaluate(top) < -1500
-
-
-def test_a_comma_stays_on_the_line_of_its_formula(page, site_address):
-    """If a line ends with a formula, a browser would put the comma at the start of the next line."""
-    page.set_viewport_size(PHONE)
-    page.goto(f"{site_address}/mistakes/03_poe_space.html")
-    page.evaluate(DRAW_ALL)
-    assert page.locator(".together").count() > 20
-    tops = page.evaluate(
-        """[...document.querySelectorAll('.together')].map((held) => {
-            const range = document.createRange();
-            range.selectNodeContents(held.lastChild);
-            return range.getBoundingClientRect().top - held.querySelector('.katex-html').getBoundingClientRect().bottom; })"""
-    )
-    assert max(tops) < 0
-
-
-@pytest.mark.parametrize("size", [PHONE, DESKTOP], ids=["phone", "desktop"])
-def test_the_number_of_a_formula_follows_its_end(page, site_address, size):
-    """On a phone a long formula extends beyond the edge of the page, where its number would overlap it."""
-    page.set_viewport_size(size)
-    page.goto(f"{site_address}/{LECTURE_03}")
-    page.evaluate(DRAW_ALL)
-    gaps = page.evaluate(
-        """[...document.querySelectorAll('.katex-display:has(.tag)')].map((shown) => {
-            const ends = [...shown.querySelectorAll('.base')].map((part) => part.getBoundingClientRect().right);
-            return shown.querySelector('.tag').getBoundingClientRect().left - Math.max(...ends); })"""
-    )
-    assert len(gaps) > 3
-    assert min(gaps) > 5
 
 
 def test_a_formula_with_an_error_raises():

@@ -3,15 +3,13 @@
 import gzip
 import re
 from functools import cache
-from html import unescape
 from urllib.parse import unquote, urlsplit
 
 import pytest
 from accessibility import violations
 from browser import unwatched, watched
-from built_site import DESKTOP, PHONE, ROOT
-from kinsite import execute, markdown
-from kinsite.generated import gallery
+from built_site import DESKTOP, PHONE
+from kinsite import execute
 from lessons import plain_words, words_of
 
 from kincourse import COURSE, find_question
@@ -270,13 +268,6 @@ def test_without_storage_a_page_still_works_and_a_message_is_in_sight(chromium, 
         assert_message(page)
 
 
-def test_the_longest_name_of_a_module_fits_on_one_line_of_a_phone(page, site_address, pages):
-    longest = max((name for name in pages if name.startswith("reference/kinlib.")), key=len)
-    page.set_viewport_size(PHONE)
-    page.goto(f"{site_address}/{longest}")
-    assert page.locator("h1 code").evaluate("(name) => name.getClientRects().length") == 1
-
-
 @pytest.mark.parametrize(("name", "size"), [("robots/youbot.html", PHONE), ("lectures/09_urdf.html", DESKTOP)])
 def test_a_page_keeps_the_room_that_its_scripts_will_need(chromium_without_webgl, site_address, name, size):
     """What moves while a page loads, as browsers measure it; 0.1 is good. Before a viewer starts, its height is kept free."""
@@ -324,36 +315,6 @@ def test_no_explanation_is_visible_before_its_prediction(chromium, site_address,
             assert visible(page) == PREDICTIONS[: k + 1]
 
 
-def test_every_explanation_of_a_prediction_is_folded_and_nowhere_else(site_folder, pages):
-    folded = re.compile(
-        r'<div role="group" class="misstep-explanation" [^>]*><details><summary>.*?</details></div>', re.DOTALL
-    )
-    for path in (name for name in pages if re.fullmatch(r"lectures/\d\d[a-z]?_\w+.html", name)):
-        html = (site_folder / path).read_text("utf-8")
-        text = re.sub(r"\s+", " ", unescape(re.sub(r"<[^>]+>", "", folded.sub("", html))))
-        names = re.findall(r'data-misstep-question="([^"]+)" data-kind="predict"', html)
-        assert len(folded.findall(html)) == len(names)
-        assert not [name for name in names if not words_of(name) or words_of(name) in text]
-
-
-def test_a_link_into_a_side_track_opens_it(page, site_address):
-    page.goto(f"{site_address}/{KINDS['phone']}")
-    track = page.locator("section:has(> details.kinlib-side)").first
-    first = track.locator("p").first
-    assert not first.is_visible()
-    page.goto(f"{page.url}#{track.get_attribute('id')}")
-    first.wait_for()
-
-
-def test_an_excerpt_of_the_search_shows_a_formula_without_latex(page, site_address):
-    page.goto(f"{site_address}/search.html?q=screw")
-    page.get_by_text("Search finished").wait_for()
-    found = page.locator("#search-results li")
-    assert found.count() > 20
-    assert found.filter(has_text="omega").count() > 2, "formulas can be found, by their names"
-    assert "\\omega" not in "".join(found.locator(".context").all_inner_texts())
-
-
 def test_the_keyboard_focus_is_visible_and_the_first_tab_skips_the_navigation(page, site_address):
     page.goto(f"{site_address}/{LECTURE_03}")
     page.keyboard.press("Tab")
@@ -383,39 +344,6 @@ def test_the_pages_of_sheets_contain_no_answers(site_folder):
         assert answers.count("...") >= 7, (path.name, answers)
 
 
-def test_only_lines_in_two_columns_become_definitions():
-    """Two spaces make a definition, a bracket before a word does not; and text may follow the list."""
-    assert markdown.paragraph("A point (n, 3) on every axis") == "A point (n, 3) on every axis"
-    assert markdown.paragraph("q      (n,) values\n       in radians\nAnd more.") == (
-        "`q`\n: (n,) values\n  in radians\n\nAnd more."
-    )
-
-
-def test_outputs_are_cached_until_the_cells_or_a_package_change(tmp_path, monkeypatch):
-    ran = []
-    monkeypatch.setattr(execute, "run", lambda _, path: ran.append(path.name))
-    path = ROOT / "notebooks" / "00_start_here.ipynb"
-    for _ in range(2):
-        execute.execute(path, tmp_path)
-    assert len(ran) == 1
-    monkeypatch.setattr(execute, "package_hash", lambda: "another hash")
-    execute.execute(path, tmp_path)
-    assert len(ran) == 2
-    assert len(list(tmp_path.iterdir())) == 1, "old outputs are deleted"
-
-
-def test_executed_and_cached_notebooks_give_the_same_page(tmp_path, monkeypatch):
-    """A kernel writes more than outputs into a notebook. If that reached the page, the next build would build it again."""
-
-    def run(notebook, path):
-        notebook.metadata["language_info"] = {"name": "another"}
-        notebook.cells[-1].metadata["execution"] = "now"
-
-    monkeypatch.setattr(execute, "run", run)
-    path = ROOT / "notebooks" / "00_start_here.ipynb"
-    assert execute.execute(path, tmp_path) == execute.execute(path, tmp_path)
-
-
 @pytest.mark.parametrize(
     ("source", "message"), [("1 / 0", "ZeroDivisionError"), ("import warnings\nwarnings.warn('old')", "old")]
 )
@@ -428,16 +356,3 @@ def test_a_notebook_that_raises_or_warns_fails_the_build_by_name(tmp_path, monke
     nbformat.write(nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source)]), path)
     with pytest.raises(execute.NotebookError, match=rf"(?s)broken\.ipynb.*{message}"):
         execute.execute(path, tmp_path)
-
-
-def test_a_robot_without_a_source_fails_the_build_by_name(monkeypatch):
-    from dataclasses import replace
-
-    from kinlib import robots
-
-    nameless = replace(robots.rpr(), source="")
-    monkeypatch.setattr(
-        gallery, "public_functions", lambda module: [("rpr", lambda: nameless)] if module is robots else []
-    )
-    with pytest.raises(ValueError, match="rpr must have a source"):
-        dict(gallery.pages())

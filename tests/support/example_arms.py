@@ -1,6 +1,5 @@
 """Random arms for frame assignment: neighbouring axes in all relative positions of two lines, and prismatic joints."""
 
-import hypothesis
 import numpy as np
 
 import kinlib as kl
@@ -13,12 +12,8 @@ NEARLY_PARALLEL_ANGLES_RAD = (*(10.0**-k for k in range(16, 2, -1)), 3e-9, 3e-8)
 
 
 def reduced_count(count):
-    """How many of so many arms are drawn: all by `nox -s evidence`, a fifth in other runs of the tests, a tenth where time is short.
-
-    `nox -s mutation` draws them again for each mutant.
-    """
-    part = {"thorough": 1, "mutation": 10, "quick": 10}.get(hypothesis.settings.get_current_profile_name(), 5)
-    return max(count // part, min(count, 5))
+    """A fifth of so many arms are drawn, so that the tests stay short."""
+    return max(count // 5, min(count, 5))
 
 
 def normalized(v):

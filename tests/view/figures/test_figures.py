@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 from answered import Answered
 from legible import overlapping_labels
-from matplotlib import pyplot as plt
 from strategies import ROBOTS
 
 import kinlib as kl
@@ -83,20 +82,6 @@ def test_a_robot_of_zero_length_is_drawn():
     assert "nan" not in draw_arm(still).svg + draw_joints(still).svg
 
 
-def test_a_text_alternative_is_escaped():
-    assert '"><script>' not in Picture("<svg/>", 'twenty characters and "><script>alert(1)</script>').html()
-
-
-def test_a_plot_has_no_colour_that_follows_no_rule():
-    """matplotlib leaves out the colour of black text; then it would be black on a dark page."""
-    alt = "Two lines that go up, and a mark."
-    svg = plot([1, 2], {"a": [1, 2], "b": [2, 3]}, xlabel="x", ylabel="y", alt=alt, mark=1).svg
-    assert "#000000" not in svg
-    glyphs = [group for group in re.findall(r"<g[^>]*>", svg) if "scale(" in group and "translate" in group]
-    assert glyphs
-    assert all("fill: #1f2328" in group for group in glyphs)
-
-
 def test_what_cannot_be_drawn_is_refused():
     curve = partial(plot, [0, 1], xlabel="x", ylabel="y", alt="Curves that cannot be drawn.")
     for draw, says in [
@@ -113,12 +98,6 @@ def test_what_cannot_be_drawn_is_refused():
     ]:
         with pytest.raises(ValueError, match=says):
             draw()
-
-
-def test_no_matplotlib_figure_is_left_open():
-    draw_arm(kl.robots.rpr())
-    plot([0, 1], {"a": [0, 1]}, xlabel="x", ylabel="y", alt="A line from 0 to 1, and no more.")
-    assert plt.get_fignums() == []
 
 
 def test_an_arm_is_drawn_without_importing_matplotlib():

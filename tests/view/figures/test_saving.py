@@ -19,7 +19,6 @@ import kinlib as kl
 from kincourse.lecture_08_closed_chains.drawings.torus import side_by_side
 from kinlib import view
 from kinlib.view import Picture
-from kinlib.view.drawing import svg
 from kinlib.view.figures.arm import describe_arm
 
 ALT = "A curve & its <tangent>, 0.5 m long. The two meet at 1."
@@ -74,40 +73,6 @@ def test_other_endings_are_refused_and_nothing_is_written(shown, tmp_path):
         with pytest.raises(ValueError, match="path must be in a folder that exists; got "):
             drawn.save(tmp_path / "missing" / name)
     assert not list(tmp_path.iterdir())
-
-
-def test_an_image_has_the_marks_of_the_drawing_where_they_are(tmp_path):
-    """Half a drawing of 200 by 100 is the part from (50, 0) to (150, 50)."""
-    marks = [
-        svg.circle(np.array([130.0, 20.0]), 5, "#ff0000"),
-        svg.polygon(np.array([[60.0, 10], [80, 10], [80, 30], [60, 30]]), "#00ff00"),
-        svg.polyline(np.array([[60.0, 40], [140, 40]]), "#0000ff", 4, "--"),
-        svg.text((100.0, 20.0), "$S_{12}$", "#ff00ff", 14),
-        svg.polyline(np.array([[142.0, 4], [148, 4], [148, 12], [142, 12], [142, 4]]), "#00ffff", 2),
-    ]
-    half = svg.document(marks, 200, 100).replace('viewBox="0 0 200 100"', 'viewBox="50 0 100 50"')
-    Picture(half, ALT).save(tmp_path / "marks.PNG")
-    with Image.open(tmp_path / "marks.PNG") as image:
-        assert image.info["Description"] == ALT
-        pixels = np.asarray(image.convert("RGB"), dtype=int)
-    height, width, _ = pixels.shape
-    assert width == pytest.approx(2 * height, abs=1)
-    boxes = {}
-    for name, colour in (("dot", (255, 0, 0)), ("square", (0, 255, 0)), ("line", (0, 0, 255)), ("text", (255, 0, 255))):
-        rows, columns = np.nonzero(np.abs(pixels - colour).max(axis=2) < 100)
-        x, y = 50 + 100 * (columns + 0.5) / width, 50 * (rows + 0.5) / height
-        boxes[name] = [x.min(), y.min(), x.max(), y.max()]
-    np.testing.assert_allclose(boxes["dot"], [125, 15, 135, 25], atol=0.8)
-    np.testing.assert_allclose(boxes["square"], [60, 10, 80, 30], atol=0.8)
-    np.testing.assert_allclose(boxes["line"], [60, 38, 138, 42], atol=2.5)
-    left, top, right, bottom = boxes["text"]
-    assert left + right == pytest.approx(200, abs=4)
-    assert 8 < top < 16
-    assert 22 < bottom < 34
-    closing = pixels[int(8 / 50 * height), int(92 / 100 * width)]  # the last side, which ends where the line begins
-    assert np.abs(closing - (0, 255, 255)).max() < 100
-    dashes = np.abs(pixels[int(0.8 * height)] - (0, 0, 255)).max(axis=1) < 100
-    assert np.count_nonzero(np.diff(dashes.astype(int)) == 1) >= 6
 
 
 @pytest.mark.parametrize("shown", ["a plot", "two drawings"])

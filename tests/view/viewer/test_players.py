@@ -136,17 +136,6 @@ def test_the_text_alternative_says_where_the_motions_have_moved_the_frame():
     assert f"4 of 4 done. The moving frame is{frame_text(('', tip))[8:]}" in walk.alt
 
 
-def test_another_number_of_motions_is_refused():
-    for done in (-0.1, 4.5, np.nan):
-        with pytest.raises(ValueError, match="done must be the number of motions carried out, 0 to 4"):
-            play_row(ROW).done = done
-
-
-def test_two_rows_instead_of_one_are_refused():
-    with pytest.raises(ValueError, match=r"one row, of shape \(4,\); got \(2, 4\)"):
-        play_row(WALK)
-
-
 # --- frames by hand ---
 
 
@@ -168,14 +157,6 @@ def test_the_candidates_contain_a_right_assignment(chain, convention):
         points = [np.linalg.norm(np.array(point["at"]) - T[:3, 3]) for point in offered["points"]]
         assert min(*lines, *points) < 1e-9
         assert min(np.linalg.norm(np.array(x["along"]) - T[:3, 0]) for x in offered["x"]) < 1e-9
-
-
-def test_each_candidate_appears_once_with_all_its_descriptions():
-    offered = frame_candidates(kl.robots.youbot())
-    for key, at in (("points", "at"), ("x", "along")):
-        places = np.array([one[at] for one in offered[key]])
-        apart = np.linalg.norm(places[:, None] - places, axis=-1) + np.eye(len(places))
-        assert apart.min() > 1e-9
 
 
 def test_the_page_does_not_receive_the_answer():
@@ -249,18 +230,6 @@ def test_frames_with_open_entries_are_synchronized_with_the_page():
     assert "No frame is placed yet." in hand.alt
     hand.frames = kl.assign_frames(kl.robots.rpr(), convention="standard").frames
     assert "Frame {3} at" in hand.alt
-
-
-def test_an_invalid_array_of_frames_is_refused():
-    for frames, message in [
-        (np.eye(4), r"shape \(4, 4, 4\).*got \(4, 4\)"),
-        ("soon", "must be an array of numbers"),
-        ([[1, 2], [3]], "must be an array of numbers"),
-    ]:
-        with pytest.raises(ValueError, match=message):
-            placed(kl.robots.rpr(), "standard", frames)
-    with pytest.raises(ValueError, match="convention"):
-        assign(kl.robots.rpr(), "common")
 
 
 def test_a_sheet_names_the_frames_that_are_not_placed():
