@@ -3,7 +3,6 @@
 import warnings
 from contextlib import chdir
 from functools import cache
-from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -41,11 +40,6 @@ ARMS = {
 """Each arm: the package, the file, and the tip, if the file has several."""
 
 
-ROOT = Path(__file__).resolve().parents[2]
-
-EXAMPLE_ROBOT_DATA = ROOT / "build/example_robot_data/cmeel.prefix/share/example-robot-data/robots"
-"""Where `nox -s urdf` puts the URDF files of example-robot-data, a package of 131 MB with 69 robots."""
-
 TWO_FINGERS = """<robot name="gripper">
   <link name="floor"/> <link name="palm"/> <link name="left"/> <link name="right"/> <link name="pad"/> <link name="lamp"/>
   <joint name="turn" type="revolute"> <parent link="floor"/> <child link="palm"/> <origin xyz="0 0 0.2"/> <axis xyz="0 0 1"/>
@@ -58,17 +52,6 @@ TWO_FINGERS = """<robot name="gripper">
   <joint name="arm" type="fixed"> <parent link="palm"/> <child link="lamp"/> <origin xyz="0.2 0 0.1"/> </joint>
 </robot>"""
 """A gripper on a turning palm: two fingers, one of which mimics the other at twice the speed, and a lamp beside them."""
-
-
-def shipped_files():
-    """Every file *.urdf that airo-models and rtb-data ship, and example-robot-data if it is there: {package/name: path}."""
-    found = {package: find_spec(package) for package in ("airo_models", "rtbdata")}
-    folders = {package: Path(spec.origin).parent for package, spec in found.items() if spec}
-    return {
-        f"{package}/{path.relative_to(folder).as_posix()}": path
-        for package, folder in {**folders, "example_robot_data": EXAMPLE_ROBOT_DATA}.items()
-        for path in sorted(folder.rglob("*.urdf"))
-    }
 
 
 @cache
