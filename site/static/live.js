@@ -617,23 +617,26 @@
       this.output.append(displayed(data, this.asked, this.kept));
       if (focused !== document.activeElement) focused?.focus({ preventScroll: true });
       record(data[SOLVED]);
-      if (SHEET && data[ANSWER]) keep(this.storedKey, JSON.stringify({ sources: this.sources(), data }));
+      if (SHEET && data[ANSWER]) keep(this.storedKey, JSON.stringify({ sources: madeFrom(this), data }));
     }
 
     get storedKey() {
       return `stored ${this.id}`;
     }
 
-    /** The code on which a stored answer depends: an answer that was changed after its check does not count. */
-    sources() {
-      const before = cells.filter(({ role, problem }) => role === 'open' || (role === 'answer' && problem === this.problem));
-      return before.map((cell) => cell.source()).join('\n');
-    }
-
     /** The output of the last check, as Jupyter saves it; null if there was none, or if the answer has changed since. */
     stored() {
       const { sources, data } = JSON.parse(loadTyped()?.[this.storedKey] ?? typed[this.storedKey] ?? '{}');
-      return sources === this.sources() ? { output_type: 'display_data', data, metadata: {} } : null;
+      return sources === madeFrom(this) ? { output_type: 'display_data', data, metadata: {} } : null;
+    }
+
+    /** Show the card of the last check again after the page was loaded, if its answer is still the same. */
+    restore() {
+      const stored = this.stored();
+      if (!stored) return;
+      this.clear();
+      this.output.append(displayed(stored.data, false));
+      this.madeFrom = madeFrom(this);
     }
 
     showStream({ name, text }) {
@@ -801,6 +804,7 @@
     });
   if (SHEET) {
     for (const cell of cells) cell.isReady = true;
+    for (const cell of cells) if (cell.role === 'check') cell.restore();
     document.querySelector('.kinlib-sample')?.remove(); // each problem says it itself
     markStale();
     showMyNumbers();
