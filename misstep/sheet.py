@@ -8,7 +8,8 @@ from typing import Any
 
 from misstep.diagnosis.bugs import recurrences
 from misstep.display.lecture_address import lecture_address
-from misstep.judge import Judgement, judge
+from misstep.failed_answer import FailedAnswer, watch_cells
+from misstep.judge import Finding, Judgement, judge
 from misstep.problem import Problem, Template
 from misstep.storage.serialize import to_data
 from misstep.verdict import Tally, Verdict, observation
@@ -76,6 +77,7 @@ class OpenSheet:
         self.verdicts: dict[int, Verdict] = {}
         self._judgements: dict[int, list[Judgement]] = defaultdict(list)
         self._drawn: dict[int, Problem] = {}
+        watch_cells()
 
     def problem(self, k: int) -> Problem:
         """Return problem k with this student's numbers.
@@ -113,9 +115,14 @@ class OpenSheet:
     def check(self, k: int, answer: Any) -> Verdict:
         """Judge an answer to problem k, and explain the result. You can check as often as you like; the last answer counts."""
         template, problem = self._template(k), self.problem(k)
+        failed = answer if isinstance(answer, FailedAnswer) else None
+        answer = ... if failed else answer
         stored = to_data(answer, problem.answer.inputs)  # for a grader, which judges it again
         emission = {"sheet": self.sheet.name, "problem": k, "student": self.student, "answer": stored}
         judgement = judge(problem, answer)
+        if failed:
+            message = f"The cell with this answer ended with an error ({failed.error}), so there is no answer to check."
+            judgement = Judgement("unreadable", findings=[Finding(problem.answer.parts, message)])
         self._judgements[k].append(judgement)
         self.verdicts[k] = Verdict(template, judgement, emission, lecture_address(template.lecture, self.site))
         return self.verdicts[k]

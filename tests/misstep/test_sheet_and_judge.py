@@ -219,3 +219,23 @@ def test_a_remark_on_a_right_answer_is_no_mistake_and_nothing_to_reread():
     assert verdict.judgement.mistakes == []
     assert sheet.tally().recurrences == []
     assert "2 of 2 | right" in repr(sheet.tally()) == sheet.tally()._repr_markdown_()
+
+
+def test_a_check_after_an_answer_cell_that_failed_judges_no_older_answer():
+    """In IPython, as in JupyterLab: the variable still has the value of the run before."""
+    from IPython.core.interactiveshell import InteractiveShell
+
+    shell = InteractiveShell.instance()
+    try:
+        cells = ("from kincourse import open_sheet", "sheet = open_sheet('03_poe_space', 'ada')")
+        for cell in (*cells, "screws_1 = sheet.problem(1).answer.value", "verdict = sheet.check(1, screws_1)"):
+            assert shell.run_cell(cell).success
+        assert shell.user_ns["verdict"].score == 3
+        for broken, name in (("screws_1 = [1 / 0]", "ZeroDivisionError"), ("screws_1 = [1", "SyntaxError")):
+            shell.run_cell(broken)
+            assert shell.run_cell("verdict = sheet.check(1, screws_1)").success
+            text = shell.user_ns["verdict"].card.text()
+            assert "ended with an error" in text
+            assert name in text
+    finally:
+        InteractiveShell.clear_instance()

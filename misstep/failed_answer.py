@@ -1,0 +1,44 @@
+"""What a check is given where the cell of its answer ended with an error: no value of an earlier run, which would be judged."""
+
+import re
+import sys
+from dataclasses import dataclass
+from typing import Any
+
+ANSWER = re.compile(r"^(\w+_\d+)\s*(?::[^=\n]+)?=(?!=)", re.MULTILINE)
+"""The name of an answer of a sheet, such as screws_1, where a cell sets it."""
+
+
+@dataclass(frozen=True)
+class FailedAnswer:
+    """Takes the place of an answer whose cell ended with an error.
+
+    error  the name of the error and its message
+    """
+
+    error: str
+
+
+def replace_failed_answers(result: Any) -> None:
+    """Replace the answers that a cell of IPython sets, if it ended with an error. IPython calls it after each cell.
+
+    result  IPython's ExecutionResult
+    """
+    error = result.error_before_exec or result.error_in_exec
+    shell = current_shell()
+    if error is None or shell is None:
+        return
+    for name in ANSWER.findall(result.info.raw_cell):
+        shell.user_ns[name] = FailedAnswer(f"{type(error).__name__}: {getattr(error, 'msg', None) or error}")
+
+
+def watch_cells() -> None:
+    """Let IPython replace the answers of cells that end with an error; outside of IPython, do nothing."""
+    shell = current_shell()
+    if shell is not None and replace_failed_answers not in shell.events.callbacks["post_run_cell"]:
+        shell.events.register("post_run_cell", replace_failed_answers)
+
+
+def current_shell() -> Any:
+    """Return the IPython that runs, or None: a sheet also works in a plain interpreter."""
+    return sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
