@@ -183,13 +183,6 @@ class DHTableAnswer(Answer):
 
     def explanation(self, given: DHTable, part: int) -> tuple[str, str] | None:
         """Return the name of the mistake in a wrong table and a sentence on it, or None if no known mistake explains it."""
-        return self._explanation(given, in_pairs=True)
-
-    def is_near(self, given: DHTable, part: int) -> bool:
-        """Return whether a single mistake explains a wrong table. Pairs would take seconds where a known mistake is told anyway."""
-        return self._explanation(given, in_pairs=False) is not None
-
-    def _explanation(self, given: DHTable, *, in_pairs: bool) -> tuple[str, str] | None:
         ours = self.value
         if given.convention != ours.convention:
             text = (
@@ -206,7 +199,7 @@ class DHTableAnswer(Answer):
             without = given.changed(**{end: np.eye(4)})
             if (getattr(ours, end) != np.eye(4)).any() and all(self.agrees(without, ours)):
                 return f"{end} forgotten", text
-        diagnosis = self._diagnose(given, in_pairs=in_pairs)
+        diagnosis = self._diagnose(given)
         # Rows that were typed have the base and the tool of the problem, so these are not what is wrong.
         sound = {
             f"wrong {end}"
@@ -269,14 +262,14 @@ class DHTableAnswer(Answer):
         ]
         return f"It differs from ours where the rules leave a choice: {'; '.join(choices)}." if choices else ""
 
-    def _diagnose(self, given: DHTable, *, in_pairs: bool = False) -> Diagnosis:
-        return _diagnosis(given, self.value, self.anchored, in_pairs)
+    def _diagnose(self, given: DHTable) -> Diagnosis:
+        return _diagnosis(given, self.value, self.anchored)
 
 
 @lru_cache(maxsize=16)
-def _diagnosis(given: DHTable, right: DHTable, anchored: bool, in_pairs: bool) -> Diagnosis:
+def _diagnosis(given: DHTable, right: DHTable, anchored: bool) -> Diagnosis:
     fixed = CHOICES if anchored else ()
-    return diagnose(given, right, fixed, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE, in_pairs=in_pairs)
+    return diagnose(given, right, fixed, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE, in_pairs=False)
 
 
 _COLUMN = re.compile(r"\b(alpha|theta|d)\b|\ba\b(?= (?:is measured|has|and (?:d|alpha)))|(?<=along |about )[xz]\b")

@@ -74,7 +74,7 @@ def _pose_changes(node: Expression) -> Changes:
         ("only moved", "rotation", homogeneous(np.eye(3), p)),
         ("only rotated", "position", homogeneous(R, 0 * p)),
     ):
-        yield Change(name, f"leave out the {what} of ${node.latex}$", alone=True), given(node.latex, wrong)
+        yield Change(name, f"leave out the {what} of ${node.latex}$", may_coincide=True), given(node.latex, wrong)
 
 
 def _rotation_changes(node: Expression) -> Changes:
@@ -169,7 +169,7 @@ def _point_map_changes(node: Expression) -> Changes:
     yield Change("point as a direction", f"leave out the position of ${T.latex}$ for a point", advice=advice), R @ x
     yield Change("sign", f"take the position of ${T.latex}$ with the opposite sign"), R @ x - p
     text = f"take ${x.latex}$, rotated, with the opposite sign"
-    yield Change("sign", text, alone=True), p - R @ x
+    yield Change("sign", text, may_coincide=True), p - R @ x
     yield Change("order", f"add the position of ${T.latex}$ in the wrong order, before rotating"), R @ (x + p)
     yield from _map_changes(T, x, to_point)
 

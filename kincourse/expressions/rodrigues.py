@@ -176,7 +176,7 @@ def _changes(
         said, why = (words.replace("\\theta", theta.latex) for words in (text, advice.get(name, "")))
         formula = partial(_formula, coefficients, square, _size(omega.value))
         # With some angles another function has the same value, which is no reason to draw other numbers.
-        change = Change(name, said, advice=why, alone=name == "another function")
+        change = Change(name, said, advice=why, may_coincide=name == "another function")
         yield change, Operation(name, formula, node.operation.latex)(omega, theta, *v)
 
 
@@ -196,7 +196,7 @@ def _rotation_changes(node: Expression) -> Changes:
         once = partial(_formula, lambda q: (1, sin(q), _size(raw.value) * (1 - cos(q))), _squared, 1.0)
         text = f"divide by the length only once in the square of $[{raw.latex}]$"
         divided_once = Operation("divided once", once, "{0}".format)(unit(raw), theta)
-        yield Change("divided once", text, advice=UNIT_AXIS, alone=True), divided_once
+        yield Change("divided once", text, advice=UNIT_AXIS, may_coincide=True), divided_once
         text = f"use ${raw.latex}$, which is no unit vector, in Rodrigues' formula"
         yield Change("formula for a unit axis", text, FOR_UNIT_AXES, UNIT_AXIS), _printed_rotation(raw, theta)
 

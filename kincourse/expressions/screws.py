@@ -334,7 +334,7 @@ def _change_of_frame_changes(node: Expression) -> Changes:
     yield from _by_other_blocks(T, S, _WRONG_ADJOINTS)
     for text, pose in _WRONG_POSES.items() if T.operation is not inverse else ():
         instead = Operation("another pose", pose, "{0}".format)(T)
-        yield Change("position of the inverse", f"{text} ${T.latex}$", alone=True), change_frame(instead, S)
+        yield Change("position of the inverse", f"{text} ${T.latex}$", may_coincide=True), change_frame(instead, S)
 
 
 def _by_other_blocks(T: Expression, S: Expression, table: Sequence[tuple[str, str, "Blocks"]]) -> Changes:
@@ -342,7 +342,7 @@ def _by_other_blocks(T: Expression, S: Expression, table: Sequence[tuple[str, st
         is_about_brackets = name == "p without brackets"
         advice = ADJOINT_ADVICE if is_about_brackets or "{Ad}" in text else ""
         said = text.replace("{Ad}", f"$\\mathrm{{Ad}}_{{{T.latex}}}$")
-        change = Change(name, said, advice=advice, alone=is_about_brackets)
+        change = Change(name, said, advice=advice, may_coincide=is_about_brackets)
         yield change, Operation(name, partial(_by, blocks), "{1}".format)(T, S)
 
 

@@ -56,7 +56,7 @@ def _rpy_changes(node: Expression) -> Changes:
     if len(rotated) > 1:
         text = f"take the angles of ${label}$ as one rotation vector"
         advice = "Roll, pitch and yaw are three rotations, one after the other, and not one rotation vector."
-        yield Change("rotation vector", text, advice=advice, alone=True), _one_rotation(rpy)
+        yield Change("rotation vector", text, advice=advice, may_coincide=True), _one_rotation(rpy)
     text = f"transpose ${label}$, which takes coordinates in the joint's frame to the parent's"
     yield Change("rotation transposed", text, "transpose every rotation"), transpose(node)
     yield (Change("rotation left out", f"leave out ${label}$", "leave out every rotation"), given("I", np.eye(3)))

@@ -167,10 +167,6 @@ class Answer(ABC):
         """Return the name and the message of the mistake in a wrong part, if the answer itself shows it."""
         return None
 
-    def is_near(self, given: Any, part: int) -> bool:
-        """Return whether a wrong part is so near to the right one that the answer itself shows a single mistake."""
-        return self.explanation(given, part) is not None
-
     def description(self, given: Any, part: int) -> tuple[str, str] | None:
         """Return a name and a sentence for how a wrong part differs from the right one, if nothing else explains it."""
         return None
@@ -195,10 +191,6 @@ class Answer(ABC):
         """Return a sentence on how a right answer differs from ours; "" if there is nothing to say."""
         return ""
 
-    def pins_down(self, given: Any, part: int) -> bool:
-        """Return whether a part has so many digits that two changes of the solution do not lead to it by chance."""
-        return True
-
     def expressions(self, solution: Any) -> Iterator[Expression]:
         """Yield the solution, or if it is a function, the expression at each input."""
         yield solution
@@ -206,10 +198,6 @@ class Answer(ABC):
     def collect(self, values: Sequence[Any]) -> Any:
         """Return the answer that has these values at the inputs, as if it had been read. Raises Unreadable if there is none."""
         return self.from_author(values[0])
-
-    def may_be(self, given: Any, value: Any) -> bool:
-        """Return whether an answer may be one that has a value at the first input, to save computing it at all inputs."""
-        return True
 
     def may_share(self, given: Any, value: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> bool:
         """Return whether any part of an answer, or all of them, may be those of one that has a value at the first input."""

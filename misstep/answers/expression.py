@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Quantifier, Unreadable
 from misstep.answers.entries import Entries, Slip, entries_hint, place_of, scale_of, wrong_slips
-from misstep.answers.likeness import Likeness, Named, copied_row
+from misstep.answers.likeness import Likeness, Named
 from misstep.display.sentences import NEGATED_FORMULAS
 from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
@@ -76,8 +76,7 @@ class ClosedForm(Entries):
         return self.likeness(given, None).order() if self.rows_are_alike else None
 
     def explanation(self, given: Formula, part: int) -> Named | None:
-        mine, right = ([x.values[piece] for piece in self.core_indices()] for x in (given, self._right))
-        return copied_row(mine, right, part, self.parts) or self.likeness(given, part).resemblance()
+        return self.likeness(given, part).resemblance()
 
     def description(self, given: Formula, part: int) -> Named | None:
         same = self.same_entries(given, self.value)[self.core_indices()[part]]
@@ -132,12 +131,6 @@ class ClosedForm(Entries):
             )
         except (TypeError, ValueError) as error:
             raise Unreadable(f"Expected {self.expected}.") from error
-
-    def may_be(self, given: Formula, value: Any) -> bool:
-        right = given.values[..., 0]
-        return np.size(value) == right.size and bool(
-            np.allclose(np.reshape(value, right.shape), right, rtol=TOLERANCE, atol=TOLERANCE)
-        )
 
     def may_share(self, given: Any, value: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> bool:
         own = (self._right if given is self.value else given).values[..., 0]

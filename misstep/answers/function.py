@@ -144,9 +144,6 @@ class Function(Answer):
     def collect(self, values: Sequence[Any]) -> FunctionCalls:
         return FunctionCalls(None, [self._output(value) for value in values])
 
-    def may_be(self, given: FunctionCalls, value: Any) -> bool:
-        return self.may_share(given, value, parts=all)
-
     def may_share(self, given: Any, value: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> bool:
         try:
             first = self._output(value)

@@ -19,9 +19,6 @@ from misstep.validation import Array
 MAX_PLACES = 3
 """How many wrong entries are named one by one."""
 
-MIN_DIGITS = 4
-"""How many digits a number has at least, so that one wrong digit is no coincidence."""
-
 MAX_ROWS = 12
 """Of how many rows the order is looked for."""
 
@@ -141,24 +138,6 @@ class Likeness:
             if is_rounded and (np.abs(mine - np.round(right, decimals)) < 1e-9).all():
                 return "rounded", sentences.ROUNDED.format(sentences.FOUR_DIGITS)
         return None
-
-    def typing(self) -> Named | None:
-        """Return whether each wrong number has a slip of typing: its sign, one of its digits, two exchanged digits, the point."""
-        if self.is_formula or self.mine.shape[-1] != 1:
-            return None
-        wrong = ~self._equal(self.mine, self.right)
-        if not 0 < np.count_nonzero(wrong) <= MAX_PLACES:
-            return None
-        mine, right = (np.atleast_1d(x[..., 0])[np.atleast_1d(wrong)].tolist() for x in (self.mine, self.right))
-        seen = [slip_of_typing(one, other) for one, other in zip(mine, right, strict=True)]
-        if seen.count("") > (len(seen) > 1 and "sign" in seen):
-            return None
-        if wrong.size == 1:
-            return seen[0], f"This looks like a slip of typing: {sentences.SLIPS_OF_TYPING[seen[0]]}."
-        places = [self.place(index) for index in np.argwhere(wrong).tolist()]
-        told = [f"{place}: {sentences.SLIPS_OF_TYPING[slip]}" for place, slip in zip(places, seen, strict=True)]
-        text = "; ".join(told)
-        return " and ".join(filter(None, dict.fromkeys(seen))), f"{text[:1].upper()}{text[1:]}."
 
     def _signs(self) -> Named | None:
         mine, right = self.mine, self.right
@@ -290,42 +269,6 @@ def has_three_digits(given: Array, value: Array, *, or_zeros: bool = False) -> N
     unit = 10.0 ** (np.floor(np.log10(np.maximum(np.abs(value), 1e-12))) - 2)
     is_short, is_shorter = (np.abs(given / x - np.round(given / x)) < 1e-6 for x in (unit, 10 * unit))
     return np.asarray(is_short & (or_zeros | ~is_shorter) & (np.abs(given - value) <= 0.5 * unit * (1 + 1e-6)))
-
-
-def slip_of_typing(mine: float, right: float) -> str:
-    """Return how a number differs from the right one as slips of typing make it; "" if it does in no such way.
-
-    >>> [slip_of_typing(mine, 0.3474) for mine in (-0.347, 0.3744, 0.3874, 3.474, 0.5384)]
-    ['sign', 'digits exchanged', 'digit', 'decimal point', '']
-    """
-    decimals = next((k for k in range(13) if abs(mine - round(mine, k)) < 1e-9), 12)
-    one, other = (f"{abs(x):.{decimals}f}" for x in (mine, right))
-    if mine * right == 0 or abs(right) < 1e-3:
-        return ""
-    if mine * right < 0 and (one == other or abs(mine + right) <= TOLERANCE * abs(right)):
-        return "sign"
-    if any(abs(mine - factor * right) <= TOLERANCE * abs(factor * right) for factor in (10.0, 0.1, 100.0, 0.01)):
-        return "decimal point"
-    if mine * right < 0 or len(one) != len(other) or len(one.strip("0.").replace(".", "")) < MIN_DIGITS:
-        return ""
-    places = [k for k, (a, b) in enumerate(zip(one, other, strict=True)) if a != b]
-    if len(places) == 1:
-        return "digit"
-    is_pair = len(places) == 2 and one[places[0]] == other[places[1]] and one[places[1]] == other[places[0]]
-    return "digits exchanged" if is_pair and places[1] - places[0] <= 2 else ""
-
-
-def copied_row(mine: Sequence[Array], right: Sequence[Array], part: int, names: Sequence[str]) -> Named | None:
-    """Return whether a row of an answer is another row of the same answer, where the right rows differ.
-
-    mine, right  the parts of an answer and of the right one, each with one more axis
-    """
-    for other, name in enumerate(names):
-        if other == part or mine[part].ndim < 2 or mine[part].shape != mine[other].shape or not mine[part].any():
-            continue
-        if np.allclose(mine[part], mine[other], rtol=0, atol=1e-9) and not np.allclose(right[part], right[other]):
-            return "copied row", f"It is the same as your {name.removeprefix('the ')}, number for number."
-    return None
 
 
 def _arrangements(X: Array, names: Sequence[str]) -> Iterator[tuple[str, str, Array]]:

@@ -25,7 +25,7 @@ from misstep.answers.entries import (
     scale_of,
     wrong_slips,
 )
-from misstep.answers.likeness import LENGTH_UNITS, Likeness, Named, copied_row, has_three_digits
+from misstep.answers.likeness import LENGTH_UNITS, Likeness, Named, has_three_digits
 from misstep.display.sentences import OTHER_UNIT
 from misstep.formulas.evaluation import numeral
 from misstep.mistakes import Mistake
@@ -141,15 +141,6 @@ class Numbers(Entries):
         size = np.maximum(self._scales, np.maximum(np.abs(one), np.abs(other)))
         return np.asarray(np.abs(one - other) <= tolerance * size)
 
-    def may_be(self, given: Array, value: Any) -> bool:
-        if value is None or np.shape(value) != np.shape(given):
-            return False
-        return any(self.agrees(given, np.asarray(value)))
-
-    def pins_down(self, given: Array, part: int) -> bool:
-        entries = np.abs(given[self.part_indices()[part]])
-        return bool(np.count_nonzero(np.minimum(entries, np.abs(entries - 1)) > TOLERANCE) >= 2)
-
     def kinds(self) -> NDArray[np.int_]:
         """Return a label for each entry: numbers with the same label can be compared in size, and PURE ones have the scale 1."""
         return np.ones(np.shape(self.value), dtype=int)
@@ -200,8 +191,7 @@ class Numbers(Entries):
         return [fine and bool(np.all(hidden[piece])) for fine, piece in zip(agrees, pieces, strict=True)]
 
     def explanation(self, given: Array, part: int) -> Named | None:
-        mine, right = ([np.asarray(X)[piece][..., None] for piece in self.core_indices()] for X in (given, self.value))
-        return copied_row(mine, right, part, self.parts) or self.likeness(given, part).resemblance()
+        return self.likeness(given, part).resemblance()
 
     def check(self, given: Array, part: int) -> str:
         return self.test(np.asarray(given)[self.part_indices()[part]]) if self.test else ""
@@ -213,8 +203,6 @@ class Numbers(Entries):
                 order = [other if k == part else k for k in range(len(self.parts))]
                 if other != part and self.agrees(given, self.value[order])[part]:
                     return "another row", f"This is what belongs to {name}."
-        if typed := self.likeness(given, part).typing():
-            return typed
         if np.size(same) > 1:
             return ("one entry", self.hint(given, part)) if np.count_nonzero(~same) == 1 else None
         if self.agrees(given, self.value).count(False) == 1 < len(self.parts):

@@ -20,13 +20,8 @@ from misstep.problem import Problem
 MAX_ALTERNATIVES = 2
 """How many mistakes that lead to the same answer are told."""
 
-CONSEQUENCES = ("This is what you get if ", "This is also what you get if ")
-"""The beginnings of what is said of one change of the solution, and of two."""
-
-UNCHECKED = {"another row", "copied row", "unit of length", "degrees"}
+UNCHECKED = {"another row", "unit of length", "degrees"}
 """The names of what needs no check: the numbers are right, at another place or in another unit."""
-
-SAME_CONSEQUENCE = "You get the same if "
 
 SENTENCE_END = re.compile(r"(?<=[.!?]) ")
 """The space between two sentences."""
@@ -83,21 +78,8 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Explanat
     by_part = [] if is_single else _explain_parts(problem, value, set(wrong), groups)
     found += [_told(problem, value, parts, mistakes) for parts, mistakes in by_part]
     left = _left(wrong, found)
-    if left and len(left) == len(answer.parts):
-        copied = next((name for name, given in problem.given.items() if _is_copy(problem, value, given)), None)
-        if copied:
-            text = f"These are the numbers that are given as `{copied}`, unchanged."
-            return [_seen(left, value, ("given unchanged", text), spoils=True)]
     compared = _joined({part: seen for part in left if (seen := answer.explanation(value, part))}, value)
     found += [_checked(answer, value, one) for one in compared]
-    if problem.solution is not None and (left := [p for p in _left(wrong, found) if answer.pins_down(value, p)]):
-        doubles = [twice for twice in problem.double_mutants(value) if any(answer.shows(value, twice.value))]
-        whole = _distinct([twice for twice in doubles if all(answer.shows(value, twice.value))])
-        if whole and len(left) == len(wrong):
-            found.append(_told(problem, value, left, whole, is_whole=True))
-        elif not is_single:
-            pairs = _explain_parts(problem, value, set(left), [doubles])
-            found += [_told(problem, value, parts, mistakes) for parts, mistakes in pairs]
     described = _joined({p: seen for p in _left(wrong, found) if (seen := answer.description(value, p))}, value)
     return found + [_checked(answer, value, one) for one in described]
 
@@ -109,15 +91,6 @@ def _is_reordered(answer: Answer, value: Any, wrong: Sequence[int]) -> bool:
 def _left(wrong: Sequence[int], found: Sequence[Explanation]) -> list[int]:
     explained = {part for one in found for part in one.parts}
     return [part for part in wrong if part not in explained]
-
-
-def _is_copy(problem: Problem, value: Any, given: Any) -> bool:
-    """Return whether an answer is a given array, and not one that is right or 0 in the parts that count."""
-    try:
-        copy = problem.answer.read(given)
-    except Exception:  # most given values are no answers at all
-        return False
-    return hasattr(given, "shape") and len(given.shape) > 0 and all(problem.answer.agrees(value, copy))
 
 
 def _seen(parts: Sequence[int], value: Any, seen: tuple[str, str], *, spoils: bool = False) -> Explanation:
@@ -148,13 +121,11 @@ def _checked(answer: Answer, value: Any, told: Explanation) -> Explanation:
 def _told(
     problem: Problem, value: Any, parts: Sequence[int], mistakes: Sequence[Mistake], *, is_whole: bool = False
 ) -> Explanation:
-    # Where the answer is the right one but for signs or an order, other ways lead to it as easily.
-    is_sure = all(problem.answer.pins_down(value, part) and not problem.answer.is_near(value, part) for part in parts)
     is_slip = mistakes[0] in problem.slips
     # A card gives the name of the part, so that a slip need not say which one is right.
     is_reordered = is_whole and _is_reordered(problem.answer, value, parts)
     is_labelled = is_slip and not is_reordered and len(parts) < len(problem.answer.parts)
-    text = message_of(mistakes, is_whole and not (is_labelled and mistakes[0].part), is_sure)
+    text = message_of(mistakes, is_whole and not (is_labelled and mistakes[0].part))
     told = Explanation(list(parts), mistakes, text, is_whole, is_reordered, is_method=not is_slip)
     return _checked(problem.answer, value, told) if is_slip else told
 
@@ -164,24 +135,12 @@ def _explain_parts(
 ) -> Iterator[tuple[list[int], list[Mistake]]]:
     """Explain each wrong part by the mistakes that explain the most of the parts that are left."""
     answer, left = problem.answer, set(wrong)
-    # A single number is too often that of some mutant, which is told only if no part that is right speaks against it.
-    is_short = not any(answer.pins_down(value, part) for part in wrong)
-
-    def is_refuted(mistake: Mistake) -> bool:
-        kept = answer.agrees(mistake.value, answer.value)
-        return (
-            bool(mistake.steps)
-            and is_short
-            and any(part not in wrong and not is_kept for part, is_kept in enumerate(kept))
-        )
-
     matching = [
         [
             (mistake, parts)
             for mistake in group
             if mistake.part
             and (parts := {part for part, is_same in enumerate(answer.shows(value, mistake.value)) if is_same} & left)
-            and not is_refuted(mistake)
         ]
         for group in groups
     ]
@@ -211,41 +170,29 @@ def name_of(mistakes: Sequence[Mistake]) -> str:
     return " or ".join(dict.fromkeys(mistake.name for mistake in mistakes[: MAX_ALTERNATIVES + 1]))
 
 
-def message_of(mistakes: Sequence[Mistake], whole: bool, is_sure: bool = True) -> str:
-    r"""Return the message for mistakes that cannot be told apart: at most two of them, and each sentence once.
+def message_of(mistakes: Sequence[Mistake], whole: bool) -> str:
+    r"""Return the message for mistakes that cannot be told apart: at most two of them, with different names.
 
-    whole    whether they explain the whole answer, rather than a part of it
-    is_sure  whether the answer has so many digits that a single mistake has been made, and not only leads to it
+    whole  whether they explain the whole answer, rather than a part of it
 
+    >>> took = [Mistake(f"an {x}", 1, f"This is what you get if you take {x}.", did=f"take {x}") for x in "ab"]
+    >>> message_of(took, whole=True)
+    'This is what you get if you take a, or if you take b.'
     >>> message_of([Mistake("order", 1, "You swapped them."), Mistake("sign", 1, "You forgot a sign.")], whole=True)
-    'Several mistakes lead to this answer. Either: You swapped them. Or: You forgot a sign.'
-    >>> message_of([Mistake(x, 1, f"You took {x}.", possible=f"This is what you get if you take {x}.") for x in "ab"], whole=True)
-    'This is what you get if you take a. You get the same if you take b.'
-    >>> message_of([Mistake("order", 1, "You swapped them."), Mistake("swap", 1, "You swapped them. The base is first.")], whole=True)
-    'You swapped them. The base is first.'
-    >>> message_of([Mistake(name, 1, f"You forgot {name}.") for name in "abcd"], whole=True)
-    'Several mistakes lead to this answer, for example these. Either: You forgot a. Or: You forgot b.'
-    >>> halved = Mistake("halved", 1, "You took half.", possible="This is what you get if you take half.")
-    >>> message_of([halved], whole=True, is_sure=False)
-    'This is what you get if you take half.'
+    'You swapped them. Or: You forgot a sign.'
     """
-    mistakes = [one for k, one in enumerate(mistakes) if not any(one.retells(other) for other in mistakes[:k])]
-    texts = [mistake.message if whole else mistake.part for mistake in mistakes]
-    if whole and not (is_sure and len(mistakes[0].names) == 1 and len(set(texts)) == 1):
-        texts = [mistake.possible or mistake.message for mistake in mistakes]
-    texts = list(dict.fromkeys(texts))
-    # The same sentence with advice behind it says it all.
-    texts = [text for text in texts if not any(other.startswith(f"{text} ") for other in texts)]
-    if len(texts) == 1:
-        return texts[0]
-    kept, what = texts[:MAX_ALTERNATIVES], "answer" if whole else "part"
-    some = ", for example these" if len(texts) > len(kept) else ""
-    first, second = kept
-    if len(first) + len(second) > MAX_LENGTH - 80:
-        first, second = (f"{text.partition('. ')[0].removesuffix('.')}." for text in kept)
-    said = set(SENTENCE_END.split(first))
-    second = " ".join(sentence for sentence in SENTENCE_END.split(second) if sentence not in said)
-    for begin in CONSEQUENCES:
-        if first.startswith(begin) and second.startswith(begin):
-            return f"{first} {SAME_CONSEQUENCE}{second.removeprefix(begin)}"
-    return f"Several mistakes lead to this {what}{some}. Either: {first} Or: {second}"
+    first, *others = mistakes
+    other = next((one for one in others if one.name != first.name and one.did != first.did), None)
+    if other is None:
+        return first.message if whole else first.part
+    if first.did and other.did:
+        advice = [] if first.advice == other.advice else [other.advice]
+        for further in ([first.advice, *advice], [first.advice], []):
+            text = " ".join(
+                filter(None, [f"This is what you get if you {first.did}, or if you {other.did}.", *further])
+            )
+            if len(text) <= MAX_LENGTH:
+                break
+        return text
+    texts = [one.message if whole else one.part for one in (first, other)]
+    return texts[0] if texts[0] == texts[1] else f"{texts[0]} Or: {texts[1]}"

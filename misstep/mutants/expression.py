@@ -21,24 +21,6 @@ SUM, PRODUCT, ATOM = 1, 2, 3
 MAX_FACTORS = 7
 """Of how many factors one is taken for another."""
 
-PAST_TENSES = {
-    "forget": "forgot",
-    "give": "gave",
-    "go": "went",
-    "keep": "kept",
-    "leave": "left",
-    "let": "let",
-    "put": "put",
-    "read": "read",
-    "misread": "misread",
-    "say": "said",
-    "stop": "stopped",
-    "swap": "swapped",
-    "take": "took",
-    "write": "wrote",
-}
-"""The past tenses that are not formed by -d or -ed."""
-
 
 @dataclass(frozen=True)
 class Change:
@@ -52,10 +34,7 @@ class Change:
     in_parts    whether one part of an answer can show it; otherwise only the whole answer does
     credit      the fraction of the points that it leaves, because it is one of a problem before and all that follows is right
     spoils      whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
-    alone       whether it is never combined with another change, because people seldom make both and there are many of it
-
-    >>> Change("degrees", "use degrees as radians").past
-    'used degrees as radians'
+    may_coincide  whether it may lead to the right answer for some numbers
     """
 
     name: str
@@ -64,16 +43,9 @@ class Change:
     advice: str = ""
     one_by_one: bool = True
     in_parts: bool = True
-    alone: bool = False
+    may_coincide: bool = False
     credit: float = 0.0
     spoils: bool = False
-
-    @property
-    def past(self) -> str:
-        """The text in the past tense."""
-        verb, space, rest = self.text.partition(" ")
-        ending = "d" if verb.endswith("e") else "ied" if verb.endswith("y") else "ed"
-        return PAST_TENSES.get(verb, verb.removesuffix("y" if ending == "ied" else "") + ending) + space + rest
 
 
 Changes = Iterator[tuple[Change, "Expression"]]
@@ -198,7 +170,7 @@ class Expression:
         >>> [(change.name, wrong.value) for change, wrong in pitch.changes()]
         [('lead for pitch', 0.6)]
         """
-        change = Change(name, text, advice=advice, alone=credit > 0, credit=credit, spoils=spoils)
+        change = Change(name, text, advice=advice, may_coincide=credit > 0, credit=credit, spoils=spoils)
         further = (change, as_expression(other))
         return replace(self, alternatives=(*self.alternatives, further))
 
@@ -346,14 +318,14 @@ def _factors_confused(factors: tuple[Expression, ...]) -> Changes:
     for i, factor in enumerate(factors) if len(factors) > 2 else ():
         for place in {0, i, len(factors)} if not factor.arguments else {i}:
             twice = product(*factors[:place], factor, *factors[place:])
-            yield Change("factor twice", f"multiply by {_quoted(factor)} once more", alone=True), twice
+            yield Change("factor twice", f"multiply by {_quoted(factor)} once more", may_coincide=True), twice
     for i, factor in enumerate(factors):
         for other in factors:
             is_sibling = other.operation is factor.operation and np.shape(other.value) == np.shape(factor.value)
             if other is not factor and factor.arguments and is_sibling and len(factors) <= MAX_FACTORS:
                 text = f"use {_quoted(other)}, where {_quoted(factor)} belongs"
                 taken = product(*factors[:i], other, *factors[i + 1 :])
-                yield Change("another factor", text, alone=True), taken
+                yield Change("another factor", text, may_coincide=True), taken
 
 
 def _sum_changes(node: Expression) -> Changes:
