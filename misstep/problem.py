@@ -15,7 +15,7 @@ from itertools import combinations, islice
 from typing import Any, TypeVar
 
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, Unreadable
+from misstep.answers.base import Answer, Unreadable, seen_at_sight
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
 from misstep.mutants.mutants import MutableSolution, mutant, value_of
@@ -70,7 +70,7 @@ class Problem:
     invisible: Collection[str] = ()
 
     def __post_init__(self) -> None:
-        read = [replace(wrong, value=self.answer.from_author(wrong.value)) for wrong in self.mistakes]
+        read = [replace(wrong, value=self.answer.read(wrong.value)) for wrong in self.mistakes]
         object.__setattr__(self, "mistakes", read)
 
     def with_inputs(self, seed: int) -> "Problem":
@@ -80,8 +80,16 @@ class Problem:
 
     @cached_property
     def slips(self) -> Sequence[Mistake]:
-        """The mistakes that people make with any answer of this kind."""
-        return list(self.answer.slips())
+        """The mistakes that people make with any answer of this kind, without those that are right for these numbers."""
+        found = []
+        for slip in self.answer.slips:
+            try:
+                value = self.answer.collect([slip.wrong(right) for right in self.answer.at_inputs()])
+            except Unreadable:
+                continue
+            if not all(self.answer.agrees(value, self.answer.value)):
+                found.append(mutant(slip, value, {}, spoils=slip.spoils))
+        return found
 
     @cached_property
     def mutants(self) -> Sequence[Mistake]:
@@ -103,7 +111,7 @@ class Problem:
         for mutation in solution.mutations:
             with suppress(Unreadable):
                 self.answer.collect([value_of(solution.mutant(mutation))])
-                names.add(mutation.change.name)
+                names.add(mutation.slip.name)
         return names
 
     @property
@@ -145,7 +153,9 @@ class Problem:
         kept: list[Mistake] = []
         for wrong in self.mistakes:
             known = [self.answer.value, *(one.value for one in kept)]
-            if not self.answer.at_sight(wrong.value) and not any(self._same(wrong.value, value) for value in known):
+            if not seen_at_sight(self.answer, wrong.value) and not any(
+                self._same(wrong.value, value) for value in known
+            ):
                 kept.append(wrong)
         return replace(self, mistakes=kept)
 
@@ -161,7 +171,7 @@ class Problem:
         """The solution at the first input, which is often enough to see that a mistake is not the one that was made."""
         if self.solution is None:
             return None
-        first = next(self.answer.expressions(self.solution))
+        first = next(self.answer.at_inputs(self.solution))
         if not self.answer.may_share(self.answer.value, first.value, SEPARATION_TOLERANCES * TOLERANCE, all):
             raise self._wrong_solution(first.value)
         return MutableSolution(first)
@@ -171,7 +181,7 @@ class Problem:
         """The solution at each input."""
         if self._first_solution is None:
             return []
-        others = list(map(MutableSolution, islice(self.answer.expressions(self.solution), 1, None)))
+        others = list(map(MutableSolution, islice(self.answer.at_inputs(self.solution), 1, None)))
         reached = self.answer.collect([solution.root.value for solution in (self._first_solution, *others)])
         if not self._same(reached, self.answer.value):
             raise self._wrong_solution(reached)
@@ -193,8 +203,8 @@ class Problem:
         if (solution := self._first_solution) is None:
             return
         for k, mutation in enumerate(solution.mutations):
-            change = mutation.change
-            first = None if separating and change.may_coincide else solution.mutant(mutation)
+            slip = mutation.slip
+            first = None if separating and slip.may_coincide else solution.mutant(mutation)
             if first is None or not is_near(value_of(first)):
                 continue
             if len({len(solution.mutations) for solution in self._solutions}) > 1:
@@ -204,8 +214,8 @@ class Problem:
                 value = self.answer.collect([value_of(root) for root in (first, *others)])
             except Unreadable:
                 continue
-            spoils = change.spoils or (self.answer.rows_are_alike and solution.is_in_every_row(mutation))
-            yield mutant(change, value, self.advice, first.key, spoils=spoils)
+            spoils = slip.spoils or (self.answer.rows_are_alike and solution.is_in_every_row(mutation))
+            yield mutant(slip, value, self.advice, first.key, spoils=spoils)
 
     def _same(self, one: Any, other: Any) -> bool:
         return all(self.answer.agrees(one, other, SEPARATION_TOLERANCES * TOLERANCE))

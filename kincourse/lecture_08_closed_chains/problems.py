@@ -41,8 +41,8 @@ from kinlib.mechanisms import linkages
 from kinlib.rigid.angles import wrap_angle
 from kinlib.view.figures.linkage import draw_linkage
 from misstep.answers.angle import Angles
+from misstep.answers.base import Named
 from misstep.answers.choice import Choice
-from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers
 from misstep.display.text import number, vector
 from misstep.mistakes import mistake
@@ -542,14 +542,15 @@ class CountsAnswer(Numbers):
 
     names: Sequence[str] = ()
 
-    def appearance(self, given: Array, part: int | None) -> Named | None:
+    def seen(self, given: Array, part: int | None) -> Named | None:
         """Return whether all are 1. A single 1 is a count like any other, and so is 0, even three times."""
         if part is not None or (given != 1).any() or all(self.agrees(given, self.value)):
             return None
         return "placeholder", "All three numbers are 1, but each of them is found in its own way."
 
-    def arrangement(self, given: Array) -> None:
-        """Return nothing: counts that are equal to others are no order."""
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
+        """Return nothing of the whole: counts that are equal to others are no order."""
+        return None if part is None else super().resemblance(given, part)
 
     @property
     def expected(self) -> str:

@@ -1,6 +1,6 @@
 """Sheet 09: reading URDF files by hand: poses, axes, screws, the home pose, trees, mimic joints and faulty lines."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, zip_longest
 
@@ -20,10 +20,11 @@ from kincourse.text.urdf_text import UrdfJoint, fence_urdf, format_values, rando
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
+from misstep.answers.base import Named
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.display.text import number, vector
-from misstep.mistakes import Mistake, mistake
+from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product, transpose
 from misstep.mutants.operations import ANGLE, LENGTH, concatenate, cos, function, sin, stack
 from misstep.problem import Problem
@@ -325,17 +326,14 @@ class FaultyLineAnswer(Numbers):
     joint  the numbers of the lines of the joint that contains it
 
     >>> answer = FaultyLineAnswer(np.array(2.0), lines=['<joint>', '<axis xyz="0 0 0"/>', '</joint>', '<joint/>'], joint=range(1, 4))
-    >>> answer.explanation(np.array(4.0), 0)
+    >>> answer.resemblance(np.array(4.0), 0)
     ('a line that is in order', 'Line 4 is correct: `<joint/>`.')
     """
 
     lines: Sequence[str] = field(kw_only=True)
     joint: range = field(kw_only=True)
 
-    def slips(self) -> Iterator[Mistake]:
-        return iter(())
-
-    def explanation(self, given: Array, part: int) -> tuple[str, str]:
+    def resemblance(self, given: Array, part: int | None) -> Named:
         """Say of the line that was given what it is."""
         if given not in range(1, len(self.lines) + 1):
             return "no line", f"The file has the lines 1 to {len(self.lines)}. Give one of these numbers."

@@ -26,8 +26,8 @@ from kincourse.text.joint_table import MARKS_BY_ROW
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint, homogeneous, inverse
+from misstep.answers.base import Named
 from misstep.answers.choice import Choice
-from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers
 from misstep.diagnosis.explanation import explain
 from misstep.display.text import matrix
@@ -58,8 +58,10 @@ class OriginsAnswer(Numbers):
     def rows_are_alike(self) -> bool:
         return True
 
-    def explanation(self, given: Array, part: int) -> Named | None:
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
         """Return what is to be said of this pose alone."""
+        if part is None:
+            return super().resemblance(given, None)
         pose = PoseAnswer(self.value[part])
         wrong = [k for k, is_right in enumerate(pose.agrees(given[part], pose.value)) if not is_right]
         found = explain(Problem("", pose), given[part], wrong)

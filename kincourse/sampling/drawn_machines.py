@@ -50,7 +50,7 @@ def read_point(label: str, p: Array, axis: Array, others: Sequence[Array] = ()) 
     axis    (3,) the direction of the axis; another point of it is as good
     others  other marks that people take for it
 
-    >>> [change.name for change, _ in read_point("P_1", np.array([0.1, 0.2, 0.3]), np.array([1, 0, 0])).alternatives]
+    >>> [slip.name for slip in read_point("P_1", np.array([0.1, 0.2, 0.3]), np.array([1, 0, 0])).alternatives]
     ['views swapped', 'depth reversed']
     """
     point = given(label, p, LENGTH)

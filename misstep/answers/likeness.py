@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import Named
 from misstep.display import sentences
 from misstep.validation import Array
 
@@ -22,8 +23,8 @@ MAX_PLACES = 3
 MAX_ROWS = 12
 """Of how many rows the order is looked for."""
 
-Named = tuple[str, str]
-"""The name of what is wrong, and a sentence that is true of the part."""
+ROUND_OFF = 1e-12
+"""Smaller absolute values are zeros with an error of the computer's arithmetic."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,7 +143,7 @@ class Likeness:
     def _signs(self) -> Named | None:
         mine, right = self.mine, self.right
         wrong, is_one = ~self._equal(mine, right), mine.size == mine.shape[-1]
-        if not wrong.any() or not (self._equal(mine, -right) | ~wrong).all() or (is_one and not self.is_formula):
+        if not wrong.any() or not (self._equal(mine, -right) | ~wrong).all():
             return None
         count, seen = np.count_nonzero(wrong), np.count_nonzero(self._is_seen(right).any(axis=-1))
         if is_one or count == seen:
@@ -158,27 +159,45 @@ class Likeness:
 
     def _all_signs(self, is_one: bool) -> str:
         if not self.is_formula:
-            return "The sizes are right, but every sign is wrong."
+            return (
+                "The size is right, but the sign is wrong."
+                if is_one
+                else "The sizes are right, but every sign is wrong."
+            )
         return "Your formula has the wrong sign." if is_one else sentences.NEGATED_FORMULAS
 
     def factor(self) -> Named | None:
         """Return whether these are the right numbers, multiplied by a factor."""
-        seen = self._is_seen(self.right)
-        if np.count_nonzero(seen.any(axis=-1)) < 2:
+        seen, is_one = self._is_seen(self.right), self.mine.size == self.mine.shape[-1]
+        if np.count_nonzero(seen.any(axis=-1)) < (1 if is_one and self._has_unit else 2):
             return None
         factor = float(np.median(self.mine[seen] / self.right[seen]))
         if not 1e-3 <= abs(factor) <= 1e3 or not self._relative(self.mine, factor * self.right).all():
             return None
         for size, (name, text) in FACTORS.items():
             if abs(factor - size) < 0.005 * size:
-                return name, f"Every number is {text} the right one."
-        return "factor", "These are the right numbers, all multiplied by the same factor."
+                return name, f"{'This' if is_one else 'Every number'} is {text} the right one."
+        return None if is_one else ("factor", "These are the right numbers, all multiplied by the same factor.")
 
     def order(self) -> Named | None:
         """Return whether these are the right numbers in another order."""
         if self.mine.ndim == 1 or self._equal(self.mine, self.right).all():
             return None
-        return self._arranged() or self._permuted_rows() or self._renumbered() or self._moved_rows()
+        return (
+            self._arranged() or self._permuted_rows() or self._exchanged() or self._renumbered() or self._moved_rows()
+        )
+
+    def _exchanged(self) -> Named | None:
+        """Return whether two entries stand in each other's place."""
+        wrong = np.argwhere(~self._equal(self.mine, self.right)).tolist()
+        if len(wrong) != 2 or self.mine.ndim < 3:
+            return None
+        one, other = map(tuple, wrong)
+        if self._equal(self.mine[one], -self.right[one]).all():
+            return None  # which are two signs as well
+        if all(self._equal(self.mine[a], self.right[b]).all() for a, b in ((one, other), (other, one))):
+            return "two entries swapped", f"Two entries are swapped: {self.place(one)} and {self.place(other)}."
+        return None
 
     def _arranged(self) -> Named | None:
         mine = self.mine
@@ -269,6 +288,35 @@ def has_three_digits(given: Array, value: Array, *, or_zeros: bool = False) -> N
     unit = 10.0 ** (np.floor(np.log10(np.maximum(np.abs(value), 1e-12))) - 2)
     is_short, is_shorter = (np.abs(given / x - np.round(given / x)) < 1e-6 for x in (unit, 10 * unit))
     return np.asarray(is_short & (or_zeros | ~is_shorter) & (np.abs(given - value) <= 0.5 * unit * (1 + 1e-6)))
+
+
+def entries_hint(same: NDArray[np.bool_], names: Sequence[str] | None = None) -> Named | None:
+    """Return how many entries are right, and where others are wrong, if they are few: one, or at most a third.
+
+    names  the names of the entries of a vector
+
+    >>> entries_hint(np.array([True, False, True])), entries_hint(np.array([True, False, False]), names="xyz")
+    (('one entry', '2 of the 3 entries are right. Look at entry 2.'), None)
+    """
+    wrong, count = np.argwhere(~same).tolist(), int(np.count_nonzero(same))
+    if not wrong or not count or len(wrong) > max(1, same.size // 3):
+        return None
+    places = [names[index[0]] if names else place_of(index) for index in wrong]
+    where = " and ".join(places) if len(places) < 3 else f"{places[0]} first"
+    text = f"{count} of the {same.size} entries {'is' if count == 1 else 'are'} right. Look at {where}."
+    return ("one entry" if len(wrong) == 1 else ""), text
+
+
+def place_of(index: Sequence[int]) -> str:
+    """Name the place of an entry, counted from 1.
+
+    >>> place_of([1]), place_of([0, 1]), place_of([0, 1, 2])
+    ('entry 2', 'row 1, column 2', 'entry (1, 2, 3)')
+    """
+    counted = [int(i) + 1 for i in index]
+    if len(counted) == 2:
+        return f"row {counted[0]}, column {counted[1]}"
+    return f"entry {counted[0]}" if len(counted) == 1 else f"entry {tuple(counted)}"
 
 
 def _arrangements(X: Array, names: Sequence[str]) -> Iterator[tuple[str, str, Array]]:

@@ -27,11 +27,11 @@ UNTOUCHED = "{}. Put in the numbers that you find."
 
 IDENTITY = UNTOUCHED.format("This is the identity matrix")
 
-BY_CHANCE = "This comes out right by the wrong method as well, so it earns nothing alone."
-"""What is said of the right parts of an answer whose method is wrong in all of them."""
+RIGHT = "Right: {}."
+"""What is said of the right parts of an answer."""
 
-BY_LUCK = "This is right, but too little to earn points alone: it often comes out right by luck."
-"""What is said of right parts that are too few to count."""
+TOGETHER = "Right: {}. Points come together with the other parts."
+"""What is said of right parts that a wrong method gives as well, and that earn nothing alone."""
 
 UNKNOWN = "We do not recognise what happened here."
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from misstep.mistakes import Mistake
-from misstep.mutants.expression import Change, Expression
+from misstep.mutants.expression import Expression, Slip
 
 Built = dict[tuple[Any, ...], tuple[tuple[Expression, ...], Expression]]
 """Parts of mutants by their operation and the ids of their arguments, with these arguments, so that the ids stay theirs."""
@@ -23,7 +23,7 @@ Built = dict[tuple[Any, ...], tuple[tuple[Expression, ...], Expression]]
 class Mutation:
     """A change, and the expressions that it puts in the place of others, by their id."""
 
-    change: Change
+    slip: Slip
     replaced: Mapping[int, Expression]
 
 
@@ -47,7 +47,7 @@ class MutableSolution:
         return self.root.operation.name != "stack" or id(self.root) in mutation.replaced
 
     def mutant(self, mutation: Mutation) -> Expression:
-        """Return the solution with a change."""
+        """Return the solution with a slip."""
         return mutate(self.root, mutation.replaced, built=self.built)
 
 
@@ -86,23 +86,23 @@ def mutations(root: Expression) -> list[Mutation]:
 
     >>> from misstep.mutants.expression import given
     >>> A, B = given("A", np.eye(2)), given("B", np.ones((2, 2)))
-    >>> [mutation.change.text for mutation in mutations(A @ B)][:2]
+    >>> [mutation.slip.did for mutation in mutations(A @ B)][:2]
     ['swap $A$ and $B$', 'leave out $A$']
     """
     nodes = _nodes(root)
-    single = [Mutation(change, {id(node): new}) for node in nodes for change, new in node.changes()]
+    single = [Mutation(slip, {id(node): slip.wrong}) for node in nodes for slip in node.slips()]
     everywhere: dict[tuple[str, str], list[Mutation]] = {}
     for mutation in single:
-        if text := mutation.change.everywhere:
-            everywhere.setdefault((mutation.change.name, text), []).append(mutation)
+        if text := mutation.slip.everywhere:
+            everywhere.setdefault((mutation.slip.name, text), []).append(mutation)
     for (name, text), several in everywhere.items():
-        first = several[0].change
+        first = several[0].slip
         replaced = {key: node for mutation in reversed(several) for key, node in mutation.replaced.items()}
         if len(replaced) > 1:
-            single = [mutation for mutation in single if mutation not in several or mutation.change.one_by_one]
-            single.append(Mutation(Change(name, text, advice=first.advice, in_parts=first.in_parts), replaced))
+            single = [mutation for mutation in single if mutation not in several or mutation.slip.one_by_one]
+            single.append(Mutation(Slip(name, text, advice=first.advice, in_parts=first.in_parts), replaced))
     detours = [
-        Mutation(mutation.change, {id(node): mutate(way, mutation.replaced)})
+        Mutation(mutation.slip, {id(node): mutate(way, mutation.replaced)})
         for node in nodes
         for way in node.ways
         for mutation in mutations(way)
@@ -110,22 +110,20 @@ def mutations(root: Expression) -> list[Mutation]:
     return [*single, *detours]
 
 
-def mutant(change: Change, value: Any, advice: Mapping[str, str], key: Any = None, *, spoils: bool = False) -> Mistake:
+def mutant(slip: Slip, value: Any, advice: Mapping[str, str], key: Any = None, *, spoils: bool = False) -> Mistake:
     """Return the mistake of a change that leads to a value.
 
     advice  for names or texts of changes, a sentence on what is right, instead of their own
     key     equal for mutants that are the same expression
     spoils  whether it belongs to the method for all parts of the answer
 
-    >>> mutant(Change("degrees", "use degrees as radians"), 3.0, {}).message
+    >>> mutant(Slip("degrees", "use degrees as radians"), 3.0, {}).message
     'This is what you get if you use degrees as radians.'
     """
-    further = advice.get(change.text, advice.get(change.name, change.advice))
-    message = f"This is what you get if you {change.text}. {further}".rstrip()
-    part = message * change.in_parts
-    return Mistake(
-        change.name, value, message, part, change.text, further, key=key, spoils=spoils, credit=change.credit
-    )
+    further = advice.get(slip.did, advice.get(slip.name, slip.advice))
+    message = f"This is what you get if you {slip.did}. {further}".rstrip()
+    part = message * slip.in_parts
+    return Mistake(slip.name, value, message, part, slip.did, further, key=key, spoils=spoils, credit=slip.credit)
 
 
 def value_of(expression: Expression) -> Any:

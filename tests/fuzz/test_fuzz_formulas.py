@@ -95,7 +95,7 @@ def test_a_formula_is_refused_with_a_sentence_or_has_the_values_that_numpy_compu
     assert np.isfinite(formula.values).all()
     right = answer.agrees(formula, answer.value)
     assert answer.agrees(answer.read(formula.given), formula) == [True] * len(right)
-    assert all(right) or isinstance(answer.hint(formula, right.index(False)), str)
+    assert all(right) or answer.resemblance(formula, right.index(False)) != ()
     if meaning:
         expected = np.broadcast_to(way[-1], formula.values.shape)
         np.testing.assert_allclose(formula.values, expected, rtol=1e-9, atol=1e-9)
