@@ -80,7 +80,7 @@ class DHEntriesAnswer(_DHNumbers):
         return ("", LIKE_DEGREES.format(given[part])) if is_angle and not is_plausible_angle(given[part]) else None
 
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
-        """Return whether half of the entries are right: fewer are by luck."""
+        """Return whether half of the entries are right, which no wrong method gives."""
         return 2 * sum(right) >= len(right)
 
     def _is_angle(self, part: int) -> bool:
@@ -213,18 +213,18 @@ def _entry_mistake(mine: float, right: float, is_angle: bool) -> Named | None:
     cases: tuple[tuple[Any, str, str], ...]
     if is_angle:
         cases = (
-            (_same_angle(mine, -right), "sign of an entry", "The size is right, the sign is not."),
-            (_same_angle(np.radians(mine), right), "an entry in degrees", IN_DEGREES),
+            (_same_angle(mine, -right), "signs", "The size is right, the sign is not."),
+            (_same_angle(np.radians(mine), right), "degrees", IN_DEGREES),
             (_same_angle(np.radians(mine), -right), "an entry in degrees and its sign", IN_DEGREES_WITH_WRONG_SIGN),
             (abs(mine) <= TOLERANCE, "left out", "This is 0, but the angle is not 0."),
             (_same_angle(mine, right + np.pi), "half a turn", "It differs from the right angle by half a turn."),
         )
     else:
         cases = (
-            (abs(mine + right) <= TOLERANCE, "sign of an entry", "The size is right, the sign is not."),
+            (abs(mine + right) <= TOLERANCE, "signs", "The size is right, the sign is not."),
             (
                 abs(mine - 1000 * right) <= min(1, 100 * abs(right)),
-                "unit of length",
+                "millimetres",
                 OTHER_UNIT.format("millimetres", "metres"),
             ),
             (abs(mine) <= TOLERANCE, "left out", "This is 0, but the length is not 0."),

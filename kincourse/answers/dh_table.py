@@ -33,6 +33,15 @@ from misstep.mutants.expression import Slip
 MAX_TEXT_LENGTH = 10_000
 """Maximum number of characters of a typed table. A longer text is refused, because parsing it would take too long."""
 
+NAMES = {
+    "unit of length": "millimetres",
+    "other convention": "the other convention",
+    "offset forgotten": "no offset",
+    "theta and alpha swapped": "angles swapped",
+    "sign of q": "sign of a joint value",
+}
+"""The names that the sheets have for faults that `diagnose` names otherwise."""
+
 ENDS = {
     "base": "Your first row begins in {s}. The problem gives frame 0, which is not {s}, so the way from {s} to it is in no row.",
     "tool": "Your last row ends at the tool. The problem gives the last frame, so the way from it to the tool is in no row.",
@@ -156,7 +165,7 @@ class DHTableAnswer(Answer):
                 f"Your table is in the {given.convention} convention, and the problem asks for the {ours.convention} one. Row i has "
                 "$a_i$ and $\\alpha_i$ in the standard convention, $a_{i-1}$ and $\\alpha_{i-1}$ in the modified one."
             )
-            return "other convention", text
+            return "the other convention", text
         if given.joints != ours.joints:
             return (
                 "variable in the wrong column",
@@ -242,7 +251,7 @@ def _table_slips(right: DHTable) -> list[Slip]:
         ("sign of theta", "take every $\\theta$ with the opposite sign", {"rows": rows * (1, 1, 1, -1), "signs": -right.signs}),
         ("rows reversed", "write the rows from the tool to the base", {"rows": rows[::-1]}),
         ("both pairs swapped", "swap $a$ and $d$, and $\\alpha$ and $\\theta$", {"rows": rows[:, [2, 3, 0, 1]]}),
-        ("sign of the joint values", "let every joint move in the other direction", {"signs": -right.signs}),
+        ("sign of a joint value", "let every joint move in the other direction", {"signs": -right.signs}),
     ]  # fmt: skip
     for i in range(n):
         signs = np.where(np.arange(n) == i, -right.signs, right.signs)
@@ -277,7 +286,7 @@ def _choices(diagnosis: Diagnosis) -> str:
 
 def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
     """Name and describe the faults of each explanation. A right number would give the answer away, so only its place is named."""
-    names = [" and ".join(dict.fromkeys(fault.name for fault in faults)) for faults in alternatives]
+    names = [" and ".join(dict.fromkeys(NAMES.get(one.name, one.name) for one in faults)) for faults in alternatives]
     name = " or ".join(list(dict.fromkeys(names))[:MAX_ALTERNATIVES])
     if all([fault.name for fault in faults] == ["wrong number"] for faults in alternatives):
         places = list(dict.fromkeys(f"{symbol(str(fault.column))} in row {fault.row}" for (fault,) in alternatives))

@@ -61,7 +61,7 @@ class DHFramesAnswer(Numbers):
         return list(range(len(self.value)))
 
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
-        """Return whether two frames are right, as a single one may be by luck, and not all by the rules of the other convention."""
+        """Return whether two frames are right, because a single one is by chance, and not all by the rules of the other convention."""
         other: Convention = "modified" if self.convention == "standard" else "standard"
         return sum(right) > 1 and bool(check_frames(self.chain, given, other, tolerance=10 * TOLERANCE))
 

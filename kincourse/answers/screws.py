@@ -48,7 +48,7 @@ SLIPS = (
     Slip("sign of omega", "take $\\omega$ with the opposite sign, but not $v$", _of_turns(lambda w, v: (-w, v))),
     Slip("no moment", "leave the moment $v$ at 0", _of_turns(lambda w, v: (w, 0 * v))),
     Slip(
-        "turn as slide",
+        "revolute as prismatic",
         "write the direction into $v$, with $\\omega = 0$, as for a prismatic joint",
         _of_turns(lambda w, _: (0 * w, w)),
     ),

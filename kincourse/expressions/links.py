@@ -130,7 +130,7 @@ def table_product(  # noqa: PLR0917
             T = T.mistaken_for(of(rows, q[::-1]), "joint values reversed", text)
         if before or after:
             T = T.mistaken_for(of(rows, order=-1), "reversed", "multiply the rows from the last one to the first")
-    return T.mistaken_for(inverse(T), "inverted", "give the inverse")
+    return T.mistaken_for(inverse(T), "inverse", "give the inverse")
 
 
 def axial_twists(a: float, alpha: float, d: float, theta: float) -> Expression:
@@ -322,7 +322,7 @@ def _joint_value_slips(node: Expression) -> Slips:
         text = f"convert {q} from degrees to radians, although it is a length"
         yield Slip("length in radians", text, np.pi / 180 * node)
     for name, text, factor in (
-        ("radians converted to radians", "use `np.radians` on {}", np.pi / 180),
+        ("converted twice", "use `np.radians` on {}", np.pi / 180),
         ("degrees", "use {} in degrees", 180 / np.pi),
     ):
         kinds = ["the joint values"] if node.operation is _Q_LENGTH else ["the joint values", "the angles"]

@@ -312,7 +312,7 @@ def _direction_slips(node: Expression) -> Slips:
         text = "take `np.arctan` of the quotient, which loses the quadrant"
         of_quotient = Operation("arctan", lambda v: np.arctan(v[1] / v[0]), "{0}".format)
         yield Slip("arctan for arctan2", text, of_quotient(line))
-    yield Slip("half a turn off", f"take the opposite direction of ${line.latex}$", np.pi + node)
+    yield Slip("half a turn", f"take the opposite direction of ${line.latex}$", np.pi + node)
 
 
 def _polar_slips(node: Expression) -> Slips:
@@ -329,7 +329,7 @@ def _rotated(angle: float, p: Array) -> Array:
 
 def _rotated_slips(node: Expression) -> Slips:
     angle, p = node.arguments
-    yield Slip("not rotated", f"add ${p.latex}$ without rotating it", p)
+    yield Slip("rotation left out", f"add ${p.latex}$ without rotating it", p)
     yield Slip("rotation transposed", f"rotate ${p.latex}$ in the opposite direction", rotated(negative(angle), p))
     yield Slip("sine and cosine swapped", "swap sine and cosine", rotated(np.pi / 2 - angle, p))
 
@@ -341,7 +341,7 @@ def _both_slips(node: Expression) -> Slips:
             ("one mode twice", "give one mode twice", one),
             ("mirrored in the ground", "mirror one mode in the ground line to get the other", negative(one)),
             ("supplement", "take $\\pi$ minus the angle of one mode for the other mode", np.pi - one),
-            ("half a turn off", "add $\\pi$ to the angle of one mode for the other mode", np.pi + one),
+            ("half a turn", "add $\\pi$ to the angle of one mode for the other mode", np.pi + one),
         ):
             advice = "B and D are the same in both modes, and C is mirrored in the line from B to D."
             yield Slip(name, text, both_modes(one, wrong), advice=advice)

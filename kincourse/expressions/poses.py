@@ -65,14 +65,14 @@ def with_position(T: Array, p: Array) -> Array:
 
 
 def _pose_slips(node: Expression) -> Slips:
-    yield Slip("inverted", f"use the inverse of ${node.latex}$ instead of ${node.latex}$", inverse(node))
+    yield Slip("inverse", f"use the inverse of ${node.latex}$ instead of ${node.latex}$", inverse(node))
     yield Slip("transposed", f"use the transpose of ${node.latex}$ instead of ${node.latex}$", transpose(node))
     transposed = function("rotation transposed", lambda T: homogeneous(T[:3, :3].T, T[:3, 3]), "{0}")
     yield Slip("rotation transposed", f"use ${node.latex}$ with the transpose of its rotation", transposed(node))
     R, p = node.value[:3, :3], node.value[:3, 3]
     for name, what, wrong in (
-        ("only moved", "rotation", homogeneous(np.eye(3), p)),
-        ("only rotated", "position", homogeneous(R, 0 * p)),
+        ("rotation left out", "rotation", homogeneous(np.eye(3), p)),
+        ("position left out", "position", homogeneous(R, 0 * p)),
     ):
         yield Slip(name, f"leave out the {what} of ${node.latex}$", given(node.latex, wrong), may_coincide=True)
 
@@ -152,7 +152,7 @@ def _columns_slips(node: Expression) -> Slips:
 
 def _assemble_slips(node: Expression) -> Slips:
     R, p = node.arguments
-    yield Slip("inverted", "write the inverse of the right matrix", _inverted(node))
+    yield Slip("inverse", "write the inverse of the right matrix", _inverted(node))
     if len(p.value) == 3:
         yield Slip("position in the other frame", "write $R^T p$ as the position", assemble(R, transpose(R) @ p))
     text = "write the position into the last row instead of the last column"
@@ -185,7 +185,7 @@ def _direction_map_slips(node: Expression) -> Slips:
 def _map_slips(T: Expression, x: Expression, of: Operation) -> Slips:
     unrotated = assemble(given("I", np.eye(3)), position_of(T))
     text = f"leave out the rotation of ${T.latex}$"
-    yield Slip("not rotated", f"{text} for ${x.latex}$", of(unrotated, x), everywhere=text)
+    yield Slip("rotation left out", f"{text} for ${x.latex}$", of(unrotated, x), everywhere=text)
 
 
 def _exp_slips(node: Expression) -> Slips:
@@ -299,7 +299,7 @@ to_direction = Operation(
 )
 """The components R x of a direction x in another frame."""
 
-_inverted = Operation("inverted", np.linalg.inv, "{0}".format)
+_inverted = Operation("inverse", np.linalg.inv, "{0}".format)
 _last_row = Operation("last row", _with_last_row, "{0}".format)
 _without_corner = Operation("corner", lambda T: T - np.diag([0.0] * (len(T) - 1) + [1.0]), "{0}".format)
 

@@ -112,12 +112,11 @@ def forward_kinematics(before: Sequence[Expression], home: Expression, after: Se
         changed = [exp(factor.arguments[0], value) for factor, value in zip(factors, values, strict=True)]
         return product(*changed[:n], home, *changed[n:])
 
-    others = []
-    for i, value in enumerate(values):
-        for other in values[max(i - 1, 0) : i] + values[i + 1 : i + 2]:
-            others.append(
-                (f"use ${other.latex}$, where ${value.latex}$ belongs", [*values[:i], other, *values[i + 1 :]])
-            )
+    others = [
+        (f"use ${other.latex}$, where ${value.latex}$ belongs", [*values[:i], other, *values[i + 1 :]])
+        for i, value in enumerate(values)
+        for other in values[max(i - 1, 0) : i] + values[i + 1 : i + 2]
+    ]
     if len(values) > 1:
         others.append(("take for each joint the value of the next one", [*values[1:], values[0]]))
         others.append(("take for each joint the value of the one before", [values[-1], *values[:-1]]))
@@ -139,7 +138,7 @@ def forward_kinematics(before: Sequence[Expression], home: Expression, after: Se
         .mistaken_for(product(*added[0], home, *added[1]), "sum for product", "add the exponentials")
         .mistaken_for(
             with_values([negative(value) for value in values]),
-            "sign of the joint values",
+            "sign of a joint value",
             "take every joint value with the opposite sign",
         )
         .mistaken_for(with_values(values[::-1]), "joint values reversed", "use the joint values in the reverse order")
@@ -242,7 +241,7 @@ def _joint_value_slips(node: Expression, which: Sequence[str] = ("the joint valu
     yield Slip("sign of a joint value", f"take {q} with the opposite sign", negative(node))
     advice = "The joint values are in radians and metres, as the exponential needs them."
     for name, text, factor in (
-        ("radians converted to radians", "use `np.radians` on {0}, as if in degrees", np.pi / 180),
+        ("converted twice", "use `np.radians` on {0}, as if in degrees", np.pi / 180),
         ("converted to degrees", "use `np.degrees` on {0}", 180 / np.pi),
     ):
         for several in which:
@@ -264,7 +263,7 @@ def _screw_slips(node: Expression) -> Slips:
     omega, v = node.arguments
     text, everywhere = "write $(v, \\omega)$", "write $(v, \\omega)$ for revolute joints"
     yield Slip("halves swapped", text, screw(v, omega), everywhere=everywhere, advice=ORDER_ADVICE)
-    yield Slip("turn as slide", "write the screw of a prismatic joint, $(0, \\omega)$", screw(0 * omega, omega))
+    yield Slip("revolute as prismatic", "write the screw of a prismatic joint, $(0, \\omega)$", screw(0 * omega, omega))
     yield Slip("sign of omega", "take $\\omega$ with the opposite sign, but not $v$", screw(negative(omega), v))
 
 
@@ -305,7 +304,7 @@ def _slide_slips(node: Expression) -> Slips:
     advice = "A prismatic joint does not rotate: its screw is $(0, d)$."
     for name, text, wrong in (
         ("direction in omega", "put the direction of a prismatic joint into $\\omega$", screw(d, 0 * d)),
-        ("slide as turn", "treat a prismatic joint as a revolute one", revolute(d, p)),
+        ("prismatic as revolute", "treat a prismatic joint as a revolute one", revolute(d, p)),
         ("moment of a slide", "take the moment of a prismatic joint, which has none", screw(0 * d, moment(d, p))),
         ("point of a slide", "take the point as the $v$ of a prismatic joint", screw(0 * d, p)),
         ("direction twice", "put the direction of a prismatic joint into both halves", screw(d, d)),
@@ -373,7 +372,9 @@ def helical(omega: Expression, p: Expression, h: Expression) -> Expression:
         .mistaken_for(
             screw(h * omega, turning), "pitch in omega", f"multiply $\\omega$ by the pitch ${h.latex}$", advice
         )
-        .mistaken_for(screw(0 * omega, h * omega), "turn as slide", "leave $\\omega$ and the moment at zero", advice)
+        .mistaken_for(
+            screw(0 * omega, h * omega), "revolute as prismatic", "leave $\\omega$ and the moment at zero", advice
+        )
     )
 
 
@@ -403,13 +404,17 @@ def _adjoint(R: Array, P: Array) -> tuple[Any, Any, Any, Any]:
 
 
 _OTHER_MATRICES: Sequence[tuple[str, str, Blocks]] = (
-    ("only rotated", "rotate both halves without the change of origin", lambda R, _: (R, 0, 0, R)),
+    ("position left out", "rotate both halves without the change of origin", lambda R, _: (R, 0, 0, R)),
     (
-        "only rotated",
+        "position left out",
         "rotate both halves in the opposite direction, without the change of origin",
         lambda R, _: (R.T, 0, 0, R.T),
     ),
-    ("only moved", "change the origin without rotating the axes", lambda R, P: (np.eye(3), 0, R.T @ P @ R, np.eye(3))),
+    (
+        "rotation left out",
+        "change the origin without rotating the axes",
+        lambda R, P: (np.eye(3), 0, R.T @ P @ R, np.eye(3)),
+    ),
     *(
         ("p without brackets", f"add ${sign}\\omega \\times p$, with the $p$ of the {which} pose, to $R\\,v$", blocks)
         for sign, which, blocks in (

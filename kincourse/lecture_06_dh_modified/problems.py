@@ -315,7 +315,7 @@ def link_transform(sampler: ArmSampler) -> Problem:
         given={"a": a, "alpha": alpha, "d": d, "theta": theta},
         answer=PoseAnswer(T.value),
         solution=(
-            T.mistaken_for(inverse(T), "inverted", "give the inverse")
+            T.mistaken_for(inverse(T), "inverse", "give the inverse")
             .mistaken_for(
                 swapped,
                 "entries swapped",

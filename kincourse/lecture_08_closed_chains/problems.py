@@ -260,6 +260,14 @@ def slider(sampler: ArmSampler) -> Problem:
         x = x.mistaken_for(wrong, "another origin", text, "$x$ is measured from A.")
     linkage = linkages.slider_crank(crank, rod, offset)
     side = "above" if offset > 0 else "below"
+    mirrored = float(
+        np.sqrt(rod**2 - (-offset - crank * np.sin(np.radians(degrees))) ** 2) + crank * np.cos(np.radians(degrees))
+    )
+    other_side = "below" if offset > 0 else "above"
+    text = f"place the line of the slider {other_side} A"
+    x = x.mistaken_for(
+        mirrored, "sign of a length", text, f"Here the slider moves {side} A: its offset is {number(offset)} m."
+    )
     A = np.radians(degrees)
 
     def rod_to(x: Array) -> str:

@@ -77,9 +77,13 @@ def misread_origins(T: Array) -> Iterator[tuple[str, Array, str]]:
     transposed, straight = homogeneous(R.swapaxes(1, 2), p), homogeneous(np.eye(3), p)
     moved = homogeneous(R, np.diff(in_base[:, :3, 3], axis=0, prepend=0))
     yield "inverse", inverse(T), "Every pose is the inverse: the parent seen from the child."
-    yield "R^T", transposed, "In every origin, the rotation is the transpose of the right one."
+    yield "rotation transposed", transposed, "In every origin, the rotation is the transpose of the right one."
     yield "no rpy", straight, "Every xyz is right, and every rpy is left at 0."
-    yield "not rotated", moved, "Every xyz is in the axes of {s}. It is wanted in those of the frame of the parent."
+    yield (
+        "rotation left out",
+        moved,
+        "Every xyz is in the axes of {s}. It is wanted in those of the frame of the parent.",
+    )
     yield "in the base", in_base, "Every pose is in the frame of the base. An origin is in the frame of the parent."
 
 

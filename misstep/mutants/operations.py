@@ -17,8 +17,8 @@ def _angle_slips(node: Expression) -> Slips:
         negative(node),
         everywhere="take each angle with the opposite sign",
     )
-    yield Slip("half the angle", f"take half of ${node.latex}$", node / 2, everywhere="take half of each angle")
-    yield Slip("double the angle", f"take twice ${node.latex}$", 2 * node, everywhere="take twice each angle")
+    yield Slip("halved", f"take half of ${node.latex}$", node / 2, everywhere="take half of each angle")
+    yield Slip("doubled", f"take twice ${node.latex}$", 2 * node, everywhere="take twice each angle")
 
 
 def _slide_slips(node: Expression) -> Slips:

@@ -137,7 +137,7 @@ def test_the_mutants_of_a_formula_are_compared_as_functions():
     asked = Problem("", ClosedForm(3 * sp.sin(q)), solution=lambda q: 3 * sin(given("q", q, ANGLE)))
     assert judge(asked, "3*cos(q)").mistakes == ["sine and cosine swapped"]
     assert judge(asked, "-3 sin(q)").mistakes == ["sign of an angle"]
-    assert judge(asked, "3 sin(2q)").mistakes == ["double the angle"]
+    assert judge(asked, "3 sin(2q)").mistakes == ["doubled"]
 
 
 def test_a_draw_in_which_a_mutant_gives_the_right_answer_is_drawn_again():

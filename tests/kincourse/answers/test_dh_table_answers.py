@@ -177,7 +177,7 @@ def test_a_mistake_in_a_whole_table_has_its_name():
         (rows * (1, 1, 0, 1), "d left out", "This is what you get if you leave every $d$ at 0."),
         (-rows, "all signs", "This is what you get if you take every entry with the opposite sign."),
         (rows[::-1], "rows reversed", "This is what you get if you write the rows from the tool to the base."),
-        (rows * (1000, 1, 1000, 1), "unit of length", "The lengths are in millimetres, but were read as metres."),
+        (rows * (1000, 1, 1000, 1), "millimetres", "The lengths are in millimetres, but were read as metres."),
     ]:
         finding = judge_table(np.array(wrong).tolist(), anchored=True).findings[0]
         assert finding.mistake == name
