@@ -98,10 +98,6 @@ class Function(Answer):
                 f"{type(error).__name__}: {error}"
             ) from error
 
-    def _output_of(self, right: Any) -> Any:
-        """The kind of answer of a call whose right output is known."""
-        return replace(self.output, value=right)  # type: ignore[type-var]
-
     def _output(self, value: Any) -> Any:
         if value is None or value is ...:
             raise Unreadable(f"Expected {self.expected}; a call gave nothing. Is the return missing?")

@@ -9,7 +9,7 @@ them their values, so that hundreds of mutants are evaluated in the time of a fe
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property, reduce
+from functools import cached_property, reduce
 from operator import matmul, mul
 from typing import Any
 
@@ -98,7 +98,7 @@ class Operation:
 class Expression:
     r"""An operation on expressions, or a value that is given. Its `value` is computed once.
 
-    Python's operators @, +, -, *, /, ** with a number as exponent, and the attribute T make expressions.
+    Python's operators @, +, -, *, / and the attribute T make expressions.
 
     operation     what is done, or for a given value its kind
     arguments     what it is done to; none for a given value
@@ -235,30 +235,11 @@ class Expression:
     def __rtruediv__(self, other: Any) -> "Expression":
         return quotient(other, self)
 
-    def __pow__(self, exponent: float) -> "Expression":
-        return _raised(exponent)(self)
-
     def __neg__(self) -> "Expression":
         return negative(self)
 
     def __getitem__(self, index: Any) -> "Expression":
         return _entry(index)(self)
-
-
-@cache
-def _raised(exponent: float) -> Operation:
-    """The operation that raises to a power."""
-
-    def changes(node: Expression) -> Slips:
-        base = node.arguments[0]
-        yield Slip("exponent left out", f"leave out the exponent of ${base.latex}$", base)
-        text = f"multiply ${base.latex}$ by ${exponent:g}$ instead of raising it to this power"
-        yield Slip("product for power", text, exponent * base)
-
-    def latex(base: str) -> str:
-        return power(f"{{{exponent:g}}}")(f"({base})" if base.startswith("-") else base)
-
-    return Operation("power", lambda x: x**exponent, latex, changes)
 
 
 GIVEN = Operation("given", lambda: None, str)

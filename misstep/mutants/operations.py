@@ -37,10 +37,6 @@ def _vector_slips(node: Expression) -> Slips:
     yield Slip("sign of a vector", f"take ${node.latex}$ with the opposite sign", negative(node))
 
 
-def _matrix_slips(node: Expression) -> Slips:
-    yield Slip("transposed", f"use the transpose of ${node.latex}$, which belongs there as it is", transpose(node))
-
-
 ANGLE = Operation("angle", lambda: None, str, _angle_slips)
 """The kind of a given angle."""
 
@@ -52,9 +48,6 @@ SLIDE = Operation("slide", lambda: None, str, _slide_slips)
 
 VECTOR = Operation("vector", lambda: None, str, _vector_slips)
 """The kind of a given vector."""
-
-MATRIX = Operation("matrix", lambda: None, str, _matrix_slips)
-"""The kind of a given matrix."""
 
 
 def _radians_slips(node: Expression) -> Slips:
@@ -98,23 +91,6 @@ def _root_slips(node: Expression) -> Slips:
 
 def _square_slips(node: Expression) -> Slips:
     yield Slip("square left out", f"leave out the square of ${node.arguments[0].latex}$", node.arguments[0])
-
-
-def _exponential_slips(node: Expression) -> Slips:
-    exponent = node.arguments[0]
-    text = f"take the exponent ${exponent.latex}$ with the opposite sign"
-    if exponent.operation is not negative:  # which has this change already
-        yield Slip("sign of an exponent", text, exp(negative(exponent)))
-
-
-def _logarithm_slips(node: Expression) -> Slips:
-    other, base = (log10, "10") if node.operation is log else (log, "e")
-    yield Slip(
-        "base of a logarithm",
-        f"take the logarithm of ${node.arguments[0].latex}$ to the base {base}",
-        other(*node.arguments),
-    )
-    yield Slip("logarithm left out", f"leave out the logarithm of ${node.arguments[0].latex}$", node.arguments[0])
 
 
 def _unit_slips(node: Expression) -> Slips:
@@ -188,9 +164,6 @@ arctan2 = Operation("arctan2", np.arctan2, "\\operatorname{{atan2}}({0}, {1})".f
 _arctan = Operation("arctan", lambda y, x: np.arctan(y / x), "\\arctan({0} / {1})".format)
 sqrt = Operation("root", np.sqrt, "\\sqrt{{{0}}}".format, _root_slips)
 square = Operation("square", np.square, power("2"), _square_slips)
-exp = Operation("exponential", np.exp, "\\exp({0})".format, _exponential_slips)
-log = Operation("natural logarithm", np.log, "\\ln {0}".format, _logarithm_slips)
-log10 = Operation("logarithm", np.log10, "\\log_{{10}} {0}".format, _logarithm_slips)
 unit = Operation("unit vector", lambda x: x / np.linalg.norm(x), "{0} / |{0}|".format, _unit_slips)
 
 

@@ -17,13 +17,9 @@ from misstep.mutants.mutants import mutant
 from misstep.mutants.operations import (
     ANGLE,
     LENGTH,
-    MATRIX,
     SLIDE,
     cos,
-    exp,
     inverse,
-    log,
-    log10,
     radians,
     sin,
     stack,
@@ -33,7 +29,7 @@ from misstep.problem import Problem, problem
 
 rng = np.random.default_rng(5)
 A, B, C = rng.uniform(1, 2, (3, 3, 3))
-a, b, c = given("A", A, MATRIX), given("B", B, MATRIX), given("C", C, MATRIX)
+a, b, c = given("A", A), given("B", B), given("C", C)
 SOLUTION = inverse(a) @ b @ c
 RIGHT = np.linalg.inv(A) @ B @ C
 
@@ -44,7 +40,6 @@ BY_HAND = {
     "transpose for inverse": A.T @ B @ C,
     "factor left out": np.linalg.inv(A) @ C,
     "entry by entry": np.linalg.inv(A) * B * C,
-    "transposed": np.linalg.inv(A) @ B.T @ C,
     "last factor": B @ C @ np.linalg.inv(A),
 }
 
@@ -181,29 +176,10 @@ def test_a_slip_that_one_part_cannot_show_explains_the_whole_answer_only():
 @hypothesis_given(arrays(float, (3, 2, 2), elements=st.floats(1.1, 2)))
 def test_every_mutant_is_explained_by_its_own_name(values):
     """Whatever the numbers are: an answer made by a change is explained by it, or by others that lead to the same answer."""
-    one, two, three = (given(name, value, MATRIX) for name, value in zip("ABC", values, strict=True))
+    one, two, three = (given(name, value) for name, value in zip("ABC", values, strict=True))
     asked = Problem("", Numbers((one @ two.T @ three).value), solution=one @ two.T @ three)
     for wrong in asked.mutants:
         judgement = judge(asked, wrong.value)
         if judgement.state != "right":
             reached = [other for other in asked.mutants if all(asked.answer.agrees(other.value, wrong.value))]
             assert judgement.findings[0].alternatives[0] in {other.names for other in reached}
-
-
-def test_powers_exponentials_and_logarithms_have_their_mistakes():
-    a, b = given("a", 3.0), given("b", 4.0)
-    for solution, wrong, name in [
-        (0.5 * a * b**2, 6.0, "exponent left out"),
-        (0.5 * a * b**2, 12.0, "product for power"),
-        (1 / (1 / a + 1 / b), 7 / 12, "product for division"),
-        (exp(a - b), np.exp(1), "sign of an exponent"),
-        (-log10(a), -np.log(3.0), "base of a logarithm"),
-        (b * log(a), 12.0, "logarithm left out"),
-    ]:
-        names = {
-            mutant.name
-            for mutant in Problem("", Numbers(solution.value), solution=solution).mutants
-            if np.isclose(mutant.value, wrong)
-        }
-        assert name in names, (solution.latex, names)
-    assert [power.latex for power in ((-a) ** 3, a**-1, (a * b) ** 0.5)] == ["(-a)^{3}", "a^{-1}", "(a\\,b)^{0.5}"]
