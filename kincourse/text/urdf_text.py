@@ -97,13 +97,12 @@ def random_right_angles(sampler: ArmSampler, turns: int) -> Array:
 
 
 def random_oblique_angles(sampler: ArmSampler) -> Array:
-    """Draw roll, pitch and yaw in radians, (3,): one is a right angle, one is 30, 45 or 60 degrees, and one is 0.
+    """Draw roll, pitch and yaw in radians, (3,): one is a right angle, one is oblique, and one is 0.
 
     With right angles alone, the transpose of a rotation is often its square, which hides how the answer came about.
 
     >>> int(np.count_nonzero(random_oblique_angles(ArmSampler("ada", "09.2"))))
     2
     """
-    oblique = np.round(np.radians(sampler.choice((30, 45, 60))), 4)
-    sizes = np.array(sampler.shuffled([RIGHT_ANGLE_RAD, float(oblique), 0.0]))
+    sizes = np.array(sampler.shuffled([RIGHT_ANGLE_RAD, sampler.choice((0.5, 0.8, 1.1)), 0.0]))
     return sizes * [sampler.choice((-1, 1)) for _ in range(3)]
