@@ -1,16 +1,16 @@
 """Judging: from a student's answer to a fraction of the points and a reason.
 
-Which right parts earn nothing is said by `Answer.counts`, and of rows in another order by REORDERED in answers/likeness.py.
+Which right parts earn nothing alone is said by `Answer.counts`, and of rows in another order by REORDERED in answers/likeness.py.
 The judge only computes. It neither draws nor prints, so it can run in a process in which no student code ever ran.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from misstep.answers.base import Answer, Unreadable
 from misstep.diagnosis.explanation import MAX_LENGTH, Explanation, explain, name_of
-from misstep.display.sentences import BY_CHANCE, BY_LUCK, ROUNDED, STEP_BY_STEP, UNKNOWN
+from misstep.display.sentences import STEP_BY_STEP, UNKNOWN
 from misstep.problem import Problem
 from misstep.validation import is_blank
 
@@ -76,10 +76,9 @@ def _partly(answer: Answer, right: list[bool], explanations: Sequence[Explanatio
     fine = [part for part, is_right in zip(answer.parts, right, strict=True) if is_right]
     findings = _findings(answer, value, [k for k, is_right in enumerate(right) if not is_right], explanations)
     if fine and (spoiling := [one for one in explanations if one.spoils]):
-        chance = [Finding(fine, BY_CHANCE)] if any(one.is_method for one in spoiling) else []
-        return Judgement("wrong", 0.0, (), [*findings, *chance])
+        return Judgement("wrong", 0.0, fine if any(one.is_method for one in spoiling) else (), findings)
     if fine and not answer.counts(value, right):
-        return Judgement("wrong", 0.0, (), [*findings, Finding(fine, BY_LUCK)])
+        return Judgement("wrong", 0.0, fine, findings)
     credit = min((mistake.credit for one in explanations for mistake in one.mistakes), default=0.0)
     if credit and not fine and all(one.is_whole for one in explanations):
         return Judgement("partly", credit, ["what follows from it"], findings)
@@ -93,25 +92,11 @@ def _findings(answer: Answer, value: Any, wrong: list[int], explanations: Sequen
     for one in explanations:
         alternatives = tuple(dict.fromkeys(mistake.names for mistake in one.mistakes))
         told = [names[part] for part in one.parts]
-        found.append((one.parts, Finding(told, one.message, name_of(one.mistakes), alternatives, one.check)))
+        name = name_of(one.mistakes)
+        found.append((one.parts, Finding(told, one.message, name or None, alternatives if name else (), one.check)))
     explained = {part for parts, _ in found for part in parts}
-    unexplained = {part: _unexplained(answer, value, part) for part in wrong if part not in explained}
-    unknown = [part for part, one in unexplained.items() if one.text == f"{UNKNOWN} {STEP_BY_STEP}"]
-    if unknown:
-        found.append((unknown, replace(unexplained[unknown[0]], parts=[names[part] for part in unknown])))
-    found += [([part], one) for part, one in unexplained.items() if part not in unknown]
+    for part in wrong:
+        if part not in explained:
+            check = answer.check(value, part) or STEP_BY_STEP
+            found.append(([part], Finding([names[part]], UNKNOWN, check=check)))
     return [finding for _, finding in sorted(found, key=lambda pair: tuple(pair[0]))]
-
-
-def _unexplained(answer: Answer, value: Any, part: int) -> Finding:
-    """Return a true statement about a wrong part that no mistake of the problem explains."""
-    parts = [answer.parts[part]]
-    if answer.is_rounded(value, part):
-        return Finding(
-            parts,
-            ROUNDED.format(answer.precision),
-            "rounded",
-            (("rounded",),),
-        )
-    hint, check = answer.hint(value, part), answer.check(value, part)
-    return Finding(parts, hint or UNKNOWN, check=check or ("" if hint else STEP_BY_STEP))

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 
 from misstep.diagnosis.explanation import MAX_LENGTH, SENTENCE_END
+from misstep.display.sentences import RIGHT
 from misstep.judge import Finding
 
 MANY = 3
@@ -33,25 +34,26 @@ class _Paragraph:
         return said if is_on_whole else f"{_capitalized(enumeration(self.parts))}: {said}"
 
 
-def paragraphs(findings: Sequence[Finding], right_parts: Sequence[str] = (), *, is_on_whole: bool = False) -> list[str]:
+def paragraphs(findings: Sequence[Finding], right_parts: Sequence[str] = (), said_of_right: str = RIGHT) -> list[str]:
     r"""Return what findings say, in at most MAX_LENGTH characters together: checks go first, then further sentences and findings.
 
     The first message is never cut.
 
-    right_parts  the names of the parts that are right, to be listed in front
-    is_on_whole  whether the only finding is on the whole answer, so that its parts need no names
+    right_parts    the names of the parts that are right, to be listed in front
+    said_of_right  the sentence for them; without right parts, the parts of a single finding need no names
 
     >>> paragraphs([Finding(["x"], "It is 0. Put in numbers."), Finding(["z"], "It is 0. Put in numbers.")], ["y"])
     ['Right: y.', 'X and z: It is 0. Put in numbers.']
-    >>> paragraphs([Finding(["x"], "It is 0. Look up."), Finding(["z"], "It is 0. Look down.")])
-    ['X: It is 0. Look up.', 'Z: Look down.']
+    >>> paragraphs([Finding(["x"], "It is 0. Look up."), Finding(["z"], "It is 0. Look down.")]), paragraphs([Finding(["x"], "It is 0.")])
+    (['X: It is 0. Look up.', 'Z: Look down.'], ['It is 0.'])
     >>> long = [Finding([name], f"{name} is {'very ' * 30}wrong. Look up.", check="Count.") for name in "abcd"]
     >>> sum(map(len, paragraphs(long))) <= MAX_LENGTH
     True
     """
     listed = enumeration(right_parts)
     shown = listed if len(listed) < MAX_LENGTH / 4 else f"{len(right_parts)} parts"
-    before = [f"Right: {shown}."] * bool(right_parts)
+    before = [said_of_right.format(shown)] * bool(right_parts)
+    is_on_whole = len(findings) == 1 and not right_parts
     merged = _each_sentence_once(_merged(findings))
     if len(merged) == 1 and right_parts and len(enumeration(merged[0].parts)) > MAX_LIST:
         merged[0] = replace(merged[0], parts=["the others"])

@@ -12,14 +12,13 @@ from misstep.verdict import Verdict
 def preview(template: Template, student: str) -> Iterator[str]:
     """Yield a problem with the numbers of a student: statement, given values, answer, and each mistake with its card."""
     problem = template.variant(student)
-    shown = problem.answer.shown
     yield f"{template.number} {template.title}, with the numbers of {student!r}\n\n{problem.statement}"
     yield "Given: " + (", ".join(f"{name} = {value}" for name, value in problem.given.items()) or "nothing")
-    yield f"Expected: {problem.answer.expected}\nRight: {shown(problem.answer.value)}"
+    yield f"Expected: {problem.answer.expected}\nRight: {problem.answer.value}"
     for k, mistake in enumerate([*problem.known_mistakes, *problem.slips], start=1):
         card = Verdict(template, judge(problem, mistake.value)).card
         lines = [paragraph for paragraph in card.body if isinstance(paragraph, str)]
-        yield "\n    ".join([f"Mistake {k}: {mistake.name}, {shown(mistake.value)}", card.title, *lines])
+        yield "\n    ".join([f"Mistake {k}: {mistake.name}, {mistake.value}", card.title, *lines])
 
 
 def find_template(course: Course, number: str) -> Template:

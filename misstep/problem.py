@@ -12,14 +12,13 @@ from functools import cached_property, partial
 from importlib import import_module
 from importlib.util import find_spec
 from itertools import combinations, islice
-from operator import attrgetter
 from typing import Any, TypeVar
 
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, Unreadable
+from misstep.answers.base import Answer, Unreadable, seen_at_sight
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
-from misstep.mutants.mutants import MutableSolution, Mutation, mutant, value_of
+from misstep.mutants.mutants import MutableSolution, mutant, value_of
 from misstep.sampling import Sampler
 
 S = TypeVar("S", bound=Sampler)
@@ -51,12 +50,10 @@ class Problem:
     >>> from misstep.answers.number import Numbers
     >>> from misstep.mutants.expression import given
     >>> drawn = Problem("How many?", Numbers(np.array(3.0)), solution=given("n", 6.0) / 2)
-    >>> [(mutant.message, float(mutant.value)) for mutant in drawn.mutants]
-    [('You forgot to divide by $2$.', 6.0), ('You multiplied by $2$ instead of dividing by it.', 12.0)]
+    >>> [(mutant.did, float(mutant.value)) for mutant in drawn.mutants]
+    [('forget to divide by $2$', 6.0), ('multiply by $2$ instead of dividing by it', 12.0)]
     >>> [float(mistake.value) for mistake in drawn.mutants_near(np.array(12.0))]
     [6.0, 12.0]
-    >>> [mistake.names for mistake in drawn.double_mutants(np.array(24.0))]
-    []
     >>> drawn.is_discriminating(), drawn.collision(), drawn.without_duplicates().mistakes
     (True, None, [])
     >>> drawn.with_inputs(seed=1) is drawn  # because the answer is not a function
@@ -73,7 +70,7 @@ class Problem:
     invisible: Collection[str] = ()
 
     def __post_init__(self) -> None:
-        read = [replace(wrong, value=self.answer.from_author(wrong.value)) for wrong in self.mistakes]
+        read = [replace(wrong, value=self.answer.read(wrong.value)) for wrong in self.mistakes]
         object.__setattr__(self, "mistakes", read)
 
     def with_inputs(self, seed: int) -> "Problem":
@@ -83,19 +80,27 @@ class Problem:
 
     @cached_property
     def slips(self) -> Sequence[Mistake]:
-        """The mistakes that people make with any answer of this kind."""
-        return list(self.answer.slips())
+        """The mistakes that people make with any answer of this kind, without those that are right for these numbers."""
+        found = []
+        for slip in self.answer.slips:
+            try:
+                value = self.answer.collect([slip.wrong(right) for right in self.answer.at_inputs()])
+            except Unreadable:
+                continue
+            if not all(self.answer.agrees(value, self.answer.value)):
+                found.append(mutant(slip, value, {}, spoils=slip.spoils))
+        return found
 
     @cached_property
     def mutants(self) -> Sequence[Mistake]:
         """The mistakes to which one change of the solution leads, without those that are right for these numbers by chance."""
-        found = self._mistakes(attrgetter("single"))
+        found = self._mistakes()
         right = partial(self.answer.agrees, self.answer.value)
         return [wrong for wrong in found if wrong.name in self.invisible or not all(right(wrong.value))]
 
     def mutants_near(self, given: Any) -> Iterator[Mistake]:
         """Yield the mutants that may share a part with an answer that was read, without computing the others at all inputs."""
-        return self._mistakes(attrgetter("single"), partial(self.answer.may_share, given))
+        return self._mistakes(partial(self.answer.may_share, given))
 
     @cached_property
     def names_of_mutants(self) -> Collection[str]:
@@ -103,20 +108,16 @@ class Problem:
         names = set[str]()
         if (solution := self._first_solution) is None:
             return names
-        for changes in solution.single:
+        for mutation in solution.mutations:
             with suppress(Unreadable):
-                self.answer.collect([value_of(solution.mutant(changes))])
-                names.update(mutation.change.name for mutation in changes)
+                self.answer.collect([value_of(solution.mutant(mutation))])
+                names.add(mutation.slip.name)
         return names
 
     @property
     def known_mistakes(self) -> Sequence[Mistake]:
         """The mistakes of the author, and the mutants."""
         return [*self.mistakes, *self.mutants]
-
-    def double_mutants(self, given: Any) -> Iterator[Mistake]:
-        """Yield the mistakes to which two changes of the solution lead, and which may have led to a given answer."""
-        return self._mistakes(attrgetter("double"), partial(self.answer.may_be, given))
 
     def is_discriminating(self) -> bool:
         """Return whether the right answer and the answers of all mistakes differ from each other.
@@ -152,14 +153,16 @@ class Problem:
         kept: list[Mistake] = []
         for wrong in self.mistakes:
             known = [self.answer.value, *(one.value for one in kept)]
-            if not self.answer.at_sight(wrong.value) and not any(self._same(wrong.value, value) for value in known):
+            if not seen_at_sight(self.answer, wrong.value) and not any(
+                self._same(wrong.value, value) for value in known
+            ):
                 kept.append(wrong)
         return replace(self, mistakes=kept)
 
     def _hidden_mutants(self) -> Iterator[Mistake]:
         tolerance = SEPARATION_TOLERANCES * TOLERANCE
         near = partial(self.answer.may_share, self.answer.value, tolerance=tolerance, parts=all)
-        for wrong in self._mistakes(attrgetter("separating"), near):
+        for wrong in self._mistakes(near, separating=True):
             if wrong.name not in self.invisible and self._same(wrong.value, self.answer.value):
                 yield wrong
 
@@ -168,7 +171,7 @@ class Problem:
         """The solution at the first input, which is often enough to see that a mistake is not the one that was made."""
         if self.solution is None:
             return None
-        first = next(self.answer.expressions(self.solution))
+        first = next(self.answer.at_inputs(self.solution))
         if not self.answer.may_share(self.answer.value, first.value, SEPARATION_TOLERANCES * TOLERANCE, all):
             raise self._wrong_solution(first.value)
         return MutableSolution(first)
@@ -178,7 +181,7 @@ class Problem:
         """The solution at each input."""
         if self._first_solution is None:
             return []
-        others = list(map(MutableSolution, islice(self.answer.expressions(self.solution), 1, None)))
+        others = list(map(MutableSolution, islice(self.answer.at_inputs(self.solution), 1, None)))
         reached = self.answer.collect([solution.root.value for solution in (self._first_solution, *others)])
         if not self._same(reached, self.answer.value):
             raise self._wrong_solution(reached)
@@ -190,33 +193,29 @@ class Problem:
         )
 
     def _mistakes(
-        self,
-        changes_of: Callable[[MutableSolution], Sequence[tuple[Mutation, ...]]],
-        is_near: Callable[[Any], bool] = lambda _: True,
+        self, is_near: Callable[[Any], bool] = lambda _: True, *, separating: bool = False
     ) -> Iterator[Mistake]:
-        """Yield a mistake for each way to change the solution, where it leads to an answer at all.
+        """Yield a mistake for each change of the solution that leads to an answer at all.
 
-        changes_of  the changes, in the same order at each input
         is_near     whether a value at the first input is near enough for computing it at the others
+        separating  whether to leave out those that may lead to the right answer
         """
         if (solution := self._first_solution) is None:
             return
-        for k, changes in enumerate(changes_of(solution)):
-            first = solution.mutant(changes)
-            if not is_near(value_of(first)):
+        for k, mutation in enumerate(solution.mutations):
+            slip = mutation.slip
+            first = None if separating and slip.may_coincide else solution.mutant(mutation)
+            if first is None or not is_near(value_of(first)):
                 continue
-            if len({len(changes_of(solution)) for solution in self._solutions}) > 1:
+            if len({len(solution.mutations) for solution in self._solutions}) > 1:
                 raise ValueError("The solution must have the same changes at each input; their numbers differ.")
-            others = [other.mutant(changes_of(other)[k]) for other in self._solutions[1:]]
+            others = [other.mutant(other.mutations[k]) for other in self._solutions[1:]]
             try:
                 value = self.answer.collect([value_of(root) for root in (first, *others)])
             except Unreadable:
                 continue
-            made, steps = [mutation.change for mutation in changes], solution.steps(changes)
-            spoils = any(change.spoils for change in made) or (
-                self.answer.rows_are_alike and all(map(solution.is_in_every_row, changes))
-            )
-            yield mutant(made, value, self.advice, first.key, steps=steps, spoils=spoils)
+            spoils = slip.spoils or (self.answer.rows_are_alike and solution.is_in_every_row(mutation))
+            yield mutant(slip, value, self.advice, first.key, spoils=spoils)
 
     def _same(self, one: Any, other: Any) -> bool:
         return all(self.answer.agrees(one, other, SEPARATION_TOLERANCES * TOLERANCE))

@@ -6,6 +6,7 @@ from typing import Any
 
 from misstep.diagnosis.bugs import Observation, Recurrence
 from misstep.display.card import TITLES, Card, Link
+from misstep.display.sentences import RIGHT, TOGETHER
 from misstep.display.text import points
 from misstep.judge import Judgement
 from misstep.paragraphs import paragraphs
@@ -40,9 +41,8 @@ class Verdict:
         judgement, template = self.judgement, self.template
         title = f"Problem {template.number}: {TITLES[judgement.state]}"
         body: list[str | Link] = [f"{points(self.score)} of {template.points} point{'s' * (template.points != 1)}."]
-        is_on_whole = judgement.state != "partly" and len(judgement.findings) == 1
-        right_parts = judgement.right_parts if judgement.state == "partly" else ()
-        body += paragraphs(judgement.findings, right_parts, is_on_whole=is_on_whole)
+        right_parts = () if judgement.state == "right" else judgement.right_parts
+        body += paragraphs(judgement.findings, right_parts, RIGHT if judgement.fraction else TOGETHER)
         if judgement.state not in ("right", "blank"):
             section = template.lecture.partition("#")[2]
             body.append(Link(f"Re-read: section “{section}” of {template.lecture_name}.", self.address))

@@ -1,6 +1,6 @@
 """Entries, one row or the rows of a DH table as an answer: angles are compared modulo a full turn."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import permutations
 from typing import Any, ClassVar
@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, is_plausible_angle
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.entries import Slip
-from misstep.answers.likeness import Likeness, Named
+from misstep.answers.base import Named
+from misstep.answers.likeness import Likeness
 from misstep.answers.number import LENGTH, PURE, Numbers
 from misstep.display.sentences import IN_DEGREES, IN_DEGREES_WITH_WRONG_SIGN, LIKE_DEGREES, OTHER_UNIT
+from misstep.mutants.expression import Slip
 
 
 def symbol(name: str) -> str:
@@ -70,21 +71,17 @@ class DHEntriesAnswer(_DHNumbers):
     def place(self, index: Sequence[Any]) -> str:
         return str(self.parts[index[0]])
 
-    def entry_slips(self) -> Iterator[Slip]:
-        for name, rows, text, part in super().entry_slips():
-            yield name, rows, text, part if name == "sign of one entry" else ""  # a swap takes two parts
-
-    def explanation(self, given: Array, part: int) -> Named | None:
-        return _entry_mistake(float(given[part]), float(self.value[part]), self._is_angle(part))
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
+        if part is None:
+            return super().resemblance(given, None)
+        is_angle = self._is_angle(part)
+        if found := _entry_mistake(float(given[part]), float(self.value[part]), is_angle) or self._place(given, part):
+            return found
+        return ("", LIKE_DEGREES.format(given[part])) if is_angle and not is_plausible_angle(given[part]) else None
 
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
-        """Return whether half of the entries are right: fewer are by luck."""
+        """Return whether half of the entries are right, which no wrong method gives."""
         return 2 * sum(right) >= len(right)
-
-    def hint(self, given: Array, part: int) -> str:
-        if self._is_angle(part) and not is_plausible_angle(given[part]):
-            return LIKE_DEGREES.format(given[part])
-        return ""
 
     def _is_angle(self, part: int) -> bool:
         return any(angle in self.names[part] for angle in ANGLE_COLUMNS)
@@ -105,12 +102,24 @@ class DHRowAnswer(DHEntriesAnswer):
         """Return whether all but one are right: by a wrong method, both lengths or both angles are."""
         return sum(right) >= len(right) - 1
 
-    def arrangement(self, given: Array) -> tuple[str, str] | None:
-        for order in list(permutations(range(4)))[1:]:
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
+        for order in list(permutations(range(4)))[1:] if part is None else ():
             if all(self.same_entries(given, self.value[list(order)])) and len(set(np.round(self.value, 3))) == 4:
                 theirs, ours = (", ".join(symbol(COLUMNS[k]) for k in ks) for ks in (order, range(4)))
                 return "order of the numbers", f"Your numbers are in the order {theirs}. Give them in the order {ours}."
-        return super().arrangement(given)
+        return super().resemblance(given, part)
+
+
+ROWS_SLIPS = (
+    Slip("sign of alpha", "take every $\\alpha$ with the opposite sign", lambda rows: rows * (1, -1, 1, 1)),
+    Slip("sign of theta", "take every $\\theta$ with the opposite sign", lambda rows: rows * (1, 1, 1, -1)),
+    Slip("alpha left out", "leave every $\\alpha$ at 0", lambda rows: rows * (1, 0, 1, 1), in_parts=False),
+    Slip("no offset", "leave every $\\theta$ at 0", lambda rows: rows * (1, 1, 1, 0), in_parts=False),
+    Slip("d left out", "leave every $d$ at 0", lambda rows: rows * (1, 1, 0, 1), in_parts=False),
+    Slip("a and d swapped", "swap $a$ and $d$", lambda rows: rows[:, [2, 1, 0, 3]], spoils=True),
+    Slip("angles swapped", "swap $\\alpha$ and $\\theta$", lambda rows: rows[:, [0, 3, 2, 1]], spoils=True),
+)
+"""The slips that people make in the rows of any table."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,6 +157,10 @@ class DHRowsAnswer(_DHNumbers):
     def rows_are_alike(self) -> bool:
         return True
 
+    @property
+    def slips(self) -> Sequence[Slip]:
+        return ROWS_SLIPS
+
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
         """Return whether a right row is not so short that any method gives it, nor one that another unit leaves as it is."""
         seen = self.likeness(given, None).at_sight() if sum(right) < len(right) - 1 else None
@@ -160,27 +173,25 @@ class DHRowsAnswer(_DHNumbers):
         turns = np.where(is_turned, np.round((found.mine - found.right) / (2 * np.pi)), 0)
         return replace(found, right=found.right + 2 * np.pi * turns, columns=[symbol(name) for name in COLUMNS])
 
-    def explanation(self, given: Array, part: int) -> Named | None:
-        """Return what is wrong with each wrong entry of a row, if that can be said of all of them."""
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
+        """Return what is wrong with each wrong entry of a row, if that can be said of all of them, or which columns are wrong."""
+        if part is None:
+            return super().resemblance(given, None)
         wrong = np.flatnonzero(~self.same_entries(given, self.value)[part])
         seen = {k: _entry_mistake(given[part, k], self.value[part, k], COLUMNS[k] in ANGLE_COLUMNS) for k in wrong}
         places: dict[Named, list[str]] = {}
         for k, one in seen.items():
             if one:
                 places.setdefault(one, []).append(symbol(COLUMNS[k]))
-        if not seen or not all(seen.values()) or len(places) > 2:
-            return super().explanation(given, part)
-        text = " ".join(f"Look at {' and '.join(names)}. {text}" for (_, text), names in places.items())
-        return " and ".join(dict.fromkeys(name for name, _ in places)), text
-
-    def description(self, given: Array, part: int) -> Named | None:
-        if hint := self.hint(given, part):
-            return "wrong " + " and ".join(self._wrong_columns(given, part)), hint
-        return super().description(given, part)
-
-    def hint(self, given: Array, part: int) -> str:
-        wrong = self._wrong_columns(given, part)
-        return f"Look at its {' and '.join(map(symbol, wrong))}." if len(wrong) < 3 else ""
+        if seen and all(seen.values()) and len(places) <= 2:
+            text = " ".join(f"Look at {' and '.join(names)}. {text}" for (_, text), names in places.items())
+            return " and ".join(dict.fromkeys(name for name, _ in places)), text
+        if found := self.likeness(given, part).resemblance():
+            return found
+        columns = self._wrong_columns(given, part)
+        if len(columns) < 3:
+            return "wrong " + " and ".join(columns), f"Look at its {' and '.join(map(symbol, columns))}."
+        return self._place(given, part)
 
     def _wrong_columns(self, given: Array, part: int) -> list[str]:
         same = self.same_entries(given, self.value)[part]
@@ -202,18 +213,18 @@ def _entry_mistake(mine: float, right: float, is_angle: bool) -> Named | None:
     cases: tuple[tuple[Any, str, str], ...]
     if is_angle:
         cases = (
-            (_same_angle(mine, -right), "sign of an entry", "The size is right, the sign is not."),
-            (_same_angle(np.radians(mine), right), "an entry in degrees", IN_DEGREES),
+            (_same_angle(mine, -right), "signs", "The size is right, the sign is not."),
+            (_same_angle(np.radians(mine), right), "degrees", IN_DEGREES),
             (_same_angle(np.radians(mine), -right), "an entry in degrees and its sign", IN_DEGREES_WITH_WRONG_SIGN),
             (abs(mine) <= TOLERANCE, "left out", "This is 0, but the angle is not 0."),
             (_same_angle(mine, right + np.pi), "half a turn", "It differs from the right angle by half a turn."),
         )
     else:
         cases = (
-            (abs(mine + right) <= TOLERANCE, "sign of an entry", "The size is right, the sign is not."),
+            (abs(mine + right) <= TOLERANCE, "signs", "The size is right, the sign is not."),
             (
                 abs(mine - 1000 * right) <= min(1, 100 * abs(right)),
-                "unit of length",
+                "millimetres",
                 OTHER_UNIT.format("millimetres", "metres"),
             ),
             (abs(mine) <= TOLERANCE, "left out", "This is 0, but the length is not 0."),

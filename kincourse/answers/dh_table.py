@@ -10,7 +10,6 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
-from itertools import combinations
 from typing import Any, ClassVar
 
 import numpy as np
@@ -27,18 +26,22 @@ from kinlib.dh.joint_maps import CHOICES
 from kinlib.dh.slips import Fault
 from kinlib.dh.table import DHTable
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, StoredObjects, Unreadable
+from misstep.answers.base import Answer, Named, StoredObjects, Unreadable
 from misstep.diagnosis.explanation import MAX_ALTERNATIVES
 from misstep.display.sentences import UNTOUCHED
-from misstep.mistakes import Mistake
+from misstep.mutants.expression import Slip
 
 MAX_TEXT_LENGTH = 10_000
 """Maximum number of characters of a typed table. A longer text is refused, because parsing it would take too long."""
 
-REVERSED = "Your rows run from the tool to the base. Row 1 belongs to joint 1, at the base."
-
-PAIR = "Two changes make your table right, although others may do so as well."
-"""What is said before two mistakes that explain a table together."""
+NAMES = {
+    "unit of length": "millimetres",
+    "other convention": "the other convention",
+    "offset forgotten": "no offset",
+    "theta and alpha swapped": "angles swapped",
+    "sign of q": "sign of a joint value",
+}
+"""The names that the sheets have for faults that `diagnose` names otherwise."""
 
 ENDS = {
     "base": "Your first row begins in {s}. The problem gives frame 0, which is not {s}, so the way from {s} to it is in no row.",
@@ -144,62 +147,28 @@ class DHTableAnswer(Answer):
         runs_through = sum(right) < len(right) - 1 and any(one.faults[0].row is None for one in found[:1])
         return has_a_telling_row(given.rows, right) and not runs_through
 
-    def appearance(self, given: DHTable, part: int | None) -> tuple[str, str] | None:
+    def seen(self, given: DHTable, part: int | None) -> Named | None:
         if given.rows.any() or not self.value.rows.any():
             return None
         return "placeholder", UNTOUCHED.format("Every number is 0")
 
-    def slips(self) -> Iterator[Mistake]:
-        """Yield the changes of the whole table that cannot be undone in a wrong table, because numbers are lost, and signs of q."""
-        right = self.value
-        rows, n = right.rows, right.n
-        turns = np.array([[letter == "R"] for letter in right.joints]) & (np.arange(4) == 3)
-        changes: list[tuple[str, dict[str, Any], str]] = [
-            ("every alpha 0", {"rows": rows * (1, 0, 1, 1)}, "as if every $\\alpha$ were 0"),
-            ("d left out", {"rows": rows * (1, 1, 0, 1)}, "as if every $d$ were 0"),
-            ("offset forgotten", {"rows": np.where(turns, 0.0, rows)}, "as if no $\\theta$ had an offset"),
-            ("offset forgotten", {"rows": rows * (1, 1, 1, 0)}, "as if every $\\theta$ were 0 at $q = 0$"),
-            ("sign of alpha", {"rows": rows * (1, -1, 1, 1)}, "as if every $\\alpha$ had the other sign"),
-            ("signs left out", {"rows": np.abs(rows)}, "as if no entry had a minus sign"),
-            ("all signs", {"rows": -rows}, "as if every entry had the other sign"),
-            ("sign of theta", {"rows": rows * (1, 1, 1, -1)}, "as if every $\\theta$ had the other sign at $q = 0$"),
-            ("sign of theta", {"rows": rows * (1, 1, 1, -1), "signs": -right.signs}, "as if every $\\theta$ had the other sign"),
-            ("rows swapped", {"rows": rows[::-1]}, REVERSED),
-            ("columns swapped", {"rows": rows[:, [2, 3, 0, 1]]}, "as if $a$ and $d$ were swapped, and $\\alpha$ and $\\theta$ as well"),
-            ("sign of every q", {"signs": -right.signs}, "as if every joint moved in the other direction"),
-        ]  # fmt: skip
-        for i in range(n):
-            signs = np.where(np.arange(n) == i, -right.signs, right.signs)
-            changes.append(("sign of a q", {"signs": signs}, f"as if joint {i + 1} moved in the other direction"))
-        known = set[bytes]()
-        for name, fields, text in changes:
-            table = right.changed(**fields)
-            # A single entry is explained by its place.
-            changed, key = np.count_nonzero(table.rows - rows), table.rows.tobytes() + table.signs.tobytes()
-            if (changed > 1 or "signs" in fields) and key not in known and not all(self.agrees(table, right)):
-                said = text if text == REVERSED else f"Your table moves {text}."
-                runs_through = is_in_several_rows(
-                    np.column_stack([table.rows, table.signs]), np.column_stack([rows, right.signs])
-                )
-                yield Mistake(name, table, said, spoils=runs_through)
-            known.add(key)
+    @property
+    def slips(self) -> Sequence[Slip]:
+        """The slips in the whole table that cannot be undone in a wrong table, because numbers are lost, and signs of q."""
+        return _table_slips(self.value)
 
-    def explanation(self, given: DHTable, part: int) -> tuple[str, str] | None:
-        """Return the name of the mistake in a wrong table and a sentence on it, or None if no known mistake explains it."""
-        return self._explanation(given, in_pairs=True)
+    def resemblance(self, given: DHTable, part: int | None) -> Named | None:
+        """Return the name of the mistake in a wrong table and a sentence on it, or how it differs from the right one."""
+        return (self._fault(given) or self._difference(given)) if part is not None else None
 
-    def is_near(self, given: DHTable, part: int) -> bool:
-        """Return whether a single mistake explains a wrong table. Pairs would take seconds where a known mistake is told anyway."""
-        return self._explanation(given, in_pairs=False) is not None
-
-    def _explanation(self, given: DHTable, *, in_pairs: bool) -> tuple[str, str] | None:
+    def _fault(self, given: DHTable) -> Named | None:
         ours = self.value
         if given.convention != ours.convention:
             text = (
                 f"Your table is in the {given.convention} convention, and the problem asks for the {ours.convention} one. Row i has "
                 "$a_i$ and $\\alpha_i$ in the standard convention, $a_{i-1}$ and $\\alpha_{i-1}$ in the modified one."
             )
-            return "other convention", text
+            return "the other convention", text
         if given.joints != ours.joints:
             return (
                 "variable in the wrong column",
@@ -209,7 +178,7 @@ class DHTableAnswer(Answer):
             without = given.changed(**{end: np.eye(4)})
             if (getattr(ours, end) != np.eye(4)).any() and all(self.agrees(without, ours)):
                 return f"{end} forgotten", text
-        diagnosis = self._diagnose(given, in_pairs=in_pairs)
+        diagnosis = self._diagnose(given)
         # Rows that were typed have the base and the tool of the problem, so these are not what is wrong.
         sound = {
             f"wrong {end}"
@@ -233,16 +202,9 @@ class DHTableAnswer(Answer):
             )
         return None
 
-    def description(self, given: DHTable, part: int) -> tuple[str, str] | None:
+    def _difference(self, given: DHTable) -> Named | None:
         if self.agrees(given, self.value).count(False) == 1 < len(self.parts):
             return "wrong row", "All other rows can stay as they are. Look at the numbers of this one."
-        for i, j in combinations(range(given.n), 2):
-            is_same = (given.rows[i] == given.rows[j]).all() and given.rows[i].any()
-            if is_same and (self.value.rows[i] != self.value.rows[j]).any():
-                return (
-                    "copied row",
-                    f"Rows {i + 1} and {j + 1} of your table are the same, number for number. Is one a copy?",
-                )
         difference = self._diagnose(given).difference.replace("the table", "your table")
         return ("other axes", difference) if difference else None
 
@@ -276,14 +238,48 @@ class DHTableAnswer(Answer):
         ]
         return f"It differs from ours where the rules leave a choice: {'; '.join(choices)}." if choices else ""
 
-    def _diagnose(self, given: DHTable, *, in_pairs: bool = False) -> Diagnosis:
-        return _diagnosis(given, self.value, self.anchored, in_pairs)
+    def _diagnose(self, given: DHTable) -> Diagnosis:
+        return _diagnosis(given, self.value, self.anchored)
+
+
+def _table_slips(right: DHTable) -> list[Slip]:
+    """Return the slips in a whole table, each with the table to which it leads."""
+    rows, n = right.rows, right.n
+    turns = np.array([[letter == "R"] for letter in right.joints]) & (np.arange(4) == 3)
+    changes: list[tuple[str, str, dict[str, Any]]] = [
+        ("alpha left out", "leave every $\\alpha$ at 0", {"rows": rows * (1, 0, 1, 1)}),
+        ("d left out", "leave every $d$ at 0", {"rows": rows * (1, 1, 0, 1)}),
+        ("no offset", "leave out the offset of every $\\theta$", {"rows": np.where(turns, 0.0, rows)}),
+        ("no offset", "leave every $\\theta$ at 0 for $q = 0$", {"rows": rows * (1, 1, 1, 0)}),
+        ("sign of alpha", "take every $\\alpha$ with the opposite sign", {"rows": rows * (1, -1, 1, 1)}),
+        ("signs left out", "leave out every minus sign", {"rows": np.abs(rows)}),
+        ("all signs", "take every entry with the opposite sign", {"rows": -rows}),
+        ("sign of theta", "take every $\\theta$ with the opposite sign at $q = 0$", {"rows": rows * (1, 1, 1, -1)}),
+        ("sign of theta", "take every $\\theta$ with the opposite sign", {"rows": rows * (1, 1, 1, -1), "signs": -right.signs}),
+        ("rows reversed", "write the rows from the tool to the base", {"rows": rows[::-1]}),
+        ("both pairs swapped", "swap $a$ and $d$, and $\\alpha$ and $\\theta$", {"rows": rows[:, [2, 3, 0, 1]]}),
+        ("sign of a joint value", "let every joint move in the other direction", {"signs": -right.signs}),
+    ]  # fmt: skip
+    for i in range(n):
+        signs = np.where(np.arange(n) == i, -right.signs, right.signs)
+        changes.append(("sign of a joint value", f"let joint {i + 1} move in the other direction", {"signs": signs}))
+    found, known = [], set[bytes]()
+    for name, did, fields in changes:
+        table = right.changed(**fields)
+        # A single entry is explained by its place.
+        changed, key = np.count_nonzero(table.rows - rows), table.rows.tobytes() + table.signs.tobytes()
+        if (changed > 1 or "signs" in fields) and key not in known:
+            mine, ours = (np.column_stack([one.rows, one.signs]) for one in (table, right))
+            runs_through = is_in_several_rows(mine, ours)
+            found.append(Slip(name, did, lambda _, table=table: table, in_parts=False, spoils=runs_through))
+        known.add(key)
+    return found
 
 
 @lru_cache(maxsize=16)
-def _diagnosis(given: DHTable, right: DHTable, anchored: bool, in_pairs: bool) -> Diagnosis:
+def _diagnosis(given: DHTable, right: DHTable, anchored: bool) -> Diagnosis:
     fixed = CHOICES if anchored else ()
-    return diagnose(given, right, fixed, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE, in_pairs=in_pairs)
+    return diagnose(given, right, fixed, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE, in_pairs=False)
 
 
 _COLUMN = re.compile(r"\b(alpha|theta|d)\b|\ba\b(?= (?:is measured|has|and (?:d|alpha)))|(?<=along |about )[xz]\b")
@@ -297,7 +293,7 @@ def _choices(found: Equivalence) -> str:
 
 def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
     """Name and describe the faults of each explanation. A right number would give the answer away, so only its place is named."""
-    names = [" and ".join(dict.fromkeys(fault.name for fault in faults)) for faults in alternatives]
+    names = [" and ".join(dict.fromkeys(NAMES.get(one.name, one.name) for one in faults)) for faults in alternatives]
     name = " or ".join(list(dict.fromkeys(names))[:MAX_ALTERNATIVES])
     if all([fault.name for fault in faults] == ["wrong number"] for faults in alternatives):
         places = list(dict.fromkeys(f"{symbol(str(fault.column))} in row {fault.row}" for (fault,) in alternatives))
@@ -311,7 +307,7 @@ def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
     ]
     texts = list(dict.fromkeys(_COLUMN.sub(lambda found: symbol(found[0]), text) for text in texts))[:MAX_ALTERNATIVES]
     text = texts[0] if len(texts) == 1 else f"Either: {' Or: '.join(texts)}"
-    return name, text if min(map(len, alternatives)) == 1 else f"{PAIR} {text}"
+    return name, text
 
 
 def _frame_choices(i: int, ours: Array, theirs: Array, convention: str) -> Iterator[str]:

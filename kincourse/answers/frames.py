@@ -1,6 +1,6 @@
 """DH frames as answers: every choice of frames that obeys the rules of the convention is right."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
@@ -12,12 +12,26 @@ from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention
 from kinlib.rigid.lie import homogeneous, inverse
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Unreadable
-from misstep.answers.entries import wrong_slips
-from misstep.answers.likeness import Named
+from misstep.answers.base import Named, Unreadable
 from misstep.answers.number import Numbers
 from misstep.display.sentences import UNTOUCHED
-from misstep.mistakes import Mistake
+from misstep.mutants.expression import Slip
+
+FRAMES_SLIPS = (
+    Slip(
+        "rotation transposed",
+        "give each pose with $R^T$ for $R$",
+        lambda T: homogeneous(T[:, :3, :3].swapaxes(1, 2), T[:, :3, 3]),
+    ),
+    Slip("inverse", "give the inverse of each pose, {s} seen from the frame", inverse),
+    Slip(
+        "relative",
+        "give each frame in the frame before, and not in {s}",
+        lambda T: np.concatenate([T[:1], inverse(T[:-1]) @ T[1:]]),
+    ),
+    Slip("rows reversed", "list the frames from the last to the first", lambda T: T[::-1], in_parts=False),
+)
+"""The slips that people make in frames as poses in {s}."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +61,7 @@ class DHFramesAnswer(Numbers):
         return list(range(len(self.value)))
 
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
-        """Return whether two frames are right, as a single one may be by luck, and not all by the rules of the other convention."""
+        """Return whether two frames are right, because a single one is by chance, and not all by the rules of the other convention."""
         other: Convention = "modified" if self.convention == "standard" else "standard"
         return sum(right) > 1 and bool(check_frames(self.chain, given, other, tolerance=10 * TOLERANCE))
 
@@ -66,16 +80,15 @@ class DHFramesAnswer(Numbers):
             return [not self._breaches_of(one, i) for i in range(len(one))]
         return [bool(np.allclose(mine, yours, rtol=0, atol=tolerance)) for mine, yours in zip(one, other, strict=True)]
 
-    def explanation(self, given: Array, part: int) -> tuple[str, str] | None:
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
+        if part is None:
+            return super().resemblance(given, None)
         return next(((breach.rule, breach.text) for breach in self._breaches_of(given, part)), None)
 
-    def appearance(self, given: Array, part: int | None) -> Named | None:
+    def seen(self, given: Array, part: int | None) -> Named | None:
         """Return whether nothing is placed yet; a single frame may well have the axes of {s}."""
         if part is None and (np.ptp(given, axis=0) == 0).all():
             return "placeholder", UNTOUCHED.format("All frames are the same")
-        return None
-
-    def description(self, given: Array, part: int) -> Named | None:
         return None
 
     def _breaches_of(self, frames: Array, i: int) -> list[Breach]:
@@ -88,37 +101,9 @@ class DHFramesAnswer(Numbers):
             breaches = self._breaches(mended)
         return [breach for breach in breaches if breach.frame == i]
 
-    def slips(self) -> Iterator[Mistake]:
-        """Yield our frames with a mistake that breaks the rules: other frames differ in the directions that are free."""
-        T = np.asarray(self.value, dtype=float)
-        transposed = homogeneous(T[:, :3, :3].swapaxes(1, 2), T[:, :3, 3])
-        relative = np.concatenate([T[:1], inverse(T[:-1]) @ T[1:]])
-        each = "These are the numbers of this frame"
-        return wrong_slips(
-            self,
-            [
-                (
-                    "R^T",
-                    transposed,
-                    "In every frame, the rotation is the transpose of the right one.",
-                    f"{each} with $R^T$ for $R$.",
-                ),
-                (
-                    "inverse",
-                    inverse(T),
-                    "Every pose is the inverse of the right one: {s} seen from the frame.",
-                    f"{each} inverted.",
-                ),
-                (
-                    "relative",
-                    relative,
-                    "Each frame is given in the frame before, and not in {s}.",
-                    f"{each} in the frame before.",
-                ),
-                ("reversed", T[::-1], "The frames are right, but their order is reversed.", ""),
-            ],
-            pieces=range(len(T)),
-        )
+    @property
+    def slips(self) -> Sequence[Slip]:
+        return FRAMES_SLIPS
 
     def _breaches(self, frames: Array) -> list[Breach]:
         # Entries may be typed with three decimals, and a link of several metres multiplies the error of a direction.

@@ -1,6 +1,6 @@
 """Points and directions as answers."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -8,9 +8,9 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.entries import Slip, entries_hint, is_nearly_all, scale_of
-from misstep.answers.likeness import Likeness, Named
-from misstep.answers.number import Numbers
+from misstep.answers.base import Named
+from misstep.answers.likeness import Likeness, entries_hint
+from misstep.answers.number import Numbers, scale_of
 
 XYZ = ("$x$", "$y$", "$z$")
 
@@ -29,8 +29,8 @@ class VectorsAnswer(Numbers):
 
     >>> VectorsAnswer(np.eye(2, 3), names=["the point", "the direction"]).agrees(np.zeros((2, 3)), np.eye(2, 3))
     [False, False]
-    >>> VectorsAnswer(np.ones(3), unit="m").hint(np.array([1, 1, 5.0]), 0)
-    '2 of the 3 entries are right. Look at $z$.'
+    >>> VectorsAnswer(np.ones(3), unit="m").resemblance(np.array([1, 1, 5.0]), 0)
+    ('one entry', '2 of the 3 entries are right. Look at $z$.')
     """
 
     names: Sequence[str] = ()
@@ -42,15 +42,6 @@ class VectorsAnswer(Numbers):
     @property
     def parts(self) -> Sequence[str]:
         return self.names or ["the answer"]
-
-    def hint(self, given: Array, part: int) -> str:
-        piece = self.part_indices()[part]
-        mine, right = given[piece], self.value[piece]
-        same = self.same_entries(given, self.value)[piece]
-        if is_nearly_all(same):
-            return entries_hint(same, XYZ)
-        off = np.abs(np.sort(np.abs(mine)) - np.sort(np.abs(right)))
-        return ORDER_OR_SIGNS if off.max() <= TOLERANCE * max(scale_of(right), np.abs(right).max()) else ""
 
     @property
     def _reordered(self) -> str:
@@ -65,19 +56,11 @@ class VectorsAnswer(Numbers):
             return ""
         return f"A direction is a unit vector; the length of yours is {mine:.3g}."
 
-    def arrangement(self, given: Array) -> Named | None:
-        if (found := super().arrangement(given)) or not self.unit or np.ndim(self.value) < 2:
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
+        if part is None:
+            return super().resemblance(given, None) or self._steps(given)
+        if found := self.likeness(given, part).resemblance():
             return found
-        steps = np.diff(self.value, axis=0, prepend=0 * self.value[:1])
-        for name, points, text in (
-            ("steps", steps, "These are the steps from each point to the next one."),
-            ("points added", np.cumsum(self.value, axis=0), "Each row is the sum of all right points up to this one."),
-        ):
-            if all(self.agrees(given, points)) and not all(self.agrees(points, self.value)):
-                return name, f"{text} The points are wanted, each from the same origin."
-        return None
-
-    def description(self, given: Array, part: int) -> Named | None:
         if self.unit and self.names:
             for k, name in enumerate(self.names[:part]):
                 for text, right in (
@@ -88,17 +71,30 @@ class VectorsAnswer(Numbers):
                         return "another origin", f"{text} It is measured from another point."
         if self.check(given, part):
             return "not a unit vector", "This is not a unit vector."
-        return super().description(given, part)
+        piece = self.part_indices()[part]
+        if hint := entries_hint(self.same_entries(given, self.value)[piece], XYZ):
+            return hint
+        mine, right = given[piece], self.value[piece]
+        off = np.abs(np.sort(np.abs(mine)) - np.sort(np.abs(right)))
+        is_alike = off.max() <= TOLERANCE * max(scale_of(right), np.abs(right).max())
+        return ("", ORDER_OR_SIGNS) if is_alike else None
+
+    def _steps(self, given: Array) -> Named | None:
+        if not self.unit or np.ndim(self.value) < 2:
+            return None
+        steps = np.diff(self.value, axis=0, prepend=0 * self.value[:1])
+        for name, points, text in (
+            ("steps", steps, "These are the steps from each point to the next one."),
+            ("points added", np.cumsum(self.value, axis=0), "Each row is the sum of all right points up to this one."),
+        ):
+            if all(self.agrees(given, points)) and not all(self.agrees(points, self.value)):
+                return name, f"{text} The points are wanted, each from the same origin."
+        return None
 
     def remedy(self, shape: tuple[int, ...]) -> str:
         if shape == (*np.shape(self.value)[:-1], 4):
             return HOMOGENEOUS
         return super().remedy(shape)
-
-    def whole_slips(self) -> Iterator[Slip]:
-        yield from super().whole_slips()
-        for name, order in (("components shifted", [1, 2, 0]), ("components shifted back", [2, 0, 1])):
-            yield (name, np.asarray(self.value)[..., order], self._reordered, self._reordered)
 
     def place(self, index: Sequence[Any]) -> str:
         component = XYZ[int(index[-1])]

@@ -1,6 +1,6 @@
 """Rotations and poses as answers."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
@@ -11,23 +11,14 @@ from kincourse.answers.point import REORDERED, XYZ
 from kinlib.rigid.lie import homogeneous, inverse, log, nearest_rotation
 from kinlib.rigid.rpy import origin
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.entries import Slip, entries_hint
+from misstep.answers.base import Named
 from misstep.answers.equivalent import Equivalent
-from misstep.answers.likeness import Likeness, Named
+from misstep.answers.likeness import Likeness, entries_hint
 from misstep.answers.number import LENGTH, PURE, Numbers
-from misstep.display.sentences import IDENTITY, UNTOUCHED
+from misstep.mutants.expression import Slip
 from misstep.validation import Array
 
 NOT_A_ROTATION = "This is not a rotation matrix."
-
-INVERSE = (
-    "The rotation is that of the inverse pose, and the position has only its signs changed. The inverse of $(R, p)$ is "
-    "$(R^T, -R^T p)$."
-)
-
-OTHER_FRAME = (
-    "The position is written in the axes of the rotated frame. It is wanted in those of the frame of reference."
-)
 
 OTHER_AXES = "The {} are right up to their order and their signs."
 
@@ -52,9 +43,6 @@ class RotationAnswer(Numbers):
     def kinds(self) -> NDArray[np.int_]:
         return np.full((3, 3), PURE)
 
-    def hint(self, given: Array, part: int) -> str:
-        return _rotation_hint(given, self.same_entries(given, self.value))
-
     def check(self, given: Array, part: int) -> str:
         if text := rotation_check(given):
             return text
@@ -62,12 +50,40 @@ class RotationAnswer(Numbers):
         text = f"The trace of a rotation is $1 + 2 \\cos\\theta$, and yours belongs to $\\theta$ = {np.degrees(mine):.4g} degrees."
         return text if abs(mine - right) > ORTHONORMAL_TOLERANCE else ""
 
-    def description(self, given: Array, part: int) -> Named | None:
-        return _rotation_description(given, self.value) or super().description(given, part)
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
+        alike = self.likeness(given, part).resemblance() if part is not None else None
+        same = self.same_entries(given, self.value)
+        return alike or entries_hint(same) or rotation_resemblance(given, self.value)
 
-    def whole_slips(self) -> Iterator[Slip]:
-        yield ("R^T", self.value.T, "Your rotation is the transpose of the right one.", "")
-        yield from super().whole_slips()
+
+POSE_SLIPS = (
+    Slip(
+        "inverse",
+        "give the inverse of the pose, the frame of reference seen from the other one",
+        inverse,
+        in_parts=False,
+    ),
+    Slip("transposed", "give the transpose of the whole matrix, last row included", np.transpose, in_parts=False),
+    Slip(
+        "negative for inverse",
+        "give $R^T$ and $-p$, the inverse without the rotation of its position",
+        lambda T: homogeneous(T[:3, :3].T, -T[:3, 3]),
+        advice="The inverse of $(R, p)$ is $(R^T, -R^T p)$.",
+        in_parts=False,
+    ),
+    Slip(
+        "position of the inverse",
+        "give the position of the inverse pose, $-R^T p$",
+        lambda T: homogeneous(T[:3, :3], inverse(T)[:3, 3]),
+    ),
+    Slip(
+        "position in the other frame",
+        "write the position in the axes of the rotated frame",
+        lambda T: homogeneous(T[:3, :3], T[:3, :3].T @ T[:3, 3]),
+        advice="It is wanted in the axes of the frame of reference.",
+    ),
+)
+"""The slips that people make in any pose."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,15 +100,6 @@ class PoseAnswer(Numbers):
     def parts(self) -> Sequence[str]:
         return ["rotation", "position"]
 
-    def hint(self, given: Array, part: int) -> str:
-        same = self.same_entries(given, self.value)
-        if part == 0 and (text := _rotation_hint(given[:3, :3], same[:3, :3])):
-            return text
-        if part == 1 and np.count_nonzero(~same[:3, 3]) == 1:
-            return entries_hint(same[:3, 3], XYZ)
-        closed = np.allclose(given[3], (0, 0, 0, 1), atol=TOLERANCE)
-        return "" if closed else "The last row of a pose is 0 0 0 1, whatever is above it."
-
     def kinds(self) -> NDArray[np.int_]:
         kinds = np.full((4, 4), PURE)
         kinds[:3, 3] = LENGTH
@@ -103,9 +110,6 @@ class PoseAnswer(Numbers):
 
     def core_indices(self) -> list[Any]:
         return [np.s_[:3, :3], np.s_[:3, 3]]
-
-    def slip_indices(self) -> list[Any]:
-        return self.core_indices()
 
     def length_entries(self) -> NDArray[np.bool_]:
         return np.asarray(self.kinds() == LENGTH)
@@ -121,76 +125,19 @@ class PoseAnswer(Numbers):
     def check(self, given: Array, part: int) -> str:
         return rotation_check(given[:3, :3]) if part == 0 else ""
 
-    def description(self, given: Array, part: int) -> Named | None:
-        if not np.allclose(given[3], (0, 0, 0, 1), atol=TOLERANCE) and self._core_is_right(given, part):
+    @property
+    def slips(self) -> Sequence[Slip]:
+        return POSE_SLIPS
+
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
+        if part is None:
+            return None
+        core = self.same_entries(given, self.value)[self.core_indices()[part]]
+        if core.all():
             return "last row", "The numbers above the last row are right, but the last row of a pose is 0 0 0 1."
-        named = _rotation_description(given[:3, :3], self.value[:3, :3]) if part == 0 else None
-        if named and named[1] in (OTHER_AXES.format("columns"), OTHER_AXES.format("rows")):
-            return named[0], f"{named[1][:-1]}, so the axes of a frame are named or directed in another way."
-        return named or super().description(given, part)
-
-    def _core_is_right(self, given: Array, part: int) -> bool:
-        return bool(self.same_entries(given, self.value)[self.core_indices()[part]].all())
-
-    def whole_slips(self) -> Iterator[Slip]:
-        T = np.asarray(self.value, dtype=float)
-        R, p = T[:3, :3], T[:3, 3]
-        back = inverse(T)
-        yield (
-            "R^T",
-            homogeneous(R.T, p),
-            "The position is right; the rotation is the transpose of the right one.",
-            "The rotation is the transpose of the right one.",
-        )
-        yield (
-            "inverse",
-            back,
-            "Your pose is the inverse of the right one: it says where the frame of reference lies, seen from the other one.",
-            "",
-        )
-        yield (
-            "not rotated back",
-            homogeneous(R, back[:3, 3]),
-            "The rotation is right; the position is that of the inverse pose.",
-            "This is the position of the inverse pose.",
-        )
-        yield ("transposed", T.T, "Your matrix is the transpose of the right one, last row included.", "")
-        yield (
-            "position negated",
-            homogeneous(R, -p),
-            "The rotation is right; every sign of the position is wrong.",
-            "The position has the right sizes, but every sign is wrong.",
-        )
-        yield (
-            "not rotated",
-            homogeneous(np.eye(3), p),
-            "The position is right; the rotation is left at the identity.",
-            IDENTITY,
-        )
-        yield (
-            "position left at 0",
-            homogeneous(R, 0 * p),
-            "The rotation is right; the position is left at 0.",
-            UNTOUCHED.format("Every number is 0"),
-        )
-        yield ("R^T and -p", homogeneous(R.T, -p), INVERSE, "")
-        yield (
-            "millimetres",
-            homogeneous(R, 1000 * p),
-            "The rotation is right; the position is in millimetres. Give it in metres.",
-            "The position is in millimetres. Give it in metres.",
-        )
-        yield (
-            "position in the other frame",
-            homogeneous(R, R.T @ p),
-            f"The rotation is right, but not the position. {OTHER_FRAME}",
-            OTHER_FRAME,
-        )
-        for i, j in ((0, 1), (1, 2), (0, 2)):
-            order = np.arange(4)
-            order[[i, j]] = j, i
-            text = f"Columns {i + 1} and {j + 1} of the rotation are swapped."
-            yield ("columns swapped", T[:, order], text, text)
+        if found := self.likeness(given, part).resemblance() or entries_hint(core, None if part == 0 else XYZ):
+            return found
+        return rotation_resemblance(given[:3, :3], self.value[:3, :3]) if part == 0 else None
 
 
 def _origin_pose(rows: Array) -> Array:
@@ -219,27 +166,18 @@ class OriginAnswer(Equivalent):
     def parts(self) -> Sequence[str]:
         return ["the origin"]
 
-    def explanation(self, given: Array, part: int) -> Named | None:
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
         right = np.asarray(self.value)
         if np.allclose(origin(*given), inverse(origin(*right)), atol=TOLERANCE):
             return "inverse", "This is the inverse: the origin of the parent, seen from the child."
-        return super().explanation(given, part)
-
-    def description(self, given: Array, part: int) -> Named | None:
-        right = np.asarray(self.value)
+        if found := super().resemblance(given, part):
+            return found
         if self.agrees(np.stack([given[0], right[1]]), right)[0]:
             return "another rpy", "The xyz is right, but the rpy is another rotation."
         if not self.agrees(np.stack([right[0], given[1]]), right)[0]:
             return None
-        same = self.same_entries(given, right)[0]
-        return "another xyz", f"The rpy is right, but the xyz is not. {entries_hint(same, XYZ)}".rstrip()
-
-
-def _rotation_hint(R: Array, same: NDArray[np.bool_]) -> str:
-    """Say which entry is wrong, if it is one or two; or that it is no rotation; "" otherwise."""
-    if 0 < np.count_nonzero(~same) <= 2:
-        return entries_hint(same)
-    return NOT_A_ROTATION if rotation_check(R) else ""
+        hint = entries_hint(self.same_entries(given, right)[0], XYZ)
+        return "another xyz", f"The rpy is right, but the xyz is not. {hint[1] if hint else ''}".rstrip()
 
 
 def rotation_check(R: Array) -> str:
@@ -263,7 +201,7 @@ def rotation_check(R: Array) -> str:
     return "" if np.linalg.det(R) > 0 else f"The determinant of a rotation is 1, and yours is {np.linalg.det(R):.3g}."
 
 
-def _rotation_description(R: Array, right: Array) -> Named | None:
+def rotation_resemblance(R: Array, right: Array) -> Named | None:
     """Say how a rotation differs from the right one as a motion: by a right angle, by its angle alone, by its axis alone."""
     if rotation_check(R):
         return "not a rotation", NOT_A_ROTATION

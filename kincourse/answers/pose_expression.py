@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.answers.point import REORDERED, XYZ
-from misstep.answers.entries import entries_hint
+from kincourse.answers.point import REORDERED
 from misstep.answers.expression import ClosedForm
 from misstep.answers.likeness import Likeness
 from misstep.formulas.evaluation import Formula
@@ -35,9 +34,3 @@ class PoseExpressionAnswer(ClosedForm):
     def likeness(self, given: Formula, part: int | None) -> Likeness:
         found = super().likeness(given, part)
         return replace(found, reordered=REORDERED.format("coordinates")) if part == 1 else found
-
-    def hint(self, given: Formula, part: int) -> str:
-        same = self.same_entries(given, self.value)
-        if part == 0:
-            return entries_hint(same[:3, :3])
-        return entries_hint(same[:3, 3], XYZ)

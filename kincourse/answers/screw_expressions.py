@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.answers.screws import CHECK_TOLERANCE, ENTRY_NAMES, THUMB
-from misstep.answers.entries import entries_hint
+from kincourse.answers.screws import CHECK_TOLERANCE, THUMB
+from misstep.answers.base import Named
 from misstep.answers.expression import ClosedForm
 from misstep.formulas.evaluation import Formula
 
@@ -42,16 +42,11 @@ class ScrewExpressionsAnswer(ClosedForm):
         is_opposite = np.allclose(given.values[part, :3], -self._right.values[part, :3])
         return THUMB if right.any() and is_opposite else ""
 
-    def description(self, given: Formula, part: int) -> tuple[str, str] | None:
-        if one := super().description(given, part):
-            return one
+    def resemblance(self, given: Formula, part: int | None) -> Named | None:
+        found = super().resemblance(given, part)
+        if part is None or (found and found[0]):
+            return found
         omega, v = self.same_entries(given, self.value)[part].reshape(2, 3).all(axis=1)
-        if omega == v:
-            return None
-        return ("another point" if omega else "another direction"), self.hint(given, part)
-
-    def hint(self, given: Formula, part: int) -> str:
-        same = self.same_entries(given, self.value)[part]
-        if same[:3].all():
-            return f"$\\omega$ is right, but $v$ is not. {entries_hint(same, ENTRY_NAMES)}".rstrip()
-        return "$v$ is right, but $\\omega$ is not." if same[3:].all() else entries_hint(same, ENTRY_NAMES)
+        if omega:
+            return "another point", "$\\omega$ is right, but $v$ is not."
+        return ("another direction", "$v$ is right, but $\\omega$ is not.") if v else found

@@ -1,15 +1,16 @@
 """Screw axes (omega, v) as answers."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from misstep.answers.entries import ROUND_OFF, Slip
-from misstep.answers.likeness import Likeness, Named
+from misstep.answers.base import Named
+from misstep.answers.likeness import ROUND_OFF, Likeness
 from misstep.answers.number import LENGTH, PURE, Numbers
+from misstep.mutants.expression import Slip
 from misstep.validation import Array
 
 ENTRY_NAMES = tuple(f"${half}_{axis}$" for half in (r"\omega", "v") for axis in "xyz")
@@ -18,6 +19,42 @@ THUMB = "Point the thumb of your right hand along $\\omega$: your fingers curl t
 
 CHECK_TOLERANCE = 0.01
 """Screws typed with three decimals fulfil $|\\omega| = 1$ and $\\omega \\cdot v = 0$ to this, times the length of $v$."""
+
+
+def _of_turns(change: Callable[[Array, Array], tuple[Any, Any]]) -> Callable[[Array], Array]:
+    """Return a change of omega and v in the rows of joints that turn."""
+
+    def changed(S: Array) -> Array:
+        omega, v = S[..., :3], S[..., 3:]
+        turns = np.abs(omega).max(axis=-1, keepdims=True, initial=0.0) > ROUND_OFF
+        return np.where(turns, np.concatenate(np.broadcast_arrays(*change(omega, v)), axis=-1), S)
+
+    return changed
+
+
+def _slides_in_omega(S: Array) -> Array:
+    slides = np.abs(S[..., :3]).max(axis=-1, keepdims=True, initial=0.0) <= ROUND_OFF
+    return np.where(slides, np.roll(S, 3, axis=-1), S)
+
+
+SLIPS = (
+    Slip(
+        "halves swapped",
+        "write $(v, \\omega)$",
+        lambda S: np.roll(S, 3, axis=-1),
+        advice="Here a screw is $(\\omega, v)$, the rotation first.",
+    ),
+    Slip("sign of v", "take the moment $v$ with the opposite sign", _of_turns(lambda w, v: (w, -v))),
+    Slip("sign of omega", "take $\\omega$ with the opposite sign, but not $v$", _of_turns(lambda w, v: (-w, v))),
+    Slip("no moment", "leave the moment $v$ at 0", _of_turns(lambda w, v: (w, 0 * v))),
+    Slip(
+        "revolute as prismatic",
+        "write the direction into $v$, with $\\omega = 0$, as for a prismatic joint",
+        _of_turns(lambda w, _: (0 * w, w)),
+    ),
+    Slip("direction in omega", "write the direction of a translation into $\\omega$", _slides_in_omega),
+)
+"""The slips that people make in any screw axis."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,15 +79,6 @@ class ScrewsAnswer(Numbers):
         rows = 1 if self.value.ndim == 1 else len(self.value)
         return self.names or [f"screw {i + 1}" for i in range(rows)]
 
-    def hint(self, given: Array, part: int) -> str:
-        same = np.atleast_2d(self.same_entries(given, self.value))[part]
-        omega, v = same[:3], same[3:]
-        wrong = [name for name, fine in zip(ENTRY_NAMES, same, strict=True) if not fine]
-        place = f" Look at {wrong[0]}: all other entries are right." if len(wrong) == 1 else ""
-        if omega.all():
-            return f"$\\omega$ is right, but $v$ is not.{place}"
-        return f"$v$ is right, but $\\omega$ is not.{place}" if v.all() else ""
-
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
         """Return whether more is right than translations, beside whose screws a rotation is wrong."""
         rotates = np.abs(np.atleast_2d(self.value)[:, :3]).max(axis=1) > ROUND_OFF
@@ -70,10 +98,20 @@ class ScrewsAnswer(Numbers):
         mine, right = (np.atleast_2d(S)[part] for S in (given, self.value))
         return screw_check(mine, right)
 
-    def description(self, given: Array, part: int) -> Named | None:
+    @property
+    def slips(self) -> Sequence[Slip]:
+        return SLIPS
+
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
         """Say what is right and wrong about the axis as a line in space."""
-        if one := super().description(given, part):
-            return one
+        if part is None or (alike := self.likeness(given, part).resemblance()):
+            return super().resemblance(given, None) if part is None else alike
+        same = np.atleast_2d(self.same_entries(given, self.value))[part]
+        if np.count_nonzero(~same) == 1:
+            place = ENTRY_NAMES[int(np.flatnonzero(~same)[0])]
+            return "one entry", f"Look at {place}: all other entries are right."
+        if (row := self._place(given, part)) and row[0] == "another row":
+            return row
         mine, right = (np.atleast_2d(S)[part] for S in (given, self.value))
         omega, v = np.atleast_2d(self.same_entries(given, self.value))[part].reshape(2, 3).all(axis=1)
         (w, m), (direction, moment) = mine.reshape(2, 3), right.reshape(2, 3)
@@ -117,69 +155,6 @@ class ScrewsAnswer(Numbers):
         # The v of a prismatic joint is a direction, that of any other joint a moment, whose size is that of the lengths.
         turns = np.abs(self.value[..., :3]).max(axis=-1, keepdims=True, initial=0.0) > ROUND_OFF
         return np.where(turns & (np.arange(6) >= 3), LENGTH, PURE)
-
-    def whole_slips(self) -> Iterator[Slip]:
-        for name, value, text, part_text in self._changes():
-            yield (name, value, text if self.value.ndim > 1 else part_text, part_text)
-
-    def _changes(self) -> Iterator[Slip]:
-        S = np.asarray(self.value, dtype=float)
-        omega, v, moments = S[..., :3], S[..., 3:], self.kinds() == LENGTH
-        zero = np.zeros_like(v)
-        yield (
-            "halves swapped",
-            np.roll(S, 3, axis=-1),
-            "Every screw axis has $v$ in front of $\\omega$. The order is $(\\omega, v)$.",
-            "It has $v$ in front of $\\omega$. The order is $(\\omega, v)$.",
-        )
-        yield (
-            "opposite direction",
-            -S,
-            "Every screw axis has the opposite direction: every sign is wrong.",
-            "It has the opposite direction: every sign is wrong.",
-        )
-        yield (
-            "sign of v",
-            np.where(moments, -S, S),
-            "Every $\\omega$ is right; every moment $v$ has the wrong sign.",
-            "Its $\\omega$ is right; its moment $v$ has the wrong sign.",
-        )
-        yield (
-            "sign of omega",
-            np.concatenate([-omega, v], axis=-1),
-            "Every $v$ is right; every $\\omega$ has the wrong sign.",
-            "Its $v$ is right; its $\\omega$ has the wrong sign.",
-        )
-        yield (
-            "no moment",
-            np.where(moments, 0.0, S),
-            "Every $\\omega$ is right; every moment $v$ is left at 0.",
-            "Its $\\omega$ is right; its moment $v$ is left at 0.",
-        )
-        yield (
-            "direction in v",
-            np.where(moments.any(axis=-1, keepdims=True), np.concatenate([zero, omega], axis=-1), S),
-            "Every direction is in $v$, and $\\omega$ is 0, as if all joints were prismatic.",
-            "Its direction is in $v$, and $\\omega$ is 0, as if the joint were prismatic.",
-        )
-        yield (
-            "direction in omega",
-            np.where(moments.any(axis=-1, keepdims=True), S, np.concatenate([v, zero], axis=-1)),
-            "The direction of a translation is in $\\omega$. It belongs in $v$, and $\\omega$ is 0.",
-            "The direction of the translation is in $\\omega$. It belongs in $v$, and $\\omega$ is 0.",
-        )
-        yield (
-            "millimetres",
-            np.where(moments, 1000 * S, S),
-            "The moments $v$ are in millimetres. Give them in metres.",
-            "The moment $v$ is in millimetres. Give it in metres.",
-        )
-        if S.ndim > 1:
-            yield ("reversed", S[::-1], "The screw axes are right, but their order is reversed.", "")
-            for i in range(len(S) - 1):
-                order = np.arange(len(S))
-                order[[i, i + 1]] = i + 1, i
-                yield "rows swapped", S[order], f"The rows of {self.parts[i]} and {self.parts[i + 1]} are swapped.", ""
 
     def place(self, index: Sequence[Any]) -> str:
         name = ENTRY_NAMES[int(index[-1])]

@@ -12,7 +12,7 @@ from kinlib.dh.table import Convention
 from kinlib.dh.table import joint_transform as z_motion
 from kinlib.dh.table import normal_transform as x_motion
 from kinlib.rigid.lie import exp as exponential
-from misstep.mutants.expression import Change, Changes, Expression, Operation, given, negative, product
+from misstep.mutants.expression import Expression, Operation, Slip, Slips, given, negative, product
 from misstep.mutants.operations import DEGREES_ADVICE, function
 
 CONVENTION_ADVICE = (
@@ -46,7 +46,7 @@ def link(row: Array | Sequence[float | Expression], convention: Convention, i: i
 
     >>> link([1, 0, 0, np.pi / 2], "standard").value.round(6)[:3, 3]
     array([0., 1., 0.])
-    >>> [change.name for change, _ in link([1, 0, 0, np.pi / 2], "standard").changes()][:2]
+    >>> [slip.name for slip in link([1, 0, 0, np.pi / 2], "standard").slips()][:2]
     ['the other convention', 'a and d swapped']
     """
     k = i - 1 if convention == "modified" else i
@@ -130,7 +130,7 @@ def table_product(  # noqa: PLR0917
             T = T.mistaken_for(of(rows, q[::-1]), "joint values reversed", text)
         if before or after:
             T = T.mistaken_for(of(rows, order=-1), "reversed", "multiply the rows from the last one to the first")
-    return T.mistaken_for(inverse(T), "inverted", "give the inverse")
+    return T.mistaken_for(inverse(T), "inverse", "give the inverse")
 
 
 def axial_twists(a: float, alpha: float, d: float, theta: float) -> Expression:
@@ -146,7 +146,7 @@ def axial_twists(a: float, alpha: float, d: float, theta: float) -> Expression:
 def dh_row(a: float, alpha: float, d: float, theta: float) -> Expression:
     """The entries of a row that is read off frames, (4,), in the order a, alpha, d, theta.
 
-    >>> [change.name for change, _ in dh_row(3.0, 0.5, 4.0, 0.25).changes()][:2]
+    >>> [slip.name for slip in dh_row(3.0, 0.5, 4.0, 0.25).slips()][:2]
     ['a and d swapped', 'angles swapped']
     """
     return _row(*_typed_entries(a, alpha, d, theta))
@@ -158,7 +158,7 @@ def _typed_entries(a: float, alpha: float, d: float, theta: float) -> tuple[Expr
     return given("a", a, _A), angles[0], given("d", d, _D), angles[1]
 
 
-def _row_changes(node: Expression) -> Changes:
+def _row_slips(node: Expression) -> Slips:
     a, alpha, d, theta = node.arguments
     hypotenuse = float(np.hypot(a.value, d.value))
     for name, text, advice, entries in (
@@ -179,7 +179,7 @@ def _row_changes(node: Expression) -> Changes:
                 "angles swapped",
                 "off the normal",
             }  # others show in the whole row only
-            yield Change(name, text, advice=advice, in_parts=in_parts), wrong
+            yield Slip(name, text, wrong, advice=advice, in_parts=in_parts)
 
 
 def _twists(w1: Any, v1: Any, w2: Any, v2: Any) -> Array:
@@ -190,25 +190,25 @@ def _twists(w1: Any, v1: Any, w2: Any, v2: Any) -> Array:
     )
 
 
-def _axial_changes(node: Expression) -> Changes:
+def _axial_slips(node: Expression) -> Slips:
     for name, text, twists in _WRONG_TWISTS:
         wrong = Operation("wrong twists", twists, lambda *_: "x", _rows_swapped)
-        yield Change(name, text), wrong(*node.arguments)
+        yield Slip(name, text, wrong(*node.arguments))
     yield from _rows_swapped(node)
 
 
-def _rows_swapped(node: Expression) -> Changes:
-    yield Change("rows swapped", "put the joint first"), node[::-1]
+def _rows_swapped(node: Expression) -> Slips:
+    yield Slip("rows swapped", "put the joint first", node[::-1])
 
 
-def _link_changes(convention: Convention, node: Expression) -> Changes:
+def _link_slips(convention: Convention, node: Expression) -> Slips:
     a, alpha, d, theta = node.arguments
     other: Convention = "modified" if convention == "standard" else "standard"
     row, of = node.latex, node.operation
-    changes: list[tuple[Change, Expression]] = []
+    found: list[Slip] = []
 
     def add(name: str, text: str, wrong: Expression, everywhere: str = "", advice: str = "") -> None:
-        changes.append((Change(name, text, everywhere, advice), wrong))
+        found.append(Slip(name, text, wrong, everywhere=everywhere, advice=advice))
 
     text, everywhere = f"read ${row}$ in the {other} convention", "multiply the rows in the other convention"
     in_the_other = _link_operation(other, row)(*node.arguments)
@@ -245,77 +245,97 @@ def _link_changes(convention: Convention, node: Expression) -> Changes:
         add("revolute variable in d", text, of(a, alpha, d + variable, constant), "add every joint value to $d$")
     # In a row with zeros many of these change nothing, and are no mistakes there.
     is_full = all(entry.value for entry in node.arguments)
-    yield from (one for one in changes if is_full or not np.allclose(one[1].value, node.value))
+    yield from (one for one in found if is_full or not np.allclose(one.wrong.value, node.value))
 
 
-def _entry_changes(letter: str, name: str) -> Any:
-    def changes(node: Expression) -> Changes:
+def _entry_slips(letter: str, name: str) -> Any:
+    def changes(node: Expression) -> Slips:
         if not node.value:
             return
         x = f"${node.latex}$" if "$" not in node.latex else node.latex
         text = f"take {x} with the opposite sign"
-        yield Change(f"sign of {name}", text, f"take every ${letter}$ with the opposite sign"), negative(node)
+        yield Slip(f"sign of {name}", text, negative(node), everywhere=f"take every ${letter}$ with the opposite sign")
         text = f"leave out {x}"
-        yield Change(f"{name} left out", text, f"leave out every ${letter}$"), 0.0 * node
+        yield Slip(f"{name} left out", text, 0.0 * node, everywhere=f"leave out every ${letter}$")
         if name in ("alpha", "theta"):
             if node.operation in (_TYPED_ALPHA, _TYPED_THETA):
                 in_degrees, both = 180 / np.pi * node, "give the angles in degrees"
-                yield Change("degrees", f"give {x} in degrees", advice=RADIANS_ADVICE), in_degrees
-                yield Change("degrees", both, both, RADIANS_ADVICE, one_by_one=False, in_parts=False), in_degrees
+                yield Slip("degrees", f"give {x} in degrees", in_degrees, advice=RADIANS_ADVICE)
+                yield Slip(
+                    "degrees",
+                    both,
+                    in_degrees,
+                    everywhere=both,
+                    advice=RADIANS_ADVICE,
+                    one_by_one=False,
+                    in_parts=False,
+                )
             else:
-                yield from _degrees_changes(node, x, f"use the degrees of every ${letter}$ as radians")
+                yield from _degrees_slips(node, x, f"use the degrees of every ${letter}$ as radians")
+            text = f"convert {x} to radians twice"
+            yield Slip("converted twice", text, np.pi / 180 * node, everywhere="convert to radians twice")
             text = f"take {x} with the opposite sign"
             everywhere = "take every angle with the opposite sign"
             in_parts = node.operation in (_ALPHA, _THETA)  # of typed entries, one part cannot show it
-            yield Change("sign of the angles", text, everywhere, one_by_one=False, in_parts=in_parts), negative(node)
+            yield Slip(
+                "sign of the angles", text, negative(node), everywhere=everywhere, one_by_one=False, in_parts=in_parts
+            )
 
     return changes
 
 
-def _degrees_changes(node: Expression, x: str, of_kind: str) -> Changes:
+def _degrees_slips(node: Expression, x: str, of_kind: str) -> Slips:
     in_degrees = 180 / np.pi * node
     text = f"use the degrees of {x} as radians"
-    yield Change("degrees", text, of_kind, DEGREES_ADVICE), in_degrees
-    yield Change("degrees", text, "use degrees as radians", DEGREES_ADVICE, False), in_degrees
+    yield Slip("degrees", text, in_degrees, everywhere=of_kind, advice=DEGREES_ADVICE)
+    yield Slip(
+        "degrees", text, in_degrees, everywhere="use degrees as radians", advice=DEGREES_ADVICE, one_by_one=False
+    )
 
 
-def _variable_changes(node: Expression) -> Changes:
+def _variable_slips(node: Expression) -> Slips:
     q, constant = node.arguments
     if constant.value:
-        yield Change("no offset", f"leave out {constant.latex}", "leave out the offsets", OFFSET_ADVICE), q
+        yield Slip(
+            "no offset", f"leave out {constant.latex}", q, everywhere="leave out the offsets", advice=OFFSET_ADVICE
+        )
         text = f"subtract {constant.latex} instead of adding it"
-        yield Change("offset subtracted", text, "subtract the offsets", OFFSET_ADVICE), q - constant
+        yield Slip("offset subtracted", text, q - constant, everywhere="subtract the offsets", advice=OFFSET_ADVICE)
         if q.operation is _Q_ANGLE:
             text, all_of_them = (
                 f"use the degrees of {constant.latex} as radians",
                 "use the degrees of the offsets as radians",
             )
-            yield Change("degrees", text, all_of_them, DEGREES_ADVICE), q + 180 / np.pi * constant
+            yield Slip("degrees", text, q + 180 / np.pi * constant, everywhere=all_of_them, advice=DEGREES_ADVICE)
 
 
-def _joint_value_changes(node: Expression) -> Changes:
+def _joint_value_slips(node: Expression) -> Slips:
     if not node.value:
         return
     q = f"${node.latex}$"
     text = f"take {q} with the opposite sign"
-    yield Change("sign of a joint value", text, "take every joint value with the opposite sign"), negative(node)
-    yield Change("joint at zero", f"leave {q} at 0", "leave every joint at zero"), 0.0 * node
+    yield Slip(
+        "sign of a joint value", text, negative(node), everywhere="take every joint value with the opposite sign"
+    )
+    yield Slip("joint at zero", f"leave {q} at 0", 0.0 * node, everywhere="leave every joint at zero")
     if node.operation is _Q_LENGTH:
         text = f"convert {q} from degrees to radians, although it is a length"
-        yield Change("length in radians", text), np.pi / 180 * node
+        yield Slip("length in radians", text, np.pi / 180 * node)
     for name, text, factor in (
-        ("radians converted to radians", "use `np.radians` on {}", np.pi / 180),
+        ("converted twice", "use `np.radians` on {}", np.pi / 180),
         ("degrees", "use {} in degrees", 180 / np.pi),
     ):
         kinds = ["the joint values"] if node.operation is _Q_LENGTH else ["the joint values", "the angles"]
         for several in kinds:
             advice = DEGREES_ADVICE if name == "degrees" else ""
-            yield Change(name, text.format(q), text.format(several), advice, False), factor * node
+            yield Slip(
+                name, text.format(q), factor * node, everywhere=text.format(several), advice=advice, one_by_one=False
+            )
 
 
 @cache
 def _link_operation(convention: Convention, label: str) -> Operation:
-    return Operation("link transform", _LINKS[convention], lambda *_: label, partial(_link_changes, convention))
+    return Operation("link transform", _LINKS[convention], lambda *_: label, partial(_link_slips, convention))
 
 
 _LINKS: dict[str, Link] = {
@@ -362,7 +382,7 @@ _LINKS_ABOUT_Y: dict[str, Link] = {
 }
 
 _axial_twists = Operation(
-    "axial twists", lambda a, alpha, d, theta: _twists(alpha, a, theta, d), lambda *_: "x", _axial_changes
+    "axial twists", lambda a, alpha, d, theta: _twists(alpha, a, theta, d), lambda *_: "x", _axial_slips
 )
 _WRONG_TWISTS = (
     ("halves swapped", "write $(v, \\omega)$ in both rows", _twists),
@@ -399,14 +419,14 @@ _WRONG_TWISTS = (
 """Twists that people take for those of a row, from a, alpha, d and theta."""
 
 _row = Operation(
-    "row", lambda *entries: np.array(entries, dtype=float), lambda *_: "(a, \\alpha, d, \\theta)", _row_changes
+    "row", lambda *entries: np.array(entries, dtype=float), lambda *_: "(a, \\alpha, d, \\theta)", _row_slips
 )
-_joint_variable = Operation("joint variable", lambda q, constant: q + constant, lambda q, _: q, _variable_changes)
-_A = Operation("a", lambda: None, str, _entry_changes("a", "a"))
-_ALPHA = Operation("alpha", lambda: None, str, _entry_changes("\\alpha", "alpha"))
-_TYPED_ALPHA = Operation("alpha", lambda: None, str, _entry_changes("\\alpha", "alpha"))
-_TYPED_THETA = Operation("theta", lambda: None, str, _entry_changes("\\theta", "theta"))
-_D = Operation("d", lambda: None, str, _entry_changes("d", "d"))
-_THETA = Operation("theta", lambda: None, str, _entry_changes("\\theta", "theta"))
-_Q_ANGLE = Operation("joint value", lambda: None, str, _joint_value_changes)
-_Q_LENGTH = Operation("joint value", lambda: None, str, _joint_value_changes)
+_joint_variable = Operation("joint variable", lambda q, constant: q + constant, lambda q, _: q, _variable_slips)
+_A = Operation("a", lambda: None, str, _entry_slips("a", "a"))
+_ALPHA = Operation("alpha", lambda: None, str, _entry_slips("\\alpha", "alpha"))
+_TYPED_ALPHA = Operation("alpha", lambda: None, str, _entry_slips("\\alpha", "alpha"))
+_TYPED_THETA = Operation("theta", lambda: None, str, _entry_slips("\\theta", "theta"))
+_D = Operation("d", lambda: None, str, _entry_slips("d", "d"))
+_THETA = Operation("theta", lambda: None, str, _entry_slips("\\theta", "theta"))
+_Q_ANGLE = Operation("joint value", lambda: None, str, _joint_value_slips)
+_Q_LENGTH = Operation("joint value", lambda: None, str, _joint_value_slips)

@@ -11,7 +11,7 @@ import numpy as np
 
 from kincourse.expressions.poses import exp, inverse, logarithm
 from kinlib.arrays.validation import Array
-from misstep.mutants.expression import GIVEN, Change, Changes, Expression, Operation, given, negative, product, total
+from misstep.mutants.expression import GIVEN, Expression, Operation, Slip, Slips, given, negative, product, total
 from misstep.mutants.operations import cos, sin, sqrt, square
 
 CORNER_ADVICE = (
@@ -122,7 +122,7 @@ def with_other_bars(
     swaps  the pairs of ground, crank, coupler and rocker that may be swapped
 
     >>> S = with_other_bars(lambda four: four[0] - four[1], bars([4, 1, 3, 2]))
-    >>> [change.text for change, _ in S.changes()][0]
+    >>> [slip.did for slip in S.slips()][0]
     'swap the lengths of ground and crank'
     """
     expression = of(lengths)
@@ -272,12 +272,12 @@ def _cosine(one: float, two: float, opposite: float) -> float:
     return float((one**2 + two**2 - opposite**2) / (2 * one * two))
 
 
-def _corner_changes(node: Expression) -> Changes:
+def _corner_slips(node: Expression) -> Slips:
     one, two, opposite = node.arguments
-    yield Change("another corner", f"take the angle opposite ${two.latex}$"), corner_angle(one, opposite, two)
-    yield Change("another corner", f"take the angle opposite ${one.latex}$"), corner_angle(two, opposite, one)
+    yield Slip("another corner", f"take the angle opposite ${two.latex}$", corner_angle(one, opposite, two))
+    yield Slip("another corner", f"take the angle opposite ${one.latex}$", corner_angle(two, opposite, one))
     for name, text, of in _WRONG_CORNERS:
-        yield Change(name, text, advice=CORNER_ADVICE), Operation(name, of, node.operation.latex)(*node.arguments)
+        yield Slip(name, text, Operation(name, of, node.operation.latex)(*node.arguments), advice=CORNER_ADVICE)
 
 
 _WRONG_CORNERS = (
@@ -304,22 +304,22 @@ _WRONG_CORNERS = (
 )
 
 
-def _direction_changes(node: Expression) -> Changes:
+def _direction_slips(node: Expression) -> Slips:
     [line] = node.arguments
     swapped = Operation("arctan2", lambda v: np.arctan2(*v), "{0}".format)
-    yield Change("arguments of arctan2", "swap the two arguments of `np.arctan2`"), swapped(line)
+    yield Slip("arguments of arctan2", "swap the two arguments of `np.arctan2`", swapped(line))
     if line.value[0] < 0:  # otherwise it is the same
         text = "take `np.arctan` of the quotient, which loses the quadrant"
         of_quotient = Operation("arctan", lambda v: np.arctan(v[1] / v[0]), "{0}".format)
-        yield Change("arctan for arctan2", text), of_quotient(line)
-    yield Change("half a turn off", f"take the opposite direction of ${line.latex}$"), np.pi + node
+        yield Slip("arctan for arctan2", text, of_quotient(line))
+    yield Slip("half a turn", f"take the opposite direction of ${line.latex}$", np.pi + node)
 
 
-def _polar_changes(node: Expression) -> Changes:
+def _polar_slips(node: Expression) -> Slips:
     distance, angle = node.arguments
     if angle.arguments:
         text = f"swap sine and cosine of ${angle.latex}$"
-        yield Change("sine and cosine swapped", text), polar(distance, np.pi / 2 - angle)
+        yield Slip("sine and cosine swapped", text, polar(distance, np.pi / 2 - angle))
 
 
 def _rotated(angle: float, p: Array) -> Array:
@@ -327,49 +327,49 @@ def _rotated(angle: float, p: Array) -> Array:
     return np.array([c * p[0] - s * p[1], s * p[0] + c * p[1]])
 
 
-def _rotated_changes(node: Expression) -> Changes:
+def _rotated_slips(node: Expression) -> Slips:
     angle, p = node.arguments
-    yield Change("not rotated", f"add ${p.latex}$ without rotating it"), p
-    yield Change("rotation transposed", f"rotate ${p.latex}$ in the opposite direction"), rotated(negative(angle), p)
-    yield Change("sine and cosine swapped", "swap sine and cosine"), rotated(np.pi / 2 - angle, p)
+    yield Slip("rotation left out", f"add ${p.latex}$ without rotating it", p)
+    yield Slip("rotation transposed", f"rotate ${p.latex}$ in the opposite direction", rotated(negative(angle), p))
+    yield Slip("sine and cosine swapped", "swap sine and cosine", rotated(np.pi / 2 - angle, p))
 
 
-def _both_changes(node: Expression) -> Changes:
+def _both_slips(node: Expression) -> Slips:
     left, right = node.arguments
     for one in (left, right):
         for name, text, wrong in (
             ("one mode twice", "give one mode twice", one),
             ("mirrored in the ground", "mirror one mode in the ground line to get the other", negative(one)),
             ("supplement", "take $\\pi$ minus the angle of one mode for the other mode", np.pi - one),
-            ("half a turn off", "add $\\pi$ to the angle of one mode for the other mode", np.pi + one),
+            ("half a turn", "add $\\pi$ to the angle of one mode for the other mode", np.pi + one),
         ):
             advice = "B and D are the same in both modes, and C is mirrored in the line from B to D."
-            yield Change(name, text, advice=advice), both_modes(one, wrong)
+            yield Slip(name, text, both_modes(one, wrong), advice=advice)
 
 
 corner_angle = Operation(
-    "corner of a triangle", lambda *sides: np.arccos(_cosine(*sides)), "\\angle({0}, {1})".format, _corner_changes
+    "corner of a triangle", lambda *sides: np.arccos(_cosine(*sides)), "\\angle({0}, {1})".format, _corner_slips
 )
 """The angle in radians between two sides of a triangle, by the law of cosines: corner_angle(one, two, opposite)."""
 
 polar = Operation(
-    "polar coordinates", lambda r, angle: _rotated(angle, np.array([r, 0.0])), "({0}, {1})".format, _polar_changes
+    "polar coordinates", lambda r, angle: _rotated(angle, np.array([r, 0.0])), "({0}, {1})".format, _polar_slips
 )
 """The point (2,) at a distance from the origin in the direction of an angle in radians."""
 
 direction_of = Operation(
-    "direction", lambda v: np.arctan2(v[1], v[0]), "\\text{{the direction of }}{0}".format, _direction_changes
+    "direction", lambda v: np.arctan2(v[1], v[0]), "\\text{{the direction of }}{0}".format, _direction_slips
 )
 """The angle in radians of a vector (2,) from the x axis."""
 
 _distance = Operation("length", lambda v: np.hypot(*v), "|{0}|".format)
 
 rotated = Operation(
-    "rotated", _rotated, lambda angle, x: f"R{angle if angle.startswith('(') else f'({angle})'}\\,{x}", _rotated_changes
+    "rotated", _rotated, lambda angle, x: f"R{angle if angle.startswith('(') else f'({angle})'}\\,{x}", _rotated_slips
 )
 """A vector (2,) of the plane, rotated by an angle in radians."""
 
-both_modes = Operation("both modes", lambda *angles: np.array(angles), "({0}, {1})".format, _both_changes)
+both_modes = Operation("both modes", lambda *angles: np.array(angles), "({0}, {1})".format, _both_slips)
 """The angles of both assembly modes of a linkage, (2,)."""
 
 _size = Operation("size", np.abs, "|{0}|".format)

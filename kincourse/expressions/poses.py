@@ -8,7 +8,7 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import hat, homogeneous
-from misstep.mutants.expression import SUM, Change, Changes, Expression, Operation, given, negative, power, transpose
+from misstep.mutants.expression import SUM, Expression, Operation, Slip, Slips, given, negative, power, transpose
 from misstep.mutants.operations import function
 
 INVERSE_ADVICE = "The inverse of $(R, p)$ is $(R^T, -R^T p)$."
@@ -17,7 +17,7 @@ INVERSE_ADVICE = "The inverse of $(R, p)$ is $(R^T, -R^T p)$."
 def pose(label: str, T: Array) -> Expression:
     """A given pose, (4, 4).
 
-    >>> [change.name for change, _ in pose("T_{ab}", np.eye(4)).changes()]
+    >>> [slip.name for slip in pose("T_{ab}", np.eye(4)).slips()]
     ['inverted', 'transposed', 'rotation transposed', 'only moved', 'only rotated']
     """
     return given(label, T, _POSE)
@@ -26,7 +26,7 @@ def pose(label: str, T: Array) -> Expression:
 def rotation(label: str, R: Array) -> Expression:
     """A given rotation, (2, 2) or (3, 3).
 
-    >>> [change.name for change, _ in rotation("R", np.eye(3)).changes()]
+    >>> [slip.name for slip in rotation("R", np.eye(3)).slips()]
     ['rotation transposed']
     """
     return given(label, R, _ROTATION)
@@ -35,7 +35,7 @@ def rotation(label: str, R: Array) -> Expression:
 def point(label: str, p: Array) -> Expression:
     """A given point or vector, (2,) or (3,), whose coordinates are typed one by one.
 
-    >>> [change.text for change, _ in point("p", np.ones(2)).changes()][1:]
+    >>> [slip.did for slip in point("p", np.ones(2)).slips()][1:]
     ['take the $x$ of $p$ with the opposite sign', 'take the $y$ of $p$ with the opposite sign', 'swap the $x$ and the $y$ of $p$']
     """
     return given(label, p, _POINT)
@@ -51,7 +51,7 @@ def rotation_about(axis: int, angle: Expression) -> Expression:
         f"rotation about {'xyz'[axis]}",
         partial(_plane_rotation, axis),
         f"R_{'xyz'[axis]}({{0}})".format,
-        _about_changes,
+        _about_slips,
     )(angle)
 
 
@@ -64,54 +64,54 @@ def with_position(T: Array, p: Array) -> Array:
     return homogeneous(T[:3, :3], p)
 
 
-def _pose_changes(node: Expression) -> Changes:
-    yield Change("inverted", f"use the inverse of ${node.latex}$ instead of ${node.latex}$"), inverse(node)
-    yield Change("transposed", f"use the transpose of ${node.latex}$ instead of ${node.latex}$"), transpose(node)
+def _pose_slips(node: Expression) -> Slips:
+    yield Slip("inverse", f"use the inverse of ${node.latex}$ instead of ${node.latex}$", inverse(node))
+    yield Slip("transposed", f"use the transpose of ${node.latex}$ instead of ${node.latex}$", transpose(node))
     transposed = function("rotation transposed", lambda T: homogeneous(T[:3, :3].T, T[:3, 3]), "{0}")
-    yield Change("rotation transposed", f"use ${node.latex}$ with the transpose of its rotation"), transposed(node)
+    yield Slip("rotation transposed", f"use ${node.latex}$ with the transpose of its rotation", transposed(node))
     R, p = node.value[:3, :3], node.value[:3, 3]
     for name, what, wrong in (
-        ("only moved", "rotation", homogeneous(np.eye(3), p)),
-        ("only rotated", "position", homogeneous(R, 0 * p)),
+        ("rotation left out", "rotation", homogeneous(np.eye(3), p)),
+        ("position left out", "position", homogeneous(R, 0 * p)),
     ):
-        yield Change(name, f"leave out the {what} of ${node.latex}$", alone=True), given(node.latex, wrong)
+        yield Slip(name, f"leave out the {what} of ${node.latex}$", given(node.latex, wrong), may_coincide=True)
 
 
-def _rotation_changes(node: Expression) -> Changes:
+def _rotation_slips(node: Expression) -> Slips:
     text = f"use the transpose of ${node.latex}$ instead of ${node.latex}$"
-    yield Change("rotation transposed", text), transpose(node)
+    yield Slip("rotation transposed", text, transpose(node))
 
 
-def _inverse_changes(node: Expression) -> Changes:
+def _inverse_slips(node: Expression) -> Slips:
     inner = node.arguments[0]
     T = inner.latex
-    yield Change("inverse left out", f"use ${T}$, where its inverse belongs", "leave out every inverse"), inner
+    yield Slip("inverse left out", f"use ${T}$, where its inverse belongs", inner, everywhere="leave out every inverse")
     for name, verb, instead in (
         ("transpose for inverse", "transpose", transpose(inner)),
         ("negative for inverse", "negate", negative(inner)),
     ):
         everywhere = f"{verb} poses instead of inverting them"
-        yield Change(name, f"{verb} ${T}$ instead of inverting it", everywhere, INVERSE_ADVICE), instead
+        yield Slip(name, f"{verb} ${T}$ instead of inverting it", instead, everywhere=everywhere, advice=INVERSE_ADVICE)
     if inner.arguments:  # a given pose has this change itself
         text = f"use the rotation of ${T}$, where its transpose belongs"
-        yield Change("rotation transposed", text, advice=INVERSE_ADVICE), _rotation_kept(inner)
+        yield Slip("rotation transposed", text, _rotation_kept(inner), advice=INVERSE_ADVICE)
     for template, wrong in _WRONG_POSITIONS.items():
         everywhere = template.format("each pose")
-        change = Change("position of the inverse", template.format(f"${T}$"), everywhere, INVERSE_ADVICE)
-        yield change, function("wrong inverse", wrong, "{0}")(inner)
+        instead = function("wrong inverse", wrong, "{0}")(inner)
+        yield Slip("position of the inverse", template.format(f"${T}$"), instead, everywhere, INVERSE_ADVICE)
 
 
-def _point_changes(node: Expression) -> Changes:
+def _point_slips(node: Expression) -> Slips:
     p, x = node.latex, node.value
-    yield Change("sign of a vector", f"take ${p}$ with the opposite sign"), negative(node)
+    yield Slip("sign of a vector", f"take ${p}$ with the opposite sign", negative(node))
     for i in np.flatnonzero(x).tolist():
         signs = np.where(np.arange(len(x)) == i, -1, 1)
         negate = Operation("sign of a component", partial(np.multiply, signs), "{0}".format)
-        yield Change("sign of a component", f"take the ${'xyz'[i]}$ of ${p}$ with the opposite sign"), negate(node)
+        yield Slip("sign of a component", f"take the ${'xyz'[i]}$ of ${p}$ with the opposite sign", negate(node))
     for i, j in combinations(range(len(x)), 2):
         order = np.arange(len(x))
         order[[i, j]] = j, i
-        yield Change("coordinates swapped", f"swap the ${'xyz'[i]}$ and the ${'xyz'[j]}$ of ${p}$"), node[order]
+        yield Slip("coordinates swapped", f"swap the ${'xyz'[i]}$ and the ${'xyz'[j]}$ of ${p}$", node[order])
 
 
 def _plane_rotation(axis: int, angle: float, swapped: bool = False) -> Array:
@@ -121,86 +121,86 @@ def _plane_rotation(axis: int, angle: float, swapped: bool = False) -> Array:
     return R
 
 
-def _about_changes(node: Expression) -> Changes:
+def _about_slips(node: Expression) -> Slips:
     [angle] = node.arguments
     axis = "xyz".index(node.operation.name[-1])
     for k in (1, 2):
         about = (axis + k) % 3
         text = f"rotate about the ${'xyz'[about]}$ axis instead of the ${'xyz'[axis]}$ axis"
-        yield Change("another axis", text), rotation_about(about, angle)
+        yield Slip("another axis", text, rotation_about(about, angle))
     mirrored = partial(_plane_rotation, axis, swapped=True)
     by_complement = lambda q: _plane_rotation(axis, np.copysign(np.pi / 2, q) - q)  # noqa: E731
     for swap in (mirrored, by_complement):
-        yield Change("sine and cosine swapped", "swap sine and cosine"), Operation("swapped", swap, "{0}".format)(angle)
+        yield Slip("sine and cosine swapped", "swap sine and cosine", Operation("swapped", swap, "{0}".format)(angle))
 
 
-def _columns_changes(node: Expression) -> Changes:
+def _columns_slips(node: Expression) -> Slips:
     axes = node.arguments
-    yield Change("axes in rows", "write the axes into the rows", advice="They are the columns."), transpose(node)
+    yield Slip("axes in rows", "write the axes into the rows", transpose(node), advice="They are the columns.")
     for i, j in combinations(range(len(axes)), 2):
         one, other = f"${axes[i].latex}$", f"${axes[j].latex}$"
         turned = [negative(axis) if k in (i, j) else axis for k, axis in enumerate(axes)]
-        yield Change("sign of two axes", f"take {one} and {other} with the opposite sign"), columns(*turned)
+        yield Slip("sign of two axes", f"take {one} and {other} with the opposite sign", columns(*turned))
         order = list(axes)
         order[i], order[j] = axes[j], axes[i]
-        yield Change("columns swapped", f"swap the columns {one} and {other}"), columns(*order)
+        yield Slip("columns swapped", f"swap the columns {one} and {other}", columns(*order))
     for shift in range(1, len(axes)):
         order = [*axes[shift:], *axes[:shift]]
         listed = ", ".join(f"${axis.latex}$" for axis in order)
-        yield Change("columns in another order", f"write the columns in the order {listed}"), columns(*order)
+        yield Slip("columns in another order", f"write the columns in the order {listed}", columns(*order))
 
 
-def _assemble_changes(node: Expression) -> Changes:
+def _assemble_slips(node: Expression) -> Slips:
     R, p = node.arguments
-    yield Change("inverted", "write the inverse of the right matrix"), _inverted(node)
+    yield Slip("inverse", "write the inverse of the right matrix", _inverted(node))
     if len(p.value) == 3:
-        yield Change("position in the other frame", "write $R^T p$ as the position"), assemble(R, transpose(R) @ p)
+        yield Slip("position in the other frame", "write $R^T p$ as the position", assemble(R, transpose(R) @ p))
     text = "write the position into the last row instead of the last column"
-    yield Change("last row", text, in_parts=False), _last_row(node)
-    yield Change("position left out", "leave out the position"), assemble(R, 0 * p)
-    yield Change("rotation left out", "leave out the rotation"), assemble(given("I", np.eye(len(R.value))), p)
-    yield Change("corner", "write a 0 at the end of the last row, where a 1 belongs"), _without_corner(node)
+    yield Slip("last row", text, _last_row(node), in_parts=False)
+    yield Slip("position left out", "leave out the position", assemble(R, 0 * p))
+    yield Slip("rotation left out", "leave out the rotation", assemble(given("I", np.eye(len(R.value))), p))
+    yield Slip("corner", "write a 0 at the end of the last row, where a 1 belongs", _without_corner(node))
 
 
-def _point_map_changes(node: Expression) -> Changes:
+def _point_map_slips(node: Expression) -> Slips:
     T, x = node.arguments
     R, p = rotation_of(T), position_of(T)
     advice = "A point has a 1 as its last entry, which adds $p$: $R\\,x + p$."
-    yield Change("point as a direction", f"leave out the position of ${T.latex}$ for a point", advice=advice), R @ x
-    yield Change("sign", f"take the position of ${T.latex}$ with the opposite sign"), R @ x - p
+    yield Slip("point as a direction", f"leave out the position of ${T.latex}$ for a point", R @ x, advice=advice)
+    yield Slip("sign", f"take the position of ${T.latex}$ with the opposite sign", R @ x - p)
     text = f"take ${x.latex}$, rotated, with the opposite sign"
-    yield Change("sign", text, alone=True), p - R @ x
-    yield Change("order", f"add the position of ${T.latex}$ in the wrong order, before rotating"), R @ (x + p)
-    yield from _map_changes(T, x, to_point)
+    yield Slip("sign", text, p - R @ x, may_coincide=True)
+    yield Slip("order", f"add the position of ${T.latex}$ in the wrong order, before rotating", R @ (x + p))
+    yield from _map_slips(T, x, to_point)
 
 
-def _direction_map_changes(node: Expression) -> Changes:
+def _direction_map_slips(node: Expression) -> Slips:
     T, x = node.arguments
     advice = "A direction has a 0 as its last entry, because it is a difference of two points: it is rotated only."
     text = f"add the position of ${T.latex}$ to a direction"
-    yield Change("direction as a point", text, advice=advice), to_point(T, x)
-    yield from _map_changes(T, x, to_direction)
+    yield Slip("direction as a point", text, to_point(T, x), advice=advice)
+    yield from _map_slips(T, x, to_direction)
 
 
-def _map_changes(T: Expression, x: Expression, of: Operation) -> Changes:
+def _map_slips(T: Expression, x: Expression, of: Operation) -> Slips:
     unrotated = assemble(given("I", np.eye(3)), position_of(T))
     text = f"leave out the rotation of ${T.latex}$"
-    yield Change("not rotated", f"{text} for ${x.latex}$", text), of(unrotated, x)
+    yield Slip("rotation left out", f"{text} for ${x.latex}$", of(unrotated, x), everywhere=text)
 
 
-def _exp_changes(node: Expression) -> Changes:
+def _exp_slips(node: Expression) -> Slips:
     S, q = node.arguments
     factor = f"${node.latex}$"
-    yield Change("joint value left out", f"leave out ${q.latex}$ in {factor}"), exp(S, 1.0)
+    yield Slip("joint value left out", f"leave out ${q.latex}$ in {factor}", exp(S, 1.0))
     if S.value[:3].any():  # for a prismatic joint, the series ends there
         for term, series in (("linear", _linear), ("quadratic", _quadratic)):
             text, everywhere = (
                 f"stop the series of {one} after its {term} term" for one in (factor, "each exponential")
             )
-            yield Change("series cut short", text, everywhere, one_by_one=False), series(S, q)
+            yield Slip("series cut short", text, series(S, q), everywhere=everywhere, one_by_one=False)
     text = f"take the exponential of each entry instead of {factor}"
     everywhere = "take the exponential of each entry (`np.exp`) instead of that of the matrix"
-    yield Change("exponential of each entry", text, everywhere, one_by_one=False), _entrywise_exponential(S, q)
+    yield Slip("exponential of each entry", text, _entrywise_exponential(S, q), everywhere=everywhere, one_by_one=False)
 
 
 def _logarithm(T: Array) -> Array:
@@ -215,7 +215,7 @@ def _logarithm(T: Array) -> Array:
     return np.concatenate([omega, v])
 
 
-def _logarithm_changes(node: Expression) -> Changes:
+def _logarithm_slips(node: Expression) -> Slips:
     [T] = node.arguments
     for name, text, of, advice in (
         (
@@ -243,7 +243,7 @@ def _logarithm_changes(node: Expression) -> Changes:
             "Here a twist is $(\\omega, v)$.",
         ),
     ):
-        yield Change(name, text, advice=advice), function(name, of, "{0}")(T)
+        yield Slip(name, text, function(name, of, "{0}")(T), advice=advice)
 
 
 def _assembled(R: Array, p: Array) -> Array:
@@ -258,13 +258,13 @@ def _with_last_row(T: Array) -> Array:
     return moved
 
 
-inverse = Operation("inverse of a pose", np.linalg.inv, power("{-1}"), _inverse_changes, involution=True)
+inverse = Operation("inverse of a pose", np.linalg.inv, power("{-1}"), _inverse_slips, involution=True)
 """The inverse of a pose: (R^T, -R^T p)."""
 
-exp = Operation("exponential", lambda S, q: exponential(S * q), "e^{{[{0}]{1}}}".format, _exp_changes)
+exp = Operation("exponential", lambda S, q: exponential(S * q), "e^{{[{0}]{1}}}".format, _exp_slips)
 """The exponential of a screw S (6,) or rotation vector (3,) times a joint value: e^{[S] q}."""
 
-logarithm = Operation("logarithm", _logarithm, "\\log({0})".format, _logarithm_changes, SUM)
+logarithm = Operation("logarithm", _logarithm, "\\log({0})".format, _logarithm_slips, SUM)
 """The logarithm (6,) of a pose that is no translation: the twist whose exponential it is."""
 
 _linear = Operation("series", lambda S, q: np.eye(len(hat(S))) + hat(S) * q, "I + [{0}]{1}".format)
@@ -277,7 +277,7 @@ _entrywise_exponential = Operation("entrywise exponential", lambda S, q: np.exp(
 
 rotation_of = Operation("rotation of a pose", lambda T: T[:3, :3], "R({0})".format)
 position_of = Operation("position of a pose", lambda T: T[:3, 3], "p({0})".format)
-assemble = Operation("pose", _assembled, "({0}, {1})".format, _assemble_changes)
+assemble = Operation("pose", _assembled, "({0}, {1})".format, _assemble_slips)
 """The pose with a rotation R and a position p, in the plane (3, 3) or in space (4, 4)."""
 
 rotation_only = Operation("rotation as a pose", lambda R: _assembled(R, np.zeros(len(R))), "({0}, 0)".format)
@@ -285,21 +285,21 @@ translation = Operation("translation", lambda p: _assembled(np.eye(len(p)), p), 
 """The pose that is a translation by p."""
 
 columns = Operation(
-    "columns", lambda *axes: np.column_stack(axes), lambda *axes: f"({', '.join(axes)})", _columns_changes
+    "columns", lambda *axes: np.column_stack(axes), lambda *axes: f"({', '.join(axes)})", _columns_slips
 )
 """The rotation whose columns are the axes of a frame."""
 
 to_point = Operation(
-    "point in another frame", lambda T, x: T[:3, :3] @ x + T[:3, 3], "{0}\\,{1}".format, _point_map_changes
+    "point in another frame", lambda T, x: T[:3, :3] @ x + T[:3, 3], "{0}\\,{1}".format, _point_map_slips
 )
 """The coordinates R x + p of a point x in another frame."""
 
 to_direction = Operation(
-    "direction in another frame", lambda T, x: T[:3, :3] @ x, "{0}\\,{1}".format, _direction_map_changes
+    "direction in another frame", lambda T, x: T[:3, :3] @ x, "{0}\\,{1}".format, _direction_map_slips
 )
 """The components R x of a direction x in another frame."""
 
-_inverted = Operation("inverted", np.linalg.inv, "{0}".format)
+_inverted = Operation("inverse", np.linalg.inv, "{0}".format)
 _last_row = Operation("last row", _with_last_row, "{0}".format)
 _without_corner = Operation("corner", lambda T: T - np.diag([0.0] * (len(T) - 1) + [1.0]), "{0}".format)
 
@@ -315,6 +315,6 @@ _WRONG_POSITIONS = {
 }
 """Inverses of a pose with another position than -R^T p, and how they come about."""
 
-_POSE = Operation("given pose", lambda: None, str, _pose_changes)
-_POINT = Operation("given point", lambda: None, str, _point_changes)
-_ROTATION = Operation("given rotation", lambda: None, str, _rotation_changes)
+_POSE = Operation("given pose", lambda: None, str, _pose_slips)
+_POINT = Operation("given point", lambda: None, str, _point_slips)
+_ROTATION = Operation("given rotation", lambda: None, str, _rotation_slips)

@@ -9,7 +9,7 @@ from numpy import cos, sin
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import hat
-from misstep.mutants.expression import Change, Changes, Expression, Operation, given
+from misstep.mutants.expression import Expression, Operation, Slip, Slips, given
 from misstep.mutants.operations import ANGLE, unit
 
 I = np.eye(3)
@@ -129,7 +129,7 @@ _POSITION_ADVICE = {
 def angle_symbol(theta: float) -> Expression:
     """The angle theta of a formula, in radians.
 
-    >>> [change.name for change, _ in angle_symbol(1.0).changes()][0]
+    >>> [slip.name for slip in angle_symbol(1.0).slips()][0]
     'converted to radians'
     """
     text = "convert $\\theta$ from degrees to radians, although it is in radians"
@@ -165,9 +165,7 @@ def _size(w: Array) -> float:
     return float(np.sqrt(w @ w)) or 1.0
 
 
-def _changes(
-    table: list[tuple[str, str, Coefficients]], right: Coefficients, node: Expression, *v: Expression
-) -> Changes:
+def _slips(table: list[tuple[str, str, Coefficients]], right: Coefficients, node: Expression, *v: Expression) -> Slips:
     omega, theta = node.arguments[0], node.arguments[-1]
     advice = _ADVICE | _POSITION_ADVICE if v else _ADVICE
     wrong: list[tuple[str, str, Coefficients, Square]] = [(name, text, which, _squared) for name, text, which in table]
@@ -176,8 +174,8 @@ def _changes(
         said, why = (words.replace("\\theta", theta.latex) for words in (text, advice.get(name, "")))
         formula = partial(_formula, coefficients, square, _size(omega.value))
         # With some angles another function has the same value, which is no reason to draw other numbers.
-        change = Change(name, said, advice=why, alone=name == "another function")
-        yield change, Operation(name, formula, node.operation.latex)(omega, theta, *v)
+        instead = Operation(name, formula, node.operation.latex)(omega, theta, *v)
+        yield Slip(name, said, instead, advice=why, may_coincide=name == "another function")
 
 
 def _raw_axis(omega: Expression) -> Expression | None:
@@ -187,29 +185,37 @@ def _raw_axis(omega: Expression) -> Expression | None:
     return omega if abs(np.linalg.norm(omega.value) - 1) > 1e-9 else None
 
 
-def _rotation_changes(node: Expression) -> Changes:
+def _rotation_slips(node: Expression) -> Slips:
     omega, theta = node.arguments
-    yield from _changes(_ROTATIONS, RODRIGUES, node)
-    by_entry = Change("exponential of each entry", "take the exponential entry by entry (`np.exp`)", advice=SERIES)
-    yield by_entry, _entrywise(omega, theta)
+    yield from _slips(_ROTATIONS, RODRIGUES, node)
+    text = "take the exponential entry by entry (`np.exp`)"
+    yield Slip("exponential of each entry", text, _entrywise(omega, theta), advice=SERIES)
     if raw := _raw_axis(omega):
         once = partial(_formula, lambda q: (1, sin(q), _size(raw.value) * (1 - cos(q))), _squared, 1.0)
         text = f"divide by the length only once in the square of $[{raw.latex}]$"
         divided_once = Operation("divided once", once, "{0}".format)(unit(raw), theta)
-        yield Change("divided once", text, advice=UNIT_AXIS, alone=True), divided_once
+        yield Slip("divided once", text, divided_once, advice=UNIT_AXIS, may_coincide=True)
         text = f"use ${raw.latex}$, which is no unit vector, in Rodrigues' formula"
-        yield Change("formula for a unit axis", text, FOR_UNIT_AXES, UNIT_AXIS), _printed_rotation(raw, theta)
+        yield Slip(
+            "formula for a unit axis", text, _printed_rotation(raw, theta), everywhere=FOR_UNIT_AXES, advice=UNIT_AXIS
+        )
 
 
-def _position_changes(node: Expression) -> Changes:
+def _position_slips(node: Expression) -> Slips:
     omega, v, theta = node.arguments
-    yield from _changes(_POSITIONS, INTEGRAL, node, v)
+    yield from _slips(_POSITIONS, INTEGRAL, node, v)
     if raw := _raw_axis(omega):
         text = f"use ${raw.latex}$, which is no unit vector, in the formula of $G({theta.latex})$"
-        yield Change("formula for a unit axis", text, FOR_UNIT_AXES, UNIT_AXIS), _printed_position(raw, theta, v)
+        yield Slip(
+            "formula for a unit axis",
+            text,
+            _printed_position(raw, theta, v),
+            everywhere=FOR_UNIT_AXES,
+            advice=UNIT_AXIS,
+        )
 
 
-def _skew_changes(node: Expression) -> Changes:
+def _skew_slips(node: Expression) -> Slips:
     antisymmetric = "The matrix $[\\omega]$ is skew-symmetric: $[\\omega]^T = -[\\omega]$."
     first_row = "$[\\omega]\\,u = \\omega \\times u$, so the first row is $(0, -\\omega_z, \\omega_y)$."
     for name, text, advice, wrong in (
@@ -233,19 +239,19 @@ def _skew_changes(node: Expression) -> Changes:
             lambda w: hat(w) + np.diag(w),
         ),
     ):
-        change = Change(name, f"{text} in ${node.latex}$", advice=advice)
-        yield change, Operation(name, wrong, "[{0}]".format)(*node.arguments)
+        instead = Operation(name, wrong, "[{0}]".format)(*node.arguments)
+        yield Slip(name, f"{text} in ${node.latex}$", instead, advice=advice)
 
 
-def _twist_changes(node: Expression) -> Changes:
+def _twist_slips(node: Expression) -> Slips:
     W, v = node.arguments
     if W.operation is skew:
         [omega] = W.arguments
         text = f"put ${v.latex}$ into the block and ${omega.latex}$ into the column"
         advice = "Here a twist is $(\\omega, v)$, the rotation first."
-        yield Change("halves swapped", text, advice=advice), twist_matrix(skew(v), omega)
+        yield Slip("halves swapped", text, twist_matrix(skew(v), omega), advice=advice)
         cross = Operation("cross product", np.matmul, "{0}\\,{1}".format)
-        yield Change("moment for v", f"write $\\omega \\times {v.latex}$ into the column"), twist_matrix(W, cross(W, v))
+        yield Slip("moment for v", f"write $\\omega \\times {v.latex}$ into the column", twist_matrix(W, cross(W, v)))
     below = np.diag([0.0, 0, 0, 1])
     for name, text, advice, wrong in (
         (
@@ -271,7 +277,7 @@ def _twist_changes(node: Expression) -> Changes:
         ),
         ("exponential", "take the exponential of $[S]$", "The matrix $[S]$ itself is wanted.", _exponential),
     ):
-        yield Change(name, text, advice=advice), Operation(name, wrong, "{0}".format)(node)
+        yield Slip(name, text, Operation(name, wrong, "{0}".format)(node), advice=advice)
 
 
 def _exponential(S: Array) -> Array:
@@ -288,19 +294,19 @@ def _with_last_row(S: Array) -> Array:
     return moved
 
 
-skew = Operation("skew-symmetric matrix", hat, "[{0}]".format, _skew_changes)
+skew = Operation("skew-symmetric matrix", hat, "[{0}]".format, _skew_slips)
 """The skew-symmetric matrix [omega] (3, 3)."""
 
 twist_matrix = Operation(
     "matrix of a twist",
     lambda W, v: np.block([[W, v[:, None]], [np.zeros((1, 4))]]),
     "({0}, {1})".format,
-    _twist_changes,
+    _twist_slips,
 )
 """The matrix [S] (4, 4) of a twist, from [omega] and v."""
 
 rotation_exp = Operation(
-    "rotation", lambda w, q: _formula(RODRIGUES, _squared, _size(w), w, q), "e^{{[{0}]{1}}}".format, _rotation_changes
+    "rotation", lambda w, q: _formula(RODRIGUES, _squared, _size(w), w, q), "e^{{[{0}]{1}}}".format, _rotation_slips
 )
 """The rotation e^{[omega] theta}, by Rodrigues' formula; omega need not be of unit length."""
 
@@ -308,7 +314,7 @@ position_exp = Operation(
     "position",
     lambda w, v, q: _formula(INTEGRAL, _squared, _size(w), w, q, v),
     "G({2})\\,{1}".format,
-    _position_changes,
+    _position_slips,
 )
 """The position of e^{[S] theta} for S = (omega, v) with omega not zero: G(theta) v."""
 

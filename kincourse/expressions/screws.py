@@ -13,10 +13,10 @@ from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import hat, homogeneous
 from misstep.mutants.expression import (
     SUM,
-    Change,
-    Changes,
     Expression,
     Operation,
+    Slip,
+    Slips,
     given,
     multiple,
     negative,
@@ -41,7 +41,7 @@ MOMENT_ADVICE = (
 def direction(label: str, x: Array) -> Expression:
     """A given direction or axis, (3,).
 
-    >>> [change.name for change, _ in direction("d", np.ones(3)).changes()]
+    >>> [slip.name for slip in direction("d", np.ones(3)).slips()]
     ['sign of a vector']
     """
     return given(label, x, VECTOR)
@@ -50,7 +50,7 @@ def direction(label: str, x: Array) -> Expression:
 def screw_axes(label: str, S: Array) -> Expression:
     """Given screw axes, (6,) or (n, 6).
 
-    >>> [change.name for change, _ in screw_axes("S", np.eye(6)).changes()]
+    >>> [slip.name for slip in screw_axes("S", np.eye(6)).slips()]
     ['halves swapped', 'sign of v']
     """
     return given(label, S, _SCREWS)
@@ -73,7 +73,7 @@ def joint_values(types: str, typed: Sequence[float] | Array, letter: str = "q") 
 def values_in_radians(types: str, q: Sequence[float] | Array) -> list[Expression]:
     """The values of joints in radians and metres, as they are needed.
 
-    >>> [change.name for change, _ in values_in_radians("P", [0.5])[0].changes()]
+    >>> [slip.name for slip in values_in_radians("P", [0.5])[0].slips()]
     ['sign of a joint value', 'radians converted to radians', 'converted to degrees']
     """
     kinds = {"R": _JOINT_ANGLE, "P": _JOINT_LENGTH}
@@ -112,13 +112,24 @@ def forward_kinematics(before: Sequence[Expression], home: Expression, after: Se
         changed = [exp(factor.arguments[0], value) for factor, value in zip(factors, values, strict=True)]
         return product(*changed[:n], home, *changed[n:])
 
+    others = [
+        (f"use ${other.latex}$, where ${value.latex}$ belongs", [*values[:i], other, *values[i + 1 :]])
+        for i, value in enumerate(values)
+        for other in values[max(i - 1, 0) : i] + values[i + 1 : i + 2]
+    ]
+    if len(values) > 1:
+        others.append(("take for each joint the value of the next one", [*values[1:], values[0]]))
+        others.append(("take for each joint the value of the one before", [values[-1], *values[:-1]]))
+        others.append((f"use ${values[0].latex}$ for all joints", [values[0]] * len(values)))
     sides = [list(side) for side in (before, after)]
     added = [[total(*side)] if len(side) > 1 else side for side in sides]
     at_once = [[_once(*(multiple(*e.arguments) for e in side))] if len(side) > 1 else side for side in sides]
     advice = "You can rely on $e^A e^B = e^{A+B}$ only where $AB = BA$, and the joints of an arm seldom commute."
+    T = product(*before, home, *after)
+    for text, wrong in others:
+        T = T.mistaken_for(with_values(wrong), "another joint value", text, may_coincide=True)
     return (
-        product(*before, home, *after)
-        .mistaken_for(
+        T.mistaken_for(
             product(*at_once[0], home, *at_once[1]),
             "one exponential",
             "take one exponential of the sum of the twists",
@@ -127,7 +138,7 @@ def forward_kinematics(before: Sequence[Expression], home: Expression, after: Se
         .mistaken_for(product(*added[0], home, *added[1]), "sum for product", "add the exponentials")
         .mistaken_for(
             with_values([negative(value) for value in values]),
-            "sign of the joint values",
+            "sign of a joint value",
             "take every joint value with the opposite sign",
         )
         .mistaken_for(with_values(values[::-1]), "joint values reversed", "use the joint values in the reverse order")
@@ -192,7 +203,7 @@ def drawn_revolute(omega: Array, p: Array, others: Mapping[str, Array]) -> Expre
     others  the points that people take for p, in words
 
     >>> S = drawn_revolute(np.array([0, 0, 1.0]), np.array([2.0, 3.0, 1.0]), {"the origin": np.zeros(3)})
-    >>> [wrong.value.tolist() for change, wrong in S.arguments[1].arguments[1].changes()][-1]
+    >>> [slip.wrong.value.tolist() for slip in S.arguments[1].arguments[1].slips()][-1]
     [0.0, 0.0, 0.0]
     """
     axis, point = direction("\\omega", omega), given("p", p)
@@ -225,36 +236,38 @@ def _misread(p: Array) -> Iterator[tuple[str, str, Array]]:
         yield "coordinates swapped", f"swap ${'xyz'[i]}$ and ${'xyz'[j]}$ of the point", p[order]
 
 
-def _joint_value_changes(node: Expression, which: Sequence[str] = ("the joint values",)) -> Changes:
+def _joint_value_slips(node: Expression, which: Sequence[str] = ("the joint values",)) -> Slips:
     q = f"${node.latex}$"
-    yield Change("sign of a joint value", f"take {q} with the opposite sign"), negative(node)
+    yield Slip("sign of a joint value", f"take {q} with the opposite sign", negative(node))
     advice = "The joint values are in radians and metres, as the exponential needs them."
     for name, text, factor in (
-        ("radians converted to radians", "use `np.radians` on {0}, as if in degrees", np.pi / 180),
+        ("converted twice", "use `np.radians` on {0}, as if in degrees", np.pi / 180),
         ("converted to degrees", "use `np.degrees` on {0}", 180 / np.pi),
     ):
         for several in which:
-            yield Change(name, text.format(q), text.format(several), advice, False), factor * node
+            yield Slip(
+                name, text.format(q), factor * node, everywhere=text.format(several), advice=advice, one_by_one=False
+            )
 
 
-def _screws_changes(node: Expression) -> Changes:
+def _screws_slips(node: Expression) -> Slips:
     text = f"swap the halves of ${node.latex}$"
-    yield Change("halves swapped", text, "swap the halves of the screws"), _swap_halves(node)
+    yield Slip("halves swapped", text, _swap_halves(node), everywhere="swap the halves of the screws")
     if node.value[..., :3].any():
         text = f"take the moments of ${node.latex}$ with the opposite sign"
         everywhere = "take all moments with the opposite sign"
-        yield Change("sign of v", text, everywhere, one_by_one=False), _negate_moments(node)
+        yield Slip("sign of v", text, _negate_moments(node), everywhere=everywhere, one_by_one=False)
 
 
-def _screw_changes(node: Expression) -> Changes:
+def _screw_slips(node: Expression) -> Slips:
     omega, v = node.arguments
     text, everywhere = "write $(v, \\omega)$", "write $(v, \\omega)$ for revolute joints"
-    yield Change("halves swapped", text, everywhere, ORDER_ADVICE), screw(v, omega)
-    yield Change("turn as slide", "write the screw of a prismatic joint, $(0, \\omega)$"), screw(0 * omega, omega)
-    yield Change("sign of omega", "take $\\omega$ with the opposite sign, but not $v$"), screw(negative(omega), v)
+    yield Slip("halves swapped", text, screw(v, omega), everywhere=everywhere, advice=ORDER_ADVICE)
+    yield Slip("revolute as prismatic", "write the screw of a prismatic joint, $(0, \\omega)$", screw(0 * omega, omega))
+    yield Slip("sign of omega", "take $\\omega$ with the opposite sign, but not $v$", screw(negative(omega), v))
 
 
-def _moment_changes(node: Expression) -> Changes:
+def _moment_slips(node: Expression) -> Slips:
     omega, p = node.arguments
     for name, text, wrong in (
         ("omega x p", "take the moment as $\\omega \\times p$, without the minus sign", negative(node)),
@@ -264,57 +277,57 @@ def _moment_changes(node: Expression) -> Changes:
         ("entry by entry", "multiply $\\omega$ and $p$ entry by entry (`*` instead of `np.cross`)", omega * p),
     ):
         if name != "entry by entry" or np.any(wrong.value):  # where it is zero, it is no moment at all
-            yield Change(name, text, text, MOMENT_ADVICE), wrong
+            yield Slip(name, text, wrong, everywhere=text, advice=MOMENT_ADVICE)
     if abs(node.value[1]) > 1e-9 and np.abs(node.value[[0, 2]]).max() > 1e-9:  # otherwise it is the sign of the moment
         text = "take the middle entry of a cross product with the wrong sign"
-        yield Change("sign in the cross product", text, text), node * np.array([1, -1, 1])
+        yield Slip("sign in the cross product", text, node * np.array([1, -1, 1]), everywhere=text)
 
 
-def _tilted_changes(node: Expression) -> Changes:
+def _tilted_slips(node: Expression) -> Slips:
     upright, toward, angle = node.arguments
     u, t, a = upright.latex, toward.latex, angle.latex
     text = f"swap sine and cosine of ${a}$"
     advice = f"At 0 degrees the axis is ${u}$, so ${u}$ has the cosine."
-    yield Change("sine and cosine swapped", text, advice=advice), tilted(toward, upright, angle)
+    yield Slip("sine and cosine swapped", text, tilted(toward, upright, angle), advice=advice)
     advice = "Divide the direction by its length before you take the moment."
     for text, wrong in (
         (f"take ${u} + \\tan {a}\\,{t}$ as the axis, whose length is not 1", upright + _tan(angle) * toward),
         (f"add ${u}$ and ${t}$ without the cosine and the sine of the angle", upright + toward),
     ):
-        yield Change("not a unit vector", text, advice=advice), wrong
-    yield Change("tilt left out", f"take the axis along ${u}$, without its tilt"), upright
-    yield Change("sign of a vector", f"take ${node.latex}$ with the opposite sign"), negative(node)
+        yield Slip("not a unit vector", text, wrong, advice=advice)
+    yield Slip("tilt left out", f"take the axis along ${u}$, without its tilt", upright)
+    yield Slip("sign of a vector", f"take ${node.latex}$ with the opposite sign", negative(node))
 
 
-def _slide_changes(node: Expression) -> Changes:
+def _slide_slips(node: Expression) -> Slips:
     d, p = node.arguments
     advice = "A prismatic joint does not rotate: its screw is $(0, d)$."
     for name, text, wrong in (
         ("direction in omega", "put the direction of a prismatic joint into $\\omega$", screw(d, 0 * d)),
-        ("slide as turn", "treat a prismatic joint as a revolute one", revolute(d, p)),
+        ("prismatic as revolute", "treat a prismatic joint as a revolute one", revolute(d, p)),
         ("moment of a slide", "take the moment of a prismatic joint, which has none", screw(0 * d, moment(d, p))),
         ("point of a slide", "take the point as the $v$ of a prismatic joint", screw(0 * d, p)),
         ("direction twice", "put the direction of a prismatic joint into both halves", screw(d, d)),
         ("slide left out", "leave the screw of a prismatic joint at zero", screw(0 * d, 0 * d)),
     ):
-        yield Change(name, text, text, advice), wrong
+        yield Slip(name, text, wrong, everywhere=text, advice=advice)
 
 
-def _advancing_changes(node: Expression) -> Changes:
+def _advancing_slips(node: Expression) -> Slips:
     turning, omega, p, h = node.arguments
     advance = f"{h.latex}\\,{omega.latex}"
     advice = "A helical joint also translates along its axis."
-    yield Change("no pitch", f"leave out ${advance}$", advice=advice), turning
+    yield Slip("no pitch", f"leave out ${advance}$", turning, advice=advice)
     advice = f"The body also translates along the axis: add ${advance}$."
     for name, text, wrong in (
         ("left-handed", f"take ${advance}$ with the opposite sign", negative(h) * omega),
         ("direction of the pitch", f"add the pitch ${h.latex}$ to each entry of $v$", h),
         ("direction of the pitch", f"add ${h.latex}\\,{p.latex}$ instead of ${advance}$", h * p),
     ):
-        yield Change(name, text, advice=advice), total(turning, wrong)
+        yield Slip(name, text, total(turning, wrong), advice=advice)
 
 
-def _change_of_frame_changes(node: Expression) -> Changes:
+def _change_of_frame_slips(node: Expression) -> Slips:
     T, S = node.arguments
     Ad = f"$\\mathrm{{Ad}}_{{{T.latex}}}$"
     text, advice = f"use the transpose of {Ad}", ""
@@ -322,28 +335,28 @@ def _change_of_frame_changes(node: Expression) -> Changes:
         text, advice = f"multiply rows by {Ad} from the right, without its transpose", ROWS_ADVICE
         back = inverse(T)
         text_back = f"multiply rows by $\\mathrm{{Ad}}_{{{back.latex}}}$ from the right"
-        yield Change("adjoint not transposed", text_back, advice=advice), _by_transposed_adjoint(back, S)
+        yield Slip("adjoint not transposed", text_back, _by_transposed_adjoint(back, S), advice=advice)
         if len(S.value) > 1:
-            yield Change("rows reversed", "list the screws from the last joint to the first"), node[::-1]
-    yield Change("adjoint not transposed", text, advice=advice), _by_transposed_adjoint(T, S)
+            yield Slip("rows reversed", "list the screws from the last joint to the first", node[::-1])
+    yield Slip("adjoint not transposed", text, _by_transposed_adjoint(T, S), advice=advice)
     yield from _by_other_blocks(T, S, _OTHER_MATRICES)
-    yield Change("frame not changed", f"use ${S.latex}$ as it is given"), S
-    yield Change("halves swapped", "swap the halves of the result", advice=ORDER_ADVICE), _swap_halves(node)
+    yield Slip("frame not changed", f"use ${S.latex}$ as it is given", S)
+    yield Slip("halves swapped", "swap the halves of the result", _swap_halves(node), advice=ORDER_ADVICE)
     text = f"multiply {Ad} entry by entry (`*` instead of `@`)"
-    yield Change("entry by entry", text), _entry_by_entry(T, S)
+    yield Slip("entry by entry", text, _entry_by_entry(T, S))
     yield from _by_other_blocks(T, S, _WRONG_ADJOINTS)
     for text, pose in _WRONG_POSES.items() if T.operation is not inverse else ():
         instead = Operation("another pose", pose, "{0}".format)(T)
-        yield Change("position of the inverse", f"{text} ${T.latex}$", alone=True), change_frame(instead, S)
+        yield Slip("position of the inverse", f"{text} ${T.latex}$", change_frame(instead, S), may_coincide=True)
 
 
-def _by_other_blocks(T: Expression, S: Expression, table: Sequence[tuple[str, str, "Blocks"]]) -> Changes:
+def _by_other_blocks(T: Expression, S: Expression, table: Sequence[tuple[str, str, "Blocks"]]) -> Slips:
     for name, text, blocks in table:
         is_about_brackets = name == "p without brackets"
         advice = ADJOINT_ADVICE if is_about_brackets or "{Ad}" in text else ""
         said = text.replace("{Ad}", f"$\\mathrm{{Ad}}_{{{T.latex}}}$")
-        change = Change(name, said, advice=advice, alone=is_about_brackets)
-        yield change, Operation(name, partial(_by, blocks), "{1}".format)(T, S)
+        wrong = Operation(name, partial(_by, blocks), "{1}".format)(T, S)
+        yield Slip(name, said, wrong, advice=advice, may_coincide=is_about_brackets)
 
 
 def revolute(omega: Expression, p: Expression) -> Expression:
@@ -359,7 +372,9 @@ def helical(omega: Expression, p: Expression, h: Expression) -> Expression:
         .mistaken_for(
             screw(h * omega, turning), "pitch in omega", f"multiply $\\omega$ by the pitch ${h.latex}$", advice
         )
-        .mistaken_for(screw(0 * omega, h * omega), "turn as slide", "leave $\\omega$ and the moment at zero", advice)
+        .mistaken_for(
+            screw(0 * omega, h * omega), "revolute as prismatic", "leave $\\omega$ and the moment at zero", advice
+        )
     )
 
 
@@ -389,13 +404,17 @@ def _adjoint(R: Array, P: Array) -> tuple[Any, Any, Any, Any]:
 
 
 _OTHER_MATRICES: Sequence[tuple[str, str, Blocks]] = (
-    ("only rotated", "rotate both halves without the change of origin", lambda R, _: (R, 0, 0, R)),
+    ("position left out", "rotate both halves without the change of origin", lambda R, _: (R, 0, 0, R)),
     (
-        "only rotated",
+        "position left out",
         "rotate both halves in the opposite direction, without the change of origin",
         lambda R, _: (R.T, 0, 0, R.T),
     ),
-    ("only moved", "change the origin without rotating the axes", lambda R, P: (np.eye(3), 0, R.T @ P @ R, np.eye(3))),
+    (
+        "rotation left out",
+        "change the origin without rotating the axes",
+        lambda R, P: (np.eye(3), 0, R.T @ P @ R, np.eye(3)),
+    ),
     *(
         ("p without brackets", f"add ${sign}\\omega \\times p$, with the $p$ of the {which} pose, to $R\\,v$", blocks)
         for sign, which, blocks in (
@@ -433,23 +452,21 @@ tilted = Operation(
     "tilted axis",
     lambda u, t, angle: np.cos(angle) * u + np.sin(angle) * t,
     "\\cos {2}\\,{0} + \\sin {2}\\,{1}".format,
-    _tilted_changes,
+    _tilted_slips,
     SUM,
 )
 """A unit vector that is tilted from a unit vector u towards a perpendicular one t by an angle in radians."""
 
-screw = Operation("screw", _joined, "({0}, {1})".format, _screw_changes)
+screw = Operation("screw", _joined, "({0}, {1})".format, _screw_slips)
 """The screw (omega, v)."""
 
-moment = Operation("moment", lambda w, p: -cross_product(w, p), "-{0} \\times {1}".format, _moment_changes)
+moment = Operation("moment", lambda w, p: -cross_product(w, p), "-{0} \\times {1}".format, _moment_slips)
 """The moment of an axis omega through p: -omega x p."""
 
-prismatic = Operation("prismatic", lambda d, _: _joined(0 * d, d), "(0, {0})".format, _slide_changes)
+prismatic = Operation("prismatic", lambda d, _: _joined(0 * d, d), "(0, {0})".format, _slide_slips)
 """The screw (0, d) of a prismatic joint; the point where it is mounted plays no part, but people use it."""
 
-change_frame = Operation(
-    "adjoint", partial(_by, _adjoint), "\\mathrm{{Ad}}_{{{0}}} {1}".format, _change_of_frame_changes
-)
+change_frame = Operation("adjoint", partial(_by, _adjoint), "\\mathrm{{Ad}}_{{{0}}} {1}".format, _change_of_frame_slips)
 """Screws S (6,) or (n, 6) in another frame: Ad_T S."""
 
 _negate_moments = Operation(
@@ -461,10 +478,10 @@ _tan = Operation("tangent", np.tan, "\\tan {0}".format)
 _swap_halves = Operation("halves swapped", lambda S: np.roll(S, 3, axis=-1), "{0}".format)
 _by_transposed_adjoint = Operation("transposed adjoint", lambda T, S: S @ _matrix(_adjoint, T), "{1}".format)
 _entry_by_entry = Operation("entry by entry", lambda T, S: S * _matrix(_adjoint, T).sum(axis=0), "{1}".format)
-_advancing = Operation("velocity", lambda turning, omega, _, h: turning + h * omega, lambda *_: "v", _advancing_changes)
+_advancing = Operation("velocity", lambda turning, omega, _, h: turning + h * omega, lambda *_: "v", _advancing_slips)
 _once = Operation("one exponential", lambda *twists: exponential(sum(twists)), lambda *_: "")
-_JOINT_LENGTH = Operation("joint value", lambda: None, str, _joint_value_changes)
+_JOINT_LENGTH = Operation("joint value", lambda: None, str, _joint_value_slips)
 _JOINT_ANGLE = Operation(
-    "joint value", lambda: None, str, partial(_joint_value_changes, which=("the joint values", "the angles"))
+    "joint value", lambda: None, str, partial(_joint_value_slips, which=("the joint values", "the angles"))
 )
-_SCREWS = Operation("given screws", lambda: None, str, _screws_changes)
+_SCREWS = Operation("given screws", lambda: None, str, _screws_slips)

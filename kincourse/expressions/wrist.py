@@ -4,7 +4,7 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
-from misstep.mutants.expression import Change, Changes, Expression, Operation, given, transpose
+from misstep.mutants.expression import Expression, Operation, Slip, Slips, given, transpose
 from misstep.mutants.operations import function
 
 X, Y, Z = np.eye(3)
@@ -55,26 +55,28 @@ def _sum_twice(E: Array) -> Array:
     return angles if np.hypot(E[1, 0], E[1, 2]) > SINGULAR_SINE else angles[[2, 1, 2]]
 
 
-def _everywhere(name: str, text: str, advice: str = "") -> Change:
-    """A change that people make for every rotation, if at all."""
-    return Change(name, text, text, advice, one_by_one=False)
+def _everywhere(name: str, text: str, wrong: Expression, advice: str = "") -> Slip:
+    """A slip that people make for every rotation, if at all."""
+    return Slip(name, text, wrong, text, advice, one_by_one=False)
 
 
-def _rotation_changes(node: Expression) -> Changes:
-    yield _everywhere("rotation transposed", "use the transpose of $R$", "$R$ is ${}^3R_6$ as it is."), transpose(node)
+def _rotation_slips(node: Expression) -> Slips:
+    yield _everywhere(
+        "rotation transposed", "use the transpose of $R$", transpose(node), advice="$R$ is ${}^3R_6$ as it is."
+    )
 
 
-def _constant_changes(node: Expression) -> Changes:
+def _constant_slips(node: Expression) -> Slips:
     [R] = node.arguments
     for name, text, of in (
         ("constant left in", "leave the constant $R_x(-90°)$ in $R$", lambda R: R),
         ("sign of the constant", "multiply $R$ by $R_x(-90°)$ instead of $R_x(90°)$", lambda R: R @ QUARTER_TURN.T),
         ("constant on the left", "multiply $R$ by $R_x(90°)$ from the left", lambda R: QUARTER_TURN @ R),
     ):
-        yield _everywhere(name, text, CONSTANT_ADVICE), function(name, of, "{0}")(R)
+        yield _everywhere(name, text, function(name, of, "{0}")(R), advice=CONSTANT_ADVICE)
 
 
-def _angle_changes(node: Expression) -> Changes:
+def _angle_slips(node: Expression) -> Slips:
     [E] = node.arguments
     for name, text, advice, of in (
         ("degrees", "give the angles in degrees", "Give them in radians.", lambda E: np.degrees(_angles(E))),
@@ -89,11 +91,11 @@ def _angle_changes(node: Expression) -> Changes:
         ("theta_6 left out", "leave $\\theta_6$ at 0", "", lambda E: _angles(E) * (1, 1, 0)),
         ("sum twice", "give the sum of $\\theta_4$ and $\\theta_6$ for each of them, where axes 4 and 6 are collinear", "", _sum_twice),
     ):  # fmt: skip
-        yield _everywhere(name, text, advice), function(name, of, "{0}")(E)
+        yield _everywhere(name, text, function(name, of, "{0}")(E), advice=advice)
 
 
-_ROTATION = Operation("given rotation", lambda: None, str, _rotation_changes)
+_ROTATION = Operation("given rotation", lambda: None, str, _rotation_slips)
 _without_constant = Operation(
-    "rotation without the constant", lambda R: R @ QUARTER_TURN, "{0}\\,R_x(90°)".format, _constant_changes
+    "rotation without the constant", lambda R: R @ QUARTER_TURN, "{0}\\,R_x(90°)".format, _constant_slips
 )
-_yzy = Operation("Y-Z-Y angles", _angles, "\\mathrm{{YZY}}({0})".format, _angle_changes)
+_yzy = Operation("Y-Z-Y angles", _angles, "\\mathrm{{YZY}}({0})".format, _angle_slips)

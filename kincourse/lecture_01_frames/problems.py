@@ -64,7 +64,7 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
         solution=T_sb,
         advice={
             "axes in rows": "The axes of {b}, written in {s}, are the columns of $R_{sb}$; its rows are the axes of {s}, written in {b}.",
-            "inverted": "The inverse is $T_{bs}$, the pose of {s} in {b}; in $T_{sb}$ the axes and the origin of {b} are written in {s}.",
+            "inverse": "The inverse is $T_{bs}$, the pose of {s} in {b}; in $T_{sb}$ the axes and the origin of {b} are written in {s}.",
             "sign of a vector": "The axes of a frame are right-handed, so that $y = z \\times x$: no axis can change its sign alone.",
             "take $p_{sb}$ with the opposite sign": "The vector $p_{sb}$ leads from the origin of {s} to the origin of {b}.",
             "coordinates swapped": "At the foot of the dotted line, $x$ comes first; the number beside the line is $z$.",
@@ -78,7 +78,7 @@ def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
     k, degrees = sampler.integer(0, 2), sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1))
     angle = given(f"{degrees}^\\circ", degrees, ANGLE)
     angle = angle.mistaken_for(180 - degrees, "supplement", f"subtract ${degrees}^\\circ$ from $180^\\circ$")
-    angle = angle.mistaken_for(180 + degrees, "half a turn more", f"add $180^\\circ$ to ${degrees}^\\circ$")
+    angle = angle.mistaken_for(180 + degrees, "half a turn", f"add $180^\\circ$ to ${degrees}^\\circ$")
     R = rotation_about(k, radians(angle))
     R = R.mistaken_for(
         R.value - np.diag(np.eye(3)[k]), "no 1 for the axis", "leave out the 1 on the diagonal for the shared axis"
@@ -170,9 +170,9 @@ def point_and_arrow(sampler: ArmSampler) -> Problem:
         answer=VectorsAnswer(both.value, unit="m", names=["the point", "the vector"]),
         solution=both,
         advice={
-            "inverted": "$T_{sc}$ takes coordinates in {c} to coordinates in {s}.",
+            "inverse": "$T_{sc}$ takes coordinates in {c} to coordinates in {s}.",
             "rotation transposed": "$R_{sc}^T$ takes components in {s} to components in {c}. In NumPy, `x @ R` is $R^T x$.",
-            "not rotated": "The axes of {c} are not parallel to those of {s}: multiply by $R_{sc}$.",
+            "rotation left out": "The axes of {c} are not parallel to those of {s}: multiply by $R_{sc}$.",
             "frame not changed": "The numbers in {s} differ, because {s} has another origin and other axes.",
         },
     )
@@ -227,19 +227,23 @@ def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
             "factor left out": "All three factors are needed: $T_{ts}\\,T_{sc}\\,T_{co}$.",
             "leave out $R_{sc}$": "$p_{co}$ is a vector written in {c}: multiply it by $R_{sc}$ before you add it to $p_{sc}$.",
             "leave out $R_{st}^T$": advice,
-            **dict.fromkeys(("inverted", "order", "first factor", "last factor", "reversed"), SUBSCRIPTS_CANCEL),
+            **dict.fromkeys(("inverse", "order", "first factor", "last factor", "reversed"), SUBSCRIPTS_CANCEL),
         },
     )
 
 
+MAX_COSINE = 0.95
+"""Of an own axis and the fixed axis of the same name, so that a motion about one differs from that about the other."""
+
+
 @problem("01.7", "Fixed axes or moving axes", points=3, lecture="01_frames#Left or right")
 def own_or_fixed(sampler: ArmSampler) -> Problem:
-    T, k, degrees = (
-        _random_pose(sampler),
-        sampler.integer(0, 2),
-        sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1)),
-    )
-    along, far = sampler.integer(0, 2), sampler.length(0.2, 0.9)
+    degrees, far = sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1)), sampler.length(0.2, 0.9)
+    T = _random_pose(sampler)
+    while np.abs(np.diag(T)[:3]).min() > MAX_COSINE:  # an own axis that is parallel to the fixed one hides the mistake
+        T = _random_pose(sampler)
+    oblique = np.flatnonzero(np.abs(np.diag(T)[:3]) <= MAX_COSINE).tolist()
+    k, along = sampler.choice(oblique), sampler.choice(oblique)
     turns_first, turn_is_own = sampler.choice([True, False]), sampler.choice([True, False])
     angle = radians(given("\\theta", degrees, ANGLE))
     turn = rotation_only(rotation_about(k, angle)).named(f"\\mathrm{{Rot}}({'xyz'[k]}, \\theta)")

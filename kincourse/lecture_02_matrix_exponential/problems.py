@@ -9,7 +9,7 @@ import sympy as sp
 
 from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.pose_expression import PoseExpressionAnswer
-from kincourse.expressions.poses import assemble, point, rotation
+from kincourse.expressions.poses import assemble, point
 from kincourse.expressions.rodrigues import angle_symbol, position_exp, rotation_exp, skew, truncated, twist_matrix
 from kincourse.expressions.screws import direction, moment
 from kincourse.problem import problem
@@ -87,8 +87,8 @@ def turn_about_a_line(sampler: ArmSampler) -> Problem:
         "One rotation about an axis is not a product of rotations by its components.",
     )
     return Problem(
-        statement=f"A body rotates by {degrees} degrees about an axis with the direction ${vector(direction)}$. Give its "
-        f"rotation matrix $R$.",
+        statement=f"A body rotates by $\\theta$ = {degrees} degrees about an axis with the direction $d = {vector(direction)}$. "
+        "Give its rotation matrix $R$.",
         given={"direction": direction, "degrees": degrees},
         answer=RotationAnswer(R.value),
         solution=R,
@@ -104,7 +104,7 @@ def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
     one, two, length = sampler.choice(PYTHAGOREAN_TRIPLES)
     whole = sp.Matrix(sampler.shuffled([0, sampler.choice((-1, 1)) * one, sampler.choice((-1, 1)) * two]))
     omega = whole / length
-    axis = unit(point("d", np.array(whole, dtype=float).ravel())).named("\\omega")
+    axis = unit(point(f"{length}\\,\\omega", np.array(whole, dtype=float).ravel())).named("\\omega")
     return Problem(
         statement=f"Give $R(\\theta) = e^{{[\\omega]\\theta}}$ for $\\omega = \\tfrac{{1}}{{{length}}}{vector(list(whole))}$ as a "
         "matrix of nine formulas in $\\theta$, with fractions instead of decimals.",
@@ -278,10 +278,10 @@ def gyroscope(sampler: ArmSampler) -> Problem:
 @problem("02.7", "A logarithm near half a turn", points=3, lecture="02_matrix_exponential#The logarithm")
 def near_half_a_turn(sampler: ArmSampler) -> Problem:
     direction, length = _direction(sampler)
-    degrees = sampler.integer(162, 176)
+    degrees = sampler.integer(172, 177)  # four digits of a sine are too few
     angle, u = np.radians(degrees), direction / length
     R = exp(u * angle)
-    R_given = rotation("R", R)
+    R_given = given("R", R)
     theta, trace_R = arccos((trace(R_given) - 1) / 2).named("\\theta"), np.trace(R)
     once = theta
     for wrong, name, text, advice in (
@@ -301,7 +301,7 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
             "write $\\operatorname{tr} R + 1$ instead of $\\operatorname{tr} R - 1$ in the angle",
             "",
         ),
-        (angle / 2, "half the angle", "take half of the angle", ""),
+        (angle / 2, "halved", "take half of the angle", ""),
     ):
         once = once.mistaken_for(wrong, name, text, advice)
     half = axial(R_given) / 2
@@ -317,6 +317,7 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
         (np.diag(R), "diagonal of R", "give the diagonal of $R$"),
         (np.array([R[2, 1], R[0, 2], R[1, 0]]), "entries of R", "take entries of $R$ instead of those of $R - R^T$"),
         (np.abs(u) * angle, "signs left out", "leave out the signs of the axis"),
+        (-u * angle, "sign of a vector", "take the differences of $R - R^T$ the other way round"),
     ):
         x = x.mistaken_for(
             value, name, text, "The logarithm is $\\theta$ times the components of $(R - R^T) / (2 \\sin\\theta)$."
@@ -339,7 +340,6 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
         answer=Numbers(x.value, unit="radians", test=keeps_its_axis),
         solution=x,
         advice={
-            "transposed": "The first component of the axis is $(r_{32} - r_{23}) / (2 \\sin\\theta)$.",
             "leave out the factor $\\theta$": "The unit vector is the axis alone. The logarithm is axis times angle.",
             "forget to divide by $2$": "$R - R^T = 2 \\sin\\theta\\,[\\omega]$, so you need half of it.",
             "divisor left out": "Divide by the sine, because $R - R^T = 2 \\sin\\theta\\,[\\omega]$.",

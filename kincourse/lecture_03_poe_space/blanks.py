@@ -109,7 +109,7 @@ def youbot_home(_draw: ArmSampler) -> Problem:
         solution=M,
         advice={
             "rotation left out": "The columns of the rotation are the axes of {b}, written in {s}.",
-            "inverted": "$M^{-1} = T_{bs}$ gives the base in the frame {b}. $M = T_{sb}$ takes coordinates in {b} to {s}.",
+            "inverse": "$M^{-1} = T_{bs}$ gives the base in the frame {b}. $M = T_{sb}$ takes coordinates in {b} to {s}.",
         },
         invisible=["axes in rows"],  # R = R^T here
     )

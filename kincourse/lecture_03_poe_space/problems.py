@@ -88,9 +88,8 @@ def angled_joint(sampler: ArmSampler) -> Problem:
     S = screw(omega, v)
     robot = arm([(omega.value, p)], pose((X, Y, Z), p + X), "your joint", "drawn for you")
     return Problem(
-        statement=f"The axis of a revolute joint is tilted from ${names[0]}$ towards ${names[1]}$ by {degrees} degrees, and it "
-        f"passes through "
-        f"${vector(p)}$. Give its screw axis.",
+        statement=f"The axis of a revolute joint is tilted from ${names[0]}$ towards ${names[1]}$ by $\\theta$ = {degrees} degrees, and "
+        f"it passes through $p = {vector(p)}$. Give its screw axis.",
         figure=partial(draw_joints, robot),
         given={"degrees": degrees, "from_axis": upright, "towards": toward, "point": p},
         answer=ScrewsAnswer(S.value),
@@ -149,14 +148,11 @@ def helical_joint(sampler: ArmSampler) -> Problem:
 def from_a_drawing(sampler: ArmSampler) -> Problem:
     robot = sampler.arm("RRR")
     joint = sampler.integer(1, 3)
-    neighbour = joint % 3
     points = {f"the point of joint {i}": p for i, p in enumerate(robot.joint_points, start=1) if i != joint}
-    S = drawn_revolute(robot.screws[joint - 1, :3], robot.joint_points[joint - 1], points).mistaken_for(
-        robot.screws[neighbour],
-        "another joint",
-        f"give the screw axis of joint {neighbour + 1}",
-        "The number of a joint is beside it in the drawing.",
-    )
+    S = drawn_revolute(robot.screws[joint - 1, :3], robot.joint_points[joint - 1], points)
+    for other in {1, 2, 3} - {joint}:
+        text, advice = f"give the screw axis of joint {other}", "The number of a joint is beside it in the drawing."
+        S = S.mistaken_for(robot.screws[other - 1], "another joint", text, advice)
     return Problem(
         statement=f"Read the screw axis of joint {joint} off the drawing. All joints are revolute; coordinates are whole metres.",
         figure=partial(draw_joints, robot),
@@ -337,7 +333,7 @@ def home_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         solution=solution,
         advice={
             "axes in rows": "The columns of $R$ are the axes of {b}, written in {s}.",
-            "inverted": "$M = T_{sb}$ gives the frame {b} in coordinates of {s}.",
+            "inverse": "$M = T_{sb}$ gives the frame {b} in coordinates of {s}.",
             "term left out": "Follow the links from {s} to {b}, and add up all of them.",
         },
     )
@@ -434,7 +430,7 @@ def _with_mistakes_of_problem_9(M: Expression, points: np.ndarray) -> Expression
     R, p = M.value[:3, :3], M.value[:3, 3]
     for name, text, wrong in (
         ("term left out", "leave out the last link in $M$", pose_of(R, points[-2])),
-        ("not rotated", "leave the rotation of $M$ at $I$", pose_of(np.eye(3), p)),
+        ("rotation left out", "leave the rotation of $M$ at $I$", pose_of(np.eye(3), p)),
         ("axes in rows", "write the axes of {b} in the rows of $M$", pose_of(R.T, p)),
         ("sign of a vector", "take the position in $M$ with the opposite sign", pose_of(R, -p)),
         ("position in the other frame", "write the position of $M$ in the axes of {b}", pose_of(R, R.T @ p)),
@@ -455,7 +451,7 @@ def _with_mistakes_of_problem_10(S: Expression, kind: str, point: np.ndarray) ->
         ]
     else:
         wrong_ones += [
-            ("omega x q", "take $\\omega \\times q$ for the moment of {}", np.concatenate([w, -v])),
+            ("omega x p", "take $\\omega \\times q$ for the moment of {}", np.concatenate([w, -v])),
             ("point as moment", "take the point of the axis as the moment of {}", np.concatenate([w, point])),
             ("no moment", "leave out the moment of {}", np.concatenate([w, 0 * v])),
             ("revolute as prismatic", "treat the joint of {} as prismatic", np.concatenate([0 * w, w])),
@@ -520,7 +516,7 @@ def palletizer(sampler: ArmSampler) -> Problem:
     ]
     from_first = joint_screws(axes, points - points[0], np.zeros(3)).value
     S = joint_screws(axes, read, np.zeros(3), numbers=(2, 3, 4)).mistaken_for(
-        from_first, "not from {s}", "measure the points from $P_2$", "Points are measured from the origin of {s}."
+        from_first, "another origin", "measure the points from $P_2$", "Points are measured from the origin of {s}."
     )
     drawn = [
         DrawnAxis("1", Z, foot),

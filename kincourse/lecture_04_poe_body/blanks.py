@@ -36,9 +36,9 @@ def body_screw_by_the_adjoint(_draw: ArmSampler) -> Problem:
         solution=B,
         advice={
             "inverse left out": "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here.",
-            "only rotated": "The origin moved too: $v$ is the velocity at the new origin $p$, $R^T (v + \\omega \\times p)$.",
+            "position left out": "The origin moved too: $v$ is the velocity at the new origin $p$, $R^T (v + \\omega \\times p)$.",
             "sign in the adjoint": "A point at $p$ moves with $v + \\omega \\times p$.",
-            "only moved": "{b} also has other axes than {s}, so both halves are rotated by $R^T$.",
+            "rotation left out": "{b} also has other axes than {s}, so both halves are rotated by $R^T$.",
             "frame not changed": "This is $S_1$, a screw in {s}; {b} has another origin and other axes.",
         },
     )
@@ -55,7 +55,7 @@ def body_screw_from_the_drawing(_draw: ArmSampler) -> Problem:
         )
         .mistaken_for(
             np.concatenate([R.T @ S[:3], R.T @ S[3:]]),
-            "only rotated",
+            "position left out",
             "rotate both halves of $S_4$ without the change of origin",
             "Measure the point of the axis from the origin of {b}.",
         )

@@ -87,7 +87,7 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
         )
         .mistaken_for(
             screw(robot.screws[joint - 1, :3], robot.joint_points[joint - 1] - origin),
-            "only moved",
+            "rotation left out",
             "measure from the origin of {b}, but along the axes of {s}",
         )
     )
@@ -118,8 +118,8 @@ def by_the_adjoint(sampler: ArmSampler) -> Problem:
         advice={
             "inverse left out": TO_BODY_ADVICE,
             "frame not changed": "These are the space screws; {b} has another origin and other axes.",
-            "only rotated": "The origin moved too: $v$ is the velocity at the new origin $p$, $R^T (v + \\omega \\times p)$.",
-            "only moved": "{b} also has other axes than {s}, so both halves are rotated by $R^T$.",
+            "position left out": "The origin moved too: $v$ is the velocity at the new origin $p$, $R^T (v + \\omega \\times p)$.",
+            "rotation left out": "{b} also has other axes than {s}, so both halves are rotated by $R^T$.",
         },
     )
 
@@ -135,10 +135,10 @@ def back_to_space(sampler: ArmSampler) -> Problem:
         answer=ScrewsAnswer(robot.screws),
         solution=change_frame(given_pose("M", robot.home), screw_axes("B", robot.body_screws)),
         advice={
-            "inverted": "$\\mathrm{Ad}_{M^{-1}}$ takes screws in {s} to screws in {b}; you need $\\mathrm{Ad}_M$ here.",
+            "inverse": "$\\mathrm{Ad}_{M^{-1}}$ takes screws in {s} to screws in {b}; you need $\\mathrm{Ad}_M$ here.",
             "frame not changed": "These are the body screws.",
-            "only rotated": "The origins differ too: $\\mathrm{Ad}_M$ has the block $[p] R$ in its lower left corner.",
-            "only moved": "{s} also has other axes than {b}, so both halves are rotated by $R$.",
+            "position left out": "The origins differ too: $\\mathrm{Ad}_M$ has the block $[p] R$ in its lower left corner.",
+            "rotation left out": "{s} also has other axes than {b}, so both halves are rotated by $R$.",
         },
     )
 
@@ -272,7 +272,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
         advice={
             "frame not changed": "The axes stay where they are, but body screws are given in the tool frame, which is {t} now.",
             "inverse left out": "$\\mathrm{Ad}_{T_{bt}}$ takes screws in {t} to screws in {b}; here you need the opposite direction.",
-            "only rotated": "{t} also has another origin, so the moments change.",
+            "position left out": "{t} also has another origin, so the moments change.",
         },
     )
 
@@ -500,9 +500,9 @@ def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         for name, text, wrong in (
             ("rows reversed", "list the screws from the last joint to the first", B.value[::-1]),
             ("frame not changed", "give the screws in {s}", chain.screws),
-            ("only moved", "measure from the origin of {b}, but along the axes of {s}", shifted),
+            ("rotation left out", "measure from the origin of {b}, but along the axes of {s}", shifted),
             ("rotation transposed", "rotate with $R$ instead of $R^T$", turned_back),
-            ("only rotated", "use the axes of {b}, but the origin of {s}", rotated),
+            ("position left out", "use the axes of {b}, but the origin of {s}", rotated),
         ):
             B = B.mistaken_for(wrong, name, text, "Directions and points of body screws are given in {b}.")
         return B
@@ -571,7 +571,7 @@ def drawn_wrist(sampler: ArmSampler) -> Problem:
     read = [read_point(f"P_{i}", p, w) for i, p, w in zip((4, 5, 6), points, axes, strict=True)]
     from_first = joint_screws(axes, points - points[0], np.zeros(3)).value
     B = joint_screws(axes, read, np.zeros(3), numbers=(4, 5, 6)).mistaken_for(
-        from_first, "not from {b}", "measure the points from $P_4$", "Points are measured from the origin of {b}."
+        from_first, "another origin", "measure the points from $P_4$", "Points are measured from the origin of {b}."
     )
     drawn = [DrawnAxis(str(i), w, p) for i, w, p in zip((4, 5, 6), axes, points, strict=True)]
     marks = dict(zip(("P4", "P5", "P6"), points, strict=True))

@@ -83,7 +83,7 @@ def one_row(sampler: ArmSampler) -> Problem:
         f"| {number(a)} | {alpha}° | {number(d)} | {theta}° |\n\nin the standard convention. Lengths are in metres.",
         given={"a": a, "alpha_degrees": alpha, "d": d, "theta_degrees": theta},
         answer=PoseAnswer(A.value),
-        solution=A.mistaken_for(inverse(A), "inverted", "give the inverse")
+        solution=A.mistaken_for(inverse(A), "inverse", "give the inverse")
         .mistaken_for(mirrored, "entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$")
         .mistaken_for(turned_twice, "rotated twice", "rotate $a$ by $\\theta$ twice"),
     )

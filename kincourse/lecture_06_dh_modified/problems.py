@@ -1,7 +1,7 @@
 """Sheet 06: rows as two screw motions, link transforms, both conventions of one arm, a faulty entry, wrists, chains."""
 
 import itertools
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache, partial, reduce
 from itertools import accumulate
@@ -32,10 +32,10 @@ from kinlib.dh.table import Convention, DHTable, dh_transform
 from kinlib.rigid.lie import exp
 from kinlib.view import draw_arm, draw_frames, draw_joints
 from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import Named
 from misstep.answers.choice import Choice
-from misstep.answers.entries import Slip
 from misstep.answers.equivalent import Equivalent
-from misstep.answers.likeness import Likeness, Named
+from misstep.answers.likeness import Likeness
 from misstep.answers.number import Numbers
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import Mistake, mistake
@@ -104,13 +104,12 @@ class ConvertedRowsAnswer(DHRowsAnswer):
         right = self._nearest(given, self.value)[0]
         return DHRowsAnswer.likeness(replace(self, value=right), given, part)
 
-    def arrangement(self, given: Array) -> Named | None:
-        """Return how the rows are the right ones in another order, for any directions of x."""
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
+        """Return how the rows are the right ones in another order, for any directions of x; or what is wrong with one of them."""
+        if part is not None:
+            return DHRowsAnswer.resemblance(replace(self, value=self._nearest(given, self.value)[0]), given, part)
         ways = (replace(self, value=rows) for rows in self._with_other_x(self.value))
         return next(filter(None, (DHRowsAnswer.likeness(way, given, None).order() for way in ways)), None)
-
-    def explanation(self, given: Array, part: int) -> Named | None:
-        return DHRowsAnswer.explanation(replace(self, value=self._nearest(given, self.value)[0]), given, part)
 
     def wrong_conversions(self) -> list[tuple[str, Array, str]]:
         """Return wrong conversions of the given table: the name, the rows, and what is true of them."""
@@ -133,25 +132,8 @@ class ConvertedRowsAnswer(DHRowsAnswer):
             ("two rows too far", self._moved(2 * step, link), "$a$ and $\\alpha$ are moved by two rows instead of one."),
             ("end kept", kept, "The row at the empty end keeps its $a$ and $\\alpha$, but they belong to the row beside it."),
             ("end folded in", folded, "The left-over $a$ and $\\alpha$ were put in the row at the other end. They belong in no row."),
-            ("rows swapped", self.value[::-1], "The rows are in reverse order."),
+            ("rows reversed", self.value[::-1], "The rows are in reverse order."),
         ]  # fmt: skip
-
-    def whole_slips(self) -> Iterator[Slip]:
-        """Yield the wrong conversions and the right one with another mistake."""
-        turns = np.array([[1, 1, 1, letter != "R"] for letter in self.joints])
-        second = {
-            "": (1, ""),
-            "degrees": ((1, 180 / np.pi, 1, 180 / np.pi), "The angles are in degrees."),
-            "degrees for alpha": ((1, 180 / np.pi, 1, 1), "Every $\\alpha$ is in degrees."),
-            "sign of alpha": ((1, -1, 1, 1), "Every $\\alpha$ has the wrong sign."),
-            "unit of length": ((1000, 1, 1000, 1), "The lengths are in millimetres."),
-            "offset forgotten": (turns, "The offsets of $\\theta$ are missing."),
-        }
-        for other, (factor, also) in second.items():
-            for move, rows, text in [("", self.value, ""), *self.wrong_conversions()]:
-                if name := " and ".join(filter(None, (move, other))):
-                    yield (name, rows * np.asarray(factor), " ".join(filter(None, (text, also))), "")
-        yield from super().whole_slips()
 
     def _moved(self, by: int, columns: Sequence[int]) -> Array:
         """The rows of the given table, with some columns moved down by some rows, and 0 in what is left empty."""
@@ -241,7 +223,9 @@ class WristAnglesAnswer(Equivalent):
         off = [np.abs(self.meaning(mine) - self.meaning(yours)).max() for mine, yours in zip(one, other, strict=True)]
         return [bool(distance <= ANGLES_TOLERANCE_FACTOR * tolerance) for distance in off]
 
-    def explanation(self, given: Array, part: int) -> Named | None:
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
+        if part is None:
+            return super().resemblance(given, None)
         mine, right = given[part, 1], self.value[part, 1]
         if part == 1 and abs(abs(np.sin(mine)) - 1) < TOLERANCE:
             text = "At $\\theta_5 = \\pm 90°$ axes 4 and 6 are perpendicular. At which $\\theta_5$ are they collinear?"
@@ -251,14 +235,12 @@ class WristAnglesAnswer(Equivalent):
             return "theta_5 beyond a right angle", text
         if abs(np.cos(mine) - np.cos(right)) > TOLERANCE:
             return "another theta_5", "No solution has this $\\theta_5$."
-        return ("theta_4 and theta_6" if part == 0 else "the sum of theta_4 and theta_6"), self.hint(given, part)
-
-    def hint(self, given: Array, part: int) -> str:
-        if abs(np.cos(given[part, 1]) - np.cos(self.value[part, 1])) > TOLERANCE:
-            return ""
         if part == 0:
-            return "Your $\\theta_5$ is possible, but not with these $\\theta_4$ and $\\theta_6$."
-        return (
+            return (
+                "theta_4 and theta_6",
+                "Your $\\theta_5$ is possible, but not with these $\\theta_4$ and $\\theta_6$.",
+            )
+        return "the sum of theta_4 and theta_6", (
             "Your $\\theta_5$ is right. Axes 4 and 6 are collinear there, so $R_2$ determines only $\\theta_4 + \\theta_6$, "
             "and your sum is wrong."
         )
@@ -296,33 +278,26 @@ class FaultyEntryAnswer(Numbers):
             same[2] = abs(2 * np.sin((one[2] - other[2]) / 2)) <= tolerance
         return same
 
-    def slips(self) -> Iterator[Mistake]:
-        return iter(())  # a row number has no half and no sign
-
     def angle_entries(self) -> NDArray[np.bool_]:
         return np.array([False, False, COLUMNS[int(self.value[1]) - 1] in ANGLE_COLUMNS])
 
     def length_entries(self) -> NDArray[np.bool_]:
         return np.array([False, False, True]) ^ self.angle_entries()
 
-    def arrangement(self, given: Array) -> Named | None:
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
+        if part == 2:
+            is_negated = abs(given[2] + self.value[2]) < TOLERANCE
+            return ("sign", "The size is right, the sign is not.") if is_negated else None
+        if part is not None:
+            what = ("row", "column")[part]
+            if given[part] < 1:
+                return f"{what} counted from 0", f"The first {what} is {what} 1."
+            return f"another {what}", f"The misprinted entry is in another {what}."
         for order in ((2, 0, 1), (1, 0, 2), (2, 1, 0), (0, 2, 1), (1, 2, 0)):
             if all(self.agrees(given, self.value[list(order)])) and not self.agrees(given, self.value)[2]:
-                return (
-                    "order of the numbers",
-                    "These are the right numbers in another order. Give the row, the column, the value.",
-                )
+                text = "These are the right numbers in another order. Give the row, the column, the value."
+                return "order of the numbers", text
         return None
-
-    def explanation(self, given: Array, part: int) -> tuple[str, str] | None:
-        if part == 2:
-            return (
-                ("sign", "The size is right, the sign is not.") if abs(given[2] + self.value[2]) < TOLERANCE else None
-            )
-        what = ("row", "column")[part]
-        if given[part] < 1:
-            return f"{what} counted from 0", f"The first {what} is {what} 1."
-        return f"another {what}", f"The misprinted entry is in another {what}."
 
 
 @problem("06.1", "The link transform of a row", points=3, lecture="06_dh_modified#The general matrix")
@@ -340,7 +315,7 @@ def link_transform(sampler: ArmSampler) -> Problem:
         given={"a": a, "alpha": alpha, "d": d, "theta": theta},
         answer=PoseAnswer(T.value),
         solution=(
-            T.mistaken_for(inverse(T), "inverted", "give the inverse")
+            T.mistaken_for(inverse(T), "inverse", "give the inverse")
             .mistaken_for(
                 swapped,
                 "entries swapped",

@@ -190,12 +190,12 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         answer=DHTableAnswer(table, anchored=True),
         mistakes=[
             mistake(
-                "alpha 0",
+                "alpha left out",
                 table.changed(rows=same_direction),
                 "Your table moves as if $\\alpha_3$ were 0. Axes 3 and 4 have opposite directions, so $\\alpha_3 = \\pi$.",
             ),
             mistake(
-                "d forgotten",
+                "d left out",
                 table.changed(rows=without_d),
                 "Your table moves as if every $d$ were 0. You may move an origin along parallel axes, but the distance between "
                 "the first and the last common normal does not change: some $d$ must contain the displacement along $y$.",

@@ -41,8 +41,8 @@ from kinlib.mechanisms import linkages
 from kinlib.rigid.angles import wrap_angle
 from kinlib.view.figures.linkage import draw_linkage
 from misstep.answers.angle import Angles
+from misstep.answers.base import Named
 from misstep.answers.choice import Choice
-from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers
 from misstep.display.text import number, vector
 from misstep.mistakes import mistake
@@ -260,6 +260,14 @@ def slider(sampler: ArmSampler) -> Problem:
         x = x.mistaken_for(wrong, "another origin", text, "$x$ is measured from A.")
     linkage = linkages.slider_crank(crank, rod, offset)
     side = "above" if offset > 0 else "below"
+    mirrored = float(
+        np.sqrt(rod**2 - (-offset - crank * np.sin(np.radians(degrees))) ** 2) + crank * np.cos(np.radians(degrees))
+    )
+    other_side = "below" if offset > 0 else "above"
+    text = f"place the line of the slider {other_side} A"
+    x = x.mistaken_for(
+        mirrored, "sign of a length", text, f"Here the slider moves {side} A: its offset is {number(offset)} m."
+    )
     A = np.radians(degrees)
 
     def rod_to(x: Array) -> str:
@@ -542,14 +550,15 @@ class CountsAnswer(Numbers):
 
     names: Sequence[str] = ()
 
-    def appearance(self, given: Array, part: int | None) -> Named | None:
+    def seen(self, given: Array, part: int | None) -> Named | None:
         """Return whether all are 1. A single 1 is a count like any other, and so is 0, even three times."""
         if part is not None or (given != 1).any() or all(self.agrees(given, self.value)):
             return None
         return "placeholder", "All three numbers are 1, but each of them is found in its own way."
 
-    def arrangement(self, given: Array) -> None:
-        """Return nothing: counts that are equal to others are no order."""
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
+        """Return nothing of the whole: counts that are equal to others are no order."""
+        return None if part is None else super().resemblance(given, part)
 
     @property
     def expected(self) -> str:

@@ -1,6 +1,6 @@
 """Sheet 09: reading URDF files by hand: poses, axes, screws, the home pose, trees, mimic joints and faulty lines."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, zip_longest
 
@@ -16,14 +16,23 @@ from kincourse.expressions.urdf import about_own_axes, rpy_rotation
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
-from kincourse.text.urdf_text import UrdfJoint, fence_urdf, format_values, random_right_angles, robot_urdf, serial_urdf
+from kincourse.text.urdf_text import (
+    UrdfJoint,
+    fence_urdf,
+    format_values,
+    random_oblique_angles,
+    random_right_angles,
+    robot_urdf,
+    serial_urdf,
+)
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
+from misstep.answers.base import Named
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.display.text import number, vector
-from misstep.mistakes import Mistake, mistake
+from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product, transpose
 from misstep.mutants.operations import ANGLE, LENGTH, concatenate, cos, function, sin, stack
 from misstep.problem import Problem
@@ -60,7 +69,7 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
 
 @problem("09.2", "The direction of an axis", points=2, lecture="09_urdf#What a joint says")
 def direction_of_an_axis(sampler: ArmSampler) -> Problem:
-    rpy, axis = random_right_angles(sampler, 2), _random_axis(sampler)
+    rpy, axis = random_oblique_angles(sampler), _random_axis(sampler)
     element = f'<origin xyz="0 0 1" rpy="{format_values(rpy)}"/>\n<axis xyz="{format_values(axis)}"/>'
     R, a = rpy_rotation("R", rpy), direction("a", axis)
     omega = product(R, a.mistaken_for(Z, "another axis", "use the $z$ axis of the joint instead of its `axis`"))
@@ -128,7 +137,7 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
         (p1 + R1.T @ p2 + (R1 @ R2).T @ p3, "rotation transposed", "transpose the rotations"),
         (p1 + p2 + p3, "rotation left out", "add the three `xyz` without rotating them"),
         (transpose(R1 @ R2 @ R3) @ p, "frame changed", "give the position with the directions of `joint_3`"),
-        (-(transpose(R1 @ R2 @ R3) @ p), "inverted", f"give the origin of the base {back}"),
+        (-(transpose(R1 @ R2 @ R3) @ p), "inverse", f"give the origin of the base {back}"),
     ):
         p = p.mistaken_for(other, name, text)
     return p
@@ -174,6 +183,8 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
     S = revolute(omega, p.named("p"))
     own = a, 0 * p
     for screw_axis, name, words in (
+        (revolute(R1 @ R2 @ a, p1 + R1 @ p2), "own origin left out", "leave out the `origin` of `joint_3` itself"),
+        (revolute(R1 @ R2 @ a, p), "rotation left out", "leave out the `rpy` of `joint_3` itself"),
         (revolute(*own), "frame not changed", "give the screw axis in the frame of `joint_3`"),
         (revolute(R1 @ R2 @ z, p1 + R1 @ p2), "another joint", "give the screw axis of `joint_2`"),
         (revolute(R1 @ z, p1), "another joint", "give the screw axis of `joint_1`"),
@@ -210,7 +221,7 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
         (M @ of_box, "visual added", "multiply by the `origin` of the `visual`, which moves no frame"),
         (T3, "frame not changed", "give the pose of the fixed joint in the frame of its parent"),
         (assemble(M.T[:3, :3], M[:3, 3]), "rotation transposed", "transpose the rotation of $M$"),
-        (assemble(product(*rotation), added), "rotation left out", "add the positions without rotating them"),
+        (assemble(product(*rotation), added), "positions added", "add the positions without rotating them"),
     ):
         M = M.mistaken_for(other, name, words)
     return Problem(
@@ -325,17 +336,14 @@ class FaultyLineAnswer(Numbers):
     joint  the numbers of the lines of the joint that contains it
 
     >>> answer = FaultyLineAnswer(np.array(2.0), lines=['<joint>', '<axis xyz="0 0 0"/>', '</joint>', '<joint/>'], joint=range(1, 4))
-    >>> answer.explanation(np.array(4.0), 0)
+    >>> answer.resemblance(np.array(4.0), 0)
     ('a line that is in order', 'Line 4 is correct: `<joint/>`.')
     """
 
     lines: Sequence[str] = field(kw_only=True)
     joint: range = field(kw_only=True)
 
-    def slips(self) -> Iterator[Mistake]:
-        return iter(())
-
-    def explanation(self, given: Array, part: int) -> tuple[str, str]:
+    def resemblance(self, given: Array, part: int | None) -> Named:
         """Say of the line that was given what it is."""
         if given not in range(1, len(self.lines) + 1):
             return "no line", f"The file has the lines 1 to {len(self.lines)}. Give one of these numbers."
@@ -454,7 +462,7 @@ def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
     for other, name, text in (
         (stack(a, 0, d), "d along the old z", "translate by $d$ along the $z$ axis of the frame before"),
         (stack(a + d, 0, 0), "d along x", "translate by $d$ along $x$"),
-        (stack(a * cos(alpha), a * sin(alpha), d), "another convention", "rotate $a$ as well"),
+        (stack(a * cos(alpha), a * sin(alpha), d), "the other convention", "rotate $a$ as well"),
         (stack(0, -(d * sin(alpha)), d * cos(alpha)), "a left out", "leave out $a$"),
         (stack(-a, -(d * sin(alpha)), d * cos(alpha)), "sign of a length", "take $a$ with the opposite sign"),
         (stack(a, 0, 0), "d left out", "leave out $d$"),
@@ -551,7 +559,7 @@ WRONG_FRAME_ADVICE = (
 @problem("09.10", "An axis in the wrong frame", points=3, lecture="09_urdf#An error that every reader accepts")
 def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
     joints, omega = _three_joints(sampler), _random_axis(sampler, (0.48, 0.6, 0.64))
-    joints[2] = UrdfJoint("joint_3", joints[2].xyz, joints[2].rpy, omega)
+    joints[2] = UrdfJoint("joint_3", joints[2].xyz, random_oblique_angles(sampler), omega)
     text = serial_urdf(joints, LINKS)
     R1, R2, R3 = (rpy_rotation(f"R_{k}", np.asarray(joint.rpy)) for k, joint in enumerate(joints, start=1))
     w = direction("\\omega", omega)

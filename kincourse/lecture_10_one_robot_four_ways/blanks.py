@@ -26,7 +26,7 @@ def body_screw(_draw: ArmSampler) -> Problem:
         advice={
             "inverse left out": "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here.",
             "frame not changed": "This is the screw axis in {s}. In {b} the same line has other numbers.",
-            "only rotated": "A moment depends on the origin: the adjoint of a pose with $R$ and $p$ has the block $[p] R$.",
+            "position left out": "A moment depends on the origin: the adjoint of a pose with $R$ and $p$ has the block $[p] R$.",
         },
     )
 

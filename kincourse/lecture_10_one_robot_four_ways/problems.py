@@ -121,8 +121,8 @@ def another_tool(sampler: ArmSampler) -> Problem:
         solution=seen,
         advice={
             "inverse left out": "$\\mathrm{Ad}_{T_{bc}}$ takes screws in {c} to screws in {b}; here you need the opposite direction.",
-            "only rotated": "{c} also has another origin than {b}, so the moments change.",
-            "only moved": "{c} also has other axes than {b}.",
+            "position left out": "{c} also has another origin than {b}, so the moments change.",
+            "rotation left out": "{c} also has other axes than {b}.",
             "frame not changed": "These are the screws in {b}. In {c} the same axes have other numbers.",
         },
     )
@@ -186,7 +186,8 @@ def joint_origin(sampler: ArmSampler) -> Problem:
             here + R @ there,
         ),
     ):
-        xyz = xyz.mistaken_for(place, name, text, "In a URDF it is given in the frame of joint 1.")
+        advice = "The `xyz` of joint 2 has its components in the frame of joint 1. The problem gives the position of joint 2 in {s}."
+        xyz = xyz.mistaken_for(place, name, text, advice)
     return Problem(
         statement=f"In a URDF file, the origin of joint 1 in the base frame {{s}} is `xyz` = ${vector(here)}$ and "
         f"`rpy` = ${vector(degrees)}$ degrees. At home the position of joint 2 is ${vector(there)}$ in {{s}}. "
@@ -253,10 +254,10 @@ def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> E
     own = (
         (
             ("slide along z", "let joint 2 translate along $z$ instead of the boom", place(offset, up + second)),
-            ("slide as turn", "let joint 2 rotate", place(offset * cos(second), up + offset * sin(second))),
+            ("prismatic as revolute", "let joint 2 rotate", place(offset * cos(second), up + offset * sin(second))),
             ("lengths swapped", "swap the two lengths", place(abs(b) + second, a * np.sign(b) * given("1", 1.0))),
             ("product for sum", "multiply the length of the boom by $q_2$", place(offset * second, up)),
-            ("slide as turn", "let joint 2 rotate about $z$", place(offset, up, first + second)),
+            ("prismatic as revolute", "let joint 2 rotate about $z$", place(offset, up, first + second)),
             ("length left out", "leave out the length of the boom", place(second, up)),
             ("height added", "add the height to the length of the boom", place(offset + up + second, up)),
         )
@@ -267,10 +268,10 @@ def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> E
                 "swap the two lengths",
                 place(offset * cos(second), boom + a * np.sign(b) * sin(second)),
             ),
-            ("turn as slide", "let joint 2 translate", place(boom + second, offset)),
+            ("revolute as prismatic", "let joint 2 translate", place(boom + second, offset)),
             ("joint 2 left out", "leave joint 2 at 0", place(boom, offset)),
             ("angles added", "add the two angles, as for parallel axes", place(boom, height, first + second)),
-            ("slide as turn", "let joint 2 rotate about $z$", place(boom, offset, first + second)),
+            ("prismatic as revolute", "let joint 2 rotate about $z$", place(boom, offset, first + second)),
             ("not shortened", "leave out that the raised boom reaches less far", place(boom, height)),
         )
     )
@@ -405,7 +406,7 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
             "use $\\mathrm{Ad}_M$ instead of $\\mathrm{Ad}_{M^{-1}}$ for the body screws",
             product(M, *exponentials(S @ adjoint(robot.home).T, q, "B")),
         ),
-        ("slide as turn", "treat the prismatic joint as a revolute one", product(*exponentials(bent, q), M)),
+        ("prismatic as revolute", "treat the prismatic joint as a revolute one", product(*exponentials(bent, q), M)),
         ("no moment", "leave out all moments", product(*exponentials(straight, q), M)),
         (
             "space screws",

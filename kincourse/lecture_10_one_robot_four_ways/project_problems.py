@@ -26,8 +26,8 @@ from kincourse.text.joint_table import MARKS_BY_ROW
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint, homogeneous, inverse
+from misstep.answers.base import Named
 from misstep.answers.choice import Choice
-from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers
 from misstep.diagnosis.explanation import explain
 from misstep.display.text import matrix
@@ -58,8 +58,10 @@ class OriginsAnswer(Numbers):
     def rows_are_alike(self) -> bool:
         return True
 
-    def explanation(self, given: Array, part: int) -> Named | None:
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
         """Return what is to be said of this pose alone."""
+        if part is None:
+            return super().resemblance(given, None)
         pose = PoseAnswer(self.value[part])
         wrong = [k for k, is_right in enumerate(pose.agrees(given[part], pose.value)) if not is_right]
         found = explain(Problem("", pose), given[part], wrong)
@@ -75,9 +77,13 @@ def misread_origins(T: Array) -> Iterator[tuple[str, Array, str]]:
     transposed, straight = homogeneous(R.swapaxes(1, 2), p), homogeneous(np.eye(3), p)
     moved = homogeneous(R, np.diff(in_base[:, :3, 3], axis=0, prepend=0))
     yield "inverse", inverse(T), "Every pose is the inverse: the parent seen from the child."
-    yield "R^T", transposed, "In every origin, the rotation is the transpose of the right one."
+    yield "rotation transposed", transposed, "In every origin, the rotation is the transpose of the right one."
     yield "no rpy", straight, "Every xyz is right, and every rpy is left at 0."
-    yield "not rotated", moved, "Every xyz is in the axes of {s}. It is wanted in those of the frame of the parent."
+    yield (
+        "rotation left out",
+        moved,
+        "Every xyz is in the axes of {s}. It is wanted in those of the frame of the parent.",
+    )
     yield "in the base", in_base, "Every pose is in the frame of the base. An origin is in the frame of the parent."
 
 

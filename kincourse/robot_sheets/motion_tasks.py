@@ -201,9 +201,7 @@ def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     position = position.mistaken_for(
         T.value[:3, 3], "origin of the tool", "give the origin of {b}", "The tip is another point of {b}."
     )
-    position = position.mistaken_for(
-        to_point(inverse(T), tip), "inverted", "use the inverse of $T(q)$, from {s} to {b}"
-    )
+    position = position.mistaken_for(to_point(inverse(T), tip), "inverse", "use the inverse of $T(q)$, from {s} to {b}")
     position = position.mistaken_for(to_point(T, -tip), "sign of a vector", "take $x$ with the opposite sign")
     return Problem(
         statement=f"The tool of {robot.name} holds a pencil, whose tip is at ${vector(tip)}$ m in {{b}}. The joint values are "

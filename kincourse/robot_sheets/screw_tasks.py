@@ -91,7 +91,7 @@ def back_to_space(robot: Chain, sampler: ArmSampler) -> Problem:
         answer=ScrewsAnswer(arm.screws[joints], names=[f"screw {i + 1}" for i in joints]),
         solution=change_frame(pose("M", arm.home), screw_axes("B", B)),
         advice={
-            "inverted": "$\\mathrm{Ad}_{M^{-1}}$ takes screws in {s} to screws in {b}; you need $\\mathrm{Ad}_M$ here.",
+            "inverse": "$\\mathrm{Ad}_{M^{-1}}$ takes screws in {s} to screws in {b}; you need $\\mathrm{Ad}_M$ here.",
             "frame not changed": "These are the body screws.",
         },
     ).without_duplicates()

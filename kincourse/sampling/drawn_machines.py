@@ -50,7 +50,7 @@ def read_point(label: str, p: Array, axis: Array, others: Sequence[Array] = ()) 
     axis    (3,) the direction of the axis; another point of it is as good
     others  other marks that people take for it
 
-    >>> [change.name for change, _ in read_point("P_1", np.array([0.1, 0.2, 0.3]), np.array([1, 0, 0])).alternatives]
+    >>> [slip.name for slip in read_point("P_1", np.array([0.1, 0.2, 0.3]), np.array([1, 0, 0])).alternatives]
     ['views swapped', 'depth reversed']
     """
     point = given(label, p, LENGTH)
@@ -74,7 +74,7 @@ def misread(points: Array) -> Iterator[tuple[str, Array, str]]:
         "y and z are swapped. The top view shows x and y, the front view x and z.",
     )
     yield "depth reversed", points * (1, -1, 1), "Every y has the wrong sign. In the top view, y is up."
-    yield "not from {s}", points - points[0], "Your points are measured from the first of them, and not from {s}."
+    yield "another origin", points - points[0], "Your points are measured from the first of them, and not from {s}."
     steps = np.array([_last_steps(points[:, k]) for k in range(3)]).T
     yield "steps not added", steps, "Each coordinate is the last step of its chain. Add all steps from {s} to the mark."
 
@@ -127,14 +127,14 @@ def table_mistakes(table: DHTable) -> list[Mistake]:
         ),
         ("a and d swapped", rows[:, [2, 1, 0, 3]], "a and d are swapped: a is along x, d along z."),
         (
-            "alpha and theta swapped",
+            "angles swapped",
             rows[:, [0, 3, 2, 1]],
             "alpha and theta are swapped: alpha is about x, theta about z.",
         ),
         ("no theta", rows * (1, 1, 1, 0), "Every theta is 0. Theta is the angle from one x axis to the next, at home."),
         ("column after column", rows.T.reshape(rows.shape), "You listed column after column. List row after row."),
-        ("every alpha 0", rows * (1, 0, 1, 1), "Every alpha is 0. Alpha is the angle from one z axis to the next."),
-        ("every d 0", rows * (1, 1, 0, 1), "Every d is 0. It is the step along z from one x to the next."),
+        ("alpha left out", rows * (1, 0, 1, 1), "Every alpha is 0. Alpha is the angle from one z axis to the next."),
+        ("d left out", rows * (1, 1, 0, 1), "Every d is 0. It is the step along z from one x to the next."),
         ("signs left out", np.abs(rows), "No minus sign is left."),
         (
             "d from the floor",

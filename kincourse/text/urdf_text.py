@@ -94,3 +94,15 @@ def random_right_angles(sampler: ArmSampler, turns: int) -> Array:
     """
     chosen = sampler.shuffled([0, 1, 2])[:turns]
     return np.array([sampler.choice((-1, 1)) * RIGHT_ANGLE_RAD if k in chosen else 0.0 for k in range(3)])
+
+
+def random_oblique_angles(sampler: ArmSampler) -> Array:
+    """Draw roll, pitch and yaw in radians, (3,): one is a right angle, one is oblique, and one is 0.
+
+    With right angles alone, the transpose of a rotation is often its square, which hides how the answer came about.
+
+    >>> int(np.count_nonzero(random_oblique_angles(ArmSampler("ada", "09.2"))))
+    2
+    """
+    sizes = np.array(sampler.shuffled([RIGHT_ANGLE_RAD, sampler.choice((0.5, 0.8, 1.1)), 0.0]))
+    return sizes * [sampler.choice((-1, 1)) for _ in range(3)]

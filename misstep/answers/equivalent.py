@@ -1,16 +1,15 @@
 """Numbers of which several arrays are the same answer, such as a quaternion and its negative."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.entries import scale_of
-from misstep.answers.likeness import FACTORS, Named
-from misstep.answers.number import Numbers
+from misstep.answers.base import Named
+from misstep.answers.likeness import FACTORS
+from misstep.answers.number import Numbers, scale_of
 from misstep.display.sentences import IN_DEGREES
-from misstep.mistakes import Mistake
 from misstep.validation import Array
 
 OF_ALL_ENTRIES = {"all signs", "factor", *(name for name, _ in FACTORS.values())}
@@ -35,36 +34,21 @@ class Equivalent(Numbers):
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
         mine, yours, right = (self.meaning(np.asarray(x, dtype=float)) for x in (one, other, self.value))
         size = scale_of(right) if self.scale is None else self.scale
-        return [
-            bool((np.abs(mine - yours) <= tolerance * np.maximum(size, np.maximum(np.abs(mine), np.abs(yours)))).all())
-        ]
+        near = np.abs(mine - yours) <= tolerance * np.maximum(size, np.maximum(np.abs(mine), np.abs(yours)))
+        return [bool(near.all())]
 
-    def appearance(self, given: Array, part: int | None) -> Named | None:
+    def seen(self, given: Array, part: int | None) -> Named | None:
         """Return whether it is a placeholder or in degrees, by its meaning: an entry that differs from ours is not wrong for that."""
         likeness = Numbers.likeness(self, given, part)
         seen = likeness.placeholder() if part is None else likeness.at_sight()
-        if seen and (part is None or seen[0] == "rounded"):
+        if seen and (part is None or seen[0] != "degrees"):
             return seen
         radians = np.where(self.angle_entries(), np.radians(given), given)
         fine = self.agrees(radians, self.value)
         is_in_degrees = self.angle_entries().any() and (all(fine) if part is None else fine[part])
         return ("degrees", IN_DEGREES) if is_in_degrees else None
 
-    def explanation(self, given: Array, part: int) -> Named | None:
-        """Return what is true of all entries at once: another unit, too few digits, all signs, a factor."""
-        likeness = self.likeness(given, part)
-        if seen := likeness.at_sight():
-            return seen
-        seen = likeness.resemblance()
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
+        """Return what is true of all entries at once."""
+        seen = None if part is None else self.likeness(given, part).resemblance()
         return seen if seen and seen[0] in OF_ALL_ENTRIES else None
-
-    def description(self, given: Array, part: int) -> Named | None:
-        return None
-
-    def hint(self, given: Array, part: int) -> str:
-        """Return "": an entry that differs from ours is not wrong for that."""
-        return ""
-
-    def slips(self) -> Iterator[Mistake]:
-        """Yield nothing: what is said of the entries of one array is not true of another one with the same meaning."""
-        return iter(())

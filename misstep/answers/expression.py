@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -13,13 +13,11 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Quantifier, Unreadable
-from misstep.answers.entries import Entries, Slip, entries_hint, place_of, scale_of, wrong_slips
-from misstep.answers.likeness import Likeness, Named, copied_row
-from misstep.display.sentences import NEGATED_FORMULAS
+from misstep.answers.base import Answer, Named, Quantifier, Unreadable
+from misstep.answers.likeness import Likeness, entries_hint, place_of
+from misstep.answers.number import scale_of
 from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
-from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
 from misstep.validation import Array
 
@@ -28,7 +26,7 @@ EXACT_TOLERANCE = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class ClosedForm(Entries):
+class ClosedForm(Answer):
     """A formula, or a vector or matrix of formulas, given as SymPy or as text.
 
     value    the right formula; its symbols may be used
@@ -69,24 +67,36 @@ class ClosedForm(Entries):
         except Exception as error:  # reading a student's object may raise any error
             raise Unreadable(f"Expected {self.expected}; got {type(given).__name__}.") from error
 
-    def appearance(self, given: Formula, part: int | None) -> Named | None:
+    def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
+        same = self.same_entries(one, other, tolerance)
+        return [bool(same[piece].all()) for piece in self.part_indices()]
+
+    def part_indices(self) -> list[Any]:
+        """Return, for each part, the index of its entries in the array."""
+        return [...]
+
+    def core_indices(self) -> list[Any]:
+        """Return, for each part, the index of the entries that make it up, without those that are always the same."""
+        return self.part_indices()
+
+    def seen(self, given: Formula, part: int | None) -> Named | None:
         return self.likeness(given, part).placeholder()
 
-    def arrangement(self, given: Formula) -> Named | None:
-        return self.likeness(given, None).order() if self.rows_are_alike else None
-
-    def explanation(self, given: Formula, part: int) -> Named | None:
-        mine, right = ([x.values[piece] for piece in self.core_indices()] for x in (given, self._right))
-        return copied_row(mine, right, part, self.parts) or self.likeness(given, part).resemblance()
-
-    def description(self, given: Formula, part: int) -> Named | None:
+    def resemblance(self, given: Formula, part: int | None) -> Named | None:
+        if part is None:
+            return self.likeness(given, None).order() if self.rows_are_alike else None
+        if found := self.likeness(given, part).resemblance():
+            return found
         same = self.same_entries(given, self.value)[self.core_indices()[part]]
-        if np.size(same) > 1 and np.count_nonzero(~same) == 1:
-            return "one entry", self.hint(given, part)
         if same.ndim == 2 and same.shape[0] == same.shape[1] and (same | np.eye(len(same), dtype=bool)).all():
             return "the diagonal", "Only entries of the diagonal are wrong."
-        names = [sp.latex(symbol) for symbol in self._declared]
-        wanted = dict(zip(self._reader.points[0], names, strict=True))
+        hint = entries_hint(same) if same.ndim else None
+        trial = "" if same.ndim else self._trial(given)
+        return hint if hint and hint[0] else self._letters(given, trial) or hint or (("", trial) if trial else None)
+
+    def _letters(self, given: Formula, trial: str) -> Named | None:
+        """Return which letters the right formulas have and others have not, or the other way round."""
+        wanted = dict(zip(self._reader.points[0], map(sp.latex, self._declared), strict=True))
         for name, symbols, which in (
             ("letters missing", self._right.symbols - given.symbols, "contain {}, and yours do not"),
             ("letters too many", given.symbols - self._right.symbols, "do not contain {}, and yours do"),
@@ -94,9 +104,16 @@ class ClosedForm(Entries):
             if symbols and given.given is not None:
                 *others, last = [f"${wanted[symbol]}$" for symbol in sorted(symbols)]
                 listed = f"{', '.join(others)} and {last}" if others else last
-                trial = "" if same.ndim else f" {self.hint(given, part)}"
-                return name, f"The right formulas {which.format(listed)}.{trial}"
+                return name, f"The right formulas {which.format(listed)}. {trial}".rstrip()
         return None
+
+    def _trial(self, given: Formula) -> str:
+        """Return the values of both formulas at the point at which they differ most."""
+        far = np.abs(given.values - self._right.values) / (np.abs(given.values) + np.abs(self._right.values) + 1e-300)
+        k = int(np.argmax(far))  # at some points two formulas look the same when they are rounded
+        point = ", ".join(f"{name} = {number(value)}" for name, value in self._reader.points[k].items())
+        yours, right = given.values[k], self._right.values[k]
+        return f"Try numbers: at {point} your formula gives {number(yours)}, and {number(right)} is right."
 
     def likeness(self, given: Formula, part: int | None) -> Likeness:
         """Return a part of an answer, or with None the whole, beside the right one, by their values."""
@@ -111,17 +128,9 @@ class ClosedForm(Entries):
             is_formula=True,
         )
 
-    def hint(self, given: Formula, part: int) -> str:
-        same = self.same_entries(given, self.value)[self.part_indices()[part]]
-        if same.ndim:
-            return entries_hint(same)
-        far = np.abs(given.values - self._right.values) / (np.abs(given.values) + np.abs(self._right.values) + 1e-300)
-        k = int(np.argmax(far))  # at some points two formulas look the same when they are rounded
-        point = ", ".join(f"{name} = {number(value)}" for name, value in self._reader.points[k].items())
-        yours, right = given.values[k], self._right.values[k]
-        return f"Try numbers: at {point} your formula gives {number(yours)}, and {number(right)} is right."
-
-    def expressions(self, solution: Callable[..., Expression]) -> Iterator[Expression]:
+    def at_inputs(self, solution: Callable[..., Expression] | None = None) -> Iterator[Expression | Any]:
+        if solution is None:
+            return (self._right.values[..., k] for k in range(self._right.values.shape[-1]))
         return (solution(**point) for point in self._reader.points)
 
     def collect(self, values: Sequence[Any]) -> Formula:
@@ -132,12 +141,6 @@ class ClosedForm(Entries):
             )
         except (TypeError, ValueError) as error:
             raise Unreadable(f"Expected {self.expected}.") from error
-
-    def may_be(self, given: Formula, value: Any) -> bool:
-        right = given.values[..., 0]
-        return np.size(value) == right.size and bool(
-            np.allclose(np.reshape(value, right.shape), right, rtol=TOLERANCE, atol=TOLERANCE)
-        )
 
     def may_share(self, given: Any, value: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> bool:
         own = (self._right if given is self.value else given).values[..., 0]
@@ -166,18 +169,6 @@ class ClosedForm(Entries):
         for piece in self.part_indices():
             scales[piece] = scale_of(values[piece])
         return scales
-
-    def slips(self) -> Iterator[Mistake]:
-        """Yield what the likeness of one part cannot show: the right formulas with every sign wrong, and transposed."""
-        whole = self._whole_slips() if len(self.parts) > 1 else []
-        return wrong_slips(self, whole, lambda formula: formula.values, self.part_indices())
-
-    def _whole_slips(self) -> Iterator[Slip]:
-        right, values = self._right, self._right.values
-        yield ("all signs", replace(right, values=-values), NEGATED_FORMULAS, NEGATED_FORMULAS)
-        if len(self._shape) == 2 and self._shape[0] == self._shape[1]:
-            turned = replace(right, values=values.swapaxes(0, 1))
-            yield ("transposed", turned, "This is the transpose of the right one.", "")
 
     @cached_property
     def _declared(self) -> list[sp.Symbol]:

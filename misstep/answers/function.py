@@ -1,22 +1,19 @@
 """Functions as answers: two functions agree if they give the same values at some random inputs."""
 
-import pickle
 from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from misstep import validation
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, Quantifier, Unreadable
-from misstep.answers.entries import wrong_slips
-from misstep.answers.likeness import Likeness, Named
+from misstep.answers.base import Answer, Named, Quantifier, Unreadable
+from misstep.answers.likeness import Likeness
 from misstep.answers.number import Numbers
-from misstep.mistakes import Mistake
-from misstep.mutants.expression import Expression
+from misstep.mutants.expression import Expression, Slip
 from misstep.storage.deserialize import Outputs
 
 CALL_COUNT = 4
@@ -24,30 +21,6 @@ CALL_COUNT = 4
 
 Sample = Callable[["np.random.Generator"], tuple[Any, ...]]
 """Draws the arguments of one call."""
-
-
-def function_mistakes(mistakes_at: Callable[..., Sequence[Mistake]], *example: Any) -> list[Mistake]:
-    """Turn the mistakes of a single call into mistakes of a function, which give the wrong answer at any input.
-
-    mistakes_at  returns the mistakes for given arguments, always the same ones in the same order
-    example      valid arguments of one call
-
-    >>> at = lambda x: [Mistake("sign", -x, "You turned the wrong way.")]
-    >>> function_mistakes(at, 1.0)[0].value(2.0)
-    -2.0
-    """
-    known: dict[bytes, Sequence[Mistake]] = {}
-
-    def value(index: int, *arguments: Any) -> Any:
-        # All mistakes are needed at the same inputs, one after the other, so they are computed together.
-        key = pickle.dumps(arguments)
-        if key not in known:
-            known[key] = mistakes_at(*arguments)
-        return known[key][index].value
-
-    return [
-        Mistake(wrong.name, partial(value, index), wrong.message) for index, wrong in enumerate(mistakes_at(*example))
-    ]
 
 
 @dataclass(frozen=True)
@@ -125,10 +98,6 @@ class Function(Answer):
                 f"{type(error).__name__}: {error}"
             ) from error
 
-    def _output_of(self, right: Any) -> Any:
-        """The kind of answer of a call whose right output is known."""
-        return replace(self.output, value=right)  # type: ignore[type-var]
-
     def _output(self, value: Any) -> Any:
         if value is None or value is ...:
             raise Unreadable(f"Expected {self.expected}; a call gave nothing. Is the return missing?")
@@ -138,14 +107,21 @@ class Function(Answer):
         pairs = zip(self._called(one).outputs, self._called(other).outputs, strict=True)
         return [all(all(self.output.agrees(mine, yours, tolerance)) for mine, yours in pairs)]
 
-    def expressions(self, solution: Callable[..., Expression]) -> Iterator[Expression]:
+    @property
+    def slips(self) -> Sequence[Slip]:
+        return self.output.slips
+
+    def at_inputs(self, solution: Callable[..., Expression] | None = None) -> Iterator[Expression | Any]:
+        if solution is None:
+            return iter(self._right.outputs)
         return (solution(*deepcopy(arguments)) for arguments in self.inputs)
+
+    @cached_property
+    def _right(self) -> FunctionCalls:
+        return self.read(self.value)
 
     def collect(self, values: Sequence[Any]) -> FunctionCalls:
         return FunctionCalls(None, [self._output(value) for value in values])
-
-    def may_be(self, given: FunctionCalls, value: Any) -> bool:
-        return self.may_share(given, value, parts=all)
 
     def may_share(self, given: Any, value: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> bool:
         try:
@@ -154,7 +130,7 @@ class Function(Answer):
             return False
         return all(self.output.agrees(self._called(given).outputs[0], first, tolerance))
 
-    def appearance(self, given: FunctionCalls, part: int | None) -> Named | None:
+    def seen(self, given: FunctionCalls, part: int | None) -> Named | None:
         if not (likenesses := self._likenesses(given)):
             return None
         if part is None:
@@ -163,39 +139,29 @@ class Function(Answer):
         wrong = [named for named, fine in zip(seen, self._parts_right(given), strict=True) if not fine]
         return self._at_every_input(wrong[0]) if wrong and all(named == wrong[0] for named in wrong) else None
 
-    def explanation(self, given: FunctionCalls, part: int) -> Named | None:
+    def resemblance(self, given: FunctionCalls, part: int | None) -> Named | None:
         """Return what is the same at every input: the value, or how the wrong parts differ from the right ones."""
-        if not isinstance(self.output, Numbers):
+        if not (likenesses := self._likenesses(given)):
             return None
         outputs = np.array(given.outputs)
         if np.abs(outputs - outputs[0]).max() < TOLERANCE < np.abs(np.array(self._right.outputs) - outputs).max():
-            return (
-                "the same at every input",
-                "It gives the same at every input that was tried. Does it use its arguments?",
+            text = "It gives the same at every input that was tried. Does it use its arguments?"
+            return "the same at every input", text
+        right, parts = self._parts_right(given), self.output.parts
+        pairs = list(zip(parts, right, likenesses[1:], strict=True))
+        seen = [(name, likeness.resemblance()) for name, fine, likeness in pairs if not fine]
+        if all(named for _, named in seen):
+            text = " ".join(
+                f"{name}: {_small(named[1])}" if len(parts) > 1 else named[1] for name, named in seen if named
             )
-        if not (likenesses := self._likenesses(given)):
-            return None
-        right, parts = self._parts_right(given), self.output.parts
-        seen = [
-            f"{name}: {named[1][:1].lower()}{named[1][1:]}" if len(parts) > 1 else named[1]
-            for name, fine, likeness in zip(parts, right, likenesses[1:], strict=True)
-            if not fine and (named := likeness.resemblance())
-        ]
-        if len(seen) < right.count(False):
-            return None
-        return self._at_every_input(("likeness at every input", " ".join(seen)))
-
-    def description(self, given: FunctionCalls, part: int) -> Named | None:
-        right, parts = self._parts_right(given), self.output.parts
-        if not any(right):
-            return None
-        fine, wrong = (
-            [name for name, is_fine in zip(parts, right, strict=True) if is_fine is what] for what in (True, False)
-        )
-        text = (
-            f"At every input that was tried, the {' and '.join(fine)} is right, and the {' and '.join(wrong)} is not."
-        )
-        return f"only the {' and '.join(wrong)}", text
+            return self._at_every_input((seen[0][1][0] if seen[0][1] else "", text))
+        wrong, fine = ([name for name, is_fine, _ in pairs if is_fine is what] for what in (False, True))
+        if fine:
+            text = f"At every input that was tried, the {' and '.join(fine)} is right, and the {' and '.join(wrong)} is not."
+            return f"only the {' and '.join(wrong)}", text
+        found = self._right.outputs
+        count = sum(all(self.output.agrees(mine, yours)) for mine, yours in zip(given.outputs, found, strict=True))
+        return ("", f"It is right at {count} of {len(found)} inputs that were tried.") if count else None
 
     def _parts_right(self, given: FunctionCalls) -> list[bool]:
         """Return, for each part of the outputs, whether it is right at every input."""
@@ -216,43 +182,13 @@ class Function(Answer):
 
     @staticmethod
     def _at_every_input(named: Named | None) -> Named | None:
-        return named and (named[0], f"At every input that was tried: {named[1][:1].lower()}{named[1][1:]}")
-
-    def is_rounded(self, given: FunctionCalls, part: int) -> bool:
-        """Return whether every wrong output is the right one, rounded to two or more significant digits."""
-        wrong = [
-            (self._output_of(right), mine)
-            for mine, right in zip(given.outputs, self._right.outputs, strict=True)
-            if not all(self.output.agrees(mine, right))
-        ]
-        return bool(wrong) and all(
-            fine or output.is_rounded(mine, k)
-            for output, mine in wrong
-            for k, fine in enumerate(output.agrees(mine, output.value))
-        )
-
-    def slips(self) -> Iterator[Mistake]:
-        """Yield functions whose every output has one of the slips of a whole array."""
-        if not isinstance(self.output, Numbers):
-            return iter(())
-
-        def slips_at(*arguments: Any) -> list[Mistake]:
-            output = self._output_of(self._call(self.value, arguments))
-            return [Mistake(name, value, "") for name, value, _, _ in output.whole_slips()]
-
-        functions = function_mistakes(slips_at, *self.inputs[0])
-        texts = (
-            f"At every input that was tried: {text[0].lower()}{text[1:]}" for _, _, text, _ in self.output.whole_slips()
-        )
-        slips = ((wrong.name, wrong.value, text, "") for wrong, text in zip(functions, texts, strict=True))
-        return wrong_slips(self, slips, lambda calls: np.array(calls.outputs))
-
-    def hint(self, given: FunctionCalls, part: int) -> str:
-        right = self._right.outputs
-        count = sum(all(self.output.agrees(mine, yours)) for mine, yours in zip(given.outputs, right, strict=True))
-        return f"It is right at {count} of {len(right)} inputs that were tried." if count else ""
+        return named and (named[0], f"At every input that was tried: {_small(named[1])}")
 
     def _called(self, given: Any) -> Any:
         if given is self.value:
             return self._right
         return given if isinstance(given, FunctionCalls) else self.read(given)
+
+
+def _small(text: str) -> str:
+    return text[:1].lower() + text[1:]

@@ -13,20 +13,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import Named
 from misstep.display import sentences
 from misstep.validation import Array
 
 MAX_PLACES = 3
 """How many wrong entries are named one by one."""
 
-MIN_DIGITS = 4
-"""How many digits a number has at least, so that one wrong digit is no coincidence."""
-
 MAX_ROWS = 12
 """Of how many rows the order is looked for."""
 
-Named = tuple[str, str]
-"""The name of what is wrong, and a sentence that is true of the part."""
+ROUND_OFF = 1e-12
+"""Smaller absolute values are zeros with an error of the computer's arithmetic."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,28 +140,10 @@ class Likeness:
                 return "rounded", sentences.ROUNDED.format(sentences.FOUR_DIGITS)
         return None
 
-    def typing(self) -> Named | None:
-        """Return whether each wrong number has a slip of typing: its sign, one of its digits, two exchanged digits, the point."""
-        if self.is_formula or self.mine.shape[-1] != 1:
-            return None
-        wrong = ~self._equal(self.mine, self.right)
-        if not 0 < np.count_nonzero(wrong) <= MAX_PLACES:
-            return None
-        mine, right = (np.atleast_1d(x[..., 0])[np.atleast_1d(wrong)].tolist() for x in (self.mine, self.right))
-        seen = [slip_of_typing(one, other) for one, other in zip(mine, right, strict=True)]
-        if seen.count("") > (len(seen) > 1 and "sign" in seen):
-            return None
-        if wrong.size == 1:
-            return seen[0], f"This looks like a slip of typing: {sentences.SLIPS_OF_TYPING[seen[0]]}."
-        places = [self.place(index) for index in np.argwhere(wrong).tolist()]
-        told = [f"{place}: {sentences.SLIPS_OF_TYPING[slip]}" for place, slip in zip(places, seen, strict=True)]
-        text = "; ".join(told)
-        return " and ".join(filter(None, dict.fromkeys(seen))), f"{text[:1].upper()}{text[1:]}."
-
     def _signs(self) -> Named | None:
         mine, right = self.mine, self.right
         wrong, is_one = ~self._equal(mine, right), mine.size == mine.shape[-1]
-        if not wrong.any() or not (self._equal(mine, -right) | ~wrong).all() or (is_one and not self.is_formula):
+        if not wrong.any() or not (self._equal(mine, -right) | ~wrong).all():
             return None
         count, seen = np.count_nonzero(wrong), np.count_nonzero(self._is_seen(right).any(axis=-1))
         if is_one or count == seen:
@@ -179,27 +159,45 @@ class Likeness:
 
     def _all_signs(self, is_one: bool) -> str:
         if not self.is_formula:
-            return "The sizes are right, but every sign is wrong."
+            return (
+                "The size is right, but the sign is wrong."
+                if is_one
+                else "The sizes are right, but every sign is wrong."
+            )
         return "Your formula has the wrong sign." if is_one else sentences.NEGATED_FORMULAS
 
     def factor(self) -> Named | None:
         """Return whether these are the right numbers, multiplied by a factor."""
-        seen = self._is_seen(self.right)
-        if np.count_nonzero(seen.any(axis=-1)) < 2:
+        seen, is_one = self._is_seen(self.right), self.mine.size == self.mine.shape[-1]
+        if np.count_nonzero(seen.any(axis=-1)) < (1 if is_one and self._has_unit else 2):
             return None
         factor = float(np.median(self.mine[seen] / self.right[seen]))
         if not 1e-3 <= abs(factor) <= 1e3 or not self._relative(self.mine, factor * self.right).all():
             return None
         for size, (name, text) in FACTORS.items():
             if abs(factor - size) < 0.005 * size:
-                return name, f"Every number is {text} the right one."
-        return "factor", "These are the right numbers, all multiplied by the same factor."
+                return name, f"{'This' if is_one else 'Every number'} is {text} the right one."
+        return None if is_one else ("factor", "These are the right numbers, all multiplied by the same factor.")
 
     def order(self) -> Named | None:
         """Return whether these are the right numbers in another order."""
         if self.mine.ndim == 1 or self._equal(self.mine, self.right).all():
             return None
-        return self._arranged() or self._permuted_rows() or self._renumbered() or self._moved_rows()
+        return (
+            self._arranged() or self._permuted_rows() or self._exchanged() or self._renumbered() or self._moved_rows()
+        )
+
+    def _exchanged(self) -> Named | None:
+        """Return whether two entries stand in each other's place."""
+        wrong = np.argwhere(~self._equal(self.mine, self.right)).tolist()
+        if len(wrong) != 2 or self.mine.ndim < 3:
+            return None
+        one, other = map(tuple, wrong)
+        if self._equal(self.mine[one], -self.right[one]).all():
+            return None  # which are two signs as well
+        if all(self._equal(self.mine[a], self.right[b]).all() for a, b in ((one, other), (other, one))):
+            return "two entries swapped", f"Two entries are swapped: {self.place(one)} and {self.place(other)}."
+        return None
 
     def _arranged(self) -> Named | None:
         mine = self.mine
@@ -292,40 +290,33 @@ def has_three_digits(given: Array, value: Array, *, or_zeros: bool = False) -> N
     return np.asarray(is_short & (or_zeros | ~is_shorter) & (np.abs(given - value) <= 0.5 * unit * (1 + 1e-6)))
 
 
-def slip_of_typing(mine: float, right: float) -> str:
-    """Return how a number differs from the right one as slips of typing make it; "" if it does in no such way.
+def entries_hint(same: NDArray[np.bool_], names: Sequence[str] | None = None) -> Named | None:
+    """Return how many entries are right, and where others are wrong, if they are few: one, or at most a third.
 
-    >>> [slip_of_typing(mine, 0.3474) for mine in (-0.347, 0.3744, 0.3874, 3.474, 0.5384)]
-    ['sign', 'digits exchanged', 'digit', 'decimal point', '']
+    names  the names of the entries of a vector
+
+    >>> entries_hint(np.array([True, False, True])), entries_hint(np.array([True, False, False]), names="xyz")
+    (('one entry', '2 of the 3 entries are right. Look at entry 2.'), None)
     """
-    decimals = next((k for k in range(13) if abs(mine - round(mine, k)) < 1e-9), 12)
-    one, other = (f"{abs(x):.{decimals}f}" for x in (mine, right))
-    if mine * right == 0 or abs(right) < 1e-3:
-        return ""
-    if mine * right < 0 and (one == other or abs(mine + right) <= TOLERANCE * abs(right)):
-        return "sign"
-    if any(abs(mine - factor * right) <= TOLERANCE * abs(factor * right) for factor in (10.0, 0.1, 100.0, 0.01)):
-        return "decimal point"
-    if mine * right < 0 or len(one) != len(other) or len(one.strip("0.").replace(".", "")) < MIN_DIGITS:
-        return ""
-    places = [k for k, (a, b) in enumerate(zip(one, other, strict=True)) if a != b]
-    if len(places) == 1:
-        return "digit"
-    is_pair = len(places) == 2 and one[places[0]] == other[places[1]] and one[places[1]] == other[places[0]]
-    return "digits exchanged" if is_pair and places[1] - places[0] <= 2 else ""
+    wrong, count = np.argwhere(~same).tolist(), int(np.count_nonzero(same))
+    if not wrong or not count or len(wrong) > max(1, same.size // 3):
+        return None
+    places = [names[index[0]] if names else place_of(index) for index in wrong]
+    where = " and ".join(places) if len(places) < 3 else f"{places[0]} first"
+    text = f"{count} of the {same.size} entries {'is' if count == 1 else 'are'} right. Look at {where}."
+    return ("one entry" if len(wrong) == 1 else ""), text
 
 
-def copied_row(mine: Sequence[Array], right: Sequence[Array], part: int, names: Sequence[str]) -> Named | None:
-    """Return whether a row of an answer is another row of the same answer, where the right rows differ.
+def place_of(index: Sequence[int]) -> str:
+    """Name the place of an entry, counted from 1.
 
-    mine, right  the parts of an answer and of the right one, each with one more axis
+    >>> place_of([1]), place_of([0, 1]), place_of([0, 1, 2])
+    ('entry 2', 'row 1, column 2', 'entry (1, 2, 3)')
     """
-    for other, name in enumerate(names):
-        if other == part or mine[part].ndim < 2 or mine[part].shape != mine[other].shape or not mine[part].any():
-            continue
-        if np.allclose(mine[part], mine[other], rtol=0, atol=1e-9) and not np.allclose(right[part], right[other]):
-            return "copied row", f"It is the same as your {name.removeprefix('the ')}, number for number."
-    return None
+    counted = [int(i) + 1 for i in index]
+    if len(counted) == 2:
+        return f"row {counted[0]}, column {counted[1]}"
+    return f"entry {counted[0]}" if len(counted) == 1 else f"entry {tuple(counted)}"
 
 
 def _arrangements(X: Array, names: Sequence[str]) -> Iterator[tuple[str, str, Array]]:

@@ -1,4 +1,4 @@
-"""The sentences of cards that fit every course: on units and degrees, rounding, placeholders, slips of typing, and lost points.
+"""The sentences of cards that fit every course: on units and degrees, rounding, placeholders, and lost points.
 
 What is said of one kind of answer alone is in misstep/answers, and the titles of cards are in misstep/display/card.py.
 """
@@ -27,20 +27,11 @@ UNTOUCHED = "{}. Put in the numbers that you find."
 
 IDENTITY = UNTOUCHED.format("This is the identity matrix")
 
-SLIPS_OF_TYPING = {
-    "sign": "its sign is wrong",
-    "digit": "one of its digits is wrong",
-    "digits exchanged": "two of its digits are exchanged",
-    "decimal point": "its decimal point is at another place",
-    "": "another number belongs here",
-}
-"""What is said of each slip of typing, and of a wrong number beside a slip."""
+RIGHT = "Right: {}."
+"""What is said of the right parts of an answer."""
 
-BY_CHANCE = "This comes out right by the wrong method as well, so it earns nothing alone."
-"""What is said of the right parts of an answer whose method is wrong in all of them."""
-
-BY_LUCK = "This is right, but too little to earn points alone: it often comes out right by luck."
-"""What is said of right parts that are too few to count."""
+TOGETHER = "Right: {}. Points come together with the other parts."
+"""What is said of right parts that a wrong method gives as well, and that earn nothing alone."""
 
 UNKNOWN = "We do not recognise what happened here."
 

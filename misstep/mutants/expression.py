@@ -9,7 +9,7 @@ them their values, so that hundreds of mutants are evaluated in the time of a fe
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property, reduce
+from functools import cached_property, reduce
 from operator import matmul, mul
 from typing import Any
 
@@ -21,62 +21,36 @@ SUM, PRODUCT, ATOM = 1, 2, 3
 MAX_FACTORS = 7
 """Of how many factors one is taken for another."""
 
-PAST_TENSES = {
-    "forget": "forgot",
-    "give": "gave",
-    "go": "went",
-    "keep": "kept",
-    "leave": "left",
-    "let": "let",
-    "put": "put",
-    "read": "read",
-    "misread": "misread",
-    "say": "said",
-    "stop": "stopped",
-    "swap": "swapped",
-    "take": "took",
-    "write": "wrote",
-}
-"""The past tenses that are not formed by -d or -ed."""
-
 
 @dataclass(frozen=True)
-class Change:
-    """One way to get an operation wrong, in words.
+class Slip:
+    """One way in which people go wrong: its name, what they do, and what that leads to.
 
-    name        the name of the mistake, the same wherever it is made: "inverse left out"
-    text        what was done, from the verb on: "use $T_{st}$, where its inverse belongs"
-    everywhere  the same for a mistake that people make in all places at once; "" if each place is a mistake of its own
-    advice      a sentence on what is right
-    one_by_one  whether people also make it in one of several places alone
-    in_parts    whether one part of an answer can show it; otherwise only the whole answer does
-    credit      the fraction of the points that it leaves, because it is one of a problem before and all that follows is right
-    spoils      whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
-    alone       whether it is never combined with another change, because people seldom make both and there are many of it
-
-    >>> Change("degrees", "use degrees as radians").past
-    'used degrees as radians'
+    name          the name of the misconception, the same wherever it occurs: "inverse left out"
+    did           what is done, from the verb on: "use $T_{st}$, where its inverse belongs"
+    wrong         what stands in the place of the right thing: an expression, or for any answer of a kind a function of the right value
+    everywhere    the same as `did` for what people do in all places at once; "" if each place is a slip of its own
+    advice        a sentence on what is right
+    one_by_one    whether people also do it in one of several places alone
+    in_parts      whether one part of an answer can show it; otherwise only the whole answer does
+    may_coincide  whether it may lead to the right answer for some numbers
+    credit        the fraction of the points that it leaves, because it is one of a problem before and all that follows is right
+    spoils        whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
     """
 
     name: str
-    text: str
+    did: str
+    wrong: Any = field(default=None, repr=False)
     everywhere: str = ""
     advice: str = ""
     one_by_one: bool = True
     in_parts: bool = True
-    alone: bool = False
+    may_coincide: bool = False
     credit: float = 0.0
     spoils: bool = False
 
-    @property
-    def past(self) -> str:
-        """The text in the past tense."""
-        verb, space, rest = self.text.partition(" ")
-        ending = "d" if verb.endswith("e") else "ied" if verb.endswith("y") else "ed"
-        return PAST_TENSES.get(verb, verb.removesuffix("y" if ending == "ied" else "") + ending) + space + rest
 
-
-Changes = Iterator[tuple[Change, "Expression"]]
+Slips = Iterator[Slip]
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,7 +60,7 @@ class Operation:
     name         a word for it
     function     takes the values of the arguments
     latex        takes the LaTeX of the arguments
-    changes      takes an expression with this operation; yields each change with the expression to which it leads
+    slips        takes an expression with this operation; yields the slips in it
     binds        SUM, PRODUCT or ATOM: where brackets are needed
     involution   whether applying it twice is doing nothing, as with an inverse
     associative  whether nested applications are one: (A B) C = A B C
@@ -100,7 +74,7 @@ class Operation:
     name: str
     function: Callable[..., Any]
     latex: Callable[..., str]
-    changes: Callable[["Expression"], Changes] = lambda _: iter(())
+    slips: Callable[["Expression"], Slips] = lambda _: iter(())
     binds: int = ATOM
     involution: bool = False
     associative: bool = False
@@ -124,7 +98,7 @@ class Operation:
 class Expression:
     r"""An operation on expressions, or a value that is given. Its `value` is computed once.
 
-    Python's operators @, +, -, *, /, ** with a number as exponent, and the attribute T make expressions.
+    Python's operators @, +, -, *, / and the attribute T make expressions.
 
     operation     what is done, or for a given value its kind
     arguments     what it is done to; none for a given value
@@ -144,7 +118,7 @@ class Expression:
     arguments: tuple["Expression", ...] = ()
     known: Any = field(default=None, repr=False)
     label: str = ""
-    alternatives: tuple[tuple[Change, "Expression"], ...] = field(default=(), repr=False)
+    alternatives: tuple[Slip, ...] = field(default=(), repr=False)
     ways: tuple["Expression", ...] = field(default=(), repr=False)
 
     __array_ufunc__ = None  # so that an array to the left of an operator leaves the operation to the expression
@@ -177,29 +151,40 @@ class Expression:
         is_loose = not node.label and len(node.arguments) > 1 and node.operation.binds < self.operation.binds
         return f"({node.latex})" if is_loose else node.latex
 
-    def changes(self) -> Changes:
-        """Yield each change of this operation alone, with the expression to which it leads."""
+    def slips(self) -> Slips:
+        """Yield the slips in this operation alone."""
         yield from self.alternatives
-        yield from self.operation.changes(self)
+        yield from self.operation.slips(self)
 
     def named(self, label: str) -> "Expression":
         """Return the same expression with a name of its own in LaTeX, by which messages speak of it."""
         return replace(self, label=label)
 
     def mistaken_for(
-        self, other: Any, name: str, text: str, advice: str = "", credit: float = 0.0, *, spoils: bool = False
+        self,
+        other: Any,
+        name: str,
+        text: str,
+        advice: str = "",
+        credit: float = 0.0,
+        *,
+        spoils: bool = False,
+        may_coincide: bool = False,
     ) -> "Expression":
         """Return the same expression with a further change: here, and in this problem, people take another value.
 
         credit  the fraction of the points that is left, if it is a mistake of a problem before
         spoils  whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
+        may_coincide  whether it may lead to the right answer for some numbers
 
         >>> pitch = given("h", 0.1).mistaken_for(0.6, "lead for pitch", "use the lead as the pitch")
-        >>> [(change.name, wrong.value) for change, wrong in pitch.changes()]
+        >>> [(slip.name, slip.wrong.value) for slip in pitch.slips()]
         [('lead for pitch', 0.6)]
         """
-        change = Change(name, text, advice=advice, alone=credit > 0, credit=credit, spoils=spoils)
-        further = (change, as_expression(other))
+        coincides = may_coincide or credit > 0
+        further = Slip(
+            name, text, as_expression(other), advice=advice, may_coincide=coincides, credit=credit, spoils=spoils
+        )
         return replace(self, alternatives=(*self.alternatives, further))
 
     def also_by(self, way: "Expression") -> "Expression":
@@ -250,30 +235,11 @@ class Expression:
     def __rtruediv__(self, other: Any) -> "Expression":
         return quotient(other, self)
 
-    def __pow__(self, exponent: float) -> "Expression":
-        return _raised(exponent)(self)
-
     def __neg__(self) -> "Expression":
         return negative(self)
 
     def __getitem__(self, index: Any) -> "Expression":
         return _entry(index)(self)
-
-
-@cache
-def _raised(exponent: float) -> Operation:
-    """The operation that raises to a power."""
-
-    def changes(node: Expression) -> Changes:
-        base = node.arguments[0]
-        yield Change("exponent left out", f"leave out the exponent of ${base.latex}$"), base
-        text = f"multiply ${base.latex}$ by ${exponent:g}$ instead of raising it to this power"
-        yield Change("product for power", text), exponent * base
-
-    def latex(base: str) -> str:
-        return power(f"{{{exponent:g}}}")(f"({base})" if base.startswith("-") else base)
-
-    return Operation("power", lambda x: x**exponent, latex, changes)
 
 
 GIVEN = Operation("given", lambda: None, str)
@@ -314,90 +280,92 @@ def _moved(items: tuple[Expression, ...], start: int, end: int) -> tuple[Express
     return (*rest[:end], items[start], *rest[end:])
 
 
-def _product_changes(node: Expression) -> Changes:
+def _product_slips(node: Expression) -> Slips:
     factors, last = node.arguments, len(node.arguments) - 1
     advice = "A product of matrices depends on the order of its factors."
     if last > 1:
-        yield Change("reversed", "multiply the factors in the reverse order", advice=advice), product(*factors[::-1])
+        yield Slip("reversed", "multiply the factors in the reverse order", product(*factors[::-1]), advice=advice)
     if last > 2:
         text = f"multiply the factors after {_quoted(factors[0])} in the reverse order"
-        yield Change("reversed", text, advice=advice), product(factors[0], *factors[:0:-1])
+        yield Slip("reversed", text, product(factors[0], *factors[:0:-1]), advice=advice)
         text = f"multiply the factors before {_quoted(factors[-1])} in the reverse order"
-        yield Change("reversed", text, advice=advice), product(*factors[-2::-1], factors[-1])
+        yield Slip("reversed", text, product(*factors[-2::-1], factors[-1]), advice=advice)
     for i in range(last):
         swapped = (*factors[:i], factors[i + 1], factors[i], *factors[i + 2 :])
-        yield Change("order", f"swap {_quoted(*factors[i : i + 2])}", advice=advice), product(*swapped)
+        yield Slip("order", f"swap {_quoted(*factors[i : i + 2])}", product(*swapped), advice=advice)
     for i, factor in enumerate(factors):
-        yield Change("factor left out", f"leave out {_quoted(factor)}"), product(*factors[:i], *factors[i + 1 :])
+        yield Slip("factor left out", f"leave out {_quoted(factor)}", product(*factors[:i], *factors[i + 1 :]))
         for end, place in ((0, "first"), (last, "last")):
             if abs(end - i) > 1:
-                yield (
-                    Change(f"{place} factor", f"put {_quoted(factor)} {place}", advice=advice),
+                yield Slip(
+                    f"{place} factor",
+                    f"put {_quoted(factor)} {place}",
                     product(*_moved(factors, i, end)),
+                    advice=advice,
                 )
     yield from _factors_confused(factors)
     if all(np.ndim(factor.value) == 2 for factor in factors):
         by_entry = "multiply entry by entry (`*` instead of `@`)"
-        yield Change("entry by entry", by_entry, everywhere=by_entry), _entrywise(*factors)
+        yield Slip("entry by entry", by_entry, _entrywise(*factors), everywhere=by_entry)
 
 
-def _factors_confused(factors: tuple[Expression, ...]) -> Changes:
+def _factors_confused(factors: tuple[Expression, ...]) -> Slips:
     """Yield the products with a factor once more, or with a factor in the place of another one of its kind."""
     for i, factor in enumerate(factors) if len(factors) > 2 else ():
         for place in {0, i, len(factors)} if not factor.arguments else {i}:
             twice = product(*factors[:place], factor, *factors[place:])
-            yield Change("factor twice", f"multiply by {_quoted(factor)} once more", alone=True), twice
+            yield Slip("factor twice", f"multiply by {_quoted(factor)} once more", twice, may_coincide=True)
     for i, factor in enumerate(factors):
         for other in factors:
             is_sibling = other.operation is factor.operation and np.shape(other.value) == np.shape(factor.value)
             if other is not factor and factor.arguments and is_sibling and len(factors) <= MAX_FACTORS:
                 text = f"use {_quoted(other)}, where {_quoted(factor)} belongs"
                 taken = product(*factors[:i], other, *factors[i + 1 :])
-                yield Change("another factor", text, alone=True), taken
+                yield Slip("another factor", text, taken, may_coincide=True)
 
 
-def _sum_changes(node: Expression) -> Changes:
+def _sum_slips(node: Expression) -> Slips:
     for i, term in enumerate(node.arguments):
         others = node.arguments[:i], node.arguments[i + 1 :]
-        yield (
-            Change("sign", f"take {_quoted(term)} with the opposite sign"),
-            total(*others[0], negative(term), *others[1]),
+        yield Slip(
+            "sign", f"take {_quoted(term)} with the opposite sign", total(*others[0], negative(term), *others[1])
         )
-        yield Change("term left out", f"leave out {_quoted(term)}"), total(*others[0], *others[1])
+        yield Slip("term left out", f"leave out {_quoted(term)}", total(*others[0], *others[1]))
 
 
-def _multiple_changes(node: Expression) -> Changes:
+def _multiple_slips(node: Expression) -> Slips:
     for i, factor in enumerate(node.arguments):
-        yield (
-            Change("factor left out", f"leave out the factor {_quoted(factor)}"),
+        yield Slip(
+            "factor left out",
+            f"leave out the factor {_quoted(factor)}",
             multiple(*node.arguments[:i], *node.arguments[i + 1 :]),
         )
         if np.ndim(factor.value) == 0 and len(node.arguments) > 1:
             text = f"divide by {_quoted(factor)} instead of multiplying by it"
-            yield (
-                Change("division for product", text),
-                quotient(multiple(*node.arguments[:i], *node.arguments[i + 1 :]), factor),
+            yield Slip(
+                "division for product", text, quotient(multiple(*node.arguments[:i], *node.arguments[i + 1 :]), factor)
             )
 
 
-def _quotient_changes(node: Expression) -> Changes:
+def _quotient_slips(node: Expression) -> Slips:
     above, below = node.arguments
-    yield Change("divisor left out", f"forget to divide by {_quoted(below)}"), above
-    yield (
-        Change("product for division", f"multiply by {_quoted(below)} instead of dividing by it"),
-        multiple(above, below),
+    yield Slip("divisor left out", f"forget to divide by {_quoted(below)}", above)
+    yield Slip(
+        "product for division", f"multiply by {_quoted(below)} instead of dividing by it", multiple(above, below)
     )
 
 
-def _negative_changes(node: Expression) -> Changes:
-    yield Change("sign", f"leave out the minus sign of {_quoted(node)}"), node.arguments[0]
+def _negative_slips(node: Expression) -> Slips:
+    yield Slip("sign", f"leave out the minus sign of {_quoted(node)}", node.arguments[0])
 
 
-def _transpose_changes(node: Expression) -> Changes:
+def _transpose_slips(node: Expression) -> Slips:
     inner = node.arguments[0]
-    yield (
-        Change("transpose left out", f"use {_quoted(inner)}, where its transpose belongs", "leave out every transpose"),
+    yield Slip(
+        "transpose left out",
+        f"use {_quoted(inner)}, where its transpose belongs",
         inner,
+        everywhere="leave out every transpose",
     )
 
 
@@ -418,7 +386,7 @@ product = Operation(
     "product",
     lambda *factors: reduce(matmul, factors),
     lambda *factors: "\\,".join(factors),
-    _product_changes,
+    _product_slips,
     PRODUCT,
     associative=True,
 )
@@ -428,26 +396,26 @@ _entrywise = Operation(
     "entry by entry", lambda *factors: reduce(mul, factors), lambda *factors: " * ".join(factors), binds=PRODUCT
 )
 
-total = Operation("sum", lambda *terms: sum(terms[1:], terms[0]), _joined_sum, _sum_changes, SUM, associative=True)
+total = Operation("sum", lambda *terms: sum(terms[1:], terms[0]), _joined_sum, _sum_slips, SUM, associative=True)
 """The sum, A + B; a difference is a sum with `negative`."""
 
 multiple = Operation(
     "multiple",
     lambda *factors: reduce(mul, factors),
     lambda *factors: "\\,".join(factors),
-    _multiple_changes,
+    _multiple_slips,
     PRODUCT,
     associative=True,
 )
 """The product of numbers, or of a number and an array, a * B."""
 
-quotient = Operation("quotient", lambda a, b: a / b, "{0} / {1}".format, _quotient_changes, PRODUCT)
+quotient = Operation("quotient", lambda a, b: a / b, "{0} / {1}".format, _quotient_slips, PRODUCT)
 """The quotient, A / b."""
 
-negative = Operation("negative", lambda a: -a, "-{0}".format, _negative_changes, PRODUCT, involution=True)
+negative = Operation("negative", lambda a: -a, "-{0}".format, _negative_slips, PRODUCT, involution=True)
 """The opposite, -A."""
 
-transpose = Operation("transpose", np.transpose, power("T"), _transpose_changes, involution=True)
+transpose = Operation("transpose", np.transpose, power("T"), _transpose_slips, involution=True)
 """The transpose, A.T."""
 
 

@@ -12,18 +12,14 @@ from misstep.answers.function import Function
 from misstep.answers.number import Numbers
 from misstep.judge import judge
 from misstep.mistakes import mistake
-from misstep.mutants.expression import Change, given
+from misstep.mutants.expression import Slip, given
 from misstep.mutants.mutants import mutant
 from misstep.mutants.operations import (
     ANGLE,
     LENGTH,
-    MATRIX,
     SLIDE,
     cos,
-    exp,
     inverse,
-    log,
-    log10,
     radians,
     sin,
     stack,
@@ -33,7 +29,7 @@ from misstep.problem import Problem, problem
 
 rng = np.random.default_rng(5)
 A, B, C = rng.uniform(1, 2, (3, 3, 3))
-a, b, c = given("A", A, MATRIX), given("B", B, MATRIX), given("C", C, MATRIX)
+a, b, c = given("A", A), given("B", B), given("C", C)
 SOLUTION = inverse(a) @ b @ c
 RIGHT = np.linalg.inv(A) @ B @ C
 
@@ -44,7 +40,6 @@ BY_HAND = {
     "transpose for inverse": A.T @ B @ C,
     "factor left out": np.linalg.inv(A) @ C,
     "entry by entry": np.linalg.inv(A) * B * C,
-    "transposed": np.linalg.inv(A) @ B.T @ C,
     "last factor": B @ C @ np.linalg.inv(A),
 }
 
@@ -59,10 +54,7 @@ def test_one_change_is_named_with_its_factor():
         assert finding.mistake == name
         assert (name,) in finding.alternatives
         assert all(len(names) == 1 for names in finding.alternatives), "the fewest changes win"
-        assert finding.message.startswith("You ")
-    [finding] = judge(matrices(), C @ B @ A).findings
-    assert finding.alternatives == (("reversed", "inverse left out"),)
-    assert "and you use $A$, where its inverse belongs" in finding.message
+        assert finding.message.startswith("This is what you get if you ")
 
 
 def test_the_factor_that_was_left_out_is_the_one_that_is_named():
@@ -70,26 +62,18 @@ def test_the_factor_that_was_left_out_is_the_one_that_is_named():
     for left_out in factors:
         one, other = (value for name, value in factors.items() if name != left_out)
         [finding] = judge(matrices(), one @ other).findings
-        assert finding.message == f"You left out ${left_out}$."
+        assert finding.message == f"This is what you get if you leave out ${left_out}$."
 
 
-def test_a_tie_is_said_as_a_tie():
-    x = given("x", 3.0).mistaken_for(2.0, "another x", "use the length of another bar") * given("y", 2.0)
-    asked = Problem("", Numbers(np.array(6.0)), solution=x)
-    [finding] = judge(asked, 4.0).findings
-    assert (finding.mistake, finding.alternatives) == ("another x", (("another x",),))
-    [tie] = judge(Problem("", Numbers(np.array(4.0)), solution=given("a", 2.0) * given("b", 2.0)), 2.0).findings
-    assert tie.mistake == "factor left out"
-    assert tie.message == (
-        "This is what you get if you leave out the factor $a$. You get the same if you leave out the factor $b$."
-    )
-
-
-def test_a_story_of_a_whole_and_of_its_part_is_told_once():
+def test_a_tie_of_two_misconceptions_is_said_as_a_tie_and_one_misconception_once():
     x, y = given("x", 3.0, LENGTH), given("y", 2.0)
     [finding] = judge(Problem("", Numbers(np.array(11.0)), solution=x * y + 5.0), -1.0).findings
-    assert finding.mistake == "sign or sign of a length", "the names stay, for what returns from problem to problem"
-    assert finding.message == "This is what you get if you take $x\\,y$ with the opposite sign."
+    assert finding.mistake == "sign or sign of a length"
+    assert finding.message.startswith(
+        "This is what you get if you take $x\\,y$ with the opposite sign, or if you take $x$ with"
+    )
+    [tie] = judge(Problem("", Numbers(np.array(4.0)), solution=given("a", 2.0) * given("b", 2.0)), 2.0).findings
+    assert tie.message == "This is what you get if you leave out the factor $a$."
 
 
 def test_the_mistakes_of_another_way_to_a_value_are_named():
@@ -110,17 +94,20 @@ def test_advice_replaces_the_general_one_by_name_or_by_text():
     named = matrices(advice={"inverse left out": "Use the letters."})
     assert judge(named, BY_HAND["inverse left out"]).findings[0].message.endswith("belongs. Use the letters.")
     by_text = matrices(advice={"leave out $B$": "B is needed."})
-    assert judge(by_text, BY_HAND["factor left out"]).findings[0].message == "You left out $B$. B is needed."
-    assert judge(by_text, B @ C).findings[0].message == "You left out $A^{-1}$."
+    assert (
+        judge(by_text, BY_HAND["factor left out"]).findings[0].message
+        == "This is what you get if you leave out $B$. B is needed."
+    )
+    assert judge(by_text, B @ C).findings[0].message == "This is what you get if you leave out $A^{-1}$."
 
 
 def test_a_change_in_all_places_is_one_and_in_one_place_another():
     p, q = (radians(given(name, value, ANGLE)) for name, value in (("p", 40.0), ("q", 70.0)))
     solution = stack(sin(p), cos(q))
     both = Problem("", Numbers(solution.value), solution=solution)
-    assert "You used degrees as radians." in judge(both, [np.sin(40.0), np.cos(70.0)]).findings[0].message
+    assert "if you use degrees as radians." in judge(both, [np.sin(40.0), np.cos(70.0)]).findings[0].message
     alone = judge(both, [np.sin(np.radians(40)), np.cos(70.0)]).findings[0].message
-    assert "You used the degrees of $q$ as radians." in alone
+    assert "if you use the degrees of $q$ as radians." in alone
     swapped = [np.cos(np.radians(40)), np.sin(np.radians(70))]
     assert judge(both, swapped).mistakes == ["sine and cosine swapped"]
     sizes = stack(radians(given("q_1", 40.0, ANGLE)), given("q_2", 0.6, SLIDE))
@@ -138,7 +125,6 @@ def test_the_mutants_of_a_function_are_compared_at_each_input():
     )
     asked = Problem("", answer, solution=solution)
     assert judge(asked, lambda x: 2 * x).mistakes == ["not a unit vector"]
-    assert judge(asked, lambda x: x).findings[0].alternatives == (("factor left out", "not a unit vector"),)
 
 
 def test_the_mutants_of_a_formula_are_compared_as_functions():
@@ -146,7 +132,7 @@ def test_the_mutants_of_a_formula_are_compared_as_functions():
     asked = Problem("", ClosedForm(3 * sp.sin(q)), solution=lambda q: 3 * sin(given("q", q, ANGLE)))
     assert judge(asked, "3*cos(q)").mistakes == ["sine and cosine swapped"]
     assert judge(asked, "-3 sin(q)").mistakes == ["sign of an angle"]
-    assert judge(asked, "3 sin(2q)").mistakes == ["double the angle"]
+    assert judge(asked, "3 sin(2q)").mistakes == ["doubled"]
 
 
 def test_a_draw_in_which_a_mutant_gives_the_right_answer_is_drawn_again():
@@ -181,39 +167,19 @@ def test_a_solution_that_does_not_lead_to_the_answer_is_refused():
         _ = asked.mutants
 
 
-def test_a_change_that_one_part_cannot_show_explains_the_whole_answer_only():
+def test_a_slip_that_one_part_cannot_show_explains_the_whole_answer_only():
     """A position in the last row shows there, and not by the position alone."""
-    wrong = mutant([Change("last row", "write it into the last row", in_parts=False)], 1.0, {})
-    assert (wrong.message, wrong.part) == ("You wrote it into the last row.", "")
-    assert mutant([Change("left out", "leave it out")], 1.0, {}).part == "This is what you get if you leave it out."
+    wrong = mutant(Slip("last row", "write it into the last row", in_parts=False), 1.0, {})
+    assert (wrong.message, wrong.part) == ("This is what you get if you write it into the last row.", "")
 
 
 @hypothesis_given(arrays(float, (3, 2, 2), elements=st.floats(1.1, 2)))
 def test_every_mutant_is_explained_by_its_own_name(values):
     """Whatever the numbers are: an answer made by a change is explained by it, or by others that lead to the same answer."""
-    one, two, three = (given(name, value, MATRIX) for name, value in zip("ABC", values, strict=True))
+    one, two, three = (given(name, value) for name, value in zip("ABC", values, strict=True))
     asked = Problem("", Numbers((one @ two.T @ three).value), solution=one @ two.T @ three)
     for wrong in asked.mutants:
         judgement = judge(asked, wrong.value)
         if judgement.state != "right":
             reached = [other for other in asked.mutants if all(asked.answer.agrees(other.value, wrong.value))]
             assert judgement.findings[0].alternatives[0] in {other.names for other in reached}
-
-
-def test_powers_exponentials_and_logarithms_have_their_mistakes():
-    a, b = given("a", 3.0), given("b", 4.0)
-    for solution, wrong, name in [
-        (0.5 * a * b**2, 6.0, "exponent left out"),
-        (0.5 * a * b**2, 12.0, "product for power"),
-        (1 / (1 / a + 1 / b), 7 / 12, "product for division"),
-        (exp(a - b), np.exp(1), "sign of an exponent"),
-        (-log10(a), -np.log(3.0), "base of a logarithm"),
-        (b * log(a), 12.0, "logarithm left out"),
-    ]:
-        names = {
-            mutant.name
-            for mutant in Problem("", Numbers(solution.value), solution=solution).mutants
-            if np.isclose(mutant.value, wrong)
-        }
-        assert name in names, (solution.latex, names)
-    assert [power.latex for power in ((-a) ** 3, a**-1, (a * b) ** 0.5)] == ["(-a)^{3}", "a^{-1}", "(a\\,b)^{0.5}"]

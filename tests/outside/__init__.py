@@ -15,7 +15,7 @@ NAMELESS = frozenset({"-"})
 EARNS_NOTHING = frozenset({
     "left the zeros of np.zeros", "left the ones of np.ones", "left the identity of np.eye", "wrote the last row first",
     "wrote the rows one down", "moved the rows one down, and left 0 above", "moved the rows one down, and repeated the first",
-    "carried the wrong way", "forgot .T after the rows", "only rotated", "used R for R^T", "put the block at the top",
+    "carried the wrong way", "forgot .T after the rows", "position left out", "used R for R^T", "put the block at the top",
     "swapped a and d in every row", "swapped alpha and theta in every row", "left every number at 0",
     "wrote the columns in the order d, theta, a, alpha", "wrote the columns in the order theta, d, a, alpha",
     "moved a and alpha one row down", "moved a and alpha one row up", "moved a and alpha one row, with 0 in the empty row",

@@ -9,9 +9,9 @@ from kincourse import find_sheet, sheets
 from misstep.judge import judge
 from outside import outside_answers
 
-COUNTED = ("told", "unnamed", "false", "full marks", "refused", "undeserved")
+COUNTED = ("told", "unnamed", "false", "full marks", "refused", "undeserved", "blamed")
 """The maker's word is on the card; no name, a false claim, full marks of a wrong answer; a right form that has not full marks; a
-mark for what was found by a wrong method."""
+mark for what was found by a wrong method; a part that is right among those of which something wrong is said."""
 
 
 def says_a_fact(message):
@@ -20,14 +20,19 @@ def says_a_fact(message):
 
 
 def judged(template, student):
-    """Yield each answer from outside to a problem, with its judgement."""
+    """Yield each answer from outside to a problem, with its judgement and the names of its right parts."""
     problem = template.variant(student)
     neighbour = SimpleNamespace(**template.variant(f"the neighbour of {student}").given)
     for made in outside_answers(template.number, SimpleNamespace(**problem.given), problem.answer.value, neighbour):
-        yield made, judge(problem, made.value)
+        judgement = judge(problem, made.value)
+        right = set[str]()
+        if judgement.state in {"partly", "wrong"}:
+            agrees = problem.answer.agrees(problem.answer.read(made.value), problem.answer.value)
+            right = {part for part, is_right in zip(problem.answer.parts, agrees, strict=True) if is_right}
+        yield made, judgement, right
 
 
-def found(made, judgement):
+def found(made, judgement, right):
     """Yield what is counted of an answer: "wrong" or "right form", and what of COUNTED is so."""
     if made.right:
         yield "right form"
@@ -49,6 +54,8 @@ def found(made, judgement):
         yield "told"
     elif any(says_a_fact(one.message) for one in named):
         yield "false"
+    if any(right.intersection(finding.parts) for finding in judgement.findings):
+        yield "blamed"
     if made.earns_nothing and 0 < judgement.fraction < 1:
         yield "undeserved"
 
@@ -56,9 +63,9 @@ def found(made, judgement):
 def counts_of(template, student):
     """Return how often each of COUNTED is so, and for each the answers with what was said."""
     counts, examples = Counter(), {}
-    for made, judgement in judged(template, student):
+    for made, judgement, right in judged(template, student):
         said = " | ".join(f"{one.mistake}: {one.text}" for one in judgement.findings)
-        for what in found(made, judgement):
+        for what in found(made, judgement, right):
             counts[what] += 1
             examples.setdefault(what, []).append(f"{template.number}, {made.label}: {said}")
     return counts, examples

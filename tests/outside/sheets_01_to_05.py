@@ -286,7 +286,7 @@ def _carried(S: Any, T: Any) -> Kinds:
         "moved and did not rotate": (np.hstack([w, v - np.cross(p, w)]), rotated + "|axes|" + PLACE),
         "carried the wrong way": (by(Ad(T)), INVERSE + "|Ad"),
         "forgot .T after the rows": (S @ Ad(Q), "transpos|.T|rows"),
-        "only rotated": (np.hstack([w @ R, v @ R]), rotated),
+        "position left out": (np.hstack([w @ R, v @ R]), rotated),
         "used -p for the way back": (by(np.block([[R.T, zero], [hat(-p) @ R.T, R.T]])), "p|position|" + rotated),
     }
 

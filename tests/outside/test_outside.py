@@ -20,9 +20,9 @@ def counts():
     return {problem.number: counts_of(problem, "student 0") for problem in PROBLEMS}
 
 
-def test_no_wrong_answer_has_full_marks_or_undeserved_ones_and_no_right_form_is_refused(counts):
+def test_no_answer_has_marks_that_it_does_not_deserve_none_is_refused_and_no_right_part_is_called_wrong(counts):
     for _, examples in counts.values():
-        for what in ("full marks", "undeserved", "refused"):
+        for what in ("full marks", "undeserved", "refused", "blamed"):
             assert not examples.get(what), examples[what][:5]
 
 

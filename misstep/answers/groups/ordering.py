@@ -1,7 +1,7 @@
 """Orders as answers: names in a sequence, each used once."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -10,18 +10,17 @@ import numpy as np
 
 from misstep import validation
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, Unreadable
+from misstep.answers.base import Answer, Named, Unreadable
 from misstep.answers.choice import plain
-from misstep.answers.entries import wrong_slips
-from misstep.mistakes import Mistake
 
 
 @dataclass(frozen=True, eq=False)
 class Ordering(Answer):
     """Names in an order, each used once.
 
-    >>> Ordering(["M", "e1"]).read(["e1", "M"]), Ordering(["M", "e1"]).read("E1, m")
-    (['e1', 'M'], ['e1', 'M'])
+    >>> answer = Ordering(["M", "e1", "e2"])
+    >>> answer.read("E2, m, e1"), answer.resemblance(["e2", "M", "e1"], None)[1]
+    (['e2', 'M', 'e1'], 'Only e2 is in the wrong place: at the beginning.')
     """
 
     value: Sequence[str]
@@ -60,19 +59,16 @@ class Ordering(Answer):
     def agrees(self, one: Sequence[str], other: Sequence[str], tolerance: float = TOLERANCE) -> list[bool]:
         return [list(one) == list(other)]
 
-    def slips(self) -> Iterator[Mistake]:
-        """Yield the right order with the changes that people make by hand."""
-        right = list(self.value)
-        changes = [("reversed", right[::-1], "Your order is the right one, reversed.")]
-        for i in range(len(right) - 1):
-            one, other = right[i : i + 2]
-            swapped = [*right[:i], other, one, *right[i + 2 :]]
-            changes.append(("neighbours swapped", swapped, f"Only {one} and {other} are swapped."))
-        for i, one in enumerate(right):
-            rest = right[:i] + right[i + 1 :]
-            for end in range(len(right)):
-                if abs(end - i) > 1:
-                    where = {0: ": at the beginning", len(rest): ": at the end"}.get(end, "")
-                    text = f"Only {one} is in the wrong place{where}."
-                    changes.append(("one in the wrong place", [*rest[:end], one, *rest[end:]], text))
-        return wrong_slips(self, ((name, value, text, text) for name, value, text in changes))
+    def resemblance(self, given: Sequence[str], part: int | None) -> Named | None:
+        """Return whether the order is reversed, two neighbours are swapped, or one name is in the wrong place."""
+        right, mine = list(self.value), list(given)
+        if mine == right[::-1]:
+            return "reversed", "Your order is the right one, reversed."
+        wrong = [k for k, name in enumerate(mine) if name != right[k]]
+        if len(wrong) == 2 and wrong[1] - wrong[0] == 1:
+            return "neighbours swapped", f"Only {mine[wrong[1]]} and {mine[wrong[0]]} are swapped."
+        for end, one in enumerate(mine):
+            if [name for name in mine if name != one] == [name for name in right if name != one]:
+                where = {0: ": at the beginning", len(right) - 1: ": at the end"}.get(end, "")
+                return "one in the wrong place", f"Only {one} is in the wrong place{where}."
+        return None

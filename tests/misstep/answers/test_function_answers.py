@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from misstep.answers.base import Unreadable
-from misstep.answers.function import CALL_COUNT, Function, function_mistakes
+from misstep.answers.function import CALL_COUNT, Function
 from misstep.answers.number import Numbers
 from misstep.judge import judge
 from misstep.mistakes import Mistake
@@ -18,9 +18,7 @@ def squares(**more):
 
 
 def asked():
-    return Problem(
-        "Square.", squares(), function_mistakes(lambda x: [Mistake("doubled", 2 * x, "You doubled.")], np.ones(2))
-    )
+    return Problem("Square.", squares(), [Mistake("doubled", lambda x: 2 * x, "You doubled.")])
 
 
 def test_a_solution_with_other_changes_at_another_input_is_refused():
