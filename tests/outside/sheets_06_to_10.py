@@ -137,18 +137,6 @@ def legal_frames(g: Any, T: Any) -> dict[str, Any]:
     return {"inner x reversed": reversed_axes((-1, -1, 1)), "inner z reversed": reversed_axes((1, -1, -1))}
 
 
-@kinds_of("07.7")
-def drawn_elsewhere(g: Any, X: Any) -> Kinds:
-    shift = g.moved_to - g.a_1
-    return {
-        "added the new place to a_1": (np.array([g.a_1 + g.moved_to, g.a_2 - g.moved_to]), "add|moved|from|x =|sum"),
-        "gave the shift as a_1": (np.array([shift, X[1]]), "shift|displace|moved|difference|by how|x ="),
-        "gave the shift as a_1, and the rest": (np.array([shift, g.a_1 + g.a_2 - shift]), "shift|displace|moved|difference|by how"),
-        "left a_2": (np.array([X[0], g.a_2]), "a_2|sum|kept|unchanged|left"),
-        "left a_1": (np.array([g.a_1, X[1]]), "a_1|kept|unchanged"),
-    }
-
-
 @kinds_of("08.1")
 def residual(g: Any, X: Any) -> Kinds:
     q = {k: np.radians(v) for k, v in g.degrees.items()}
