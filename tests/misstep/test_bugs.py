@@ -59,17 +59,6 @@ def test_a_single_bug_is_named_with_those_alone_that_no_problem_tells_apart_from
     assert recurrences(work(sheet, {bug})) == expected
 
 
-@given(sheets(), st.sets(st.sampled_from(NAMES)), st.randoms())
-def test_the_order_of_the_problems_does_not_matter_and_no_count_exceeds_the_opportunities(sheet, bugs, random):
-    seen = work(sheet, bugs)
-    found = recurrences(seen)
-    random.shuffle(seen)
-    assert recurrences(seen) == found
-    for one in found:
-        assert 1 <= len(one.problems) <= one.opportunities <= len(sheet)
-        assert not (one.returns and one.is_slip)
-
-
 def test_of_mistakes_made_together_each_is_counted_that_is_certain():
     for alternatives, names in [
         ([["a", "b"]], ["a", "b"]),

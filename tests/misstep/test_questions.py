@@ -2,9 +2,8 @@
 
 import pytest
 
-from misstep.catalog import READER_VARIABLE, Course
+from misstep.catalog import Course
 from misstep.display.card import inline
-from misstep.display.static_output import ENVIRONMENT_VARIABLE
 from misstep.questions.item import Item, Option, read_questions
 from misstep.questions.page import explanation_html, question_html
 from misstep.questions.widget import Explanation, Question
@@ -162,17 +161,3 @@ def test_every_form_of_a_question_has_the_same_order(course):
     for html in (page, explained):
         places = [html.index(f">{inline(text)}<") for text in texts]
         assert places == sorted(places)
-
-
-def test_on_a_hub_each_reader_has_an_order_of_their_own_but_not_on_a_page(course, monkeypatch):
-    def order(reader):
-        monkeypatch.setenv(READER_VARIABLE, reader)
-        return tuple(option.text for option in course.ask(NAME).item.options)
-
-    readers = [f"student {k}" for k in range(20)]
-    assert len({order(reader) for reader in readers}) > 2
-    assert [order(reader) for reader in readers] == [order(reader) for reader in readers]
-    monkeypatch.setenv(ENVIRONMENT_VARIABLE, "1")
-    assert {order(reader) for reader in readers} == {
-        tuple(option.text for option in course.find_question(NAME).options)
-    }

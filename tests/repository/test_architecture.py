@@ -106,26 +106,6 @@ def test_a_committed_notebook_has_no_output_except_short_checked_text(path, comm
     assert path.stat().st_size <= 150_000, "at most 150 kB: move large content to a file, or to kinlib"
 
 
-def make_notebook(**output):
-    metadata = {"tags": [TAG]}
-    cell = {"cell_type": "code", "metadata": metadata, "source": ["1 / 3"], "execution_count": 1, "outputs": [output]}
-    return {"cells": [cell], "metadata": {"language_info": {"name": "python"}}}
-
-
-def test_unwanted_output_is_reported_and_what_tidy_leaves_is_not():
-    picture = {"text/plain": "<Figure>", "image/png": "..."}
-    for output in (
-        {"data": picture},
-        {"text": "0.3333333333333333"},
-        {"text": "0\n" * 20},
-        {"text": "w", "name": "stderr"},
-    ):
-        assert list(differences(make_notebook(**output)))
-    tidy = tidied(make_notebook(data=picture, execution_count=7) | {"metadata": {"widgets": {}}})
-    assert not list(differences(tidy))
-    assert tidy["cells"][0]["outputs"] == [{"data": {"text/plain": "<Figure>"}, "execution_count": 1}]
-
-
 # --- dependencies and versions ---
 
 
