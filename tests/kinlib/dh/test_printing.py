@@ -57,5 +57,3 @@ def test_latex_names_the_variables_and_the_convention():
     assert r"q_{5}" in table._repr_latex_()
     assert kl.assign_frames(kl.robots.youbot(), convention="modified")._repr_latex_() == table._repr_latex_()
     assert r"\omega_i & v_i" in kl.robots.rpr()._repr_latex_()
-    ring = kl.linkages.ten_links()._repr_latex_()
-    assert r"\text{theta\_1} & \text{ground - link 1.1} & (0, 0, 1) & (0, 0, 0) \\" in ring
