@@ -62,14 +62,13 @@ def identity_map(one: Chain, other: Chain) -> JointMap:
 
 
 def joint_maps(
-    one: Chain, other: Chain, fixed: frozenset[str], loose: float, *, tolerance: float = 0.0, more: bool = False
+    one: Chain, other: Chain, fixed: frozenset[str], loose: float, *, tolerance: float = 0.0
 ) -> list[JointMap]:
     """Find maps from one chain to another with the same joint types, those whose axes agree to within `loose`.
 
     fixed  what may not differ, of `CHOICES`
     loose  in metres and radians. The difference of the poses that remains can be larger or smaller
     tolerance  where the poses differ by no more, maps that change more joints are not sought
-    more   whether more signs of the joints are tried, which may take fewer words
     """
     u = one.lines.axis
     sines = np.linalg.norm(cross(u[:-1], u[1:]), axis=-1)
@@ -77,7 +76,7 @@ def joint_maps(
     found: dict[bytes, JointMap] = {}
     for parallel_below in (SAME_DISTANCE_RAD, SEARCHED_AS_PARALLEL_RAD)[: 1 + is_near]:
         for zeros_are_fixed in {"zeros" in fixed, True}:
-            for signs in _sign_choices(one, other, fixed, loose, zeros_are_fixed, more):
+            for signs in _sign_choices(one, other, fixed, loose, zeros_are_fixed):
                 start = _aligned(one, other, signs, fixed, zeros_are_fixed, max(loose, parallel_below), parallel_below)
                 if start:
                     key = (
@@ -100,7 +99,7 @@ def _changed_joints(start: JointMap) -> int:
 
 
 def _sign_choices(  # noqa: PLR0917
-    one: Chain, other: Chain, fixed: frozenset[str], loose: float, zeros_are_fixed: bool, more: bool
+    one: Chain, other: Chain, fixed: frozenset[str], loose: float, zeros_are_fixed: bool
 ) -> Iterator[Array]:
     """Yield signs (n,) of the joints, 0 where the directions of the axes will decide them."""
     n = one.n
@@ -120,7 +119,7 @@ def _sign_choices(  # noqa: PLR0917
         # The frames of nearly parallel axes are far away, so the points that are compared are those next to the tool.
         axis, points = one.lines.axis, one.joint_points
         near = points + axis * np.sum(axis * (one.home[:3, 3] - points), axis=1, keepdims=True)
-        for of_lines in invariants.sign_choices(invariants.of(axis, near), more=more):
+        for of_lines in invariants.sign_choices(invariants.of(axis, near)):
             for chosen in product((1.0, -1.0), repeat=len(slides)):
                 signs = of_lines.copy()
                 signs[slides] = chosen
