@@ -99,12 +99,6 @@ def test_tracing_stays_on_its_branch_where_two_almost_meet(near, step):
             close(straightened(cassini(b), curve), cassini_length(b), atol=1e-4)
 
 
-# --- ends ---
-
-
-# --- points at equal steps ---
-
-
 # --- errors ---
 
 
