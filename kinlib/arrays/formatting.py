@@ -79,17 +79,6 @@ def html_table(caption: str, heads: Sequence[str], rows: Sequence[Sequence[str]]
     return f"<table><caption>{escape(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 
-def latex_array(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    r"""Write a table as a LaTeX array between dollar signs; its entries are LaTeX.
-
-    >>> latex_array(["i", "a"], [["1", "0.25"]])
-    '$\\displaystyle \\begin{array}{c|c}i & a \\\\ \\hline 1 & 0.25\\end{array}$'
-    """
-    lines = " \\\\ ".join(" & ".join(row) for row in rows)
-    columns = "c|" + "c" * (len(heads) - 1)
-    return f"$\\displaystyle \\begin{{array}}{{{columns}}}{' & '.join(heads)} \\\\ \\hline {lines}\\end{{array}}$"
-
-
 def format_different(one: float, other: float) -> tuple[str, str]:
     """Write two numbers with SHOWN_DIGITS, or with as many more as show by how much they differ.
 

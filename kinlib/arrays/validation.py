@@ -6,7 +6,6 @@ what was given and the likely cause, so the formulas behind it can stay as short
 
 from __future__ import annotations
 
-import re
 import reprlib
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
@@ -45,15 +44,10 @@ def real_array(x: ArrayLike, name: str) -> Array:
 
     Raises ValueError for anything else, for a masked array and for a np.matrix.
     """
-    if isinstance(x, np.matrix) or (
-        isinstance(x, np.ndarray) and hasattr(x, "mask")
-    ):  # np.asarray would drop what makes them different
-        advice = (
-            "Pass np.asarray(x)"
-            if isinstance(x, np.matrix)
-            else "Pass its valid entries, x.compressed() or x.filled(value)"
+    if isinstance(x, np.matrix | np.ma.MaskedArray):  # np.asarray would drop what makes them different
+        raise ValueError(
+            f"{name} must be a plain array; got a {type(x).__name__}. Pass np.asarray(x), or x.compressed() if it has a mask."
         )
-        raise ValueError(f"{name} must be a plain array; got a {type(x).__name__}. {advice}.")
     try:
         values = np.asarray(x)
         if values.dtype.kind not in "biufO":
@@ -62,12 +56,9 @@ def real_array(x: ArrayLike, name: str) -> Array:
             # astype alone would read None as NaN and "1" as 1; adding zero refuses both.
             values = np.asarray(values + 0.0).astype(float, copy=False)
     except (TypeError, ValueError, OverflowError) as error:
-        is_complex = isinstance(x, np.ndarray) and x.dtype.kind == "c"
-        advice = (
-            "Pass its real part, x.real, if its imaginary part is 0, as after np.linalg.eig."
-            if is_complex
-            else "Does it contain None, a symbol, a string or a row of another length?"
-        )
+        advice = "Does it contain None, a symbol, a string or a row of another length?"
+        if isinstance(x, np.ndarray) and x.dtype.kind == "c":
+            advice = "Pass its real part, x.real, if its imaginary part is 0, as after np.linalg.eig."
         raise ValueError(f"{name} must be an array of real numbers; got {describe(x)}. {advice}") from error
     return values
 
@@ -339,22 +330,8 @@ def _construct(kind: type[Any], values: dict[str, Any]) -> Any:
 
 
 def describe(x: Any) -> str:
-    """Describe a value briefly, for an error message: its type and the beginning of its repr, without addresses in memory."""
-    return f"{type(x).__name__} {_BRIEF.repr(x)}"
-
-
-class _BriefRepr(reprlib.Repr):
-    def repr_instance(self, x: Any, level: int) -> str:
-        try:
-            text = re.sub(
-                r" at 0x[0-9a-fA-F]+", "", repr(x)
-            )  # before it is shortened, because half an address may remain
-        except Exception:  # the object of a caller may raise any exception
-            text = f"<{type(x).__name__}>"
-        return text if len(text) <= self.maxother else f"{text[: self.maxother - 3]}..."
-
-
-_BRIEF = _BriefRepr()
+    """Describe a value briefly, for an error message: its type and the beginning of its repr."""
+    return f"{type(x).__name__} {reprlib.repr(x)}"
 
 
 def _are_rigid(X: Array) -> NDArray[np.bool_]:

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
-from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table, latex_array
+from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table
 from kinlib.arrays.limits import TakesLimitedValues, validate_limits
 from kinlib.arrays.validation import Array, JointValues
 from kinlib.rigid.lie import adjoint, exponentials, homogeneous, inverse, moved_screws
@@ -125,11 +125,6 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
     def _repr_html_(self) -> str:
         table = html_table(f"{self._title}: screw axes in {{s}}, at home", SCREW_HEADINGS, self._screw_rows())
         return f"{table}<p>{self._home_line}</p>"
-
-    def _repr_latex_(self) -> str:
-        heads = ["i", r"\text{joint}", r"\omega_i", "v_i"]
-        rows = [[i, rf"\text{{{letter}}}", *vectors] for i, letter, *vectors in self._screw_rows()]
-        return latex_array(heads, rows)
 
     @property
     def _title(self) -> str:

@@ -71,9 +71,6 @@ class FrameAssignment(validation.ReadOnly):
     def _repr_html_(self) -> str:
         return self.table._repr_html_()
 
-    def _repr_latex_(self) -> str:
-        return self.table._repr_latex_()
-
     @cached_property
     def accuracy(self) -> float:
         """The largest difference in an entry between the table's poses and the chain's, at many configurations."""

@@ -346,7 +346,7 @@ def _judge_rounding(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit
     near = equivalent(table, arm, fixed=fixed, tolerance=effect)
     sines = neighbours(arm.lines)[0]
     smallest = sines[sines > PARALLEL_TOL_RAD].min(initial=1.0)
-    if _is_excluded(table, arm, half_unit, effect) or (near.verdict == "different" and effect <= 0.1 * smallest):
+    if near.verdict == "different" and effect <= 0.1 * smallest:
         return _Rounding("excluded", near)
     if near.verdict == "same":
         start = JointMap(near.base, near.tool, near.signs, near.offsets)
@@ -362,24 +362,6 @@ def _judge_rounding(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit
             if np.linalg.norm(off) > 1.05 * math.sqrt(off.size) and smallest > 0.1:
                 return _Rounding("excluded", near)
     return _Rounding("possible", near)
-
-
-def _is_excluded(table: DHTable, arm: Chain, half_unit: Array, effect: float) -> bool:
-    """Whether two neighbouring axes have an angle or a distance that no table has whose numbers round to these.
-
-    The angle is alpha itself and the distance a itself, unless a row without a joint lies between, or the axes are so nearly
-    parallel that another alpha would make it another distance.
-    """
-    length, angle = half_unit[:, [0, 2]].max() + EQUIVALENCE_TOL, half_unit[:, [1, 3]].max() + EQUIVALENCE_TOL
-    if "F" in table.joints:
-        length = angle = effect
-    ours, right = neighbours(table.to_chain().lines), neighbours(arm.lines)
-    if (np.abs(ours[1] - right[1]) > 1.05 * angle).any():
-        return True
-    between_lines = [arm.joint_types[i : i + 2] == "RR" for i in range(arm.n - 1)]
-    is_parallel = (ours[0] <= PARALLEL_TOL_RAD) & (right[0] <= PARALLEL_TOL_RAD)
-    is_certain = between_lines & (is_parallel | (np.minimum(ours[1], right[1]) > 2 * angle + 1e-3))
-    return bool((is_certain & (np.abs(ours[2] - right[2]) > 1.05 * length)).any())
 
 
 def _needs_rounding(explanation: TableExplanation, half_unit: Array) -> bool:

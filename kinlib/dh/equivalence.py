@@ -40,9 +40,6 @@ from kinlib.rigid.screw import Line
 NEARLY_PARALLEL_LOSS = 1e-5
 """By how much the poses of a right description may be off, on an arm of one metre, if some of its axes are nearly parallel."""
 
-HALF_TURN_TOL = 1e-6
-"""A zero is half a turn away if 1 + cos of its offset is smaller than this."""
-
 MEASURED_CONFIGURATIONS = 1000
 """At how many random configurations a difference of poses that is told was measured."""
 
@@ -225,11 +222,6 @@ def equivalent(
         found += joint_maps(one, other, frozenset(fixed), within, tolerance=tolerance)
         if same := [each for each in found if each.difference <= tolerance]:
             shortest = min(same, key=lambda each: description_length(each, tolerance))
-            # Two zeros half a turn away may be the sign of a joint between.
-            if np.sum(np.abs(np.cos(shortest.offsets) + 1) < HALF_TURN_TOL) > 1:
-                more = joint_maps(one, other, frozenset(fixed), within, tolerance=tolerance, more=True)
-                same += [each for each in more if each.difference <= tolerance]
-                shortest = min(same, key=lambda each: description_length(each, tolerance))
             return answer("same", shortest)
 
     # 3. Geometry says what differs.

@@ -76,11 +76,10 @@ class AxisInvariants:
             plus, minus = plus & _all(same[..., own]), minus & _all(opposite[..., own])
         return plus | minus
 
-    def sign_choices(self, values: Array, *, more: bool = False) -> list[Array]:
+    def sign_choices(self, values: Array) -> list[Array]:
         """Return signs (n,) of the joints for which all invariants (k,) agree: for each first and last one, those with fewest -1.
 
-        more  also all signs with a single -1. A prismatic joint, whose axis is no line, has the sign 1. Of more than MAX_LINES
-              lines, those with at most two -1 are tried
+        A prismatic joint, whose axis is no line, has the sign 1. Of more than MAX_LINES lines, those with at most two -1 are tried.
         """
         count = len(self.lines)
         if count <= MAX_LINES:
@@ -94,8 +93,7 @@ class AxisInvariants:
         for pattern in sorted(patterns[(off <= self._tolerances).all(axis=1)], key=lambda signs: -signs.sum()):
             signs = np.ones(self.reference.n)
             signs[self.lines] = pattern
-            is_single = more and (pattern < 0).sum() == 1
-            chosen.setdefault(tuple(pattern) if is_single else (*pattern[:1], *pattern[-1:]), signs)
+            chosen.setdefault((*pattern[:1], *pattern[-1:]), signs)
         return [*chosen.values()]
 
     def _compared(self, values: Array) -> tuple[Booleans, Booleans]:

@@ -27,7 +27,10 @@ COMPARED_CONFIGURATIONS = 16
 """Number of random configurations at which two chains are compared."""
 
 SEARCHED_AS_PARALLEL_RAD = 2e-5
-"""Axes at a smaller angle are tried as parallel as well."""
+"""Axes at a smaller angle are searched as parallel ones."""
+
+SINGULAR_RTOL = 1e-10
+"""Singular values of the least squares that are smaller, relative to the largest, are 0."""
 
 MAX_CHOSEN_SLIDES = 4
 """Of how many prismatic joints both signs are tried."""
@@ -62,28 +65,21 @@ def identity_map(one: Chain, other: Chain) -> JointMap:
 
 
 def joint_maps(
-    one: Chain, other: Chain, fixed: frozenset[str], loose: float, *, tolerance: float = 0.0, more: bool = False
+    one: Chain, other: Chain, fixed: frozenset[str], loose: float, *, tolerance: float = 0.0
 ) -> list[JointMap]:
     """Find maps from one chain to another with the same joint types, those whose axes agree to within `loose`.
 
     fixed  what may not differ, of `CHOICES`
     loose  in metres and radians. The difference of the poses that remains can be larger or smaller
     tolerance  where the poses differ by no more, maps that change more joints are not sought
-    more   whether more signs of the joints are tried, which may take fewer words
     """
-    u = one.lines.axis
-    sines = np.linalg.norm(cross(u[:-1], u[1:]), axis=-1)
-    is_near = ((sines > SAME_DISTANCE_RAD) & (sines < SEARCHED_AS_PARALLEL_RAD)).any()
     found: dict[bytes, JointMap] = {}
-    for parallel_below in (SAME_DISTANCE_RAD, SEARCHED_AS_PARALLEL_RAD)[: 1 + is_near]:
-        for zeros_are_fixed in {"zeros" in fixed, True}:
-            for signs in _sign_choices(one, other, fixed, loose, zeros_are_fixed, more):
-                start = _aligned(one, other, signs, fixed, zeros_are_fixed, max(loose, parallel_below), parallel_below)
-                if start:
-                    key = (
-                        np.concatenate([start.signs, start.offsets.round(6)]).tobytes() + start.base.round(6).tobytes()
-                    )
-                    found.setdefault(key, start)
+    for zeros_are_fixed in {"zeros" in fixed, True}:
+        for signs in _sign_choices(one, other, fixed, loose, zeros_are_fixed):
+            start = _aligned(one, other, signs, fixed, zeros_are_fixed, max(loose, SEARCHED_AS_PARALLEL_RAD))
+            if start:
+                numbers = np.concatenate([start.signs, start.offsets, start.base.ravel()])
+                found.setdefault((numbers.round(6) + 0.0).tobytes(), start)
     completed: list[JointMap] = []
     fewest = one.n * 2
     for start in sorted(found.values(), key=_changed_joints):
@@ -99,8 +95,8 @@ def _changed_joints(start: JointMap) -> int:
     return int(np.sum(start.signs < 0) + np.sum(np.abs(start.offsets) > SAME_DISTANCE_RAD))
 
 
-def _sign_choices(  # noqa: PLR0917
-    one: Chain, other: Chain, fixed: frozenset[str], loose: float, zeros_are_fixed: bool, more: bool
+def _sign_choices(
+    one: Chain, other: Chain, fixed: frozenset[str], loose: float, zeros_are_fixed: bool
 ) -> Iterator[Array]:
     """Yield signs (n,) of the joints, 0 where the directions of the axes will decide them."""
     n = one.n
@@ -120,7 +116,7 @@ def _sign_choices(  # noqa: PLR0917
         # The frames of nearly parallel axes are far away, so the points that are compared are those next to the tool.
         axis, points = one.lines.axis, one.joint_points
         near = points + axis * np.sum(axis * (one.home[:3, 3] - points), axis=1, keepdims=True)
-        for of_lines in invariants.sign_choices(invariants.of(axis, near), more=more):
+        for of_lines in invariants.sign_choices(invariants.of(axis, near)):
             for chosen in product((1.0, -1.0), repeat=len(slides)):
                 signs = of_lines.copy()
                 signs[slides] = chosen
@@ -134,7 +130,6 @@ def _aligned(  # noqa: PLR0917
     fixed: frozenset[str],
     zeros_are_fixed: bool,
     loose: float,
-    parallel_below: float,
 ) -> JointMap | None:
     """Rotate one axis after the other to where it is in the other chain; None if a direction does not agree."""
     u, v, p, to = one.lines.axis, other.lines.axis, one.joint_points, other.joint_points
@@ -160,7 +155,7 @@ def _aligned(  # noqa: PLR0917
 
     for k, letter in enumerate(one.joint_types):
         if free is not None:
-            is_parallel = np.linalg.norm(cross(R @ u[k], axis)) <= parallel_below
+            is_parallel = np.linalg.norm(cross(R @ u[k], axis)) <= SEARCHED_AS_PARALLEL_RAD
             if not is_parallel:
                 signs[k] = signs[k] or 1.0
                 rotate(R @ u[k], signs[k] * v[k])
@@ -208,8 +203,7 @@ def _measured(found: JointMap, one: Chain, other: Chain) -> JointMap:
 def _improved(found: JointMap, one: Chain, other: Chain, fixed: frozenset[str]) -> JointMap:
     """Improve a map by least-squares steps on the poses themselves, for all configurations at once.
 
-    The direction of a nearly parallel axis hardly changes the poses, so the least squares have a small singular value there, and
-    several bounds for it are tried.
+    The direction of a nearly parallel axis hardly changes the poses, so the least squares have a small singular value there.
     """
     q = random_configurations(one.n, COMPARED_CONFIGURATIONS)
     target = other.fk(q)
@@ -218,18 +212,14 @@ def _improved(found: JointMap, one: Chain, other: Chain, fixed: frozenset[str]) 
         if found.difference <= EXACT:
             break
         error, J = linearized(found.base, one, found.signs * q + found.offsets, found.tool, target)
-        best = found
-        for bound in (1e-14, 1e-10, 1e-6):
-            step = np.linalg.lstsq(J * is_free, -error, rcond=bound)[0] * is_free
-            if np.abs(step).max() <= LARGEST_STEP:
-                X, Y = exp(step[:6]) @ found.base, found.tool @ exp(step[-6:])
-                moved = _measured(replace(found, base=X, tool=Y, offsets=found.offsets + step[6:-6]), one, other)
-                best = min(best, moved, key=lambda each: each.difference)
-            if best.difference <= found.difference / 10:
-                break
-        if best.difference >= found.difference:
-            return best
-        found = best
+        step = np.linalg.lstsq(J * is_free, -error, rcond=SINGULAR_RTOL)[0] * is_free
+        if np.abs(step).max() > LARGEST_STEP:
+            break
+        X, Y = exp(step[:6]) @ found.base, found.tool @ exp(step[-6:])
+        moved = _measured(replace(found, base=X, tool=Y, offsets=found.offsets + step[6:-6]), one, other)
+        if moved.difference >= found.difference:
+            break
+        found = moved
     return found
 
 

@@ -31,12 +31,11 @@ from kinlib.arrays.formatting import (
     format_matrix,
     format_number,
     html_table,
-    latex_array,
 )
 from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
-from kinlib.dh.formatting import PRINTED_DIGITS, format_rows, headings, in_latex
+from kinlib.dh.formatting import PRINTED_DIGITS, format_rows, headings
 from kinlib.dh.parsing import COLUMNS, Rows, joint_entries, read_rows
 from kinlib.rigid.screw import screw
 
@@ -171,17 +170,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         ends = {"base": self.base, "tool": self.tool}
         is_free = {name: np.abs(T - np.eye(4)).max() <= ROUNDING_ERROR for name, T in ends.items()}
         return [f"{name} = {format_matrix(T, digits)}" for name, T in ends.items() if not is_free[name]]
-
-    def _repr_latex_(self) -> str:
-        rows = format_rows(
-            self,
-            angle=lambda angle: format_degrees(angle).replace("°", r"^\circ"),
-            variable=r"q_{{{}}}".format,
-        )
-        return latex_array(
-            [in_latex(heading) for heading in headings(self.convention)],
-            [[str(i), *row] for i, row in enumerate(rows, start=1)],
-        )
 
     def _numbered_rows(self) -> list[list[str]]:
         rows = format_rows(

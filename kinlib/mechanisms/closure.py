@@ -13,14 +13,11 @@ from numpy.typing import NDArray
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms.continuation import Curve, CurveTracer
-from kinlib.mechanisms.levenberg_marquardt import Equations, null_space, solve
-from kinlib.mechanisms.mobility import finite_mobility, on_planes
+from kinlib.mechanisms.levenberg_marquardt import Equations, null_space, on_planes, solve
+from kinlib.mechanisms.mobility import finite_mobility
 
-GUESSES_PER_ROUND = 64
-"""The number of random configurations from which each round of the search for assembly modes starts."""
-
-MAX_STEPS_PER_GUESS = 40
-"""A guess that has not closed after so many steps is given up, because others lead to the same mode sooner."""
+GUESSES_PER_ROUND, MAX_STEPS_PER_GUESS = 64, 40
+"""Each round of the search for assembly modes starts from so many random configurations, and gives one up after so many steps."""
 
 MIN_IDLE_ROUNDS, MAX_IDLE_ROUNDS = 3, 30
 """The search for assembly modes ends after so many rounds in a row without a new mode: after the smaller number if every mode has
@@ -33,11 +30,9 @@ MODE_TOL = 1e-5
 """Two configurations are different assembly modes if an entry of the pose of some body differs by more than this. At a dead
 point two modes become one, and there the search finds it only to the square root of the residual, about 1e-6."""
 
-MOVES_TOL = 1e-6
-"""A body moves with a joint velocity of length 1 if its pose changes at more than this rate, which central differences with
-steps of the next number find to about 1e-10."""
-
-DIFFERENCE_STEP = 1e-5
+MOVES_TOL, DIFFERENCE_STEP = 1e-6, 1e-5
+"""A body moves with a joint velocity of length 1 if its pose changes at more than the first rate, which central differences
+with the second as step find to about 1e-10."""
 
 WRAPPING_TOL = 1e-6
 """An angle nearer to pi than this is written as -pi."""
@@ -61,15 +56,6 @@ class Assembly:
     message: str
 
 
-@dataclass(eq=False)
-class _Mode:
-    """A configuration (n,), the poses of the bodies in it, and how many guesses led to it."""
-
-    q: Array
-    pose: Array
-    hits: int = 0
-
-
 @dataclass(frozen=True, eq=False)
 class Closure:
     """The closure equations of a linkage, to be solved for the joint values that are not held.
@@ -89,9 +75,6 @@ class Closure:
     >>> held.search_modes(poses=lambda q: q).round(9)
     array([[-1.,  0.],
            [ 1.,  0.]])
-    >>> free = replace(held, configuration=np.array([1.0, 0.0]), free=np.array([0, 1]))
-    >>> free.trace(0.1, points=8).ends
-    ('closed', 'closed')
     """
 
     equations: Equations
@@ -106,14 +89,13 @@ class Closure:
         found = solve(self._free_equations, self.configuration[None, self.free], self.tolerance)
         q, residual = self._with_held_values(found.x)[0], float(found.residual[0])
         steps = f"after {found.iterations} step{'s' * (found.iterations != 1)}"
+        message = f"Closed to {residual:.1g} {steps}."
         if residual > self.tolerance:
             message = (
                 f"Not closed {steps}: the residual is {residual:.2g}, in metres and radians together, and no small change "
                 "of the joint values decreases it. Try another guess, because this one may be singular, with links in one line; "
                 "assembly_modes(hold={...}) tries many. If none closes, the links are not long enough to meet."
             )
-        else:
-            message = f"Closed to {residual:.1g} {steps}."
         return Assembly(validation.read_only_copy(q), residual, found.iterations, residual <= self.tolerance, message)
 
     def search_modes(self, poses: Callable[[Array], Array]) -> Array:
@@ -126,48 +108,29 @@ class Closure:
         # The guesses are random but the result must not be: every call draws the same ones.
         rng = np.random.default_rng(0)
         reach = self.search_range[self.free]
-        modes: list[_Mode] = []
+        modes: list[Array] = []
+        known: list[Array] = []
+        hits: list[int] = []
         idle_rounds = 0
-        while idle_rounds < (MAX_IDLE_ROUNDS if 1 in [mode.hits for mode in modes] else MIN_IDLE_ROUNDS):
-            known = len(modes)
-            self._record(rng.uniform(-reach, reach, (GUESSES_PER_ROUND, len(self.free))), poses, modes)
-            idle_rounds = idle_rounds + 1 if len(modes) == known else 0
-        return np.array(sorted([*mode.q] for mode in modes)).reshape(-1, len(self.configuration))
-
-    def _record(self, guesses: Array, poses: Callable[[Array], Array], modes: list[_Mode]) -> None:
-        """Close the linkage near guesses (m, k), and add the modes that are new, or count another hit."""
-        found = solve(self._free_equations, guesses, self.tolerance, MAX_STEPS_PER_GUESS)
-        # Near a solution a step squares the error, so one more step leaves only rounding errors.
-        closed = found.x[found.residual <= self.tolerance]
-        exact = solve(self._free_equations, closed, tolerance=0.0, iterations=1)
-        candidates = self._wrapped(self._with_held_values(exact.x))
-        for q, pose, J in zip(candidates, poses(candidates), exact.jacobian, strict=True):
-            same = (k for k, mode in enumerate(modes) if np.abs(pose - mode.pose).max() <= MODE_TOL)
-            if (k := next(same, len(modes))) == len(modes):
+        while idle_rounds < (MAX_IDLE_ROUNDS if 1 in hits else MIN_IDLE_ROUNDS):
+            idle_rounds += 1
+            guesses = rng.uniform(-reach, reach, (GUESSES_PER_ROUND, len(reach)))
+            found = solve(self._free_equations, guesses, self.tolerance, MAX_STEPS_PER_GUESS)
+            # Near a solution a step squares the error, so one more step leaves only rounding errors.
+            exact = solve(self._free_equations, found.x[found.residual <= self.tolerance], tolerance=0.0, iterations=1)
+            candidates = self._wrapped(self._with_held_values(exact.x))
+            for q, pose, J in zip(candidates, poses(candidates), exact.jacobian, strict=True):
+                k = next((k for k, other in enumerate(known) if np.abs(pose - other).max() <= MODE_TOL), len(known))
+                if k < len(known):
+                    hits[k] += 1
+                    continue
                 if mobility := self._mobility(q, J, poses):
                     raise ValueError(
                         "Assembly modes are single configurations, so no degree of freedom may be left; "
                         f"{mobility} left. Hold as many joint values as the linkage has degrees of freedom."
                     )
-                modes.append(_Mode(q, pose))
-            modes[k].hits += 1
-
-    def _mobility(self, q: Array, J: Array, poses: Callable[[Array], Array]) -> int:
-        """The number of degrees of freedom with which the bodies move at a configuration (n,), J (e, k) of the free values.
-
-        Where two axes of a spherical joint coincide, their angles can change against each other, and no body moves.
-        """
-        directions, _ = null_space(J)
-        if not directions.shape[1]:
-            return 0
-        h = DIFFERENCE_STEP * self._with_zeros(directions.T)
-        rates = (poses(q + h) - poses(q - h)).reshape(len(h), -1) / (2 * DIFFERENCE_STEP)
-        U, sizes, _ = np.linalg.svd(rates)
-        moves = np.count_nonzero(sizes > MOVES_TOL)
-        moving, passive = directions @ U[:, :moves], directions @ U[:, moves:]
-        x = q[self.free]
-        with_angles_fixed = on_planes(self._free_equations, x, passive, np.zeros(passive.shape[1]))
-        return finite_mobility(with_angles_fixed, x, moving, self.tolerance)
+                modes, known, hits, idle_rounds = [*modes, q], [*known, pose], [*hits, 1], 0
+        return np.array(sorted([*mode] for mode in modes)).reshape(-1, len(self.configuration))
 
     def trace(self, step: float, points: int | None) -> Curve:
         """Follow the motion from the configuration in both directions; points: at equal steps, if a number is given.
@@ -178,13 +141,25 @@ class Closure:
         curve = tracer.follow(self.configuration[self.free], step, MAX_STEPS)
         if points is not None:
             curve = tracer.resample(curve, points)
-        return replace(curve, q=self._with_held_values(curve.q), tangents=self._with_zeros(curve.tangents))
+        return replace(curve, q=self._with_held_values(curve.q))
 
-    def _with_zeros(self, rates: Array) -> Array:
-        """Rates (m, n) of all values from those of the free values (m, k): held values do not change."""
-        full = np.zeros((len(rates), len(self.configuration)))
-        full[:, self.free] = rates
-        return full
+    def _mobility(self, q: Array, J: Array, poses: Callable[[Array], Array]) -> int:
+        """The number of degrees of freedom with which the bodies move at a configuration (n,), J (e, k) of the free values.
+
+        Where two axes of a spherical joint coincide, their angles can change against each other, and no body moves.
+        """
+        directions, _ = null_space(J)
+        if not directions.shape[1]:
+            return 0
+        x = q[self.free]
+        ahead, behind = (
+            poses(self._with_held_values(x + h * directions.T)) for h in (DIFFERENCE_STEP, -DIFFERENCE_STEP)
+        )
+        U, sizes, _ = np.linalg.svd((ahead - behind).reshape(len(ahead), -1) / (2 * DIFFERENCE_STEP))
+        moves = np.count_nonzero(sizes > MOVES_TOL)
+        moving, passive = directions @ U[:, :moves], directions @ U[:, moves:]
+        with_angles_fixed = on_planes(self._free_equations, x, passive, np.zeros(passive.shape[1]))
+        return finite_mobility(with_angles_fixed, x, moving, self.tolerance)
 
     def _free_equations(self, x: Array) -> tuple[Array, Array]:
         """The equations as functions of the free values (m, k) alone."""

@@ -1,12 +1,11 @@
 """Solve systems of equations that may be overdetermined, underdetermined or dependent: the closure of a linkage is often all three.
 
-Newton's step would invert the Jacobian. The Jacobian of a linkage is seldom square and often rank-deficient, so the step is
-built from its singular value decomposition: it has no component along directions that change nothing, and far from a
-solution it is damped.
+The Jacobian of a linkage is seldom square and often rank-deficient, so Newton's step is built from its singular value
+decomposition: it has no component along directions that change nothing, and far from a solution it is damped.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,27 +19,16 @@ RANK_RTOL = 1e-7
 """Singular values below this, relative to the largest, count as 0. A configuration in which branches cross is known only to
 the square root of the residual, about 1e-8, so its smallest singular value has this size and is never exactly 0."""
 
-MIN_GAIN_RATIO = 1e-3
-"""A step that achieves less than this fraction of the decrease that its linear model predicts is rejected, and the damping of
-the next one is increased."""
-
 START_TOL_FACTOR = 1e3
 """The residual of a point that the caller passes as a solution may be this many times the tolerance: it may have been found by
 another method, or typed with few digits."""
 
-MIN_PREDICTED_DECREASE = 1e-12
-"""The search ends if the best step is predicted to decrease |r|^2 by no more than this fraction of it."""
+MIN_STEP = 1e-12
+"""A search ends where a step, relative to 1 + |x|, is shorter than this: at a local minimum the steps shrink to 0."""
 
 
-@dataclass(frozen=True, eq=False)
-class Solution:
-    """Where the search ended, from each of m guesses.
-
-    x           (m, n)     the last point
-    residual    (m,)       the norm of the residual there
-    jacobian    (m, e, n)  of the equations there
-    iterations             the number of steps of the slowest search
-    """
+class Solution(NamedTuple):
+    """Where the search ended from each of m guesses: x (m, n), |r| (m,) and J (m, e, n) there, steps of the slowest search."""
 
     x: Array
     residual: Array
@@ -52,9 +40,8 @@ def solve(equations: Equations, guess: Array, tolerance: float, iterations: int 
     """Find the solution near each guess by damped Gauss-Newton steps (Levenberg-Marquardt), m guesses (m, n) at once.
 
     Each step solves (J^T J + mu |r|^2 I) dx = -J^T r. The damping vanishes with the residual r, so that the search
-    converges quadratically even where the solutions form curves and J is rank-deficient. mu grows if a step decreases the
-    residual by less than the linear model predicts. A search ends where |r| <= tolerance, where no step decreases r, or
-    after `iterations` steps.
+    converges quadratically even where the solutions form curves. mu falls after a step that decreases |r|, and grows after
+    one that does not, which is not taken. A search ends where |r| <= tolerance, or after `iterations` steps.
 
     Source: Fan and Yuan, On the quadratic convergence of the Levenberg-Marquardt method without nonsingularity
     assumption (2005).
@@ -65,24 +52,22 @@ def solve(equations: Equations, guess: Array, tolerance: float, iterations: int 
     """
     x = np.array(guess, dtype=float)
     r, J = equations(x)
-    size = np.linalg.norm(r, axis=-1)
-    mu = np.ones(len(x))
+    size, mu, count = np.linalg.norm(r, axis=-1), np.ones(len(x)), 0
     active = size > tolerance
-    count = 0
     while active.any() and count < iterations:
         count += 1
-        at = np.flatnonzero(active)
-        dx, predicted_size = _step(J[at], r[at], mu[at] * size[at] ** 2)
-        r_new, J_new = equations(x[at] + dx)
-        size_new = np.linalg.norm(r_new, axis=-1)
-        predicted_decrease, decrease = size[at] ** 2 - predicted_size**2, size[at] ** 2 - size_new**2
-        accepted = (decrease > MIN_GAIN_RATIO * predicted_decrease) & (size_new < size[at])
-        moved = at[accepted]
-        x[moved] += dx[accepted]
-        r[moved], J[moved], size[moved] = r_new[accepted], J_new[accepted], size_new[accepted]
-        mu[at] = np.where(accepted, np.maximum(mu[at] / 4, 1e-8), mu[at] * 4)
-        # At a local minimum the gradient vanishes and the residual does not, so no step is predicted to decrease it.
-        active[at] = (size[at] > tolerance) & (predicted_decrease > MIN_PREDICTED_DECREASE * size[at] ** 2)
+        k = np.flatnonzero(active)
+        U, s, Vt = np.linalg.svd(J[k], full_matrices=False)
+        gain = is_nonzero(s) * s / (s * s + (mu[k] * size[k] ** 2)[:, None] + np.finfo(float).tiny)
+        dx = -np.einsum("mkn,mk,mek,me->mn", Vt, gain, U, r[k])
+        r_new, J_new = equations(x[k] + dx)
+        better = np.linalg.norm(r_new, axis=-1) < size[k]
+        taken = k[better]
+        x[taken] += dx[better]
+        r[taken], J[taken], size[taken] = r_new[better], J_new[better], np.linalg.norm(r_new[better], axis=-1)
+        mu[k] = np.where(better, np.maximum(mu[k] / 4, 1e-8), mu[k] * 4)
+        moves = np.linalg.norm(dx, axis=-1) > MIN_STEP * (1 + np.linalg.norm(x[k], axis=-1))
+        active[k] = (size[k] > tolerance) & moves
     return Solution(x, size, J, count)
 
 
@@ -109,11 +94,18 @@ def is_nonzero(singular_values: Array) -> NDArray[np.bool_]:
     return mask
 
 
-def _step(J: Array, r: Array, damping: Array) -> tuple[Array, Array]:
-    """Compute the damped steps (m, n), and the norms (m,) of the residuals that the linear model predicts after them."""
-    U, s, Vt = np.linalg.svd(J, full_matrices=False)
-    components = (np.swapaxes(U, -1, -2) @ r[..., None])[..., 0]
-    gain = np.where(is_nonzero(s), s / (s * s + damping[:, None] + np.finfo(float).tiny), 0.0)
-    dx = -(np.swapaxes(Vt, -1, -2) @ (gain * components)[..., None])[..., 0]
-    predicted_size = np.linalg.norm(r + (J @ dx[..., None])[..., 0], axis=-1)
-    return dx, predicted_size
+def on_planes(equations: Equations, x: Array, normals: Array, offsets: Array) -> Equations:
+    """Add to equations those of hyperplanes, normals.T (y - x) = offsets, with normals (n, k) and offsets (k,).
+
+    >>> circle = lambda x: ((x * x).sum(-1, keepdims=True) - 1, 2 * x[:, None, :])
+    >>> above = on_planes(circle, np.zeros(2), normals=np.array([[1.0], [0.0]]), offsets=np.array([0.6]))
+    >>> solve(above, np.array([[0.0, 1.0]]), tolerance=1e-12).x.round(9)
+    array([[0.6, 0.8]])
+    """
+
+    def with_planes(y: Array) -> tuple[Array, Array]:
+        r, J = equations(y)
+        planes = np.broadcast_to(normals.T, (len(y), *normals.T.shape))
+        return np.concatenate([r, (y - x) @ normals - offsets], axis=1), np.concatenate([J, planes], axis=1)
+
+    return with_planes

@@ -2,6 +2,7 @@
 
 Planar linkages lie in the plane of x and y. Unless a docstring says otherwise, they are drawn with every link stretched along
 x, so that all joint values are 0 there. Such a drawing is open, and the joint at which it is open has a closing offset.
+Every function raises ValueError for a length that is not positive.
 """
 
 from __future__ import annotations
@@ -24,21 +25,6 @@ X, Y, Z = np.eye(3)
 PRISMATIC = np.inf
 """The pitch of a prismatic joint."""
 
-__all__ = [
-    "bennett",
-    "bricard",
-    "five_bar",
-    "four_bar",
-    "parallelogram",
-    "sarrus",
-    "slider_crank",
-    "stewart_gough",
-    "stretched_arch",
-    "ten_links",
-    "three_rrr",
-    "triangle",
-]
-
 
 def four_bar(ground: float, crank: float, coupler: float, rocker: float) -> Mechanism:
     """Build a planar four-bar linkage from its link lengths: joints A and D are on the ground, B and C at the coupler's ends.
@@ -46,7 +32,6 @@ def four_bar(ground: float, crank: float, coupler: float, rocker: float) -> Mech
     A is the angle of the crank and D that of the rocker, both from x; B is the angle of the coupler relative to the crank, and C
     that of the coupler relative to the rocker. If one length is more than the sum of the others, it is built, but closes nowhere.
 
-    Raises ValueError for a length that is not positive.
     Source: Modern Robotics, example 2.3 and figure 2.4(a); Grashof's condition sorts its kinds.
 
     >>> four_bar(0.4, 0.1, 0.35, 0.3).names
@@ -72,7 +57,6 @@ def slider_crank(crank: float, rod: float, offset: float = 0.0) -> Mechanism:
     A is the angle of the crank from x, B that of the rod relative to the crank, slide the displacement of the slider along x,
     and C the angle of the rod relative to the slider.
 
-    Raises ValueError for a length that is not positive.
     Source: Modern Robotics, example 2.3 and figure 2.4(b).
 
     >>> slider_crank(1, 3).trace([0, 0, 4, 0]).closed
@@ -97,7 +81,6 @@ def slider_crank(crank: float, rod: float, offset: float = 0.0) -> Mechanism:
 def five_bar(ground: float, left: tuple[float, float], right: tuple[float, float]) -> Mechanism:
     """Build a planar five-bar linkage: two arms of two links each, from A and from D, joined at C. Its mobility is 2.
 
-    Raises ValueError for a length that is not positive.
     Source: Modern Robotics, example 2.4 and figure 2.5(b).
 
     >>> five_bar(1, (1, 1), (1, 1)).kutzbach()
@@ -114,7 +97,6 @@ def ten_links(left: Sequence[float] = (1.0,) * 5, right: Sequence[float] = (1.0,
     q is theta_1 ... theta_5 of the left branch, theta_10 ... theta_6 of the right one, and the angle of the pin where they
     meet. Equation (3.81) of the source leaves the pin out, because it equates two points instead of poses.
 
-    Raises ValueError for a length that is not positive.
     Source: Forward kinematics II, (3.81), from LaValle, Planning Algorithms, section 3.4.
 
     >>> ten_links().kutzbach()
@@ -132,7 +114,6 @@ def parallelogram(ground: float = 0.4, crank: float = 0.2) -> Mechanism:
 
     It is drawn closed, with all cranks parallel to y: it is closed at q = 0.
 
-    Raises ValueError for a length that is not positive.
     Source: Modern Robotics, example 2.6 and figure 2.7(a).
 
     >>> linkage = parallelogram()
@@ -154,7 +135,6 @@ def triangle(side: float = 1.0) -> Mechanism:
 
     It is drawn closed.
 
-    Raises ValueError for a length that is not positive.
     Source: Modern Robotics, (2.4), with N = J = 3.
 
     >>> triangle().mobility([0, 0, 0]).finite
@@ -178,7 +158,6 @@ def stretched_arch(left: float = 0.5, right: float = 0.5) -> Mechanism:
 
     It is drawn closed, and has an infinitesimal motion there, but no finite one.
 
-    Raises ValueError for a length that is not positive.
     Source: the textbook example of infinitesimal mobility; a triangle of height 0.
 
     >>> mobility = stretched_arch().mobility([0, 0, 0])
@@ -197,40 +176,13 @@ def stretched_arch(left: float = 0.5, right: float = 0.5) -> Mechanism:
     )
 
 
-def three_rrr(base: float = 0.5, platform: float = 0.2, upper: float = 0.3, lower: float = 0.3) -> Mechanism:
-    """Build the planar 3-RRR robot: a triangular platform carried by three arms of two links each. Its mobility is 3.
-
-    base, platform  the distances of their corners from their centres
-    upper, lower    the link lengths of each arm
-
-    Every arm is drawn stretched, from its corner of the base towards the centre.
-
-    Raises ValueError for a length that is not positive.
-    Source: Modern Robotics, 7.1.1.
-
-    >>> three_rrr().kutzbach()
-    3
-    """
-    _check_lengths(base=base, platform=platform, upper=upper, lower=lower)
-    branches = []
-    for i in range(3):
-        outwards = _rotated_about_z(X, 2 * np.pi / 3 * i)
-        radii = (base, base - upper, base - upper - lower)
-        joints = [r * outwards for r in radii]
-        # In the drawing of this arm, the centre of the platform is its radius beyond the end of the arm.
-        centre = _translation((radii[-1] - platform) * outwards)
-        labels = tuple(f"{letter}{i + 1}" for letter in "ABC")
-        branches.append(Chain(np.array([screw(Z, p) for p in joints]), centre, np.array(joints), joint_names=labels))
-    return Mechanism.from_branches(*branches, name="3-RRR", source="Modern Robotics, 7.1")
-
-
 def bennett(a: float = 1.0, alpha: float = np.pi / 3, b: float = 0.6) -> Mechanism:
     """Build Bennett's linkage: four revolute joints with skew axes, which moves although the Gruebler-Kutzbach count is -2.
 
     Opposite links are equal: lengths a, b, a, b and twists alpha, beta, alpha, beta, with sin(alpha)/a = sin(beta)/b, and no
     offsets. It is a standard DH table whose last frame is its first.
 
-    Raises ValueError for a length that is not positive, and if there is no twist beta with this sine.
+    Raises ValueError if there is no twist beta with this sine.
     Source: Bennett, A new mechanism, Engineering 76 (1903); McCarthy and Soh, Geometric Design of Linkages.
 
     >>> bennett().kutzbach()
@@ -248,7 +200,6 @@ def bennett(a: float = 1.0, alpha: float = np.pi / 3, b: float = 0.6) -> Mechani
 def bricard(a: float = 1.0, alpha: float = np.pi / 2) -> Mechanism:
     """Build Bricard's threefold symmetric linkage: six revolute joints, links of equal length, alternating twists alpha and -alpha.
 
-    Raises ValueError for a length that is not positive.
     Source: Chen, You and Tarnai, Threefold-symmetric Bricard linkages for deployable structures, Int. J. of Solids and
     Structures 42 (2005).
 
@@ -264,7 +215,6 @@ def sarrus(side: float = 0.3, rise: float = 0.2) -> Mechanism:
 
     It is drawn closed: at q = 0 the top is 2 rise above the ground, with the knees bent outwards.
 
-    Raises ValueError for a length that is not positive.
     Source: Sarrus, Comptes Rendus 36 (1853): the first linkage that converts rotation into motion along a straight line.
 
     >>> linkage = sarrus()
@@ -289,7 +239,6 @@ def stewart_gough(base: float = 0.5, platform: float = 0.3, height: float = 0.6)
     base and platform are the radii on which the feet and the heads of the legs lie. It is drawn closed. Each leg has a
     universal joint at its foot, a prismatic joint along it, and a spherical joint at its head.
 
-    Raises ValueError for a length that is not positive.
     Source: Modern Robotics, example 2.8, figure 1.1(b) and 7.1.2; Gough (1956), Stewart (1965).
 
     >>> stewart_gough().kutzbach()
@@ -298,8 +247,8 @@ def stewart_gough(base: float = 0.5, platform: float = 0.3, height: float = 0.6)
     _check_lengths(base=base, platform=platform, height=height)
     # Feet and heads are in pairs, and the pairs of the plate are between those of the ground.
     pairs = [(i + i % 2, i + 1 - i % 2, 0.2 if i % 2 else -0.2) for i in range(6)]
-    feet = [base * _rotated_about_z(X, np.pi / 3 * foot - turn) for foot, _, turn in pairs]
-    heads = [platform * _rotated_about_z(X, np.pi / 3 * head + turn) + height * Z for _, head, turn in pairs]
+    feet = [base * exp((np.pi / 3 * foot - turn) * Z)[:, 0] for foot, _, turn in pairs]
+    heads = [platform * exp((np.pi / 3 * head + turn) * Z)[:, 0] + height * Z for _, head, turn in pairs]
     joints = []
     for leg, (foot, head) in enumerate(zip(feet, heads, strict=True), start=1):
         along = (head - foot) / np.linalg.norm(head - foot)
@@ -330,11 +279,6 @@ def _ring(links: Sequence[tuple[float, float]], name: str, source: str) -> Mecha
 
 def _translation(p: Array) -> Array:
     return homogeneous(np.eye(3), p)
-
-
-def _rotated_about_z(direction: Array, angle: float) -> Array:
-    rotated: Array = exp(angle * Z) @ direction
-    return rotated
 
 
 def _check_lengths(**lengths: float) -> None:

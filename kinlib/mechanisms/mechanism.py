@@ -20,7 +20,7 @@ from typing import Self
 import numpy as np
 
 from kinlib.arrays import tolerances, validation
-from kinlib.arrays.formatting import aligned_table, format_vector, html_table, latex_array
+from kinlib.arrays.formatting import aligned_table, format_vector, html_table
 from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
 from kinlib.mechanisms.closure import Assembly, Closure
@@ -56,7 +56,8 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
     ground        the body that does not move; by default the first body of the first joint
     name, source  the name of the linkage, and the document that it is taken from
 
-    Wherever a configuration q is an argument, it may also be a mapping from each of `names` to its value.
+    Wherever a configuration q is an argument, it may also be a mapping from each of `names` to its value. Every method raises
+    ValueError if q has another size or contains NaN.
 
     Raises ValueError for anything but joints, if a body is not connected to the ground, if two joints have the same name, and if
     there is no loop.
@@ -116,14 +117,6 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
 
     def _repr_html_(self) -> str:
         return html_table(self._title, JOINT_HEADINGS, self._joint_rows())
-
-    def _repr_latex_(self) -> str:
-        def text(words: str) -> str:
-            escaped = words.replace("_", r"\_")
-            return rf"\text{{{escaped}}}"
-
-        heads = [text("joint"), text("bodies"), r"\omega_i", "v_i"]
-        return latex_array(heads, [[text(name), text(bodies), *S] for name, bodies, *S in self._joint_rows()])
 
     @property
     def _title(self) -> str:
@@ -208,36 +201,28 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
 
         q (..., n) -> (..., 6 l) for l loops, one twist (omega, v) after the other.
 
-        Raises ValueError if q has another size or contains NaN.
-
         >>> from kinlib.mechanisms.linkages import bennett
         >>> linkage = bennett()
         >>> bool(np.linalg.norm(linkage.residual(linkage.assemble([1, 2, 1, 2]).q)) < 1e-12)
         True
         """
-        q = self.in_order(q)
-        return np.concatenate([log(loop.chain.fk(q[..., loop.columns])) for loop in self.loops], axis=-1)
+        return self._linearized(self.in_order(q), [loop.chain for loop in self.loops])[0]
 
     def jacobian(self, q: JointValues) -> Array:
         """Compute the derivative of the residual r: for each loop left_jacobian_inverse(r) J_s, with J_s that of its chain.
 
         q (..., n) -> (..., 6 l, n). If a loop is closed, then r = 0 and its rows are the space Jacobian J_s itself.
 
-        Raises ValueError if q has another size or contains NaN.
-
         >>> from kinlib.mechanisms.linkages import bennett
         >>> bennett().jacobian([1, 2, 1, 2]).shape
         (6, 4)
         """
-        q = self.in_order(q)
-        return self._linearized(q, [loop.chain for loop in self.loops])[1]
+        return self._linearized(self.in_order(q), [loop.chain for loop in self.loops])[1]
 
     def poses(self, q: JointValues) -> dict[str, Array]:
         """Compute the displacement of every body from where it is drawn, along the shortest path over joints to it.
 
         q (..., n) -> (..., 4, 4) for each body. If a loop is not closed, another path would give another displacement.
-
-        Raises ValueError if q has another size or contains NaN.
 
         >>> from kinlib.mechanisms.linkages import four_bar
         >>> four_bar(4, 1, 3.5, 3).poses([np.pi, 0, 0, 0])["crank"][:2, :2].round(6) + 0.0
@@ -358,8 +343,6 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
     def joint_points(self, q: JointValues) -> Array:
         """Compute the position of every joint, which its first body carries: q (..., n) -> (..., j, 3) for j joints.
 
-        Raises ValueError if q has another size or contains NaN.
-
         >>> from kinlib.mechanisms.linkages import four_bar
         >>> four_bar(4, 1, 3.5, 3).joint_points([np.pi / 2, 0, 0, 0])[1].round(6) + 0.0      # B, at the end of the crank
         array([0., 1., 0.])
@@ -396,10 +379,6 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
             J[..., rows, loop.columns] = left_jacobian_inverse(r[..., rows]) @ chain.jacobian(q_loop)
         return r, J
 
-    def _centred_equations(self, q: Array) -> tuple[Array, Array]:
-        """The same about the centre of each loop, so that the accuracy does not depend on where the origin is."""
-        return self._linearized(q, [loop.centred for loop in self.loops])
-
     def _closure(self, configuration: JointValues, hold: Mapping[str, float] | None, argument: str = "q") -> Closure:
         """The closure equations in the joint values that are not held, with a configuration (n,) as start."""
         q = validation.single(self.in_order(configuration, argument), argument).copy()
@@ -423,4 +402,6 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
         # A prismatic joint may have to travel twice the size of the linkage, and a helical joint as many turns as this takes.
         search_range = np.where(is_angle, np.pi, 2 * size / np.clip(pitch, tolerances.UNIT_LENGTH_TOL, 1))
         tolerance = CLOSURE_TOL * (1 + farthest)
-        return Closure(self._centred_equations, q, free, is_angle, search_range, tolerance)
+        # About the centre of each loop, so that the accuracy does not depend on where the origin is.
+        centred = [loop.centred for loop in self.loops]
+        return Closure(lambda q: self._linearized(q, centred), q, free, is_angle, search_range, tolerance)

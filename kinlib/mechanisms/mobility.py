@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from kinlib.mechanisms.levenberg_marquardt import Equations, is_nonzero, solve
+from kinlib.mechanisms.levenberg_marquardt import Equations, is_nonzero, on_planes, solve
 from kinlib.rigid.se3_jacobians import ad
 
 PROBE_DISTANCE = 0.02
@@ -78,21 +78,14 @@ def group_dimension(screws: Array) -> int:
     >>> group_dimension(parallel)                                   # rotations about parallels of z: a planar linkage
     3
     """
-    basis = _basis(screws)
-    while len(basis) < len(larger := _basis(np.concatenate([basis, _brackets(basis)]))):
-        basis = larger
-    return len(basis)
-
-
-def _basis(twists: Array) -> Array:
-    """An orthonormal basis (k, 6) of the span of some twists (m, 6)."""
-    _, s, Vt = np.linalg.svd(twists)
-    return Vt[: np.count_nonzero(is_nonzero(s))]
-
-
-def _brackets(twists: Array) -> Array:
-    """The Lie brackets (k^2, 6) of all pairs of twists (k, 6)."""
-    return (ad(twists) @ twists.T[None]).swapaxes(1, 2).reshape(-1, 6)
+    dimension, twists = 0, screws
+    while True:
+        _, s, Vt = np.linalg.svd(twists)
+        basis = Vt[: np.count_nonzero(is_nonzero(s))]
+        if len(basis) == dimension:
+            return dimension
+        brackets = (ad(basis) @ basis.T).swapaxes(1, 2).reshape(-1, 6)
+        dimension, twists = len(basis), np.concatenate([basis, brackets])
 
 
 def finite_mobility(equations: Equations, x: Array, directions: Array, tolerance: float) -> int:
@@ -112,31 +105,9 @@ def finite_mobility(equations: Equations, x: Array, directions: Array, tolerance
             mix, _ = np.linalg.qr(rng.normal(size=(directions.shape[1], d)))
             offsets = rng.normal(size=d)
             offsets *= PROBE_DISTANCE / np.linalg.norm(offsets)
-            if _has_solution_on_planes(equations, x, directions @ mix, offsets, tolerance):
+            planes = on_planes(equations, x, directions @ mix, offsets)
+            found = solve(planes, (x + directions @ mix @ offsets)[None], tolerance)
+            is_near = np.linalg.norm(found.x[0] - x) < MAX_PROBE_DISTANCES * PROBE_DISTANCE
+            if found.residual[0] <= tolerance and is_near:
                 return d
     return 0
-
-
-def _has_solution_on_planes(equations: Equations, x: Array, normals: Array, offsets: Array, tolerance: float) -> bool:
-    """Whether a solution y near x lies on the hyperplanes normals.T (y - x) = offsets."""
-    with_planes = on_planes(equations, x, normals, offsets)
-    found = solve(with_planes, (x + normals @ offsets)[None], tolerance)
-    is_near = np.linalg.norm(found.x[0] - x) < MAX_PROBE_DISTANCES * PROBE_DISTANCE
-    return bool(found.residual[0] <= tolerance and is_near)
-
-
-def on_planes(equations: Equations, x: Array, normals: Array, offsets: Array) -> Equations:
-    """Add to equations those of hyperplanes, normals.T (y - x) = offsets, with normals (n, k) and offsets (k,).
-
-    >>> circle = lambda x: ((x * x).sum(-1, keepdims=True) - 1, 2 * x[:, None, :])
-    >>> above = on_planes(circle, np.zeros(2), normals=np.array([[1.0], [0.0]]), offsets=np.array([0.6]))
-    >>> solve(above, np.array([[0.0, 1.0]]), tolerance=1e-12).x.round(9)
-    array([[0.6, 0.8]])
-    """
-
-    def with_planes(y: Array) -> tuple[Array, Array]:
-        r, J = equations(y)
-        planes = np.broadcast_to(normals.T, (len(y), *normals.T.shape))
-        return np.concatenate([r, (y - x) @ normals - offsets], axis=1), np.concatenate([J, planes], axis=1)
-
-    return with_planes

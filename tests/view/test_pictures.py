@@ -67,7 +67,6 @@ PICTURES = {
         FOUR_BAR, [1, 0.3, 2, 0], ghost=CLOSED[1], points={"P": ("coupler", (2, 1, 0))}
     ),
     "open slider-crank": lambda: view.draw_linkage(SLIDER, [0.5, 0.2, 3, 0]),
-    "platform": lambda: view.draw_linkage(kl.linkages.three_rrr(), np.zeros(9), names=False),
     "hexapod": lambda: view.draw_linkage(kl.linkages.stewart_gough(), np.zeros(36)),
     "gripper": lambda: draw_tree(HAND, [0.1, 0.02]),
     "machine": lambda: draw_dimensions(MACHINE, MACHINE_AXES, MACHINE_MARKS, arrows={"x1": ((0.5, 0, 0.6), X)}),

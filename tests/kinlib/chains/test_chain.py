@@ -101,9 +101,6 @@ def test_a_batch_is_its_configurations_one_at_a_time(shape):
             close(batch[index], f(q[index]), atol=1e-14)
 
 
-# --- a chain stays what it is ---
-
-
 # --- what is refused ---
 
 SCREWS = robots.youbot().screws
@@ -192,9 +189,6 @@ def test_invalid_limits_and_names_are_refused(fields, message):
     robot = robots.rpr()
     with pytest.raises(ValueError, match=message):
         Chain(robot.screws, robot.home, **fields)
-
-
-# --- how descriptions of an arm are compared ---
 
 
 # --- names, values by name, equality ---

@@ -49,13 +49,3 @@ def test_a_printed_chain_can_be_built_again(robot):
     np.testing.assert_allclose(numbers, robot.screws, atol=1e-3)
     home = np.array(eval(str(robot).rpartition("M = ")[2]))
     np.testing.assert_allclose(home, robot.home, atol=1e-3)
-
-
-def test_latex_names_the_variables_and_the_convention():
-    table = kl.assign_frames(kl.robots.youbot(), convention="modified").table
-    assert r"\alpha_{i-1} & d_i & \theta_i" in table._repr_latex_()
-    assert r"q_{5}" in table._repr_latex_()
-    assert kl.assign_frames(kl.robots.youbot(), convention="modified")._repr_latex_() == table._repr_latex_()
-    assert r"\omega_i & v_i" in kl.robots.rpr()._repr_latex_()
-    ring = kl.linkages.ten_links()._repr_latex_()
-    assert r"\text{theta\_1} & \text{ground - link 1.1} & (0, 0, 1) & (0, 0, 0) \\" in ring

@@ -209,15 +209,6 @@ def test_if_links_cannot_meet_the_message_has_the_residual():
     assert len(linkages.four_bar(4, 1, 1, 1).assembly_modes(hold={"A": 0.0})) == 0
 
 
-# --- traces ---
-
-
-# --- closure equations whose solutions are known ---
-
-
-# --- from chains ---
-
-
 # --- errors ---
 
 

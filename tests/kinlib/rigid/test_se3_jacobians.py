@@ -44,9 +44,6 @@ def bernoulli_series(x):
         return mpmath_oracle.doubles(total)
 
 
-# --- ad ---
-
-
 # --- left_jacobian_inverse ---
 
 

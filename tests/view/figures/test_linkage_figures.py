@@ -14,7 +14,6 @@ ALL = [
     linkages.parallelogram(),
     linkages.triangle(),
     linkages.stretched_arch(),
-    linkages.three_rrr(),
     linkages.bennett(),
     linkages.bricard(),
     linkages.sarrus(),
