@@ -7,8 +7,8 @@ from types import SimpleNamespace
 from typing import Any
 
 from misstep.diagnosis.bugs import recurrences
-from misstep.display.lecture_address import lecture_address
 from misstep.display.failed_answer import FailedAnswer, watch_cells
+from misstep.display.lecture_address import lecture_address
 from misstep.judge import Finding, Judgement, judge
 from misstep.problem import Problem, Template
 from misstep.storage.serialize import to_data
