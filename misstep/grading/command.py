@@ -191,12 +191,12 @@ def write_all(out: Path, sheet: str, gathered: Gathered, results: Sequence[Resul
     header = ["problem", "answers", "each number beside the right one", "an example", "right there"]
     write(out / "unnamed.csv", csv_text(header, unnamed_rows(results)).encode())
     write(out / "report.html", report_page(results, sheet, attention).encode())
-    handed_in = [one for one in gathered.submissions if one.files and gathered.kind in PLATFORMS]
+    handed_in = [one for one in gathered.submissions if one.files and gathered.platform in PLATFORMS]
     if handed_in:
         buffer = BytesIO()
         with ZipFile(buffer, "w") as archive:
             for one in handed_in:  # each page has the same date, so that equal pages give equal bytes
-                upload = ZipInfo(feedback_name(gathered.kind, one.files[0].name, sheet))
+                upload = ZipInfo(feedback_name(gathered.platform, one.files[0].name, sheet))
                 archive.writestr(upload, pages[f"{file_name(one.student)}.html"])
         write(out / "feedback.zip", buffer.getvalue())
 

@@ -15,13 +15,12 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from misstep.grading.collect.submissions import (
-    ARCHIVE_ERRORS,
     COPY,
     SourceFile,
     Unreadable,
     read_bytes,
     read_stream,
-    unreadable,
+    reading,
     zip_time,
 )
 from misstep.storage.deserialize import MIME
@@ -124,15 +123,15 @@ def _unpacked(file: SourceFile) -> Iterator[tuple[SourceFile, bytes | None]]:
         yield file, None
         return
     try:
-        with zipfile.ZipFile(io.BytesIO(read_bytes(file))) as archive:
+        with reading(file.name), zipfile.ZipFile(io.BytesIO(read_bytes(file))) as archive:
             members = [one for one in archive.infolist() if one.filename.lower().endswith(".ipynb")]
             members = [one for one in members if not re.search(r"(^|[/\\])(\.|__MACOSX)", one.filename)]
             for member in sorted(members, key=lambda one: one.date_time)[-MAX_NOTEBOOKS:]:
                 name = file.name.parent / PurePosixPath(member.filename.replace("\\", "/")).name
                 with archive.open(member) as stream:
                     yield replace(file, name=name, modified=zip_time(member)), read_stream(stream, name)
-    except ARCHIVE_ERRORS as error:
-        yield replace(file, fault=str(unreadable(file.name, error))), None
+    except Unreadable as error:
+        yield replace(file, fault=str(error)), None
 
 
 def read_work(content: bytes, sheet: str) -> Work:

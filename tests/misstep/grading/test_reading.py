@@ -126,7 +126,7 @@ def test_of_several_notebooks_the_newest_with_answers_counts(tmp_path):
 def test_a_file_that_is_too_large_is_refused_before_it_is_in_memory(tmp_path, monkeypatch):
     monkeypatch.setattr("misstep.grading.collect.submissions.MAX_BYTES", 1000)
     bomb = write(tmp_path, **{"x.zip": zipped({"x.ipynb": b" " * 100_000})})
-    with pytest.raises(Unreadable, match=r"x\.ipynb could not be read: x\.ipynb has more than|has more than"):
+    with pytest.raises(Unreadable, match=r"x\.ipynb has over"):
         choose(list_files(bomb / "x.zip"), SHEET)
 
 
