@@ -74,9 +74,9 @@ def run(options: argparse.Namespace) -> int:
     students = [one.student for one in gathered.submissions]
     overrides = read_overrides(options.out, sheet, students)
     if options.gradebook:
-        from misstep.grading.gradebook import open_gradebook, record  # here, because nbgrader takes a second to import
+        from misstep.grading.gradebook import open_course, record  # here, because nbgrader takes a second to import
 
-        course, released = open_gradebook(options.gradebook, sheet.name)
+        gradebook = open_course(options.gradebook, sheet.name)
     requests = [Request(name, one, overrides.get(one.student, ()), options.typed_ids) for one in gathered.submissions]
     try:
         results = with_flags_of_class(grade_all(requests, options))
@@ -85,7 +85,7 @@ def run(options: argparse.Namespace) -> int:
         return 130
     attention = [*gathered.remarks, *sentences(results)]
     if options.gradebook:
-        attention += record(course, released, sheet.name, results)
+        attention += record(gradebook, sheet.name, results)
     write_all(options.out, sheet.name, gathered, results, attention)
     if roster and roster.kind != "own":
         points = {one.student: one.points for one in results if one.status != ABSENT or one.points}
