@@ -74,9 +74,9 @@ def run(options: argparse.Namespace) -> int:
     students = [one.student for one in gathered.submissions]
     overrides = read_overrides(options.out, sheet, students)
     if options.gradebook:
-        from misstep.grading.gradebook import open_gradebook, record  # here, because nbgrader takes a second to import
+        from misstep.grading.gradebook import open_course, record  # here, because nbgrader takes a second to import
 
-        course, released = open_gradebook(options.gradebook, sheet.name)
+        gradebook = open_course(options.gradebook, sheet.name)
     requests = [Request(name, one, overrides.get(one.student, ()), options.typed_ids) for one in gathered.submissions]
     try:
         results = with_flags_of_class(grade_all(requests, options))
@@ -85,7 +85,7 @@ def run(options: argparse.Namespace) -> int:
         return 130
     attention = [*gathered.remarks, *sentences(results)]
     if options.gradebook:
-        attention += record(course, released, sheet.name, results)
+        attention += record(gradebook, sheet.name, results)
     write_all(options.out, sheet.name, gathered, results, attention)
     if roster and roster.kind != "own":
         points = {one.student: one.points for one in results if one.status != ABSENT or one.points}
@@ -191,12 +191,12 @@ def write_all(out: Path, sheet: str, gathered: Gathered, results: Sequence[Resul
     header = ["problem", "answers", "each number beside the right one", "an example", "right there"]
     write(out / "unnamed.csv", csv_text(header, unnamed_rows(results)).encode())
     write(out / "report.html", report_page(results, sheet, attention).encode())
-    handed_in = [one for one in gathered.submissions if one.files and gathered.kind in PLATFORMS]
+    handed_in = [one for one in gathered.submissions if one.files and gathered.platform in PLATFORMS]
     if handed_in:
         buffer = BytesIO()
         with ZipFile(buffer, "w") as archive:
             for one in handed_in:  # each page has the same date, so that equal pages give equal bytes
-                upload = ZipInfo(feedback_name(gathered.kind, one.files[0].name, sheet))
+                upload = ZipInfo(feedback_name(gathered.platform, one.files[0].name, sheet))
                 archive.writestr(upload, pages[f"{file_name(one.student)}.html"])
         write(out / "feedback.zip", buffer.getvalue())
 

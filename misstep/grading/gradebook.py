@@ -34,8 +34,8 @@ class Refuse(NbGraderPreprocessor):  # type: ignore[misc]  # nbgrader ships no t
         )
 
 
-def open_gradebook(folder: Path, sheet: str) -> tuple[CourseDirectory, str]:
-    """Return the nbgrader course in a folder, and the name of the sheet's assignment in it.
+def open_course(folder: Path, sheet: str) -> CourseDirectory:
+    """Return the nbgrader course in a folder, which has the sheet's assignment.
 
     Raises ValueError for a folder that is no nbgrader course, and for an assignment that is not generated.
     """
@@ -52,10 +52,10 @@ def open_gradebook(folder: Path, sheet: str) -> tuple[CourseDirectory, str]:
             gradebook.find_notebook(sheet, sheet)
     except MissingEntry as error:
         raise ValueError(missing) from error
-    return course, sheet
+    return course
 
 
-def record(course: CourseDirectory, assignment: str, sheet: str, results: Sequence[Result]) -> list[str]:
+def record(course: CourseDirectory, sheet: str, results: Sequence[Result]) -> list[str]:
     """Write the points of all students who handed something in. Returns remarks for the instructor.
 
     Where points change, a grade that was given by hand is marked as one to be looked at again.
@@ -63,28 +63,23 @@ def record(course: CourseDirectory, assignment: str, sheet: str, results: Sequen
     remarks = []
     with Gradebook(course.db_url, course.course_id) as gradebook:
         for result in results:
+            student, points = (
+                result.student,
+                {f"check-{k}": one.points for k, one in enumerate(result.problems, start=1)},
+            )
             if result.status == ABSENT:
                 continue
-            if not FOLDER_NAME.fullmatch(result.student):
-                remarks.append(f"{result.student} is not in the gradebook, because nbgrader does not allow this id.")
+            if not FOLDER_NAME.fullmatch(student):
+                remarks.append(f"{student} is not in the gradebook, because nbgrader does not allow this id.")
                 continue
-            _record(gradebook, assignment, sheet, result)
-            if abs(result.points - sum(one.points for one in result.problems)) > 1e-9:
-                remarks.append(
-                    f"{result.student} has points for the whole sheet by hand, which a gradebook cannot hold."
-                )
+            if abs(result.points - sum(points.values())) > 1e-9:
+                remarks.append(f"{student} has points for the whole sheet by hand, which a gradebook cannot hold.")
+            gradebook.update_or_create_student(student)
+            with gradebook.db.no_autoflush:  # nbgrader adds a submission to its assignment, and then to the session
+                gradebook.update_or_create_submission(sheet, student)
+            for grade in gradebook.find_submission_notebook(sheet, sheet, student).grades:
+                if grade.auto_score != points[grade.name]:
+                    grade.auto_score = points[grade.name]
+                    grade.needs_manual_grade = grade.manual_score is not None
+            gradebook.db.commit()
     return remarks
-
-
-def _record(gradebook: Gradebook, assignment: str, sheet: str, result: Result) -> None:
-    points = {f"check-{k}": one.points for k, one in enumerate(result.problems, start=1)}
-    gradebook.update_or_create_student(result.student)
-    with gradebook.db.no_autoflush:  # nbgrader adds a submission to its assignment, and then to the session
-        gradebook.update_or_create_submission(assignment, result.student)
-    notebook = gradebook.find_submission_notebook(sheet, assignment, result.student)
-    names = {cell.id: cell.name for cell in notebook.notebook.grade_cells}
-    for grade in notebook.grades:
-        if grade.auto_score != points[names[grade.cell_id]]:
-            grade.auto_score = points[names[grade.cell_id]]
-            grade.needs_manual_grade = grade.manual_score is not None
-    gradebook.db.commit()

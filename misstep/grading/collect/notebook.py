@@ -10,21 +10,21 @@ import json
 import re
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 from typing import Any
 
 from misstep.grading.collect.submissions import (
-    ARCHIVE_ERRORS,
     COPY,
     SourceFile,
     Unreadable,
     read_bytes,
     read_stream,
-    unreadable,
+    reading,
     zip_time,
 )
-from misstep.storage.deserialize import MIME
+from misstep.storage import deserialize as stored
 
 MAX_NOTEBOOKS = 10
 """How many notebooks of one student are looked at, the newest first."""
@@ -44,8 +44,8 @@ MAX_ANSWER = 400_000
 MAX_ID = 200
 """The longest stored answer and the longest id, in characters."""
 
-ANSWER_CELL, ANSWER_NAME = re.compile(r"given = sheet\.given\((\d{1,3})\)"), re.compile(r"answer-(\d{1,3})")
-"""How an answer cell begins, and what it is called in a sheet as it was released."""
+ANSWER_CELL = re.compile(r"answer-(\d{1,3})\n|.*\ngiven = sheet\.given\((\d{1,3})\)")
+"""The id of an answer cell in a sheet as it was released, or else how its lines begin."""
 
 CONFLICT = re.compile(rb"^(<{7} |={7}$|>{7} )", re.MULTILINE)
 
@@ -124,15 +124,15 @@ def _unpacked(file: SourceFile) -> Iterator[tuple[SourceFile, bytes | None]]:
         yield file, None
         return
     try:
-        with zipfile.ZipFile(io.BytesIO(read_bytes(file))) as archive:
+        with reading(file.name), zipfile.ZipFile(io.BytesIO(read_bytes(file))) as archive:
             members = [one for one in archive.infolist() if one.filename.lower().endswith(".ipynb")]
             members = [one for one in members if not re.search(r"(^|[/\\])(\.|__MACOSX)", one.filename)]
             for member in sorted(members, key=lambda one: one.date_time)[-MAX_NOTEBOOKS:]:
                 name = file.name.parent / PurePosixPath(member.filename.replace("\\", "/")).name
                 with archive.open(member) as stream:
                     yield replace(file, name=name, modified=zip_time(member)), read_stream(stream, name)
-    except ARCHIVE_ERRORS as error:
-        yield replace(file, fault=str(unreadable(file.name, error))), None
+    except Unreadable as error:
+        yield replace(file, fault=str(error)), None
 
 
 def read_work(content: bytes, sheet: str) -> Work:
@@ -140,7 +140,7 @@ def read_work(content: bytes, sheet: str) -> Work:
 
     Raises Unreadable, with a sentence for the student, if the bytes are no notebook.
 
-    >>> output = {"data": {MIME: {"sheet": "01_x", "problem": 2, "student": "ada", "answer": {"number": 1.5}}}}
+    >>> output = {"data": {stored.MIME: {"sheet": "01_x", "problem": 2, "student": "ada", "answer": {"number": 1.5}}}}
     >>> cell = {"cell_type": "code", "source": "sheet.check(2, x)", "outputs": [output]}
     >>> read_work(json.dumps({"cells": [cell]}).encode(), "01_x").answers
     {2: ('{"number": 1.5}', 'ada')}
@@ -154,15 +154,15 @@ def read_work(content: bytes, sheet: str) -> Work:
     for cell in cells:
         if not isinstance(cell, dict) or cell.get("cell_type") != "code":
             continue
-        source, count = _source(cell), cell.get("execution_count")
-        count = count if isinstance(count, int) else 0
-        stored = [one for output in _list(cell.get("outputs")) if (one := _stored(output, sheet))]
-        is_sheet = is_sheet or bool(stored) or f'"{sheet}"' in source.replace("'", '"')
-        for number, text, student in stored:
+        source = "".join(line for line in _list(cell.get("source")) if isinstance(line, str))
+        count = count if isinstance(count := cell.get("execution_count"), int) else 0
+        found = [one for output in _list(cell.get("outputs")) if (one := _stored(output, sheet))]
+        is_sheet = is_sheet or bool(found) or f'"{sheet}"' in source.replace("'", '"')
+        for number, text, student in found:
             if count >= checked.get(number, 0):
                 answers[number], checked[number] = (text, student), count
-        if found := ANSWER_CELL.match(source) or ANSWER_NAME.fullmatch(str(cell.get("id"))):
-            number = int(found[1])
+        if written_in := ANSWER_CELL.match(f"{cell.get('id')}\n{source}"):
+            number = int(written_in[1] or written_in[2])
             written[number] = max(written.get(number, 0), count)
     stale = [number for number, count in checked.items() if 0 < count < written.get(number, 0)]
     return Work(answers, stale, is_sheet)
@@ -170,26 +170,22 @@ def read_work(content: bytes, sheet: str) -> Work:
 
 def _stored(output: Any, sheet: str) -> tuple[int, str, str] | None:
     """Return the problem, the answer as JSON and the id that an output of a check cell stores; None for any other output."""
-    data = output.get("data") if isinstance(output, dict) else None
-    emission = data.get(MIME) if isinstance(data, dict) else None
-    match emission:
-        case {"sheet": str(name), "problem": int(number), "student": str(student), "answer": answer} if name == sheet:
-            try:
-                text = json.dumps(answer)
-            except RecursionError:
-                return None
-            id_ = student[:MAX_ID].encode(errors="replace").decode().strip()
-            return (number, text, id_) if len(text) <= MAX_ANSWER else None
+    match output:
+        case {"data": {stored.MIME: {"sheet": name, "problem": int(k), "student": str(id_), "answer": one}}} if (
+            name == sheet
+        ):
+            with suppress(RecursionError):
+                text = json.dumps(one)
+                return (
+                    (k, text, id_[:MAX_ID].encode(errors="replace").decode().strip())
+                    if len(text) <= MAX_ANSWER
+                    else None
+                )
     return None
 
 
 def _list(value: Any) -> list[Any]:
-    return value if isinstance(value, list) else []
-
-
-def _source(cell: Mapping[str, Any]) -> str:
-    source = cell.get("source", "")
-    return "".join(line for line in (source if isinstance(source, list) else [source]) if isinstance(line, str))
+    return value if isinstance(value, list) else [value]
 
 
 def _parse(content: bytes) -> dict[str, Any]:

@@ -17,10 +17,11 @@ import zipfile
 import zlib
 from calendar import timegm
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
-from typing import Any
+from typing import IO
 
 from misstep.grading.collect.roster import Roster
 
@@ -38,7 +39,7 @@ ARCHIVE_ERRORS = (zipfile.BadZipFile, zlib.error, NotImplementedError, RuntimeEr
 """The errors that zipfile raises for damaged archives, depending on which bytes are wrong."""
 
 
-class Unreadable(ValueError):
+class Unreadable(Exception):
     """This file cannot be read. The message is for the student."""
 
 
@@ -69,9 +70,9 @@ class Submission:
 
 @dataclass(frozen=True)
 class Gathered:
-    """The submissions of a class, ordered by student, the kind of folder or download, and remarks for the instructor."""
+    """The submissions of a class, ordered by student, the platform of a download, and remarks for the instructor."""
 
-    kind: str
+    platform: str  # canvas, moodle, gradescope; "" for a folder of your own
     submissions: Sequence[Submission]
     remarks: Sequence[str] = ()
 
@@ -82,40 +83,39 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
     Raises ValueError if there are no files, and if more than half of the students are not in the roster.
     """
     files = [file for file in list_files(source) if not any(map(SKIPPED.match, file.name.parts))]
-    if not files:
-        raise ValueError(f"{source} contains no submission. Give the folder, or the zip file, of the submissions.")
-    kind, owned = _by_owner(files, sheet, roster)
-    tests = sorted({owner for owner in owned if roster and owner[1] and owner[1] in roster.test_keys})
+    if not 0 < len(files) <= MAX_FILES:
+        raise ValueError(
+            f"{source} contains {'more than 100,000 files' if files else 'no submission'}. Give the folder, or the zip file, of "
+            "one sheet's submissions."
+        )
+    platform, owned = _by_owner(files, sheet, roster)
+    remarks: list[str] = []
     found: dict[str, Submission] = {}
     for (name, key), own in owned.items():
-        if (name, key) in tests:
+        id_ = (roster.by_key if key else roster.by_id).get((key or name).casefold()) if roster else None
+        if id_ == "":
+            remarks.append(f"Left out, because it is the platform's test student: {name}.")
             continue
-        id_ = (roster.id_for_key(key) if key else roster.spelled(name)) if roster else None
         student = id_ or (f"{name}_{key}" if key and key != name else name)
-        known = found.setdefault(student, Submission(student, id_ or ("" if key else name)))
+        known = found.get(student, Submission(student, id_ or ("" if key else name)))
         found[student] = replace(known, files=[*known.files, *own])
-    remarks = [f"Left out, because it is the platform's test student: {name}." for name, _ in tests]
     if roster:
-        remarks += _compare(roster, kind, found)
-        for id_ in roster.ids:
-            found.setdefault(id_, Submission(id_, id_))
-    elif kind in ("canvas", "moodle", "gradescope"):
-        remarks.append(f"There is no --roster with the ids of this download from {kind.capitalize()}: typed ids count.")
-    return Gathered(kind, sorted(found.values(), key=lambda one: (one.student.casefold(), one.student)), remarks)
-
-
-def _compare(roster: Roster, kind: str, found: Mapping[str, Submission]) -> list[str]:
-    unlisted = sorted(set(found) - set(roster.ids))
-    if 2 * len(unlisted) > len(found):
-        column = roster.columns[roster.key_column if kind == roster.kind else roster.id_column]
-        raise ValueError(
-            f"{len(unlisted)} of {len(found)} submissions are not in the roster, for example {', '.join(unlisted[:3])}. Its "
-            f"column {column!r} has, for example, {', '.join(roster.ids[:3])}. Is it the list of this course, from the same "
-            "platform as the submissions?"
+        ids = [*roster.by_id.values()]
+        unlisted = sorted(set(found) - set(ids))
+        if 2 * len(unlisted) > len(found):
+            raise ValueError(
+                f"{len(unlisted)} of {len(found)} submissions are not in the roster, for example {', '.join(unlisted[:3])}. Its "
+                f"ids are, for example, {', '.join(ids[:3])}. Is it the list of this course, from the submissions' platform?"
+            )
+        if unlisted:
+            remarks.append(f"Not in the roster, and so not in the file for the platform: {', '.join(unlisted)}.")
+        found = {id_: Submission(id_, id_) for id_ in ids} | found
+    elif platform:
+        remarks.append(
+            f"There is no --roster with the ids of this download from {platform.capitalize()}: typed ids count."
         )
-    return [
-        f"Not in the roster, and so not in the file for the platform: {one}." for one in [", ".join(unlisted)] if one
-    ]
+    ordered = sorted(found.values(), key=lambda one: (one.student.casefold(), one.student))
+    return Gathered(platform, ordered, remarks)
 
 
 # --- files ---
@@ -126,59 +126,38 @@ def list_files(source: Path) -> list[SourceFile]:
 
     Raises ValueError for a source that does not exist, and for a zip file that is damaged.
     """
+    files: list[SourceFile] = []
+
+    def add(path: Path, modified: float = 0.0, fault: str = "") -> None:
+        files.append(SourceFile(PurePosixPath(path.relative_to(source)), path, "", modified, fault))
+
+    def refused(error: OSError) -> None:
+        add(Path(error.filename, "folder"), fault=f"The folder cannot be read: {error.strerror}.")
+
     if source.is_file() and source.suffix.lower() == ".ipynb":
         return [SourceFile(PurePosixPath(source.name), source, modified=source.stat().st_mtime)]
     if source.is_file() and zipfile.is_zipfile(source):
         return _members(source)
     if not source.is_dir():
         raise ValueError(f"{source} must be a folder, a zip file or a notebook. Check the path.")
-    files: list[SourceFile] = []
-
-    def unreadable(error: OSError) -> None:
-        folder = Path(error.filename)
-        name = PurePosixPath(folder.relative_to(source)) / "folder"
-        files.append(SourceFile(name, folder, fault=f"The folder cannot be read: {error.strerror}."))
-
-    for current, folders, names in os.walk(source, onerror=unreadable):
-        folder = PurePosixPath(Path(current).relative_to(source))
-        links = [one for one in folders if Path(current, one).is_symlink()]
-        files += [_file(Path(current, name), folder / name) for name in [*names, *links]]
-        if not names and not folders and folder.parts:
-            files.append(SourceFile(folder / "folder", Path(current), fault="The folder is empty."))
-        if len(files) > MAX_FILES:
-            raise ValueError(f"{source} has more than {MAX_FILES} files. Give the folder of one sheet's submissions.")
-    zips = [file for file in files if file.name.suffix.lower() == ".zip"]
-    if zips and len(zips) == len(files) and all(_is_download(file.path) for file in zips):
-        return [member for file in zips for member in _members(file.path)]
+    for current, folders, names in os.walk(source, onerror=refused):
+        for path in (Path(current, name) for name in [*names, *folders]):
+            status = path.lstat()
+            if stat.S_ISREG(status.st_mode):
+                add(path, status.st_mtime)
+            elif not stat.S_ISDIR(status.st_mode):
+                add(path, fault=f"{path.name} is a link, or no regular file. Hand in the notebook itself.")
+        if not names and not folders and current != str(source):
+            add(Path(current, "folder"), fault="The folder is empty.")
     return sorted(files, key=lambda file: file.name)
-
-
-def _file(path: Path, name: PurePosixPath) -> SourceFile:
-    status = path.lstat()
-    fault = ""
-    if stat.S_ISLNK(status.st_mode):
-        fault = f"{path.name} is a link to another place, not a file. Hand in the notebook itself."
-    elif not stat.S_ISREG(status.st_mode):
-        fault = f"{path.name} is not a regular file. Hand in the notebook itself."
-    return SourceFile(name, path, modified=status.st_mtime, fault=fault)
-
-
-def _is_download(path: Path) -> bool:
-    """Whether a zip file is a platform's. One that a student made is never unpacked beside the files of others."""
-    if not zipfile.is_zipfile(path):
-        return False
-    tops = [file.name.parts[0] for file in _members(path)]
-    return bool(tops) and (all(map(MOODLE.fullmatch, tops)) or all(map(CANVAS.fullmatch, tops)))
 
 
 def _members(path: Path) -> list[SourceFile]:
     try:
         with zipfile.ZipFile(path) as archive:
             members = archive.infolist()
-    except (zipfile.BadZipFile, OSError, ValueError, NotImplementedError) as error:
+    except ARCHIVE_ERRORS as error:
         raise ValueError(f"{path} is damaged: {error}. Download it again.") from error
-    if len(members) > MAX_FILES:
-        raise ValueError(f"{path} has more than {MAX_FILES} files. Is it the download of one sheet?")
     files = []
     for member in members:
         parts = [part for part in member.filename.replace("\\", "/").split("/") if part not in ("", ".", "..")]
@@ -195,76 +174,66 @@ def zip_time(member: zipfile.ZipInfo) -> float:
         return 0.0
 
 
+@contextmanager
+def reading(name: PurePosixPath) -> Iterator[None]:
+    """Raise Unreadable, with a sentence for the student, for each error of files and of archives."""
+    try:
+        yield
+    except (*ARCHIVE_ERRORS, KeyError) as error:
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error) or type(error).__name__
+        raise Unreadable(f"{name.name} could not be read: {reason}.") from error
+
+
 def read_bytes(file: SourceFile) -> bytes:
     """Return the content of a file. Raises Unreadable for one that cannot be read, or is larger than MAX_BYTES."""
     if file.fault:
         raise Unreadable(file.fault)
-    try:
+    with reading(file.name):
         if not file.member:
             with file.path.open("rb") as stream:
                 return read_stream(stream, file.name)
         with zipfile.ZipFile(file.path) as archive, archive.open(file.member) as stream:
             return read_stream(stream, file.name)
-    except (*ARCHIVE_ERRORS, KeyError) as error:
-        raise unreadable(file.name, error) from error
 
 
-def unreadable(name: PurePosixPath, error: Exception) -> Unreadable:
-    """Return the sentence for a file that raises an error when it is read."""
-    if isinstance(error, Unreadable):
-        return error
-    reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error) or type(error).__name__
-    return Unreadable(f"{name.name} could not be read: {reason}.")
-
-
-def read_stream(stream: Any, name: PurePosixPath) -> bytes:
+def read_stream(stream: IO[bytes], name: PurePosixPath) -> bytes:
     """Return the content of an open file. Raises Unreadable if it is larger than MAX_BYTES."""
-    content: bytes = stream.read(MAX_BYTES + 1)
+    content = stream.read(MAX_BYTES + 1)
     if len(content) > MAX_BYTES:
-        raise Unreadable(
-            f"{name.name} has more than {MAX_BYTES / 1e6:g} MB. Clear all outputs, run all cells, and save."
-        )
+        raise Unreadable(f"{name.name} has over {MAX_BYTES / 1e6:g} MB. Clear all outputs, run all cells, and save.")
     return content
 
 
 # --- owners ---
 
-Owner = tuple[str, str]
-"""The name of a student, and the key by which a platform's roster knows the student, "" in a folder of your own."""
+Owned = dict[tuple[str, str], list[SourceFile]]
+"""Files by the name of the student, and the key by which a platform's roster knows the student, "" in a folder of your own."""
 
 
-def _by_owner(
-    files: Sequence[SourceFile], sheet: str, roster: Roster | None
-) -> tuple[str, dict[Owner, list[SourceFile]]]:
-    if metadata := next((file for file in files if file.name.name == GRADESCOPE), None):
-        inside = metadata.name.parent
-        if all(file.name.is_relative_to(inside) for file in files):
-            return "gradescope", _gradescope(files, metadata)
-    owned: dict[Owner, list[SourceFile]] = {}
-    for kind, pattern in (("moodle", MOODLE), ("canvas", CANVAS)):
-        matches = [(file, _match(pattern, file)) for file in files]
-        wanted = [match for file, match in matches if file.is_read]
-        if (any if kind == "moodle" else all)(wanted) and any(match for _, match in matches):
-            for file, match in matches:
+def _by_owner(files: Sequence[SourceFile], sheet: str, roster: Roster | None) -> tuple[str, Owned]:
+    metadata = next((file for file in files if file.name.name == GRADESCOPE), None)
+    if metadata and all(file.name.is_relative_to(metadata.name.parent) for file in files):  # not one of a student
+        return "gradescope", _gradescope(files, metadata)
+    owned: Owned = {}
+    for platform, pattern, enough in (("moodle", MOODLE, any), ("canvas", CANVAS, all)):
+        matches = {file: next(filter(None, map(pattern.fullmatch, file.name.parts)), None) for file in files}
+        wanted = [match for file, match in matches.items() if file.is_read]
+        if wanted and enough(wanted):
+            for file, match in matches.items():
                 if match:
                     owned.setdefault((_normal(match["name"]), match["key"]), []).append(file)
-            return kind, owned
+            return platform, owned
     is_nbgrader = any(len(file.name.parts) > 2 and file.name.parts[-2] == sheet for file in files)
-    known = {file: _known(file, sheet, roster) for file in files}
-    level = _level([file for file in files if not known[file]], sheet)
+    level = _level([file for file in files if not _listed(file, sheet, roster)], sheet)
     for file in files:
-        if name := known[file] or _owner(file, sheet, level):
+        if name := _listed(file, sheet, roster) or _owner(file, sheet, level):
             # A student with a folder of nbgrader, but none for this sheet, handed nothing in.
             is_other = is_nbgrader and file.name.parent.name not in (sheet, name)
             owned.setdefault((name, ""), []).extend([] if is_other else [file])
     for name, key in list(owned):
         if (copy := COPY.fullmatch(name)) and (copy[1], "") in owned:
             owned[copy[1], ""] += owned.pop((name, key))
-    return "nbgrader" if is_nbgrader else "folder", owned
-
-
-def _match(pattern: re.Pattern[str], file: SourceFile) -> re.Match[str] | None:
-    return next(filter(None, map(pattern.fullmatch, file.name.parts)), None)
+    return "", owned
 
 
 def _normal(name: str) -> str:
@@ -279,14 +248,15 @@ def _folders(file: SourceFile, sheet: str) -> tuple[str, ...]:
 
 def _level(files: Sequence[SourceFile], sheet: str) -> int:
     """Return how deep the folders of students are: where most files of sheets are, or higher if names repeat there."""
-    depths = Counter(len(_folders(file, sheet)) for file in files if file.is_read or file.fault)
+    folders = [_folders(file, sheet) for file in files if file.is_read or file.fault]
+    depths = Counter(map(len, folders))
     level = max(depths, key=lambda depth: (depths[depth], -depth), default=1)
     while level > 1:
-        folders = {_folders(file, sheet)[:level] for file in files if len(_folders(file, sheet)) >= level}
-        if 2 * len({folder[-1] for folder in folders}) > len(folders) or len(folders) == 1:
+        paths = {folder[:level] for folder in folders if len(folder) >= level}
+        if len(paths) == 1 or 2 * len({path[-1] for path in paths}) > len(paths):
             break
         level -= 1
-    return level
+    return max(level, 1)
 
 
 def _stem(file: SourceFile, sheet: str) -> str:
@@ -297,42 +267,35 @@ def _stem(file: SourceFile, sheet: str) -> str:
     return re.sub(rf"^{re.escape(sheet)}[-_ ]+|[-_ ]+{re.escape(sheet)}$", "", file.name.stem)
 
 
-def _known(file: SourceFile, sheet: str, roster: Roster | None) -> str:
+def _listed(file: SourceFile, sheet: str, roster: Roster | None) -> str:
     """Return the id of a roster that is in the path of a file, "" if there is none."""
     names = [_stem(file, sheet), *reversed(_folders(file, sheet))]
-    return next((id_ for name in names if (id_ := roster.spelled(_normal(name)))), "") if roster else ""
+    return next(filter(None, (roster.by_id.get(_normal(name).casefold()) for name in names)), "") if roster else ""
 
 
 def _owner(file: SourceFile, sheet: str, level: int) -> str:
     """Return the name of the student to whom a file belongs in a folder of your own; "" for a list or a note of yours."""
-    names, level = _folders(file, sheet), max(level, 1)
-    if not (file.is_read or file.fault) and len(names) < level:
-        return ""
-    if len(names) < level and (stem := _stem(file, sheet)):
-        names = (*names, stem)
-    return _normal(names[min(level, len(names)) - 1] if names else file.name.stem)
+    names = _folders(file, sheet)
+    if len(names) < level:
+        if not (file.is_read or file.fault):
+            return ""
+        names = (*names, *filter(None, [_stem(file, sheet)])) or (file.name.stem,)
+    return _normal(names[min(level, len(names)) - 1])
 
 
-def _gradescope(files: Sequence[SourceFile], metadata: SourceFile) -> dict[Owner, list[SourceFile]]:
+def _gradescope(files: Sequence[SourceFile], metadata: SourceFile) -> Owned:
     import yaml  # here, because only a download of Gradescope has such a file
 
-    # The base loader makes only texts, lists and mappings: 007 stays 007, and Ruby's own objects are not built.
-    loader = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
-    try:
-        records = yaml.load(read_bytes(metadata).decode(), loader)  # noqa: S506
-        people = {str(key): record[":submitters"] for key, record in records.items()}
-    except (yaml.YAMLError, ValueError, RecursionError, KeyError, TypeError, AttributeError) as error:
-        raise ValueError(f"{GRADESCOPE} must list the submissions: {error!r}. Download them again.") from error
+    owned: Owned = {}
     depth = len(metadata.name.parts) - 1
-    owned = {}
-    for submission, submitters in people.items():
-        own = [file for file in files if file.name.parts[depth : depth + 1] == (submission,)]
-        for person in submitters:
-            key, name = (_text(person, ":sid") or _text(person, ":email") or submission, _text(person, ":name"))
-            owned[key if key != submission else name or key, key] = own
+    try:
+        # The base loader makes only texts, lists and mappings: 007 stays 007, and Ruby's own objects are not built.
+        records = yaml.load(read_bytes(metadata).decode(), yaml.BaseLoader)  # noqa: S506
+        for submission, record in records.items():
+            for person in record[":submitters"]:
+                key, name = person.get(":sid") or person.get(":email") or submission, person.get(":name")
+                own = [file for file in files if file.name.parts[depth : depth + 1] == (submission,)]
+                owned[(name or key) if key == submission else key, key] = own
+    except (yaml.YAMLError, Unreadable, ValueError, RecursionError, KeyError, TypeError, AttributeError) as error:
+        raise ValueError(f"{GRADESCOPE} must list the submissions: {error!r}. Download them again.") from error
     return owned
-
-
-def _text(person: Any, kind: str) -> str:
-    value = person.get(kind) if isinstance(person, Mapping) else None
-    return value.strip() if isinstance(value, str) else ""

@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from submissions import NAME, SHEET, answered, as_bytes, emissions, released, write, zipped
 
-from misstep.grading.collect import notebook as reading
 from misstep.grading.collect.notebook import Unreadable, choose, read_work
 from misstep.grading.collect.submissions import SourceFile, list_files
+from misstep.storage.deserialize import MIME
 
 ADA = as_bytes(answered("ada"))
 CODE = "cell_type", "code"
@@ -126,7 +126,7 @@ def test_of_several_notebooks_the_newest_with_answers_counts(tmp_path):
 def test_a_file_that_is_too_large_is_refused_before_it_is_in_memory(tmp_path, monkeypatch):
     monkeypatch.setattr("misstep.grading.collect.submissions.MAX_BYTES", 1000)
     bomb = write(tmp_path, **{"x.zip": zipped({"x.ipynb": b" " * 100_000})})
-    with pytest.raises(Unreadable, match=r"x\.ipynb could not be read: x\.ipynb has more than|has more than"):
+    with pytest.raises(Unreadable, match=r"x\.ipynb has over"):
         choose(list_files(bomb / "x.zip"), SHEET)
 
 
@@ -141,7 +141,7 @@ JSON = st.recursive(
         st.lists(inner, max_size=4)
         | st.dictionaries(
             st.sampled_from(
-                ["cells", *CODE, "outputs", "data", reading.MIME, "sheet", "problem", "student", "answer", "source"]
+                ["cells", *CODE, "outputs", "data", MIME, "sheet", "problem", "student", "answer", "source"]
             ),
             inner,
             max_size=5,
@@ -153,7 +153,7 @@ JSON = st.recursive(
 
 @given(JSON, st.binary(max_size=3), st.integers(0, 400))
 def test_any_bytes_are_read_or_refused_with_a_sentence(data, noise, place):
-    content = json.dumps({"cells": [data, {"cell_type": "code", "outputs": [{"data": {reading.MIME: data}}]}]}).encode()
+    content = json.dumps({"cells": [data, {"cell_type": "code", "outputs": [{"data": {MIME: data}}]}]}).encode()
     for changed in (content, content[:place] + noise + content[place:]):
         with suppress(Unreadable):
             assert all(json.loads(text) is None or text for text, _ in read_work(changed, SHEET).answers.values())
