@@ -14,8 +14,10 @@ sys.dont_write_bytecode = False
 BROWSER = ("tests/browser/", "tests/site/")
 """The folders whose tests use one browser and one built site; one worker runs them, so that each of the two starts once."""
 
-LONGEST_FIRST = (*BROWSER, "notebooks/", "exercises/", "solutions/", "tests/kincourse/sheets/test_sheets.py")
-"""What starts first, so that all workers end at about the same time."""
+WITHOUT_SITE = tuple(f"tests/browser/test_{name}.py" for name in ("viewer_browser", "players_browser", "jupyterlab"))
+FIRST = (*WITHOUT_SITE, "notebooks/", "exercises/", *BROWSER, "solutions/", "tests/kincourse/sheets/test_sheets.py")
+"""What starts first, so that all workers end at about the same time: of the tests in the browser those that need no site, while
+another worker runs the notebooks, whose outputs the site takes."""
 
 
 def group(nodeid):
@@ -38,8 +40,8 @@ def group(nodeid):
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection_modifyitems(items):
-    """Start with what takes longest."""
-    items.sort(key=lambda item: [not item.nodeid.startswith(start) for start in LONGEST_FIRST])
+    """Start with what takes longest, in the order of FIRST."""
+    items.sort(key=lambda item: [not item.nodeid.startswith(start) for start in FIRST])
     return (yield)
 
 
