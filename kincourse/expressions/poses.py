@@ -18,7 +18,7 @@ def pose(label: str, T: Array) -> Expression:
     """A given pose, (4, 4).
 
     >>> [slip.name for slip in pose("T_{ab}", np.eye(4)).slips()]
-    ['inverted', 'transposed', 'rotation transposed', 'only moved', 'only rotated']
+    ['inverse', 'transposed', 'rotation transposed', 'rotation left out', 'position left out']
     """
     return given(label, T, _POSE)
 

@@ -74,7 +74,7 @@ def values_in_radians(types: str, q: Sequence[float] | Array) -> list[Expression
     """The values of joints in radians and metres, as they are needed.
 
     >>> [slip.name for slip in values_in_radians("P", [0.5])[0].slips()]
-    ['sign of a joint value', 'radians converted to radians', 'converted to degrees']
+    ['sign of a joint value', 'converted twice', 'converted to degrees']
     """
     kinds = {"R": _JOINT_ANGLE, "P": _JOINT_LENGTH}
     return [

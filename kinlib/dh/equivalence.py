@@ -166,7 +166,12 @@ def describe_pose(T: Array, tolerance: float = 0.0) -> str:
 
 
 def measured_difference(one: Chain, other: Chain) -> tuple[float, float]:
-    """Measure by how much the poses of two chains differ for the same q: the largest distance in metres, and angle in radians."""
+    """Measure by how much the poses of two chains differ for the same q: the largest distance in metres, and angle in radians.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> measured_difference(rpr(), rpr())
+    (0.0, 0.0)
+    """
     q = random_configurations(one.n, MEASURED_CONFIGURATIONS)
     T, U = one.fk(q), other.fk(q)
     angles = np.linalg.norm(log(np.swapaxes(T[:, :3, :3], -1, -2) @ U[:, :3, :3]), axis=-1)
@@ -235,7 +240,12 @@ def equivalent(
 
 
 def description_length(result: JointMap | Equivalence, tolerance: float) -> tuple[int, float]:
-    """Count the differences that a map consists of (signs, zeros, base, tool), and how far base and tool are from identity."""
+    """Count the differences that a map consists of (signs, zeros, base, tool), and how far base and tool are from identity.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> description_length(equivalent(rpr(), rpr()), 1e-9)
+    (0, 0.0)
+    """
     distances = [float(np.abs(T - np.eye(4)).sum()) for T in (result.base, result.tool)]
     joints = np.sum(result.signs < 0) + np.sum(np.abs(result.offsets) > tolerance)
     return int(joints + sum(distance > tolerance for distance in distances)), sum(distances)

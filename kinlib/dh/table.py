@@ -338,6 +338,10 @@ def rows_at(table: DHTable, rows: Array, q: Array) -> Array:
     """Add sign times q to the entry that each joint changes, in the rows of a table or of others that differ in their numbers.
 
     rows (..., m, 4), q (..., n), batch dimensions that broadcast -> (..., m, 4). The next functions take the same rows.
+
+    >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
+    >>> rows_at(table, table.rows, np.array([0.5]))
+    array([[1. , 0. , 2. , 0.5]])
     """
     moved = np.zeros((*np.broadcast_shapes(rows.shape[:-2], q.shape[:-1]), *rows.shape[-2:])) + rows
     for i, (row, column) in enumerate(joint_entries(table.joints)):
@@ -346,18 +350,33 @@ def rows_at(table: DHTable, rows: Array, q: Array) -> Array:
 
 
 def row_transforms(table: DHTable, rows: Array, q: Array) -> Array:
-    """Compute A_i or T_i of each row, (m, ..., 4, 4)."""
+    """Compute A_i or T_i of each row, (m, ..., 4, 4).
+
+    >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
+    >>> row_transforms(table, table.rows, np.array([0.0]))[0, :3, 3]
+    array([1., 0., 2.])
+    """
     columns = np.moveaxis(rows_at(table, rows, q), -1, 0)
     return np.moveaxis(dh_transform(*columns, convention=table.convention), -3, 0)
 
 
 def table_poses(table: DHTable, rows: Array, q: Array) -> Array:
-    """Compute base A_1 ... A_m tool, (..., 4, 4)."""
+    """Compute base A_1 ... A_m tool, (..., 4, 4).
+
+    >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
+    >>> table_poses(table, table.rows, np.array([0.0]))[:3, 3]
+    array([1., 0., 2.])
+    """
     return reduce(np.matmul, [*row_transforms(table, rows, q), table.tool], table.base)
 
 
 def joint_axes(table: DHTable, rows: Array) -> tuple[Array, Array]:
-    """Compute the joint axes in {s} at home: their directions (..., n, 3), and a point on each axis (..., n, 3)."""
+    """Compute the joint axes in {s} at home: their directions (..., n, 3), and a point on each axis (..., n, 3).
+
+    >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
+    >>> joint_axes(table, table.rows)[0]
+    array([[0., 0., 1.]])
+    """
     links = row_transforms(table, rows, np.zeros(table.n))
     start = np.broadcast_to(table.base, links.shape[1:])
     frames = np.stack([*accumulate(links, np.matmul, initial=start)], axis=-3)

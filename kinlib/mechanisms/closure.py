@@ -75,6 +75,9 @@ class Closure:
     >>> held.search_modes(poses=lambda q: q).round(9)
     array([[-1.,  0.],
            [ 1.,  0.]])
+    >>> free = Closure(circle, np.array([1.0, 0.0]), np.array([0, 1]), np.zeros(2, bool), np.full(2, 2.0), 1e-9)
+    >>> bool(np.allclose((free.trace(0.1, 8).q ** 2).sum(axis=1), 1))
+    True
     """
 
     equations: Equations

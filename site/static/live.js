@@ -427,7 +427,8 @@
       if (!isCovered) return;
       const example = SAMPLE_ID.exec(cells[0].original)?.[2];
       const id = ownId();
-      const link = h('a', { href: '#your-id' }, 'at the top');
+      const toField = () => document.querySelector('#your-id input').focus();
+      const link = h('button', { type: 'button', class: 'kinlib-button', onclick: toField }, 'at the top');
       const todo = id
         ? ['This problem will have the numbers of the id ', h('strong', {}, id), ': press Show my numbers ', link, '.']
         : ['This problem has numbers of your own: type your id ', link, ', and press Show my numbers.'];

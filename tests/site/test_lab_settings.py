@@ -154,7 +154,7 @@ def test_without_a_network_the_lab_is_left_out_unless_it_was_requested(tmp_path,
     (tmp_path / "pyodide" / "package.json").write_text('{"version": "9.9.9"}')
     locks = {"info": {"python": "3.14.0"}, "packages": {"numpy": locked("numpy", b"")}}
     (tmp_path / "pyodide" / "pyodide-lock.json").write_text(json.dumps(locks))
-    monkeypatch.setattr(wheels, "build", lambda _: [wheel(tmp_path, "kinlib", requires=["numpy"])])
+    monkeypatch.setattr(wheels, "build", lambda _: wheel(tmp_path, "kinlib", requires=["numpy"]))
     monkeypatch.setattr(lab, "EXTENSIONS", (tmp_path,))
     if fails:
         with pytest.raises(wheels.Unreachable, match=r"v9\.9\.9/full/\S+ could not be downloaded: .*no route"):
