@@ -207,7 +207,7 @@ def test_gradescopes_list_gets_two_columns_and_a_student_without_sid_is_found_by
 
 def test_a_roster_names_those_without_a_file_and_spells_ids(tmp_path):
     read = roster(tmp_path, "name;id\nA;Ada\nB;bob\nC;cyn\n")
-    source = write(tmp_path / "in", **{f"A/ADA/work/{NAME}": X, "B/bob.ipynb": X, f"B/eve/{NAME}": X})
+    source = write(tmp_path / "in", **{f"A/ADA/mine/{NAME}": X, "B/bob.ipynb": X, f"B/eve/{NAME}": X})
     gathered = gather(source, SHEET, read)
     assert [(one.student, one.id, len(one.files)) for one in gathered.submissions] == [
         *(("Ada", "Ada", 1), ("bob", "bob", 1), ("cyn", "cyn", 0), ("eve", "eve", 1))
