@@ -367,7 +367,7 @@ globalThis.planarArm = (() => {
       const [a, b] = chain.slice(-2);
       const heading = direction(a, b) + turn;
       const [x, y] = offset(at(b), 22, heading);
-      let anchor = '';
+      let anchor = x > size[0] - 90 ? ' end' : '';
       if (cos(heading) < 0.4) anchor = cos(heading) < -0.4 ? ' end' : ' mid';
       label(key, [x, y + 5 - 6 * sin(heading)], name, style + anchor);
     }
