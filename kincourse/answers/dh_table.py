@@ -22,7 +22,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import largest_difference, random_configurations
 from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import Equivalence, equivalent
-from kinlib.dh.joint_maps import CHOICES
+from kinlib.dh.equivalence import CHOICES
 from kinlib.dh.slips import Fault
 from kinlib.dh.table import DHTable
 from misstep.answers.accuracy import TOLERANCE

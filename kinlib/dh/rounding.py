@@ -14,7 +14,7 @@ import numpy as np
 from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.joint_maps import COMPARED_CONFIGURATIONS, JointMap, linearized
+from kinlib.dh.equivalence import COMPARED_CONFIGURATIONS, Equivalence, linearized
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.table import DHTable, rows_at
 from kinlib.rigid.lie import exp
@@ -98,7 +98,7 @@ class NearestRows(NamedTuple):
 
 
 def nearest_rows(
-    table: DHTable, arm: Chain, start: JointMap, fixed: frozenset[str], half_unit: Array, *, few: bool
+    table: DHTable, arm: Chain, start: Equivalence, fixed: frozenset[str], half_unit: Array, *, few: bool
 ) -> NearestRows | None:
     """Find the rows nearest to those of a table with which it describes an arm, up to the choices that are not fixed.
 
