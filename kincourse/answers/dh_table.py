@@ -195,12 +195,10 @@ class DHTableAnswer(Answer):
         if fitting or (explanations and len(wrong) != 1):
             name, text = _described(fitting or explanations)
             return name, text.replace(f"Row {min(wrong)}: ", "") if len(wrong) == 1 else text
-        if diagnosis.unfixed and diagnosis.unfixed.verdict == "same":
-            return (
-                "another start",
-                f"Your table moves like the arm, from another start. {_choices(diagnosis.unfixed)}",
-            )
-        return None
+        free = equivalent(given, self.value, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE) if self.anchored else None
+        if free is None or free.verdict != "same":
+            return None
+        return "another start", f"Your table moves like the arm, from another start. {_choices(free)}"
 
     def _difference(self, given: DHTable) -> Named | None:
         if self.agrees(given, self.value).count(False) == 1 < len(self.parts):

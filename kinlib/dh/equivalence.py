@@ -19,6 +19,7 @@ from functools import cached_property
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import format_different, format_number, format_vector
@@ -292,7 +293,7 @@ def _starts(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> li
             else:
                 possible &= np.abs(offsets[:, k]) < MAX_ROTATION_OF_FIXED
             offsets[:, k] = 0.0
-    starts = []
+    starts: list[tuple[int, int, int, tuple[Array, Array, Array]]] = []
     for signs, flip, c in zip(s[possible], flips[possible, 0], offsets[possible], strict=True):
         R = np.eye(3) if "base" in fixed else _frame(v[0], y[0]) @ _frame(signs[0] * u[0], flip * x[0]).T
         changed = np.abs(c) > max(loose, SAME_DISTANCE_RAD)
@@ -300,7 +301,9 @@ def _starts(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> li
     return [start for *_, start in sorted(starts, key=lambda each: each[:3])]
 
 
-def _normals(one: Chain, other: Chain, fixed: frozenset[str], near: float) -> tuple[Array, Array, Array, Booleans]:
+def _normals(
+    one: Chain, other: Chain, fixed: frozenset[str], near: float
+) -> tuple[Array, Array, NDArray[np.int_], Booleans]:
     """Choose directions before, between and after the axes of two chains, (n + 1, 3) each, that correspond to each other.
 
     Between two axes it is their common normal. Where that is free, the direction is the one before, or the first that is not free;
@@ -308,7 +311,8 @@ def _normals(one: Chain, other: Chain, fixed: frozenset[str], near: float) -> tu
     is a cross product, which has the opposite direction if one of the axes has.
     """
     n, arms = one.n, (one, other)
-    x, source, is_cross = np.zeros((2, n + 1, 3)), np.full(n + 1, -1), np.zeros(n + 1, bool)
+    x, source = np.zeros((2, n + 1, 3)), np.full(n + 1, -1)
+    is_cross: Booleans = np.zeros(n + 1, bool)
     if "base" in fixed:
         x[:, 0], source[0] = perpendicular(one.lines.axis[0]), 0
     if "tool" in fixed:
@@ -331,15 +335,14 @@ def _normals(one: Chain, other: Chain, fixed: frozenset[str], near: float) -> tu
     known = np.flatnonzero(source >= 0)
     if not known.size:
         x[:, 0], known = [perpendicular(arm.lines.axis[0]) for arm in arms], np.array([0])
-    for k in range(n + 1):
-        source[k] = known[max(0, np.searchsorted(known, k, side="right") - 1)]
+    source = known[np.maximum(np.searchsorted(known, np.arange(n + 1), side="right") - 1, 0)]
     return x[0, source], x[1, source], source, is_cross
 
 
 def _angles(axis: Array, x: Array) -> Array:
     """Compute the angle about each axis (n, 3) from the direction before it to the one after it, of (n + 1, 3) -> (n,)."""
     before, after = x[:-1], x[1:]
-    return np.arctan2(np.sum(axis * cross(before, after), axis=1), np.sum(before * after, axis=1))
+    return np.asarray(np.arctan2(np.sum(axis * cross(before, after), axis=1), np.sum(before * after, axis=1)))
 
 
 def _frame(z: Array, x: Array) -> Array:
@@ -356,16 +359,15 @@ def _completed(start: Equivalence, one: Chain, other: Chain, fixed: frozenset[st
     """
     Y = np.eye(4) if "tool" in fixed else inverse(start.base @ one.fk(start.offsets)) @ other.home
     found = _improved(_measured(replace(start, tool=Y), one, other), one, other, fixed)
-    shifted = {"base": found.base, "tool": found.tool, "offsets": found.offsets.copy()}
+    X, Y, offsets = found.base, found.tool, found.offsets.copy()
     if not fixed & {"base", "zeros"}:
-        shift = _shift_to_identity(found.base, one.screws[0])
-        shifted["base"] = found.base @ exp(shift * one.screws[0])
-        shifted["offsets"][0] -= shift
+        shift = _shift_to_identity(X, one.screws[0])
+        X, offsets[0] = X @ exp(shift * one.screws[0]), offsets[0] - shift
     if not fixed & {"tool", "zeros"}:
-        shift = _shift_to_identity(inverse(found.tool), one.body_screws[-1])
-        shifted["tool"] = exp(-shift * one.body_screws[-1]) @ found.tool
-        shifted["offsets"][-1] += shift
-    return [found] if "zeros" in fixed else [_measured(replace(found, **shifted), one, other), found]
+        shift = _shift_to_identity(inverse(Y), one.body_screws[-1])
+        Y, offsets[-1] = exp(-shift * one.body_screws[-1]) @ Y, offsets[-1] + shift
+    shifted = _measured(replace(found, base=X, tool=Y, offsets=offsets), one, other)
+    return [found] if "zeros" in fixed else [shifted, found]
 
 
 def _measured(found: Equivalence, one: Chain, other: Chain) -> Equivalence:

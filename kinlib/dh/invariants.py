@@ -59,10 +59,9 @@ class AxisInvariants:
     def agree(self, values: Array, signs_are_fixed: bool = False) -> Booleans:
         """Return for which mechanisms (N,) all invariants (N, k) agree for one choice of the joint signs."""
         if signs_are_fixed:
-            return np.logical_and.reduce(np.abs(values - self._values) <= self._tolerances, axis=-1)
-        agree = ~self.violated(values).any(axis=-1)
-        agree[agree] = [len(self.sign_patterns(each)) > 0 for each in values[agree]]
-        return agree
+            return np.asarray(np.all(np.abs(values - self._values) <= self._tolerances, axis=-1))
+        possible = np.all(~self.violated(values), axis=-1)
+        return np.array([each and len(self.sign_patterns(own)) > 0 for each, own in zip(possible, values, strict=True)])
 
     def sign_patterns(self, values: Array) -> Array:
         """Return all signs of the joints (P, n) for which all invariants (k,) agree, those with the fewest -1 first."""

@@ -10,9 +10,8 @@ from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, equivalent
-from kinlib.dh.equivalence import describe_pose, measured_difference
+from kinlib.dh.equivalence import CHOICES, describe_pose, linearized, measured_difference
 from kinlib.dh.invariants import AxisInvariants
-from kinlib.dh.equivalence import CHOICES, linearized
 
 SEEDS = st.integers(0, 2**32 - 1)
 
