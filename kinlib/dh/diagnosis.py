@@ -166,7 +166,7 @@ def diagnose(
                of the arm up to these four choices; with all four it is right only if its poses are those of the arm
     tolerance  how far the poses of a right table may be off, in metres and radians. By default 1e-8, and a table is not accused
                of what the rounding of its numbers explains, as far as their digits show
-    in_pairs   whether pairs of mistakes are tried if no single one explains the table
+    in_pairs   whether pairs of mistakes, choices that are fixed, and other numbers are tried if no single slip explains the table
 
     Raises ValueError if the first argument is not a table and the second not an arm, if the two have different numbers of
     joints, because then they cannot be compared, and for a name in fixed that is none of the four.
@@ -205,19 +205,18 @@ def diagnose(
         return replace(found, verdict="rounded", comparison=near)
     if found.comparison.verdict == "undecided":
         return replace(found, verdict="undecided")
-    count = 2 if in_pairs else 1
     if np.abs(table.rows[:, [0, 2]]).max() > MIN_LENGTH_MM and noise > exact:  # in case that they are in millimetres
         metres = table.changed(rows=table.rows * (1e-3, 1, 1e-3, 1))
         noise = max(rounding_effect(metres, typed_half_units(metres.rows)[0]), exact)
     has_noise = near.verdict != "same" and exact < noise <= MAX_ROUNDED_TOL
     for bound in [exact, noise] if has_noise else [exact]:
-        explained = _explanations(table, reference, fixed, half, bound, count if bound == exact else 1)
+        explained = _explanations(table, reference, fixed, half, bound, in_pairs, bound == exact)
         found = replace(found, explanations=found.explanations or explained)
     # Where rounding may be the cause, only a single usual mistake outweighs it.
     is_usual = any(len(each.faults) == 1 and each.faults[0].name in USUAL_SLIPS for each in found.explanations)
     if rounding == "possible" and not is_usual:
         return replace(found, verdict="undecided")
-    return found if found.explanations else _with_nearest(found, fixed, half, noise, count)
+    return found if found.explanations or not in_pairs else _with_nearest(found, fixed, half, noise)
 
 
 def _table_or_arm(given: Any, convention: Convention | None) -> Any:
@@ -247,14 +246,20 @@ def _judge_rounding(
 
 
 def _explanations(  # noqa: PLR0917
-    table: DHTable, reference: Chain | DHTable, fixed: frozenset[str], half: Array, bound: float, count: int
+    table: DHTable,
+    reference: Chain | DHTable,
+    fixed: frozenset[str],
+    half: Array,
+    bound: float,
+    in_pairs: bool,
+    is_exact: bool,
 ) -> list[TableExplanation]:
     """Explain a table by one slip; or by choices that are fixed, or two slips, whichever changes less."""
     found = _with_enough_digits(explain_by_slips(table, reference, fixed, frozenset(), bound, 1), table, half)
-    if any(each.edits <= 1 for each in found):
+    if not in_pairs or any(each.edits <= 1 for each in found):
         return found
     choice = explain_by_choices(table, equivalent(table, reference, tolerance=bound)) if fixed else None
-    if not found and count > 1 and not (choice and choice.edits <= 2):
+    if not found and is_exact and not (choice and choice.edits <= 2):
         pairs = explain_by_slips(table, reference, fixed, frozenset(), bound, 2)
         if ends := fixed & {"base", "tool"}:
             pairs += explain_by_slips(table, reference, fixed, ends, bound, 1)
@@ -278,7 +283,7 @@ def _with_enough_digits(found: list[TableExplanation], table: DHTable, half_unit
     return [each for each in found if not any(is_rounded(each, fault) for fault in each.faults)]
 
 
-def _with_nearest(found: Diagnosis, fixed: frozenset[str], half: Array, noise: float, max_faults: int) -> Diagnosis:
+def _with_nearest(found: Diagnosis, fixed: frozenset[str], half: Array, noise: float) -> Diagnosis:
     """Add the table with few other numbers that describes the arm to a diagnosis that found no mistake."""
     table, up_to = found.table, ""
     nearest = nearest_table(table, found.arm, fixed, half, noise)
@@ -289,7 +294,7 @@ def _with_nearest(found: Diagnosis, fixed: frozenset[str], half: Array, noise: f
     if np.abs(nearest.rows - table.rows).max() < NEARLY_PARALLEL_LOSS:
         return replace(found, verdict="undecided")  # as small as what nearly parallel axes lose
     faults = _different_entries(table, nearest)
-    if len(faults) <= max_faults and not up_to:
+    if len(faults) <= 2 and not up_to:
         return replace(found, explanations=[TableExplanation(faults, nearest, 2 * len(faults))])
     return replace(found, nearest=nearest, up_to=up_to)
 

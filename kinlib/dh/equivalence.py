@@ -219,7 +219,7 @@ def equivalent(
         return Equivalence("different", explain=lambda: types)
     near = _nearly_parallel(one) | _nearly_parallel(other)
     found = [_identity_map(one, other)]
-    if found[0].difference > tolerance:
+    if found[0].difference > tolerance and len({*fixed}) < len(CHOICES):
         loose = max(10 * tolerance, NEARLY_PARALLEL_LOSS * near.any())
         found += nearest_maps(one, other, frozenset(fixed), loose, tolerance)
     same = [each for each in found if each.difference <= tolerance]
@@ -227,7 +227,7 @@ def equivalent(
         return replace(min(same, key=lambda each: _description_length(each, tolerance)), tolerance=tolerance)
     best = replace(min(found, key=lambda each: each.difference), tolerance=tolerance)
     size = 1 + max(np.abs(np.append(arm.joint_points, arm.home[None, :3, 3], axis=0)).max() for arm in (one, other))
-    is_lost = best.difference <= NEARLY_PARALLEL_LOSS * size or (len(found) > 1 and len({*fixed}) < len(CHOICES))
+    is_lost = best.difference <= NEARLY_PARALLEL_LOSS * size or len(found) > 1
     if near.any() and is_lost:
         return replace(best, verdict="undecided", explain=lambda: _why_undecided(near, best.difference))
     return replace(best, verdict="different", explain=lambda: _why_different(one, other, frozenset(fixed), best))
@@ -394,7 +394,9 @@ def _improved(found: Equivalence, one: Chain, other: Chain, fixed: frozenset[str
         moved = _measured(replace(found, base=X, tool=Y, offsets=found.offsets + step[6:-6]), one, other)
         if moved.difference >= found.difference:
             break
-        found = moved
+        is_slow, found = moved.difference > 0.5 * found.difference, moved
+        if is_slow:  # a start that is right leaves a linear problem
+            break
     return found
 
 

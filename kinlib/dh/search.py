@@ -188,8 +188,17 @@ class _Search:
         return [((e, n, size), [self._singles[place] for place in places[k]]) for e, n, size, k in order]
 
     @cached_property
+    def _known(self) -> tuple[list[Correction], Array]:
+        """The corrections that change something, and the rows that each of them leads to, (N, m, 4)."""
+        known = corrections(self.table, self.right, "zeros" in self.fixed, "signs" in self.fixed)
+        rows = np.array([each.change(self.table.rows) for each in known])
+        differs = np.abs(rows - self.table.rows).max(axis=(1, 2)) > 1e-12
+        kept = [k for k, each in enumerate(known) if differs[k] or each.convention or each.reversed]
+        return [known[k] for k in kept], rows[kept]
+
+    @cached_property
     def _singles(self) -> list[Correction]:
-        return corrections(self.table, self.right, "zeros" in self.fixed, "signs" in self.fixed)
+        return self._known[0]
 
     @cached_property
     def _numbers(self) -> Booleans:
@@ -201,13 +210,12 @@ class _Search:
 
         Every entry of a column has to be wrong in the same way, which is one more as well: a single entry is the simpler explanation.
         """
-        edits = []
-        for each in self._singles:
-            changed = int(np.sum(np.abs(each.change(self.table.rows) - self.table.rows) > 1e-12))
+        edits = (np.abs(self._known[1] - self.table.rows) > 1e-12).sum(axis=(1, 2)) + self._numbers
+        for k, each in enumerate(self._singles):
             is_column = each.fault.row is None and each.fault.name.startswith("sign of")
-            labels = bool(each.convention) + bool(each.reversed) + is_column + (each.fault.name in NUMBERS)
-            edits.append((min(changed, 2) if each.fault.name == "rows swapped" else changed) + labels)
-        return np.array(edits)
+            edits[k] = min(edits[k], 2) if each.fault.name == "rows swapped" else edits[k] + is_column
+            edits[k] += bool(each.convention) + bool(each.reversed)
+        return np.asarray(edits)
 
     @cached_property
     def _invariants(self) -> AxisInvariants:
@@ -231,10 +239,11 @@ class _Search:
         rows = np.repeat(self.table.rows[None], len(places), axis=0)
         signs = np.repeat(self.table.signs[None], len(places), axis=0)
         is_other = np.zeros(len(places), bool)
-        for column in places.T:
+        for at, column in enumerate(places.T):
+            rows = self._known[1][column] if at == 0 else rows
             for place in np.unique(column):
                 single, chosen = self._singles[place], np.flatnonzero(column == place)
-                rows[chosen] = single.change(rows[chosen])
+                rows[chosen] = single.change(rows[chosen]) if at else rows[chosen]
                 is_other[chosen] ^= single.convention is not None
                 for row in single.reversed:
                     signs[chosen, row] *= -1

@@ -252,8 +252,7 @@ def corrections(table: DHTable, right: Array, zeros_are_fixed: bool, signs_are_f
         found.append(Correction(_fault(slip, places, table), _changed(slip.correction, places)))
     if signs_are_fixed:
         found += _corrections_of_signs(table)
-    found += _corrections_of_a_number(table, right, zeros_are_fixed)
-    return [each for each in found if each.convention or each.reversed or (each.change(table.rows) != table.rows).any()]
+    return [*found, *_corrections_of_a_number(table, right, zeros_are_fixed)]
 
 
 def _is_likely(slip: Slip, row: Array) -> bool:
