@@ -10,8 +10,7 @@ from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, equivalent
-from kinlib.dh.equivalence import CHOICES, describe_pose, linearized, measured_difference
-from kinlib.dh.invariants import AxisInvariants
+from kinlib.dh.equivalence import CHOICES, AxisInvariants, describe_pose, linearized, measured_difference
 
 SEEDS = st.integers(0, 2**32 - 1)
 
