@@ -83,9 +83,11 @@ def one_row(sampler: ArmSampler) -> Problem:
         f"| {number(a)} | {alpha}° | {number(d)} | {theta}° |\n\nin the standard convention. Lengths are in metres.",
         given={"a": a, "alpha_degrees": alpha, "d": d, "theta_degrees": theta},
         answer=PoseAnswer(A.value),
-        solution=A.mistaken_for(inverse(A), "inverse", "give the inverse")
-        .mistaken_for(mirrored, "entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$")
-        .mistaken_for(turned_twice, "rotated twice", "rotate $a$ by $\\theta$ twice"),
+        solution=A.mistaken_for(
+            ("inverse", "give the inverse", inverse(A)),
+            ("entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$", mirrored),
+            ("rotated twice", "rotate $a$ by $\\theta$ twice", turned_twice),
+        ),
     )
 
 
@@ -187,7 +189,7 @@ def offsets(sampler: ArmSampler) -> Problem:
     ):
         # The first offset, and the middle one of a reversed list, come out right by these wrong methods too.
         is_other_method = name.startswith("measured from the base") or name in {"added up", "reversed", "inner angles"}
-        c = c.mistaken_for(wrong, name, text, advice, spoils=is_other_method)
+        c = c.mistaken_for((name, text, wrong, advice), spoils=is_other_method)
     return Problem(
         statement="All joint axes of this planar arm point towards you, and $x_i$ runs along link $i$. The manufacturer defines the "
         f"drawn configuration as $q = 0$. There, the links make these angles with $x_0$, anticlockwise positive: {headings_text}. "
@@ -290,7 +292,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
     steps = [_axis_distance(i, *step) for i, step in enumerate(np.diff(points, axis=0), start=1)]
     a, d = [a for a, _ in steps], [z[1] - z[0], z[2] - z[1]]
     far, rise = float(np.hypot(*(third - first)[:2])), z[2] - z[0]
-    d[1] = d[1].mistaken_for(rise, "measured from joint 1", "measure $d_2$ from joint 1", "Row 2 begins at joint 2.")
+    d[1] = d[1].mistaken_for(("measured from joint 1", "measure $d_2$ from joint 1", rise, "Row 2 begins at joint 2."))
     answer = stack(a[0], d[0], a[1], d[1])
     for name, text, wrong, advice in (
         ("off the normal", "measure $a$ from joint to joint", (steps[0][1], 0.0, steps[1][1], 0.0), NORMAL_ADVICE),
@@ -304,7 +306,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         ("measured from joint 1", "measure both rows from joint 1", (a[0], d[0], far, rise), "Row 2 begins at joint 2."),
     ):  # fmt: skip
         answer = answer.mistaken_for(
-            stack(*wrong), name, text, advice, spoils=name in {"measured from joint 1", "order of the numbers"}
+            (name, text, stack(*wrong), advice), spoils=name in {"measured from joint 1", "order of the numbers"}
         )
     return Problem(
         statement="Three parallel joint axes point up. The table gives a point of each joint. For parallel axes, the origin may be "
@@ -332,7 +334,7 @@ def _axis_distance(i: int, x: float, y: float, z: float) -> tuple[Expression, fl
         ("one step alone", f"take the step along $x$ alone as $a_{i}$", dx),
         ("one step alone", f"take the step along $y$ alone as $a_{i}$", dy),
     ):
-        a = a.mistaken_for(wrong, name, text, NORMAL_ADVICE)
+        a = a.mistaken_for((name, text, wrong, NORMAL_ADVICE))
     return a, between
 
 
@@ -363,7 +365,7 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
         ("base in a row", "write the base into the first row", base_in_a_row(table).fk(q)),
         ("tool in a row", "write the tool into the last row", tool_in_a_row(table).fk(q)),
     ):
-        T = T.mistaken_for(wrong, name, text, BASE_AND_TOOL_ADVICE)
+        T = T.mistaken_for((name, text, wrong, BASE_AND_TOOL_ADVICE))
     return Problem(
         statement=f"An arm has two rows, $(a, \\alpha, d, \\theta) = {_format_row(rows[0], 1)}$ and "
         f"${_format_row(rows[1], 2)}$, in the standard "

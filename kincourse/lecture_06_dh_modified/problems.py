@@ -315,14 +315,16 @@ def link_transform(sampler: ArmSampler) -> Problem:
         given={"a": a, "alpha": alpha, "d": d, "theta": theta},
         answer=PoseAnswer(T.value),
         solution=(
-            T.mistaken_for(inverse(T), "inverse", "give the inverse")
-            .mistaken_for(
-                swapped,
-                "entries swapped",
-                "swap the entries $(2, 1)$ and $(3, 2)$, as a printed matrix of the lecture does",
-                "The columns are then not perpendicular to each other.",
+            T.mistaken_for(
+                ("inverse", "give the inverse", inverse(T)),
+                (
+                    "entries swapped",
+                    "swap the entries $(2, 1)$ and $(3, 2)$, as a printed matrix of the lecture does",
+                    swapped,
+                    "The columns are then not perpendicular to each other.",
+                ),
+                ("entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$", mirrored),
             )
-            .mistaken_for(mirrored, "entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$")
         ),
     )
 
@@ -526,7 +528,7 @@ def wrist(sampler: ArmSampler) -> Problem:
         ("Z-Y-Z", "give Z-Y-Z Euler angles, without a constant", euler("zyz")),
         ("X-Y-Z", "rotate about the axes $x$, $y$, $z$", euler("xyz")),
     ):
-        R = R.mistaken_for(wrong, name, text, WRIST_ADVICE)
+        R = R.mistaken_for((name, text, wrong, WRIST_ADVICE))
     return Problem(
         statement="These are rows 4 to 6 of the modified table of a PUMA 560, that is, its wrist. Give ${}^3R_6$ at "
         f"$(\\theta_4, \\theta_5, \\theta_6) = {vector(degrees)}$ degrees.\n\n"

@@ -38,10 +38,12 @@ def antiparallel_row(_draw: ArmSampler) -> Problem:
         statement="Give row 3 of the stranger in the standard convention, as $[a, \\alpha, d, \\theta]$ at $q = 0$.",
         answer=DHRowAnswer(np.array([0.3, np.pi, -0.2, 0.0])),
         solution=dh_row(0.3, np.pi, -0.2, 0.0).mistaken_for(
-            np.array([0.3, 0.0, 0.2, 0.0]),
-            "parallel, and the sign of d",
-            "take $\\alpha = 0$, and measure $d$ along the axis of joint 4",
-            "In the standard convention $d_3$ is measured along $z_2$, the axis of joint 3, and the angle from $z_2$ to $z_3$ is $\\pi$.",
+            (
+                "parallel, and the sign of d",
+                "take $\\alpha = 0$, and measure $d$ along the axis of joint 4",
+                np.array([0.3, 0.0, 0.2, 0.0]),
+                "In the standard convention $d_3$ is measured along $z_2$, the axis of joint 3; the angle to $z_3$ is $\\pi$.",
+            )
         ),
         invisible=["sign of alpha", "sign of the angles"],  # pi and -pi are the same rotation
         advice={

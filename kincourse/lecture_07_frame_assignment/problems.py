@@ -358,7 +358,7 @@ def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
         ("half for both", "put joint 2 half-way between joints 1 and 3", ((a_1 + a_2) / 2, (a_1 + a_2) / 2), ""),
         ("joint 2 at axis 1", "put joint 2 on axis 1", (0.0, a_1 + a_2), "The other drawing has it at another place."),
     ):  # fmt: skip
-        answer = answer.mistaken_for(stack(*wrong), name, text, advice)
+        answer = answer.mistaken_for((name, text, stack(*wrong), advice))
     robot = arm(
         [(Z, (0, 0, 0)), (-Y, (first, 0, 0), SLIDE), (Z, (reach, 0, 0))],
         pose((X, Y, Z), (reach, 0, 0)),

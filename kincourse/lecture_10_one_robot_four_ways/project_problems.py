@@ -120,7 +120,9 @@ def screws_of_the_project(sampler: ArmSampler) -> Problem:
     project, right = open_project(sampler.student), draw_machine(sampler.student)
     pitches = np.array([np.inf if letter == "P" else 0.0 for letter in project.joints])
     S = joint_screws(right.chain.lines.axis, right.points, pitches)
-    S = S.mistaken_for(right.chain.body_screws, "body screws", "give the body screws", "The screws in {s} are wanted.")
+    S = S.mistaken_for(
+        ("body screws", "give the body screws", right.chain.body_screws, "The screws in {s} are wanted.")
+    )
     return Problem(
         statement=f"{_begin(project)}Give the screw axes in {{s}}, one in each row, from the same sheet. The arrow at an axis is its "
         "positive direction: a ring with a dot points towards you, a ring with a cross away from you.",

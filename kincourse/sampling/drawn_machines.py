@@ -59,10 +59,12 @@ def read_point(label: str, p: Array, axis: Array, others: Sequence[Array] = ()) 
         ("depth reversed", f"take the $y$ of ${label}$ with the opposite sign", p * (1, -1, 1)),
     ):
         if np.abs(np.cross(axis, wrong - p)).max() > STEP_M:
-            point = point.mistaken_for(wrong, name, text, "The top view shows $x$ and $y$, the front view $x$ and $z$.")
+            point = point.mistaken_for(
+                (name, text, wrong, "The top view shows $x$ and $y$, the front view $x$ and $z$.")
+            )
     for other in others:
         if np.abs(np.cross(axis, other - p)).max() > STEP_M:
-            point = point.mistaken_for(other, "another mark", f"read another mark instead of ${label}$")
+            point = point.mistaken_for(("another mark", f"read another mark instead of ${label}$", other))
     return point
 
 
