@@ -112,6 +112,7 @@ class Course:
     fallback_hint: str = ""
     site: str = ""
     _asked: dict[str, Any] = field(default_factory=dict, init=False, repr=False)
+    _tried: set[str] = field(default_factory=set, init=False, repr=False)
 
     @property
     def folder(self) -> Path:
@@ -173,9 +174,11 @@ class Course:
         blanks = self.blanks()
         if number not in blanks:
             raise ValueError(f"There is no blank step {number!r}. The blank steps are: {', '.join(blanks)}.")
-        template = blanks[number]
-        address = lecture_address(template.lecture, self.site)
-        return Verdict(template, judge(template.variant(SAMPLE_ID), answer), address=address)
+        template, is_first = blanks[number], number not in self._tried
+        judgement = judge(template.variant(SAMPLE_ID), answer)
+        if judgement.state in {"partly", "wrong"}:
+            self._tried.add(number)
+        return Verdict(template, judgement, address=lecture_address(template.lecture, self.site), is_first=is_first)
 
     def questions(self) -> dict[str, dict[str, Item]]:
         """The questions of each lecture, by the number of the lecture and the name of the question.

@@ -184,13 +184,15 @@ class DHRowsAnswer(_DHNumbers):
             if one:
                 places.setdefault(one, []).append(symbol(COLUMNS[k]))
         if seen and all(seen.values()) and len(places) <= 2:
-            text = " ".join(f"Look at {' and '.join(names)}. {text}" for (_, text), names in places.items())
+            text = " ".join(f"{text}\nLook at {' and '.join(names)}." for (_, text), names in places.items())
             return " and ".join(dict.fromkeys(name for name, _ in places)), text
         if found := self.likeness(given, part).resemblance():
             return found
         columns = self._wrong_columns(given, part)
         if len(columns) < 3:
-            return "wrong " + " and ".join(columns), f"Look at its {' and '.join(map(symbol, columns))}."
+            return "wrong " + " and ".join(
+                columns
+            ), f"Some numbers of this row are right.\nLook at its {' and '.join(map(symbol, columns))}."
         return self._place(given, part)
 
     def _wrong_columns(self, given: Array, part: int) -> list[str]:

@@ -194,7 +194,9 @@ class DHTableAnswer(Answer):
         fitting = [faults for faults in explanations if all(fault.row in {None, *wrong} for fault in faults)]
         if fitting or (explanations and len(wrong) != 1):
             name, text = _described(fitting or explanations)
-            return name, text.replace(f"Row {min(wrong)}: ", "") if len(wrong) == 1 else text
+            if len(wrong) == 1:  # the name of the part tells the row
+                text = text.replace(f"Row {min(wrong)}: ", "").replace("In one row, ", "").partition("\nLook at row")[0]
+            return name, text[:1].upper() + text[1:]
         if diagnosis.unfixed and diagnosis.unfixed.verdict == "same":
             return (
                 "another start",
@@ -297,7 +299,7 @@ def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
     name = " or ".join(list(dict.fromkeys(names))[:MAX_ALTERNATIVES])
     if all([fault.name for fault in faults] == ["wrong number"] for faults in alternatives):
         places = list(dict.fromkeys(f"{symbol(str(fault.column))} in row {fault.row}" for (fault,) in alternatives))
-        return name, f"All but one entry can stand: look again at {' or '.join(places[:MAX_ALTERNATIVES])}."
+        return name, f"All but one entry can stay as they are.\nLook again at {' or '.join(places[:MAX_ALTERNATIVES])}."
     texts = [
         " ".join(
             f"Row {fault.row}: {fault.column} has a wrong number." if fault.name == "wrong number" else fault.text
@@ -307,6 +309,10 @@ def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
     ]
     texts = list(dict.fromkeys(_COLUMN.sub(lambda found: symbol(found[0]), text) for text in texts))[:MAX_ALTERNATIVES]
     text = texts[0] if len(texts) == 1 else f"Either: {' Or: '.join(texts)}"
+    rows = {fault.row for faults in alternatives[:1] for fault in faults}
+    if len(texts) == 1 and len(rows) == 1 and text.startswith("Row ") and text.count("Row ") == 1:
+        place, _, what = text.partition(": ")
+        text = f"In one row, {what[0].lower()}{what[1:]}\nLook at row {place.removeprefix('Row ')}."
     return name, text
 
 

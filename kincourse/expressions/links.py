@@ -27,8 +27,9 @@ from misstep.mutants.expression import (
 from misstep.mutants.operations import DEGREES_ADVICE, function
 
 CONVENTION_ADVICE = (
-    "A standard row is $R_z(\\theta)\\,T_z(d)\\,T_x(a)\\,R_x(\\alpha)$, joint first; a modified row is "
-    "$R_x(\\alpha)\\,T_x(a)\\,R_z(\\theta)\\,T_z(d)$, common normal first."
+    "A standard row begins with the joint, a modified one with the common normal.\n"
+    "A standard row is $R_z(\\theta)\\,T_z(d)\\,T_x(a)\\,R_x(\\alpha)$; a modified row is "
+    "$R_x(\\alpha)\\,T_x(a)\\,R_z(\\theta)\\,T_z(d)$."
 )
 LENGTHS_ADVICE = "$d$ is measured along $z$, the axis of the joint, and $a$ along $x$, the common normal."
 ANGLES_ADVICE = (

@@ -97,7 +97,8 @@ def table_of_the_new_arm(_draw: ArmSampler) -> Problem:
             mistake(
                 "antiparallel as parallel",
                 replace(table, rows=rows),
-                "Your table moves as if $\\alpha_3$ were 0. Axes 3 and 4 have opposite directions, so $\\alpha_3 = \\pi$. With 0 "
+                "Your table moves as if the axis of one joint had the opposite direction.\n"
+                "Axes 3 and 4 have opposite directions, so $\\alpha_3 = \\pi$. With 0 "
                 "the rest of the arm is rotated by $\\pi$ about $x_3$.",
             ),
             *table_mistakes(

@@ -192,7 +192,8 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
             mistake(
                 "alpha left out",
                 table.changed(rows=same_direction),
-                "Your table moves as if $\\alpha_3$ were 0. Axes 3 and 4 have opposite directions, so $\\alpha_3 = \\pi$.",
+                "Your table moves as if the axis of one joint had the opposite direction.\n"
+                "Axes 3 and 4 have opposite directions, so $\\alpha_3 = \\pi$.",
             ),
             mistake(
                 "d left out",

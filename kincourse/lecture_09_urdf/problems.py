@@ -155,7 +155,7 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
         answer=VectorsAnswer(p.value, unit="m"),
         solution=p,
         advice={
-            "rotation left out": "Each `xyz` is in the frame of its parent: $p = p_1 + R_1 p_2 + R_1 R_2\\,p_3$.",
+            "rotation left out": "Each `xyz` is in the frame of its parent.\nSo $p = p_1 + R_1 p_2 + R_1 R_2\\,p_3$.",
             "order": "From the base outwards, the first joint is on the left: $R_1 R_2$.",
         },
     )
