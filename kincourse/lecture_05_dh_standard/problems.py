@@ -10,11 +10,16 @@ from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import dh_row, link, links, table_product
 from kincourse.expressions.poses import inverse, with_position
 from kincourse.expressions.poses import pose as given_pose
-from kincourse.mistakes.dh import base_in_a_row, entry_names, other_entries, table_mistakes, tool_in_a_row
+from kincourse.mistakes.dh import entry_names, other_entries, rows_of_the_other_convention, with_translation_in_a_row
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, are_distinguishable
-from kincourse.sampling.drawn_machines import draw_table_frames, is_readable, lengths, table_frames
-from kincourse.sampling.drawn_machines import table_mistakes as drawn_table_mistakes
+from kincourse.sampling.drawn_machines import (
+    draw_table_frames,
+    drawn_table_mistakes,
+    is_readable,
+    lengths,
+    table_frames,
+)
 from kincourse.text.joint_table import MARKS_BY_ROW, joint_table
 from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.dh.formatting import markdown_table
@@ -112,16 +117,7 @@ def whole_table(sampler: ArmSampler) -> Problem:
         figure=partial(draw_joints, robot, tool=True),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
         answer=DHTableAnswer(table, anchored=True),
-        mistakes=table_mistakes(
-            table,
-            "no offset",
-            "sign of alpha",
-            "a and d swapped",
-            "alpha one row off",
-            "z on the wrong joint",
-            "off the normal",
-            "degrees",
-        ),
+        mistakes=[rows_of_the_other_convention(table)],
     )
 
 
@@ -362,8 +358,8 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
         ("base and tool swapped", "swap $T_{s0}$ and $T_{2b}$", product(T_2b, *A, T_s0)),
         ("base behind the rows", "put $T_{s0}$ behind the rows", product(*A, T_s0, T_2b)),
         ("tool in front of the rows", "put $T_{2b}$ in front of the rows", product(T_s0, T_2b, *A)),
-        ("base in a row", "write the base into the first row", base_in_a_row(table).fk(q)),
-        ("tool in a row", "write the tool into the last row", tool_in_a_row(table).fk(q)),
+        ("base in a row", "write the base into the first row", with_translation_in_a_row(table, "base").fk(q)),
+        ("tool in a row", "write the tool into the last row", with_translation_in_a_row(table, "tool").fk(q)),
     ):
         T = T.mistaken_for((name, text, wrong, BASE_AND_TOOL_ADVICE))
     return Problem(

@@ -17,11 +17,16 @@ from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.links import axial_twists, link, table_product
 from kincourse.expressions.poses import inverse, rotation_about, rotation_of
 from kincourse.expressions.wrist import wrist_angles, wrist_rotation
-from kincourse.mistakes.dh import table_mistakes
+from kincourse.mistakes.dh import is_in_several_rows, rows_of_the_other_convention
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, are_distinguishable
-from kincourse.sampling.drawn_machines import draw_table_frames, is_in_several_rows, is_readable, lengths, table_frames
-from kincourse.sampling.drawn_machines import table_mistakes as drawn_table_mistakes
+from kincourse.sampling.drawn_machines import (
+    draw_table_frames,
+    drawn_table_mistakes,
+    is_readable,
+    lengths,
+    table_frames,
+)
 from kincourse.text.joint_table import MARKS_BY_ROW, joint_table
 from kinlib.arrays.validation import Array, read_only_copy
 from kinlib.chains.chain import random_configurations
@@ -591,8 +596,6 @@ def whole_arm(sampler: ArmSampler) -> Problem:
         places = [np.zeros(3), *robot.joint_points]
     points = _letter_points(table, letters)
     lengths = ", ".join(f"$l_{k} = {number(length)}$" for k, length in enumerate(letters, start=1))
-    names = ("no offset", "sign of alpha", "a and d swapped", "alpha one row off", "z on the wrong joint", "degrees")
-    in_theta = ("prismatic variable in theta",) if "P" in joints else ()
     reach = np.hypot(rows[:, 0], rows[:, 2])
     between_origins = table.changed(rows=np.column_stack([reach, rows[:, 1], 0 * reach, rows[:, 3]]))
     return Problem(
@@ -608,7 +611,7 @@ def whole_arm(sampler: ArmSampler) -> Problem:
             table, anchored=True, lengths={f"l_{k}": length for k, length in enumerate(letters, start=1)}
         ),
         mistakes=[
-            *table_mistakes(table, *names, *in_theta),
+            rows_of_the_other_convention(table),
             mistake(
                 "off the normal",
                 between_origins,

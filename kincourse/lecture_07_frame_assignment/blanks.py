@@ -7,7 +7,7 @@ import numpy as np
 from kincourse.answers.dh_row import DHRowAnswer
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.expressions.links import dh_row
-from kincourse.mistakes.dh import table_mistakes
+from kincourse.mistakes.dh import rows_of_the_other_convention
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
@@ -101,16 +101,7 @@ def table_of_the_new_arm(_draw: ArmSampler) -> Problem:
                 "Axes 3 and 4 have opposite directions, so $\\alpha_3 = \\pi$. With 0 "
                 "the rest of the arm is rotated by $\\pi$ about $x_3$.",
             ),
-            *table_mistakes(
-                table,
-                "the other convention",
-                "z on the wrong joint",
-                "alpha one row off",
-                "a and d swapped",
-                "prismatic variable in theta",
-                "off the normal",
-                "degrees",
-            ),
+            rows_of_the_other_convention(table),
         ],
     )
 

@@ -28,7 +28,7 @@ class Slip:
     """One way in which people go wrong: its name, what they do, and what that leads to.
 
     name          the name of the misconception, the same wherever it occurs: "inverse left out"
-    did           what is done, from the verb on: "use $T_{st}$, where its inverse belongs"
+    did           what is done, from the verb on: "use $T_{st}$, where its inverse belongs"; or the whole message, a sentence
     wrong         what stands in the place of the right thing: an expression, or for any answer of a kind a function of the right value
     everywhere    the same as `did` for what people do in all places at once; "" if each place is a slip of its own
     advice        a sentence on what is right

@@ -148,8 +148,6 @@ def register_object(kind: type, read: Callable[[Mapping[str, Any]], Any]) -> Non
     kind  the class; its objects are stored by its name and the fields that their method to_dict() returns
     read  makes an object from these fields, and raises ValueError for fields that to_dict() never returns
 
-    A kind of answer need not call this: Answer.stored_objects does.
-
     >>> class Resistor:
     ...     def __init__(self, ohm):
     ...         self.ohm = ohm
