@@ -385,9 +385,9 @@ def off_the_normal(rows: Array) -> Array:
 
 
 SLIPS_THAT_LOSE_NUMBERS = [
-    Slip("alpha left out", "Every alpha is 0. Alpha is the angle from one z to the next.", scale([ALPHA], 0), column=ALPHA),
-    Slip("d left out", "Every d is 0. It is the distance along z from one x to the next.", scale([D], 0), column=D),
-    Slip("no offset", "Every theta is 0 at q = 0. Theta is the angle from one x to the next.", scale([THETA], 0), column=THETA),
+    Slip("alpha left out", "Every alpha is 0; it is the angle about x from one z axis to the next.", scale([ALPHA], 0), column=ALPHA),
+    Slip("d left out", "Every d is 0; it is the distance along z from one x axis to the next.", scale([D], 0), column=D),
+    Slip("no offset", "Every theta is 0 at q = 0; it is the angle about z from one x axis to the next.", scale([THETA], 0), column=THETA),
     Slip("signs left out", "No minus sign is left.", np.abs),
     Slip("off the normal", "a was measured from joint to joint, and not along the common normal.", off_the_normal),
     Slip("both pairs swapped", "a and d are swapped, and so are alpha and theta.", reorder((D, THETA, A, ALPHA))),

@@ -122,6 +122,7 @@ class Expression:
     alternatives: tuple[Slip, ...] = field(default=(), repr=False)
     ways: tuple["Expression", ...] = field(default=(), repr=False)
 
+    __iter__ = None  # an entry is an expression for every index, so a loop would not end
     __array_ufunc__ = None  # so that an array to the left of an operator leaves the operation to the expression
 
     @cached_property
