@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import cache
 
 import numpy as np
@@ -78,7 +79,9 @@ def slips_of_table(right: DHTable) -> list[Slip]:
     found = []
     for name, text, changed, signs in changes:
         # A single entry is explained by its place.
-        if np.count_nonzero(changed - rows) > 1 or (signs != right.signs).any():
+        if np.count_nonzero(changed - rows) < 2 and (signs == right.signs).all():
+            continue
+        with suppress(ValueError):  # no table has an angle of many turns
             table = right.changed(rows=changed, signs=signs)
             both = [np.column_stack([one.rows, one.signs]) for one in (table, right)]
             runs_through = is_in_several_rows(*both)
