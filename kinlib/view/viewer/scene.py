@@ -16,6 +16,7 @@ from kinlib.dh.assignment import assign_frames
 from kinlib.dh.common_normal import common_normal
 from kinlib.rigid.lie import homogeneous, inverse, perpendicular
 from kinlib.view.drawing.canvas import VIEWS, axes_of_view
+from kinlib.view.figures.bodies import body_of
 from kinlib.view.figures.frame_assignment import MAX_DISTANCE_IN_ARM_SIZES
 from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes, stations
 
@@ -72,9 +73,11 @@ def scene(
         joint_slider(i, chain.joint_types[i] == "P", limits[i], float(start[i]), title=titles[i], span=span)
         for i in (joint - 1 for joint in joints)
     ]
-    configurations = np.concatenate([stations(chain), stations(chain, start)])
-    view, floor = room(configurations, _tips(chain, start), extent(chain))
-    arm = arm_data(chain)
+    body = body_of(chain)
+    moved = body_motions(chain, np.asarray(start))
+    configurations = np.concatenate([stations(chain), stations(chain, start), body.extent(moved)])
+    view, _ = room(configurations, _tips(chain, start), extent(chain))
+    arm = arm_data(chain) | {"body": body.data()}
     if frames:
         arm["frames"] = frames_on_links(chain, start, frames)
     return {
@@ -85,7 +88,7 @@ def scene(
         "sliders": sliders,
         "limits": finite_limits(chain.limits) if chain.limits is not None else [],
         "room": view,
-        "floor": floor,
+        "floor": body.lowest,
         "foot": [0.0, 0.0, 0.0],
     }
 
@@ -94,6 +97,7 @@ def bare_scene(chain: Chain, points: Array, share: float) -> dict[str, Any]:
     """Return the scene of the arm at home without sliders, with a view that also contains points (m, 3), see `still_room`."""
     data = scene(chain, np.zeros(chain.n), joints=[])
     room = still_room(np.concatenate([points, stations(chain)]), share)
+    data["arms"][0].pop("body")  # the axes are to be seen
     return {**data, "size": max(extent(chain), room["radius"]), "room": room, "offered": ["dimensions"]}
 
 

@@ -18,6 +18,7 @@ import {
   Quaternion,
   ReplaceStencilOp,
   Scene,
+  ShaderMaterial,
   Vector3,
 } from 'three';
 import { KinematicTree } from '../scene/kinematic-tree.js';
@@ -41,6 +42,7 @@ export class Stage {
     this.scene.add(this.tree.root);
     this.camera = new Camera(data.room, () => this.draw());
     this.solid = new MeshLambertMaterial({ vertexColors: true });
+    this.cast = castMaterial();
     this.hidden = new MeshBasicMaterial({
       vertexColors: true,
       transparent: true,
@@ -143,7 +145,8 @@ export class Stage {
     this.theme = theme;
     this.grid.material.color = new Color(theme.grid);
     this.shade.opacity = theme.shade;
-    this.edge.color = new Color(theme.outline);
+    this.edge.color = new Color(theme.edge);
+    this.cast.uniforms.dark.value = Number(theme.isDark);
     this.draw();
   }
 
@@ -163,7 +166,7 @@ export class Stage {
     const solids = parts.filter((part) => part.shape);
     for (const [body, group] of groupBy(solids, bodyOf)) {
       const geometry = mergeParts(group, outlined);
-      meshes.push([body, new Mesh(geometry, this.solid)]);
+      meshes.push([body, new Mesh(geometry, outlined ? this.cast : this.solid)]);
       if (outlined) meshes.push([body, new Mesh(geometry, this.edge)], [body, new Mesh(geometry, this.shade)]);
       if (through) meshes.push([body, new Mesh(geometry, this.hidden)]);
     }
@@ -298,10 +301,41 @@ export class Stage {
   dispose() {
     cancelAnimationFrame(this.waiting);
     for (const name of [...this.layers.keys()]) this.removeLayer(name);
-    for (const thing of [this.grid.geometry, this.grid.material, this.solid, this.hidden, this.edge, this.shade])
+    for (const thing of [
+      this.grid.geometry,
+      this.grid.material,
+      this.solid,
+      this.cast,
+      this.hidden,
+      this.edge,
+      this.shade,
+    ])
       thing.dispose();
     this.visible = false;
   }
+}
+
+/** The material of bodies: half-Lambert light from the upper left of the picture, as in kinlib/view/drawing/shades.py. */
+function castMaterial() {
+  return new ShaderMaterial({
+    vertexColors: true,
+    uniforms: { dark: { value: 0 }, light: { value: new Vector3(-0.42, 0.78, 0.52).normalize() } },
+    vertexShader: `varying vec3 n, ink;
+      void main() {
+        n = normalMatrix * normal;
+        ink = color;
+        gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+      }`,
+    fragmentShader: `uniform vec3 light;
+      uniform float dark;
+      varying vec3 n, ink;
+      void main() {
+        float k = dot(normalize(n), light) * 0.5 + 0.5;
+        vec3 cool = ink * mix(vec3(0.50, 0.56, 0.66), vec3(0.34, 0.38, 0.46), dark);
+        vec3 lit = mix(cool, ink, smoothstep(0.15, 0.75, k));
+        gl_FragColor = vec4(lit + (1.0 - lit) * 0.45 * smoothstep(0.85, 1.0, k), 1.0);
+      }`,
+  });
 }
 
 const EMPTY = { meshes: [], labels: [], shown: false };

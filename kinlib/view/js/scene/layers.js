@@ -68,13 +68,14 @@ export function buildLayers(stage, shown) {
   const { size } = data;
   const each = (make) =>
     data.arms.flatMap((arm, k) => (arm.links ? make(arm).map((part) => ({ ...part, arm: k })) : []));
-  const body = (arm) => [...parts.links(arm, size, theme), ...parts.joints(arm, size, theme)];
-  const whole = [...parts.pedestal(data, size, theme), ...each(body), ...parts.pieces(data, size, theme)];
-  stage.setLayer('arm', whole, { outlined: true });
+  const limbs = (arm) => [...parts.links(arm, size, theme), ...parts.joints(arm, size, theme)];
+  const solid = each((arm) => (arm.body ? parts.body(arm, theme) : limbs(arm)));
+  const foot = data.arms[0].body ? [] : parts.pedestal(data, size, theme);
+  stage.setLayer('arm', [...foot, ...solid, ...parts.pieces(data, size, theme)], { outlined: true });
   stage.tree.rodUpdates.length = 0;
   stage.setRods(
     'rods',
-    each((arm) => parts.rods(arm, size, theme)),
+    each((arm) => (arm.body ? [] : parts.rods(arm, size, theme))),
   );
   const made = {
     'piece axes': () => parts.pieceAxes(data, size),
