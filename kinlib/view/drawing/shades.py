@@ -1,5 +1,7 @@
 """The colours of bodies: each in several shades from its dark side to its highlight, on a light and on a dark page."""
 
+from functools import cache
+
 import numpy as np
 
 from kinlib.arrays.validation import Array
@@ -15,6 +17,7 @@ LEVELS = 9
 BODY_COLOURS = ("body", "metal", "grip", "dark", "blue", "white", "slate", "cream", "steel", "orange", "black")
 
 
+@cache
 def shade(colour: str, level: int, page: int) -> str:
     """Return a colour in one of LEVELS shades, from the dark side to the highlight, on a light (0) or a dark page (1).
 

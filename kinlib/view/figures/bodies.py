@@ -7,7 +7,7 @@ a barrel around each revolute joint, a sleeve with a rod at each prismatic one, 
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -64,7 +64,8 @@ class Body:
     @property
     def lowest(self) -> float:
         """The height of the floor, on which the base is."""
-        return min(float(rim_points(solid, X)[:, 2].min()) for solid in self.links[0])
+        standing = next((link for link in self.links if link), ())
+        return min((float(rim_points(solid, X)[:, 2].min()) for solid in standing), default=0.0)
 
     def extent(self, moved: Array) -> Array:
         """Return the ends and centres of all primitives after motions of the links (n + 1, 4, 4), (m, 3), and their feet."""
@@ -74,25 +75,29 @@ class Body:
         points = np.concatenate(found)
         return np.concatenate([points, points * (1, 1, 0) + (0, 0, self.lowest)])
 
-    def data(self) -> list[list[dict[str, Any]]]:
-        """Return the primitives as data for the page."""
-        return [
-            [
-                {
-                    "kind": solid.kind,
-                    "points": solid.points.round(6).tolist(),
-                    "sizes": solid.sizes.round(6).tolist(),
-                    "colour": solid.colour,
-                    "axes": solid.axes.T.round(6).tolist(),
-                }
-                for solid in link
-            ]
-            for link in self.links
+
+def solid_data(links: Sequence[Sequence[Primitive]]) -> list[list[dict[str, Any]]]:
+    """Return the primitives of links as data for the page."""
+    return [
+        [
+            {
+                "kind": solid.kind,
+                "points": solid.points.round(6).tolist(),
+                "sizes": solid.sizes.round(6).tolist(),
+                "colour": solid.colour,
+                "axes": solid.axes.T.round(6).tolist(),
+            }
+            for solid in link
         ]
+        for link in links
+    ]
 
 
-def body_of(chain: Chain) -> Body:
+@lru_cache(maxsize=32)
+def body_of(chain: Chain, *, hand: bool = True) -> Body:
     """Return the body of an arm: the one in bodies.json if it has the same screws as a known robot, or else one by rule.
+
+    hand  whether an arm by rule has a gripper
 
     >>> from kinlib.chains.robots import panda, rpr
     >>> body_of(panda()).source[:52]
@@ -112,7 +117,7 @@ def body_of(chain: Chain) -> Body:
                 for rows in described["links"]
             )
             return Body(links, np.array(described["pose"], dtype=float), described["source"])
-    return _Builder(chain).body()
+    return _Builder(chain).body(hand)
 
 
 def rim_points(solid: Primitive, eye: Array, count: int = 24) -> Array:
@@ -141,10 +146,17 @@ def circle(z: Array, count: int) -> Array:
     >>> circle(np.array([0, 0, 1.0]), 4).round(9)[:, 2].tolist()
     [0.0, 0.0, 0.0, 0.0]
     """
-    x = perpendicular(z)
-    y = [z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0]]
+    a, b, c = z.tolist()
+    far = np.hypot(a, b) if abs(c) < 0.9 else np.hypot(b, c)
+    x = (b / far, -a / far, 0.0) if abs(c) < 0.9 else (0.0, c / far, -b / far)
+    y = (b * x[2] - c * x[1], c * x[0] - a * x[2], a * x[1] - b * x[0])
+    return np.asarray(_unit_circle(count) @ np.array([x, y]))
+
+
+@cache
+def _unit_circle(count: int) -> Array:
     angles = np.arange(count) * 2 * np.pi / count
-    return np.asarray(np.stack([np.cos(angles), np.sin(angles)], axis=1) @ np.array([x, y]))
+    return np.stack([np.cos(angles), np.sin(angles)], axis=1)
 
 
 def drum(axis: ArrayLike, point: ArrayLike, radius: float, *ends: float, colour: str = "body") -> Primitive:
@@ -231,12 +243,13 @@ class _Builder:
         """The radius of joint i, which decreases towards the tool."""
         return self.radius * (1 - 0.38 * i / self.chain.n)
 
-    def body(self) -> Body:
+    def body(self, hand: bool) -> Body:
         self._separate()
-        self._foot()
         for i in range(self.chain.n):
             self._joint(i)
-        self._hand()
+        if hand:
+            self._hand()
+        self._foot()
         links = tuple(
             tuple(solid._replace(colour=solid.colour.replace("cap", "blue")) for solid in link) for link in self.links
         )
@@ -288,14 +301,14 @@ class _Builder:
         at, R = self.centres[0], self.radius
         upright = abs(self.axes[0][2]) > 0.9
         drop = (2.5 if upright else 3.2) * R
-        base = min(0.0, self.chain.joint_points[0][2])
-        low = min(at[2] - drop, base)
+        parts = [rim_points(solid, X)[:, 2].min() - 0.1 * R for link in self.links for solid in link]
+        low = min(at[2] - drop, 0.0, *parts)
         ground, height = np.array([at[0], at[1], low]), at[2] - low
         z = np.eye(3)[2]
         self.links[0] += [
             drum(z, ground, 1.7 * R, 0, 0.24 * R, colour="dark"),
             drum(z, ground, 1.2 * R, 0.2 * R, 0.55 * R),
-            drum(z, ground, (0.97 if upright else 0.8) * R, 0.4 * R, height - (0.86 if upright else 0.6) * R),
+            drum(z, ground, (0.97 if upright else 0.8) * R, 0.54 * R, height - (0.86 if upright else 0.6) * R),
         ]
 
     def _joint(self, i: int) -> None:

@@ -40,10 +40,10 @@ const MAKERS = {
   cylinder: (length, r) => new CylinderGeometry(r, r, length, 40),
   cone: (length, r) => new ConeGeometry(r, length, 16),
   box: (length, r) => new BoxGeometry(2 * r, length, 2 * r),
-  sphere: (_, r) => new SphereGeometry(r, 20, 14),
-  frustum: (length, r, { end }) => new CylinderGeometry(end, r, length, 32, 1, true),
-  drum: (length, r) => new LatheGeometry(roundedProfile(length, r), 36),
-  block: (_, __, { sizes }) => new RoundedBoxGeometry(...sizes.map((half) => 2 * half), 2, 0.16 * Math.min(...sizes)),
+  sphere: (_, r) => new SphereGeometry(r, 20, 12),
+  frustum: (length, r, { end }) => new CylinderGeometry(end, r, length, 24, 1, true),
+  drum: (length, r) => new LatheGeometry(roundedProfile(length, r), 28),
+  block: (_, __, { sizes }) => new RoundedBoxGeometry(...sizes.map((half) => 2 * half), 1, 0.16 * Math.min(...sizes)),
   capsule: (length, r) => new CapsuleGeometry(r, length, 8, 20),
   // the sign of turns makes the thread right-handed or left-handed
   helix: (length, r, { turns, wire }) => new TubeGeometry(new Helix(r, length, turns), 96, wire, 6),
@@ -53,7 +53,7 @@ const MAKERS = {
 function roundedProfile(length, r) {
   const edge = Math.min(0.16 * r, 0.3 * length);
   const corner = (angle) => [r - edge + edge * Math.cos(angle), length / 2 - edge + edge * Math.sin(angle)];
-  const upper = [0, 0.5, 1].map((share) => corner((share * Math.PI) / 2));
+  const upper = [0, 1].map((share) => corner((share * Math.PI) / 2));
   const half = [...upper, [0, length / 2]];
   const lower = half.map(([x, y]) => [x, -y]).reverse();
   return [...lower, ...half].map(([x, y]) => new Vector2(x, y));
