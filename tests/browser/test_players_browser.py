@@ -16,7 +16,7 @@ from browser import (
 
 import kinlib as kl
 from kincourse import open_sheet
-from kincourse.lecture_00_start_here.opening import opening
+from kincourse.lecture_01_frames.opening import opening
 from kinlib.chains.robots import pose
 from kinlib.dh.rules import check_frames
 from kinlib.view import assign, explore, play_assignment, play_row, play_walk
