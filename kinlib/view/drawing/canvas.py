@@ -35,16 +35,8 @@ BORDER_PX = 20.0
 
 HEIGHT_LABEL_OFFSETS = [(20, 0), (-20, 0), (20, 12), (-20, -12)]
 FOOT_LABEL_OFFSETS = [
-    (0, -14),
-    (38, -6),
-    (-38, -6),
-    (0, 14),
-    (0, -28),
-    (46, -18),
-    (-46, -18),
-    (46, 10),
-    (-46, 10),
-    (0, 28),
+    *((0, -14), (38, -6), (-38, -6), (0, 14), (0, -28)),
+    *((46, -18), (-46, -18), (46, 10), (-46, 10), (0, 28)),
 ]
 """Where the labels of heights, and of points on the floor, may be placed: offsets in pixels to the right and up."""
 

@@ -2,6 +2,7 @@
 
 Known robots are described in kinlib/view/bodies.json. Any other arm gets a body from its screw axes and its joint points:
 a barrel around each revolute joint, a sleeve with a rod at each prismatic one, tapered tubes between them, a foot and a gripper.
+The links of a URDF show the boxes, cylinders and spheres of their <visual> elements; no file that they name is opened.
 """
 
 import json
@@ -17,7 +18,9 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import perpendicular
+from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
+from kinlib.urdf.xml_elements import Element
 
 DATA = json.loads(Path(__file__).parents[1].joinpath("bodies.json").read_text("utf-8"))
 
@@ -91,6 +94,46 @@ def solid_data(links: Sequence[Sequence[Primitive]]) -> list[list[dict[str, Any]
         ]
         for link in links
     ]
+
+
+def visual_solids(link: Element, T: Array) -> list[Primitive]:
+    """Return what a link shows, at the pose T of its frame; nothing of meshes, nor of elements that are not as they should be.
+
+    >>> shape = Element("sphere", 3, {"radius": "0.1"})
+    >>> link = Element("link", 1, {"name": "ball"}, None, [Element("visual", 2, {}, None, [Element("geometry", 2, {}, None, [shape])])])
+    >>> [solid.kind for solid in visual_solids(link, np.eye(4))]
+    ['tube']
+    """
+    found = []
+    for visual in link.children:
+        geometry = next((child for child in visual.children if child.tag == "geometry"), None)
+        if visual.tag != "visual" or geometry is None:
+            continue
+        place = next((child for child in visual.children if child.tag == "origin"), None)
+        for shape in geometry.children:
+            try:
+                values = (
+                    {name: place.numbers(name, 3) for name in ("xyz", "rpy") if name in place.attributes}
+                    if place
+                    else {}
+                )
+                found += _visual_solid(shape, T @ origin(**values))
+            except ValueError:
+                continue
+    return found
+
+
+def _visual_solid(shape: Element, T: Array) -> list[Primitive]:
+    at, z = T[:3, 3], T[:3, 2]
+    if shape.tag == "box":
+        return [box(at, np.array(shape.numbers("size", 3)) / 2, axes=T[:3, :3])]
+    if shape.tag == "cylinder":
+        (radius,), (length,) = shape.numbers("radius", 1), shape.numbers("length", 1)
+        return [drum(z, at, radius, -length / 2, length / 2)]
+    if shape.tag == "sphere":
+        (radius,) = shape.numbers("radius", 1)
+        return [tube([*(at - 1e-4 * radius * z), radius], [*(at + 1e-4 * radius * z), radius])]
+    return []
 
 
 @lru_cache(maxsize=32)

@@ -19,10 +19,9 @@ from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import JOINT_KINDS, configuration_text, direction_text
-from kinlib.view.figures.bodies import Body, Primitive, body_of, solid_data
+from kinlib.view.figures.bodies import Body, Primitive, body_of, solid_data, visual_solids
 from kinlib.view.figures.body_drawing import draw_body
 from kinlib.view.figures.joint_bodies import NUMBER_OFFSETS, carried_axes, stations
-from kinlib.view.figures.urdf_bodies import visual_solids
 from kinlib.view.viewer.scene import body_motions, finite_limits, frame_data, joint_data, joint_slider, room, skeleton
 from kinlib.view.viewer.viewer import ViewerBase
 
