@@ -15,6 +15,7 @@ from kinlib.dh.table import DHTable
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.picture import Gallery, Picture
+from kinlib.view.figures.bodies import body_of
 from kinlib.view.figures.linkage import draw_linkage
 from kinlib.view.viewer.tree_viewer import explore_tree
 from kinlib.view.viewer.viewer import ViewerBase, explore
@@ -32,7 +33,8 @@ def show(
     opens; where there is no browser, the name of the file is printed.
 
     shown  a chain, a table, a tree, a closed chain, or what a function of kinlib.view returns
-    q      (n,) joint values, or a mapping from joint names to values; home by default. A closed chain needs them
+    q      (n,) joint values, or a mapping from joint names to values; by default some that show the shape of an arm, and home of
+           a tree. A closed chain needs them
     path   the file to save to instead of showing it: .html, or a drawing as .svg or .png
 
     Raises ValueError if q does not have n values or is given without a robot, for anything else to show, for another ending, and
@@ -46,7 +48,8 @@ def show(
     '<!DOCTYPE html>'
     """
     if isinstance(shown, Chain | DHTable):
-        shown = explore(shown.to_chain() if isinstance(shown, DHTable) else shown, start=q)
+        chain = shown.to_chain() if isinstance(shown, DHTable) else shown
+        shown = explore(chain, start=body_of(chain).pose if q is None else q)
     elif isinstance(shown, Tree):
         shown = explore_tree(shown, q)
     elif isinstance(shown, Mechanism):
