@@ -374,7 +374,9 @@ def _splits(line: str) -> list[list[str]]:
         split = [[_cell(cell, decimal_comma=True) for cell in cells[:MAX_CELLS]]]
         return split + ([line.split()[:MAX_CELLS]] if separator == "\t" else [])
     found = []
-    if ("," in line and not re.fullmatch(r"(?:\S*\d,\d\S*|[^,\s]+)(?:\s+(?:\S*\d,\d\S*|[^,\s]+))*", line)) or (line.count(",") >= 3 and " " not in line):
+    if ("," in line and not re.fullmatch(r"(?:\S*\d,\d\S*|[^,\s]+)(?:\s+(?:\S*\d,\d\S*|[^,\s]+))*", line)) or (
+        line.count(",") >= 3 and " " not in line
+    ):
         found.append([_cell(cell) for cell in line.split(",")[:MAX_CELLS]])
     spaced = re.sub(r"\s*([+*/])\s*|(?<=[\w°)])\s+(-)\s+(?=\d|pi)", lambda f: f[1] or f[2], line)
     found += [
@@ -513,7 +515,7 @@ def _joints(
         if fixed:
             words = f"{words[:-1]}; row {fixed[0] + 1} is fixed, as its name says."
         if not any("There is no column theta" in note for note in grid.notes):
-            assumed.append(Assumption(words, "joints", (letters,)))
+            assumed.append(Assumption(words))
     elif "?" in letters:
         rows = ", ".join(str(k + 1) for k, letter in enumerate(letters) if letter == "?")
         assumed.append(Assumption(f"Row {rows} has no variable: it was read as fixed, without a joint."))
