@@ -56,7 +56,8 @@ def _published(
     return DHTable(np.array(rows) * (1, np.pi / 180, 1, np.pi / 180), convention, joints=joints), source
 
 
-def _universal(d1: float, a2: float, a3: float, d4: float, d5: float, d6: float) -> tuple[DHTable, str]:
+def _universal(*lengths: float) -> tuple[DHTable, str]:
+    d1, a2, a3, d4, d5, d6 = lengths
     rows = [(0, 90, d1, 0), (a2, 0, 0, 0), (a3, 0, 0, 0), (0, 90, d4, 0), (0, -90, d5, 0), (0, 0, d6, 0)]
     return _published(rows, UR_SOURCE)
 
@@ -128,8 +129,8 @@ class Examination:
         if self.strict.verdict == "right":
             return "The table agrees with the arm: the same q gives the same pose."
         if self.strict.verdict == "rounded":
-            return f"The table agrees with the arm to the digits that are printed: for the same q the tool differs by up to {size}."
-        return f"For the same q the tool differs by up to {size}."
+            return f"The table agrees with the arm to the digits that are printed: for the same q the tool differs by {size}."
+        return f"For the same q the tool differs by up to {size}, at 1000 random configurations."
 
     @property
     def readings(self) -> list[str]:
@@ -137,16 +138,17 @@ class Examination:
         if not self.free or not self.strict or self.strict.verdict in {"right", "rounded"}:
             return []
         texts = []
-        if self.free.verdict in {"right", "rounded"}:
+        is_right = self.free.verdict in {"right", "rounded"}
+        if is_right:
             lines = [line for line in str(self.free).splitlines()[2:] if not line.startswith(("To count", "If q is"))]
-            texts.append(" ".join(["The table describes the same arm with other choices:", *lines]))
-        else:
+            texts.append("\n".join(["The table describes the same arm with other choices:", *lines]))
+        elif self.free.explanations:
             texts.append(str(self.free))
         strict = str(self.strict)
-        if strict not in texts and not (
-            self.strict.explanations and self.strict.explanations[0].is_a_choice and len(texts) == 1
-        ):
-            texts.append(f"If q, base and tool are meant to be the same: {strict}")
+        is_choice = bool(self.strict.explanations) and self.strict.explanations[0].is_a_choice
+        if strict not in texts and not (is_right and is_choice):
+            same = "If q, base and tool are meant to be the same: " if texts else ""
+            texts.append(same + strict)
         return sorted(texts, key=len)
 
     @property
@@ -278,15 +280,15 @@ def formats(table: DHTable) -> dict[str, str]:
 def examine(
     arm: str | Chain | DHTable = "", table: str | DHTable = "", *, base: str = "", tip: str = "", **how: Any
 ) -> Examination:
-    """Read an arm and a table, and compare them.
+    r"""Read an arm and a table, and compare them.
 
     arm    the path or the text of a URDF file, the name of an arm in KNOWN, a chain; or "" for none
     table  the text of a table as it was pasted; or "" for none
     base, tip  the links of the file between which the arm is; by default the root and the only tip
     how    what the text of the table does not say, as `read_table` takes it: convention, order, length_unit, angle_unit, joints
 
-    >>> print(examine("UR5e", "a alpha d\\n0 90 0.1625\\n0.425 0 0\\n-0.3922 0 0\\n0 90 0.1333\\n0 -90 0.0997\\n0 0 0.0996").sentence)
-    For the same q the tool differs by up to 0.85 m and 0°.
+    >>> print(examine("UR5e", "a alpha d\n0 90 0.1625\n0.425 0 0\n-0.3922 0 0\n0 90 0.1333\n0 -90 0.0997\n0 0 0.0996").sentence)
+    For the same q the tool differs by up to 0.85 m and 0°, at 1000 random configurations.
     """
     found = Examination()
     try:

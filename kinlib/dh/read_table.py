@@ -12,13 +12,15 @@ import html
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.validation import describe
 from kinlib.dh.parsing import COLUMNS, MAX_TEXT_LENGTH, NUMBER, Entry, evaluate_entry, respelled
 from kinlib.dh.table import Convention, DHTable, validate_convention
+from kinlib.rigid.lie import homogeneous
 
 MAX_LINES, MAX_CELLS, MAX_ROWS = 2000, 40, 60
 """The maximum number of lines and of cells in a line that are read, and of rows of a table."""
@@ -106,7 +108,11 @@ def read_table(
         raise ValueError(f"text must be the text of a table; got {describe(text)}. Pass rows of numbers to DHTable.")
     if len(text) > MAX_TEXT_LENGTH:
         raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
-    plain, values = _plain(text), dict(lengths or {})
+    plain, values, ends = _plain(text), dict(lengths or {}), dict[str, Any]()
+    for end, place, angles in re.findall(r"\b(base|tool)\s*\|\s*t = ([-\d., ]+);\s*rpy/xyz = ([-\d.°, ]+)\|?", plain):
+        if not re.search("[1-9]", angles):  # printed by the Robotics Toolbox
+            ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
+            plain = re.sub(rf"^.*\b{end}\s*\|\s*t = .*$", "", plain, flags=re.MULTILINE)
     grid = next((found for reader in READERS if (found := reader(plain)) and (found.rows or found.cells)), None)
     if grid is None:
         raise ValueError(
@@ -115,6 +121,9 @@ def read_table(
         )
     values |= {key: value for key, value in _definitions(plain).items() if key not in values}
     assumed = [Assumption(note) for note in grid.notes]
+    assumed += [
+        Assumption(f"The {end} was read as a translation by {format_vector(T[:3, 3])} m.") for end, T in ends.items()
+    ]
     if not grid.rows:
         _name_columns(grid, order, values, assumed)
     if len(grid.rows) > MAX_ROWS:
@@ -135,7 +144,7 @@ def read_table(
         else:
             words = "The text does not say which convention: standard was taken."
             assumed.append(Assumption(words, "convention", ("standard", "modified")))
-    table = DHTable(numbers, validate_convention(convention), joints=letters, signs=signs, name=name)
+    table = DHTable(numbers, validate_convention(convention), joints=letters, signs=signs, name=name, **ends)
     return Reading(table, assumed)
 
 
@@ -182,6 +191,8 @@ def _plain(text: str) -> str:
 
 def _column(head: str) -> tuple[str, str, str]:
     """Return the name of a column, its unit, and its index "i" or "i-1", each "" if there is none."""
+    if re.search(r"[⁻⁺]|min|max|lim|range", head):
+        return "", "", ""
     unit = ""
     if found := re.search(
         r"[\[(/,]?\s*\b(mm|cm|m|millimet\w+|met(?:er|re)s?|rad|radians?|deg|degrees?)\b\.?\s*[\])]?|°", head
@@ -270,7 +281,7 @@ def _from_columns(text: str) -> _Grid | None:
                 by_index.setdefault(column, {})[int(number)] = value
         if not {"a", "alpha", "d"} <= {*by_index}:
             return None
-        modified = min(min(by_index["a"]), min(by_index["alpha"])) < min(by_index["d"]) == 1  # a_0 and alpha_0, but d_1
+        modified = min(*by_index["a"], *by_index["alpha"]) < min(by_index["d"]) == 1  # a_0 and alpha_0, but d_1
         for column in ("a", "alpha") if modified else ():
             by_index[column] = {k + 1: value for k, value in by_index[column].items()}
         indices = sorted({k for column in by_index.values() for k in column})
@@ -286,84 +297,93 @@ def _from_columns(text: str) -> _Grid | None:
 
 def _from_lines(text: str) -> _Grid | None:
     """Read lines of cells, with a heading or without one."""
-    if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]*;", text) and not re.search(
-        r"\[(?:m|mm|cm|rad|deg|°)\]", text
-    ):
-        text = re.sub(
-            r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", re.sub(r"^[^\n#%/]*?[=(]\s*(?=[\[{])", "", text, flags=re.MULTILINE)
-        )
-        text = re.sub(r"[\[\]{}]", " ", text)
-    grid, heads = _Grid(), list[str]()
-    across = {
-        _column(cells[0])[0]: cells[1:]
-        for line in text.splitlines()[:MAX_LINES]
-        for cells in _splits(line.strip())[-1:]
-        if cells
-    }
-    if (
-        {"a", "alpha", "d"} <= {*across}
-        and len({len(across[name]) for name in ("a", "alpha", "d")}) == 1
-        and _is_entry(across["a"][0])
-    ):
-        lists = {name: cells for name, cells in across.items() if name and len(cells) == len(across["a"])}
-        grid.notes.append("The rows are the columns of the text.")
-        grid.rows = [{name: cells[k] for name, cells in lists.items()} for k in range(len(across["a"]))]
-        grid.places = [f"Column {k + 1}" for k in range(len(grid.rows))]
-        return _uniform(grid)
-    for number, raw in enumerate(text.splitlines()[:MAX_LINES], start=1):
+    if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]*;", text) and not re.search(r"\[(?:mm?|cm|rad|deg|°)\]", text):
+        text = re.sub(r"^[^\n#%/]*?[=(]\s*(?=[\[{])", "", text, flags=re.MULTILINE)  # the name of an array
+        text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
+    grid, heads, is_after_gap, widths = _Grid(), list[str](), False, set[int]()
+    lines = text.splitlines()[:MAX_LINES]
+    if columns := _across(lines):
+        return columns
+    for number, raw in enumerate(lines, start=1):
         line = LABEL.sub(r"\1\2", re.sub(r"^\s*(?:#+|%+|//+|/?\*+|>+)\s*", "", raw)).strip().rstrip(",")
         line = re.sub(r"\s+(?=[\[(](?:mm?|cm|rad|deg\w*|°|i|i-1)[\])])", "", line)
         if not re.sub(r"[|\s:+=-]", "", line):
+            is_after_gap = True
             continue
-        for cells in _splits(line):
-            found = [_column(cell) for cell in cells]
-            names = [name for name, _, _ in found if name in COLUMNS or name == "offset"]
-            is_head = (
-                len({*names}) >= 3
-                and len({*names}) == len(names)
-                and not any(re.fullmatch(NUMBER, cell) for cell in cells)
-            )
-            if is_head and not grid.rows:
-                heads = [name for name, _, _ in found]
-                if "offset" in heads and "d" not in heads:
-                    heads = ["d" if name == "offset" else name for name in heads]
-                grid.units = {name: unit for name, unit, _ in found if name and unit}
-                indices = {index for name, _, index in found if name in {"a", "alpha"} and index}
-                grid.modified = "i-1" in indices if indices else None
-                grid.cells, grid.places = [], []
-                break
-            entries = [_is_entry(cell) for cell in cells]
-            if heads and (len(cells) == len(heads) or (len(cells) == len(heads) + 1 and not _is_entry(cells[0])) or (
-                len(cells) == len(heads) + 1 and cells[0].rstrip(".").isdigit()) or (sum(entries) >= 3 and len(cells) >= len(heads) - 1 and heads[0] == "")):  # fmt: skip
-                shift = len(heads) - len(cells) if len(cells) > len(heads) else 0
-                row = {
-                    name: cell for name, cell in zip(heads, cells[-shift:] if shift else cells, strict=False) if name
-                }
-                readable = [_is_entry(cell) or not cell.strip() for name, cell in row.items() if name != "type"]
-                if sum(readable) >= 3:
-                    label = cells[0] if not heads[0] or shift else ""
-                    grid.rows.append(row | ({"label": label} if label else {}))
-                    grid.places.append(f"Line {number}, {raw.strip()!r:.80}")
-                    break
-            elif not heads and len(cells) >= 4 and sum(entries) >= 4:
-                cells, entries = (
-                    (cells[1:], entries[1:])
-                    if re.fullmatch(r"[A-Za-z]+\d+", cells[0]) and sum(entries) > 4
-                    else (cells, entries)
-                )
-                grid.cells.append([cell for cell, fine in zip(cells, entries, strict=True) if fine])
-                grid.places.append(f"Line {number}, {raw.strip()!r:.80}")
-                break
-        else:
+        place, splits = f"Line {number}, {raw.strip()!r:.80}", _splits(line)
+        if is_after_gap and widths:  # another table may follow
+            splits = [cells for cells in splits if len(cells) in widths]
+        if not grid.rows and any(names := [_heading(cells, grid) for cells in splits]):
+            heads, grid.cells, grid.places = next(filter(None, names)), [], []
+        elif heads and (row := next(filter(None, (_row(cells, heads) for cells in splits)), None)):
+            grid.rows.append(row)
+            grid.places.append(place)
+            widths |= {len(cells) for cells in splits if _row(cells, heads) == row}
+        elif not heads and (plain := next(filter(None, map(_plain_row, splits)), None)):
+            grid.cells.append(plain)
+            grid.places.append(place)
+        elif heads or grid.cells:
             numbers = len(re.findall(rf"(?<![\w.])-?{NUMBER}", line))
-            if (grid.rows or grid.cells) and numbers >= 3 and "=" not in line:
+            has_rows = bool(grid.rows or grid.cells)
+            if has_rows and (is_after_gap or (numbers and ("=" in line or numbers < 3))):
+                grid.notes.append(f"What follows the table was not read, from line {number}: {raw.strip()!r:.60}.")
+                break
+            if numbers >= 3:
                 raise ValueError(
-                    f"Line {number} cannot be read: {raw.strip()!r:.100}. It has another number of cells than the heading, or a cell that is "
-                    "no number. Write 0 into empty cells, and one cell for each heading."
+                    f"{place} cannot be read: it has another number of cells than the heading, or a cell that is no number. Write 0 into "
+                    "empty cells, and one cell for each heading."
                 )
-            if grid.rows and numbers and not re.search("[a-zA-Z]{4}", line):
-                grid.notes.append(f"Line {number} was left out: {raw.strip()!r:.60}.")
+        is_after_gap = False
     return _uniform(grid) if grid.rows else grid
+
+
+def _across(lines: Sequence[str]) -> _Grid | None:
+    """Read a table whose columns are the rows: lines that begin with a, alpha, d and theta."""
+    found = [cells for line in lines for cells in _splits(line.strip())[-1:] if len(cells) > 2 and _is_entry(cells[1])]
+    named = {_column(cells[0])[0]: cells[1:] for cells in found}
+    count = len(named.get("a", ()))
+    if not {"a", "alpha", "d"} <= {*named} or len(named["alpha"]) != count or len(named["d"]) != count:
+        return None
+    named = {name: cells for name, cells in named.items() if name and len(cells) == count}
+    rows = [{name: cells[k] for name, cells in named.items()} for k in range(count)]
+    notes = ["Each row is a column of the text."]
+    return _uniform(_Grid(rows, [f"Column {k + 1}" for k in range(count)], notes=notes))
+
+
+def _heading(cells: list[str], grid: _Grid) -> list[str]:
+    """Return the names of the columns if the cells are a heading, and keep their units and their convention."""
+    found = [_column(cell) for cell in cells]
+    heads = [name for name, _, _ in found]
+    if "offset" in heads and "d" not in heads:
+        heads = ["d" if name == "offset" else name for name in heads]
+    names = [name for name in heads if name in {*COLUMNS, "offset"}]
+    if len({*names}) < 3 or len({*names}) < len(names) or any(re.fullmatch(NUMBER, cell) for cell in cells):
+        return []
+    grid.units = {name: unit for name, (_, unit, _) in zip(heads, found, strict=True) if name and unit}
+    indices = {index for name, _, index in found if name in {"a", "alpha"} and index}
+    grid.modified = "i-1" in indices if indices else None
+    return heads
+
+
+def _row(cells: list[str], heads: list[str]) -> dict[str, str] | None:
+    """Return the cells of a row by column name; the label of a row may have no heading. None if the line is no row."""
+    label = cells[0] if not heads[0] else ""
+    if len(cells) == len(heads) + 1 and (not _is_entry(cells[0]) or cells[0].rstrip(".").isdigit()):
+        label, cells = cells[0], cells[1:]
+    is_short = heads[0] == "" and len(cells) >= len(heads) - 1
+    row = {name: cell for name, cell in zip(heads, cells, strict=False) if name}
+    readable = sum(_is_entry(cell) or not cell.strip() for name, cell in row.items() if name != "type")
+    if not (len(cells) == len(heads) or is_short) or readable < max(3, len({*row} & {*COLUMNS})):
+        return None
+    return row | ({"label": label} if label else {})
+
+
+def _plain_row(cells: list[str]) -> list[str]:
+    """Return the cells that are entries, at least four, without the label of the row; [] if the line is no row."""
+    entries = [cell for cell in cells if _is_entry(cell)]
+    if len(entries) > 4 and re.fullmatch(r"[A-Za-z]+\d+", entries[0]):
+        entries = entries[1:]
+    return entries if len(entries) >= 4 else []
 
 
 def _splits(line: str) -> list[list[str]]:
@@ -424,7 +444,10 @@ def _uniform(grid: _Grid) -> _Grid:
         grid.notes.append(f"There is no column {' and '.join(missing)}: it was read as 0.")
     if not columns & {"theta", "offset"}:
         grid.notes.append("There is no column theta: each theta was read as the joint variable.")
-    grid.rows = [{name: row.get(name, "") for name in {*COLUMNS, *columns}} | row for row in grid.rows]
+    grid.rows = [
+        {name: row.get(name, "" if name in columns else "0") for name in (*COLUMNS, *columns)} | row
+        for row in grid.rows
+    ]
     return grid
 
 
@@ -545,10 +568,7 @@ def _scales(  # noqa: PLR0917
         said = {grid.units[name] for name in names if grid.units.get(name) in units}
         unit = given or (said.pop() if len(said) == 1 else "")
         if not unit and plain:
-            if columns[0] == 0:
-                unit = "mm" if size > MIN_MILLIMETRES else "m"
-            else:
-                unit = "deg" if size > 2 * np.pi + 0.01 else "rad"
+            unit = ("m", "mm")[size > MIN_MILLIMETRES] if columns[0] == 0 else ("rad", "deg")[size > 2 * np.pi + 0.01]
             what = "lengths" if columns[0] == 0 else "angles"
             words = (
                 f"The text does not say the unit of its {what}: {unit} was taken, because the largest is {size:.6g}."

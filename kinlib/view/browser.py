@@ -71,7 +71,8 @@ def show(
         )
     if not isinstance(shown, Picture | Gallery | ViewerBase):
         raise ValueError(
-            f"show takes a Chain, DHTable, FrameAssignment, Tree or Mechanism, or what a function of kinlib.view returns; got {describe(shown)}."
+            f"show takes a Chain, DHTable, FrameAssignment, Tree or Mechanism, or what a function of kinlib.view returns; got "
+            f"{describe(shown)}."
         )
     if path:
         shown.save(path)
