@@ -27,7 +27,12 @@
   const arm = select('Arm', option('', 'of a URDF file'), ...names.map((name) => option(name)));
   const base = select('from link');
   const tip = select('to link');
-  const convention = select('Convention', option('', 'as the text says'), option('standard'), option('modified', 'modified (Craig)'));
+  const convention = select(
+    'Convention',
+    option('', 'as the text says'),
+    option('standard'),
+    option('modified', 'modified (Craig)'),
+  );
   const lengths = select('Lengths in', option('', 'as the text says'), option('m'), option('cm'), option('mm'));
   const angles = select('Angles in', option('', 'as the text says'), option('rad'), option('deg', 'degrees'));
   const order = h('input', { placeholder: 'as the text says', size: 18, 'aria-label': 'Order of the columns' });
@@ -44,7 +49,8 @@
     rows: 9,
     spellcheck: 'false',
     'aria-label': 'A DH table',
-    placeholder: 'Paste a table: from a PDF, a web page, a spreadsheet, LaTeX, or code such as RevoluteDH(a=0.4, d=0.1)',
+    placeholder:
+      'Paste a table: from a PDF, a web page, a spreadsheet, LaTeX, or code such as RevoluteDH(a=0.4, d=0.1)',
   });
   const links = h('p', { hidden: true }, base.row, ' ', tip.row, ' ', h('span', {}));
   const button = (label, onclick) => h('button', { type: 'button', class: 'kinlib-button', onclick }, label);
@@ -195,7 +201,8 @@
       readFile(event.dataTransfer.files[0]);
     });
   }
-  const place = document.querySelector('article h1').parentElement.querySelector('ul') ?? document.querySelector('article h1');
+  const place =
+    document.querySelector('article h1').parentElement.querySelector('ul') ?? document.querySelector('article h1');
   place.after(form, answer);
   answer.append(compare);
 
