@@ -68,11 +68,11 @@ def is_plausible_angle(angle: float) -> bool:
     >>> [is_plausible_angle(angle) for angle in (-np.pi, 5 * np.pi / 2, 1.2345 + 2 * np.pi, 10, 22.5, 90)]
     [True, True, True, False, False, False]
     """
-    size, degrees = abs(angle) - 1e-3, math.degrees(angle)  # 6.283 is a full turn
-    if size <= 2 * math.pi:
-        return True
-    is_whole, is_typed = abs(degrees - round(degrees)) < 1e-4, abs(angle - round(angle, 3)) < 1e-9
-    return size <= 20 * math.pi and (is_whole or (not is_typed and size <= 4 * math.pi))
+    size = abs(angle) - 1e-3  # 6.283 is a full turn
+    if size <= 2 * math.pi or size > 20 * math.pi:
+        return size <= 2 * math.pi
+    degrees, is_typed = math.degrees(angle), abs(angle - round(angle, 3)) < 1e-9
+    return abs(degrees - round(degrees)) < 1e-4 or (not is_typed and size <= 4 * math.pi)
 
 
 class Rows(NamedTuple):

@@ -8,7 +8,6 @@ options, so that a person can be asked. `kinlib.dh.parsing` evaluates the entrie
 
 from __future__ import annotations
 
-import html
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -150,6 +149,8 @@ def read_table(
 
 def _plain(text: str) -> str:
     """Replace what HTML, LaTeX, terminals and code write for signs and separators by what a keyboard has."""
+    import html  # for tables that were pasted; `import kinlib` loads no more than NumPy
+
     text = re.sub(r"\x1b\[[0-9;]*m|[\u200b\u200e\ufeff]", "", html.unescape(text))
     if re.search(r"<t[dh][\s>]", text):
         text = re.sub(r"\s*\n\s*", " ", text)
