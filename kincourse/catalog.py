@@ -19,7 +19,6 @@ def find_robot_sheet(name: str) -> Sheet | None:
 COURSE = Course(
     "kincourse",
     requires=("kinlib",),
-    warm_up=("import numpy as np\nimport kinlib as kl\nnp.eye(4)", "%time kl.exp([0, 0, 1])", "import kinlib.view"),
     fallback=find_robot_sheet,
     fallback_hint="The sheet of another robot needs its file {name}.json beside the notebook.",
     site=os.environ.get("KINLIB_SITE_URL", ""),  # as in site/conf.py

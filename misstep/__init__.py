@@ -4,7 +4,7 @@ Each student gets individual numbers. A problem computes its right answer, and t
 Start with `problem`, `mistakes` and `answers/base`, then read `judge`, `sheet` and `catalog`. `grading` is for instructors.
 """
 
-from misstep.catalog import Course, find_course, load_course
+from misstep.catalog import Course, find_course
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem, Template, problem
 from misstep.sampling import Sampler
@@ -19,7 +19,6 @@ __all__ = [
     "Sheet",
     "Template",
     "find_course",
-    "load_course",
     "mistake",
     "problem",
 ]

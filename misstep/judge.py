@@ -22,6 +22,7 @@ class Finding:
     """Why some parts of an answer are wrong: the name and the message of a mistake, or a hint if no mistake explains them.
 
     mistake       the name of the mistake; "a or b" if the answer does not show which one, "a and b" if both were made
+    message       its first line is the idea; what follows is the place, or the number itself, which is told from the second try on
     alternatives  the names as data: for each explanation that fits, the mistakes that were made together
     check         what the student can check on the own numbers, and what these numbers give
     """
@@ -35,8 +36,9 @@ class Finding:
     @property
     def text(self) -> str:
         """What a student reads: the message, and the check if there is room."""
-        both = f"{self.message} {self.check}".strip()
-        return both if len(both) <= MAX_LENGTH else self.message
+        message = self.message.replace("\n", " ")
+        both = f"{message} {self.check}".strip()
+        return both if len(both) <= MAX_LENGTH else message
 
 
 @dataclass(frozen=True)

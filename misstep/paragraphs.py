@@ -34,13 +34,16 @@ class _Paragraph:
         return said if is_on_whole else f"{_capitalized(enumeration(self.parts))}: {said}"
 
 
-def paragraphs(findings: Sequence[Finding], right_parts: Sequence[str] = (), said_of_right: str = RIGHT) -> list[str]:
+def paragraphs(
+    findings: Sequence[Finding], right_parts: Sequence[str] = (), said_of_right: str = RIGHT, *, is_first: bool = False
+) -> list[str]:
     r"""Return what findings say, in at most MAX_LENGTH characters together: checks go first, then further sentences and findings.
 
     The first message is never cut.
 
     right_parts    the names of the parts that are right, to be listed in front
     said_of_right  the sentence for them; without right parts, the parts of a single finding need no names
+    is_first       whether this is the first try, so that only ideas are told, and no places
 
     >>> paragraphs([Finding(["x"], "It is 0. Put in numbers."), Finding(["z"], "It is 0. Put in numbers.")], ["y"])
     ['Right: y.', 'X and z: It is 0. Put in numbers.']
@@ -50,6 +53,10 @@ def paragraphs(findings: Sequence[Finding], right_parts: Sequence[str] = (), sai
     >>> sum(map(len, paragraphs(long))) <= MAX_LENGTH
     True
     """
+    findings = [
+        replace(one, message=one.message.partition("\n")[0] if is_first else one.message.replace("\n", " "))
+        for one in findings
+    ]
     listed = enumeration(right_parts)
     shown = listed if len(listed) < MAX_LENGTH / 4 else f"{len(right_parts)} parts"
     before = [said_of_right.format(shown)] * bool(right_parts)

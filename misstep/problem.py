@@ -56,8 +56,6 @@ class Problem:
     [6.0, 12.0]
     >>> drawn.is_discriminating(), drawn.collision(), drawn.without_duplicates().mistakes
     (True, None, [])
-    >>> drawn.with_inputs(seed=1) is drawn  # because the answer is not a function
-    True
     """
 
     statement: str
@@ -72,11 +70,6 @@ class Problem:
     def __post_init__(self) -> None:
         read = [replace(wrong, value=self.answer.read(wrong.value)) for wrong in self.mistakes]
         object.__setattr__(self, "mistakes", read)
-
-    def with_inputs(self, seed: int) -> "Problem":
-        """Return the same problem; if the answer is a function, with other inputs at which it is compared."""
-        answer = self.answer.with_inputs(seed)
-        return self if answer is self.answer else replace(self, answer=answer)
 
     @cached_property
     def slips(self) -> Sequence[Mistake]:

@@ -123,8 +123,10 @@ class OpenSheet:
         if failed:
             message = f"The cell with this answer ended with an error ({failed.error}), so there is no answer to check."
             judgement = Judgement("unreadable", findings=[Finding(problem.answer.parts, message)])
+        is_first = not any(one.state in {"partly", "wrong"} for one in self._judgements[k])
         self._judgements[k].append(judgement)
-        self.verdicts[k] = Verdict(template, judgement, emission, lecture_address(template.lecture, self.site))
+        address = lecture_address(template.lecture, self.site)
+        self.verdicts[k] = Verdict(template, judgement, emission, address, is_first)
         return self.verdicts[k]
 
     def tally(self) -> Tally:

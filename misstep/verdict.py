@@ -23,12 +23,14 @@ class Verdict:
 
     emission  the answer with its sheet, problem and student; a grader reads it and judges it again
     address   the address of the section to re-read, "" if it is not known
+    is_first  whether no answer to the problem was wrong before; then the card tells the idea, and not yet the place
     """
 
     template: Template
     judgement: Judgement
     emission: Mapping[str, Any] | None = None
     address: str = ""
+    is_first: bool = False
 
     @property
     def score(self) -> float:
@@ -42,7 +44,9 @@ class Verdict:
         title = f"Problem {template.number}: {TITLES[judgement.state]}"
         body: list[str | Link] = [f"{points(self.score)} of {template.points} point{'s' * (template.points != 1)}."]
         right_parts = () if judgement.state == "right" else judgement.right_parts
-        body += paragraphs(judgement.findings, right_parts, RIGHT if judgement.fraction else TOGETHER)
+        body += paragraphs(
+            judgement.findings, right_parts, RIGHT if judgement.fraction else TOGETHER, is_first=self.is_first
+        )
         if judgement.state not in ("right", "blank"):
             section = template.lecture.partition("#")[2]
             body.append(Link(f"Re-read: section “{section}” of {template.lecture_name}.", self.address))

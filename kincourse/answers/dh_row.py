@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from kincourse.mistakes.dh import slips_of_rows, symbol
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, is_plausible_angle
 from misstep.answers.accuracy import TOLERANCE
@@ -16,15 +17,6 @@ from misstep.answers.likeness import Likeness
 from misstep.answers.number import LENGTH, PURE, Numbers
 from misstep.display.sentences import IN_DEGREES, IN_DEGREES_WITH_WRONG_SIGN, LIKE_DEGREES, OTHER_UNIT
 from misstep.mutants.expression import Slip
-
-
-def symbol(name: str) -> str:
-    r"""Return the name of an entry as mathematics.
-
-    >>> symbol("alpha_2"), symbol("d")
-    ('$\\alpha_2$', '$d$')
-    """
-    return f"$\\{name}$" if name.startswith(ANGLE_COLUMNS) else f"${name}$"
 
 
 class _DHNumbers(Numbers):
@@ -110,18 +102,6 @@ class DHRowAnswer(DHEntriesAnswer):
         return super().resemblance(given, part)
 
 
-ROWS_SLIPS = (
-    Slip("sign of alpha", "take every $\\alpha$ with the opposite sign", lambda rows: rows * (1, -1, 1, 1)),
-    Slip("sign of theta", "take every $\\theta$ with the opposite sign", lambda rows: rows * (1, 1, 1, -1)),
-    Slip("alpha left out", "leave every $\\alpha$ at 0", lambda rows: rows * (1, 0, 1, 1), in_parts=False),
-    Slip("no offset", "leave every $\\theta$ at 0", lambda rows: rows * (1, 1, 1, 0), in_parts=False),
-    Slip("d left out", "leave every $d$ at 0", lambda rows: rows * (1, 1, 0, 1), in_parts=False),
-    Slip("a and d swapped", "swap $a$ and $d$", lambda rows: rows[:, [2, 1, 0, 3]], spoils=True),
-    Slip("angles swapped", "swap $\\alpha$ and $\\theta$", lambda rows: rows[:, [0, 3, 2, 1]], spoils=True),
-)
-"""The slips that people make in the rows of any table."""
-
-
 @dataclass(frozen=True, eq=False)
 class DHRowsAnswer(_DHNumbers):
     """Rows of a DH table at q = 0, shape (m, 4): a, alpha, d, theta, in metres and radians. Each row is a part.
@@ -159,7 +139,7 @@ class DHRowsAnswer(_DHNumbers):
 
     @property
     def slips(self) -> Sequence[Slip]:
-        return ROWS_SLIPS
+        return slips_of_rows()
 
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
         """Return whether a right row is not so short that any method gives it, nor one that another unit leaves as it is."""
@@ -184,13 +164,15 @@ class DHRowsAnswer(_DHNumbers):
             if one:
                 places.setdefault(one, []).append(symbol(COLUMNS[k]))
         if seen and all(seen.values()) and len(places) <= 2:
-            text = " ".join(f"Look at {' and '.join(names)}. {text}" for (_, text), names in places.items())
+            text = " ".join(f"{text}\nLook at {' and '.join(names)}." for (_, text), names in places.items())
             return " and ".join(dict.fromkeys(name for name, _ in places)), text
         if found := self.likeness(given, part).resemblance():
             return found
         columns = self._wrong_columns(given, part)
         if len(columns) < 3:
-            return "wrong " + " and ".join(columns), f"Look at its {' and '.join(map(symbol, columns))}."
+            return "wrong " + " and ".join(
+                columns
+            ), f"Some numbers of this row are right.\nLook at its {' and '.join(map(symbol, columns))}."
         return self._place(given, part)
 
     def _wrong_columns(self, given: Array, part: int) -> list[str]:

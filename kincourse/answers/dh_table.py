@@ -6,17 +6,17 @@ that is, if they describe the same mechanism up to the choice of zero configurat
 row is a part: those rows are wrong without which, as few as possible, the others could stay as they are.
 """
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
-from kincourse.answers.dh_row import has_a_telling_row, symbol
+from kincourse.answers.dh_row import has_a_telling_row
 from kincourse.answers.table_rows import POSE_TOLERANCE_FACTOR, wrong_rows
-from kincourse.sampling.drawn_machines import is_in_several_rows, table_frames
+from kincourse.mistakes.dh import NAMES, slips_of_table, symbol, with_symbols
+from kincourse.sampling.drawn_machines import table_frames
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import largest_difference, random_configurations
@@ -25,22 +25,14 @@ from kinlib.dh.equivalence import CHOICES, Equivalence, equivalent
 from kinlib.dh.slips import Fault
 from kinlib.dh.table import DHTable
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, Named, StoredObjects, Unreadable
+from misstep.answers.base import Answer, Named, Unreadable
 from misstep.diagnosis.explanation import MAX_ALTERNATIVES
 from misstep.display.sentences import UNTOUCHED
 from misstep.mutants.expression import Slip
+from misstep.storage.deserialize import register_object
 
 MAX_TEXT_LENGTH = 10_000
 """Maximum number of characters of a typed table. A longer text is refused, because parsing it would take too long."""
-
-NAMES = {
-    "unit of length": "millimetres",
-    "other convention": "the other convention",
-    "offset forgotten": "no offset",
-    "theta and alpha swapped": "angles swapped",
-    "sign of q": "sign of a joint value",
-}
-"""The names that the sheets have for faults that `diagnose` names otherwise."""
 
 ENDS = {
     "base": "Your first row begins in {s}. The problem gives frame 0, which is not {s}, so the way from {s} to it is in no row.",
@@ -64,8 +56,6 @@ class DHTableAnswer(Answer):
     >>> DHTableAnswer(right).agrees(flipped, right)
     [True]
     """
-
-    stored_objects: ClassVar[StoredObjects] = {DHTable: DHTable.from_dict}
 
     value: DHTable
     anchored: bool = False
@@ -153,7 +143,7 @@ class DHTableAnswer(Answer):
     @property
     def slips(self) -> Sequence[Slip]:
         """The slips in the whole table that cannot be undone in a wrong table, because numbers are lost, and signs of q."""
-        return _table_slips(self.value)
+        return slips_of_table(self.value)
 
     def resemblance(self, given: DHTable, part: int | None) -> Named | None:
         """Return the name of the mistake in a wrong table and a sentence on it, or how it differs from the right one."""
@@ -192,7 +182,9 @@ class DHTableAnswer(Answer):
         fitting = [faults for faults in explanations if all(fault.row in {None, *wrong} for fault in faults)]
         if fitting or (explanations and len(wrong) != 1):
             name, text = _described(fitting or explanations)
-            return name, text.replace(f"Row {min(wrong)}: ", "") if len(wrong) == 1 else text
+            if len(wrong) == 1:  # the name of the part tells the row
+                text = text.replace(f"Row {min(wrong)}: ", "").replace("In one row, ", "").partition("\nLook at row")[0]
+            return name, text[:1].upper() + text[1:]
         free = equivalent(given, self.value, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE) if self.anchored else None
         if free is None or free.verdict != "same":
             return None
@@ -245,48 +237,13 @@ def _is_same(one: DHTable, other: DHTable, tolerance: float = TOLERANCE) -> bool
     return one.convention == other.convention and bool(is_near)
 
 
-def _table_slips(right: DHTable) -> list[Slip]:
-    """Return the slips in a whole table, each with the table to which it leads."""
-    rows, n = right.rows, right.n
-    turns = np.array([[letter == "R"] for letter in right.joints]) & (np.arange(4) == 3)
-    changes: list[tuple[str, str, dict[str, Any]]] = [
-        ("alpha left out", "leave every $\\alpha$ at 0", {"rows": rows * (1, 0, 1, 1)}),
-        ("d left out", "leave every $d$ at 0", {"rows": rows * (1, 1, 0, 1)}),
-        ("no offset", "leave out the offset of every $\\theta$", {"rows": np.where(turns, 0.0, rows)}),
-        ("no offset", "leave every $\\theta$ at 0 for $q = 0$", {"rows": rows * (1, 1, 1, 0)}),
-        ("sign of alpha", "take every $\\alpha$ with the opposite sign", {"rows": rows * (1, -1, 1, 1)}),
-        ("signs left out", "leave out every minus sign", {"rows": np.abs(rows)}),
-        ("all signs", "take every entry with the opposite sign", {"rows": -rows}),
-        ("sign of theta", "take every $\\theta$ with the opposite sign at $q = 0$", {"rows": rows * (1, 1, 1, -1)}),
-        ("sign of theta", "take every $\\theta$ with the opposite sign", {"rows": rows * (1, 1, 1, -1), "signs": -right.signs}),
-        ("rows reversed", "write the rows from the tool to the base", {"rows": rows[::-1]}),
-        ("both pairs swapped", "swap $a$ and $d$, and $\\alpha$ and $\\theta$", {"rows": rows[:, [2, 3, 0, 1]]}),
-        ("sign of a joint value", "let every joint move in the other direction", {"signs": -right.signs}),
-    ]  # fmt: skip
-    for i in range(n):
-        signs = np.where(np.arange(n) == i, -right.signs, right.signs)
-        changes.append(("sign of a joint value", f"let joint {i + 1} move in the other direction", {"signs": signs}))
-    found, known = [], set[bytes]()
-    for name, did, fields in changes:
-        table = right.changed(**fields)
-        # A single entry is explained by its place.
-        changed, key = np.count_nonzero(table.rows - rows), table.rows.tobytes() + table.signs.tobytes()
-        if (changed > 1 or "signs" in fields) and key not in known:
-            mine, ours = (np.column_stack([one.rows, one.signs]) for one in (table, right))
-            runs_through = is_in_several_rows(mine, ours)
-            found.append(Slip(name, did, lambda _, table=table: table, in_parts=False, spoils=runs_through))
-        known.add(key)
-    return found
+register_object(DHTable, DHTable.from_dict)
 
 
 @lru_cache(maxsize=16)
 def _diagnosis(given: DHTable, right: DHTable, anchored: bool) -> Diagnosis:
     fixed = CHOICES if anchored else ()
     return diagnose(given, right, fixed, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE, in_pairs=False)
-
-
-_COLUMN = re.compile(r"\b(alpha|theta|d)\b|\ba\b(?= (?:is measured|has|and (?:d|alpha)))|(?<=along |about )[xz]\b")
-"""The name of a column or an axis in a sentence, and not the article."""
 
 
 def _choices(found: Equivalence) -> str:
@@ -300,7 +257,7 @@ def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
     name = " or ".join(list(dict.fromkeys(names))[:MAX_ALTERNATIVES])
     if all([fault.name for fault in faults] == ["wrong number"] for faults in alternatives):
         places = list(dict.fromkeys(f"{symbol(str(fault.column))} in row {fault.row}" for (fault,) in alternatives))
-        return name, f"All but one entry can stand: look again at {' or '.join(places[:MAX_ALTERNATIVES])}."
+        return name, f"All but one entry can stay as they are.\nLook again at {' or '.join(places[:MAX_ALTERNATIVES])}."
     texts = [
         " ".join(
             f"Row {fault.row}: {fault.column} has a wrong number." if fault.name == "wrong number" else fault.text
@@ -308,8 +265,12 @@ def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
         )
         for faults in alternatives
     ]
-    texts = list(dict.fromkeys(_COLUMN.sub(lambda found: symbol(found[0]), text) for text in texts))[:MAX_ALTERNATIVES]
+    texts = list(dict.fromkeys(map(with_symbols, texts)))[:MAX_ALTERNATIVES]
     text = texts[0] if len(texts) == 1 else f"Either: {' Or: '.join(texts)}"
+    rows = {fault.row for faults in alternatives[:1] for fault in faults}
+    if len(texts) == 1 and len(rows) == 1 and text.startswith("Row ") and text.count("Row ") == 1:
+        place, _, what = text.partition(": ")
+        text = f"In one row, {what[0].lower()}{what[1:]}\nLook at row {place.removeprefix('Row ')}."
     return name, text
 
 

@@ -109,7 +109,7 @@ class ScrewsAnswer(Numbers):
         same = np.atleast_2d(self.same_entries(given, self.value))[part]
         if np.count_nonzero(~same) == 1:
             place = ENTRY_NAMES[int(np.flatnonzero(~same)[0])]
-            return "one entry", f"Look at {place}: all other entries are right."
+            return "one entry", f"One entry is wrong.\nLook at {place}: all other entries are right."
         if (row := self._place(given, part)) and row[0] == "another row":
             return row
         mine, right = (np.atleast_2d(S)[part] for S in (given, self.value))

@@ -12,12 +12,24 @@ from kinlib.dh.table import Convention
 from kinlib.dh.table import joint_transform as z_motion
 from kinlib.dh.table import normal_transform as x_motion
 from kinlib.rigid.lie import exp as exponential
-from misstep.mutants.expression import Expression, Operation, Slip, Slips, given, negative, product
+from misstep.mutants.expression import (
+    ALL_AT_ONCE,
+    IN_THE_WHOLE,
+    Expression,
+    Operation,
+    Slip,
+    Slips,
+    given,
+    negative,
+    product,
+    table,
+)
 from misstep.mutants.operations import DEGREES_ADVICE, function
 
 CONVENTION_ADVICE = (
-    "A standard row is $R_z(\\theta)\\,T_z(d)\\,T_x(a)\\,R_x(\\alpha)$, joint first; a modified row is "
-    "$R_x(\\alpha)\\,T_x(a)\\,R_z(\\theta)\\,T_z(d)$, common normal first."
+    "A standard row begins with the joint, a modified one with the common normal.\n"
+    "A standard row is $R_z(\\theta)\\,T_z(d)\\,T_x(a)\\,R_x(\\alpha)$; a modified row is "
+    "$R_x(\\alpha)\\,T_x(a)\\,R_z(\\theta)\\,T_z(d)$."
 )
 LENGTHS_ADVICE = "$d$ is measured along $z$, the axis of the joint, and $a$ along $x$, the common normal."
 ANGLES_ADVICE = (
@@ -32,6 +44,8 @@ BACKWARDS_ADVICE = (
 ALPHA_ADVICE = "In a standard table row $i$ holds $\\alpha_i$, in a modified one $\\alpha_{i-1}$."
 RADIANS_ADVICE = "Angles are typed in radians: a right angle is `np.pi / 2`."
 OFFSET_ADVICE = "In a row with an offset $c$, $\\theta = q + c$: the offset is added to $q$."
+PRISMATIC_ADVICE = "A prismatic joint changes $d$; its $\\theta$ is a constant."
+DEG, RAD = 180 / np.pi, np.pi / 180
 
 Rows = Array | Sequence[Sequence[float]]
 
@@ -106,31 +120,32 @@ def table_product(  # noqa: PLR0917
     >>> table_product([[1, 0, 0, 0], [2, 0, 0, 0]], "RR", [0.0, np.pi / 2], "standard").value.round(6)[:3, 3]
     array([1., 2., 0.])
     """
-    before, after = list(before), list(after)
+    before, after, rows = list(before), list(after), np.asarray(rows, dtype=float)
 
     def of(rows: Rows, values: Array | Sequence[float] = q, order: int = 1) -> Expression:
         return product(*before, *links(rows, joints, values, convention, first)[::order], *after)
 
-    T, rows = of(rows), np.asarray(rows, dtype=float)
-    if len(rows) > 1:
-        for step, lost in ((1, 0), (-1, -1)):
-            shifted = rows.copy()
-            shifted[:, 1] = np.roll(rows[:, 1], step)
-            shifted[lost, 1] = 0.0
-            text = f"use each $\\alpha$ one row too {'low' if step == 1 else 'high'}"
-            if not np.allclose(shifted, rows):
-                T = T.mistaken_for(of(shifted), "alpha one row off", text, ALPHA_ADVICE)
-        for i in range(len(rows) - 1):
-            swapped = [*q[:i], q[i + 1], q[i], *q[i + 2 :]]
-            text = f"swap $q_{first + i}$ and $q_{first + i + 1}$"
-            if not np.allclose(of(rows, swapped).value, T.value):
-                T = T.mistaken_for(of(rows, swapped), "joint values swapped", text)
-        if len(rows) > 2:
-            text = "use the joint values in the reverse order"
-            T = T.mistaken_for(of(rows, q[::-1]), "joint values reversed", text)
-        if before or after:
-            T = T.mistaken_for(of(rows, order=-1), "reversed", "multiply the rows from the last one to the first")
-    return T.mistaken_for(inverse(T), "inverse", "give the inverse")
+    T = of(rows)
+    slips: list[tuple[Any, ...]] = [("inverse", "give the inverse", inverse(T))]
+    for step, lost in ((1, 0), (-1, -1)) if len(rows) > 1 else ():
+        shifted = rows.copy()
+        shifted[:, 1] = np.roll(rows[:, 1], step)
+        shifted[lost, 1] = 0.0
+        text = f"use each $\\alpha$ one row too {'low' if step == 1 else 'high'}"
+        slips.append(("alpha one row off", text, of(shifted), ALPHA_ADVICE))
+    for i in range(len(rows) - 1):
+        text, swapped = f"swap $q_{first + i}$ and $q_{first + i + 1}$", [*q[:i], q[i + 1], q[i], *q[i + 2 :]]
+        slips.append(("joint values swapped", text, of(rows, swapped)))
+    if len(rows) > 2:
+        slips.append(("joint values reversed", "use the joint values in the reverse order", of(rows, q[::-1])))
+    if len(rows) > 1 and (before or after):
+        slips.append(("reversed", "multiply the rows from the last one to the first", of(rows, order=-1)))
+    changing = [slip for slip in slips if slip[0] in _SEEN or not np.allclose(slip[2].value, T.value)]
+    return T.mistaken_for(*changing)
+
+
+_SEEN = {"inverse", "joint values reversed", "reversed"}
+"""The slips in a table that lead to another pose, or the numbers are drawn anew."""
 
 
 def axial_twists(a: float, alpha: float, d: float, theta: float) -> Expression:
@@ -158,28 +173,10 @@ def _typed_entries(a: float, alpha: float, d: float, theta: float) -> tuple[Expr
     return given("a", a, _A), angles[0], given("d", d, _D), angles[1]
 
 
-def _row_slips(node: Expression) -> Slips:
-    a, alpha, d, theta = node.arguments
-    hypotenuse = float(np.hypot(a.value, d.value))
-    for name, text, advice, entries in (
-        ("a and d swapped", "swap $a$ and $d$", LENGTHS_ADVICE, (d, alpha, a, theta)),
-        ("angles swapped", "swap $\\alpha$ and $\\theta$", ANGLES_ADVICE, (a, theta, d, alpha)),
-        ("both pairs swapped", "swap $a$ and $d$, and $\\alpha$ and $\\theta$", ANGLES_ADVICE, (d, theta, a, alpha)),
-        ("order of the numbers", "give $\\theta, d, a, \\alpha$ in this order", ROW_ADVICE, (theta, d, a, alpha)),
-        ("order of the numbers", "give $\\alpha, a, d, \\theta$ in this order", ROW_ADVICE, (alpha, a, d, theta)),
-        ("the row backwards", BACKWARDS, BACKWARDS_ADVICE, (-a, -alpha, -d, -theta)),
-        ("x in the other direction", "take $x_i$ in the opposite direction", "", (-a, -alpha, d, theta + np.pi)),
-        ("off the normal", "take the distance of the origins as $a$", LENGTHS_ADVICE, (hypotenuse, alpha, d, theta)),
-        ("off the normal", "take the distance of the origins as $a$, and 0 as $d$", LENGTHS_ADVICE, (hypotenuse, alpha, 0.0, theta)),
-    ):  # fmt: skip
-        wrong = _row(*entries)
-        if np.all(node.value) or not np.allclose(wrong.value, node.value):
-            in_parts = name in {
-                "a and d swapped",
-                "angles swapped",
-                "off the normal",
-            }  # others show in the whole row only
-            yield Slip(name, text, wrong, advice=advice, in_parts=in_parts)
+def _unless_unchanged(slips: Callable[[Expression], Slips], node: Expression) -> Slips:
+    """Yield the slips in a row; where it has zeros many of them change nothing, and are no mistakes there."""
+    is_full = all(np.all(entry.value) for entry in node.arguments)
+    yield from (one for one in slips(node) if is_full or not np.allclose(one.wrong.value, node.value))
 
 
 def _twists(w1: Any, v1: Any, w2: Any, v2: Any) -> Array:
@@ -197,140 +194,101 @@ def _axial_slips(node: Expression) -> Slips:
     yield from _rows_swapped(node)
 
 
-def _rows_swapped(node: Expression) -> Slips:
-    yield Slip("rows swapped", "put the joint first", node[::-1])
-
-
 def _link_slips(convention: Convention, node: Expression) -> Slips:
-    a, alpha, d, theta = node.arguments
+    a, _, d, theta = node.arguments
     other: Convention = "modified" if convention == "standard" else "standard"
-    row, of = node.latex, node.operation
-    found: list[Slip] = []
-
-    def add(name: str, text: str, wrong: Expression, everywhere: str = "", advice: str = "") -> None:
-        found.append(Slip(name, text, wrong, everywhere=everywhere, advice=advice))
-
-    text, everywhere = f"read ${row}$ in the {other} convention", "multiply the rows in the other convention"
-    in_the_other = _link_operation(other, row)(*node.arguments)
-    add("the other convention", text, in_the_other, everywhere, CONVENTION_ADVICE)
-    everywhere = "swap $a$ and $d$ in every row"
-    add("a and d swapped", f"swap $a$ and $d$ in ${row}$", of(d, alpha, a, theta), everywhere, LENGTHS_ADVICE)
-    text, everywhere = f"swap $\\alpha$ and $\\theta$ in ${row}$", "swap $\\alpha$ and $\\theta$ in every row"
-    add("angles swapped", text, of(a, theta, d, alpha), everywhere)
-    text, everywhere = f"leave out $a$ and $\\alpha$ in ${row}$", "leave out every $a$ and $\\alpha$"
-    add("only the joint", text, of(0.0, 0.0, d, theta), everywhere)
-    add("only the common normal", f"leave out $d$ and $\\theta$ in ${row}$", of(a, alpha, 0.0, 0.0))
-    for name, text, in_order in _ORDERS[convention]:
-        add(name, f"{text} in ${row}$", function(name, in_order, "A")(*node.arguments), text)
-    about_y = function("alpha about y", _LINKS_ABOUT_Y[convention], "A")(*node.arguments)
-    add("alpha about y", f"rotate by $\\alpha$ about the $y$ axis in ${row}$", about_y)
-    for letter, wrong in (
-        ("\\theta", of(a, alpha, d, np.pi / 2 - theta)),
-        ("\\alpha", of(a, np.pi / 2 - alpha, d, theta)),
-    ):
-        add("sine and cosine swapped", f"swap the sine and the cosine of ${letter}$ in ${row}$", wrong)
+    of, in_the_other = node.operation, _link_operation(other, node.latex)
+    rows: list[tuple[Any, ...]] = [
+        ("the other convention", f"read ${{}}$ in the {other} convention |multiply the rows in the other convention",
+         lambda *row: in_the_other(*row), CONVENTION_ADVICE),
+        ("a and d swapped", "swap $a$ and $d$ in ${}$ |swap $a$ and $d$ in every row", lambda a, A, d, H: of(d, A, a, H), LENGTHS_ADVICE),
+        ("angles swapped", "swap $\\alpha$ and $\\theta$ in ${}$ |swap $\\alpha$ and $\\theta$ in every row",
+         lambda a, A, d, H: of(a, H, d, A)),
+        ("only the joint", "leave out $a$ and $\\alpha$ in ${}$ |leave out every $a$ and $\\alpha$",
+         lambda _a, _A, d, H: of(0.0, 0.0, d, H)),
+        ("only the common normal", "leave out $d$ and $\\theta$ in ${}$", lambda a, A, _d, _H: of(a, A, 0.0, 0.0)),
+        *((name, f"{text} in ${{}}$ |{text}", function(name, in_order, "A")) for name, text, in_order in _ORDERS[convention]),
+        ("alpha about y", "rotate by $\\alpha$ about the $y$ axis in ${}$", function("alpha about y", _LINKS_ABOUT_Y[convention], "A")),
+        ("sine and cosine swapped", "swap the sine and the cosine of $\\theta$ in ${}$", lambda a, A, d, H: of(a, A, d, np.pi / 2 - H)),
+        ("sine and cosine swapped", "swap the sine and the cosine of $\\alpha$ in ${}$", lambda a, A, d, H: of(a, np.pi / 2 - A, d, H)),
+    ]  # fmt: skip
     if d.operation is _joint_variable:
-        variable, constant = d.arguments
-        q = f"${variable.latex}$"
-        advice = "A prismatic joint changes $d$; its $\\theta$ is a constant."
-        text, wrong = f"add {q} to $\\theta$ instead of $d$", of(a, alpha, constant, theta + variable)
-        add("prismatic variable in theta", text, wrong, advice=advice)
-        text, wrong = f"add {q} to $a$ instead of $d$", of(a + variable, alpha, constant, theta)
-        add("prismatic variable in a", text, wrong, advice=LENGTHS_ADVICE)
-        text, wrong = f"swap {q} and ${a.latex}$", of(variable, alpha, a + constant, theta)
-        add("a and d swapped", text, wrong, advice=LENGTHS_ADVICE)
+        (q, constant), letter = d.arguments, f"${d.arguments[0].latex}$"
+        rows += [
+            ("prismatic variable in theta", f"add {letter} to $\\theta$ instead of $d$",
+             lambda a, A, _d, H: of(a, A, constant, H + q), PRISMATIC_ADVICE),
+            ("prismatic variable in a", f"add {letter} to $a$ instead of $d$",
+             lambda a, A, _d, H: of(a + q, A, constant, H), LENGTHS_ADVICE),
+            ("a and d swapped", f"swap {letter} and ${a.latex}$", lambda a, A, _d, H: of(q, A, a + constant, H), LENGTHS_ADVICE),
+        ]  # fmt: skip
     if theta.operation is _joint_variable:
-        variable, constant = theta.arguments
-        text = f"add ${variable.latex}$ to $d$ instead of $\\theta$"
-        add("revolute variable in d", text, of(a, alpha, d + variable, constant), "add every joint value to $d$")
-    # In a row with zeros many of these change nothing, and are no mistakes there.
-    is_full = all(entry.value for entry in node.arguments)
-    yield from (one for one in found if is_full or not np.allclose(one.wrong.value, node.value))
+        turn, offset = theta.arguments
+        text = f"add ${turn.latex}$ to $d$ instead of $\\theta$ |add every joint value to $d$"
+        rows.append(("revolute variable in d", text, lambda a, A, d, _H: of(a, A, d + turn, offset)))
+    yield from _unless_unchanged(table(*rows), node)
 
 
-def _entry_slips(letter: str, name: str) -> Any:
-    def changes(node: Expression) -> Slips:
-        if not node.value:
-            return
-        x = f"${node.latex}$" if "$" not in node.latex else node.latex
-        text = f"take {x} with the opposite sign"
-        yield Slip(f"sign of {name}", text, negative(node), everywhere=f"take every ${letter}$ with the opposite sign")
-        text = f"leave out {x}"
-        yield Slip(f"{name} left out", text, 0.0 * node, everywhere=f"leave out every ${letter}$")
-        if name in ("alpha", "theta"):
-            if node.operation in (_TYPED_ALPHA, _TYPED_THETA):
-                in_degrees, both = 180 / np.pi * node, "give the angles in degrees"
-                yield Slip("degrees", f"give {x} in degrees", in_degrees, advice=RADIANS_ADVICE)
-                yield Slip(
+def _entry_slips(letter: str, name: str, typed: bool = False) -> Callable[[Expression], Slips]:
+    """The slips in an entry of a row; a typed one is an answer, and any other is used in a formula."""
+    sign = "take {x} with the opposite sign"
+    rows: list[tuple[Any, ...]] = [
+        (f"sign of {name}", f"{sign} |take every ${letter}$ with the opposite sign", lambda x: negative(x)),
+        (f"{name} left out", f"leave out {{x}} |leave out every ${letter}$", lambda x: 0.0 * x),
+    ]
+    if name in ("alpha", "theta") and typed:
+        both = "give the angles in degrees"
+        rows += [
+            ("degrees", "give {x} in degrees", lambda x: DEG * x, RADIANS_ADVICE),
+            ("degrees", f"{both} |", lambda x: DEG * x, RADIANS_ADVICE, ALL_AT_ONCE | IN_THE_WHOLE),
+        ]
+    elif name in ("alpha", "theta"):
+        for several, fields in (
+            (f"use the degrees of every ${letter}$ as radians", {}),
+            ("use degrees as radians", ALL_AT_ONCE),
+        ):
+            rows.append(
+                (
                     "degrees",
-                    both,
-                    in_degrees,
-                    everywhere=both,
-                    advice=RADIANS_ADVICE,
-                    one_by_one=False,
-                    in_parts=False,
+                    f"use the degrees of {{x}} as radians |{several}",
+                    lambda x: DEG * x,
+                    DEGREES_ADVICE,
+                    fields,
                 )
-            else:
-                yield from _degrees_slips(node, x, f"use the degrees of every ${letter}$ as radians")
-            text = f"convert {x} to radians twice"
-            yield Slip("converted twice", text, np.pi / 180 * node, everywhere="convert to radians twice")
-            text = f"take {x} with the opposite sign"
-            everywhere = "take every angle with the opposite sign"
-            in_parts = node.operation in (_ALPHA, _THETA)  # of typed entries, one part cannot show it
-            yield Slip(
-                "sign of the angles", text, negative(node), everywhere=everywhere, one_by_one=False, in_parts=in_parts
             )
+    if name in ("alpha", "theta"):
+        fields = ALL_AT_ONCE | (IN_THE_WHOLE if typed else {})
+        rows += [
+            ("converted twice", "convert {x} to radians twice |convert to radians twice", lambda x: RAD * x),
+            (
+                "sign of the angles",
+                f"{sign} |take every angle with the opposite sign",
+                lambda x: negative(x),
+                "",
+                fields,
+            ),
+        ]
 
-    return changes
+    def slips(node: Expression) -> Slips:
+        x = f"${node.latex}$" if "$" not in node.latex else node.latex
+        yield from (
+            table(*((name, text.replace("{x}", x), *more) for name, text, *more in rows))(node) if node.value else ()
+        )
 
-
-def _degrees_slips(node: Expression, x: str, of_kind: str) -> Slips:
-    in_degrees = 180 / np.pi * node
-    text = f"use the degrees of {x} as radians"
-    yield Slip("degrees", text, in_degrees, everywhere=of_kind, advice=DEGREES_ADVICE)
-    yield Slip(
-        "degrees", text, in_degrees, everywhere="use degrees as radians", advice=DEGREES_ADVICE, one_by_one=False
-    )
+    return slips
 
 
 def _variable_slips(node: Expression) -> Slips:
     q, constant = node.arguments
     if constant.value:
-        yield Slip(
-            "no offset", f"leave out {constant.latex}", q, everywhere="leave out the offsets", advice=OFFSET_ADVICE
-        )
-        text = f"subtract {constant.latex} instead of adding it"
-        yield Slip("offset subtracted", text, q - constant, everywhere="subtract the offsets", advice=OFFSET_ADVICE)
+        yield from _OFFSETS(node)
         if q.operation is _Q_ANGLE:
-            text, all_of_them = (
-                f"use the degrees of {constant.latex} as radians",
-                "use the degrees of the offsets as radians",
-            )
-            yield Slip("degrees", text, q + 180 / np.pi * constant, everywhere=all_of_them, advice=DEGREES_ADVICE)
+            yield from _OFFSET_IN_DEGREES(node)
 
 
 def _joint_value_slips(node: Expression) -> Slips:
-    if not node.value:
-        return
-    q = f"${node.latex}$"
-    text = f"take {q} with the opposite sign"
-    yield Slip(
-        "sign of a joint value", text, negative(node), everywhere="take every joint value with the opposite sign"
-    )
-    yield Slip("joint at zero", f"leave {q} at 0", 0.0 * node, everywhere="leave every joint at zero")
-    if node.operation is _Q_LENGTH:
-        text = f"convert {q} from degrees to radians, although it is a length"
-        yield Slip("length in radians", text, np.pi / 180 * node)
-    for name, text, factor in (
-        ("converted twice", "use `np.radians` on {}", np.pi / 180),
-        ("degrees", "use {} in degrees", 180 / np.pi),
-    ):
-        kinds = ["the joint values"] if node.operation is _Q_LENGTH else ["the joint values", "the angles"]
-        for several in kinds:
-            advice = DEGREES_ADVICE if name == "degrees" else ""
-            yield Slip(
-                name, text.format(q), factor * node, everywhere=text.format(several), advice=advice, one_by_one=False
-            )
+    if node.value:
+        yield from _JOINT_VALUES(node)
+        yield from (_LENGTH_VALUES if node.operation is _Q_LENGTH else _ANGLE_VALUES)(node)
 
 
 @cache
@@ -338,95 +296,102 @@ def _link_operation(convention: Convention, label: str) -> Operation:
     return Operation("link transform", _LINKS[convention], lambda *_: label, partial(_link_slips, convention))
 
 
-_LINKS: dict[str, Link] = {
-    "standard": lambda a, alpha, d, theta: z_motion(d, theta) @ x_motion(a, alpha),
-    "modified": lambda a, alpha, d, theta: x_motion(a, alpha) @ z_motion(d, theta),
-}
-
-_ORDERS: dict[str, list[tuple[str, str, Link]]] = {
-    "standard": [
-        (
-            "rotations first",
-            "rotate by $\\theta$ and $\\alpha$ before both translations",
-            lambda a, A, d, H: z_motion(0, H) @ x_motion(0, A) @ z_motion(d, 0) @ x_motion(a, 0),
-        ),
-        (
-            "a along the old x",
-            "move by $a$ along $x_{i-1}$ instead of $x_i$",
-            lambda a, A, d, H: z_motion(d, 0) @ x_motion(a, 0) @ z_motion(0, H) @ x_motion(0, A),
-        ),
-    ],
-    "modified": [
-        (
-            "rotations first",
-            "rotate by $\\alpha$ and $\\theta$ before both translations",
-            lambda a, A, d, H: x_motion(0, A) @ z_motion(0, H) @ x_motion(a, 0) @ z_motion(d, 0),
-        ),
-        (
-            "d along the old z",
-            "move by $d$ along $z_{i-1}$ instead of $z_i$",
-            lambda a, A, d, H: x_motion(a, 0) @ z_motion(d, 0) @ x_motion(0, A) @ z_motion(0, H),
-        ),
-    ],
-}
-"""For each convention, other orders of the four factors that are no convention."""
-
-
 def _about_y(alpha: float) -> Array:
     return exponential(np.array([0, alpha, 0, 0, 0, 0]))
 
 
+# fmt: off
+_LINKS: dict[str, Link] = {
+    "standard": lambda a, alpha, d, theta: z_motion(d, theta) @ x_motion(a, alpha),
+    "modified": lambda a, alpha, d, theta: x_motion(a, alpha) @ z_motion(d, theta),
+}
 _LINKS_ABOUT_Y: dict[str, Link] = {
     "standard": lambda a, alpha, d, theta: z_motion(d, theta) @ x_motion(a, 0) @ _about_y(alpha),
     "modified": lambda a, alpha, d, theta: _about_y(alpha) @ x_motion(a, 0) @ z_motion(d, theta),
 }
+_ORDERS: dict[str, list[tuple[str, str, Link]]] = {
+    "standard": [
+        ("rotations first", "rotate by $\\theta$ and $\\alpha$ before both translations",
+         lambda a, A, d, H: z_motion(0, H) @ x_motion(0, A) @ z_motion(d, 0) @ x_motion(a, 0)),
+        ("a along the old x", "move by $a$ along $x_{i-1}$ instead of $x_i$",
+         lambda a, A, d, H: z_motion(d, 0) @ x_motion(a, 0) @ z_motion(0, H) @ x_motion(0, A)),
+    ],
+    "modified": [
+        ("rotations first", "rotate by $\\alpha$ and $\\theta$ before both translations",
+         lambda a, A, d, H: x_motion(0, A) @ z_motion(0, H) @ x_motion(a, 0) @ z_motion(d, 0)),
+        ("d along the old z", "move by $d$ along $z_{i-1}$ instead of $z_i$",
+         lambda a, A, d, H: x_motion(a, 0) @ z_motion(d, 0) @ x_motion(0, A) @ z_motion(0, H)),
+    ],
+}
+"""For each convention, other orders of the four factors that are no convention."""
 
-_axial_twists = Operation(
-    "axial twists", lambda a, alpha, d, theta: _twists(alpha, a, theta, d), lambda *_: "x", _axial_slips
+_ROWS = table(
+    ("a and d swapped", "swap $a$ and $d$", lambda a, A, d, H: [d, A, a, H], LENGTHS_ADVICE),
+    ("angles swapped", "swap $\\alpha$ and $\\theta$", lambda a, A, d, H: [a, H, d, A], ANGLES_ADVICE),
+    ("both pairs swapped", "swap $a$ and $d$, and $\\alpha$ and $\\theta$", lambda a, A, d, H: [d, H, a, A], ANGLES_ADVICE, IN_THE_WHOLE),
+    ("order of the numbers", "give $\\theta, d, a, \\alpha$ in this order", lambda a, A, d, H: [H, d, a, A], ROW_ADVICE, IN_THE_WHOLE),
+    ("order of the numbers", "give $\\alpha, a, d, \\theta$ in this order", lambda a, A, d, H: [A, a, d, H], ROW_ADVICE, IN_THE_WHOLE),
+    ("the row backwards", BACKWARDS, lambda a, A, d, H: [-a, -A, -d, -H], BACKWARDS_ADVICE, IN_THE_WHOLE),
+    ("x in the other direction", "take $x_i$ in the opposite direction", lambda a, A, d, H: [-a, -A, d, H + np.pi], "", IN_THE_WHOLE),
+    ("off the normal", "take the distance of the origins as $a$", lambda a, A, d, H: [np.hypot(a, d), A, d, H], LENGTHS_ADVICE),
+    ("off the normal", "take the distance of the origins as $a$, and 0 as $d$",
+     lambda a, A, d, H: [np.hypot(a, d), A, 0.0, H], LENGTHS_ADVICE),
+    of_values=True,
+)
+_OFFSETS = table(
+    ("no offset", "leave out {1} |leave out the offsets", lambda q, _: q, OFFSET_ADVICE),
+    ("offset subtracted", "subtract {1} instead of adding it |subtract the offsets", lambda q, c: q - c, OFFSET_ADVICE),
+)
+_OFFSET_IN_DEGREES = table(
+    ("degrees", "use the degrees of {1} as radians |use the degrees of the offsets as radians", lambda q, c: q + DEG * c, DEGREES_ADVICE),
+)
+_JOINT_VALUES = table(
+    ("sign of a joint value", "take ${}$ with the opposite sign |take every joint value with the opposite sign", lambda q: negative(q)),
+    ("joint at zero", "leave ${}$ at 0 |leave every joint at zero", lambda q: 0.0 * q),
+    ("converted twice", "use `np.radians` on ${}$ |use `np.radians` on the joint values", lambda q: RAD * q, "", ALL_AT_ONCE),
+    ("degrees", "use ${}$ in degrees |use the joint values in degrees", lambda q: DEG * q, DEGREES_ADVICE, ALL_AT_ONCE),
+)
+_ANGLE_VALUES = table(
+    ("converted twice", "use `np.radians` on ${}$ |use `np.radians` on the angles", lambda q: RAD * q, "", ALL_AT_ONCE),
+    ("degrees", "use ${}$ in degrees |use the angles in degrees", lambda q: DEG * q, DEGREES_ADVICE, ALL_AT_ONCE),
+)
+_LENGTH_VALUES = table(
+    ("length in radians", "convert ${}$ from degrees to radians, although it is a length", lambda q: RAD * q),
 )
 _WRONG_TWISTS = (
     ("halves swapped", "write $(v, \\omega)$ in both rows", _twists),
     ("a and d swapped", "swap $a$ and $d$", lambda a, A, d, H: _twists(A, d, H, a)),
     ("angles swapped", "swap $\\alpha$ and $\\theta$", lambda a, A, d, H: _twists(H, a, A, d)),
     ("theta for alpha", "rotate about $x$ by $\\theta$", lambda a, _A, d, H: _twists(H, a, H, d)),
-    (
-        "axes swapped",
-        "swap the axes $x$ and $z$",
-        lambda a, A, d, H: _twists([0, 0, A], [0, 0, a], [H, 0, 0], [d, 0, 0]),
-    ),
-    (
-        "lengths along other axes",
-        "move by $a$ along $z$ and by $d$ along $x$",
-        lambda a, A, d, H: _twists(A, [0, 0, a], H, [d, 0, 0]),
-    ),
+    ("axes swapped", "swap the axes $x$ and $z$", lambda a, A, d, H: _twists([0, 0, A], [0, 0, a], [H, 0, 0], [d, 0, 0])),
+    ("lengths along other axes", "move by $a$ along $z$ and by $d$ along $x$", lambda a, A, d, H: _twists(A, [0, 0, a], H, [d, 0, 0])),
     ("lengths along other axes", "move along $y$", lambda a, A, d, H: _twists(A, [0, a, 0], H, [0, d, 0])),
     ("unit screws", "give unit screws, for an angle of 1 radian", lambda a, A, d, H: _twists(1, a / A, 1, d / H)),
     ("unit screws", "give unit axes instead of the axis times the angle", lambda a, _A, d, _H: _twists(1, a, 1, d)),
-    (
-        "pitch for length",
-        "divide each length by its angle, as for a pitch",
-        lambda a, A, d, H: _twists(A, a / A, H, d / H),
-    ),
+    ("pitch for length", "divide each length by its angle, as for a pitch", lambda a, A, d, H: _twists(A, a / A, H, d / H)),
     ("length times angle", "multiply each length by its angle", lambda a, A, d, H: _twists(A, a * A, H, d * H)),
     ("lengths left out", "leave out both lengths", lambda _a, A, _d, H: _twists(A, 0, H, 0)),
     ("angles left out", "leave out both angles", lambda a, _A, d, _H: _twists(0, a, 0, d)),
-    (
-        "frame of the second twist",
-        "write the second twist in frame $i-1$, where its $z$ is already rotated",
-        lambda a, A, d, H: _twists(A, a, H * x_motion(0, A)[:3, 2], d * x_motion(0, A)[:3, 2]),
-    ),
+    ("frame of the second twist", "write the second twist in frame $i-1$, where its $z$ is already rotated",
+     lambda a, A, d, H: _twists(A, a, H * x_motion(0, A)[:3, 2], d * x_motion(0, A)[:3, 2])),
 )
 """Twists that people take for those of a row, from a, alpha, d and theta."""
 
-_row = Operation(
-    "row", lambda *entries: np.array(entries, dtype=float), lambda *_: "(a, \\alpha, d, \\theta)", _row_slips
+def _rows_swapped(node: Expression) -> Slips:
+    yield Slip("rows swapped", "put the joint first", node[::-1])
+
+
+_axial_twists: Operation = Operation("axial twists", lambda a, A, d, H: _twists(A, a, H, d), lambda *_: "x", _axial_slips)
+_row: Operation = Operation(
+    "row", lambda *entries: np.array(entries, dtype=float), lambda *_: "(a, \\alpha, d, \\theta)", partial(_unless_unchanged, _ROWS)
 )
-_joint_variable = Operation("joint variable", lambda q, constant: q + constant, lambda q, _: q, _variable_slips)
-_A = Operation("a", lambda: None, str, _entry_slips("a", "a"))
-_ALPHA = Operation("alpha", lambda: None, str, _entry_slips("\\alpha", "alpha"))
-_TYPED_ALPHA = Operation("alpha", lambda: None, str, _entry_slips("\\alpha", "alpha"))
-_TYPED_THETA = Operation("theta", lambda: None, str, _entry_slips("\\theta", "theta"))
-_D = Operation("d", lambda: None, str, _entry_slips("d", "d"))
-_THETA = Operation("theta", lambda: None, str, _entry_slips("\\theta", "theta"))
-_Q_ANGLE = Operation("joint value", lambda: None, str, _joint_value_slips)
-_Q_LENGTH = Operation("joint value", lambda: None, str, _joint_value_slips)
+_joint_variable: Operation = Operation("joint variable", lambda q, constant: q + constant, lambda q, _: q, _variable_slips)
+_A: Operation = Operation("a", lambda: None, str, _entry_slips("a", "a"))
+_ALPHA: Operation = Operation("alpha", lambda: None, str, _entry_slips("\\alpha", "alpha"))
+_TYPED_ALPHA: Operation = Operation("alpha", lambda: None, str, _entry_slips("\\alpha", "alpha", typed=True))
+_TYPED_THETA: Operation = Operation("theta", lambda: None, str, _entry_slips("\\theta", "theta", typed=True))
+_D: Operation = Operation("d", lambda: None, str, _entry_slips("d", "d"))
+_THETA: Operation = Operation("theta", lambda: None, str, _entry_slips("\\theta", "theta"))
+_Q_ANGLE: Operation = Operation("joint value", lambda: None, str, _joint_value_slips)
+_Q_LENGTH: Operation = Operation("joint value", lambda: None, str, _joint_value_slips)
+# fmt: on

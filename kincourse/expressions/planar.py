@@ -11,12 +11,13 @@ import numpy as np
 
 from kincourse.expressions.poses import exp, inverse, logarithm
 from kinlib.arrays.validation import Array
-from misstep.mutants.expression import GIVEN, Expression, Operation, Slip, Slips, given, negative, product, total
+from misstep.mutants.expression import GIVEN, Expression, Operation, Slip, Slips, given, negative, product, table, total
 from misstep.mutants.operations import cos, sin, sqrt, square
 
 CORNER_ADVICE = (
     "In a triangle, the cosine of an angle is $(a^2 + b^2 - c^2) / 2ab$, where $c$ is the side opposite the angle."
 )
+MODES_ADVICE = "B and D are the same in both modes, and C is mirrored in the line from B to D."
 BARS = ("ground", "crank", "coupler", "rocker")
 
 
@@ -32,34 +33,22 @@ def closing_twist(branch_2: Sequence[Expression], branch_1: Sequence[Expression]
     """
     products = product(*branch_1), product(*branch_2)
     T_1, T_2 = products[0].named("T_1"), products[1].named("T_2")
-    advice = (
-        f"Here $T_1 = {products[0].latex}$ and $T_2 = {products[1].latex}$. The residual is $\\log(T_2\\,T_1^{{-1}})$."
-    )
     back = [exp(S, negative(q)).named(f"e^{{-[{S.latex}]{q.latex}}}") for S, q in (e.arguments for e in branch_1[::-1])]
-    T = product(*branch_2, *back)
-    for name, text, other in (
-        (
-            "another frame",
-            "take $\\log(T_1^{-1}\\,T_2)$, the residual in coordinates of the coupler",
-            inverse(T_1) @ T_2,
-        ),
-        (
-            "another frame",
-            "take $\\log(T_2^{-1}\\,T_1)$, the negative residual in coordinates of the coupler",
-            inverse(T_2) @ T_1,
-        ),
+    T = product(*branch_2, *back).mistaken_for(
+        ("another frame", "take $\\log(T_1^{-1}\\,T_2)$, the residual in coordinates of the coupler", inverse(T_1) @ T_2),
+        ("another frame", "take $\\log(T_2^{-1}\\,T_1)$, the negative residual in coordinates of the coupler", inverse(T_2) @ T_1),
         ("sign", "take $\\log(T_1\\,T_2^{-1})$, the negative of the residual", T_1 @ inverse(T_2)),
         ("inverse left out", "take $\\log(T_2\\,T_1)$, without an inverse", T_2 @ T_1),
         ("inverse left out", "take $\\log(T_1\\,T_2)$, without an inverse", T_1 @ T_2),
         ("inverse left out", "leave out both minus signs of the way back", product(*branch_2, *branch_1[::-1])),
         ("way back left out", "leave out the way back, so that only the way there is left", T_2),
-    ):
-        T = T.mistaken_for(other, name, text, advice)
+        advice=f"Here $T_1 = {products[0].latex}$ and $T_2 = {products[1].latex}$. The residual is $\\log(T_2\\,T_1^{{-1}})$.",
+    )  # fmt: skip
     joints = [
         (sign, e.arguments) for sign, branch in ((1, branch_2), (-1, branch_1)) for e in branch if e.operation is exp
     ]
     added = total(*(sign * S * q for sign, (S, q) in joints))
-    return logarithm(T).mistaken_for(added, "one exponential", "add the twists, without the exponentials")
+    return logarithm(T).mistaken_for(("one exponential", "add the twists, without the exponentials", added))
 
 
 def bars(lengths: Sequence[float]) -> list[Expression]:
@@ -125,13 +114,12 @@ def with_other_bars(
     >>> [slip.did for slip in S.slips()][0]
     'swap the lengths of ground and crank'
     """
-    expression = of(lengths)
+    slips = []
     for i, j in swaps:
         order = list(lengths)
         order[i], order[j] = lengths[j], lengths[i]
-        text = f"swap the lengths of {BARS[i]} and {BARS[j]}"
-        expression = expression.mistaken_for(of(order), "lengths swapped", text)
-    return expression
+        slips.append(("lengths swapped", f"swap the lengths of {BARS[i]} and {BARS[j]}", of(order)))
+    return of(lengths).mistaken_for(*slips)
 
 
 def slider_place(crank: Expression, rod: Expression, offset: Expression, A: Expression) -> Expression:
@@ -141,35 +129,22 @@ def slider_place(crank: Expression, rod: Expression, offset: Expression, A: Expr
     4.0
     """
     height = offset - crank * sin(A)
-    reach = sqrt(square(rod) - square(height))
-    x = crank * cos(A) + reach
-    for name, text, wrong in (
-        ("other mode", "take the other assembly mode, with the slider to the left of B", crank * cos(A) - reach),
-        ("flat rod", "take the rod along $x$, although B and the slider have different heights", crank * cos(A) + rod),
+    along, reach = crank * cos(A), sqrt(square(rod) - square(height))
+    x = along + reach
+    return x.mistaken_for(
+        ("other mode", "take the other assembly mode, with the slider to the left of B", along - reach),
+        ("flat rod", "take the rod along $x$, although B and the slider have different heights", along + rod),
         ("all along x", "take crank and rod along $x$, stretched", crank + rod),
-        (
-            "offset at the end",
-            "subtract the offset at the end",
-            crank * cos(A) + sqrt(square(rod) - square(crank * sin(A))) - offset,
-        ),
+        ("offset at the end", "subtract the offset at the end", along + sqrt(square(rod) - square(crank * sin(A))) - offset),
         ("another coordinate", "give the height of the slider, its offset from A", offset),
         ("distance for coordinate", "give the distance of the slider from A", sqrt(square(x) + square(offset))),
-        (
-            "no Pythagoras",
-            "subtract the difference of the heights of B and the slider from the length of the rod",
-            crank * cos(A) + rod - _size(height),
-        ),
+        ("no Pythagoras", "subtract the difference of the heights of B and the slider from the length of the rod",
+         along + rod - _size(height)),
         ("lengths swapped", "swap the lengths of crank and rod", _slider(rod, crank, offset, A)),
-        *(
-            ("other mode", f"take the other assembly mode {text}", 2 * crank * cos(A) - _slider(crank, rod, wrong, A))
-            for text, wrong in (
-                ("without the offset", 0 * offset),
-                ("with the opposite sign of the offset", negative(offset)),
-            )
-        ),
-    ):
-        x = x.mistaken_for(wrong, name, text)
-    return x
+        ("other mode", "take the other assembly mode without the offset", 2 * along - _slider(crank, rod, 0 * offset, A)),
+        ("other mode", "take the other assembly mode with the opposite sign of the offset",
+         2 * along - _slider(crank, rod, negative(offset), A)),
+    )  # fmt: skip
 
 
 def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
@@ -184,80 +159,57 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
     f = [float(f_i) for leg in legs for f_i in leg]
     J, F = float(len(f)), sum(f)
     N = 2 + J - len(legs)
-    dimension = given("d", float(d)).mistaken_for(9.0 - d, "another d", f"take $d = {9 - d}$")
-    bodies, joints, sum_f = given("N", N), given("J", J), given("\\sum f", F)
-    for text, wrong in (
-        ("leave out the ground or the platform", N - 1),
-        ("leave out both the ground and the platform", N - 2),
-        ("count as many bodies as joints", J),
-        ("leave out the bodies between the joints of a leg", 2.0),
-        ("count one body for each joint, and the ground", J + 1),
-    ):
-        if wrong != N:
-            bodies = bodies.mistaken_for(wrong, "bodies", text)
-    for text, wrong in (
-        ("give each joint one degree of freedom", J),
-        ("give universal joints one degree of freedom", F - f.count(2)),
-        ("give spherical joints two degrees of freedom", F - f.count(3)),
-    ):
-        if wrong != F:
-            sum_f = sum_f.mistaken_for(wrong, "degrees of freedom of the joints", text)
-    right = dimension * (bodies - 1 - joints) + sum_f
-    for name, text, wrong in (
-        (
-            "constraints of the joints",
-            "take $d\\,(N - 1) - \\sum f$, although a joint has $d - f$ constraints",
-            d * (N - 1) - F,
-        ),
+
+    def mistaken(right: Expression, *slips: tuple[str, str, float], advice: str = "") -> Expression:
+        return right.mistaken_for(*(slip for slip in slips if slip[2] != right.value), advice=advice)
+
+    dimension = mistaken(given("d", float(d)), ("another d", f"take $d = {9 - d}$", 9.0 - d))
+    bodies = mistaken(
+        given("N", N),
+        ("bodies", "leave out the ground or the platform", N - 1),
+        ("bodies", "leave out both the ground and the platform", N - 2),
+        ("bodies", "count as many bodies as joints", J),
+        ("bodies", "leave out the bodies between the joints of a leg", 2.0),
+        ("bodies", "count one body for each joint, and the ground", J + 1),
+    )
+    sum_f = mistaken(
+        given("\\sum f", F),
+        ("degrees of freedom of the joints", "give each joint one degree of freedom", J),
+        ("degrees of freedom of the joints", "give universal joints one degree of freedom", F - f.count(2)),
+        ("degrees of freedom of the joints", "give spherical joints two degrees of freedom", F - f.count(3)),
+    )
+    right = dimension * (bodies - 1 - given("J", J)) + sum_f
+    M, per_leg = float(right.value), [float(sum(leg)) for leg in legs]
+    return mistaken(
+        right,
+        ("constraints of the joints", "take $d\\,(N - 1) - \\sum f$, although a joint has $d - f$ constraints", d * (N - 1) - F),
         ("joints left out", "take $d\\,(N - 1)$, as if there were no joints", d * (N - 1)),
         ("loops", "add up the degrees of freedom of the joints, without the equations of the loops", F),
         ("loops", "close one loop only", F - d),
         ("loops", "close one loop for each leg, although the first leg closes no loop", F - d * len(legs)),
-        ("joint left out", "leave out one joint", right.value + d - f[-1]),
-        *(("leg left out", "leave out one leg", right.value + d - sum(leg)) for leg in dict.fromkeys(map(tuple, legs))),
-        ("loops", "count each leg by itself, as if it closed a loop", F - len(legs) * 1.0),
-        ("loops", "count one leg alone", float(sum(legs[0]))),
+        ("joint left out", "leave out one joint", M + d - f[-1]),
+        *(("leg left out", "leave out one leg", M + d - f_leg) for f_leg in dict.fromkeys(per_leg)),
+        ("loops", "count each leg by itself, as if it closed a loop", F - len(legs)),
+        ("loops", "count one leg alone", per_leg[0]),
         ("platform alone", "give the degrees of freedom of the platform when it is free", float(d)),
-        ("negative number", "write 0 for a negative number", max(right.value, 0.0)),
-        (
-            "bodies and another d",
-            f"take $d = {9 - d}$ with one body left out",
-            right.value + (9 - 2 * d) * (N - 1 - J) + d - 9,
-        ),
-        (
-            "another d and degrees of freedom of the joints",
-            f"take $d = {9 - d}$ with one degree of freedom for each joint",
-            (9 - d) * (N - 1 - J) + J,
-        ),
-        ("sign", "give the negative of the number", -right.value),
+        ("negative number", "write 0 for a negative number", max(M, 0.0)),
+        ("bodies and another d", f"take $d = {9 - d}$ with one body left out", M + (9 - 2 * d) * (N - 1 - J) + d - 9),
+        ("another d and degrees of freedom of the joints", f"take $d = {9 - d}$ with one degree of freedom for each joint",
+         (9 - d) * (N - 1 - J) + J),
+        ("sign", "give the negative of the number", -M),
         ("number of bodies", "give the number of bodies", N),
         ("number of joints", "give the number of joints", J),
         ("loops", "take $d$ for each leg as if it were one joint", d * (N - 1) + F - d * len(legs)),
-        ("off by one", "count one too many or one too few", right.value + 1),
-        ("off by one", "count one too many or one too few", right.value - 1),
-    ):
-        if wrong != right.value:
-            right = right.mistaken_for(wrong, name, text)
-    return right.also_by(_leg_by_leg(d, legs))
-
-
-def _leg_by_leg(d: int, legs: Sequence[Sequence[int]]) -> Expression:
-    """The same mobility as what the legs leave of the platform's freedom, d - sum of (d - f of a leg)."""
-    f = [float(sum(leg)) for leg in legs]
-    right = given("d - \\sum (d - f)", d - sum(d - f_leg for f_leg in f))
-    for name, text, wrong in (
+        *(("off by one", "count one too many or one too few", M + by) for by in (1, -1)),
+    ).also_by(mistaken(
+        given("d - \\sum (d - f)", d - sum(d - f_leg for f_leg in per_leg)),
         ("leg left out", "count each kind of leg once", d - sum(d - sum(leg) for leg in set(map(tuple, legs)))),
-        ("sign", "add the constraints of the legs to $d$ instead of subtracting them", d + sum(d - f_leg for f_leg in f)),
-        ("joint left out", "count the first joint of each leg only", d - sum(d - leg[0] for leg in legs)),
-        ("negative number", "let a leg with more than $d$ degrees of freedom add nothing", d - sum(max(d - f_leg, 0) for f_leg in f)),
-        ("loops", "give the degrees of freedom of the leg that has the fewest", min(f)),
-    ):  # fmt: skip
-        if wrong != right.value:
-            advice = (
-                "Each leg takes $d$ minus the degrees of freedom of its joints from the platform; this may be negative."
-            )
-            right = right.mistaken_for(float(wrong), name, text, advice)
-    return right
+        ("sign", "add the constraints of the legs to $d$ instead of subtracting them", d + sum(d - f_leg for f_leg in per_leg)),
+        ("joint left out", "count the first joint of each leg only", float(d - sum(d - leg[0] for leg in legs))),
+        ("negative number", "let a leg with more than $d$ degrees of freedom add nothing", d - sum(max(d - f_leg, 0) for f_leg in per_leg)),
+        ("loops", "give the degrees of freedom of the leg that has the fewest", min(per_leg)),
+        advice="Each leg takes $d$ minus the degrees of freedom of its joints from the platform; this may be negative.",
+    ))  # fmt: skip
 
 
 def _slider(crank: Expression, rod: Expression, offset: Expression, A: Expression) -> Expression:
@@ -272,47 +224,17 @@ def _cosine(one: float, two: float, opposite: float) -> float:
     return float((one**2 + two**2 - opposite**2) / (2 * one * two))
 
 
-def _corner_slips(node: Expression) -> Slips:
-    one, two, opposite = node.arguments
-    yield Slip("another corner", f"take the angle opposite ${two.latex}$", corner_angle(one, opposite, two))
-    yield Slip("another corner", f"take the angle opposite ${one.latex}$", corner_angle(two, opposite, one))
-    for name, text, of in _WRONG_CORNERS:
-        yield Slip(name, text, Operation(name, of, node.operation.latex)(*node.arguments), advice=CORNER_ADVICE)
-
-
-_WRONG_CORNERS = (
-    ("cosine for angle", "give the cosine instead of the angle", _cosine),
-    ("arcsine for arccosine", "take the arcsine instead of the arccosine", lambda *sides: np.arcsin(_cosine(*sides))),
-    *(
-        (
-            "sign",
-            "subtract the squares of both other sides in the law of cosines",
-            lambda one, two, opposite, k=k: np.arccos(_cosine(one, two, opposite) - ((one, two)[k] / (two, one)[k])),
-        )
-        for k in (0, 1)
-    ),
-    ("factor left out", "leave out the factor 2 of the law of cosines", lambda *sides: np.arccos(2 * _cosine(*sides))),
-    ("sign", "take the law of cosines with the opposite sign", lambda *sides: np.arccos(-_cosine(*sides))),
-    (
-        "square left out",
-        "leave out the squares",
-        lambda one, two, opposite: np.arccos((one + two - opposite) / (2 * one * two)),
-    ),
-    ("no right triangle", "treat the triangle as right-angled", lambda one, _, opposite: np.arccos(one / opposite)),
-    ("no right triangle", "treat the triangle as right-angled", lambda _, two, opposite: np.arccos(two / opposite)),
-    ("no right triangle", "treat the triangle as right-angled", lambda one, two, _: np.arctan2(two, one)),
-)
+def _rotated(angle: float, p: Array) -> Array:
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([c * p[0] - s * p[1], s * p[0] + c * p[1]])
 
 
 def _direction_slips(node: Expression) -> Slips:
-    [line] = node.arguments
-    swapped = Operation("arctan2", lambda v: np.arctan2(*v), "{0}".format)
-    yield Slip("arguments of arctan2", "swap the two arguments of `np.arctan2`", swapped(line))
-    if line.value[0] < 0:  # otherwise it is the same
-        text = "take `np.arctan` of the quotient, which loses the quadrant"
-        of_quotient = Operation("arctan", lambda v: np.arctan(v[1] / v[0]), "{0}".format)
-        yield Slip("arctan for arctan2", text, of_quotient(line))
-    yield Slip("half a turn", f"take the opposite direction of ${line.latex}$", np.pi + node)
+    yield from _DIRECTIONS(node)
+    if node.arguments[0].value[0] < 0:  # otherwise it is the same
+        yield from _LOST_QUADRANT(node)
+    text = f"take the opposite direction of ${node.arguments[0].latex}$"
+    yield Slip("half a turn", text, np.pi + node)
 
 
 def _polar_slips(node: Expression) -> Slips:
@@ -322,54 +244,70 @@ def _polar_slips(node: Expression) -> Slips:
         yield Slip("sine and cosine swapped", text, polar(distance, np.pi / 2 - angle))
 
 
-def _rotated(angle: float, p: Array) -> Array:
-    c, s = np.cos(angle), np.sin(angle)
-    return np.array([c * p[0] - s * p[1], s * p[0] + c * p[1]])
-
-
-def _rotated_slips(node: Expression) -> Slips:
-    angle, p = node.arguments
-    yield Slip("rotation left out", f"add ${p.latex}$ without rotating it", p)
-    yield Slip("rotation transposed", f"rotate ${p.latex}$ in the opposite direction", rotated(negative(angle), p))
-    yield Slip("sine and cosine swapped", "swap sine and cosine", rotated(np.pi / 2 - angle, p))
-
-
 def _both_slips(node: Expression) -> Slips:
-    left, right = node.arguments
-    for one in (left, right):
+    for one in node.arguments:
         for name, text, wrong in (
             ("one mode twice", "give one mode twice", one),
             ("mirrored in the ground", "mirror one mode in the ground line to get the other", negative(one)),
             ("supplement", "take $\\pi$ minus the angle of one mode for the other mode", np.pi - one),
             ("half a turn", "add $\\pi$ to the angle of one mode for the other mode", np.pi + one),
         ):
-            advice = "B and D are the same in both modes, and C is mirrored in the line from B to D."
-            yield Slip(name, text, both_modes(one, wrong), advice=advice)
+            yield Slip(name, text, both_modes(one, wrong), advice=MODES_ADVICE)
 
 
-corner_angle = Operation(
+def _corner_slips(node: Expression) -> Slips:
+    yield from _OTHER_CORNERS(node)
+    yield from _CORNERS(node)
+
+
+# fmt: off
+_OTHER_CORNERS = table(
+    ("another corner", "take the angle opposite ${1}$", lambda one, two, opposite: corner_angle(one, opposite, two)),
+    ("another corner", "take the angle opposite ${0}$", lambda one, two, opposite: corner_angle(two, opposite, one)),
+)
+_CORNERS = table(
+    ("cosine for angle", "give the cosine instead of the angle", _cosine, CORNER_ADVICE),
+    ("arcsine for arccosine", "take the arcsine instead of the arccosine", lambda *sides: np.arcsin(_cosine(*sides)), CORNER_ADVICE),
+    ("sign", "subtract the squares of both other sides in the law of cosines",
+     lambda one, two, opposite: np.arccos(_cosine(one, two, opposite) - one / two), CORNER_ADVICE),
+    ("sign", "subtract the squares of both other sides in the law of cosines",
+     lambda one, two, opposite: np.arccos(_cosine(one, two, opposite) - two / one), CORNER_ADVICE),
+    ("factor left out", "leave out the factor 2 of the law of cosines", lambda *sides: np.arccos(2 * _cosine(*sides)), CORNER_ADVICE),
+    ("sign", "take the law of cosines with the opposite sign", lambda *sides: np.arccos(-_cosine(*sides)), CORNER_ADVICE),
+    ("square left out", "leave out the squares", lambda a, b, c: np.arccos((a + b - c) / (2 * a * b)), CORNER_ADVICE),
+    ("no right triangle", "treat the triangle as right-angled", lambda one, _, opposite: np.arccos(one / opposite), CORNER_ADVICE),
+    ("no right triangle", "treat the triangle as right-angled", lambda _, two, opposite: np.arccos(two / opposite), CORNER_ADVICE),
+    ("no right triangle", "treat the triangle as right-angled", lambda one, two, _: np.arctan2(two, one), CORNER_ADVICE),
+    of_values=True,
+)
+_DIRECTIONS = table(("arguments of arctan2", "swap the two arguments of `np.arctan2`", lambda v: np.arctan2(*v)), of_values=True)
+_LOST_QUADRANT = table(
+    ("arctan for arctan2", "take `np.arctan` of the quotient, which loses the quadrant", lambda v: np.arctan(v[1] / v[0])), of_values=True
+)
+
+corner_angle: Operation = Operation(
     "corner of a triangle", lambda *sides: np.arccos(_cosine(*sides)), "\\angle({0}, {1})".format, _corner_slips
 )
 """The angle in radians between two sides of a triangle, by the law of cosines: corner_angle(one, two, opposite)."""
 
-polar = Operation(
-    "polar coordinates", lambda r, angle: _rotated(angle, np.array([r, 0.0])), "({0}, {1})".format, _polar_slips
-)
+polar: Operation = Operation("polar coordinates", lambda r, angle: _rotated(angle, np.array([r, 0.0])), "({0}, {1})".format, _polar_slips)
 """The point (2,) at a distance from the origin in the direction of an angle in radians."""
 
-direction_of = Operation(
+direction_of: Operation = Operation(
     "direction", lambda v: np.arctan2(v[1], v[0]), "\\text{{the direction of }}{0}".format, _direction_slips
 )
 """The angle in radians of a vector (2,) from the x axis."""
 
-_distance = Operation("length", lambda v: np.hypot(*v), "|{0}|".format)
-
-rotated = Operation(
-    "rotated", _rotated, lambda angle, x: f"R{angle if angle.startswith('(') else f'({angle})'}\\,{x}", _rotated_slips
-)
+rotated: Operation = Operation("rotated", _rotated, lambda angle, x: f"R{angle if angle.startswith('(') else f'({angle})'}\\,{x}", table(
+    ("rotation left out", "add ${1}$ without rotating it", lambda _, p: p),
+    ("rotation transposed", "rotate ${1}$ in the opposite direction", lambda angle, p: rotated(negative(angle), p)),
+    ("sine and cosine swapped", "swap sine and cosine", lambda angle, p: rotated(np.pi / 2 - angle, p)),
+))
 """A vector (2,) of the plane, rotated by an angle in radians."""
 
-both_modes = Operation("both modes", lambda *angles: np.array(angles), "({0}, {1})".format, _both_slips)
+both_modes: Operation = Operation("both modes", lambda *angles: np.array(angles), "({0}, {1})".format, _both_slips)
 """The angles of both assembly modes of a linkage, (2,)."""
 
-_size = Operation("size", np.abs, "|{0}|".format)
+_distance: Operation = Operation("length", lambda v: np.hypot(*v), "|{0}|".format)
+_size: Operation = Operation("size", np.abs, "|{0}|".format)
+# fmt: on

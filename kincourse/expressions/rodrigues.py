@@ -9,7 +9,7 @@ from numpy import cos, sin
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import hat
-from misstep.mutants.expression import Expression, Operation, Slip, Slips, given
+from misstep.mutants.expression import Expression, Operation, Slip, Slips, given, table
 from misstep.mutants.operations import ANGLE, unit
 
 I = np.eye(3)
@@ -30,6 +30,7 @@ RODRIGUES: Coefficients = lambda q: (1, sin(q), 1 - cos(q))  # noqa: E731
 INTEGRAL: Coefficients = lambda q: (q, 1 - cos(q), q - sin(q))  # noqa: E731
 """The coefficients of G(theta), the integral of Rodrigues' formula."""
 
+# fmt: off
 _ROTATIONS: list[tuple[str, str, Coefficients]] = [
     ("coefficients swapped", "swap $\\sin \\theta$ and $1 - \\cos \\theta$", lambda q: (1, 1 - cos(q), sin(q))),
     ("cos for 1 - cos", "write $\\cos \\theta$ instead of $1 - \\cos \\theta$", lambda q: (1, sin(q), cos(q))),
@@ -48,34 +49,21 @@ _POSITIONS: list[tuple[str, str, Coefficients]] = [
     ("straight on", "write $v\\,\\theta$", lambda q: (q, 0, 0)),
     ("R v", "write $R\\,v$", RODRIGUES),
     ("v itself", "write $v$", lambda _: (1, 0, 0)),
-    (
-        "coefficients swapped",
-        "swap the coefficients of $[\\omega]$ and $[\\omega]^2$",
-        lambda q: (q, q - sin(q), 1 - cos(q)),
-    ),
+    ("coefficients swapped", "swap the coefficients of $[\\omega]$ and $[\\omega]^2$", lambda q: (q, q - sin(q), 1 - cos(q))),
     ("no theta in front", "write $I$ instead of $I\\,\\theta$ in $G(\\theta)$", lambda q: (1, 1 - cos(q), q - sin(q))),
     ("term left out", "leave out the term of $G(\\theta)$ with $[\\omega]^2$", lambda q: (q, 1 - cos(q), 0)),
     ("term left out", "leave out the term of $G(\\theta)$ with $[\\omega]$", lambda q: (q, 0, q - sin(q))),
-    (
-        "sign",
-        "write $\\theta + \\sin \\theta$ instead of $\\theta - \\sin \\theta$",
-        lambda q: (q, 1 - cos(q), q + sin(q)),
-    ),
+    ("sign", "write $\\theta + \\sin \\theta$ instead of $\\theta - \\sin \\theta$", lambda q: (q, 1 - cos(q), q + sin(q))),
     ("sign", "take the term with $[\\omega]^2$ with the opposite sign", lambda q: (q, 1 - cos(q), sin(q) - q)),
 ]
 
 _WRONG_FUNCTIONS: dict[str, Callable[[float], float]] = {
-    "1": lambda _: 1.0,
-    "\\theta": lambda q: q,
-    "\\theta^2 / 2": lambda q: q**2 / 2,
-    "\\sin \\theta": sin,
-    "\\cos \\theta": cos,
-    "\\tan \\theta": np.tan,
-    "\\sin 2\\theta": lambda q: sin(2 * q),
-    "\\sin^2 \\theta": lambda q: sin(q) ** 2,
+    "1": lambda _: 1.0, "\\theta": lambda q: q, "\\theta^2 / 2": lambda q: q**2 / 2, "\\sin \\theta": sin, "\\cos \\theta": cos,
+    "\\tan \\theta": np.tan, "\\sin 2\\theta": lambda q: sin(2 * q), "\\sin^2 \\theta": lambda q: sin(q) ** 2,
     "1 + \\cos \\theta": lambda q: 1 + cos(q),
 }
 """The functions that people write where another one belongs."""
+# fmt: on
 
 
 def _with_another_function(
@@ -133,7 +121,7 @@ def angle_symbol(theta: float) -> Expression:
     'converted to radians'
     """
     text = "convert $\\theta$ from degrees to radians, although it is in radians"
-    return given("\\theta", theta, ANGLE).mistaken_for(np.radians(theta), "converted to radians", text)
+    return given("\\theta", theta, ANGLE).mistaken_for(("converted to radians", text, np.radians(theta)))
 
 
 def truncated(A: Array, terms: int) -> Array:
@@ -196,9 +184,8 @@ def _rotation_slips(node: Expression) -> Slips:
         divided_once = Operation("divided once", once, "{0}".format)(unit(raw), theta)
         yield Slip("divided once", text, divided_once, advice=UNIT_AXIS, may_coincide=True)
         text = f"use ${raw.latex}$, which is no unit vector, in Rodrigues' formula"
-        yield Slip(
-            "formula for a unit axis", text, _printed_rotation(raw, theta), everywhere=FOR_UNIT_AXES, advice=UNIT_AXIS
-        )
+        wrong = _printed_rotation(raw, theta)
+        yield Slip("formula for a unit axis", text, wrong, everywhere=FOR_UNIT_AXES, advice=UNIT_AXIS)
 
 
 def _position_slips(node: Expression) -> Slips:
@@ -206,41 +193,8 @@ def _position_slips(node: Expression) -> Slips:
     yield from _slips(_POSITIONS, INTEGRAL, node, v)
     if raw := _raw_axis(omega):
         text = f"use ${raw.latex}$, which is no unit vector, in the formula of $G({theta.latex})$"
-        yield Slip(
-            "formula for a unit axis",
-            text,
-            _printed_position(raw, theta, v),
-            everywhere=FOR_UNIT_AXES,
-            advice=UNIT_AXIS,
-        )
-
-
-def _skew_slips(node: Expression) -> Slips:
-    antisymmetric = "The matrix $[\\omega]$ is skew-symmetric: $[\\omega]^T = -[\\omega]$."
-    first_row = "$[\\omega]\\,u = \\omega \\times u$, so the first row is $(0, -\\omega_z, \\omega_y)$."
-    for name, text, advice, wrong in (
-        ("diagonal", "write a diagonal matrix", antisymmetric, np.diag),
-        ("one half", "leave out the half below the diagonal", antisymmetric, lambda w: np.triu(hat(w))),
-        ("outer product", "write the outer product", antisymmetric, lambda w: np.outer(w, w)),
-        ("squared", "square the matrix", antisymmetric, lambda w: _squared(hat(w))),
-        ("no minus signs", "leave out the minus signs", antisymmetric, lambda w: abs(hat(w))),
-        ("symmetric", "write a symmetric matrix", antisymmetric, lambda w: np.triu(hat(w)) - np.tril(hat(w))),
-        (
-            "components in another order",
-            "write $x$, $y$, $z$ from left to right",
-            first_row,
-            lambda w: hat(w[::-1] * (1, -1, 1)),
-        ),
-        ("components swapped", "swap $x$ and $z$", first_row, lambda w: hat(w[::-1])),
-        (
-            "diagonal",
-            "write the components on the diagonal as well",
-            "The diagonal of a skew-symmetric matrix is zero.",
-            lambda w: hat(w) + np.diag(w),
-        ),
-    ):
-        instead = Operation(name, wrong, "[{0}]".format)(*node.arguments)
-        yield Slip(name, f"{text} in ${node.latex}$", instead, advice=advice)
+        wrong = _printed_position(raw, theta, v)
+        yield Slip("formula for a unit axis", text, wrong, everywhere=FOR_UNIT_AXES, advice=UNIT_AXIS)
 
 
 def _twist_slips(node: Expression) -> Slips:
@@ -252,65 +206,57 @@ def _twist_slips(node: Expression) -> Slips:
         yield Slip("halves swapped", text, twist_matrix(skew(v), omega), advice=advice)
         cross = Operation("cross product", np.matmul, "{0}\\,{1}".format)
         yield Slip("moment for v", f"write $\\omega \\times {v.latex}$ into the column", twist_matrix(W, cross(W, v)))
-    below = np.diag([0.0, 0, 0, 1])
-    for name, text, advice, wrong in (
-        (
-            "like a pose",
-            "write a 1 into the corner",
-            "A pose ends in 0 0 0 1. The matrix $[S]$ is a derivative of poses, and their last row is constant.",
-            lambda S: S + below,
-        ),
-        ("last row", "write $v$ into the last row", "The vector $v$ is the last column.", _with_last_row),
-        (
-            "last row",
-            "write $v$ into the last row as well",
-            "The last row of $[S]$ is zero.",
-            lambda S: S + _column(S).T,
-        ),
-        ("v left out", "leave out $v$", "", lambda S: S - _column(S)),
-        ("omega left out", f"leave out ${W.latex}$", "", _column),
-        (
-            "identity added",
-            "add the identity",
-            "The diagonal of $[S]$ is zero; $I + [S]$ is the beginning of the series of $e^{[S]}$.",
-            lambda S: S + np.eye(4),
-        ),
-        ("exponential", "take the exponential of $[S]$", "The matrix $[S]$ itself is wanted.", _exponential),
-    ):
-        yield Slip(name, text, Operation(name, wrong, "{0}".format)(node), advice=advice)
+    yield from _TWIST_MATRICES(node)
 
 
-def _exponential(S: Array) -> Array:
-    return exponential(np.array([S[2, 1], S[0, 2], S[1, 0], *S[:3, 3]]))
+def _of_twist(W: Array, v: Array) -> Array:
+    return np.block([[W, v[:, None]], [np.zeros((1, 4))]])
 
 
-def _column(S: Array) -> Array:
-    column: Array = S * (0, 0, 0, 1)
-    return column
+ANTISYMMETRIC = "The matrix $[\\omega]$ is skew-symmetric: $[\\omega]^T = -[\\omega]$."
+FIRST_ROW = "$[\\omega]\\,u = \\omega \\times u$, so the first row is $(0, -\\omega_z, \\omega_y)$."
+# fmt: off
+_SKEW = table(
+    ("diagonal", "write a diagonal matrix in ${}$", np.diag, ANTISYMMETRIC),
+    ("one half", "leave out the half below the diagonal in ${}$", lambda w: np.triu(hat(w)), ANTISYMMETRIC),
+    ("outer product", "write the outer product in ${}$", lambda w: np.outer(w, w), ANTISYMMETRIC),
+    ("squared", "square the matrix in ${}$", lambda w: _squared(hat(w)), ANTISYMMETRIC),
+    ("no minus signs", "leave out the minus signs in ${}$", lambda w: abs(hat(w)), ANTISYMMETRIC),
+    ("symmetric", "write a symmetric matrix in ${}$", lambda w: np.triu(hat(w)) - np.tril(hat(w)), ANTISYMMETRIC),
+    ("components in another order", "write $x$, $y$, $z$ from left to right in ${}$", lambda w: hat(w[::-1] * (1, -1, 1)), FIRST_ROW),
+    ("components swapped", "swap $x$ and $z$ in ${}$", lambda w: hat(w[::-1]), FIRST_ROW),
+    ("diagonal", "write the components on the diagonal as well in ${}$", lambda w: hat(w) + np.diag(w),
+     "The diagonal of a skew-symmetric matrix is zero."),
+    of_values=True,
+)
+_TWIST_MATRICES = table(
+    ("like a pose", "write a 1 into the corner", lambda W, v: _of_twist(W, v) + np.diag([0.0, 0, 0, 1]),
+     "A pose ends in 0 0 0 1. The matrix $[S]$ is a derivative of poses, and their last row is constant."),
+    ("last row", "write $v$ into the last row",
+     lambda W, v: _of_twist(W, 0 * v) + _of_twist(0 * W, v).T, "The vector $v$ is the last column."),
+    ("last row", "write $v$ into the last row as well",
+     lambda W, v: _of_twist(W, v) + _of_twist(0 * W, v).T, "The last row of $[S]$ is zero."),
+    ("v left out", "leave out $v$", lambda W, v: _of_twist(W, 0 * v)),
+    ("omega left out", "leave out ${0}$", lambda W, v: _of_twist(0 * W, v)),
+    ("identity added", "add the identity", lambda W, v: _of_twist(W, v) + np.eye(4),
+     "The diagonal of $[S]$ is zero; $I + [S]$ is the beginning of the series of $e^{[S]}$."),
+    ("exponential", "take the exponential of $[S]$", lambda W, v: exponential(np.array([W[2, 1], W[0, 2], W[1, 0], *v])),
+     "The matrix $[S]$ itself is wanted."),
+    of_values=True,
+)
 
-
-def _with_last_row(S: Array) -> Array:
-    moved: Array = S - _column(S) + _column(S).T
-    return moved
-
-
-skew = Operation("skew-symmetric matrix", hat, "[{0}]".format, _skew_slips)
+skew: Operation = Operation("skew-symmetric matrix", hat, "[{0}]".format, _SKEW)
 """The skew-symmetric matrix [omega] (3, 3)."""
 
-twist_matrix = Operation(
-    "matrix of a twist",
-    lambda W, v: np.block([[W, v[:, None]], [np.zeros((1, 4))]]),
-    "({0}, {1})".format,
-    _twist_slips,
-)
+twist_matrix: Operation = Operation("matrix of a twist", _of_twist, "({0}, {1})".format, _twist_slips)
 """The matrix [S] (4, 4) of a twist, from [omega] and v."""
 
-rotation_exp = Operation(
+rotation_exp: Operation = Operation(
     "rotation", lambda w, q: _formula(RODRIGUES, _squared, _size(w), w, q), "e^{{[{0}]{1}}}".format, _rotation_slips
 )
 """The rotation e^{[omega] theta}, by Rodrigues' formula; omega need not be of unit length."""
 
-position_exp = Operation(
+position_exp: Operation = Operation(
     "position",
     lambda w, v, q: _formula(INTEGRAL, _squared, _size(w), w, q, v),
     "G({2})\\,{1}".format,
@@ -318,6 +264,7 @@ position_exp = Operation(
 )
 """The position of e^{[S] theta} for S = (omega, v) with omega not zero: G(theta) v."""
 
-_entrywise = Operation("entrywise exponential", lambda w, q: np.exp(hat(w) * q), "e^{{[{0}]{1}}}".format)
-_printed_rotation = Operation("(3.51)", partial(_formula, RODRIGUES, _squared, 1.0), "e^{{[{0}]{1}}}".format)
-_printed_position = Operation("(3.88)", partial(_formula, INTEGRAL, _squared, 1.0), "G({1})\\,{2}".format)
+_entrywise: Operation = Operation("entrywise exponential", lambda w, q: np.exp(hat(w) * q), "e^{{[{0}]{1}}}".format)
+_printed_rotation: Operation = Operation("(3.51)", partial(_formula, RODRIGUES, _squared, 1.0), "e^{{[{0}]{1}}}".format)
+_printed_position: Operation = Operation("(3.88)", partial(_formula, INTEGRAL, _squared, 1.0), "G({1})\\,{2}".format)
+# fmt: on

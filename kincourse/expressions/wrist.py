@@ -4,8 +4,7 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
-from misstep.mutants.expression import Expression, Operation, Slip, Slips, given, transpose
-from misstep.mutants.operations import function
+from misstep.mutants.expression import ALL_AT_ONCE, Expression, Operation, given, table, transpose
 
 X, Y, Z = np.eye(3)
 QUARTER_TURN = exp(np.pi / 2 * X)
@@ -55,47 +54,33 @@ def _sum_twice(E: Array) -> Array:
     return angles if np.hypot(E[1, 0], E[1, 2]) > SINGULAR_SINE else angles[[2, 1, 2]]
 
 
-def _everywhere(name: str, text: str, wrong: Expression, advice: str = "") -> Slip:
-    """A slip that people make for every rotation, if at all."""
-    return Slip(name, text, wrong, text, advice, one_by_one=False)
-
-
-def _rotation_slips(node: Expression) -> Slips:
-    yield _everywhere(
-        "rotation transposed", "use the transpose of $R$", transpose(node), advice="$R$ is ${}^3R_6$ as it is."
-    )
-
-
-def _constant_slips(node: Expression) -> Slips:
-    [R] = node.arguments
-    for name, text, of in (
-        ("constant left in", "leave the constant $R_x(-90°)$ in $R$", lambda R: R),
-        ("sign of the constant", "multiply $R$ by $R_x(-90°)$ instead of $R_x(90°)$", lambda R: R @ QUARTER_TURN.T),
-        ("constant on the left", "multiply $R$ by $R_x(90°)$ from the left", lambda R: QUARTER_TURN @ R),
-    ):
-        yield _everywhere(name, text, function(name, of, "{0}")(R), advice=CONSTANT_ADVICE)
-
-
-def _angle_slips(node: Expression) -> Slips:
-    [E] = node.arguments
-    for name, text, advice, of in (
-        ("degrees", "give the angles in degrees", "Give them in radians.", lambda E: np.degrees(_angles(E))),
-        ("reversed", "give $\\theta_6, \\theta_5, \\theta_4$ in this order", ORDER_ADVICE, lambda E: _angles(E)[::-1]),
-        ("sign of theta_5", "take $\\theta_5$ alone with the opposite sign", PAIR_ADVICE, lambda E: _angles(E) * (1, -1, 1)),
-        ("all signs", "take all angles with the opposite sign", "", lambda E: -_angles(E)),
-        ("Z-Y-Z", "give Z-Y-Z angles instead of Y-Z-Y angles", "", lambda E: _angles(QUARTER_TURN.T @ E @ QUARTER_TURN) * (1, -1, 1)),
-        ("half a turn", "give a $\\theta_4$ that is off by 180°", QUADRANT_ADVICE, lambda E: np.add(_angles(E), (np.pi, 0, 0))),
-        ("half a turn", "give a $\\theta_6$ that is off by 180°", QUADRANT_ADVICE, lambda E: np.add(_angles(E), (0, 0, np.pi))),
-        ("half a turn", "give $\\theta_4$ and $\\theta_6$ off by 180°", QUADRANT_ADVICE, lambda E: np.add(_angles(E), (np.pi, 0, np.pi))),
-        ("theta_4 left out", "leave $\\theta_4$ at 0", "", lambda E: _angles(E) * (0, 1, 1)),
-        ("theta_6 left out", "leave $\\theta_6$ at 0", "", lambda E: _angles(E) * (1, 1, 0)),
-        ("sum twice", "give the sum of $\\theta_4$ and $\\theta_6$ for each of them, where axes 4 and 6 are collinear", "", _sum_twice),
-    ):  # fmt: skip
-        yield _everywhere(name, text, function(name, of, "{0}")(E), advice=advice)
-
-
-_ROTATION = Operation("given rotation", lambda: None, str, _rotation_slips)
-_without_constant = Operation(
-    "rotation without the constant", lambda R: R @ QUARTER_TURN, "{0}\\,R_x(90°)".format, _constant_slips
+# fmt: off
+_ALL = ALL_AT_ONCE
+_ANGLES = table(
+    ("degrees", "give the angles in degrees |", lambda E: np.degrees(_angles(E)), "Give them in radians.", _ALL),
+    ("reversed", "give $\\theta_6, \\theta_5, \\theta_4$ in this order |", lambda E: _angles(E)[::-1], ORDER_ADVICE, _ALL),
+    ("sign of theta_5", "take $\\theta_5$ alone with the opposite sign |", lambda E: _angles(E) * (1, -1, 1), PAIR_ADVICE, _ALL),
+    ("all signs", "take all angles with the opposite sign |", lambda E: -_angles(E), "", _ALL),
+    ("Z-Y-Z", "give Z-Y-Z angles instead of Y-Z-Y angles |", lambda E: _angles(QUARTER_TURN.T @ E @ QUARTER_TURN) * (1, -1, 1), "", _ALL),
+    ("half a turn", "give a $\\theta_4$ that is off by 180° |", lambda E: np.add(_angles(E), (np.pi, 0, 0)), QUADRANT_ADVICE, _ALL),
+    ("half a turn", "give a $\\theta_6$ that is off by 180° |", lambda E: np.add(_angles(E), (0, 0, np.pi)), QUADRANT_ADVICE, _ALL),
+    ("half a turn", "give $\\theta_4$ and $\\theta_6$ off by 180° |",
+     lambda E: np.add(_angles(E), (np.pi, 0, np.pi)), QUADRANT_ADVICE, _ALL),
+    ("theta_4 left out", "leave $\\theta_4$ at 0 |", lambda E: _angles(E) * (0, 1, 1), "", _ALL),
+    ("theta_6 left out", "leave $\\theta_6$ at 0 |", lambda E: _angles(E) * (1, 1, 0), "", _ALL),
+    ("sum twice", "give the sum of $\\theta_4$ and $\\theta_6$ for each of them, where axes 4 and 6 are collinear |",
+     _sum_twice, "", _ALL),
+    of_values=True,
 )
-_yzy = Operation("Y-Z-Y angles", _angles, "\\mathrm{{YZY}}({0})".format, _angle_slips)
+_CONSTANT = table(
+    ("constant left in", "leave the constant $R_x(-90°)$ in $R$ |", lambda R: R, CONSTANT_ADVICE, _ALL),
+    ("sign of the constant", "multiply $R$ by $R_x(-90°)$ instead of $R_x(90°)$ |", lambda R: R @ QUARTER_TURN.T, CONSTANT_ADVICE, _ALL),
+    ("constant on the left", "multiply $R$ by $R_x(90°)$ from the left |", lambda R: QUARTER_TURN @ R, CONSTANT_ADVICE, _ALL),
+    of_values=True,
+)
+_ROTATION: Operation = Operation("given rotation", lambda: None, str, table(
+    ("rotation transposed", "use the transpose of $R$ |", lambda R: transpose(R), "$R$ is $R_{36}$ as it is.", _ALL),
+))
+_without_constant: Operation = Operation("rotation without the constant", lambda R: R @ QUARTER_TURN, "{0}\\,R_x(90°)".format, _CONSTANT)
+_yzy: Operation = Operation("Y-Z-Y angles", _angles, "\\mathrm{{YZY}}({0})".format, _ANGLES)
+# fmt: on

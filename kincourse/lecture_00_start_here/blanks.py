@@ -19,7 +19,7 @@ def end_effector_at_home(_draw: ArmSampler) -> Problem:
         as_expression(x) for x in (0.033, 0.155, 0.135, 0.2175, 0.147)
     )
     height = height.mistaken_for(
-        0, "height left out", "leave out the height", "At home the arm is 0.147 m above the origin of {s}."
+        ("height left out", "leave out the height", 0, "At home the arm is 0.147 m above the origin of {s}.")
     )
     reach = shoulder + upper_arm + forearm + end_effector
     upright = stack(shoulder, 0, height + upper_arm + forearm + end_effector)
@@ -27,10 +27,12 @@ def end_effector_at_home(_draw: ArmSampler) -> Problem:
         statement="Give the position $(x, y, z)$ of the end-effector at home, in {s} and in metres.",
         answer=Numbers(youbot().home[:3, 3], unit="metres"),
         solution=stack(reach, 0, height).mistaken_for(
-            upright,
-            "upright",
-            "take the arm as upright at home",
-            "Here the arm is stretched out horizontally at home. Home is a choice, and other descriptions choose an upright arm.",
+            (
+                "upright",
+                "take the arm as upright at home",
+                upright,
+                "Here the arm is stretched out horizontally at home. Home is a choice, and other descriptions choose an upright arm.",
+            )
         ),
         advice={
             "leave out $0.033$": "The origin of {s} is on the axis of joint 1, and the axis of joint 2 is 0.033 m in front of it.",
@@ -51,21 +53,21 @@ def configuration_in_radians(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Joints 2, 4 and 5 are at 60, -120 and 45 degrees, and joints 1 and 3 at 0. Give the five joint values for `arm.fk`.",
         answer=Numbers(q.value, unit="radians"),
-        solution=q.mistaken_for(np.abs(q.value), "signs left out", "leave out the minus signs", POSITIVE_ROTATION)
-        .mistaken_for(
-            q.value + np.array([0, 0, 0, np.pi / 2, 0]),
-            "offset added",
-            "add the offset $\\pi/2$ of the DH table to joint 4",
-            offset,
-        )
-        .mistaken_for(
-            degrees / 360,
-            "turns",
-            "give fractions of a full turn",
-            "A full turn is $2\\pi$ radians, so 90 degrees are $\\pi/2$.",
-        )
-        .mistaken_for(
-            degrees, "degrees", "give degrees", "`arm.fk` takes the numbers as radians, and reports no error."
+        solution=q.mistaken_for(
+            ("signs left out", "leave out the minus signs", np.abs(q.value), POSITIVE_ROTATION),
+            (
+                "offset added",
+                "add the offset $\\pi/2$ of the DH table to joint 4",
+                q.value + np.array([0, 0, 0, np.pi / 2, 0]),
+                offset,
+            ),
+            (
+                "turns",
+                "give fractions of a full turn",
+                degrees / 360,
+                "A full turn is $2\\pi$ radians, so 90 degrees are $\\pi/2$.",
+            ),
+            ("degrees", "give degrees", degrees, "`arm.fk` takes the numbers as radians, and reports no error."),
         ),
     )
 

@@ -46,11 +46,14 @@ def one_more_link(_draw: ArmSampler) -> Problem:
         statement="Give $T_{03}$ from $T_{02}$ and $T_{23}$.",
         answer=PoseAnswer(T_03.value),
         solution=T_03.mistaken_for(
-            added,
-            "positions added",
-            "add the two positions",
-            "$p_{23}$ is written in frame 2: write it in frame 0 first, $p_{03} = R_{02}\\,p_{23} + p_{02}$.",
-        ).mistaken_for(T_02 + T_23, "poses added", "add the matrices", "Poses are composed by a matrix product."),
+            (
+                "positions added",
+                "add the two positions",
+                added,
+                "$p_{23}$ is written in frame 2: write it in frame 0 first, $p_{03} = R_{02}\\,p_{23} + p_{02}$.",
+            ),
+            ("poses added", "add the matrices", T_02 + T_23, "Poses are composed by a matrix product."),
+        ),
         advice={"order": "The adjacent subscripts 3 and 0 do not cancel: $T_{02}$ goes to the left of $T_{23}$."},
     )
 
@@ -84,10 +87,12 @@ def tool_from_link_3(_draw: ArmSampler) -> Problem:
         statement="Give $T_{35}$ from $T_{30}$ and $T_{05}$.",
         answer=PoseAnswer(T_35.value),
         solution=T_35.mistaken_for(
-            subtracted,
-            "positions subtracted",
-            "subtract the positions",
-            "The vector $p_{05} - p_{03}$ leads from link 3 to the tool, but it is written in frame 0: multiply it by $R_{30}$.",
+            (
+                "positions subtracted",
+                "subtract the positions",
+                subtracted,
+                "The vector $p_{05} - p_{03}$ leads from link 3 to the tool, but it is written in frame 0: multiply it by $R_{30}$.",
+            )
         ),
         advice={
             "inverse left out": "The inverse of $T_{03}$ is $T_{30}$, whose second subscript cancels with the first of $T_{05}$.",

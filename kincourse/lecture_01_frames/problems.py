@@ -53,7 +53,7 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
     axes = [direction(label, axis) for label, axis in zip(labels, sampler.axes(), strict=True)]
     T_sb = assemble(
         columns(*axes),
-        point("p_{sb}", place).mistaken_for(place * (1, 1, 0), "height left out", "leave out the height"),
+        point("p_{sb}", place).mistaken_for(("height left out", "leave out the height", place * (1, 1, 0))),
     )
     return Problem(
         statement="Read the pose $T_{sb}$ from the drawing. All coordinates are whole metres, and each axis of {b} is parallel to an axis "
@@ -77,11 +77,13 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
 def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
     k, degrees = sampler.integer(0, 2), sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1))
     angle = given(f"{degrees}^\\circ", degrees, ANGLE)
-    angle = angle.mistaken_for(180 - degrees, "supplement", f"subtract ${degrees}^\\circ$ from $180^\\circ$")
-    angle = angle.mistaken_for(180 + degrees, "half a turn", f"add $180^\\circ$ to ${degrees}^\\circ$")
+    angle = angle.mistaken_for(
+        ("supplement", f"subtract ${degrees}^\\circ$ from $180^\\circ$", 180 - degrees),
+        ("half a turn", f"add $180^\\circ$ to ${degrees}^\\circ$", 180 + degrees),
+    )
     R = rotation_about(k, radians(angle))
     R = R.mistaken_for(
-        R.value - np.diag(np.eye(3)[k]), "no 1 for the axis", "leave out the 1 on the diagonal for the shared axis"
+        ("no 1 for the axis", "leave out the 1 on the diagonal for the shared axis", R.value - np.diag(np.eye(3)[k]))
     )
     first, next_axis = "yzx"[k], "zxy"[k]
     return Problem(
@@ -108,20 +110,20 @@ def homogeneous_matrix(sampler: ArmSampler) -> Problem:
     rotated = function("rotated", np.matmul, "{0}\\,{1}")(R, p)
     # Where the translation comes first, R is used twice, and so it can be transposed in one place.
     block = (
-        R.mistaken_for(R.T, "transposed", "transpose $R$ in the matrix, and not in the last column")
+        R.mistaken_for(("transposed", "transpose $R$ in the matrix, and not in the last column", R.T))
         if shift_first
         else R
     )
     column, other, when = (rotated, p, "after") if shift_first else (p, rotated, "before")
-    column = (
-        column.mistaken_for(other, "order", f"translate {when} rotating")
-        .mistaken_for(rotated + p, "order", "translate both before and after rotating")
-        .mistaken_for(R.T @ p, "transposed", "multiply $p$ by $R^T$")
-        .mistaken_for(R.value.diagonal() * shift, "entry by entry", "multiply $R$ and $p$ entry by entry")
+    column = column.mistaken_for(
+        ("order", f"translate {when} rotating", other),
+        ("order", "translate both before and after rotating", rotated + p),
+        ("transposed", "multiply $p$ by $R^T$", R.T @ p),
+        ("entry by entry", "multiply $R$ and $p$ entry by entry", R.value.diagonal() * shift),
     )
     A = assemble(block, column)
     if shift_first:
-        A = A.mistaken_for(translation(p), "rotation left out", "leave out the rotation")
+        A = A.mistaken_for(("rotation left out", "leave out the rotation", translation(p)))
     sense = "counterclockwise" if degrees > 0 else "clockwise"
     rotation_text = f"rotated about the origin by {abs(degrees)} degrees {sense}"
     translation_text = f"translated by $p = {vector(shift)}$"
@@ -149,17 +151,16 @@ def point_and_arrow(sampler: ArmSampler) -> Problem:
     T, x_c, d = _random_pose(sampler), sampler.point(6) / 10, sampler.point(6) / 10
     T_sc, x, arrow = pose("T_{sc}", T), given("x", x_c), given("d", d)
     arrow = arrow.mistaken_for(
-        d - x_c, "point subtracted", "subtract the point from the vector, which is a difference of two points already"
+        ("point subtracted", "subtract the point from the vector, which is a difference of two points already", d - x_c)
     )
     end = to_point(T_sc, x + arrow)
     there = to_direction(T_sc, arrow).mistaken_for(
-        end, "other end", "give the other end of the rod instead of the vector that leads there"
+        ("other end", "give the other end of the rod instead of the vector that leads there", end)
     )
     swapped = stack(to_direction(T_sc, x), to_point(T_sc, arrow))
-    both = (
-        stack(to_point(T_sc, x), there)
-        .mistaken_for(stack(x, arrow), "frame not changed", "write the coordinates in {c} unchanged")
-        .mistaken_for(swapped, "1 and 0 swapped", "swap the 1 of a point and the 0 of a direction")
+    both = stack(to_point(T_sc, x), there).mistaken_for(
+        ("frame not changed", "write the coordinates in {c} unchanged", stack(x, arrow)),
+        ("1 and 0 swapped", "swap the 1 of a point and the 0 of a direction", swapped),
     )
     return Problem(
         statement=f"One end of a rod is the point $x = {vector(x_c)}$ m, and $d = {vector(d)}$ m is the vector from there to the other "
@@ -183,7 +184,7 @@ def look_back(sampler: ArmSampler) -> Problem:
     T = _random_pose(sampler)
     T_gs = inverse(pose("T_{sg}", T))
     negated = homogeneous(-T[:3, :3].T, T_gs.value[:3, 3])
-    T_gs = T_gs.mistaken_for(negated, "sign", "write a minus sign in front of the rotation $R^T$ too")
+    T_gs = T_gs.mistaken_for(("sign", "write a minus sign in front of the rotation $R^T$ too", negated))
     return Problem(
         statement=f"The pose of a gripper {{g}} in the base frame {{s}} is $T_{{sg}}$. Give $T_{{gs}}$, the pose of the base in the frame "
         f"of the gripper.\n\n$$T_{{sg}} = {matrix(T)}$$",
@@ -206,9 +207,9 @@ def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
     T_to = inverse(pose("T_{st}", T_st)) @ pose("T_{sc}", T_sc) @ pose("T_{co}", T_co)
     subtracted = with_position(T_to.value, (T_sc @ T_co)[:3, 3] - T_st[:3, 3])
     advice = "The difference of the positions is a vector written in {s}: multiply it by $R_{ts}$."
-    T_to = T_to.mistaken_for(subtracted, "positions subtracted", "subtract the positions", advice)
+    T_to = T_to.mistaken_for(("positions subtracted", "subtract the positions", subtracted, advice))
     whole = inverse(pose("T_{st}", T_st) @ pose("T_{sc}", T_sc) @ pose("T_{co}", T_co))
-    T_to = T_to.mistaken_for(whole, "inverse of the product", "invert the whole product instead of $T_{st}$ alone")
+    T_to = T_to.mistaken_for(("inverse of the product", "invert the whole product instead of $T_{st}$ alone", whole))
     (R_sc, p_sc), (R_co, p_co), (R_st, p_st) = (
         (rotation(f"R_{{{name}}}", T[:3, :3]), point(f"p_{{{name}}}", T[:3, 3]))
         for name, T in (("sc", T_sc), ("co", T_co), ("st", T_st))
@@ -250,7 +251,7 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
     shift_by = given("d", far * np.eye(3)[along], VECTOR)
     for other in {0, 1, 2} - {along}:
         text = f"translate along the ${'xyz'[other]}$ axis instead of the ${'xyz'[along]}$ axis"
-        shift_by = shift_by.mistaken_for(far * np.eye(3)[other], "another axis", text)
+        shift_by = shift_by.mistaken_for(("another axis", text, far * np.eye(3)[other]))
     shift = translation(shift_by).named("\\mathrm{Trans}(d)")
     own, fixed = (turn, shift) if turn_is_own else (shift, turn)
     moved = fixed @ pose("T_{sb}", T) @ own

@@ -60,10 +60,12 @@ def leaning_pose(_draw: ArmSampler) -> Problem:
     S, q = angled_arm().screws[1], third_of_a_turn()
     omega = direction("\\omega", S[:3])
     p = position_exp(omega, direction("v", S[3:]), q).mistaken_for(
-        angled_arm().joint_points[1],
-        "point on the axis",
-        "write the point of the joint",
-        "The column is the place to which the origin of {s} moves, not that of the joint.",
+        (
+            "point on the axis",
+            "write the point of the joint",
+            angled_arm().joint_points[1],
+            "The column is the place to which the origin of {s} moves, not that of the joint.",
+        )
     )
     T = assemble(rotation_exp(omega, q), p)
     return Problem(
@@ -77,18 +79,21 @@ def leaning_pose(_draw: ArmSampler) -> Problem:
 def long_axis(_draw: ArmSampler) -> Problem:
     w, v_0, angle = np.array([0.0, 0.0, 2.0]), np.array([1.0, 0.0, 0.0]), np.pi / 4
     omega, v, theta = direction("\\omega", w), direction("v", v_0), given("\\theta", angle, ANGLE)
-    undivided = v.mistaken_for(2 * v_0, "v not divided", "divide $\\omega$ by its length, but not $v$", ONE_MOTION)
+    undivided = v.mistaken_for(("v not divided", "divide $\\omega$ by its length, but not $v$", 2 * v_0, ONE_MOTION))
     T = assemble(rotation_exp(omega, theta), position_exp(omega, undivided, theta))
     T = T.mistaken_for(
-        exp(np.array([*w / 2, *v_0 / 2]) * angle),
-        "angle kept",
-        "divide $S$ by $|\\omega|$ without changing $\\theta$",
-        TO_THE_ANGLE,
-    ).mistaken_for(
-        exp(np.array([*w / 2, *v_0]) * angle),
-        "angle kept",
-        "divide $\\omega$ by $|\\omega|$ without changing $\\theta$",
-        TO_THE_ANGLE,
+        (
+            "angle kept",
+            "divide $S$ by $|\\omega|$ without changing $\\theta$",
+            exp(np.array([*w / 2, *v_0 / 2]) * angle),
+            TO_THE_ANGLE,
+        ),
+        (
+            "angle kept",
+            "divide $\\omega$ by $|\\omega|$ without changing $\\theta$",
+            exp(np.array([*w / 2, *v_0]) * angle),
+            TO_THE_ANGLE,
+        ),
     )
     return Problem(
         statement="Give $e^{[S]\\theta}$ for $\\omega = (0, 0, 2)$, $v = (1, 0, 0)$, $\\theta = \\pi/4$.",
@@ -108,12 +113,13 @@ def screw_between(_draw: ArmSampler) -> Problem:
         given={"T_sa": home, "T_sb": drawn},
         answer=Numbers(x.value),
         solution=x.mistaken_for(
-            log(drawn) - log(home),
-            "logs subtracted",
-            "subtract logarithms",
-            "$\\log(AB) = \\log A + \\log B$ holds for positive numbers; you can rely on it only for motions that commute.",
-        ).mistaken_for(
-            np.roll(x.value, 3), "halves swapped", "write $(v, \\omega)$", "Here a twist is $(\\omega, v)$."
+            (
+                "logs subtracted",
+                "subtract logarithms",
+                log(drawn) - log(home),
+                "$\\log(AB) = \\log A + \\log B$ holds for positive numbers; you can rely on it only for motions that commute.",
+            ),
+            ("halves swapped", "write $(v, \\omega)$", np.roll(x.value, 3), "Here a twist is $(\\omega, v)$."),
         ),
         invisible=("position of the inverse", "rotation transposed"),  # the rotation of T_sa is I
         advice={

@@ -57,10 +57,12 @@ SHORTEST = "Longer vectors lead to $R$ as well. The logarithm is the shortest on
 def matrix_of_a_screw(sampler: ArmSampler) -> Problem:
     omega, v = sampler.point(5), sampler.point(5)
     w = point("\\omega", omega).mistaken_for(
-        omega / np.linalg.norm(omega),
-        "divided by its length",
-        "divide $\\omega$ by its length",
-        "The matrix $[S]$ contains the components of $\\omega$ as they are given.",
+        (
+            "divided by its length",
+            "divide $\\omega$ by its length",
+            omega / np.linalg.norm(omega),
+            "The matrix $[S]$ contains the components of $\\omega$ as they are given.",
+        )
     )
     S = twist_matrix(skew(w), point("v", v))
     return Problem(
@@ -77,14 +79,16 @@ def matrix_of_a_screw(sampler: ArmSampler) -> Problem:
 def turn_about_a_line(sampler: ArmSampler) -> Problem:
     direction, length = _direction(sampler)
     degrees = sampler.choice([degrees for degrees in range(35, 165, 5) if degrees not in (45, 90, 120)])
-    angle = given("\\theta", degrees, ANGLE).mistaken_for(180 - degrees, "supplement", "rotate by $180° - \\theta$")
+    angle = given("\\theta", degrees, ANGLE).mistaken_for(("supplement", "rotate by $180° - \\theta$", 180 - degrees))
     R = rotation_exp(unit(point("d", direction)), radians(angle))
     turns = np.diag(direction / length * np.radians(degrees))
     R = R.mistaken_for(
-        exp(turns[0]) @ exp(turns[1]) @ exp(turns[2]),
-        "three rotations",
-        "rotate about $x$, $y$ and $z$ one after the other",
-        "One rotation about an axis is not a product of rotations by its components.",
+        (
+            "three rotations",
+            "rotate about $x$, $y$ and $z$ one after the other",
+            exp(turns[0]) @ exp(turns[1]) @ exp(turns[2]),
+            "One rotation about an axis is not a product of rotations by its components.",
+        )
     )
     return Problem(
         statement=f"A body rotates by $\\theta$ = {degrees} degrees about an axis with the direction $d = {vector(direction)}$. "
@@ -127,23 +131,20 @@ def where_the_origin_goes(sampler: ArmSampler) -> Problem:
         omega, q = direction("\\omega", d), angle_symbol(theta)
         p = (given("a", a, LENGTH) * given(vector(e), e) + given(vector(beside), beside)).named("p")
         R_p = rotation_exp(omega, q) @ p
-        return (
-            position_exp(omega, moment(omega, p), q)
-            .mistaken_for(
-                R_p, "R p alone", "write $R\\,p$", "The point $p$ stays where it is, so the column is $p - R\\,p$."
-            )
-            .mistaken_for(
-                p + R_p,
+        return position_exp(omega, moment(omega, p), q).mistaken_for(
+            ("R p alone", "write $R\\,p$", R_p, "The point $p$ stays where it is, so the column is $p - R\\,p$."),
+            (
                 "sign",
                 "take $R\\,p$ with the opposite sign",
+                p + R_p,
                 "The point $p$ stays where it is, so $p$ is $R\\,p$ plus the column.",
-            )
-            .mistaken_for(
-                p,
+            ),
+            (
                 "p itself",
                 "write the point of the joint",
+                p,
                 "The column is the place to which the origin of {s} moves.",
-            )
+            ),
         )
 
     told = ", ".join(str(entry) for entry in place)
@@ -162,15 +163,17 @@ def three_terms(sampler: ArmSampler) -> Problem:
     angle, radius = sampler.choice([1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8]), sampler.length(0.3, 2.5)
 
     theta = given("\\theta", angle).mistaken_for(
-        np.radians(angle),
-        "converted to radians",
-        "convert $\\theta$ from degrees to radians, although it is in radians",
+        (
+            "converted to radians",
+            "convert $\\theta$ from degrees to radians, although it is in radians",
+            np.radians(angle),
+        )
     )
     r = given("r", radius)
     along = cos(theta) - 1 + square(theta) / 2
     cubed = np.sin(angle) - angle + angle**3 / 6
     across = (sin(theta) - theta).mistaken_for(
-        cubed, "four terms", "stop the series after four terms, with $\\theta^3/3!$", "The sum has three terms."
+        ("four terms", "stop the series after four terms, with $\\theta^3/3!$", cubed, "The sum has three terms.")
     )
     distance = sqrt(square(along) + square(across))
     sum_size = np.hypot(1 - angle**2 / 2, angle)
@@ -193,12 +196,14 @@ def three_terms(sampler: ArmSampler) -> Problem:
             "give the difference of the lengths, that is, of the distances from the axis",
         ),
     ):
-        distance = distance.mistaken_for(wrong, name, text)
-    error = given("1000", 1000.0).mistaken_for(100.0, "centimetres", "give the number in centimetres") * r * distance
-    error = error.mistaken_for(100 * distance, "percentage", "give the error in percent of the radius")
-    error = error.mistaken_for(1000 * square(r * distance), "root left out", "give the square of the distance")
+        distance = distance.mistaken_for((name, text, wrong))
+    error = given("1000", 1000.0).mistaken_for(("centimetres", "give the number in centimetres", 100.0)) * r * distance
     error = error.mistaken_for(
-        error * np.sqrt(2), "norm of a matrix", "take the norm of the difference of the matrices"
+        ("percentage", "give the error in percent of the radius", 100 * distance),
+        ("root left out", "give the square of the distance", 1000 * square(r * distance)),
+    )
+    error = error.mistaken_for(
+        ("norm of a matrix", "take the norm of the difference of the matrices", error * np.sqrt(2))
     )
     return Problem(
         statement="You stop the series of $e^{[\\omega]\\theta}$ after three terms, $I + [\\omega]\\theta + [\\omega]^2\\theta^2/2$, "
@@ -226,19 +231,21 @@ def gyroscope(sampler: ArmSampler) -> Problem:
     size, seconds = sampler.choice([2.0, 3.0, 0.5]), sampler.choice([0.4, 0.5, 0.6, 0.7, 0.8])
     omega, v = size * sampler.choice(AXIS_DIRECTIONS), sampler.point(3)
     w = direction("\\omega", omega).mistaken_for(
-        np.radians(omega),
-        "converted to radians",
-        "convert $\\omega$ from degrees to radians, although it is in radians",
+        (
+            "converted to radians",
+            "convert $\\omega$ from degrees to radians, although it is in radians",
+            np.radians(omega),
+        )
     )
-    v_0, t = direction("v", v), given("t", seconds).mistaken_for(1.0, "time left out", "leave out the time")
+    v_0, t = direction("v", v), given("t", seconds).mistaken_for(("time left out", "leave out the time", 1.0))
     twist, R = np.concatenate([omega, v]), exp(omega * seconds)
-    column = position_exp(w, v_0.mistaken_for(size * v, "v not divided", NOT_DIVIDED, ONE_MOTION), t)
+    column = position_exp(w, v_0.mistaken_for(("v not divided", NOT_DIVIDED, size * v, ONE_MOTION)), t)
     for wrong, name, text in (
         (R @ v * seconds, "R v", "write $R\\,v\\,t$"),
         (v, "v itself", "write $v$"),
         (v - R @ v, "v as a point", "take $v$ as a point of the axis, $v - R\\,v$"),
     ):
-        column = column.mistaken_for(wrong, name, text, "$v$ is the velocity of the point at the origin.")
+        column = column.mistaken_for((name, text, wrong, "$v$ is the velocity of the point at the origin."))
     there = assemble(rotation_exp(w, t), column)
     kept = "If you divide the axis by its length, the angle is multiplied by it: $\\theta = |\\omega|\\,t$."
     for wrong, name, text, advice in (
@@ -264,7 +271,7 @@ def gyroscope(sampler: ArmSampler) -> Problem:
             "",
         ),
     ):
-        there = there.mistaken_for(wrong, name, text, advice)
+        there = there.mistaken_for((name, text, wrong, advice))
     return Problem(
         statement=f"A gyroscope measures that a body rotates with $\\omega = {vector(omega)}$ radians per second. The point of the body "
         f"that is at the origin has the velocity $v = {vector(v)}$ metres per second. Both vectors are constant in {{s}}. At time 0 the "
@@ -303,7 +310,7 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
         ),
         (angle / 2, "halved", "take half of the angle", ""),
     ):
-        once = once.mistaken_for(wrong, name, text, advice)
+        once = once.mistaken_for((name, text, wrong, advice))
     half = axial(R_given) / 2
     x = once * (half / sin(theta))
     for value, name, text in (
@@ -320,7 +327,7 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
         (-u * angle, "sign of a vector", "take the differences of $R - R^T$ the other way round"),
     ):
         x = x.mistaken_for(
-            value, name, text, "The logarithm is $\\theta$ times the components of $(R - R^T) / (2 \\sin\\theta)$."
+            (name, text, value, "The logarithm is $\\theta$ times the components of $(R - R^T) / (2 \\sin\\theta)$.")
         )
 
     def keeps_its_axis(x: Array) -> str:
@@ -357,9 +364,9 @@ def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
     def solution(theta: float) -> Expression:
         omega, q, through = direction("\\omega", d), angle_symbol(theta), given("p", place)
         pitch = given("h", float(h)).mistaken_for(
-            float(h) / (2 * np.pi), "lead for pitch", "divide the climb by $2\\pi$", PITCH
+            ("lead for pitch", "divide the climb by $2\\pi$", float(h) / (2 * np.pi), PITCH),
+            ("lead for pitch", "multiply the climb by $2\\pi$", float(h) * 2 * np.pi, PITCH),
         )
-        pitch = pitch.mistaken_for(float(h) * 2 * np.pi, "lead for pitch", "multiply the climb by $2\\pi$", PITCH)
         rotation, climb = rotation_exp(omega, q), pitch * q * omega
         R_p = rotation @ through
         turned = position_exp(omega, moment(omega, through), q)
@@ -400,14 +407,16 @@ def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
                 for k in (1, 2)
             ),
         ):
-            column = column.mistaken_for(wrong, name, text, advice)
+            column = column.mistaken_for((name, text, wrong, advice))
         backwards = rotation_exp(omega, -q)
         left_handed = assemble(backwards, through - backwards @ through + climb)
         return assemble(rotation, column).mistaken_for(
-            left_handed,
-            "left-handed",
-            "use $-\\theta$ in the rotation and $+\\theta$ in the climb",
-            "That is a left-handed screw joint.",
+            (
+                "left-handed",
+                "use $-\\theta$ in the rotation and $+\\theta$ in the climb",
+                left_handed,
+                "That is a left-handed screw joint.",
+            )
         )
 
     robot = arm([(d, place, float(h))], frame((X, Y, Z), place + d), "your joint", "drawn for you")

@@ -19,7 +19,7 @@ SHOULDER_ADVICE = "Joint 2 is 0.033 m away from the axis of joint 1."
 @problem("03.a", "A joint tilted by 30 degrees", points=1, lecture="03_poe_space#Angled joints")
 def leaning_joint(_draw: ArmSampler) -> Problem:
     # At 45 degrees sine and cosine are equal, so a swap would not show; twice 30 degrees is a swap.
-    tilt = given("\\theta", 30.0).mistaken_for(-30.0, "sign of an angle", "take $\\theta$ with the opposite sign")
+    tilt = given("\\theta", 30.0).mistaken_for(("sign of an angle", "take $\\theta$ with the opposite sign", -30.0))
     omega = tilted(given("z", Z), given("x", X), radians(tilt)).named("\\omega")
     S = screw(omega, moment(omega, given("p", (0, 0, 0.4))))
     return Problem(
@@ -55,23 +55,22 @@ def spindle(_draw: ArmSampler) -> Problem:
 def youbot_wrist(_draw: ArmSampler) -> Problem:
     arm = youbot()
     wrist = arm.joint_points[3]
-    p = (
-        given("p", wrist)
-        .mistaken_for(
-            wrist - 0.033 * X, "offset left out", "take a point 0.033 m too close to the base", SHOULDER_ADVICE
-        )
-        .mistaken_for(
-            wrist * (1, 1, 0),
+    p = given("p", wrist).mistaken_for(
+        ("offset left out", "take a point 0.033 m too close to the base", wrist - 0.033 * X, SHOULDER_ADVICE),
+        (
             "foot of the dotted line",
             "take the foot of the dotted line as the point",
+            wrist * (1, 1, 0),
             "The joint is 0.147 m above it.",
-        )
+        ),
     )
     S = revolute(direction("\\omega", -Y), p).mistaken_for(
-        arm.screws[2],
-        "another joint",
-        "give the screw axis of joint 3",
-        "The axes are parallel, so $\\omega$ is the same, but the points differ.",
+        (
+            "another joint",
+            "give the screw axis of joint 3",
+            arm.screws[2],
+            "The axes are parallel, so $\\omega$ is the same, but the points differ.",
+        )
     )
     return Problem(
         statement="Read $S_4$ off the drawing of the youBot.",
@@ -88,17 +87,16 @@ def youbot_wrist(_draw: ArmSampler) -> Problem:
 def youbot_home(_draw: ArmSampler) -> Problem:
     tip, wrist = youbot().home[:3, 3], youbot().joint_points[3]
     R = columns(direction("x", Z), given("y", -Y), direction("z", X)).mistaken_for(
-        np.column_stack([Z, Y, X]),
-        "left-handed",
-        "take the $y$ of {s} as the $y$ of {b}, which makes a left-handed frame",
-        "The axes $x$ and $z$ of {b} determine its third axis: $y = z \\times x$, here $-y$ of {s}.",
-    )
-    p = (
-        given("p", tip)
-        .mistaken_for(wrist, "at the wrist", "stop at joint 4", "The frame {b} is at the tip, 0.2175 m further.")
-        .mistaken_for(
-            tip - 0.033 * X, "offset left out", "take a position 0.033 m too close to the base", SHOULDER_ADVICE
+        (
+            "left-handed",
+            "take the $y$ of {s} as the $y$ of {b}, which makes a left-handed frame",
+            np.column_stack([Z, Y, X]),
+            "The axes $x$ and $z$ of {b} determine its third axis: $y = z \\times x$, here $-y$ of {s}.",
         )
+    )
+    p = given("p", tip).mistaken_for(
+        ("at the wrist", "stop at joint 4", wrist, "The frame {b} is at the tip, 0.2175 m further."),
+        ("offset left out", "take a position 0.033 m too close to the base", tip - 0.033 * X, SHOULDER_ADVICE),
     )
     M = assemble(R, p)
     return Problem(

@@ -78,12 +78,12 @@ def angled_joint(sampler: ArmSampler) -> Problem:
     degrees, p = sampler.choice([20, 25, 35, 40, 50, 55, 65, 70]), sampler.point(3)
     upright, toward, names = sampler.choice([(Z, X, "zxy"), (Z, Y, "zyx"), (X, Y, "xyz"), (Y, X, "yxz")])
     third = given(names[2], np.cross(upright, toward))
-    u = given(names[0], upright).mistaken_for(third, "another axis", f"tilt the axis from ${names[2]}$")
-    t = given(names[1], toward).mistaken_for(third, "another axis", f"tilt the axis towards ${names[2]}$")
+    u = given(names[0], upright).mistaken_for(("another axis", f"tilt the axis from ${names[2]}$", third))
+    t = given(names[1], toward).mistaken_for(("another axis", f"tilt the axis towards ${names[2]}$", third))
     point = given("p", p)
     omega = tilted(u, t, radians(given("\\theta", degrees, ANGLE))).named("\\omega")
     v = moment(omega, point).mistaken_for(
-        moment(u, point), "tilt left out", f"take the moment of the axis along ${names[0]}$, without its tilt"
+        ("tilt left out", f"take the moment of the axis along ${names[0]}$, without its tilt", moment(u, point))
     )
     S = screw(omega, v)
     robot = arm([(omega.value, p)], pose((X, Y, Z), p + X), "your joint", "drawn for you")
@@ -105,8 +105,10 @@ def leaning_slide(sampler: ArmSampler) -> Problem:
     sides = np.array(sampler.shuffled([0, *sampler.choice([(3, 4), (5, 12), (8, 15)])]), dtype=float)
     along = sides * np.array([sampler.choice((-1, 1)) for _ in range(3)])
     point = sampler.point(3)
-    d = direction("d", along).mistaken_for(point, "point for direction", "take the point as the direction")
-    d = d.mistaken_for(np.abs(along), "signs left out", "leave out the signs of the direction")
+    d = direction("d", along).mistaken_for(
+        ("point for direction", "take the point as the direction", point),
+        ("signs left out", "leave out the signs of the direction", np.abs(along)),
+    )
     S = prismatic(unit(d), given("p", point))
     robot = arm([(S.value[3:], point, SLIDE)], pose((X, Y, Z), point + S.value[3:]), "your joint", "drawn for you")
     return Problem(
@@ -125,8 +127,10 @@ def leaning_slide(sampler: ArmSampler) -> Problem:
 def helical_joint(sampler: ArmSampler) -> Problem:
     axis, point, lead = sampler.choice([X, Y, Z, -X, -Y, -Z]), sampler.point(3), sampler.length(0.2, 0.9)
     h = (given("l", lead) / given("2\\pi", 2 * np.pi)).named("h")
-    h = h.mistaken_for(lead / 360, "degrees", "divide the lead by 360", "$q$ is in radians: a full turn is $2\\pi$.")
-    h = h.mistaken_for(lead / np.pi, "half a turn", "divide the lead by $\\pi$", "A full turn is $2\\pi$.")
+    h = h.mistaken_for(
+        ("degrees", "divide the lead by 360", lead / 360, "$q$ is in radians: a full turn is $2\\pi$."),
+        ("half a turn", "divide the lead by $\\pi$", lead / np.pi, "A full turn is $2\\pi$."),
+    )
     S = helical(direction("\\omega", axis), given("p", point), h)
     robot = arm([(axis, point, h.value)], pose((X, Y, Z), point + axis), "your joint", "drawn for you")
     return Problem(
@@ -152,7 +156,7 @@ def from_a_drawing(sampler: ArmSampler) -> Problem:
     S = drawn_revolute(robot.screws[joint - 1, :3], robot.joint_points[joint - 1], points)
     for other in {1, 2, 3} - {joint}:
         text, advice = f"give the screw axis of joint {other}", "The number of a joint is beside it in the drawing."
-        S = S.mistaken_for(robot.screws[other - 1], "another joint", text, advice)
+        S = S.mistaken_for(("another joint", text, robot.screws[other - 1], advice))
     return Problem(
         statement=f"Read the screw axis of joint {joint} off the drawing. All joints are revolute; coordinates are whole metres.",
         figure=partial(draw_joints, robot),
@@ -268,33 +272,33 @@ def longer_tool(sampler: ArmSampler) -> Problem:
     extended = given("\\mathrm{Trans}_z", pose((X, Y, Z), longer * Z))
     for axis, name in ((X, "x"), (Y, "y")):
         extended = extended.mistaken_for(
-            pose((X, Y, Z), longer * axis), "another axis", f"extend the tool along its ${name}$"
+            ("another axis", f"extend the tool along its ${name}$", pose((X, Y, Z), longer * axis))
         )
     extended = extended.mistaken_for(
-        pose((X, Y, Z), longer * (X + Y + Z)), "another axis", "extend the tool along its $x$, $y$ and $z$"
+        ("another axis", "extend the tool along its $x$, $y$ and $z$", pose((X, Y, Z), longer * (X + Y + Z))),
+        ("sign of a length", "shorten the tool instead of extending it", pose((X, Y, Z), -longer * Z)),
+        ("extended twice", "extend the tool twice", pose((X, Y, Z), 2 * longer * Z)),
     )
-    extended = extended.mistaken_for(
-        pose((X, Y, Z), -longer * Z), "sign of a length", "shorten the tool instead of extending it"
-    )
-    extended = extended.mistaken_for(pose((X, Y, Z), 2 * longer * Z), "extended twice", "extend the tool twice")
     home = (given_pose("M", robot.home) @ extended).named("M'")
     at_length = robot.home.copy()
     at_length[2, 3] = longer
-    home = home.mistaken_for(at_length, "replaced", "put the added length in the place of the $z$ of $M$")
+    home = home.mistaken_for(("replaced", "put the added length in the place of the $z$ of $M$", at_length))
     values = values_in_radians(robot.joint_types, q)
     factors = exponentials(robot.screws, values)
     moved = robot.screws @ adjoint(extended.value).T
     T = forward_kinematics(factors, home).mistaken_for(
-        product(*exponentials(moved, values), home),
-        "screws changed",
-        "change the screws with the tool as well",
-        "The joints are where they were, so the screws in {s} stay.",
-    )
-    T = T.mistaken_for(
-        extended @ forward_kinematics(factors, given_pose("M", robot.home)),
-        "order",
-        "extend the tool along the $z$ of {s}, after the motion",
-        TOOL_ADVICE,
+        (
+            "screws changed",
+            "change the screws with the tool as well",
+            product(*exponentials(moved, values), home),
+            "The joints are where they were, so the screws in {s} stay.",
+        ),
+        (
+            "order",
+            "extend the tool along the $z$ of {s}, after the motion",
+            extended @ forward_kinematics(factors, given_pose("M", robot.home)),
+            TOOL_ADVICE,
+        ),
     )
     return Problem(
         statement=f"The tool of this arm is replaced by a tool that is {number(longer)} m longer along its own $z$ axis. "
@@ -321,7 +325,9 @@ def home_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     def solution(**lengths: float) -> Expression:
         R = columns(*(direction(letter, axis) for letter, axis in zip("xyz", robot.tool, strict=True)))
         p = total(*_links(robot, lengths)).named("p")
-        return assemble(R, p.mistaken_for(negative(p), "sign of a vector", "take the position with the opposite sign"))
+        return assemble(
+            R, p.mistaken_for(("sign of a vector", "take the position with the opposite sign", negative(p)))
+        )
 
     return Problem(
         statement="The drawing shows an arm at home, with the frame {s} at the base and {b} at the end-effector. Each link is parallel to "
@@ -355,10 +361,10 @@ def screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
             point = total(*across).named(f"p_{i + 1}")
             if len(across) > 1:
                 text = f"measure the point of joint {i + 1} from joint {i} instead of from {{s}}"
-                point = point.mistaken_for(links[i], "from the joint before", text)
+                point = point.mistaken_for(("from the joint before", text, links[i]))
             points.append(point)
         S = joint_screws(robot.axes, points, robot.chain.lines.pitch)
-        return S.mistaken_for(S[::-1], "rows reversed", "list the screws from the last joint to the first")
+        return S.mistaken_for(("rows reversed", "list the screws from the last joint to the first", S[::-1]))
 
     return Problem(
         statement=f"This is the arm of Problem 9. Give its screw axes $S_1$ to $S_{n}$ in {{s}}, in rows: {n} rows of six formulas "
@@ -394,11 +400,15 @@ def kinematics_of_a_whole_arm(sampler: ArmSampler) -> Problem:
             for factor, name, text in ((0, "term left out", "leave out"), (-1, "sign", "negate")):
                 changed = np.where(np.arange(n + 1) == k, factor, 1) * lengths
                 other = robot.with_lengths(changed).fk(q)
-                T = T.mistaken_for(other, name, f"{text} ${letter}$ in $M$ and in the screws", FROM_BEFORE, CARRIED)
+                T = T.mistaken_for(
+                    (name, f"{text} ${letter}$ in $M$ and in the screws", other, FROM_BEFORE), credit=CARRIED
+                )
             if k:
                 changed = np.where(np.arange(n + 1) == k, lengths[k - 1], lengths)
                 text = f"use ${robot.letters[k - 1]}$, where ${letter}$ belongs"
-                T = T.mistaken_for(robot.with_lengths(changed).fk(q), "another length", text, FROM_BEFORE, CARRIED)
+                T = T.mistaken_for(
+                    ("another length", text, robot.with_lengths(changed).fk(q), FROM_BEFORE), credit=CARRIED
+                )
         return T
 
     units = "in radians, and in metres for a prismatic joint"
@@ -435,7 +445,7 @@ def _with_mistakes_of_problem_9(M: Expression, points: np.ndarray) -> Expression
         ("sign of a vector", "take the position in $M$ with the opposite sign", pose_of(R, -p)),
         ("position in the other frame", "write the position of $M$ in the axes of {b}", pose_of(R, R.T @ p)),
     ):
-        M = M.mistaken_for(wrong, name, text, FROM_BEFORE, CARRIED)
+        M = M.mistaken_for((name, text, wrong, FROM_BEFORE), credit=CARRIED)
     return M
 
 
@@ -457,7 +467,7 @@ def _with_mistakes_of_problem_10(S: Expression, kind: str, point: np.ndarray) ->
             ("revolute as prismatic", "treat the joint of {} as prismatic", np.concatenate([0 * w, w])),
         ]
     for name, text, wrong in wrong_ones:
-        S = S.mistaken_for(wrong, name, text.format(f"${S.latex}$"), FROM_BEFORE, CARRIED)
+        S = S.mistaken_for((name, text.format(f"${S.latex}$"), wrong, FROM_BEFORE), credit=CARRIED)
     return S
 
 
@@ -492,8 +502,8 @@ def _links(robot: LetteredArm, lengths: Mapping[str, float]) -> list[Expression]
         link = given(letter, sizes[i] * along, LENGTH)
         for j in {i - 1, i + 1} & set(range(len(sizes))):
             text = f"use ${robot.letters[j]}$, where ${letter}$ belongs"
-            link = link.mistaken_for(sizes[j] * along, "another length", text)
-        links.append(link.mistaken_for(0 * along, "term left out", f"leave out ${letter}$"))
+            link = link.mistaken_for(("another length", text, sizes[j] * along))
+        links.append(link.mistaken_for(("term left out", f"leave out ${letter}$", 0 * along)))
     return links
 
 
@@ -516,7 +526,7 @@ def palletizer(sampler: ArmSampler) -> Problem:
     ]
     from_first = joint_screws(axes, points - points[0], np.zeros(3)).value
     S = joint_screws(axes, read, np.zeros(3), numbers=(2, 3, 4)).mistaken_for(
-        from_first, "another origin", "measure the points from $P_2$", "Points are measured from the origin of {s}."
+        ("another origin", "measure the points from $P_2$", from_first, "Points are measured from the origin of {s}.")
     )
     drawn = [
         DrawnAxis("1", Z, foot),

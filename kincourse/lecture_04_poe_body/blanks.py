@@ -48,17 +48,14 @@ def body_screw_by_the_adjoint(_draw: ArmSampler) -> Problem:
 def body_screw_from_the_drawing(_draw: ArmSampler) -> Problem:
     robot = mid_formula_arm()
     R, S = robot.home[:3, :3], robot.screws[3]
-    B = (
-        revolute(direction("\\omega", Y), given("p", (0, 0, -0.2)))
-        .mistaken_for(
-            S, "frame not changed", "give $S_4$, which is a screw in {s}", "Use the direction and the point in {b}."
-        )
-        .mistaken_for(
-            np.concatenate([R.T @ S[:3], R.T @ S[3:]]),
+    B = revolute(direction("\\omega", Y), given("p", (0, 0, -0.2))).mistaken_for(
+        ("frame not changed", "give $S_4$, which is a screw in {s}", S, "Use the direction and the point in {b}."),
+        (
             "position left out",
             "rotate both halves of $S_4$ without the change of origin",
+            np.concatenate([R.T @ S[:3], R.T @ S[3:]]),
             "Measure the point of the axis from the origin of {b}.",
-        )
+        ),
     )
     return Problem(
         statement="Joint 4 of the mid-formula arm rotates about $y_b$, and its axis passes through $(0, 0, -0.2)$ in {b}. Give $B_4$.",
@@ -82,9 +79,9 @@ def pose_with_home_in_the_middle(_draw: ArmSampler) -> Problem:
         (B, S, "sides swapped", "use body screws to the left of $M$, and space screws to its right"),
     ):
         advice = "$S_1$ and $S_2$ belong to the left of $M$, $B_3$ and $B_4$ to its right."
-        T = T.mistaken_for(product(*left[:2], home, *right[2:]), name, text, advice)
+        T = T.mistaken_for((name, text, product(*left[:2], home, *right[2:]), advice))
     T = T.mistaken_for(
-        product(*S[::-1], home), "reversed", "multiply space screws from the last joint to the first, with $M$ last"
+        ("reversed", "multiply space screws from the last joint to the first, with $M$ last", product(*S[::-1], home))
     )
     return Problem(
         statement=f"Give $T(q)$ of the mid-formula arm at $q = {vector(np.degrees(CONFIGURATION_RAD))}$ degrees, with $M$ after joint 2.",

@@ -71,25 +71,24 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     others = {f"the point of joint {i}": p for i, p in enumerate(points, start=1) if i != joint}
     others["the point of the joint, seen from {s},"] = robot.joint_points[joint - 1] @ R
     neighbour = joint % 3
-    B = (
-        drawn_revolute(axes[joint - 1], points[joint - 1], others)
-        .mistaken_for(
-            robot.body_screws[neighbour],
+    B = drawn_revolute(axes[joint - 1], points[joint - 1], others).mistaken_for(
+        (
             "another joint",
             f"give the body screw of joint {neighbour + 1}",
+            robot.body_screws[neighbour],
             "The joints are numbered in the drawing.",
-        )
-        .mistaken_for(
-            robot.screws[joint - 1],
+        ),
+        (
             "frame not changed",
             "read the axis in {s}",
+            robot.screws[joint - 1],
             "For a body screw, direction and point are given in {b}.",
-        )
-        .mistaken_for(
-            screw(robot.screws[joint - 1, :3], robot.joint_points[joint - 1] - origin),
+        ),
+        (
             "rotation left out",
             "measure from the origin of {b}, but along the axes of {s}",
-        )
+            screw(robot.screws[joint - 1, :3], robot.joint_points[joint - 1] - origin),
+        ),
     )
     S = revolute(
         direction(f"\\omega_{joint}", robot.screws[joint - 1, :3]), given(f"p_{joint}", robot.joint_points[joint - 1])
@@ -205,10 +204,12 @@ def body_form(sampler: ArmSampler) -> Problem:
             given_pose("M", robot.home),
             exponentials(robot.body_screws, joint_values(robot.joint_types, typed), "B"),
         ).mistaken_for(
-            robot.home @ np.linalg.multi_dot(list(exp(robot.screws * q[:, None]))),
-            "space screws",
-            "use the space screws $S_i$",
-            "To the right of $M$ belong the body screws $B_i$.",
+            (
+                "space screws",
+                "use the space screws $S_i$",
+                robot.home @ np.linalg.multi_dot(list(exp(robot.screws * q[:, None]))),
+                "To the right of $M$ belong the body screws $B_i$.",
+            )
         ),
         advice={"last factor": HOME_ADVICE, "reversed": BASE_ADVICE},
     )
@@ -223,16 +224,18 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
     home = given_pose("M", robot.home)
     T = forward_kinematics(e[:k], home, e[k:])
     T = T.mistaken_for(
-        product(*e[k:], home, *e[:k]),
-        "sides swapped",
-        "put the factors of {b} to the left of $M$, and those of {s} to its right",
-        MIDDLE_ADVICE,
+        (
+            "sides swapped",
+            "put the factors of {b} to the left of $M$, and those of {s} to its right",
+            product(*e[k:], home, *e[:k]),
+            MIDDLE_ADVICE,
+        )
     )
     for name, text, wrong in (
         ("M twice", "multiply by $M$ twice, after joint 2 and at the end", [*e[:k], home, *e[k:], home]),
         ("M twice", "multiply by $M$ twice, in front and after joint 2", [home, *e[:k], home, *e[k:]]),
     ):
-        T = T.mistaken_for(product(*wrong).value, name, text)
+        T = T.mistaken_for((name, text, product(*wrong).value))
     return Problem(
         statement=f"The screw axes of the first two joints of this arm are given in {{s}}, the others in {{b}}: the rows below are "
         f"$S_1, S_2, B_3, B_4$. The joint values are {words}. Give $T(q)$.\n\n$${matrix(mixed)}$$\n\n$$M = {matrix(robot.home)}$$",
@@ -251,17 +254,19 @@ def new_tool(sampler: ArmSampler) -> Problem:
     H = pose((X, Y, Z), (sampler.length(0.1, 0.4), 0, sampler.length(0.5, 0.9))) @ turn
     B, home, T_bt = robot.body_screws, given_pose("M", robot.home), given_pose("T_{bt}", H)
     new = change_frame(inverse(T_bt), screw_axes("B", B)).mistaken_for(
-        robot.screws,
-        "space screws",
-        "give the space screws",
-        "They do not change with the tool, but they are screws in {s} and not in {t}.",
+        (
+            "space screws",
+            "give the space screws",
+            robot.screws,
+            "They do not change with the tool, but they are screws in {s} and not in {t}.",
+        )
     )
     for T, name, text in (
         (T_bt @ home, "order", "move the tool along the axes of {s}: $T_{bt}\\,M$ for the new home pose"),
         (home @ T_bt, "frame changed twice", "change the frame from {s} to {t}, although $B$ is written in {b}"),
     ):
         S = robot.screws if name == "order" else B
-        new = new.mistaken_for(change_frame(inverse(T), S), name, text, "The new home pose is $M\\,T_{bt}$.")
+        new = new.mistaken_for((name, text, change_frame(inverse(T), S), "The new home pose is $M\\,T_{bt}$."))
     return Problem(
         statement="The tool of this arm is replaced. The frame {t} of the new tool has the pose $T_{bt}$ in the frame {b} of the old one. "
         f"Below are the body screws in {{b}}. Give them in {{t}}, as rows.\n\n$$B = {matrix(B)}$$\n\n$$T_{{bt}} = {matrix(H)}$$",
@@ -291,28 +296,39 @@ def jacobian_column(sampler: ArmSampler) -> Problem:
         (product(*e), "all joints"),
     ):
         column = column.mistaken_for(
-            change_frame(inverse(passed), axis),
-            "joints before",
-            f"take the motion of {text} into account",
-            PASSED_ADVICE,
+            (
+                "joints before",
+                f"take the motion of {text} into account",
+                change_frame(inverse(passed), axis),
+                PASSED_ADVICE,
+            )
         )
     column = column.mistaken_for(
-        change_frame(e[0], axis), "joints before", "move the axis by joint 1, as for the space Jacobian", PASSED_ADVICE
+        (
+            "joints before",
+            "move the axis by joint 1, as for the space Jacobian",
+            change_frame(e[0], axis),
+            PASSED_ADVICE,
+        )
     )
     backwards = exp(B * q[::-1, None])
     column = column.mistaken_for(
-        adjoint(invert(backwards[2] @ backwards[3])) @ B[i],
-        "joint values reversed",
-        "use the joint values in the reverse order",
+        (
+            "joint values reversed",
+            "use the joint values in the reverse order",
+            adjoint(invert(backwards[2] @ backwards[3])) @ B[i],
+        )
     )
     for k in (0, 2):
         rest = change_frame(inverse(product(*e[k + 1 :])), screw_axes(f"B_{k + 1}", B[k]))
-        column = column.mistaken_for(rest, "another joint", f"give column {k + 1}")
+        column = column.mistaken_for(("another joint", f"give column {k + 1}", rest))
     column = column.mistaken_for(
-        robot.jacobian(q)[:, i],
-        "space Jacobian",
-        "give the column of the space Jacobian",
-        "It is the present axis in {s}; a column of the body Jacobian is given in {b}.",
+        (
+            "space Jacobian",
+            "give the column of the space Jacobian",
+            robot.jacobian(q)[:, i],
+            "It is the present axis in {s}; a column of the body Jacobian is given in {b}.",
+        )
     )
     return Problem(
         statement=f"The joint values of this arm are {words}. Give column {i + 1} of the body Jacobian: the screw axis of joint {i + 1} in "
@@ -340,7 +356,7 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
     axes = [screw_axes(f"B_{i}", screw) for i, screw in enumerate(B, start=1)]
     columns = [change_frame(inverse(e[1] @ e[2]), axes[0]), change_frame(inverse(e[2]), axes[1]), axes[2]]
     V = total(*(rate * column for rate, column in zip(dq, columns, strict=True)))
-    for name, text, wrong, advice in (
+    V = V.mistaken_for(
         ("space Jacobian", "use the space Jacobian", robot.jacobian(q) @ qdot, "It gives the twist in {s}."),
         ("at home", "use the body screws at home as columns", B.T @ qdot, "The joints have moved since."),
         (
@@ -384,8 +400,7 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
             Chain(B, robot.home).jacobian(q) @ qdot,
             CARRY_ADVICE,
         ),
-    ):
-        V = V.mistaken_for(wrong, name, text, advice)
+    )
     per_second = rate_words.replace("degrees", "degrees/s").replace(" m", " m/s")
     return Problem(
         statement=f"The joint values of this arm are {words}, and its joint rates $\\dot q_i$ are {per_second}. Give the twist "
@@ -448,7 +463,7 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
         ("supplement", "take the supplement", 180.0 - sign * (180.0 * opposite - tilt)),
         ("radians", "give the angle in radians", np.radians(q_2.value)),
     ):
-        q_2 = q_2.mistaken_for(value, name_of, text, "The wrist is singular where axes 1 and 3 are on one line.")
+        q_2 = q_2.mistaken_for((name_of, text, value, "The wrist is singular where axes 1 and 3 are on one line."))
     qdot_1 = given("\\dot q_1", rate if opposite else -rate)
     for name_of, text, value in (
         ("sign of a rate", "let the two rotations add up", rate * (-1 if opposite else 1)),
@@ -457,7 +472,7 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
         ("radians", "give the rate in radians per second", np.radians(qdot_1.value)),
         ("rate at home", "use the angle between axes 1 and 3 at home", -rate * np.cos(np.radians(tilt))),
     ):
-        qdot_1 = qdot_1.mistaken_for(value, name_of, text, "The two angular velocities must add up to zero.")
+        qdot_1 = qdot_1.mistaken_for((name_of, text, value, "The two angular velocities must add up to zero."))
     return Problem(
         statement=f"The axes of the three revolute joints of a wrist meet in one point. At home axis 1 is along $z$ of {{s}}, axis 2 "
         f"along ${'' if second.sum() > 0 else '-'}{'y' if name == 'x' else 'x'}$, and axis 3 is tilted by $\\delta = {tilt}$ degrees from "
@@ -489,7 +504,7 @@ def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
             point = total(*behind).named(f"p_{i + 1}")
             if letter != "P" and len(behind) > 1:
                 text = f"measure the point of joint {i + 1} from joint {i + 2} instead of from {{b}}"
-                point = point.mistaken_for(-sizes[i + 1] * links[i + 1], "from the joint behind", text)
+                point = point.mistaken_for(("from the joint behind", text, -sizes[i + 1] * links[i + 1]))
             points.append(point)
         chain = robot.with_lengths(np.array(sizes))
         B = joint_screws(axes, points, chain.lines.pitch)
@@ -504,7 +519,7 @@ def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
             ("rotation transposed", "rotate with $R$ instead of $R^T$", turned_back),
             ("position left out", "use the axes of {b}, but the origin of {s}", rotated),
         ):
-            B = B.mistaken_for(wrong, name, text, "Directions and points of body screws are given in {b}.")
+            B = B.mistaken_for((name, text, wrong, "Directions and points of body screws are given in {b}."))
         return B
 
     steps = [letter * exact(link) for letter, link in zip(symbols, links, strict=True)]
@@ -571,7 +586,7 @@ def drawn_wrist(sampler: ArmSampler) -> Problem:
     read = [read_point(f"P_{i}", p, w) for i, p, w in zip((4, 5, 6), points, axes, strict=True)]
     from_first = joint_screws(axes, points - points[0], np.zeros(3)).value
     B = joint_screws(axes, read, np.zeros(3), numbers=(4, 5, 6)).mistaken_for(
-        from_first, "another origin", "measure the points from $P_4$", "Points are measured from the origin of {b}."
+        ("another origin", "measure the points from $P_4$", from_first, "Points are measured from the origin of {b}.")
     )
     drawn = [DrawnAxis(str(i), w, p) for i, w, p in zip((4, 5, 6), axes, points, strict=True)]
     marks = dict(zip(("P4", "P5", "P6"), points, strict=True))

@@ -23,7 +23,7 @@ def column_1(_draw: ArmSampler) -> Problem:
     B, q = robot.body_screws, np.array([np.radians(TYPED[0]), TYPED[1], np.radians(TYPED[2])])
     e = exponentials(B, joint_values(robot.joint_types, TYPED), "B")
     column = change_frame(inverse(e[1] @ e[2]), screw_axes("B_1", B[0])).mistaken_for(
-        robot.jacobian(q)[:, 0], "space Jacobian", "give the column of the space Jacobian", "It is axis 1 in {s}."
+        ("space Jacobian", "give the column of the space Jacobian", robot.jacobian(q)[:, 0], "It is axis 1 in {s}.")
     )
     return Problem(
         statement=f"The RPR arm has the body screws $B = {matrix(B)}$. At $q = (30°, 0.5$ m$, 90°)$, give column 1 of $J_b(q)$.",
@@ -46,14 +46,13 @@ def twist(_draw: ArmSampler) -> Problem:
     dq = [given(f"\\dot q_{i}", rate) for i, rate in enumerate(RATES, start=1)]
     axes = [screw_axes(f"J_{{b,{i}}}", column) for i, column in enumerate(columns, start=1)]
     V = total(*(rate * column for rate, column in zip(dq, axes, strict=True)))
-    for name, text, wrong, advice in (
+    V = V.mistaken_for(
         ("at home", "use the body screws at home as columns", robot.body_screws.T @ rates, "The joints have moved."),
         ("space Jacobian", "use the space Jacobian", robot.jacobian(q) @ rates, "It gives the twist in {s}."),
         ("rates reversed", "use the rates in the reverse order", columns.T @ rates[::-1], ""),
         ("rates left out", "add up the columns without the rates", columns.sum(axis=0), "Multiply by the rates."),
         ("joint values for rates", "multiply by the joint values", columns.T @ q, "Multiply by the rates."),
-    ):
-        V = V.mistaken_for(wrong, name, text, advice)
+    )
     return Problem(
         statement="In this configuration the joint rates of the RPR arm are $\\dot q = (0.2, 0.5, -0.4)$, in rad/s and m/s. Give "
         "$\\mathcal V_b$.",

@@ -40,10 +40,12 @@ def row_4(_draw: ArmSampler) -> Problem:
         statement="Read row 4 of the youBot from the drawn frames: $a_4, \\alpha_4, d_4$ and $\\theta_4$ at $q = 0$.",
         answer=DHRowAnswer(YOUBOT.rows[3]),
         solution=dh_row(*YOUBOT.rows[3]).mistaken_for(
-            np.array([0, 0, 0, RIGHT_ANGLE_RAD]),
-            "alpha of the row before",
-            "take $\\alpha$ from $z_2$ to $z_3$",
-            "That is $\\alpha_3$; row 4 holds $\\alpha_4$, from $z_3$ to $z_4$.",
+            (
+                "alpha of the row before",
+                "take $\\alpha$ from $z_2$ to $z_3$",
+                np.array([0, 0, 0, RIGHT_ANGLE_RAD]),
+                "That is $\\alpha_3$; row 4 holds $\\alpha_4$, from $z_3$ to $z_4$.",
+            )
         ),
         invisible=["angles swapped", "both pairs swapped"],  # both angles are right angles
         advice={
@@ -90,7 +92,7 @@ def row_2(_draw: ArmSampler) -> Problem:
         ("another row", "read row 1", YOUBOT.rows[0], "Row 2 leads from frame 1 to frame 2."),
         ("another row", "read row 3", YOUBOT.rows[2], "Row 2 leads from frame 1 to frame 2."),
     ):  # fmt: skip
-        row = row.mistaken_for(np.array(wrong), name, text, advice)
+        row = row.mistaken_for((name, text, np.array(wrong), advice))
     return Problem(
         statement="Read row 2 of the youBot from the drawn frames: $a_2, \\alpha_2, d_2$ and $\\theta_2$ at $q = 0$.",
         answer=DHRowAnswer(row.value),
@@ -110,7 +112,7 @@ def row_5(_draw: ArmSampler) -> Problem:
         ("measured from the base", "measure $d_5$ from $O_0$", [0, 0, 0.5405, 0], "$d_5$ is measured from $O_4$ to $O_5$, along $z_4$."),
         ("another row", "read row 4", YOUBOT.rows[3], "Row 5 leads from frame 4 to frame 5."),
     ):  # fmt: skip
-        row = row.mistaken_for(np.array(wrong), name, text, advice)
+        row = row.mistaken_for((name, text, np.array(wrong), advice))
     return Problem(
         statement="Read row 5 of the youBot from the drawn frames: $a_5, \\alpha_5, d_5$ and $\\theta_5$ at $q = 0$.",
         answer=DHRowAnswer(row.value),

@@ -10,11 +10,16 @@ from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import dh_row, link, links, table_product
 from kincourse.expressions.poses import inverse, with_position
 from kincourse.expressions.poses import pose as given_pose
-from kincourse.mistakes.dh import base_in_a_row, entry_names, other_entries, table_mistakes, tool_in_a_row
+from kincourse.mistakes.dh import entry_names, other_entries, rows_of_the_other_convention, with_translation_in_a_row
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, are_distinguishable
-from kincourse.sampling.drawn_machines import draw_table_frames, is_readable, lengths, table_frames
-from kincourse.sampling.drawn_machines import table_mistakes as drawn_table_mistakes
+from kincourse.sampling.drawn_machines import (
+    draw_table_frames,
+    drawn_table_mistakes,
+    is_readable,
+    lengths,
+    table_frames,
+)
 from kincourse.text.joint_table import MARKS_BY_ROW, joint_table
 from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.dh.formatting import markdown_table
@@ -83,9 +88,11 @@ def one_row(sampler: ArmSampler) -> Problem:
         f"| {number(a)} | {alpha}° | {number(d)} | {theta}° |\n\nin the standard convention. Lengths are in metres.",
         given={"a": a, "alpha_degrees": alpha, "d": d, "theta_degrees": theta},
         answer=PoseAnswer(A.value),
-        solution=A.mistaken_for(inverse(A), "inverse", "give the inverse")
-        .mistaken_for(mirrored, "entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$")
-        .mistaken_for(turned_twice, "rotated twice", "rotate $a$ by $\\theta$ twice"),
+        solution=A.mistaken_for(
+            ("inverse", "give the inverse", inverse(A)),
+            ("entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$", mirrored),
+            ("rotated twice", "rotate $a$ by $\\theta$ twice", turned_twice),
+        ),
     )
 
 
@@ -110,16 +117,7 @@ def whole_table(sampler: ArmSampler) -> Problem:
         figure=partial(draw_joints, robot, tool=True),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
         answer=DHTableAnswer(table, anchored=True),
-        mistakes=table_mistakes(
-            table,
-            "no offset",
-            "sign of alpha",
-            "a and d swapped",
-            "alpha one row off",
-            "z on the wrong joint",
-            "off the normal",
-            "degrees",
-        ),
+        mistakes=[rows_of_the_other_convention(table)],
     )
 
 
@@ -187,7 +185,7 @@ def offsets(sampler: ArmSampler) -> Problem:
     ):
         # The first offset, and the middle one of a reversed list, come out right by these wrong methods too.
         is_other_method = name.startswith("measured from the base") or name in {"added up", "reversed", "inner angles"}
-        c = c.mistaken_for(wrong, name, text, advice, spoils=is_other_method)
+        c = c.mistaken_for((name, text, wrong, advice), spoils=is_other_method)
     return Problem(
         statement="All joint axes of this planar arm point towards you, and $x_i$ runs along link $i$. The manufacturer defines the "
         f"drawn configuration as $q = 0$. There, the links make these angles with $x_0$, anticlockwise positive: {headings_text}. "
@@ -290,7 +288,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
     steps = [_axis_distance(i, *step) for i, step in enumerate(np.diff(points, axis=0), start=1)]
     a, d = [a for a, _ in steps], [z[1] - z[0], z[2] - z[1]]
     far, rise = float(np.hypot(*(third - first)[:2])), z[2] - z[0]
-    d[1] = d[1].mistaken_for(rise, "measured from joint 1", "measure $d_2$ from joint 1", "Row 2 begins at joint 2.")
+    d[1] = d[1].mistaken_for(("measured from joint 1", "measure $d_2$ from joint 1", rise, "Row 2 begins at joint 2."))
     answer = stack(a[0], d[0], a[1], d[1])
     for name, text, wrong, advice in (
         ("off the normal", "measure $a$ from joint to joint", (steps[0][1], 0.0, steps[1][1], 0.0), NORMAL_ADVICE),
@@ -304,7 +302,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         ("measured from joint 1", "measure both rows from joint 1", (a[0], d[0], far, rise), "Row 2 begins at joint 2."),
     ):  # fmt: skip
         answer = answer.mistaken_for(
-            stack(*wrong), name, text, advice, spoils=name in {"measured from joint 1", "order of the numbers"}
+            (name, text, stack(*wrong), advice), spoils=name in {"measured from joint 1", "order of the numbers"}
         )
     return Problem(
         statement="Three parallel joint axes point up. The table gives a point of each joint. For parallel axes, the origin may be "
@@ -332,7 +330,7 @@ def _axis_distance(i: int, x: float, y: float, z: float) -> tuple[Expression, fl
         ("one step alone", f"take the step along $x$ alone as $a_{i}$", dx),
         ("one step alone", f"take the step along $y$ alone as $a_{i}$", dy),
     ):
-        a = a.mistaken_for(wrong, name, text, NORMAL_ADVICE)
+        a = a.mistaken_for((name, text, wrong, NORMAL_ADVICE))
     return a, between
 
 
@@ -360,10 +358,10 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
         ("base and tool swapped", "swap $T_{s0}$ and $T_{2b}$", product(T_2b, *A, T_s0)),
         ("base behind the rows", "put $T_{s0}$ behind the rows", product(*A, T_s0, T_2b)),
         ("tool in front of the rows", "put $T_{2b}$ in front of the rows", product(T_s0, T_2b, *A)),
-        ("base in a row", "write the base into the first row", base_in_a_row(table).fk(q)),
-        ("tool in a row", "write the tool into the last row", tool_in_a_row(table).fk(q)),
+        ("base in a row", "write the base into the first row", with_translation_in_a_row(table, "base").fk(q)),
+        ("tool in a row", "write the tool into the last row", with_translation_in_a_row(table, "tool").fk(q)),
     ):
-        T = T.mistaken_for(wrong, name, text, BASE_AND_TOOL_ADVICE)
+        T = T.mistaken_for((name, text, wrong, BASE_AND_TOOL_ADVICE))
     return Problem(
         statement=f"An arm has two rows, $(a, \\alpha, d, \\theta) = {_format_row(rows[0], 1)}$ and "
         f"${_format_row(rows[1], 2)}$, in the standard "

@@ -17,11 +17,16 @@ from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.links import axial_twists, link, table_product
 from kincourse.expressions.poses import inverse, rotation_about, rotation_of
 from kincourse.expressions.wrist import wrist_angles, wrist_rotation
-from kincourse.mistakes.dh import table_mistakes
+from kincourse.mistakes.dh import is_in_several_rows, rows_of_the_other_convention
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, are_distinguishable
-from kincourse.sampling.drawn_machines import draw_table_frames, is_in_several_rows, is_readable, lengths, table_frames
-from kincourse.sampling.drawn_machines import table_mistakes as drawn_table_mistakes
+from kincourse.sampling.drawn_machines import (
+    draw_table_frames,
+    drawn_table_mistakes,
+    is_readable,
+    lengths,
+    table_frames,
+)
 from kincourse.text.joint_table import MARKS_BY_ROW, joint_table
 from kinlib.arrays.validation import Array, read_only_copy
 from kinlib.chains.chain import random_configurations
@@ -315,14 +320,16 @@ def link_transform(sampler: ArmSampler) -> Problem:
         given={"a": a, "alpha": alpha, "d": d, "theta": theta},
         answer=PoseAnswer(T.value),
         solution=(
-            T.mistaken_for(inverse(T), "inverse", "give the inverse")
-            .mistaken_for(
-                swapped,
-                "entries swapped",
-                "swap the entries $(2, 1)$ and $(3, 2)$, as a printed matrix of the lecture does",
-                "The columns are then not perpendicular to each other.",
+            T.mistaken_for(
+                ("inverse", "give the inverse", inverse(T)),
+                (
+                    "entries swapped",
+                    "swap the entries $(2, 1)$ and $(3, 2)$, as a printed matrix of the lecture does",
+                    swapped,
+                    "The columns are then not perpendicular to each other.",
+                ),
+                ("entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$", mirrored),
             )
-            .mistaken_for(mirrored, "entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$")
         ),
     )
 
@@ -526,7 +533,7 @@ def wrist(sampler: ArmSampler) -> Problem:
         ("Z-Y-Z", "give Z-Y-Z Euler angles, without a constant", euler("zyz")),
         ("X-Y-Z", "rotate about the axes $x$, $y$, $z$", euler("xyz")),
     ):
-        R = R.mistaken_for(wrong, name, text, WRIST_ADVICE)
+        R = R.mistaken_for((name, text, wrong, WRIST_ADVICE))
     return Problem(
         statement="These are rows 4 to 6 of the modified table of a PUMA 560, that is, its wrist. Give ${}^3R_6$ at "
         f"$(\\theta_4, \\theta_5, \\theta_6) = {vector(degrees)}$ degrees.\n\n"
@@ -589,8 +596,6 @@ def whole_arm(sampler: ArmSampler) -> Problem:
         places = [np.zeros(3), *robot.joint_points]
     points = _letter_points(table, letters)
     lengths = ", ".join(f"$l_{k} = {number(length)}$" for k, length in enumerate(letters, start=1))
-    names = ("no offset", "sign of alpha", "a and d swapped", "alpha one row off", "z on the wrong joint", "degrees")
-    in_theta = ("prismatic variable in theta",) if "P" in joints else ()
     reach = np.hypot(rows[:, 0], rows[:, 2])
     between_origins = table.changed(rows=np.column_stack([reach, rows[:, 1], 0 * reach, rows[:, 3]]))
     return Problem(
@@ -606,7 +611,7 @@ def whole_arm(sampler: ArmSampler) -> Problem:
             table, anchored=True, lengths={f"l_{k}": length for k, length in enumerate(letters, start=1)}
         ),
         mistakes=[
-            *table_mistakes(table, *names, *in_theta),
+            rows_of_the_other_convention(table),
             mistake(
                 "off the normal",
                 between_origins,

@@ -7,7 +7,7 @@ import numpy as np
 from kincourse.answers.dh_row import DHRowAnswer
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.expressions.links import dh_row
-from kincourse.mistakes.dh import table_mistakes
+from kincourse.mistakes.dh import rows_of_the_other_convention
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
@@ -38,10 +38,12 @@ def antiparallel_row(_draw: ArmSampler) -> Problem:
         statement="Give row 3 of the stranger in the standard convention, as $[a, \\alpha, d, \\theta]$ at $q = 0$.",
         answer=DHRowAnswer(np.array([0.3, np.pi, -0.2, 0.0])),
         solution=dh_row(0.3, np.pi, -0.2, 0.0).mistaken_for(
-            np.array([0.3, 0.0, 0.2, 0.0]),
-            "parallel, and the sign of d",
-            "take $\\alpha = 0$, and measure $d$ along the axis of joint 4",
-            "In the standard convention $d_3$ is measured along $z_2$, the axis of joint 3, and the angle from $z_2$ to $z_3$ is $\\pi$.",
+            (
+                "parallel, and the sign of d",
+                "take $\\alpha = 0$, and measure $d$ along the axis of joint 4",
+                np.array([0.3, 0.0, 0.2, 0.0]),
+                "In the standard convention $d_3$ is measured along $z_2$, the axis of joint 3; the angle to $z_3$ is $\\pi$.",
+            )
         ),
         invisible=["sign of alpha", "sign of the angles"],  # pi and -pi are the same rotation
         advice={
@@ -95,19 +97,11 @@ def table_of_the_new_arm(_draw: ArmSampler) -> Problem:
             mistake(
                 "antiparallel as parallel",
                 replace(table, rows=rows),
-                "Your table moves as if $\\alpha_3$ were 0. Axes 3 and 4 have opposite directions, so $\\alpha_3 = \\pi$. With 0 "
+                "Your table moves as if the axis of one joint had the opposite direction.\n"
+                "Axes 3 and 4 have opposite directions, so $\\alpha_3 = \\pi$. With 0 "
                 "the rest of the arm is rotated by $\\pi$ about $x_3$.",
             ),
-            *table_mistakes(
-                table,
-                "the other convention",
-                "z on the wrong joint",
-                "alpha one row off",
-                "a and d swapped",
-                "prismatic variable in theta",
-                "off the normal",
-                "degrees",
-            ),
+            rows_of_the_other_convention(table),
         ],
     )
 

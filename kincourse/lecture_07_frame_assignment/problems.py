@@ -8,7 +8,7 @@ import numpy as np
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.frames import DHFramesAnswer
 from kincourse.answers.point import VectorsAnswer
-from kincourse.mistakes.dh import table_mistakes
+from kincourse.mistakes.dh import rows_of_the_other_convention
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
@@ -153,16 +153,7 @@ def table_of_an_arm(sampler: ArmSampler) -> Problem:
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
-        mistakes=table_mistakes(
-            table,
-            "no offset",
-            "sign of alpha",
-            "z on the wrong joint",
-            "alpha one row off",
-            "a and d swapped",
-            "off the normal",
-            "degrees",
-        ),
+        mistakes=[rows_of_the_other_convention(table)],
     )
 
 
@@ -192,7 +183,8 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
             mistake(
                 "alpha left out",
                 table.changed(rows=same_direction),
-                "Your table moves as if $\\alpha_3$ were 0. Axes 3 and 4 have opposite directions, so $\\alpha_3 = \\pi$.",
+                "Your table moves as if the axis of one joint had the opposite direction.\n"
+                "Axes 3 and 4 have opposite directions, so $\\alpha_3 = \\pi$.",
             ),
             mistake(
                 "d left out",
@@ -200,7 +192,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
                 "Your table moves as if every $d$ were 0. You may move an origin along parallel axes, but the distance between "
                 "the first and the last common normal does not change: some $d$ must contain the displacement along $y$.",
             ),
-            *table_mistakes(table, "z on the wrong joint", "alpha one row off", "a and d swapped", "degrees"),
+            rows_of_the_other_convention(table),
         ],
     )
 
@@ -358,7 +350,7 @@ def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
         ("half for both", "put joint 2 half-way between joints 1 and 3", ((a_1 + a_2) / 2, (a_1 + a_2) / 2), ""),
         ("joint 2 at axis 1", "put joint 2 on axis 1", (0.0, a_1 + a_2), "The other drawing has it at another place."),
     ):  # fmt: skip
-        answer = answer.mistaken_for(stack(*wrong), name, text, advice)
+        answer = answer.mistaken_for((name, text, stack(*wrong), advice))
     robot = arm(
         [(Z, (0, 0, 0)), (-Y, (first, 0, 0), SLIDE), (Z, (reach, 0, 0))],
         pose((X, Y, Z), (reach, 0, 0)),

@@ -42,11 +42,10 @@ def rocker(_draw: ArmSampler) -> Problem:
     A = radians(given("A", 90.0, ANGLE))
     lengths = bars([0.4, 0.1, 0.35, 0.3])
     D = with_other_bars(lambda four: rocker_directions(four, A)[0], lengths)
-    for name, text, wrong in (
+    D = D.mistaken_for(
         ("other mode", "take the other mode, with C below", rocker_directions(lengths, A)[1]),
         ("coupler's angle", "give the coupler's angle from the x axis", coupler_directions(lengths, A)[0]),
-    ):
-        D = D.mistaken_for(wrong, name, text)
+    )
     return Problem(
         statement="The crank angle of the lecture's first four-bar is 90 degrees. What is the rocker's angle $D$, in radians, in the "
         "assembly mode with C above the $x$ axis?",

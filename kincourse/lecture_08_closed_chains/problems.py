@@ -92,7 +92,7 @@ def residual(sampler: ArmSampler) -> Problem:
             (f"subtract ${first}$ from ${name}$, as if it were measured from the $x$ axis", q[name] - q[first]),
         ):
             advice = f"${name}$ is measured from the {bar}, as a joint value is: relative to the body before."
-            q[name] = q[name].mistaken_for(wrong, "relative angle", text, advice)
+            q[name] = q[name].mistaken_for(("relative angle", text, wrong, advice))
     A, B, D, C = (exp(screw_axes(f"S_{name}", S[name]), q[name]) for name in "ABDC")
     r = closing_twist([D, C, pose("G", G)], [A, B])
     listed = ", ".join(f"${name} = {angle}°$" for name, angle in zip("ABDC", degrees, strict=True))
@@ -136,7 +136,7 @@ def both_ways(sampler: ArmSampler) -> Problem:
         ("inner angles", "give the inner angles at D in degrees", tuple(180 - 180 / np.pi * q for q in rocker)),
     ):
         D = D.mistaken_for(
-            both_modes(*angles), name, text, "The rocker's angle is measured from the $x$ axis, in radians."
+            (name, text, both_modes(*angles), "The rocker's angle is measured from the $x$ axis, in radians.")
         )
     return Problem(
         statement=f"{describe_lengths(four_bar)} The angle of its crank from the $x$ axis is {degrees} degrees. Give "
@@ -180,11 +180,11 @@ def coupler_point(sampler: ArmSampler) -> Problem:
             ("rotate by the crank's angle twice", k + A),
             ("rotate by the rocker's angle", rocker_directions(lengths, A)[mode]),
         ):
-            k = k.mistaken_for(wrong, "another angle", text, "From the $x$ axis the coupler's angle is $A + B$.")
+            k = k.mistaken_for(("another angle", text, wrong, "From the $x$ axis the coupler's angle is $A + B$."))
         return k
 
     angle = coupler(0).mistaken_for(
-        coupler(1), "other mode", "take the other assembly mode, with C to the right of the arrow from B to D"
+        ("other mode", "take the other assembly mode, with C to the right of the arrow from B to D", coupler(1))
     )
     p = point("p", np.array([along, left]))
     for text, wrong in (
@@ -194,15 +194,19 @@ def coupler_point(sampler: ArmSampler) -> Problem:
         ("take $p$ across the coupler only", (0.0, left)),
         ("give C instead of P", (four_bar.coupler, 0.0)),
     ):
-        p = p.mistaken_for(np.array(wrong), "another point", text, "P's distance along the coupler is measured from B.")
+        p = p.mistaken_for(
+            ("another point", text, np.array(wrong), "P's distance along the coupler is measured from B.")
+        )
     start = polar(lengths[1], A).named("B")
-    start = start.mistaken_for(np.array([four_bar.ground, 0.0]), "from D", "add $p$ to the position of D instead of B")
+    start = start.mistaken_for(
+        ("from D", "add $p$ to the position of D instead of B", np.array([four_bar.ground, 0.0]))
+    )
     in_degrees = np.radians(degrees) * 180 / np.pi
     P = start + rotated(angle, p)
     P = P.mistaken_for(
-        P * np.array([1.0, -1.0]), "mirror image", "give the mirror image of P in the ground line", MIRRORED
+        ("mirror image", "give the mirror image of P in the ground line", P * np.array([1.0, -1.0]), MIRRORED)
     )
-    P = P.mistaken_for(P - np.array([four_bar.ground, 0.0]), "from D", "measure P from D instead of A")
+    P = P.mistaken_for(("from D", "measure P from D instead of A", P - np.array([four_bar.ground, 0.0])))
     wrong_B = four_bar.crank * np.array([np.cos(in_degrees), np.sin(in_degrees)])
     C = start.value + four_bar.coupler * np.array([np.cos(angle.value), np.sin(angle.value)])
     for text, k in (
@@ -210,7 +214,7 @@ def coupler_point(sampler: ArmSampler) -> Problem:
         (" for the crank's angle in the position of B", angle),
         (" for the position of B, and point from there to C", direction_of(given("BC", C - wrong_B))),
     ):
-        P = P.mistaken_for(wrong_B + rotated(k, p), "degrees", f"use degrees as radians{text}")
+        P = P.mistaken_for(("degrees", f"use degrees as radians{text}", wrong_B + rotated(k, p)))
     drawn = {"P": ("coupler", (four_bar.crank + along, left, 0.0))}
 
     def distance_from_B(P: Array) -> str:
@@ -251,13 +255,13 @@ def slider(sampler: ArmSampler) -> Problem:
         abs(crank**2 - (rod * np.sin(np.radians(degrees)) - offset) ** 2)
     )
     x = x.mistaken_for(
-        swapped, "lengths swapped", "swap crank and rod, and take the root of the size of a negative number"
+        ("lengths swapped", "swap crank and rod, and take the root of the size of a negative number", swapped)
     )
     for text, wrong in (
         ("measure $x$ from the leftmost place of B", x + crank),
         ("measure $x$ from B", x - crank * np.cos(np.radians(degrees))),
     ):
-        x = x.mistaken_for(wrong, "another origin", text, "$x$ is measured from A.")
+        x = x.mistaken_for(("another origin", text, wrong, "$x$ is measured from A."))
     linkage = linkages.slider_crank(crank, rod, offset)
     side = "above" if offset > 0 else "below"
     mirrored = float(
@@ -266,7 +270,7 @@ def slider(sampler: ArmSampler) -> Problem:
     other_side = "below" if offset > 0 else "above"
     text = f"place the line of the slider {other_side} A"
     x = x.mistaken_for(
-        mirrored, "sign of a length", text, f"Here the slider moves {side} A: its offset is {number(offset)} m."
+        ("sign of a length", text, mirrored, f"Here the slider moves {side} A: its offset is {number(offset)} m.")
     )
     A = np.radians(degrees)
 
@@ -381,12 +385,12 @@ def dead_point(sampler: ArmSampler) -> Problem:
 
     def stretched(four: Sequence[Expression]) -> Expression:
         reach = (four[2] + four[3]).mistaken_for(
-            four[2] - four[3], "folded", "take the difference of coupler and rocker, as if they were folded"
+            ("folded", "take the difference of coupler and rocker, as if they were folded", four[2] - four[3])
         )
         return corner_angle(four[0], four[1], reach)
 
     A = with_other_bars(stretched, lengths, [(0, 2), (0, 3), (1, 2), (1, 3)])
-    for name, text, wrong in (
+    A = A.mistaken_for(
         ("mirror image", "give the least angle instead of the greatest", -A),
         ("another bar", "stretch crank and coupler into one line", corner_angle(ground, crank + coupler, rocker)),
         (
@@ -411,8 +415,7 @@ def dead_point(sampler: ArmSampler) -> Problem:
             corner_angle(ground, crank, float(np.hypot(four_bar.coupler, four_bar.rocker))),
         ),
         ("full turn", "assume that the crank makes full turns", np.pi),
-    ):
-        A = A.mistaken_for(wrong, name, text)
+    )
 
     def reach(A: Array) -> str:
         distance = float(np.linalg.norm(four_bar.crank * np.array([np.cos(A), np.sin(A)]) - [four_bar.ground, 0.0]))

@@ -55,15 +55,15 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
     element = f'<origin xyz="{format_values(xyz)}" rpy="{format_values(rpy)}"/>'
     R, p = rpy_rotation("R", rpy), point("p", xyz)
     rotated_too = "rotate the translation as well: $R\\,p$"
-    T = assemble(R, p.mistaken_for(R @ p, "translation rotated", rotated_too, PARENT_ADVICE))
+    T = assemble(R, p.mistaken_for(("translation rotated", rotated_too, R @ p, PARENT_ADVICE)))
     return Problem(
         statement=f"A joint of a URDF file has this origin:\n\n{fence_urdf(element)}\n\nGive the pose of the joint frame in the "
         f"frame of the parent link at $q = 0$. {ROUNDING_NOTE}",
         given={"xyz": xyz, "rpy": rpy},
         answer=PoseAnswer(T.value),
         solution=T.mistaken_for(
-            assemble(rpy_rotation("R", xyz), given("rpy", rpy)), "xyz and rpy swapped", "swap `xyz` and `rpy`"
-        ).mistaken_for(assemble(np.eye(3), p), "rotation left out", "leave out the rotation", spoils=True),
+            ("xyz and rpy swapped", "swap `xyz` and `rpy`", assemble(rpy_rotation("R", xyz), given("rpy", rpy)))
+        ).mistaken_for(("rotation left out", "leave out the rotation", assemble(np.eye(3), p)), spoils=True),
     )
 
 
@@ -72,14 +72,14 @@ def direction_of_an_axis(sampler: ArmSampler) -> Problem:
     rpy, axis = random_oblique_angles(sampler), _random_axis(sampler)
     element = f'<origin xyz="0 0 1" rpy="{format_values(rpy)}"/>\n<axis xyz="{format_values(axis)}"/>'
     R, a = rpy_rotation("R", rpy), direction("a", axis)
-    omega = product(R, a.mistaken_for(Z, "another axis", "use the $z$ axis of the joint instead of its `axis`"))
+    omega = product(R, a.mistaken_for(("another axis", "use the $z$ axis of the joint instead of its `axis`", Z)))
     for other, name, text in (
         (R @ R @ a, "rotated twice", "rotate the axis twice"),
         (R @ a + Z, "origin added", "add the `xyz` of the origin to a direction"),
         (absolute(R @ a), "signs left out", "leave out the signs"),
         (R @ X, "another axis", "use the $x$ axis of the joint instead of its `axis`"),
     ):
-        omega = omega.mistaken_for(other, name, text)
+        omega = omega.mistaken_for((name, text, other))
     return Problem(
         statement=f"A joint of a URDF file has this origin and this axis:\n\n{fence_urdf(element)}\n\nGive the direction of the axis in "
         f"the frame of the parent link at $q = 0$, as a unit vector. {ROUNDING_NOTE}",
@@ -118,7 +118,7 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
     """The position of joint 3 in the base frame: p_1 + R_1 p_2 + R_1 R_2 p_3."""
     (R1, p1), (R2, p2), (R3, p3) = origins
     own = p3.mistaken_for(
-        R3 @ p3, "translation rotated", "rotate the step of `joint_3` by its own `rpy`", PARENT_ADVICE
+        ("translation rotated", "rotate the step of `joint_3` by its own `rpy`", R3 @ p3, PARENT_ADVICE)
     )
     p = p1 + R1 @ p2 + R1 @ R2 @ own
     back = "in the frame of `joint_3`"
@@ -139,7 +139,7 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
         (transpose(R1 @ R2 @ R3) @ p, "frame changed", "give the position with the directions of `joint_3`"),
         (-(transpose(R1 @ R2 @ R3) @ p), "inverse", f"give the origin of the base {back}"),
     ):
-        p = p.mistaken_for(other, name, text)
+        p = p.mistaken_for((name, text, other))
     return p
 
 
@@ -155,7 +155,7 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
         answer=VectorsAnswer(p.value, unit="m"),
         solution=p,
         advice={
-            "rotation left out": "Each `xyz` is in the frame of its parent: $p = p_1 + R_1 p_2 + R_1 R_2\\,p_3$.",
+            "rotation left out": "Each `xyz` is in the frame of its parent.\nSo $p = p_1 + R_1 p_2 + R_1 R_2\\,p_3$.",
             "order": "From the base outwards, the first joint is on the left: $R_1 R_2$.",
         },
     )
@@ -179,7 +179,7 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
         (transpose(R1 @ R2 @ R3) @ a, "rotation transposed", "rotate the axis by $R^T$"),
         (product(*map(about_own_axes, (R1, R2, R3))) @ a, "own axes", "rotate the axis about the frames' own axes"),
     ):
-        omega = omega.mistaken_for(other, name, words)
+        omega = omega.mistaken_for((name, words, other))
     S = revolute(omega, p.named("p"))
     own = a, 0 * p
     for screw_axis, name, words in (
@@ -190,7 +190,7 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
         (revolute(R1 @ z, p1), "another joint", "give the screw axis of `joint_1`"),
         (-S, "sign of a vector", "reverse the axis"),
     ):
-        S = S.mistaken_for(screw_axis, name, words)
+        S = S.mistaken_for((name, words, screw_axis))
     return Problem(
         statement=f"Give the screw axis of `joint_3` in the frame of the base. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
@@ -215,7 +215,7 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
     T1, T2, T3 = (assemble(R, p).named(f"T_{k}") for k, (R, p) in enumerate(origins, start=1))
     of_box = translation(given("b", drawn))
     instead = "use the `origin` of the `visual` instead of that of the fixed joint"
-    M = T1 @ T2 @ T3.mistaken_for(of_box, "visual for joint", instead)
+    M = T1 @ T2 @ T3.mistaken_for(("visual for joint", instead, of_box))
     rotation, added = (R for R, _ in origins), sum((p for _, p in origins[1:]), origins[0][1])
     for other, name, words in (
         (M @ of_box, "visual added", "multiply by the `origin` of the `visual`, which moves no frame"),
@@ -223,7 +223,7 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
         (assemble(M.T[:3, :3], M[:3, 3]), "rotation transposed", "transpose the rotation of $M$"),
         (assemble(product(*rotation), added), "positions added", "add the positions without rotating them"),
     ):
-        M = M.mistaken_for(other, name, words)
+        M = M.mistaken_for((name, words, other))
     return Problem(
         statement=f"Give the home pose $M$ of the link `hand` in the frame of the base. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
@@ -441,10 +441,12 @@ def from_a_dh_row(sampler: ArmSampler) -> Problem:
         given={"a": a, "alpha": alpha, "d": d},
         answer=OriginAnswer(_origin_of_row(a, alpha, d).value),
         solution=_origin_of_row(a, alpha, d).mistaken_for(
-            _origin_of_row(d, alpha, a),
-            "a and d swapped",
-            "swap $a$ and $d$",
-            "$a$ is along $x$, $d$ along the joint axis.",
+            (
+                "a and d swapped",
+                "swap $a$ and $d$",
+                _origin_of_row(d, alpha, a),
+                "$a$ is along $x$, $d$ along the joint axis.",
+            )
         ),
         advice={
             "sine and cosine swapped": "A roll by $\\alpha$ rotates $z$ to $(0, -\\sin\\alpha, \\cos\\alpha)$.",
@@ -473,7 +475,7 @@ def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
         ),
         (1000 * xyz, "millimetres", "write millimetres instead of metres"),
     ):
-        xyz = xyz.mistaken_for(other, name, text, along if name.startswith("d") else "")
+        xyz = xyz.mistaken_for((name, text, other, along if name.startswith("d") else ""))
     for other, name, text in (
         (stack(0, alpha, 0), "alpha as pitch", "write $\\alpha$ as the pitch"),
         (stack(0, 0, alpha), "alpha as yaw", "write $\\alpha$ as the yaw"),
@@ -482,7 +484,7 @@ def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
         (stack(in_degrees, 0, 0), "degrees", "write degrees into `rpy`"),
         (stack(np.copysign(np.pi, alpha_rad), 0, 0), "half a turn", "write a rotation by 180° into `rpy`"),
     ):
-        rpy = rpy.mistaken_for(other, name, text, "" if name != "degrees" else "`rpy` is in radians.")
+        rpy = rpy.mistaken_for((name, text, other, "" if name != "degrees" else "`rpy` is in radians."))
     return stack(xyz.named("\\mathrm{xyz}"), rpy.named("\\mathrm{rpy}"))
 
 
@@ -508,22 +510,24 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
         (np.radians(q_rad), "convert $q_1$ to radians, although it is in radians"),
         (np.degrees(q_rad), "convert $q_1$ to degrees"),
     ):
-        q = q.mistaken_for(wrong, "converted", what, "URDF files and NumPy have angles in radians.")
+        q = q.mistaken_for(("converted", what, wrong, "URDF files and NumPy have angles in radians."))
     q_2 = _mimic_value(q, given("\\mathrm{multiplier}", factor), given("\\mathrm{offset}", shift_rad))
     from_base = (q + q_2).mistaken_for(
-        q_2, "frame not changed", "take the value of `fold` from the $x$ axis of the base instead of that of `boom`"
+        ("frame not changed", "take the value of `fold` from the $x$ axis of the base instead of that of `boom`", q_2)
     )
     first, second = polar(length("boom", boom), q), polar(length("forearm", forearm), from_base)
     in_plane = first.named("\\text{the step along the boom}") + second.named("\\text{the step along the forearm}")
     swapped = polar(forearm, q) + polar(boom, from_base)
     unturned = np.array([boom, 0.0]) + polar(forearm, q_2)
     straight = np.array([boom + forearm, 0.0])
-    in_plane = in_plane.mistaken_for(swapped, "lengths swapped", "swap the lengths of `boom` and `forearm`").named(
+    in_plane = in_plane.mistaken_for(("lengths swapped", "swap the lengths of `boom` and `forearm`", swapped)).named(
         "(x, y)"
     )
-    in_plane = in_plane.mistaken_for(unturned, "swing left out", "leave `swing` at 0, and move `fold` alone")
-    in_plane = in_plane.mistaken_for(straight, "rotation left out", "add the lengths without rotating").named("(x, y)")
-    x = concatenate(in_plane, given("z", height).mistaken_for(0.0, "coordinate left out", "take the height as 0"))
+    in_plane = in_plane.mistaken_for(("swing left out", "leave `swing` at 0, and move `fold` alone", unturned))
+    in_plane = in_plane.mistaken_for(("rotation left out", "add the lengths without rotating", straight)).named(
+        "(x, y)"
+    )
+    x = concatenate(in_plane, given("z", height).mistaken_for(("coordinate left out", "take the height as 0", 0.0)))
     return Problem(
         statement=f"The joint `swing` of this file has the value $q_1 = {number(q_rad)}$ rad. Give the position of the origin of the link "
         f"`tool` in the frame of the base.\n\n{fence_urdf(text)}",
@@ -547,7 +551,7 @@ def _mimic_value(q: Expression, multiplier: Expression, offset: Expression) -> E
         ((q - offset) / multiplier, "mimic inverted", "take `swing` as the joint that mimics `fold`"),
         (multiplier * q + np.radians(offset.value), "radians as degrees", "read the offset as degrees"),
     ):
-        q_2 = q_2.mistaken_for(other, name, text, MIMIC_ADVICE)
+        q_2 = q_2.mistaken_for((name, text, other, MIMIC_ADVICE))
     return q_2.named("\\text{the value of fold}")
 
 
@@ -573,7 +577,7 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
         (absolute(transpose(R1 @ R2 @ R3) @ w), "signs left out", "leave out the signs"),
         (R1 @ R2 @ R3 @ given("z", Z), "another axis", "give the $z$ axis of the joint's frame"),
     ):
-        axis = axis.mistaken_for(other, name, words, WRONG_FRAME_ADVICE)
+        axis = axis.mistaken_for((name, words, other, WRONG_FRAME_ADVICE))
     return Problem(
         statement="When all joint values are 0, the axis of `joint_3` must have the direction "
         f"$\\omega = {vector(omega)}$ in the frame of the base. The author of this file wrote these three numbers into "

@@ -34,11 +34,11 @@ def body_screw(_draw: ArmSampler) -> Problem:
 @problem("10.b", "An origin in a file", points=1, lecture="09_urdf#From the file to screws")
 def origin_of_joint_3(_draw: ArmSampler) -> Problem:
     p_2 = given("p_2", JOINTS[1]).mistaken_for(
-        TOOL, "the wrong parent", "measure from the tool", "The parent of joint 3 is the link that joint 2 moves."
+        ("the wrong parent", "measure from the tool", TOOL, "The parent of joint 3 is the link that joint 2 moves.")
     )
     step = given("p_3", JOINTS[2]) - p_2
     step = step.mistaken_for(
-        -step, "opposite direction", "take the vector from joint 3 to joint 2", SEEN_FROM_THE_PARENT
+        ("opposite direction", "take the vector from joint 3 to joint 2", -step, SEEN_FROM_THE_PARENT)
     )
     return Problem(
         statement="With all frames parallel to {s}, give the `xyz` of joint 3.",
@@ -54,12 +54,13 @@ def origin_of_joint_3(_draw: ArmSampler) -> Problem:
 def origin_of_tool(_draw: ArmSampler) -> Problem:
     step = given("p_b", TOOL) - given("p_3", JOINTS[2])
     step = step.mistaken_for(
-        -step, "opposite direction", "take the vector from the tool to joint 3", SEEN_FROM_THE_PARENT
-    ).mistaken_for(
-        ARM.home[:3, :3].T @ step,
-        "axes of the tool",
-        "give the components along the axes of {b}",
-        "The `xyz` of an origin has its components along the parent's axes, which are parallel to those of {s} here.",
+        ("opposite direction", "take the vector from the tool to joint 3", -step, SEEN_FROM_THE_PARENT),
+        (
+            "axes of the tool",
+            "give the components along the axes of {b}",
+            ARM.home[:3, :3].T @ step,
+            "The `xyz` of an origin has its components along the parent's axes, which are parallel to those of {s} here.",
+        ),
     )
     return Problem(
         statement="With the frame of joint 3 parallel to {s}, give the `xyz` of the fixed joint to the tool.",

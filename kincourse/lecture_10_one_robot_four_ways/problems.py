@@ -79,20 +79,21 @@ def from_a_table(sampler: ArmSampler) -> Problem:
 
     T_02, T_03 = A[0] @ A[1], product(*A)
     z, O = T_02[:3, 2].named("z_2"), T_02[:3, 3].named("O_2")
-    z = z.mistaken_for(T_02[:3, 0], "another axis", "take $x_2$ instead of $z_2$")
-    z = z.mistaken_for(T_02[2, :3], "row for column", "take the third row of the rotation instead of its third column")
+    z = z.mistaken_for(
+        ("another axis", "take $x_2$ instead of $z_2$", T_02[:3, 0]),
+        ("row for column", "take the third row of the rotation instead of its third column", T_02[2, :3]),
+    )
     for k, T in ((1, A[0]), (3, T_03)):
-        O = O.mistaken_for(T[:3, 3], "another point", f"take $O_{k}$ instead of $O_2$")
+        O = O.mistaken_for(("another point", f"take $O_{k}$ instead of $O_2$", T[:3, 3]))
     S = revolute(z, O)
     modified = product(*(link(row, "modified", i) for i, row in enumerate(rows, start=1)))
-    for name, text, wrong in (
+    S = S.mistaken_for(
         ("another joint", "take $z_3$ and $O_3$", axis_of(T_03, 3)),
         ("another joint", "take $z_1$ and $O_1$, the axis of joint 2", axis_of(A[0], 1)),
         ("another joint", "take $z_0$ and $O_0$, the axis of joint 1", axis_of(given("I", np.eye(4)), 0)),
         ("the other convention", "take $z_3$ and $O_3$ of the modified convention", axis_of(modified, 3)),
         ("body screw", "give $B_3$, the screw axis in frame 3", change_frame(inverse(T_03), S)),
-    ):
-        S = S.mistaken_for(wrong, name, text)
+    )
     return Problem(
         statement="The table of an arm with three revolute joints is in the standard convention, and its frame 0 is {s}. Give the screw "
         f"axis $S_3$ of joint 3 in {{s}}, at home.\n\n{_format_table(table)}",
@@ -169,11 +170,10 @@ def joint_origin(sampler: ArmSampler) -> Problem:
     here, there = sampler.point(4) / 10, sampler.point(4) / 10
     R = rpy_rotation("R", radians(given("\\mathrm{rpy}", np.array(degrees))))
     step = (given("p_2", there) - given("p_1", here)).named("(p_2 - p_1)")
-    for name, text, wrong in (
+    step = step.mistaken_for(
         ("order", "take the vector from joint 2 to joint 1", here - given("p_2", there)),
         ("sign", "add the two positions instead of subtracting them", here + given("p_2", there)),
-    ):
-        step = step.mistaken_for(wrong, name, text)
+    )
     xyz = R.T @ step
     for name, text, place in (
         ("from the base", "give the position of joint 2 in {s}", there),
@@ -187,7 +187,7 @@ def joint_origin(sampler: ArmSampler) -> Problem:
         ),
     ):
         advice = "The `xyz` of joint 2 has its components in the frame of joint 1. The problem gives the position of joint 2 in {s}."
-        xyz = xyz.mistaken_for(place, name, text, advice)
+        xyz = xyz.mistaken_for((name, text, place, advice))
     return Problem(
         statement=f"In a URDF file, the origin of joint 1 in the base frame {{s}} is `xyz` = ${vector(here)}$ and "
         f"`rpy` = ${vector(degrees)}$ degrees. At home the position of joint 2 is ${vector(there)}$ in {{s}}. "
@@ -279,7 +279,7 @@ def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> E
     swapped = (
         place(offset + first, up, second) if slides else place(boom * cos(first), offset + up * sin(first), second)
     )
-    for name, text, wrong in (
+    return p.mistaken_for(
         *own,
         ("height left out", "leave out the height", place(radius, 0.0)),
         ("radius left out", "leave out the distance from the axis of joint 1", place(1.0, height)),
@@ -309,9 +309,7 @@ def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> E
             "use the tangent of $q_1$ instead of its sine",
             stack(radius * cos(first), radius * np.tan(q1), height),
         ),
-    ):
-        p = p.mistaken_for(wrong, name, text)
-    return p
+    )
 
 
 @problem("10.6", "Three arms, one object", points=3, lecture="10_one_robot_four_ways#Two arms, one tray")
@@ -328,12 +326,12 @@ def three_arms(sampler: ArmSampler) -> Problem:
         ("three loops", "count three loops, one for each arm", 3.0),
     ):
         loops = loops.mistaken_for(
-            count, name, text, "The second and the third arm each close a loop with the first one."
+            (name, text, count, "The second and the third arm each close a loop with the first one.")
         )
     place = "In the plane it is three." if flat else "In space it is six."
-    equations = equations.mistaken_for(9.0 - d, "another d", f"take {9 - d} equations for a loop", place)
+    equations = equations.mistaken_for(("another d", f"take {9 - d} equations for a loop", 9.0 - d, place))
     mobility = joints - (loops * equations).named("\\text{the equations of all loops}")
-    for name, text, wrong in (
+    mobility = mobility.mistaken_for(
         ("three loops, another d", f"count three loops with {9 - d} equations each", n - 3.0 * (9 - d)),
         ("one loop, another d", f"count one loop with {9 - d} equations", n - (9.0 - d)),
         ("the object", "add one degree of freedom for the object", right + 1),
@@ -350,8 +348,7 @@ def three_arms(sampler: ArmSampler) -> Problem:
         ("one arm forgotten", "leave out the third arm", float(arms[0] + arms[1] - d)),
         ("fixed", "say that nothing moves", 0.0),
         ("sign", "give the negative of the number", -right),
-    ):
-        mobility = mobility.mistaken_for(wrong, name, text)
+    )
     return Problem(
         statement=f"Three arms of {arms[0]}, {arms[1]} and {arms[2]} joints hold one {held}, each of them rigidly. No axes are "
         "in a special position. How many degrees of freedom does the whole mechanism have? In the feedback, $d$ is the number of "
@@ -416,7 +413,7 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
     ):
         is_place = name in {"body screws", "adjoint", "space screws"}
         advice = "With screws in {s}, $M$ is last; with screws in {b}, it is first." if is_place else ""
-        T = T.mistaken_for(wrong, name, text, advice)
+        T = T.mistaken_for((name, text, wrong, advice))
     return Problem(
         statement=f"Give the pose $T_{{sb}}$ of the tool at {words}, by any of the four descriptions.\n\n{joint_table(robot)}\n\n"
         f"The home pose is\n\n$$M = {matrix(robot.home)}.$$",

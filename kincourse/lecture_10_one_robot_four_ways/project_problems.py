@@ -19,9 +19,10 @@ from kincourse.expressions.screws import joint_screws
 from kincourse.lecture_10_one_robot_four_ways.arms import draw_machine
 from kincourse.lecture_10_one_robot_four_ways.paths import effect_of
 from kincourse.lecture_10_one_robot_four_ways.project import Project, open_project
+from kincourse.mistakes.dh import is_in_several_rows
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
-from kincourse.sampling.drawn_machines import is_in_several_rows, misread, table_mistakes
+from kincourse.sampling.drawn_machines import drawn_table_mistakes, misread
 from kincourse.text.joint_table import MARKS_BY_ROW
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -120,7 +121,9 @@ def screws_of_the_project(sampler: ArmSampler) -> Problem:
     project, right = open_project(sampler.student), draw_machine(sampler.student)
     pitches = np.array([np.inf if letter == "P" else 0.0 for letter in project.joints])
     S = joint_screws(right.chain.lines.axis, right.points, pitches)
-    S = S.mistaken_for(right.chain.body_screws, "body screws", "give the body screws", "The screws in {s} are wanted.")
+    S = S.mistaken_for(
+        ("body screws", "give the body screws", right.chain.body_screws, "The screws in {s} are wanted.")
+    )
     return Problem(
         statement=f"{_begin(project)}Give the screw axes in {{s}}, one in each row, from the same sheet. The arrow at an axis is its "
         "positive direction: a ring with a dot points towards you, a ring with a cross away from you.",
@@ -141,7 +144,7 @@ def table_of_the_project(sampler: ArmSampler) -> Problem:
         f"z_{table.n - 1}. Give the {table.n} rows a, alpha, d, theta at home, in metres and radians. {MARKS_BY_ROW}",
         figure=lambda: project.drawing("table"),
         answer=DHRowsAnswer(table.rows),
-        mistakes=table_mistakes(table),
+        mistakes=drawn_table_mistakes(table),
     ).without_duplicates()
 
 

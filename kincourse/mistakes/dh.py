@@ -1,156 +1,122 @@
-"""Common mistakes in DH tables: each function takes the right table and returns the wrong one that the mistake leads to.
+"""Mistakes in DH tables: the slips of `kinlib.dh.slips`, made in a right table, with the words of cards."""
 
-`table_mistakes` gives the mistakes of a problem whose answer is a table, by their names in TABLE_MISTAKES.
-"""
-
-from collections.abc import Callable, Mapping
-from typing import NamedTuple
+import re
+from collections.abc import Sequence
+from contextlib import suppress
+from functools import cache
 
 import numpy as np
 
-from kincourse.sampling.drawn_machines import is_in_several_rows
-from kinlib.dh.parsing import COLUMNS
+from kinlib.arrays.validation import Array
+from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
+from kinlib.dh.slips import OTHER_CONVENTION, SLIPS_OF_A_TABLE, SLIPS_THAT_LOSE_NUMBERS, A, D
 from kinlib.dh.table import Convention, DHTable
 from misstep.mistakes import Mistake, mistake
+from misstep.mutants.expression import Slip
 
-A, ALPHA, D, THETA = range(4)
-
-
-def z_on_the_wrong_joint(table: DHTable) -> DHTable:
-    """Frames placed by the rule of the other convention, with their rows multiplied by the rule of this one.
-
-    For a standard table z_i lies on the axis of joint i, which is the rule of the modified convention; for a modified
-    table z_i lies on the axis of joint i+1.
-
-    >>> z_on_the_wrong_joint(DHTable([[1, 0, 0, 0], [2, 0, 0, 0]], convention="standard")).columns["a"]
-    array([0., 1.])
-    """
-    return table.changed(rows=table.converted(_other(table.convention)).rows)
-
-
-def alpha_shifted(table: DHTable) -> DHTable:
-    """The column alpha shifted by one row: alpha_{i-1} in row i of a standard table, alpha_i in row i of a modified one.
-
-    >>> alpha_shifted(DHTable([[0, 1, 0, 0], [0, 2, 0, 0]], convention="standard")).columns["alpha"]
-    array([0., 1.])
-    """
-    rows = table.rows.copy()
-    step = 1 if table.convention == "standard" else -1
-    rows[:, ALPHA] = np.roll(rows[:, ALPHA], step)
-    rows[0 if step == 1 else -1, ALPHA] = 0.0
-    return table.changed(rows=rows)
-
-
-def in_degrees(table: DHTable) -> DHTable:
-    """Angles given in degrees but read as radians, less full turns.
-
-    >>> in_degrees(DHTable([[0, np.pi / 2, 0, 0]], convention="standard")).columns["alpha"].round(4)
-    array([2.0354])
-    """
-    rows = table.rows.copy()
-    rows[:, [ALPHA, THETA]] = np.degrees(rows[:, [ALPHA, THETA]]) % (2 * np.pi)
-    return table.changed(rows=rows)
-
-
-def without_offset(table: DHTable) -> DHTable:
-    """theta = q without an offset, in the row of each revolute joint."""
-    rows = table.rows.copy()
-    rows[[letter == "R" for letter in table.joints], THETA] = 0.0
-    return table.changed(rows=rows)
-
-
-def base_in_a_row(table: DHTable) -> DHTable:
-    """The translation of the base written into the first row, its x into a and its z into d, and no base."""
-    rows = table.rows.copy()
-    rows[0, [A, D]] += table.base[[0, 2], 3]
-    return table.changed(rows=rows, base=np.eye(4))
-
-
-def tool_in_a_row(table: DHTable) -> DHTable:
-    """The translation of the tool written into the last row, its x into a and its z into d, and no tool."""
-    rows = table.rows.copy()
-    rows[-1, [A, D]] += table.tool[[0, 2], 3]
-    return table.changed(rows=rows, tool=np.eye(4))
-
-
-def off_the_normal(table: DHTable) -> DHTable:
-    """a measured from joint to joint, and no d, so that x_i lies along the link and not along the common normal.
-
-    >>> off_the_normal(DHTable([[3, 0, 4, 0]], convention="standard")).columns["a"]
-    array([5.])
-    """
-    rows = table.rows.copy()
-    slanted = np.array([letter != "P" for letter in table.joints]) & (rows[:, A] != 0)
-    rows[slanted, A] = np.hypot(rows[slanted, A], rows[slanted, D])
-    rows[slanted, D] = 0.0
-    return table.changed(rows=rows)
-
-
-class TableMistake(NamedTuple):
-    """A function that makes the mistake in a right table, and the message for a student who made it."""
-
-    change: Callable[[DHTable], DHTable]
-    message: str
-
-
-TABLE_MISTAKES: Mapping[str, TableMistake] = {
-    "the other convention": TableMistake(
-        lambda table: table.changed(convention=_other(table.convention)),
-        "You multiplied the rows in the other convention. A standard row is $R_z T_z T_x R_x$, joint first; a modified row is "
-        "$R_x T_x R_z T_z$, common normal first. The same numbers describe another arm.",
-    ),
-    "z on the wrong joint": TableMistake(
-        z_on_the_wrong_joint,
-        "You put $z_i$ on the wrong joint. In the standard convention $z_i$ lies on the axis of joint $i + 1$, in the "
-        "modified one on that of joint $i$. Your rows are those of the other convention.",
-    ),
-    "alpha one row off": TableMistake(
-        alpha_shifted,
-        "Your column $\\alpha$ is shifted by one row. In a standard table row $i$ holds $\\alpha_i$, from $z_{i-1}$ to $z_i$; "
-        "in a modified one it holds $\\alpha_{i-1}$.",
-    ),
-    "a and d swapped": TableMistake(
-        lambda table: table.changed(rows=table.rows[:, [D, ALPHA, A, THETA]]),
-        "You swapped $a$ and $d$. $d$ is measured along $z$, the joint axis, and $a$ along $x$, the common normal.",
-    ),
-    "sign of alpha": TableMistake(
-        lambda table: table.changed(rows=table.rows * (1, -1, 1, 1)),
-        "Every $\\alpha$ has the wrong sign. Point your right thumb along $x$, the common normal: $\\alpha$ is positive if your "
-        "fingers curl from the first $z$ to the next.",
-    ),
-    "degrees": TableMistake(
-        in_degrees,
-        "Your angles are in degrees, but numbers without a unit are read as radians. Write `np.pi / 2`, or 90° in a text.",
-    ),
-    "no offset": TableMistake(
-        without_offset,
-        "You wrote $\\theta = q$ and left out the offsets. $\\theta$ is the angle between two $x$ axes: its value in the drawing, "
-        "where $q = 0$, is added to $q$.",
-    ),
-    "prismatic variable in theta": TableMistake(
-        lambda table: table.changed(joints=table.joints.replace("P", "R")),
-        "You put the variable of a prismatic joint into $\\theta$. A prismatic joint changes $d$; its $\\theta$ is a constant.",
-    ),
-    "off the normal": TableMistake(
-        off_the_normal,
-        "You measured $a$ from joint to joint. $x_i$ runs along the common normal, perpendicular to both axes; the distance "
-        "along the axis is $d$.",
-    ),
+NAMES = {
+    "unit of length": "millimetres",
+    "other convention": "the other convention",
+    "offset forgotten": "no offset",
+    "theta and alpha swapped": "angles swapped",
+    "sign of q": "sign of a joint value",
 }
+"""The names that the sheets have for faults that `diagnose` names otherwise."""
+
+WRONG_METHODS = {"a and d swapped", "angles swapped", "column after column"}
+"""The slips by which a row that comes out right does so by chance."""
+
+_COLUMN = re.compile(
+    r"\b(alpha|theta|Alpha|Theta|d)\b|\ba\b(?= (?:is measured|was measured|has|and (?:d|alpha)))|(?<=along |about )[xz]\b"
+)
+"""The name of a column or an axis in a sentence, and not the article."""
 
 
-def table_mistakes(table: DHTable, *names: str) -> list[Mistake]:
-    """The mistakes of these names for a problem whose answer is the table."""
+def symbol(name: str) -> str:
+    r"""Return the name of an entry as mathematics.
+
+    >>> symbol("alpha_2"), symbol("d")
+    ('$\\alpha_2$', '$d$')
+    """
+    return f"$\\{name.lower()}$" if name.lower().startswith(ANGLE_COLUMNS) else f"${name}$"
+
+
+def with_symbols(text: str) -> str:
+    r"""Return a sentence of `kinlib.dh` with the names of columns and axes as mathematics.
+
+    >>> with_symbols("Every alpha is 0.")
+    'Every $\\alpha$ is 0.'
+    """
+    return _COLUMN.sub(lambda found: symbol(found[0]), text)
+
+
+@cache
+def slips_of_rows() -> Sequence[Slip]:
+    """The slips that people make in the rows of any table, one of each name and column."""
+    usual = [slip for slip in SLIPS_OF_A_TABLE if slip.column is not None and "shifted" not in slip.name]
+    return [
+        Slip(
+            NAMES.get(slip.name, slip.name),
+            with_symbols(slip.text),
+            slip.change,
+            in_parts=slip in usual,
+            spoils=NAMES.get(slip.name, slip.name) in WRONG_METHODS,
+        )
+        for slip in (*usual, *SLIPS_THAT_LOSE_NUMBERS)
+    ]
+
+
+def slips_of_table(right: DHTable) -> list[Slip]:
+    """The slips in a whole table that cannot be undone, and the signs of joint values, each with the table that it leads to."""
+    rows, n = right.rows, right.n
+    changes = [(slip.name, with_symbols(slip.text), slip.change(rows), right.signs) for slip in SLIPS_THAT_LOSE_NUMBERS]
+    for names in ([*range(n)], *([i] for i in range(n))):
+        signs = np.where(np.isin(np.arange(n), names), -1, 1) * right.signs
+        which = "Every joint moves" if len(names) > 1 else f"Joint {names[0] + 1} moves"
+        changes.append(("sign of a joint value", f"{which} in the opposite direction.", rows, signs))
+    turned = rows * (1, 1, 1, -1)
+    changes.append(("sign of theta", "Every $\\theta$ has the wrong sign, with its $q$.", turned, -right.signs))
     found = []
-    for name in names:
-        change, message = TABLE_MISTAKES[name]
-        wrong = change(table)
-        found.append(mistake(name, wrong, message, spoils=is_in_several_rows(wrong.rows, table.rows)))
+    for name, text, changed, signs in changes:
+        # A single entry is explained by its place.
+        if np.count_nonzero(changed - rows) < 2 and (signs == right.signs).all():
+            continue
+        with suppress(ValueError):  # no table has an angle of many turns
+            table = right.changed(rows=changed, signs=signs)
+            both = [np.column_stack([one.rows, one.signs]) for one in (table, right)]
+            runs_through = is_in_several_rows(*both)
+            found.append(Slip(name, text, lambda _, table=table: table, in_parts=False, spoils=runs_through))
     return found
 
 
-def _other(convention: Convention) -> Convention:
-    return "modified" if convention == "standard" else "standard"
+def is_in_several_rows(wrong: Array, right: Array) -> bool:
+    """Whether a mistake runs through a table, so that a row that it leaves as it is earns nothing.
+
+    >>> is_in_several_rows(np.zeros((2, 4)), np.ones((2, 4))), is_in_several_rows(np.zeros((2, 4)), np.eye(2, 4, 3))
+    (True, False)
+    """
+    return bool(np.count_nonzero((wrong != right).any(axis=1)) > 1)
+
+
+def rows_of_the_other_convention(table: DHTable) -> Mistake:
+    """The rows of the frames that obey the rule of the other convention, as a mistake: z_i on the wrong joint.
+
+    >>> rows_of_the_other_convention(DHTable([[1, 0, 0, 0], [2, 0, 0, 0]], convention="standard")).value.columns["a"]
+    array([0., 1.])
+    """
+    wrong = table.changed(rows=table.converted(OTHER_CONVENTION[table.convention]).rows)
+    text = (
+        "You put $z_i$ on the wrong joint. In the standard convention $z_i$ lies on the axis of joint $i + 1$, in the "
+        "modified one on that of joint $i$. Your rows are those of the other convention."
+    )
+    return mistake("z on the wrong joint", wrong, text, spoils=is_in_several_rows(wrong.rows, table.rows))
+
+
+def with_translation_in_a_row(table: DHTable, end: str) -> DHTable:
+    """The table with the translation of its base in the first row, or that of its tool in the last: x in a, z in d, and no end."""
+    rows = table.rows.copy()
+    rows[0 if end == "base" else -1, [A, D]] += getattr(table, end)[[0, 2], 3]
+    return table.changed(rows=rows, **{end: np.eye(4)})
 
 
 def entry_names(n: int) -> dict[str, str]:

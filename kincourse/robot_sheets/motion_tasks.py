@@ -90,7 +90,7 @@ def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
         T_sr, T_fb = random_tilted_base(sampler, robot), random_tool(sampler, robot)
     M = pose("T_{sr}", T_sr) @ pose("T_{rf}", T_rf) @ pose("T_{fb}", T_fb)
     unrotated = with_position(M.value, T_sr[:3, 3] + T_rf[:3, 3] + T_fb[:3, 3])
-    M = M.mistaken_for(unrotated, "positions added", "add the positions without rotating them")
+    M = M.mistaken_for(("positions added", "add the positions without rotating them", unrotated))
     return Problem(
         statement=f"In its file, {robot.name} has a base frame {{r}} and a flange with the frame {{f}}, whose pose at $q = 0$ is "
         "$T_{rf}$. In your lab its base has the pose $T_{sr}$. A tool with the frame {b} is mounted on the flange at $T_{fb}$. Give the "
@@ -173,10 +173,12 @@ def body_form(robot: Chain, sampler: ArmSampler) -> Problem:
         solution=forward_kinematics(
             [], pose("M", arm.home), exponentials(arm.body_screws, joint_values(arm.joint_types, at.typed), "B")
         ).mistaken_for(
-            arm.home @ _product(exp(arm.screws * at.q[:, None])),
-            "space screws",
-            "use the space screws $S_i$",
-            "To the right of $M$ belong the body screws $B_i$.",
+            (
+                "space screws",
+                "use the space screws $S_i$",
+                arm.home @ _product(exp(arm.screws * at.q[:, None])),
+                "To the right of $M$ belong the body screws $B_i$.",
+            )
         ),
         advice={"reversed": ORDER_ADVICE, "last factor": "With body screws $M$ is the first factor."},
     ).without_duplicates()
@@ -196,13 +198,11 @@ def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     at, tip = random_configuration(sampler, arm), random_tool(sampler, robot)[:3, 3]
     T, M = _space_form(arm, at), arm.home
     position = to_point(T, given("x", tip)).mistaken_for(
-        M[:3, :3] @ tip + M[:3, 3], "at home", "give the tip at home", "The joints have moved since."
+        ("at home", "give the tip at home", M[:3, :3] @ tip + M[:3, 3], "The joints have moved since."),
+        ("origin of the tool", "give the origin of {b}", T.value[:3, 3], "The tip is another point of {b}."),
+        ("inverse", "use the inverse of $T(q)$, from {s} to {b}", to_point(inverse(T), tip)),
+        ("sign of a vector", "take $x$ with the opposite sign", to_point(T, -tip)),
     )
-    position = position.mistaken_for(
-        T.value[:3, 3], "origin of the tool", "give the origin of {b}", "The tip is another point of {b}."
-    )
-    position = position.mistaken_for(to_point(inverse(T), tip), "inverse", "use the inverse of $T(q)$, from {s} to {b}")
-    position = position.mistaken_for(to_point(T, -tip), "sign of a vector", "take $x$ with the opposite sign")
     return Problem(
         statement=f"The tool of {robot.name} holds a pencil, whose tip is at ${vector(tip)}$ m in {{b}}. The joint values are "
         f"{at.words}. Give the coordinates of the tip in {{s}}.\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(M)}$$",

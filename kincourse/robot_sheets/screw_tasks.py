@@ -107,7 +107,7 @@ def new_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     joints, H = _choose_joints(sampler, arm), random_tool(sampler, robot)
     B = arm.body_screws[joints]
     new = change_frame(inverse(pose("T_{bt}", H)), screw_axes("B", B)).mistaken_for(
-        arm.screws[joints], "space screws", "give the space screws", "They are screws in {s} and not in {t}."
+        ("space screws", "give the space screws", arm.screws[joints], "They are screws in {s} and not in {t}.")
     )
     return Problem(
         statement=f"The tool of {robot.name} is replaced. The frame {{t}} of the new tool has the pose $T_{{bt}}$ in the frame "

@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from kincourse.answers.dh_table import DHTableAnswer
-from kincourse.mistakes.dh import entry_names, other_entries, table_mistakes
+from kincourse.mistakes.dh import entry_names, other_entries, rows_of_the_other_convention
 from kincourse.robot_sheets.sampling import (
     random_aligned_base,
     random_quarter_turn_configuration,
@@ -35,11 +35,6 @@ from misstep.problem import Problem
 
 MAX_ROWS = 7
 """The maximum number of rows of a table. A robot with more joints is cut off after this joint."""
-
-MISTAKE_NAMES = (
-    *("z on the wrong joint", "no offset", "sign of alpha", "alpha one row off"),
-    *("a and d swapped", "off the normal", "prismatic variable in theta", "degrees"),
-)
 
 ANSWER_NOTE = (
     "Answer with a table: text with the header `a | alpha | d | theta` and a row for each joint, with `q1`, `q2`, ... for the variables; "
@@ -126,7 +121,7 @@ def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem
         figure=partial(draw_joints, arm),
         given={"screws": arm.screws, "points": arm.joint_points, "home": arm.home, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
-        mistakes=table_mistakes(table, *MISTAKE_NAMES),
+        mistakes=[rows_of_the_other_convention(table)],
     ).without_duplicates()
 
 

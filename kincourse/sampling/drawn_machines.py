@@ -59,10 +59,12 @@ def read_point(label: str, p: Array, axis: Array, others: Sequence[Array] = ()) 
         ("depth reversed", f"take the $y$ of ${label}$ with the opposite sign", p * (1, -1, 1)),
     ):
         if np.abs(np.cross(axis, wrong - p)).max() > STEP_M:
-            point = point.mistaken_for(wrong, name, text, "The top view shows $x$ and $y$, the front view $x$ and $z$.")
+            point = point.mistaken_for(
+                (name, text, wrong, "The top view shows $x$ and $y$, the front view $x$ and $z$.")
+            )
     for other in others:
         if np.abs(np.cross(axis, other - p)).max() > STEP_M:
-            point = point.mistaken_for(other, "another mark", f"read another mark instead of ${label}$")
+            point = point.mistaken_for(("another mark", f"read another mark instead of ${label}$", other))
     return point
 
 
@@ -107,48 +109,16 @@ def draw_table_frames(table: DHTable) -> Picture:
     return draw_dimensions(frames[:, :3, 3], axes, marks, arrows=arrows)
 
 
-def table_mistakes(table: DHTable) -> list[Mistake]:
-    """The mistakes that people make in the rows of a drawn table as a whole."""
-    rows, frames = table.rows, table_frames(table)
+def drawn_table_mistakes(table: DHTable) -> list[Mistake]:
+    """The mistakes that people make in the rows of a drawn table, and that are no slips in any table."""
     other: Convention = "modified" if table.convention == "standard" else "standard"
-    from_floor = rows.copy()
-    from_floor[:, 2] = frames[1:, 2, 3]
-    wrong = (
-        ("the other convention", table.converted(other).rows, f"These are the rows of the {other} convention."),
-        (
-            "every alpha",
-            rows * (1, -1, 1, 1),
-            "Every alpha has the wrong sign. It leads from one z to the next, about x.",
-        ),
-        (
-            "every theta",
-            rows * (1, 1, 1, -1),
-            "Every theta has the wrong sign. It leads from one x to the next, about z.",
-        ),
-        ("a and d swapped", rows[:, [2, 1, 0, 3]], "a and d are swapped: a is along x, d along z."),
-        (
-            "angles swapped",
-            rows[:, [0, 3, 2, 1]],
-            "alpha and theta are swapped: alpha is about x, theta about z.",
-        ),
-        ("no theta", rows * (1, 1, 1, 0), "Every theta is 0. Theta is the angle from one x axis to the next, at home."),
-        ("column after column", rows.T.reshape(rows.shape), "You listed column after column. List row after row."),
-        ("alpha left out", rows * (1, 0, 1, 1), "Every alpha is 0. Alpha is the angle from one z axis to the next."),
-        ("d left out", rows * (1, 1, 0, 1), "Every d is 0. It is the step along z from one x to the next."),
-        ("signs left out", np.abs(rows), "No minus sign is left."),
-        (
-            "d from the floor",
-            from_floor,
-            "Every d is a height above the floor. It is the step along z from one x to the next.",
-        ),
+    from_floor = table.rows.copy()
+    from_floor[:, 2] = table_frames(table)[1:, 2, 3]
+    converted, floor = (
+        table.converted(other).rows,
+        "Every d is a height above the floor. It is the step along z from one x to the next.",
     )
-    return [mistake(name, value, text, spoils=is_in_several_rows(value, rows)) for name, value, text in wrong]
-
-
-def is_in_several_rows(wrong: Array, right: Array) -> bool:
-    """Whether a mistake runs through a table, so that a row that it leaves as it is earns nothing.
-
-    >>> is_in_several_rows(np.zeros((2, 4)), np.ones((2, 4))), is_in_several_rows(np.zeros((2, 4)), np.eye(2, 4, 3))
-    (True, False)
-    """
-    return bool(np.count_nonzero((wrong != right).any(axis=1)) > 1)
+    return [
+        mistake("the other convention", converted, f"These are the rows of the {other} convention.", spoils=True),
+        mistake("d from the floor", from_floor, floor, spoils=True),
+    ]

@@ -298,7 +298,8 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         True
         """
         motions = exponentials(self.body_screws, -self.in_order(q))[::-1]  # e^-[Bn]qn, ..., e^-[B1]q1
-        after = accumulate(motions[:-1], compose, initial=np.eye(4))  # e^-[Bn]qn ... e^-[Bi+1]qi+1
+        identity = np.broadcast_to(np.eye(4), motions[0].shape)
+        after = accumulate(motions[:-1], compose, initial=identity)  # e^-[Bn]qn ... e^-[Bi+1]qi+1
         columns = [moved_screw(T, B) for T, B in zip(after, self.body_screws[::-1], strict=True)]
         return np.stack(columns[::-1], axis=-1)
 

@@ -5,16 +5,15 @@ how a value is read (`read`) and compared (`agrees`); of the other methods only 
 
 A check cell stores the answer as JSON (`misstep.storage`), so that a grader reads data and never runs what made it. Numbers,
 arrays, text, lists, dictionaries, SymPy expressions and the outputs of functions are stored without further ado; an object is
-stored if it has a method to_dict(), and `stored_objects` registers its class.
+stored if it has a method to_dict(), and read back if its class is registered.
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import Any, ClassVar
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
 
 from misstep.answers.accuracy import TOLERANCE
 from misstep.mutants.expression import Expression, Slip
-from misstep.storage.deserialize import register_object
 
 MAX_NUMBER = 1e12
 """The largest number that an answer may have. A larger one is the result of an error, and its square might overflow."""
@@ -24,9 +23,6 @@ Named = tuple[str, str]
 
 Quantifier = Callable[[Iterable[bool]], bool]
 """The function any, or the function all."""
-
-StoredObjects = Mapping[type, Callable[[Mapping[str, Any]], Any]]
-"""For each class of objects, the function that makes an object from its fields by name."""
 
 
 class Unreadable(ValueError):
@@ -46,7 +42,6 @@ class Answer(ABC):
     ...     def __init__(self, decibel): self.decibel = decibel
     ...     def to_dict(self): return {"decibel": self.decibel}
     >>> class GainAnswer(Answer):
-    ...     stored_objects = {Gain: lambda fields: Gain(float(fields["decibel"]))}
     ...     expected, parts = "a gain", ["the gain"]
     ...     def __init__(self, value): self.value = value
     ...     def read(self, given):
@@ -55,7 +50,8 @@ class Answer(ABC):
     ...         return given
     ...     def agrees(self, one, other, tolerance=TOLERANCE):
     ...         return [abs(one.decibel - other.decibel) <= tolerance]
-    >>> from misstep.storage.deserialize import from_data
+    >>> from misstep.storage.deserialize import from_data, register_object
+    >>> register_object(Gain, lambda fields: Gain(float(fields["decibel"])))
     >>> answer = GainAnswer(Gain(20.0))
     >>> answer.agrees(answer.read(from_data({"object": "Gain", "fields": {"decibel": 20.0}})), answer.value)
     [True]
@@ -63,13 +59,6 @@ class Answer(ABC):
 
     value: Any
     inputs: Sequence[Any] = ()
-    stored_objects: ClassVar[StoredObjects] = {}
-
-    def __init_subclass__(cls, **options: Any) -> None:
-        """Register the objects of a new kind of answer, so that they can be read back from storage."""
-        super().__init_subclass__(**options)
-        for kind, read in cls.stored_objects.items():
-            register_object(kind, read)
 
     @property
     @abstractmethod
@@ -125,10 +114,6 @@ class Answer(ABC):
         return ""
 
     # --- a solution, at each input of a function or a formula ---
-
-    def with_inputs(self, seed: int) -> "Answer":
-        """Return the same answer with other inputs, which depend on the seed. Only a function has inputs."""
-        return self
 
     def at_inputs(self, solution: Any = None) -> Iterator[Expression | Any]:
         """Yield the solution as an expression at each input, or without one the right value."""

@@ -21,7 +21,7 @@ from misstep.formulas.evaluation import Formula, Reader, shaped
 from misstep.mutants.expression import Expression
 from misstep.validation import Array
 
-EXACT_TOLERANCE = 1e-12
+EXACT_TOLERANCE = 1e-10
 """The tolerance for formulas without decimals, relative to their values or their scale: only the values were rounded."""
 
 
@@ -32,7 +32,7 @@ class ClosedForm(Answer):
     value    the right formula; its symbols may be used
     symbols  further symbols that may be used
 
-    Formulas are compared to twelve digits; if one of them contains decimals, to the three that a person types. The formula is
+    Formulas are compared to ten digits; if one of them contains decimals, to the three that a person types. The formula is
     one part, unless a subclass overrides `parts` and `part_indices`.
 
     >>> q = sp.Symbol("q")

@@ -33,7 +33,7 @@ class FunctionCalls:
 
 @dataclass(frozen=True, eq=False)
 class Function(Answer):
-    """A function, judged by its outputs at random inputs. A grader draws other inputs in every run.
+    """A function, judged by its outputs at random inputs.
 
     value   the right function
     output  the kind of answer that each call gives
@@ -51,12 +51,8 @@ class Function(Answer):
 
     def __post_init__(self) -> None:
         if not self.inputs:
-            object.__setattr__(self, "inputs", self.with_inputs(0).inputs)
-
-    def with_inputs(self, seed: int) -> "Function":
-        """Return the same answer with other inputs."""
-        generator = np.random.default_rng(seed)
-        return replace(self, inputs=[self.sample(generator) for _ in range(CALL_COUNT)])
+            generator = np.random.default_rng(0)
+            object.__setattr__(self, "inputs", [self.sample(generator) for _ in range(CALL_COUNT)])
 
     parts = ("the function",)
 

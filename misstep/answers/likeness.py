@@ -150,12 +150,15 @@ class Likeness:
             return "all signs", self._all_signs(is_one)
         places = " and ".join(self.place(index) for index in np.argwhere(wrong).tolist())
         if self.is_formula:  # which may contain further signs
-            return "signs", f"Only the sign is wrong in {places if count <= MAX_PLACES else f'{count} formulas'}."
+            return "signs", f"Only signs are wrong.\nLook at {places if count <= MAX_PLACES else f'{count} formulas'}."
         if (mine >= 0).all():
             return "signs", "The sizes are right, but no minus sign is left."
         if count > MAX_PLACES:
             return "signs", f"The sizes are right, but {count} signs are wrong."
-        return "signs", f"The sizes are right, but not {'the sign' if count == 1 else 'the signs'} of {places}."
+        return (
+            "signs",
+            f"The sizes are right, but {'one sign is' if count == 1 else 'some signs are'} wrong.\nLook at {places}.",
+        )
 
     def _all_signs(self, is_one: bool) -> str:
         if not self.is_formula:
@@ -196,7 +199,10 @@ class Likeness:
         if self._equal(self.mine[one], -self.right[one]).all():
             return None  # which are two signs as well
         if all(self._equal(self.mine[a], self.right[b]).all() for a, b in ((one, other), (other, one))):
-            return "two entries swapped", f"Two entries are swapped: {self.place(one)} and {self.place(other)}."
+            return (
+                "two entries swapped",
+                f"Two entries are swapped.\nThey are {self.place(one)} and {self.place(other)}.",
+            )
         return None
 
     def _arranged(self) -> Named | None:
@@ -291,19 +297,19 @@ def has_three_digits(given: Array, value: Array, *, or_zeros: bool = False) -> N
 
 
 def entries_hint(same: NDArray[np.bool_], names: Sequence[str] | None = None) -> Named | None:
-    """Return how many entries are right, and where others are wrong, if they are few: one, or at most a third.
+    r"""Return how many entries are right, and where others are wrong, if they are few: one, or at most a third.
 
     names  the names of the entries of a vector
 
     >>> entries_hint(np.array([True, False, True])), entries_hint(np.array([True, False, False]), names="xyz")
-    (('one entry', '2 of the 3 entries are right. Look at entry 2.'), None)
+    (('one entry', '2 of the 3 entries are right.\nLook at entry 2.'), None)
     """
     wrong, count = np.argwhere(~same).tolist(), int(np.count_nonzero(same))
     if not wrong or not count or len(wrong) > max(1, same.size // 3):
         return None
     places = [names[index[0]] if names else place_of(index) for index in wrong]
     where = " and ".join(places) if len(places) < 3 else f"{places[0]} first"
-    text = f"{count} of the {same.size} entries {'is' if count == 1 else 'are'} right. Look at {where}."
+    text = f"{count} of the {same.size} entries {'is' if count == 1 else 'are'} right.\nLook at {where}."
     return ("one entry" if len(wrong) == 1 else ""), text
 
 
@@ -352,7 +358,7 @@ def _order_of(what: str, order: Sequence[int], names: Sequence[str] = ()) -> Nam
         theirs, ours = (", ".join(names[k] for k in ks) for ks in (order, range(len(order))))
         return name, f"Each row is in the order {theirs}. Give it in the order {ours}."
     if len(moved) == 2:
-        return name, f"{what.capitalize()}s {moved[0]} and {moved[1]} are swapped."
+        return name, f"Two {what}s are swapped.\nThey are {what}s {moved[0]} and {moved[1]}."
     listed = ", ".join(str(k + 1) for k in order)
     return name, f"The {what}s are right, but their order is not: yours are {what}s {listed} of the right one."
 

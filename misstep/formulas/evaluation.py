@@ -1,8 +1,6 @@
-"""Values of formulas: numbers with thirty digits at a few points, by which formulas are compared.
+"""Values of formulas at a few points, by which formulas are compared: sin(2q) is 2 sin(q) cos(q), and no algebra is needed.
 
-Two formulas are the same function if they have the same values: sin(2q) is 2 sin(q) cos(q), and no rule of algebra is needed.
-SymPy expressions and typed text are computed by the same walk. The values, the exponents and the number of steps are bounded,
-so a tower of powers is refused at once instead of taking an hour.
+There is one reader: what SymPy has made is read as the text that SymPy writes of it. Nothing of a formula is run.
 """
 
 from __future__ import annotations
@@ -10,45 +8,60 @@ from __future__ import annotations
 import ast
 import operator
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
+from itertools import islice
 from random import Random
 from typing import Any
 
 import numpy as np
 import sympy as sp
+from numpy.typing import NDArray
 
 from misstep.formulas.parsing import FUNCTIONS, parse
-from misstep.formulas.walker import MAX_EXPONENT, MAX_PARTS, Operation, Walker
 from misstep.validation import Array
 
 POINT_COUNT = 5
 """The number of points at which formulas are compared. A single one would already distinguish nearly all of them."""
 
-MAX_VALUE = 10**12
+MAX_VALUE = 1e12
 """The largest absolute value, also of intermediate results."""
 
-MIN_VALUE = 1e-60
-"""Smaller absolute values are set to zero."""
+MAX_PARTS = 5000
+"""The most parts of a formula."""
 
-CONSTANTS = {"pi": "pi", "E": "e", "e": "e", "I": "j"}
-"""The constants of a formula, with their names in mpmath."""
-MPMATH_NAMES = {"Abs": "fabs", "abs": "fabs", "ln": "log"}
-"""The functions that mpmath calls by another name."""
+CONSTANTS = {"pi": np.pi, "E": np.e, "e": np.e, "I": 1j}
 
-Values = tuple[Any, ...]
-"""A number of thirty digits for each point."""
+NOT_FINITE = {"nan", "zoo", "oo", "inf", "-oo", "-inf"}
+"""What SymPy and Python write for values that are not finite."""
+
+OPERATIONS: dict[type[ast.operator] | type[ast.unaryop], Callable[..., Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: operator.pow,
+    ast.USub: operator.neg,
+    ast.UAdd: operator.pos,
+}
+
+Values = NDArray[np.complex128]
+"""The values at the points, (POINT_COUNT,)."""
 
 
-@cache
-def digits() -> Any:
-    """Return the arithmetic with thirty digits. mpmath is imported with the first formula, because most sheets begin with numbers."""
-    import mpmath
+def _atan2(y: Values, x: Values) -> Values:
+    if y.imag.any() or x.imag.any():
+        raise ValueError("It has no value at some points.")
+    return np.arctan2(y.real, x.real) + 0j
 
-    context = mpmath.MPContext()
-    context.dps = 30
-    return context
+
+VALUES: dict[str, Callable[..., Any]] = {
+    name: getattr(np, name) for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "sqrt", "exp", "log", "abs")
+}
+VALUES |= {"asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "atan2": _atan2, "ln": np.log, "Abs": np.abs}
+VALUES |= {"cot": lambda x: 1 / np.tan(x), "sec": lambda x: 1 / np.cos(x), "csc": lambda x: 1 / np.sin(x)}
+VALUES |= {"sign": lambda x: x / np.abs(x), "sinc": lambda x: np.sin(x) / x}
+"""The functions of the language; all but atan2 have one argument."""
 
 
 @dataclass(frozen=True)
@@ -78,11 +91,12 @@ class Reader:
     def __init__(self, symbols: Sequence[sp.Symbol]) -> None:
         self._points = {_key(symbol.name): _random_values(symbol) for symbol in symbols}
         self._names = ", ".join(symbol.name for symbol in symbols) or "there are none"
+        self._seen = set[str]()
 
     @property
     def points(self) -> list[dict[str, float]]:
         """The values of the symbols at each of the points, by their names without underscores and braces."""
-        return [{name: float(values[k]) for name, values in self._points.items()} for k in range(POINT_COUNT)]
+        return [{name: float(values[k].real) for name, values in self._points.items()} for k in range(POINT_COUNT)]
 
     def read(self, given: Any, shape: tuple[int, ...] | None = None) -> Formula:
         """Evaluate text, a SymPy expression or matrix, a number, or a list or an array of these.
@@ -92,8 +106,7 @@ class Reader:
         Raises ValueError for what is not a formula, for another shape, for symbols that are not declared, and if there is no
         finite real value.
         """
-        algebra = _NumericAlgebra(self._points, self._names)
-        walker = Walker(algebra)
+        self._seen.clear()
         try:
             given_shape, entries = _unpacked(given)
             given_shape = tuple(size for size in given_shape if size != 1)
@@ -103,11 +116,67 @@ class Reader:
                 comma = is_longer and isinstance(given, str) and re.search(r"\d,\d", given)
                 hint = " A comma separates entries; the decimal sign is a point, as in 0.5." if comma else ""
                 raise ValueError(f"Yours is {shaped(given_shape)}.{hint}")
-            values = [[_real(value) for value in walker.value(entry)] for entry in entries]
+            parts = [part for entry in entries for part in ast.walk(entry)]
+            if len(parts) > 4 * MAX_PARTS:
+                raise ValueError(f"It has more than {MAX_PARTS} parts. Is there a shorter way to write it?")
+            with np.errstate(all="ignore"):
+                values = [_real(self._value(entry)) for entry in entries]
         except RecursionError as error:
             raise ValueError("This is nested too deeply to be a closed form.") from error
+        rounded = any(
+            isinstance(part, ast.Constant) and isinstance(part.value, float) and part.value % 1 for part in parts
+        )
         numbers = np.array(values, dtype=float).reshape(*given_shape, POINT_COUNT)
-        return Formula(given, numbers, algebra.has_rounded, frozenset(algebra.symbols))
+        return Formula(given, numbers, rounded, frozenset(self._seen))
+
+    def _value(self, tree: ast.expr) -> Values:
+        """Return the values of a part of a formula."""
+        match tree:
+            case ast.Constant(value=int() | float() as number):
+                found: Any = np.full(POINT_COUNT, float(number) if abs(number) <= MAX_VALUE else np.inf, complex)
+            case ast.Name(id=name):
+                found = self._symbol(name)
+            case ast.UnaryOp(op=op, operand=operand) if type(op) in OPERATIONS:
+                found = OPERATIONS[type(op)](self._value(operand))
+            case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATIONS:
+                one, other = self._value(left), self._value(right)
+                if isinstance(op, ast.Div) and not other.all():
+                    raise ValueError("It divides by zero.")
+                found = OPERATIONS[type(op)](one, other)
+            case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]) if name in VALUES:
+                if len(arguments) != (2 if name == "atan2" else 1):
+                    raise ValueError(f"{name} takes another number of arguments than {len(arguments)}.")
+                found = VALUES[name](*map(self._value, arguments))
+            case _:
+                raise ValueError("Only numbers, names, + - * / ^ and functions such as sin(q) make a formula.")
+        if not (np.abs(found) <= MAX_VALUE).all():  # in this form it also refuses NaN
+            raise ValueError(f"An intermediate value grows beyond {MAX_VALUE:.0e}. Is there a division by zero?")
+        return np.asarray(found, dtype=complex)
+
+    def _symbol(self, name: str) -> Values:
+        """Return the values of a symbol, of a shorthand such as c_23 or s_theta, or of pi, E, e or I."""
+        key = _key(name)
+        if declared := self._declared(key):
+            return self._points[declared]
+        if short := re.fullmatch(r"([cs])(\d+|\D\w*)", key):
+            names = [f"q{digit}" for digit in short[2]] if short[2].isdigit() else [short[2]]
+            if all(angles := [self._declared(name) for name in names]):
+                return np.asarray((np.cos if key[0] == "c" else np.sin)(sum(self._points[one] for one in angles)))
+        if name in CONSTANTS:
+            return np.full(POINT_COUNT, CONSTANTS[name], dtype=complex)
+        if name in NOT_FINITE:
+            raise ValueError("It holds NaN or infinity. Was there a division by zero?")
+        if name in FUNCTIONS:
+            raise ValueError(f"{name} must be followed by brackets: {name}(q)**2, not {name}^2(q).")
+        cut = name if len(name) <= 40 else name[:37] + "..."
+        raise ValueError(f"{cut} is none of the symbols here: {self._names}.")
+
+    def _declared(self, key: str) -> str:
+        """Return the declared symbol of this name, where q1 is theta1; "" if there is none."""
+        other = re.sub(r"^(q|theta)(?=\d)", lambda letter: "theta" if letter[0] == "q" else "q", key)
+        found = next((name for name in (key, other) if name in self._points), "")
+        self._seen.update({found} - {""})
+        return found
 
 
 def numeral(text: str) -> float:
@@ -122,70 +191,6 @@ def numeral(text: str) -> float:
         raise ValueError(f"{text[:40]!r} is not a number. {error}") from error
 
 
-class _NumericAlgebra:
-    """The algebra whose values are numbers at the points.
-
-    points       the values of each symbol, by its name without underscores and braces
-    names        the names of the symbols, for messages
-    has_rounded  whether a number with decimals has occurred
-    symbols      the names of the symbols that have occurred
-    """
-
-    functions = tuple(name for name in FUNCTIONS if name != "Matrix")
-
-    def __init__(self, points: Mapping[str, Values], names: str) -> None:
-        self._points = points
-        self._names = names
-        self.has_rounded = False
-        self.symbols: set[str] = set()
-
-    def number(self, number: Any) -> Values:
-        """Return the number, the same at every point."""
-        plain = number.item() if isinstance(number, np.generic) else number
-        values = _at_each_point(lambda: digits().convert(plain)) * POINT_COUNT
-        # 2.0 is not rounded: an array of 0 and 1 becomes an array of floats without anybody rounding it.
-        self.has_rounded |= isinstance(plain, float | sp.Float) and not float(plain).is_integer()
-        return values
-
-    def symbol(self, name: str) -> Values:
-        """Return the values of a symbol, of a shorthand such as c_23, or of pi, E, e or I."""
-        values = self._symbol(_key(name)) or self._shorthand(_key(name))
-        if values:
-            return values
-        if name in CONSTANTS:
-            return (+getattr(digits(), CONSTANTS[name]),) * POINT_COUNT
-        if name in FUNCTIONS:
-            raise ValueError(f"{name} must be followed by brackets: {name}(q)**2, not {name}^2(q).")
-        raise ValueError(f"{_cut(name)} is none of the symbols here: {self._names}.")
-
-    def apply(self, operation: Operation, *values: Values) -> Values:
-        """Apply an operation at each point."""
-        return _at_each_point(_power if operation is operator.pow else operation, *values)
-
-    def call(self, function: str, arguments: Sequence[Values]) -> Values:
-        """Evaluate a function at each point."""
-        return _at_each_point(getattr(digits(), MPMATH_NAMES.get(function, function)), *arguments)
-
-    def _symbol(self, key: str) -> Values | None:
-        other = re.sub(r"^(q|theta)(?=\d)", lambda letter: "theta" if letter[0] == "q" else "q", key)
-        found = next((name for name in (key, other) if name in self._points), None)
-        if found is None:
-            return None
-        self.symbols.add(found)
-        return self._points[found]
-
-    def _shorthand(self, key: str) -> Values | None:
-        """Return the values of c_23, s_1 or s_theta, or None if there are no such angles."""
-        short = re.fullmatch(r"([cs])(\d+)|([cs])(\D\w*)", key)
-        if short is None:
-            return None
-        angles = [self._symbol(f"q{digit}") for digit in short[2]] if short[2] else [self._symbol(short[4])]
-        if not all(angles):
-            return None
-        total = _at_each_point(lambda *parts: digits().fsum(parts), *angles)
-        return self.call("cos" if key[0] == "c" else "sin", [total])
-
-
 def shaped(shape: tuple[int, ...]) -> str:
     """Describe a shape in words.
 
@@ -197,62 +202,34 @@ def shaped(shape: tuple[int, ...]) -> str:
     return f"a {'x'.join(map(str, shape))} matrix of formulas"
 
 
-def _power(base: Any, exponent: Any) -> Any:
-    if abs(exponent) > MAX_EXPONENT:
-        raise ValueError(f"Exponents go up to {MAX_EXPONENT} here.")
-    return digits().power(base, exponent)
+def text_of(formula: sp.Expr) -> str:
+    """Return the text of a SymPy expression. Raises ValueError if it has more than MAX_PARTS parts, which may share much."""
+    if sum(1 for _ in islice(sp.preorder_traversal(formula), MAX_PARTS + 1)) > MAX_PARTS:
+        raise ValueError(f"It has more than {MAX_PARTS} parts. Is there a shorter way to write it?")
+    return str(formula)
 
 
-def _at_each_point(operation: Callable[..., Any], *values: Any) -> Values:
-    """Apply an operation at each point; to no values at all, once."""
-    try:
-        results = [operation(*point) for point in zip(*values, strict=True)] if values else [operation()]
-    except ZeroDivisionError as error:
-        raise ValueError("It divides by zero.") from error
-    except ValueError:
-        raise
-    except Exception as error:  # mpmath raises various errors if a function has no value
-        raise ValueError("It has no value at some points.") from error
-    # Written in this form, the comparison also refuses NaN, which is neither above nor below.
-    if not all(abs(result) <= MAX_VALUE for result in results):
-        raise ValueError(f"An intermediate value grows beyond {float(MAX_VALUE):.0e}. Is there a division by zero?")
-    return tuple(result if abs(result) >= MIN_VALUE else digits().zero for result in results)
-
-
-def _real(value: Any) -> float:
-    if isinstance(value, digits().mpc):
-        if abs(value.imag) > 1e-20 * max(1, abs(value)):
-            raise ValueError("Its values are not real. Is there a root or a logarithm of something negative?")
-        value = value.real
-    return float(value)
-
-
-def _random_values(symbol: sp.Symbol) -> Values:
-    """Return random values for a symbol. They depend on its name only, so they are the same in every process."""
-    chance = Random(_key(symbol.name))
-    least, most = (0.2, 2.0) if symbol.is_positive else (-3.0, 3.0)
-    return tuple(digits().mpf(least + (most - least) * chance.random()) for _ in range(POINT_COUNT))
-
-
-def _unpacked(given: Any, depth: int = 0) -> tuple[tuple[int, ...], list[Any]]:
-    """Return the shape of a formula or of a matrix of formulas, and its entries row by row."""
-    if isinstance(given, str):
-        return _unpacked(parse(given), depth)
-    if (
-        isinstance(given, ast.Call)
-        and isinstance(given.func, ast.Name)
-        and given.func.id == "Matrix"
-        and len(given.args) == 1
-    ):
-        return _unpacked(given.args[0], depth)
-    if isinstance(given, ast.List | ast.Tuple):
-        given = given.elts
-    if isinstance(given, sp.MatrixBase | sp.NDimArray):
-        given = given.tolist()
-    if isinstance(given, np.ndarray) and given.ndim == 0:
-        return _unpacked(given.item(), depth)
+def _unpacked(given: Any, depth: int = 0) -> tuple[tuple[int, ...], list[ast.expr]]:  # noqa: PLR0911 - one for each form
+    """Return the shape of a formula or of a matrix of formulas, and its entries row by row, as syntax trees."""
+    match given:
+        case str():
+            return _unpacked(parse(given), depth)
+        case int() | float() | np.integer() | np.floating() if not isinstance(given, bool):
+            return (), [ast.Constant(given.item() if isinstance(given, np.generic) else given)]
+        case ast.Call(func=ast.Name(id="Matrix"), args=[matrix]):
+            return _unpacked(matrix, depth)
+        case ast.List() | ast.Tuple():
+            given = given.elts
+        case sp.MatrixBase() | sp.NDimArray():  # before expressions, because an immutable matrix is one
+            given = given.tolist()
+        case sp.Expr():
+            return (), [parse(text_of(given))]
+        case np.ndarray() if given.ndim == 0:
+            return _unpacked(given.item(), depth)
+        case ast.expr():
+            return (), [given]
     if not isinstance(given, list | tuple | np.ndarray):
-        return (), [given]
+        raise ValueError(f"A value of type {type(given).__name__} is not a formula.")
     if depth > 2 or (given.size if isinstance(given, np.ndarray) else len(given)) > MAX_PARTS:
         raise ValueError("It has more entries than any matrix here.")
     rows = [_unpacked(row, depth + 1) for row in given]
@@ -261,10 +238,19 @@ def _unpacked(given: Any, depth: int = 0) -> tuple[tuple[int, ...], list[Any]]:
     return (len(rows), *rows[0][0]), [entry for _, entries in rows for entry in entries]
 
 
+def _real(values: Values) -> Array:
+    if (np.abs(values.imag) > 1e-9 * np.maximum(1, np.abs(values))).any():
+        raise ValueError("Its values are not real. Is there a root or a logarithm of something negative?")
+    return values.real
+
+
+def _random_values(symbol: sp.Symbol) -> Values:
+    """Return random values for a symbol. They depend on its name only, so they are the same in every process."""
+    chance = Random(_key(symbol.name))
+    least, most = (0.2, 2.0) if symbol.is_positive else (-3.0, 3.0)
+    return np.array([least + (most - least) * chance.random() for _ in range(POINT_COUNT)], dtype=complex)
+
+
 def _key(name: str) -> str:
     """Return a name without the marks in which spellings differ: theta_{1} and theta1 are the same."""
     return re.sub(r"[\\_{}\s]", "", name)
-
-
-def _cut(name: str) -> str:
-    return name if len(name) <= 40 else name[:37] + "..."

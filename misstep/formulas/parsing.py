@@ -10,8 +10,8 @@ import re
 import unicodedata
 from collections.abc import Iterator
 
-MAX_CHARACTERS = 2000
-"""The most characters of a formula that a person types."""
+MAX_CHARACTERS = 10_000
+"""The most characters of a formula, which SymPy may have written."""
 
 FUNCTIONS = (
     *("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh"),
@@ -38,11 +38,8 @@ TOKEN = re.compile(
 )
 
 
-def parse(text: str, max_characters: int = MAX_CHARACTERS, *, implicit_products: bool = True) -> ast.expr:
+def parse(text: str) -> ast.expr:
     r"""Read a text as a syntax tree of the language.
-
-    max_characters     the most characters that the text may have
-    implicit_products  whether two factors side by side are multiplied, as on paper; a program always writes the sign
 
     Raises ValueError for a character or a construct that the language does not have, with the place, and for a text that is
     too long.
@@ -50,9 +47,9 @@ def parse(text: str, max_characters: int = MAX_CHARACTERS, *, implicit_products:
     >>> ast.unparse(parse(r"2 a_2 cos(θ_1)^2 - \frac{1}{2} s_{12}"))
     '2 * a_2 * cos(theta_1) ** 2 - 1 / 2 * s_12'
     """
-    if len(text) > max_characters:
-        raise ValueError(f"A formula has at most {max_characters} characters here, and this has {len(text)}.")
-    clean = " ".join(_tokens(_plain(text), implicit_products))
+    if len(text) > MAX_CHARACTERS:
+        raise ValueError(f"A formula has at most {MAX_CHARACTERS} characters here, and this has {len(text)}.")
+    clean = " ".join(_tokens(_plain(text)))
     try:
         return ast.parse(clean, mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
@@ -80,8 +77,8 @@ def _plain(text: str) -> str:
     return "".join(KEYBOARD_SPELLINGS.get(letter, letter) for letter in text)
 
 
-def _tokens(text: str, implicit_products: bool) -> Iterator[str]:
-    """Cut a text into numbers, names and signs; with implicit products, with a * between two factors side by side."""
+def _tokens(text: str) -> Iterator[str]:
+    """Cut a text into numbers, names and signs, with a * between two factors side by side."""
     before, kind, place = "", "", 0
     while text[place:].strip():
         found = TOKEN.match(text, place)
@@ -91,7 +88,7 @@ def _tokens(text: str, implicit_products: bool) -> Iterator[str]:
         place, word = found.end(), found[found.lastgroup or 0]
         ends = before in (")", "]") or (kind in ("number", "name") and before not in FUNCTIONS)
         begins = word == "(" or found.lastgroup == "name" or (found.lastgroup == "number" and kind != "number")
-        if implicit_products and ends and begins:
+        if ends and begins:
             yield "*"
         yield word
         before, kind = word, found.lastgroup or ""

@@ -110,7 +110,7 @@ def sheet_name(course: Course, text: str, site: str) -> SheetName:
     folder, stem = (str(path.parent.resolve()), path.stem) if is_file else (str(Path.cwd()), text.strip("/"))
     matching = [name for name in course.sheets() if name == stem or name.partition("_")[0] == stem]
     name = matching[0] if len(matching) == 1 else stem
-    return SheetName(name, course.reference, "" if matching else folder, site or course.site)
+    return SheetName(name, course.package, "" if matching else folder, site or course.site)
 
 
 def grade_all(requests: Sequence[Request], options: argparse.Namespace) -> list[Result]:

@@ -143,8 +143,8 @@ class Question:
 def _right(problem: Problem) -> np.ndarray[Any, Any]:
     """Return the right answer as an array: of numbers, or of formulas as texts."""
     stored: Any = to_data(problem.answer.value)
-    if "matrix" in stored:
-        return np.array([[entry["symbolic"] for entry in row] for row in stored["matrix"]], dtype=object)
+    if "list" in stored:
+        return np.array([[entry["text"] for entry in row["list"]] for row in stored["list"]], dtype=object)
     if "fields" in stored:
         return np.array(stored["fields"]["rows"], dtype=float)
     if "array" in stored:

@@ -7,6 +7,7 @@ another expression. Expressions never change: a changed expression shares all un
 them their values, so that hundreds of mutants are evaluated in the time of a few.
 """
 
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property, reduce
@@ -27,7 +28,7 @@ class Slip:
     """One way in which people go wrong: its name, what they do, and what that leads to.
 
     name          the name of the misconception, the same wherever it occurs: "inverse left out"
-    did           what is done, from the verb on: "use $T_{st}$, where its inverse belongs"
+    did           what is done, from the verb on: "use $T_{st}$, where its inverse belongs"; or the whole message, a sentence
     wrong         what stands in the place of the right thing: an expression, or for any answer of a kind a function of the right value
     everywhere    the same as `did` for what people do in all places at once; "" if each place is a slip of its own
     advice        a sentence on what is right
@@ -121,6 +122,7 @@ class Expression:
     alternatives: tuple[Slip, ...] = field(default=(), repr=False)
     ways: tuple["Expression", ...] = field(default=(), repr=False)
 
+    __iter__ = None  # an entry is an expression for every index, so a loop would not end
     __array_ufunc__ = None  # so that an array to the left of an operator leaves the operation to the expression
 
     @cached_property
@@ -162,30 +164,29 @@ class Expression:
 
     def mistaken_for(
         self,
-        other: Any,
-        name: str,
-        text: str,
+        *slips: tuple[Any, ...],
         advice: str = "",
         credit: float = 0.0,
-        *,
         spoils: bool = False,
         may_coincide: bool = False,
     ) -> "Expression":
-        """Return the same expression with a further change: here, and in this problem, people take another value.
+        """Return the same expression with further slips: here, and in this problem, people take other values.
 
+        slips   (name, text, value) or (name, text, value, advice)
         credit  the fraction of the points that is left, if it is a mistake of a problem before
         spoils  whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
         may_coincide  whether it may lead to the right answer for some numbers
 
-        >>> pitch = given("h", 0.1).mistaken_for(0.6, "lead for pitch", "use the lead as the pitch")
+        >>> pitch = given("h", 0.1).mistaken_for(("lead for pitch", "use the lead as the pitch", 0.6))
         >>> [(slip.name, slip.wrong.value) for slip in pitch.slips()]
         [('lead for pitch', 0.6)]
         """
         coincides = may_coincide or credit > 0
-        further = Slip(
-            name, text, as_expression(other), advice=advice, may_coincide=coincides, credit=credit, spoils=spoils
-        )
-        return replace(self, alternatives=(*self.alternatives, further))
+        further = [
+            Slip(name, text, as_expression(other), advice=why[0] if why else advice, may_coincide=coincides, credit=credit, spoils=spoils)
+            for name, text, other, *why in slips
+        ]  # fmt: skip
+        return replace(self, alternatives=(*self.alternatives, *further))
 
     def also_by(self, way: "Expression") -> "Expression":
         """Return the same expression with another way to its value, which people take as well and in which they go wrong.
@@ -269,6 +270,49 @@ def as_expression(value: Any) -> Expression:
     return given(f"{float(value):g}" if np.ndim(value) == 0 else "\\ldots", value)
 
 
+def table(*rows: tuple[Any, ...], of_values: bool = False) -> Callable[[Expression], Slips]:
+    """Return the slips in an operation or a kind of given value as data: a row (name, text, change, advice, fields) for each.
+
+    text       what is done: {} is the expression in LaTeX and {0}, {1} its arguments; after a bar, what is done in all places at
+               once, in the same words if nothing follows
+    change     from the arguments, or from a given value itself, to the wrong expression
+    advice     written like the text; it may be left out, and so may the further fields of Slip, as a dictionary
+    of_values  whether the changes are functions of the values of the arguments
+
+    >>> squares = Operation("square", np.square, "{0}^2".format, table(("doubled", "double ${0}$ |double everything", lambda x: 2 * x)))
+    >>> [(slip.name, slip.did, slip.everywhere, slip.wrong.value) for slip in squares(given("x", 3.0)).slips()]
+    [('doubled', 'double $x$', 'double everything', 6.0)]
+    """
+
+    def slips(node: Expression) -> Slips:
+        arguments = node.arguments or (node,)
+        place = re.compile(r"\{(\d?)\}")
+        for name, text, change, *more in rows:
+            said, advice = (
+                place.sub(lambda k: (arguments[int(k[1])] if k[1] else node).latex, one)
+                for one in (text, more[0] if more else "")
+            )
+            did, bar, everywhere = (part.strip() for part in said.partition(" |"))
+            wrong = (
+                Operation(name, change, node.operation.latex)(*arguments)
+                if of_values
+                else as_expression(change(*arguments))
+            )
+            yield Slip(name, did, wrong, everywhere or did * bool(bar), advice, **(more[1] if len(more) > 1 else {}))
+
+    return slips
+
+
+ALL_AT_ONCE = {"one_by_one": False}
+"""The field of a slip that people make in all places or in none."""
+
+MAY_COINCIDE = {"may_coincide": True}
+"""The field of a slip that may lead to the right answer for some numbers."""
+
+IN_THE_WHOLE = {"in_parts": False}
+"""The field of a slip that only a whole answer shows."""
+
+
 def _quoted(*nodes: Expression) -> str:
     """The names of expressions for a message: "$A$ and $B$"."""
     return " and ".join(f"${node.latex}$" for node in nodes)
@@ -347,28 +391,6 @@ def _multiple_slips(node: Expression) -> Slips:
             )
 
 
-def _quotient_slips(node: Expression) -> Slips:
-    above, below = node.arguments
-    yield Slip("divisor left out", f"forget to divide by {_quoted(below)}", above)
-    yield Slip(
-        "product for division", f"multiply by {_quoted(below)} instead of dividing by it", multiple(above, below)
-    )
-
-
-def _negative_slips(node: Expression) -> Slips:
-    yield Slip("sign", f"leave out the minus sign of {_quoted(node)}", node.arguments[0])
-
-
-def _transpose_slips(node: Expression) -> Slips:
-    inner = node.arguments[0]
-    yield Slip(
-        "transpose left out",
-        f"use {_quoted(inner)}, where its transpose belongs",
-        inner,
-        everywhere="leave out every transpose",
-    )
-
-
 def _joined_sum(*terms: str) -> str:
     return " + ".join(terms).replace("+ -", "- ")
 
@@ -409,13 +431,20 @@ multiple = Operation(
 )
 """The product of numbers, or of a number and an array, a * B."""
 
-quotient = Operation("quotient", lambda a, b: a / b, "{0} / {1}".format, _quotient_slips, PRODUCT)
+quotient = Operation("quotient", lambda a, b: a / b, "{0} / {1}".format, table(
+    ("divisor left out", "forget to divide by ${1}$", lambda a, _: a),
+    ("product for division", "multiply by ${1}$ instead of dividing by it", lambda a, b: multiple(a, b)),
+), PRODUCT)  # fmt: skip
 """The quotient, A / b."""
 
-negative = Operation("negative", lambda a: -a, "-{0}".format, _negative_slips, PRODUCT, involution=True)
+negative = Operation("negative", lambda a: -a, "-{0}".format, table(
+    ("sign", "leave out the minus sign of ${}$", lambda a: a),
+), PRODUCT, involution=True)  # fmt: skip
 """The opposite, -A."""
 
-transpose = Operation("transpose", np.transpose, power("T"), _transpose_slips, involution=True)
+transpose = Operation("transpose", np.transpose, power("T"), table(
+    ("transpose left out", "use ${0}$, where its transpose belongs |leave out every transpose", lambda a: a),
+), involution=True)  # fmt: skip
 """The transpose, A.T."""
 
 

@@ -121,9 +121,11 @@ def mutant(slip: Slip, value: Any, advice: Mapping[str, str], key: Any = None, *
     'This is what you get if you use degrees as radians.'
     """
     further = advice.get(slip.did, advice.get(slip.name, slip.advice))
-    message = f"This is what you get if you {slip.did}. {further}".rstrip()
+    is_sentence = slip.did.endswith(".")
+    message = slip.did if is_sentence else f"This is what you get if you {slip.did}. {further}".rstrip()
     part = message * slip.in_parts
-    return Mistake(slip.name, value, message, part, slip.did, further, key=key, spoils=spoils, credit=slip.credit)
+    did = "" if is_sentence else slip.did
+    return Mistake(slip.name, value, message, part, did, further, key=key, spoils=spoils, credit=slip.credit)
 
 
 def value_of(expression: Expression) -> Any:

@@ -5,92 +5,20 @@ from typing import Any
 
 import numpy as np
 
-from misstep.mutants.expression import ATOM, Expression, Operation, Slip, Slips, negative, power, transpose
+from misstep.mutants.expression import (
+    ALL_AT_ONCE,
+    ATOM,
+    Expression,
+    Operation,
+    Slip,
+    Slips,
+    negative,
+    power,
+    table,
+    transpose,
+)
 
 DEGREES_ADVICE = "`np.sin`, `np.cos` and exponentials take radians: use `np.radians` first."
-
-
-def _angle_slips(node: Expression) -> Slips:
-    yield Slip(
-        "sign of an angle",
-        f"take ${node.latex}$ with the opposite sign",
-        negative(node),
-        everywhere="take each angle with the opposite sign",
-    )
-    yield Slip("halved", f"take half of ${node.latex}$", node / 2, everywhere="take half of each angle")
-    yield Slip("doubled", f"take twice ${node.latex}$", 2 * node, everywhere="take twice each angle")
-
-
-def _slide_slips(node: Expression) -> Slips:
-    yield Slip("sign of a length", f"take ${node.latex}$ with the opposite sign", negative(node))
-    text = f"convert ${node.latex}$ from degrees to radians, although it is a length"
-    yield Slip(
-        "length in radians", text, radians(node), everywhere="convert the lengths from degrees to radians as well"
-    )
-
-
-def _length_slips(node: Expression) -> Slips:
-    yield Slip("sign of a length", f"take ${node.latex}$ with the opposite sign", negative(node))
-
-
-def _vector_slips(node: Expression) -> Slips:
-    yield Slip("sign of a vector", f"take ${node.latex}$ with the opposite sign", negative(node))
-
-
-ANGLE = Operation("angle", lambda: None, str, _angle_slips)
-"""The kind of a given angle."""
-
-LENGTH = Operation("length", lambda: None, str, _length_slips)
-"""The kind of a given length."""
-
-SLIDE = Operation("slide", lambda: None, str, _slide_slips)
-"""The kind of a length that is given beside angles in degrees, as the value of a prismatic joint is."""
-
-VECTOR = Operation("vector", lambda: None, str, _vector_slips)
-"""The kind of a given vector."""
-
-
-def _radians_slips(node: Expression) -> Slips:
-    angle = node.arguments[0]
-    text, all_of_them = f"use the degrees of ${angle.latex}$ as radians", "use degrees as radians"
-    yield Slip("degrees", text, angle, everywhere=all_of_them, advice=DEGREES_ADVICE)
-    text = f"convert ${angle.latex}$ to radians twice"
-    yield Slip("converted twice", text, radians(node), everywhere="convert to radians twice", one_by_one=False)
-
-
-def _sine_slips(node: Expression) -> Slips:
-    yield Slip(
-        "sine and cosine swapped",
-        f"use the cosine of ${node.arguments[0].latex}$, where its sine belongs",
-        cos(*node.arguments),
-        everywhere="swap sine and cosine",
-    )
-
-
-def _cosine_slips(node: Expression) -> Slips:
-    yield Slip(
-        "sine and cosine swapped",
-        f"use the sine of ${node.arguments[0].latex}$, where its cosine belongs",
-        sin(*node.arguments),
-        everywhere="swap sine and cosine",
-    )
-
-
-def _arctan2_slips(node: Expression) -> Slips:
-    yield Slip("arguments of arctan2", "swap the two arguments of `np.arctan2`", arctan2(*node.arguments[::-1]))
-    yield Slip(
-        "arctan for arctan2",
-        "take `np.arctan` of the quotient, which does not know the quadrant",
-        _arctan(*node.arguments),
-    )
-
-
-def _root_slips(node: Expression) -> Slips:
-    yield Slip("root left out", "leave out the square root", node.arguments[0])
-
-
-def _square_slips(node: Expression) -> Slips:
-    yield Slip("square left out", f"leave out the square of ${node.arguments[0].latex}$", node.arguments[0])
 
 
 def _unit_slips(node: Expression) -> Slips:
@@ -100,27 +28,6 @@ def _unit_slips(node: Expression) -> Slips:
         for what, size in _WRONG_LENGTHS.items():
             text = f"divide ${node.arguments[0].latex}$ by {what} instead of its length"
             yield Slip("not a unit vector", text, node.arguments[0] / size(node.arguments[0].value))
-
-
-def _cross_slips(node: Expression) -> Slips:
-    a, b = node.arguments
-    yield Slip("order", f"write ${b.latex} \\times {a.latex}$ instead of ${a.latex} \\times {b.latex}$", cross(b, a))
-
-
-def _inverse_slips(node: Expression) -> Slips:
-    inner = node.arguments[0]
-    yield Slip(
-        "inverse left out",
-        f"use ${inner.latex}$, where its inverse belongs",
-        inner,
-        everywhere="leave out every inverse",
-    )
-    yield Slip(
-        "transpose for inverse",
-        f"transpose ${inner.latex}$ instead of inverting it",
-        transpose(inner),
-        everywhere="transpose instead of inverting",
-    )
 
 
 def _concatenation_slips(node: Expression) -> Slips:
@@ -155,17 +62,6 @@ _WRONG_LENGTHS: dict[str, Callable[[Any], Any]] = {
 }
 """Numbers by which people divide a vector where its length belongs."""
 
-radians = Operation("radians", np.radians, "{0}".format, _radians_slips)
-"""An angle in degrees as radians."""
-
-sin = Operation("sine", np.sin, "\\sin {0}".format, _sine_slips)
-cos = Operation("cosine", np.cos, "\\cos {0}".format, _cosine_slips)
-arctan2 = Operation("arctan2", np.arctan2, "\\operatorname{{atan2}}({0}, {1})".format, _arctan2_slips)
-_arctan = Operation("arctan", lambda y, x: np.arctan(y / x), "\\arctan({0} / {1})".format)
-sqrt = Operation("root", np.sqrt, "\\sqrt{{{0}}}".format, _root_slips)
-square = Operation("square", np.square, power("2"), _square_slips)
-unit = Operation("unit vector", lambda x: x / np.linalg.norm(x), "{0} / |{0}|".format, _unit_slips)
-
 
 def cross_product(a: Any, b: Any) -> Any:
     """Return a x b.
@@ -181,16 +77,63 @@ def cross_product(a: Any, b: Any) -> Any:
     return np.array([a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1])
 
 
-cross = Operation("cross product", cross_product, "{0} \\times {1}".format, _cross_slips)
-inverse = Operation("inverse", np.linalg.inv, power("{-1}"), _inverse_slips, involution=True)
-concatenate = Operation(
-    "concatenate",
-    lambda *parts: np.concatenate([np.atleast_1d(part) for part in parts]),
-    _listed,
-    _concatenation_slips,
+# fmt: off
+SIGN = "take ${}$ with the opposite sign"
+
+ANGLE: Operation = Operation("angle", lambda: None, str, table(
+    ("sign of an angle", f"{SIGN} |take each angle with the opposite sign", lambda q: negative(q)),
+    ("halved", "take half of ${}$ |take half of each angle", lambda q: q / 2),
+    ("doubled", "take twice ${}$ |take twice each angle", lambda q: 2 * q),
+))
+"""The kind of a given angle."""
+
+LENGTH: Operation = Operation("length", lambda: None, str, table(("sign of a length", SIGN, lambda x: negative(x))))
+"""The kind of a given length."""
+
+SLIDE: Operation = Operation("slide", lambda: None, str, table(
+    ("sign of a length", SIGN, lambda x: negative(x)),
+    ("length in radians",
+     "convert ${}$ from degrees to radians, although it is a length |convert the lengths from degrees to radians as well",
+     lambda x: radians(x)),
+))
+"""The kind of a length that is given beside angles in degrees, as the value of a prismatic joint is."""
+
+VECTOR: Operation = Operation("vector", lambda: None, str, table(("sign of a vector", SIGN, lambda x: negative(x))))
+"""The kind of a given vector."""
+
+radians: Operation = Operation("radians", np.radians, "{0}".format, table(
+    ("degrees", "use the degrees of ${0}$ as radians |use degrees as radians", lambda q: q, DEGREES_ADVICE),
+    ("converted twice", "convert ${0}$ to radians twice |convert to radians twice", lambda q: radians(radians(q)), "", ALL_AT_ONCE),
+))
+"""An angle in degrees as radians."""
+
+sin: Operation = Operation("sine", np.sin, "\\sin {0}".format, table(
+    ("sine and cosine swapped", "use the cosine of ${0}$, where its sine belongs |swap sine and cosine", lambda q: cos(q)),
+))
+cos: Operation = Operation("cosine", np.cos, "\\cos {0}".format, table(
+    ("sine and cosine swapped", "use the sine of ${0}$, where its cosine belongs |swap sine and cosine", lambda q: sin(q)),
+))
+arctan2: Operation = Operation("arctan2", np.arctan2, "\\operatorname{{atan2}}({0}, {1})".format, table(
+    ("arguments of arctan2", "swap the two arguments of `np.arctan2`", lambda y, x: arctan2(x, y)),
+    ("arctan for arctan2", "take `np.arctan` of the quotient, which does not know the quadrant", lambda y, x: _arctan(y, x)),
+))
+_arctan: Operation = Operation("arctan", lambda y, x: np.arctan(y / x), "\\arctan({0} / {1})".format)
+sqrt: Operation = Operation("root", np.sqrt, "\\sqrt{{{0}}}".format, table(("root left out", "leave out the square root", lambda x: x)))
+square: Operation = Operation("square", np.square, power("2"), table(("square left out", "leave out the square of ${0}$", lambda x: x)))
+unit: Operation = Operation("unit vector", lambda x: x / np.linalg.norm(x), "{0} / |{0}|".format, _unit_slips)
+cross: Operation = Operation("cross product", cross_product, "{0} \\times {1}".format, table(
+    ("order", "write ${1} \\times {0}$ instead of ${0} \\times {1}$", lambda a, b: cross(b, a)),
+))
+inverse: Operation = Operation("inverse", np.linalg.inv, power("{-1}"), table(
+    ("inverse left out", "use ${0}$, where its inverse belongs |leave out every inverse", lambda A: A),
+    ("transpose for inverse", "transpose ${0}$ instead of inverting it |transpose instead of inverting", lambda A: transpose(A)),
+), involution=True)
+concatenate: Operation = Operation(
+    "concatenate", lambda *parts: np.concatenate([np.atleast_1d(part) for part in parts]), _listed, _concatenation_slips
 )
-stack = Operation("stack", lambda *rows: np.stack(rows), _listed, _stack_slips)
+stack: Operation = Operation("stack", lambda *rows: np.stack(rows), _listed, _stack_slips)
 """Rows put on top of each other, or numbers as a vector."""
+# fmt: on
 
 
 def function(name: str, of: Any, latex: str) -> Operation:

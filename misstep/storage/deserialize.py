@@ -5,10 +5,9 @@ lenient: there is a result for every object, whatever errors the object raises. 
 following forms and refuses all others, because anybody can write JSON.
 
     null                                  a blank answer
-    {"number": 1.5}, {"text": "..."}, {"truth": true}
+    {"number": 1.5}, {"text": "..."}, {"truth": true}  a formula is stored as its text
     {"array": [flat numbers], "shape": [3, 6]}         null stands for NaN and infinity
     {"list": [...]}, {"map": [["a", ...], ...]}
-    {"symbolic": "a*cos(q1)"}, {"matrix": [[...], ...]}
     {"object": "Resistor", "fields": {...}}            an object of a class that a kind of answer has registered
     {"function": "name"}, and with "outputs": [...] if it was called
     {"other": "what it is"}
@@ -20,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from misstep.formulas.sympy_parsing import MAX_CHARACTERS, expression
+from misstep.formulas.parsing import MAX_CHARACTERS
 from misstep.validation import Array
 
 MIME = "application/vnd.misstep.answer+json"
@@ -122,27 +121,6 @@ def _entry(entry: Any, depth: int) -> tuple[str, Any]:
     raise Malformed("A map must be a list of pairs of a name and a value.")
 
 
-def _formula(text: Any, depth: int) -> Any:
-    try:
-        return expression(_string(text, depth))
-    except Malformed:
-        raise
-    except (ValueError, TypeError, ArithmeticError) as error:
-        return Opaque(f"a formula that cannot be read: {error}")
-
-
-def _matrix(rows: Any, depth: int) -> Any:
-    import sympy as sp
-
-    sizes = {len(row) if isinstance(row, list) else -1 for row in rows} if isinstance(rows, list) else {-1}
-    if -1 in sizes or len(sizes) > 1 or len(rows) > MAX_ENTRIES:
-        raise Malformed("A matrix must be a list of rows of the same length.")
-    entries = [_items(row, depth) for row in rows]
-    if not all(isinstance(entry, sp.Expr | float) for row in entries for entry in row):
-        return Opaque("a matrix with entries that cannot be read")
-    return sp.Matrix(entries)
-
-
 def _object(data: dict[str, Any], depth: int) -> Any:
     """Return an object of a registered class, or Opaque for any other class."""
     name = _string(data["object"], depth)[:80]
@@ -170,8 +148,6 @@ def register_object(kind: type, read: Callable[[Mapping[str, Any]], Any]) -> Non
     kind  the class; its objects are stored by its name and the fields that their method to_dict() returns
     read  makes an object from these fields, and raises ValueError for fields that to_dict() never returns
 
-    A kind of answer need not call this: Answer.stored_objects does.
-
     >>> class Resistor:
     ...     def __init__(self, ohm):
     ...         self.ohm = ohm
@@ -189,8 +165,6 @@ READERS: dict[frozenset[str], Callable[[Any, int], Any]] = {
     frozenset({"truth"}): _truth,
     frozenset({"list"}): _items,
     frozenset({"map"}): _entries,
-    frozenset({"symbolic"}): _formula,
-    frozenset({"matrix"}): _matrix,
     frozenset({"object", "fields"}): _object,
     frozenset({"function"}): lambda name, depth: Opaque(f"function {_string(name, depth)[:80]}"),
     frozenset({"function", "outputs"}): lambda data, depth: Outputs(_items(data["outputs"], depth)),

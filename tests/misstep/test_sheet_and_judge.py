@@ -241,3 +241,16 @@ def test_a_check_after_an_answer_cell_that_failed_judges_no_older_answer():
             assert name in text
     finally:
         InteractiveShell.clear_instance()
+
+
+def test_the_first_card_tells_the_idea_and_the_second_one_the_place():
+    @problem("01.1", "Three signs", points=1, lecture="01_ohm#Currents")
+    def currents(sampler):
+        return Problem("Give all.", Numbers(np.array([1.0, -2.0, 4.0])))
+
+    sheet = OpenSheet(Sheet("01_ohm", "Ohm's law", [currents]), "ada")
+    sheet.check(1, None)
+    first, second = (" ".join(map(str, sheet.check(1, [1, -2, -4]).card.body)) for _ in range(2))
+    assert "one sign is wrong." in first
+    assert "entry 3" not in first
+    assert "one sign is wrong. Look at entry 3." in second

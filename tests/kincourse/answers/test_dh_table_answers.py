@@ -48,7 +48,7 @@ def test_a_reversed_x_axis_and_another_zero_configuration_are_right():
 def test_another_zero_configuration_is_wrong_if_the_table_is_anchored():
     judgement = judge_table(rows_with((1, 3, 1.5)), anchored=True)
     assert judgement.right_parts == ["row 1", "row 3"]
-    assert judgement.findings[0].message == "All but one entry can stand: look again at $\\theta$ in row 2."
+    assert judgement.findings[0].message == "All but one entry can stay as they are.\nLook again at $\\theta$ in row 2."
 
 
 def other_frames(table):
@@ -150,10 +150,18 @@ def test_a_prismatic_joint_follows_from_the_problem_or_from_the_typed_table():
 def test_a_mistake_in_a_whole_table_has_its_name():
     rows = np.array(ROWS)
     for wrong, name, message in [
-        (rows * (1, 0, 1, 1), "alpha left out", "This is what you get if you leave every $\\alpha$ at 0."),
-        (rows * (1, 1, 0, 1), "d left out", "This is what you get if you leave every $d$ at 0."),
-        (-rows, "all signs", "This is what you get if you take every entry with the opposite sign."),
-        (rows[::-1], "rows reversed", "This is what you get if you write the rows from the tool to the base."),
+        (
+            rows * (1, 0, 1, 1),
+            "alpha left out",
+            "Every $\\alpha$ is 0; it is the angle about $x$ from one z axis to the next.",
+        ),
+        (
+            rows * (1, 1, 0, 1),
+            "d left out",
+            "Every $d$ is 0; it is the distance along $z$ from one x axis to the next.",
+        ),
+        (-rows, "all signs", "Every entry has the wrong sign."),
+        (rows[::-1], "rows reversed", "The rows are in the order from the tool to the base."),
         (rows * (1000, 1, 1000, 1), "millimetres", "The lengths are in millimetres, but were read as metres."),
     ]:
         finding = judge_table(np.array(wrong).tolist(), anchored=True).findings[0]
@@ -181,8 +189,8 @@ def test_feedback_on_a_wrong_table_names_the_mistake():
     modified = "Your table is in the modified convention, and the problem asks for the standard one."
     for given, words in [
         (rows_with((1, 1, 1.1)), "Row 2: $\\alpha$ has the wrong sign."),
-        (rows_with((1, 0, 0.35), (1, 2, 0.25)), "Row 2: $a$ and $d$ are swapped"),
-        (rows_with((1, 2, 0.9)), "All but one entry can stand: look again at $d$ in row 2."),
+        (rows_with((1, 0, 0.35), (1, 2, 0.25)), "In one row, $a$ and $d$ are swapped"),
+        (rows_with((1, 2, 0.9)), "All but one entry can stay as they are.\nLook again at $d$ in row 2."),
         (DHTable(ROWS, convention="modified"), modified),
         (RIGHT.converted("modified"), modified),
         (RIGHT.converted("modified").rows, "The table is in the modified convention, but was read as standard."),

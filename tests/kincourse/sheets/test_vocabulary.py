@@ -34,7 +34,7 @@ def test_one_change_has_one_name_and_no_name_has_a_synonym():
             problem = template.variant("student 0")
             all_names.update(mistake.name for mistake in [*problem.known_mistakes, *problem.slips])
             for mistake in [*problem.mutants, *problem.slips]:
-                if not SYMBOL.search(mistake.did):  # a symbol may be an angle here and a length there
+                if mistake.did and not SYMBOL.search(mistake.did):  # a symbol may be an angle here and a length there
                     names_of[mistake.did].add(mistake.name)
     assert {did: names for did, names in names_of.items() if len(names) > 1} == {}
     assert [names & all_names for names in SYNONYMS if len(names & all_names) > 1] == []

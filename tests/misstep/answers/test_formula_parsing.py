@@ -1,19 +1,10 @@
-"""Typed text and text of SymPy: parsed in the same way, except for implicit products."""
+"""Spellings of formulas as people type them."""
 
 import numpy as np
 import pytest
 import sympy as sp
 
 from misstep.formulas.evaluation import Reader
-from misstep.formulas.parsing import parse
-from misstep.formulas.sympy_parsing import expression
-
-
-def test_only_typed_text_may_have_implicit_products():
-    for text in ("2 a", "a b", "a(b)", "factorial(9)", "2(a)"):
-        assert parse(text)
-        with pytest.raises(ValueError, match=r"formula|not finished"):
-            expression(text)
 
 
 def test_spellings_of_paper_are_read():

@@ -65,9 +65,9 @@ def submitted(problem, value, data):
     if isinstance(problem.answer, Ordering):
         return {"answer": [{"inner_html": name} for name in value]}
     stored = to_data(value)
-    if "matrix" in stored:
-        rows = enumerate(stored["matrix"], start=1)
-        return {f"entry_{i}_{j}": one["symbolic"] for i, row in rows for j, one in enumerate(row, start=1)}
+    if "list" in stored:
+        rows = enumerate(stored["list"], start=1)
+        return {f"entry_{i}_{j}": one["text"] for i, row in rows for j, one in enumerate(row["list"], start=1)}
     array = np.array(stored["fields"]["rows"] if "fields" in stored else stored["array"], dtype=float)
     parts = array.reshape(-1, *((one := data["params"]["matrices"][0])["rows"], one["columns"]))
     names = [one["name"] for one in data["params"]["matrices"]]
