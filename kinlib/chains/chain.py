@@ -279,9 +279,10 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         True
         """
         motions = exponentials(self.screws, self.in_order(q))
-        before = accumulate(motions[:-1], compose, initial=np.eye(4))  # e^[S1]q1 ... e^[Si-1]qi-1
+        identity = np.broadcast_to(np.eye(4), motions[0].shape)
+        before = accumulate(motions[:-1], compose, initial=identity)  # e^[S1]q1 ... e^[Si-1]qi-1
         columns = [moved_screw(T, S) for T, S in zip(before, self.screws, strict=True)]
-        return np.stack(np.broadcast_arrays(*columns), axis=-1)
+        return np.stack(columns, axis=-1)
 
     def body_jacobian(self, q: JointValues) -> Array:
         """Compute the body Jacobian, the same twists in {b}: J_b = Ad(T^-1) J_s.
@@ -297,9 +298,10 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         True
         """
         motions = exponentials(self.body_screws, -self.in_order(q))[::-1]  # e^-[Bn]qn, ..., e^-[B1]q1
-        after = accumulate(motions[:-1], compose, initial=np.eye(4))  # e^-[Bn]qn ... e^-[Bi+1]qi+1
+        identity = np.broadcast_to(np.eye(4), motions[0].shape)
+        after = accumulate(motions[:-1], compose, initial=identity)  # e^-[Bn]qn ... e^-[Bi+1]qi+1
         columns = [moved_screw(T, B) for T, B in zip(after, self.body_screws[::-1], strict=True)]
-        return np.stack(np.broadcast_arrays(*columns)[::-1], axis=-1)
+        return np.stack(columns[::-1], axis=-1)
 
     def changed(self, **fields: Any) -> Chain:
         """Copy the chain with some fields replaced: screws, home, points, name, source, limits, joint_names, link_names.

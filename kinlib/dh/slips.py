@@ -363,17 +363,6 @@ def _set(rows_: Sequence[int], column: int, value: float | Array) -> Change:
     return change
 
 
-def format_entries(one: float, other: float, column: int) -> tuple[str, str]:
-    """Write two entries of a column with as many digits as it takes to tell them apart, angles in degrees.
-
-    >>> format_entries(0.36442, 0.36435, D), format_entries(np.pi / 2, 0, ALPHA)
-    (('0.36442', '0.36435'), ('90°', '0°'))
-    """
-    factor, unit = (180 / np.pi, "°") if column in ANGLES else (1.0, "")
-    first, second = format_different(round(factor * one, 9), round(factor * other, 9))
-    return first + unit, second + unit
-
-
 def off_the_normal(rows: Array) -> Array:
     """Measure a from origin to origin, with no d, so that x is along the link and not along the common normal."""
     slanted = rows[:, [A]] != 0

@@ -9,8 +9,6 @@ from pathlib import Path
 from tempfile import mkdtemp
 from typing import Any
 
-import numpy as np
-
 from kinlib.arrays.validation import JointValues, describe
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment
@@ -37,7 +35,8 @@ def show(
 
     shown  a chain, a table or a frame assignment, which are drawn with their frames, a tree, a closed chain, or what a function of
            kinlib.view returns
-    q      (n,) joint values, or a mapping from joint names to values; home by default. A closed chain needs them
+    q      (n,) joint values, or a mapping from joint names to values; by default some that show the shape of an arm, and home of
+            a tree. A closed chain needs them
     path   the file to save to instead of showing it: .html, or a drawing as .svg or .png
 
     Raises ValueError if q does not have n values or is given without a robot, for anything else to show, for another ending, and
@@ -52,8 +51,10 @@ def show(
     """
     if isinstance(shown, DHTable | FrameAssignment):
         table = shown if isinstance(shown, DHTable) else shown.table
-        frames = table_frames(table, np.zeros(table.n) if q is None else table.in_order(q))
-        shown = explore(table.to_chain(), start=q, frames=frames)
+        chain = table.to_chain()
+        start = chain.in_order(body_of(chain).pose if q is None else q)
+        frames = table_frames(table, start)
+        shown = explore(chain, start=start, frames=frames)
         shown.shown = ["axes", *(f"frame {name}" for name in frames)]
     elif isinstance(shown, Chain):
         shown = explore(shown, start=body_of(shown).pose if q is None else q)
