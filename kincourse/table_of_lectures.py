@@ -32,7 +32,7 @@ def lectures() -> list[Lecture]:
     """Return the lectures of the course, in order.
 
     >>> lectures()[0]
-    Lecture(name='00_start_here', title='Start here', question='How does this course work?', problems=0)
+    Lecture(name='00_start_here', title='Start here', question='Where is the tool, if you know only the joint angles?', problems=0)
     """
     found = []
     for name in COURSE.lectures:
@@ -61,7 +61,7 @@ def table_rows(notebooks: str, sheet: str) -> str:
     sheet      the cell of the sheet, with {name}, {number} and {problems} in braces
 
     >>> table_rows("notebooks", "[{problems}](exercises/{name}/{name}.ipynb)").splitlines()[0]
-    '| [00 Start here](notebooks/00_start_here.ipynb) | How does this course work? | |'
+    '| [00 Start here](notebooks/00_start_here.ipynb) | Where is the tool, if you know only the joint angles? | |'
     """
     rows = []
     for lecture in lectures():

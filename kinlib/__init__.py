@@ -22,7 +22,7 @@ The table is in the standard convention, but was read as modified.
 (2, 4)
 >>> kl.symbolic.shorthand(kl.symbolic.fk(own))[:3, 3].T                # 11  closed forms, in SymPy
 Matrix([[c_1*(1 - c_2), s_1*(1 - c_2), s_2]])
->>> kl.show(own, path=tempfile.mkdtemp() + "/arm.png")                # 12  a picture, or .pdf; kl.show(own) has sliders
+>>> kl.show(own, path=tempfile.mkdtemp() + "/arm.png")                # 12  a picture; kl.show(own) has sliders
 
 Rigid motions
     exp(x)               rotation vectors (..., 3) -> rotations (..., 3, 3); twists (..., 6) -> poses (..., 4, 4)

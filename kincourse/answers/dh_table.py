@@ -21,8 +21,7 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import largest_difference, random_configurations
 from kinlib.dh.diagnosis import Diagnosis, diagnose
-from kinlib.dh.equivalence import Equivalence, equivalent
-from kinlib.dh.joint_maps import CHOICES
+from kinlib.dh.equivalence import CHOICES, Equivalence, equivalent
 from kinlib.dh.slips import Fault
 from kinlib.dh.table import DHTable
 from misstep.answers.accuracy import TOLERANCE
@@ -92,7 +91,7 @@ class DHTableAnswer(Answer):
 
     def _between_given_ends(self, table: DHTable) -> DHTable:
         """The table with the base and the tool of the problem, if it has none of its own: only the rows are asked for."""
-        if not self.anchored or table.n != self.value.n or all(self.agrees(table, self.value)):
+        if not self.anchored or table.n != self.value.n or _is_same(table, self.value):
             return table
         ends = {"base": (table.base, self.value.base), "tool": (table.tool, self.value.tool)}
         return table.changed(**{end: ours for end, (own, ours) in ends.items() if (own == np.eye(4)).all()})
@@ -112,8 +111,7 @@ class DHTableAnswer(Answer):
             return [False] * len(self.parts)
         if not self.anchored:
             return [equivalent(one, other, tolerance=POSE_TOLERANCE_FACTOR * tolerance).verdict == "same"]
-        q = random_configurations(one.n, 16)
-        is_same = bool(largest_difference(one.fk(q), other.fk(q)) <= POSE_TOLERANCE_FACTOR * tolerance)
+        is_same = _is_same(one, other, tolerance)
         if is_same or self.printed or one.joints != other.joints or other != self.value:
             return [is_same] * len(self.parts)
         wrong = self._wrong_rows(one)
@@ -187,12 +185,10 @@ class DHTableAnswer(Answer):
             if len(wrong) == 1:  # the name of the part tells the row
                 text = text.replace(f"Row {min(wrong)}: ", "").replace("In one row, ", "").partition("\nLook at row")[0]
             return name, text[:1].upper() + text[1:]
-        if diagnosis.unfixed and diagnosis.unfixed.verdict == "same":
-            return (
-                "another start",
-                f"Your table moves like the arm, from another start. {_choices(diagnosis.unfixed)}",
-            )
-        return None
+        free = equivalent(given, self.value, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE) if self.anchored else None
+        if free is None or free.verdict != "same":
+            return None
+        return "another start", f"Your table moves like the arm, from another start. {_choices(free)}"
 
     def _difference(self, given: DHTable) -> Named | None:
         if self.agrees(given, self.value).count(False) == 1 < len(self.parts):
@@ -232,6 +228,13 @@ class DHTableAnswer(Answer):
 
     def _diagnose(self, given: DHTable) -> Diagnosis:
         return _diagnosis(given, self.value, self.anchored)
+
+
+def _is_same(one: DHTable, other: DHTable, tolerance: float = TOLERANCE) -> bool:
+    """Whether two tables in one convention have the same poses for the same q."""
+    q = random_configurations(one.n, 16)
+    is_near = largest_difference(one.fk(q), other.fk(q)) <= POSE_TOLERANCE_FACTOR * tolerance
+    return one.convention == other.convention and bool(is_near)
 
 
 register_object(DHTable, DHTable.from_dict)

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from typing import Any
 
-import ipywidgets as widgets
 import numpy as np
 
 from kinlib.arrays.formatting import format_number
@@ -15,6 +14,7 @@ from kinlib.view.drawing.picture import Gallery, Picture, vector_text
 from kinlib.view.figures.arm import direction_text
 from kinlib.view.figures.dh_table import draw_table
 from kinlib.view.figures.joint_bodies import draw_joint_body
+from kinlib.view.viewer.pictures import Pictures
 
 X, Y, Z = np.eye(3)
 
@@ -70,9 +70,7 @@ def draw_last_frame(joint: str, d: float, a: float = 0.0) -> Picture:
     )
 
 
-def slide_offset(
-    table: DHTable, row: int, degrees: Sequence[float], *, after: Any = None, start: int = 0
-) -> widgets.Widget:
+def slide_offset(table: DHTable, row: int, degrees: Sequence[float], *, after: Any = None, start: int = 0) -> Pictures:
     """Show the arm of a DH table at q = 0 with several offsets in theta of one row.
 
     row      the row whose theta is replaced, counted from 1
@@ -84,7 +82,7 @@ def slide_offset(
     >>> from kinlib.chains.robots import youbot
     >>> table = assign_frames(youbot(), convention="standard").table
     >>> type(slide_offset(table, 4, range(0, 181, 90))).__name__
-    'VBox'
+    'Pictures'
     """
 
     def with_offset(angle: float) -> DHTable:

@@ -21,7 +21,7 @@ from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table
 from kinlib.arrays.limits import TakesLimitedValues, validate_limits
 from kinlib.arrays.validation import Array, JointValues
-from kinlib.rigid.lie import adjoint, exponentials, homogeneous, inverse, moved_screws
+from kinlib.rigid.lie import adjoint, compose, exponentials, homogeneous, inverse, moved_screw
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
 
 SCREW_HEADINGS = ["i", "joint", "omega", "v"]
@@ -210,7 +210,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         (1000, 4, 4)
         """
         motions = exponentials(self.screws, self.in_order(q))  # e^[S1]q1, ..., e^[Sn]qn
-        return reduce(np.matmul, [*motions, self.home])
+        return reduce(compose, [*motions, self.home])
 
     def fk_body(self, q: JointValues) -> Array:
         """Compute the pose of the tool by the body form: T(q) = M e^[B1]q1 ... e^[Bn]qn.
@@ -225,7 +225,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         True
         """
         motions = exponentials(self.body_screws, self.in_order(q))  # e^[B1]q1, ..., e^[Bn]qn
-        return reduce(np.matmul, [self.home, *motions])
+        return reduce(compose, [self.home, *motions])
 
     def fk_mid(self, q: JointValues, k: int) -> Array:
         """Compute the pose of the tool with M after the first k joints: e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn.
@@ -243,7 +243,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         k = validation.whole_number(k, "k", self.n)  # the number of joints to the left of M
         before = exponentials(self.screws[:k], q[..., :k])  # e^[S1]q1, ..., e^[Sk]qk
         after = exponentials(self.body_screws[k:], q[..., k:])  # e^[Bk+1]qk+1, ..., e^[Bn]qn
-        return reduce(np.matmul, [*before, self.home, *after])
+        return reduce(compose, [*before, self.home, *after])
 
     def link_poses(self, q: JointValues) -> Array:
         """Compute the pose of every link: frame i is attached to link i; at q = 0 it is at joint i and parallel to {s}.
@@ -261,8 +261,8 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         """
         motions = exponentials(self.screws, self.in_order(q))
         at_joints = homogeneous(np.eye(3), self.joint_points)  # M_1, ..., M_n
-        products = accumulate(motions, np.matmul)  # e^[S1]q1 ... e^[Si]qi
-        return np.stack([T @ M for T, M in zip(products, at_joints, strict=True)], axis=-3)
+        products = accumulate(motions, compose)  # e^[S1]q1 ... e^[Si]qi
+        return np.stack([compose(T, M) for T, M in zip(products, at_joints, strict=True)], axis=-3)
 
     def jacobian(self, q: JointValues) -> Array:
         """Compute the space Jacobian: column i is the twist of the tool, in {s}, at unit speed of joint i.
@@ -279,9 +279,9 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         True
         """
         motions = exponentials(self.screws, self.in_order(q))
-        start = np.broadcast_to(np.eye(4), motions[0].shape)
-        before = np.stack([*accumulate(motions[:-1], np.matmul, initial=start)], axis=-3)  # e^[S1]q1 ... e^[Si-1]qi-1
-        return np.swapaxes(moved_screws(before, self.screws), -1, -2)
+        before = accumulate(motions[:-1], compose, initial=np.eye(4))  # e^[S1]q1 ... e^[Si-1]qi-1
+        columns = [moved_screw(T, S) for T, S in zip(before, self.screws, strict=True)]
+        return np.stack(np.broadcast_arrays(*columns), axis=-1)
 
     def body_jacobian(self, q: JointValues) -> Array:
         """Compute the body Jacobian, the same twists in {b}: J_b = Ad(T^-1) J_s.
@@ -297,9 +297,9 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         True
         """
         motions = exponentials(self.body_screws, -self.in_order(q))[::-1]  # e^-[Bn]qn, ..., e^-[B1]q1
-        start = np.broadcast_to(np.eye(4), motions[0].shape)
-        after = [*accumulate(motions[:-1], np.matmul, initial=start)][::-1]  # e^-[Bn]qn ... e^-[Bi+1]qi+1
-        return np.swapaxes(moved_screws(np.stack(after, axis=-3), self.body_screws), -1, -2)
+        after = accumulate(motions[:-1], compose, initial=np.eye(4))  # e^-[Bn]qn ... e^-[Bi+1]qi+1
+        columns = [moved_screw(T, B) for T, B in zip(after, self.body_screws[::-1], strict=True)]
+        return np.stack(np.broadcast_arrays(*columns)[::-1], axis=-1)
 
     def changed(self, **fields: Any) -> Chain:
         """Copy the chain with some fields replaced: screws, home, points, name, source, limits, joint_names, link_names.

@@ -1,12 +1,8 @@
 """Parse the rows of DH tables as people type them: numbers, dictionaries, or text with a heading.
 
-In every form, a row becomes four numbers (a, alpha, d, theta), the type of its joint and the joint's sign. An entry may contain the
-joint variable (`q1`, `theta_1`, `d_2`), pi, fractions, and named lengths. Angles are in radians, unless the text says degrees, in the
-heading of the column or after the number.
-
-What is written is honoured or refused. The variables must be numbered 1, 2, ... in the order of the rows; a variable without a
-number belongs to the joint of its row. A heading a_{i-1} or alpha_{i-1} contradicts the standard convention, and a_i or alpha_i
-the modified one.
+A row becomes four numbers (a, alpha, d, theta), the type of its joint and the joint's sign. An entry may contain the joint variable
+(`q1`, `theta_1`, `d_2`), pi, fractions, and named lengths. Angles are in radians, unless the text says degrees, in the heading of the
+column or after the number. What is written is honoured or refused; `kinlib.dh.read_table` reads what is not written like this.
 """
 
 import ast
@@ -49,11 +45,8 @@ OPERATORS: dict[type[ast.operator], Callable[[complex, complex], complex]] = {
     ast.Div: operator.truediv,
 }
 
-MAX_TEXT_LENGTH, MAX_ENTRY_LENGTH = 100_000, 200
-"""The maximum length of a text and of an entry, in characters; no table that people type is longer."""
-
-MAX_LENGTH_M = 1e12
-"""The maximum of a and d, in metres: beyond it a pose cannot resolve a millimetre."""
+MAX_TEXT_LENGTH, MAX_ENTRY_LENGTH, MAX_LENGTH_M = 100_000, 200, 1e12
+"""The maximum number of characters of a text and of an entry, and of a and d in metres: beyond it a pose resolves no millimetre."""
 
 
 def joint_entries(joints: str) -> list[tuple[int, int]]:
@@ -69,29 +62,23 @@ def joint_entries(joints: str) -> list[tuple[int, int]]:
 def is_plausible_angle(angle: float) -> bool:
     """Return whether an angle in radians is likely to be meant as it is, and is not in degrees.
 
-    It is if it is at most a full turn, or at most ten turns in whole degrees. Up to two turns, it is as well if it has more than
-    three decimals: nobody types these in degrees, but they result from a sum such as theta + 2 pi.
+    It is if it is at most a full turn, or at most ten turns in whole degrees; or, up to two turns, if it has more than three
+    decimals, as sums such as theta + 2 pi have.
 
     >>> [is_plausible_angle(angle) for angle in (-np.pi, 5 * np.pi / 2, 1.2345 + 2 * np.pi, 10, 22.5, 90)]
     [True, True, True, False, False, False]
     """
-    size = abs(angle) - 1e-3  # 6.283 is a full turn
-    if (
-        size <= 2 * np.pi
-    ):  # almost every angle; rounding each one would take a quarter of the time of a frame assignment
+    size, degrees = abs(angle) - 1e-3, math.degrees(angle)  # 6.283 is a full turn
+    if size <= 2 * math.pi:
         return True
-    if size > 20 * np.pi:
-        return False
-    degrees = np.degrees(angle)
-    is_whole = abs(degrees - np.round(degrees)) < 1e-4
-    is_typed = abs(angle - np.round(angle, 3)) < 1e-9
-    return bool(is_whole or (not is_typed and size <= 4 * np.pi))
+    is_whole, is_typed = abs(degrees - round(degrees)) < 1e-4, abs(angle - round(angle, 3)) < 1e-9
+    return size <= 20 * math.pi and (is_whole or (not is_typed and size <= 4 * math.pi))
 
 
 class Rows(NamedTuple):
-    """A parsed table: numbers (m, 4) in the order of COLUMNS, joint types as letters R, P or F, and signs (m,).
+    """A parsed table: numbers (m, 4) in the order of COLUMNS, joint types as letters R, P or F, and signs (m,) of the variables.
 
-    The signs are those of the joint variables in the entries. A table of numbers has no variables, so its signs are None.
+    A table of numbers has no variables, so its signs are None.
     """
 
     numbers: Array
@@ -120,7 +107,12 @@ def read_rows(
     """
     if joints is not None and not isinstance(joints, str):
         raise ValueError(f"joints must be a string with a letter for each row; got {validation.describe(joints)}.")
-    lengths, degrees = _validate_lengths(lengths), set[str]()
+    if not isinstance(lengths or {}, Mapping):
+        raise ValueError(f"lengths must be a dictionary such as {{'l2': 0.5}}; got {validation.describe(lengths)}.")
+    values = {name: _single_number(value, f"lengths[{name!r:.60}]") for name, value in (lengths or {}).items()}
+    if "pi" in values:
+        raise ValueError("lengths must not redefine pi. Choose another name.")
+    degrees = set[str]()
     if isinstance(rows, str):
         rows, degrees = split_table(rows, convention)
     if not isinstance(rows, Sequence) or not any(isinstance(row, Mapping) for row in rows):
@@ -129,19 +121,18 @@ def read_rows(
             raise ValueError(f"rows must have shape (m, 4), with columns {', '.join(COLUMNS)}; got {numbers.shape}.")
         return _validate_rows(numbers, joints or "R" * len(numbers), None)
     cells = [
-        [_parse_entry(row, column, number, lengths, column in degrees) for column in COLUMNS]
+        [_parse_entry(row, column, number, values, column in degrees) for column in COLUMNS]
         for number, row in enumerate(rows, start=1)
     ]
-    types, signs, variables = zip(
-        *(_joint_of_row(row, number) for number, row in enumerate(cells, start=1)), strict=True
-    )
-    _validate_labels([variable for variable in variables if variable])
-    letters = "".join(types)
-    if joints is not None and joints != letters:
+    letters, signs, names = zip(*(_joint_of_row(row, i) for i, row in enumerate(cells, start=1)), strict=True)
+    _validate_labels([name for name in names if name])
+    if joints is not None and joints != "".join(letters):
         raise ValueError(
-            f"joints must agree with the variables in the rows, {letters}; got {joints:.60}. Which rows have a joint?"
+            f"joints must agree with the variables in the rows, {''.join(letters)}; got {joints:.60}. Which rows have a joint?"
         )
-    return _validate_rows(np.array([[entry.value.real for entry in row] for row in cells]), letters, np.array(signs))
+    return _validate_rows(
+        np.array([[entry[0].real for entry in row] for row in cells]), "".join(letters), np.array(signs)
+    )
 
 
 def _validate_rows(numbers: Array, joints: str, signs: Array | None) -> Rows:
@@ -151,14 +142,12 @@ def _validate_rows(numbers: Array, joints: str, signs: Array | None) -> Rows:
         )
     if set(joints) <= {"F"}:
         raise ValueError("A table must have at least one joint, but every row is fixed. Is q1 missing from an entry?")
-    for column in ANGLE_COLUMNS:
-        for row, angle in enumerate(numbers[:, COLUMNS.index(column)], start=1):
-            _validate_angle(float(angle), f"Row {row}, {column}", f"{angle:g} rad")
-    for column in ("a", "d"):
-        values = numbers[:, COLUMNS.index(column)]
-        if (far := np.abs(values) > MAX_LENGTH_M).any():
-            row = int(np.argmax(far))
-            raise ValueError(f"Row {row + 1}: {column} must be at most {MAX_LENGTH_M:g} m; got {values[row]:g} m.")
+    for row, values in enumerate(numbers.tolist(), start=1):
+        for column, value in zip(COLUMNS, values, strict=True):
+            if column in ANGLE_COLUMNS:
+                _validate_angle(value, f"Row {row}, {column}", f"{value:g} rad")
+            elif abs(value) > MAX_LENGTH_M:
+                raise ValueError(f"Row {row}: {column} must be at most {MAX_LENGTH_M:g} m; got {value:g} m.")
     return Rows(numbers, joints, signs)
 
 
@@ -175,34 +164,24 @@ def _validate_angle(angle: float, place: str, given: str) -> None:
     )
 
 
-def _validate_labels(variables: Sequence[tuple[str, int | None]]) -> None:
-    """Refuse variables that are not numbered 1, 2, ... in the order of the rows."""
-    numbers = [position if number is None else number for position, (_, number) in enumerate(variables, start=1)]
-    if numbers == list(range(1, len(numbers) + 1)):
+def _validate_labels(names: Sequence[str]) -> None:
+    """Refuse variables that are not numbered 1, 2, ... in the order of the rows; q without a number is the joint of its row."""
+    digits = [re.sub(r"\D", "", name) for name in names]
+    numbers = [int(digit) if digit else position for position, digit in enumerate(digits, start=1)]
+    if numbers == [*range(1, len(numbers) + 1)]:
         return
-    names = ", ".join(name for name, _ in variables)
-    if len(set(numbers)) < len(numbers):
-        twice = next(number for number in numbers if numbers.count(number) > 1)
+    twice = next((number for number in numbers if numbers.count(number) > 1), None)
+    if twice is not None:
         hint = f"Two rows have the variable of joint {twice}, but each joint has one row."
-    elif set(numbers) == set(range(1, len(numbers) + 1)):
+    elif {*numbers} == {*range(1, len(numbers) + 1)}:
         hint = "Give the rows in the order of the joints, because each row begins at the frame of the row before."
     else:
         hint = (
             "Is a row missing? The joints are counted from 1. A variable without a number, q, is the joint of its row."
         )
     raise ValueError(
-        f"The joint variables must be numbered 1, 2, ... in the order of the rows; got {names:.100}. {hint}"
+        f"The joint variables must be numbered 1, 2, ... in the order of the rows; got {', '.join(names):.100}. {hint}"
     )
-
-
-def _validate_lengths(lengths: Mapping[str, float] | None) -> dict[str, float]:
-    """Read the values of names, each of them a single number."""
-    if not isinstance(lengths or {}, Mapping):
-        raise ValueError(f"lengths must be a dictionary such as {{'l2': 0.5}}; got {validation.describe(lengths)}.")
-    values = {name: _single_number(value, f"lengths[{name!r:.60}]") for name, value in (lengths or {}).items()}
-    if "pi" in values:
-        raise ValueError("lengths must not redefine pi. Choose another name.")
-    return values
 
 
 def _single_number(value: Any, name: str) -> float:
@@ -212,38 +191,36 @@ def _single_number(value: Any, name: str) -> float:
     return float(number)
 
 
-def _joint_of_row(row: Sequence["_Entry"], number: int) -> tuple[str, float, tuple[str, int | None] | None]:
-    """Return the type and the sign of a row's joint, and its variable with its number, from the variables in the entries."""
-    moving = {column: entry for column, entry in zip(COLUMNS, row, strict=True) if entry.variables}
+def _joint_of_row(row: Sequence[tuple[complex, Sequence[str]]], number: int) -> tuple[str, float, str]:
+    """Return the type and the sign of a row's joint, and the name of its variable, from the variables in the entries."""
+    moving = {column: entry for column, entry in zip(COLUMNS, row, strict=True) if entry[1]}
     if not moving:
-        return "F", 1.0, None
-    for column, entry in moving.items():
-        if len(entry.variables) > 1:
+        return "F", 1.0, ""
+    for column, (_, names) in moving.items():
+        if len(names) > 1:
             raise ValueError(
                 f"Row {number}, {column}: an entry must have one joint variable, that of its own joint; got "
-                f"{' and '.join(entry.variables)}. If the angle depends on two joints, their mechanism is not a chain of rows."
+                f"{' and '.join(names)}. If the angle depends on two joints, their mechanism is not a chain of rows."
             )
-    if len(moving) > 1 or set(moving) <= {"a", "alpha"}:
+    columns = ", ".join(moving)
+    if len(moving) > 1 or columns in {"a", "alpha"}:
         swapped = {"a": " Are the columns a and d swapped?", "alpha": " Are the columns alpha and theta swapped?"}
-        columns = ", ".join(moving)
         raise ValueError(
             f"Row {number}: the joint variable must be in theta or in d, once; it is in {columns}.{swapped.get(columns, '')}"
         )
-    ((column, entry),) = moving.items()
-    if abs(factor := entry.value.imag) != 1:
+    value, names = moving[columns]
+    if abs(value.imag) != 1:
         raise ValueError(
-            f"Row {number}: the joint variable in {column} must be q or -q, without a factor; its factor is {factor:g}."
+            f"Row {number}: the joint variable in {columns} must be q or -q, without a factor; its factor is {value.imag:g}."
         )
-    name = entry.variables[0]
-    digits = JOINT_VARIABLE.fullmatch(name)[1]  # type: ignore[index]
-    return ("R" if column == "theta" else "P"), factor, (name, int(digits) if digits else None)
+    return ("R" if columns == "theta" else "P"), value.imag, names[0]
 
 
 def split_table(text: str, convention: str | None) -> tuple[list[dict[str, str]], set[str]]:
     """Split a text into rows of entries by column name, and find the columns whose numbers are degrees."""
     if len(text) > MAX_TEXT_LENGTH:
         raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
-    lines = [line for line in _respelled(text).strip().splitlines() if line.strip(" |-+:\t")]
+    lines = [line for line in respelled(text).strip().splitlines() if line.strip(" |-+:\t")]
     if len(lines) < 2:
         raise ValueError("A table as text must have a heading, such as 'a | alpha | d | theta', and at least one row.")
     head = [_parse_heading(cell, convention) for cell in _split_line(lines[0])]
@@ -275,13 +252,18 @@ def split_table(text: str, convention: str | None) -> tuple[list[dict[str, str]]
 
 def _split_line(line: str) -> list[str]:
     """Split a line at bars, as in Markdown, or at white space."""
+    line = line.strip()
     if "|" in line:
-        return [cell.strip() for cell in line.strip().strip("|").split("|")]
-    return re.split(r"\s{2,}|\t", line.strip()) if re.search(r"\S(\s{2,}|\t)", line.strip()) else line.split()
+        return [cell.strip() for cell in line.strip("|").split("|")]
+    return re.split(r"\s{2,}|\t", line) if re.search(r"\S(\s{2,}|\t)", line) else line.split()
 
 
-def _respelled(text: str) -> str:
-    """Replace signs that are written on paper by what a keyboard has: θ₁ by theta1."""
+def respelled(text: str) -> str:
+    """Replace signs that are written on paper by what a keyboard has.
+
+    >>> respelled("θ₁ − π")
+    'theta1 - pi'
+    """
     for sign, plain in SPELLINGS.items():
         text = text.replace(sign, plain)
     return text
@@ -313,15 +295,10 @@ def _parse_heading(head: str, convention: str | None) -> tuple[str, bool]:
     return name, degrees
 
 
-class _Entry(NamedTuple):
-    """An entry: the joint variable is the imaginary unit, so that 0.5 - q1 has the value 0.5 - 1j and the variable q1."""
-
-    value: complex
-    variables: Sequence[str] = ()
-
-
-def _parse_entry(row: Any, column: str, number: int, lengths: Mapping[str, float], in_degrees: bool) -> _Entry:
-    """Evaluate an entry."""
+def _parse_entry(
+    row: Any, column: str, number: int, lengths: Mapping[str, float], in_degrees: bool
+) -> tuple[complex, Sequence[str]]:
+    """Evaluate an entry: its value, in which the variable is the imaginary unit (0.5 - q1 is 0.5 - 1j), and its variables."""
     if not isinstance(row, Mapping) or column not in row:
         given = "" if isinstance(row, Mapping) else f"; it is {validation.describe(row)}"
         raise ValueError(
@@ -329,12 +306,12 @@ def _parse_entry(row: Any, column: str, number: int, lengths: Mapping[str, float
         )
     entry, place = row[column], f"Row {number}, {column}"
     if not isinstance(entry, str):
-        return _Entry(_single_number(entry, place))
+        return complex(_single_number(entry, place)), ()
     if len(entry) > MAX_ENTRY_LENGTH:
         raise ValueError(
             f"{place}: an entry must have at most {MAX_ENTRY_LENGTH} characters; {entry[:20]!r}... has {len(entry)}."
         )
-    text = re.sub(r"\\frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))", _respelled(entry)).strip()
+    text = re.sub(r"\\frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))", respelled(entry)).strip()
     text = re.sub(r"[\\{}$]|\b(?:np|math)\.", "", text)
     text, units = re.subn(rf"({NUMBER})\s*(?:°|deg\b)", r"(\1*pi/180)", text)
     text = re.sub(rf"({NUMBER}|\))\s*(?=(?:pi|q_?\d*)\b|theta)", r"\1*", text)
@@ -359,7 +336,7 @@ def _parse_entry(row: Any, column: str, number: int, lengths: Mapping[str, float
         _validate_angle(value.real, place, repr(entry) if has_unit else f"{value.real:g} rad")
     names = (node.id for node in ast.walk(tree) if isinstance(node, ast.Name))
     variables = (name.replace("_", "") for name in names if name not in lengths and _is_variable(name, column))
-    return _Entry(value, [*dict.fromkeys(variables)])
+    return value, [*dict.fromkeys(variables)]
 
 
 def _hint(text: str, column: str, error: Exception) -> str:

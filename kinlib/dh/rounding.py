@@ -14,7 +14,14 @@ import numpy as np
 from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.joint_maps import COMPARED_CONFIGURATIONS, JointMap, linearized
+from kinlib.dh.equivalence import (
+    COMPARED_CONFIGURATIONS,
+    ROUGH,
+    Equivalence,
+    equivalent,
+    linearized,
+    nearest_maps,
+)
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.table import DHTable, rows_at
 from kinlib.rigid.lie import exp
@@ -98,7 +105,7 @@ class NearestRows(NamedTuple):
 
 
 def nearest_rows(
-    table: DHTable, arm: Chain, start: JointMap, fixed: frozenset[str], half_unit: Array, *, few: bool
+    table: DHTable, arm: Chain, start: Equivalence, fixed: frozenset[str], half_unit: Array, *, few: bool
 ) -> NearestRows | None:
     """Find the rows nearest to those of a table with which it describes an arm, up to the choices that are not fixed.
 
@@ -135,3 +142,25 @@ def nearest_rows(
     difference = largest_difference(X @ motions.fk(values + change) @ Y, target)
     rows = table.rows + change.reshape(-1, 4)[:, np.argsort(order)]
     return NearestRows(np.where(np.abs(rows) < ROUNDING_ERROR, 0.0, rows), difference)
+
+
+def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: Array, noise: float) -> DHTable | None:
+    """Find the table with few other numbers that describes the arm, beginning with the maps that fit roughly."""
+    if table.joints.replace("F", "") != arm.joint_types:
+        return None
+    tolerance, unit = max(noise, 1e-6), np.maximum(half_unit, 1e-6)
+    identity = Equivalence("same", signs=np.ones(arm.n), offsets=np.zeros(arm.n))
+    rough = sorted(nearest_maps(table.to_chain(), arm, fixed, ROUGH), key=lambda each: each.difference)[:2]
+    for start in [identity, *rough]:
+        fit = nearest_rows(table, arm, start, fixed, unit, few=True)
+        if fit and fit.difference <= tolerance:
+            # A change below half a unit of the last digit is none, and two digits more than the table has are enough.
+            finest = 10.0 ** np.floor(np.log10(unit / 50))
+            rows = np.where(np.arange(4) % 2, fit.rows, np.round(fit.rows / finest) * finest)
+            rows = np.where(np.abs(fit.rows - table.rows) <= 1.05 * half_unit, table.rows, rows)
+            for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
+                rows[entry] = table.rows[entry]
+            nearest = table.changed(rows=rows)
+            if equivalent(nearest, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
+                return nearest
+    return None

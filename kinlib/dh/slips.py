@@ -1,7 +1,8 @@
 """The slips that people make in DH tables: one table of them, used in both directions.
 
 Forwards, `slip.change` makes the slip in the rows of a right table; `tables_with_a_slip` does so in every place. Backwards,
-`corrections` undoes every slip in every place where it could have been made, for `kinlib.dh.diagnosis`.
+`corrections` undoes every slip in every place where it could have been made, for `kinlib.dh.diagnosis`. All changes take rows
+(..., m, 4), so that many tables are changed at once.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ class Slip:
 
     name    the same in every sheet and every diagnosis
     text    what was done, in a sentence with {row} and {other}, the numbers of the rows, from 1
-    change  makes the slip: rows (m, 4) -> (m, 4) of a whole table; of one row, (1, 4); or of two, (2, 4)
+    change  makes the slip in a whole table; or in one row, (..., 1, 4), or in two, (..., 2, 4)
     undo    corrects it; None if the same change does
     column  the column in which it was made, if there is one
     """
@@ -64,11 +65,14 @@ def scale(columns: Sequence[int], factor: float) -> Change:
     return lambda rows: rows * factors
 
 
+def reorder(order: Sequence[int]) -> Change:
+    """Return the change that writes the columns in another order."""
+    return lambda rows: rows[..., [*order]]
+
+
 def swap(one: int, two: int) -> Change:
     """Return the change that swaps two columns."""
-    order = np.arange(4)
-    order[[one, two]] = two, one
-    return lambda rows: rows[:, order]
+    return reorder([{one: two, two: one}.get(k, k) for k in range(4)])
 
 
 def roll(columns: Sequence[int], by: int) -> Change:
@@ -76,22 +80,16 @@ def roll(columns: Sequence[int], by: int) -> Change:
 
     def change(rows: Array) -> Array:
         rows = rows.copy()
-        rows[:, columns] = np.roll(rows[:, columns], by, axis=0)
+        rows[..., columns] = np.roll(rows[..., columns], by, axis=-2)
         return rows
 
     return change
 
 
-def reorder(order: Sequence[int]) -> Change:
-    """Return the change that writes the columns in another order."""
-    return lambda rows: rows[:, [*order]]
-
-
 def antiparallel(rows: Array) -> Array:
     """Take parallel axes as pointing in the other direction: alpha = 0 becomes pi, and pi becomes 0."""
-    alpha = rows[:, [ALPHA]]
-    is_parallel = (np.abs(np.sin(alpha)) < ROUNDING_ERROR) & (np.arange(4) == ALPHA)
-    return np.where(is_parallel, np.pi - np.abs(alpha), rows)
+    is_parallel = (np.abs(np.sin(rows)) < ROUNDING_ERROR) & (np.arange(4) == ALPHA)
+    return np.where(is_parallel, np.pi - np.abs(rows), rows)
 
 
 RULE = "it is the angle from one z to the next about the x between them, by the right-hand rule"
@@ -193,24 +191,14 @@ class Correction:
     letters: dict[int, str] = field(default_factory=dict)
     reversed: frozenset[int] = frozenset()
 
-
-def corrected_rows(rows: Array, corrections: Sequence[Correction]) -> Array:
-    """Apply corrections to the numbers of a table, (m, 4) -> (m, 4): first those of the whole table."""
-    for correction in sorted(corrections, key=lambda each: each.fault.row is not None):
-        rows = correction.change(rows)
-    return rows
-
-
-def corrected_table(table: DHTable, corrections: Sequence[Correction]) -> DHTable:
-    """Apply corrections to a table."""
-    convention = next((each.convention for each in corrections if each.convention), table.convention)
-    letters, signs = [*table.joints], table.signs.copy()
-    for correction in corrections:
-        signs[[*correction.reversed]] *= -1
-        for row, letter in correction.letters.items():
+    def of(self, table: DHTable) -> DHTable:
+        """Correct a table."""
+        letters, signs = [*table.joints], table.signs.copy()
+        signs[[*self.reversed]] *= -1
+        for row, letter in self.letters.items():
             letters[row] = letter
-    rows = corrected_rows(table.rows, corrections)
-    return table.changed(rows=rows, convention=convention, joints="".join(letters), signs=signs)
+        convention = self.convention or table.convention
+        return table.changed(rows=self.change(table.rows), convention=convention, joints="".join(letters), signs=signs)
 
 
 def tables_with_a_slip(table: DHTable) -> Iterator[tuple[str, DHTable]]:
@@ -228,11 +216,11 @@ def tables_with_a_slip(table: DHTable) -> Iterator[tuple[str, DHTable]]:
 
 
 def _slips_in_places(m: int) -> Iterator[tuple[Slip, list[int]]]:
-    """Yield every slip with the rows in which it can be made, [] for the whole table."""
+    """Yield every slip with the rows in which it can be made, [] for the whole table, whose slips come first."""
+    yield from ((slip, []) for slip in SLIPS_OF_A_TABLE)
     yield from ((slip, [row]) for row in range(m) for slip in SLIPS_OF_A_ROW)
     for one, two in combinations(range(m), 2):
         yield from ((slip, [one, two]) for slip in SLIPS_OF_TWO_ROWS[: None if two == one + 1 else 1])
-    yield from ((slip, []) for slip in SLIPS_OF_A_TABLE)
 
 
 def _changed(change: Change, places: list[int]) -> Change:
@@ -242,14 +230,14 @@ def _changed(change: Change, places: list[int]) -> Change:
 
     def in_places(rows: Array) -> Array:
         rows = rows.copy()
-        rows[places] = change(rows[places])
+        rows[..., places, :] = change(rows[..., places, :])
         return rows
 
     return in_places
 
 
 def corrections(table: DHTable, right: Array, zeros_are_fixed: bool, signs_are_fixed: bool) -> list[Correction]:
-    """Return the corrections that leave the joint types as they are, the most usual ones first.
+    """Return the corrections that leave the joint types as they are, those of the whole table first.
 
     right           (k, 4) rows of right tables of the arm, whose numbers are tried in place of wrong ones
     zeros_are_fixed whether the entries that the joints change count, and signs_are_fixed, whether their directions do
@@ -259,8 +247,6 @@ def corrections(table: DHTable, right: Array, zeros_are_fixed: bool, signs_are_f
     text = f"The table is in the {other} convention, but was read as {table.convention}."
     found = [Correction(Fault("other convention", text), convention=other)]
     for slip, places in _slips_in_places(len(table.rows)):
-        if len({table.joints[row] for row in places}) > 1 and slip.name == "rows swapped":
-            continue
         if len(places) == 1 and ((places[0], slip.column) in variables or not _is_likely(slip, table.rows[places[0]])):
             continue
         found.append(Correction(_fault(slip, places, table), _changed(slip.correction, places)))
@@ -345,19 +331,31 @@ def _corrections_of_a_number(table: DHTable, right: Array, zeros_are_fixed: bool
             # If an axis is drawn in the opposite direction, an angle becomes its supplement.
             angles = np.concatenate([right[:, column], wrap_angle(np.pi - right[:, column])])
             values = np.concatenate([[0.0, np.pi / 2, -np.pi / 2, np.pi], angles, -angles])
-        for value in {round(float(value), 12) + 0.0: float(value) for value in values}.values():
+        kind = "offset forgotten" if (row, column) in variables and not typed else "wrong number"
+        for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
             if abs(value - typed) >= ROUNDING_ERROR:
-                kind, (should, has) = "wrong number", format_entries(value, typed, column)
-                text = f"Row {row + 1}: {name} should be {should}; the table has {has}."
-                if (row, column) in variables and not typed:
-                    kind, text = "offset forgotten", f"Row {row + 1}: the offset of {name} is missing, {should}."
-                yield Correction(Fault(kind, text, row + 1, name), _set([row], column, value))
+                yield Correction(Fault(kind, "", row + 1, name), _set([row], column, value))
+
+
+def wrong_number(table: DHTable, right: DHTable, row: int, column: int) -> Fault:
+    """Describe a number of a table that differs from that of the right one, with as many digits as it takes to tell them apart.
+
+    >>> one, other = (DHTable([[a, 0, 0, 0]], convention="standard") for a in (0.36442, 0.36435))
+    >>> wrong_number(one, other, 0, A).text
+    'Row 1: a should be 0.36435; the table has 0.36442.'
+    """
+    factor, unit = (180 / np.pi, "°") if column in ANGLES else (1.0, "")
+    typed, value, name = float(table.rows[row, column]), float(right.rows[row, column]), COLUMNS[column]
+    should, has = (f"{text}{unit}" for text in format_different(round(factor * value, 9), round(factor * typed, 9)))
+    if (row, column) in joint_entries(table.joints) and not typed:
+        return Fault("offset forgotten", f"Row {row + 1}: the offset of {name} is missing, {should}.", row + 1, name)
+    return Fault("wrong number", f"Row {row + 1}: {name} should be {should}; the table has {has}.", row + 1, name)
 
 
 def _set(rows_: Sequence[int], column: int, value: float | Array) -> Change:
     def change(rows: Array) -> Array:
         rows = rows.copy()
-        rows[rows_, column] = value
+        rows[..., rows_, column] = value
         return rows
 
     return change

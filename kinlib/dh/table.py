@@ -334,43 +334,44 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 DHTable.__init__.__annotations__["rows"] = "TableRows"  # for `help`, because the attribute is an array
 
 
-def rows_at(table: DHTable, rows: Array, q: Array) -> Array:
+def rows_at(table: DHTable, rows: Array, q: Array, signs: Array | None = None) -> Array:
     """Add sign times q to the entry that each joint changes, in the rows of a table or of others that differ in their numbers.
 
-    rows (..., m, 4), q (..., n), batch dimensions that broadcast -> (..., m, 4). The next functions take the same rows.
+    rows (..., m, 4), q (..., n), signs (..., m), batch dimensions that broadcast -> (..., m, 4). The next functions take the same.
 
     >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
     >>> rows_at(table, table.rows, np.array([0.5]))
     array([[1. , 0. , 2. , 0.5]])
     """
-    moved = np.zeros((*np.broadcast_shapes(rows.shape[:-2], q.shape[:-1]), *rows.shape[-2:])) + rows
+    signs = table.signs if signs is None else signs
+    moved = np.zeros((*np.broadcast_shapes(rows.shape[:-2], q.shape[:-1], signs.shape[:-1]), *rows.shape[-2:])) + rows
     for i, (row, column) in enumerate(joint_entries(table.joints)):
-        moved[..., row, column] += table.signs[row] * q[..., i]
+        moved[..., row, column] += signs[..., row] * q[..., i]
     return moved
 
 
-def row_transforms(table: DHTable, rows: Array, q: Array) -> Array:
+def row_transforms(table: DHTable, rows: Array, q: Array, signs: Array | None = None) -> Array:
     """Compute A_i or T_i of each row, (m, ..., 4, 4).
 
     >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
     >>> row_transforms(table, table.rows, np.array([0.0]))[0, :3, 3]
     array([1., 0., 2.])
     """
-    columns = np.moveaxis(rows_at(table, rows, q), -1, 0)
+    columns = np.moveaxis(rows_at(table, rows, q, signs), -1, 0)
     return np.moveaxis(dh_transform(*columns, convention=table.convention), -3, 0)
 
 
-def table_poses(table: DHTable, rows: Array, q: Array) -> Array:
+def table_poses(table: DHTable, rows: Array, q: Array, signs: Array | None = None) -> Array:
     """Compute base A_1 ... A_m tool, (..., 4, 4).
 
     >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
     >>> table_poses(table, table.rows, np.array([0.0]))[:3, 3]
     array([1., 0., 2.])
     """
-    return reduce(np.matmul, [*row_transforms(table, rows, q), table.tool], table.base)
+    return reduce(np.matmul, [*row_transforms(table, rows, q, signs), table.tool], table.base)
 
 
-def joint_axes(table: DHTable, rows: Array) -> tuple[Array, Array]:
+def joint_axes(table: DHTable, rows: Array, signs: Array | None = None) -> tuple[Array, Array]:
     """Compute the joint axes in {s} at home: their directions (..., n, 3), and a point on each axis (..., n, 3).
 
     >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
@@ -383,7 +384,8 @@ def joint_axes(table: DHTable, rows: Array) -> tuple[Array, Array]:
     moving = np.array([row for row, _ in joint_entries(table.joints)])
     # In the standard convention joint i moves about the z before its row, in the modified one about the z after it.
     at_joints = frames[..., moving + (table.convention == "modified"), :, :]
-    return at_joints[..., :3, 2] * table.signs[moving, None], at_joints[..., :3, 3]
+    signs = table.signs if signs is None else signs
+    return at_joints[..., :3, 2] * signs[..., moving, None], at_joints[..., :3, 3]
 
 
 def _split_ends(text: str) -> tuple[str, dict[str, Any]]:

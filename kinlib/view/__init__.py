@@ -25,8 +25,7 @@ from kinlib.view.figures.point_velocity import draw_moment, draw_point_velocity
 
 if TYPE_CHECKING:
     from kinlib.view.browser import show
-    from kinlib.view.viewer.assignment_player import play_assignment
-    from kinlib.view.viewer.dh_row_player import play_row, play_walk
+    from kinlib.view.viewer.dh_players import play_assignment, play_row, play_walk
     from kinlib.view.viewer.film import film
     from kinlib.view.viewer.linkage_driver import drive
     from kinlib.view.viewer.moving_frames import slide_frames
@@ -64,9 +63,9 @@ LAZY_NAMES = {
     "drive": "viewer.linkage_driver",
     "explore": "viewer.viewer",
     "film": "viewer.film",
-    "play_assignment": "viewer.assignment_player",
-    "play_row": "viewer.dh_row_player",
-    "play_walk": "viewer.dh_row_player",
+    "play_assignment": "viewer.dh_players",
+    "play_row": "viewer.dh_players",
+    "play_walk": "viewer.dh_players",
     "show": "browser",
     "slide": "viewer.picture_slider",
     "slide_frames": "viewer.moving_frames",

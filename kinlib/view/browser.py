@@ -33,7 +33,7 @@ def show(
 
     shown  a chain, a table, a tree, a closed chain, or what a function of kinlib.view returns
     q      (n,) joint values, or a mapping from joint names to values; home by default. A closed chain needs them
-    path   the file to save to instead of showing it: .html, or a drawing as .svg, .png or .pdf
+    path   the file to save to instead of showing it: .html, or a drawing as .svg or .png
 
     Raises ValueError if q does not have n values or is given without a robot, for anything else to show, for another ending, and
     for a folder that does not exist.

@@ -124,7 +124,8 @@ def grade_all(requests: Sequence[Request], options: argparse.Namespace) -> list[
             for future in tqdm(as_completed(futures), total=len(futures), desc=requests[0].sheet.name, disable=None):
                 results[futures[future]] = future.result()
         except BaseException:
-            executor.shutdown(wait=False, cancel_futures=True)
+            for future in futures:
+                future.cancel()
             raise
     return [results[k] for k in range(len(requests))]
 

@@ -30,6 +30,11 @@ class _Worker:
     """A process that grades one submission after the other."""
 
     def __init__(self, request: Request) -> None:
+        if multiprocessing.current_process().daemon:
+            raise ValueError(
+                "A worker of the cluster must be able to start processes; this one is started by a nanny, which forbids it. "
+                "Start it with `dask worker --no-nanny`."
+            )
         self._pipe, theirs = CONTEXT.Pipe()
         self._process = CONTEXT.Process(target=_serve, args=(theirs, request), daemon=True)
         self._process.start()

@@ -10,6 +10,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from kincourse.catalog import COURSE
+from kincourse.lecture_00_start_here import planar_arm
 from kincourse.table_of_lectures import sheet_of
 from kinlib import robots
 from kinlib.view import explore
@@ -20,6 +21,8 @@ from kinsite.execute import ROOT, package_hash
 from kinsite.html_tree import inner_html, read_html
 from kinsite.npm_packages import FONTS, MODULES, TEXT_FONTS
 
+PLANAR_ARM = [Path(planar_arm.__file__).with_suffix(suffix) for suffix in (".js", ".css")]
+"""The arm of lecture 00, for the pages that have one."""
 UNCOLOURED = {"n", "nn", "p", "pm", "w"}
 """Names, punctuation and spaces have the colour of all code in both themes: without elements of their own a page is lighter."""
 FORMULAS_AT_ONCE = 48
@@ -71,7 +74,7 @@ def copy_files(app: Sphinx) -> None:
     (target / "fonts").mkdir(exist_ok=True)
     for name, font in TEXT_FONTS.items():
         shutil.copy(font, target / "fonts" / name)
-    for script in STATIC.glob("*.js"):
+    for script in [*STATIC.glob("*.js"), *PLANAR_ARM]:
         shutil.copy(script, target)
     # a service worker answers for its own folder only
     shutil.copy(Path(__file__).parents[1] / "service-worker.js", app.outdir)
@@ -86,6 +89,9 @@ def copy_files(app: Sphinx) -> None:
 def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree: Any) -> None:
     """Set the values that the templates need for a page."""
     context["body"] = adapt(context.get("body", ""))
+    if "data-planar-arm" in context["body"]:
+        app.add_js_file("planar_arm.js", defer="defer")
+        app.add_css_file("planar_arm.css")
     # furo gives its captions the role of headings without a level, which is not valid; they are captions
     context["furo_navigation_tree"] = context["furo_navigation_tree"].replace(' role="heading"', "")
     context["html_baseurl"] = app.config.html_baseurl

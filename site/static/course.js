@@ -228,50 +228,6 @@
     document.addEventListener('kinlib-committed', ({ detail }) => detail === name && uncover());
   }
 
-  function startSlides(element) {
-    const frames = all('[data-value]', element);
-    const name = element.dataset.kinlibAfter;
-    const begin = Number(element.dataset.start);
-    const value = h('output', {});
-    const range = h('input', {
-      type: 'range',
-      min: 0,
-      max: frames.length - 1,
-      step: 1,
-      value: begin,
-      oninput: () => show(Number(range.value)),
-    });
-    const stage = h('div', {}, ...frames);
-    const bar = h('label', {}, h('span', {}, element.dataset.label), range, value);
-    const cover = waitingLine('picture', () => uncover());
-    element.classList.add('kinlib-slides');
-    element.replaceChildren(cover, stage, bar);
-
-    function show(k) {
-      frames.forEach((frame, index) => {
-        frame.hidden = index !== k;
-      });
-      value.textContent = frames[k].dataset.value;
-      range.setAttribute('aria-valuetext', frames[k].dataset.value);
-    }
-
-    function uncover() {
-      element.classList.remove('kinlib-waiting');
-      cover.hidden = true;
-      stage.hidden = bar.hidden = false;
-      bar.style.display = '';
-    }
-
-    show(begin);
-    cover.hidden = true;
-    if (committed(name) || !waits(element)) return;
-    element.classList.add('kinlib-waiting');
-    cover.hidden = false;
-    stage.hidden = true;
-    bar.style.display = 'none';
-    document.addEventListener('kinlib-committed', ({ detail }) => detail === name && uncover());
-  }
-
   // --- progress ---
 
   function startReadButton(element) {
@@ -422,8 +378,7 @@
   function startContent(root, again = false) {
     for (const section of all('[data-misstep-question]', root)) startQuestion(section, again);
     all('[data-misstep-explain]', root).forEach(startExplanation);
-    all('[data-kinlib-viewer][data-kinlib-after]', root).forEach(uncoverViewerLater);
-    all('[data-kinlib-slides]', root).forEach(startSlides);
+    all(':is([data-kinlib-viewer], [data-kinlib-film])[data-kinlib-after]', root).forEach(uncoverViewerLater);
     makeWideContentFocusable();
   }
 

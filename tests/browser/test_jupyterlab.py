@@ -63,7 +63,7 @@ print(verdict.judgement.state, bool(kl.equivalent(hand.table, robot)))
 player = play_assignment(robot, convention='standard')
 player
 ---
-print(player.step)"""
+print(int(player.at))"""
 
 
 def cells_of(script):

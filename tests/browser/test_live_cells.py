@@ -156,7 +156,7 @@ def test_nothing_is_loaded_by_touching_scrolling_or_answering_until_the_reader_a
         page.on("request", lambda request: asked.append(request.url))
         page.goto(f"{site_address}/lectures/03_poe_space.html")
         touch = page.context.new_cdp_session(page)
-        for kind in ("[data-kinlib-viewer]", "figure", "[data-kinlib-slides]", ".misstep-question", ".stream", "pre"):
+        for kind in ("[data-kinlib-viewer]", "figure", "[data-kinlib-film]", ".misstep-question", ".stream", "pre"):
             figure = page.locator(f"article div.cell {kind}").first
             figure.scroll_into_view_if_needed()
             box = figure.bounding_box()

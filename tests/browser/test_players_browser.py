@@ -16,7 +16,7 @@ from browser import (
 
 import kinlib as kl
 from kincourse import open_sheet
-from kincourse.lecture_00_start_here.opening import opening
+from kincourse.lecture_01_frames.opening import opening
 from kinlib.chains.robots import pose
 from kinlib.dh.rules import check_frames
 from kinlib.view import assign, explore, play_assignment, play_row, play_walk
@@ -33,13 +33,13 @@ STAGE = "document.querySelector('.kv').viewer.stage"
 
 
 @pytest.fixture
-def show(chromium_without_webgl, tmp_path):
+def show(chromium, tmp_path):
     """Show a viewer on a page without a kernel."""
     with ExitStack() as opened:
 
         def open_page(viewer, style="background:white", **settings):
             settings = {"viewport": {"width": 1000, "height": 620}, **settings}
-            page = opened.enter_context(watched(chromium_without_webgl, **settings))
+            page = opened.enter_context(watched(chromium, **settings))
             page.goto(static_page(tmp_path, viewer, style=style).as_uri())
             page.locator(".kv").wait_for()
             if page.locator(".kv-canvas").count():
@@ -86,64 +86,51 @@ def place_of(page, point):
     )
 
 
-# --- the assignment player ---
+# --- the players of steps ---
 
 
-def test_buttons_and_keys_go_to_the_next_and_the_previous_step(show):
+def test_buttons_and_keys_go_to_the_next_and_the_previous_stop(show):
     player = play_assignment(kl.robots.youbot(), convention="standard")
-    steps = player.assignment.steps
+    last = len(player.stops) - 1
     page = show(player)
     following, back = page.get_by_role("button", name="Next step"), page.get_by_role("button", name="One step back")
     for expected in (1, 2, 3):
         following.click()
-        assert get(page, "step") == expected
+        assert get(page, "at") == expected
     page.keyboard.press("ArrowRight")  # the button has the focus
     page.keyboard.press("ArrowRight")
     page.keyboard.press("ArrowLeft")
-    assert get(page, "step") == 4
+    assert get(page, "at") == 4
     back.click()
-    assert get(page, "step") == 3
+    assert get(page, "at") == 3
     assert page.locator(".kv-step").inner_text().startswith("Origin O")
     said = page.locator(".kv-step p").nth(1).text_content()
-    assert said == steps[3].text.replace("O_1", "O1")
-    page.keyboard.press("End")
-    assert get(page, "step") == len(steps) - 1
-    page.keyboard.press("ArrowRight")  # this was the last step
-    assert get(page, "step") == len(steps) - 1
-    assert following.get_attribute("aria-disabled") == "true"
-    page.keyboard.press("Home")
-    assert get(page, "step") == 0
-
-
-def test_a_frame_appears_part_by_part_and_the_current_part_is_highlighted(show):
-    page = show(at(play_assignment(kl.robots.youbot(), convention="standard"), step=2))
-    seen = []
-    for _ in range(4):
-        seen.append({name for name in drawn(page) if name in {"z1", "x1", "y1", "normal 1–2"}})
-        page.get_by_role("button", name="Next step").click()
-    assert seen == [{"normal 1–2"}, {"z1"}, {"z1", "x1", "normal 1–2"}, {"z1", "x1", "y1"}]
-    page.evaluate(f"{MODEL}.set('step', 3)")
-    page.evaluate(f"{STAGE}.paint()")
+    assert said == player.stops[3]["texts"][0].replace("O_1", "O1")
+    assert {"z1"} == {name for name in drawn(page) if name in {"z1", "x1", "y1", "normal 1–2"}}
     box = page.locator(".kv-canvas").bounding_box()
     x, y = place_of(page, (0.033, 0, 0.147))  # O_1, which is highlighted
     red, green, blue = pixel(page, x - box["x"] + 11, y - box["y"] + 3)
     assert blue < min(red, green) - 20, "yellow"
+    page.keyboard.press("End")
+    assert get(page, "at") == last
+    page.keyboard.press("ArrowRight")  # this was the last step
+    assert get(page, "at") == last
+    assert following.get_attribute("aria-disabled") == "true"
+    page.keyboard.press("Home")
+    assert get(page, "at") == 0
 
 
 def test_the_convention_can_be_switched_and_the_table_is_filled(show):
     player = play_assignment(kl.robots.youbot(), convention="standard")
     page = show(player)
     rows = page.locator(".kv-dh tr")
-    first = player.assignment.steps.index(next(step for step in player.assignment.steps if step.kind == "row"))
-    page.evaluate(f"{MODEL}.set('step', {first})")
+    first = next(k for k, stop in enumerate(player.stops) if stop["row"])
+    page.evaluate(f"{MODEL}.set('at', {first})")
     assert rows.nth(1).inner_text().split() == ["1", "0.033", "90°", "0.147", "q1"]
     assert rows.nth(2).inner_text().split() == ["2", "·", "·", "·", "·"]
     page.get_by_label("Convention", exact=True).select_option("modified")
-    assert get(page, "convention") == "modified"
+    assert get(page, "variant") == "modified"
     assert rows.nth(1).inner_text().split() == ["1", "0", "0", "0", "q1"]
-
-
-# --- the row player ---
 
 
 def carried(page, track):
@@ -155,11 +142,11 @@ def carried(page, track):
 def test_the_motions_move_the_frame_to_the_row_s_matrix_in_both_conventions(show):
     player = play_row(ROW)
     page = show(player, reduced_motion="reduce")
-    starts = [np.reshape(track["stops"][0], (4, 4)) for track in player.mode["tracks"]]
+    starts = [np.reshape(arm["home"], (4, 4)) for arm in player.scene["arms"]]
     following = page.get_by_role("button", name="Next motion")
     for _ in range(4):
         following.click()
-    assert get(page, "done") == 4
+    assert get(page, "at") == 4
     for k, convention in enumerate(["standard", "modified"]):
         expected = starts[k] @ kl.dh_transform(*ROW, convention=convention)
         np.testing.assert_allclose(carried(page, k), expected, atol=1e-12)
@@ -170,25 +157,25 @@ def test_the_motions_move_the_frame_to_the_row_s_matrix_in_both_conventions(show
 
 
 def test_a_motion_is_animated_unless_reduced_motion_is_preferred(show):
-    page = show(at(play_row(ROW, convention="standard"), done=3))
-    seen = f"window.seen = new Set(); {MODEL}.on('change:done', () => window.seen.add({MODEL}.get('done')))"
+    page = show(at(play_row(ROW, convention="standard"), at=3))
+    seen = f"window.seen = new Set(); {MODEL}.on('change:at', () => window.seen.add({MODEL}.get('at')))"
     page.evaluate(seen)
     page.get_by_role("button", name="Play").click()
-    wait_for(page, "done", 4)
-    assert page.evaluate("window.seen.size") > 3
-    calm = show(at(play_row(ROW, convention="standard"), done=3), reduced_motion="reduce")
+    wait_for(page, "at", 4)
+    assert page.evaluate("window.seen.size") > 2
+    calm = show(at(play_row(ROW, convention="standard"), at=3), reduced_motion="reduce")
     calm.evaluate(seen)
     calm.get_by_role("button", name="Next motion").click()
     assert calm.evaluate("[...window.seen]") == [4]
 
 
 def test_a_walk_shows_the_frames_of_both_conventions(show):
-    player = at(play_walk(WALK), done=2)
+    player = at(play_walk(WALK), at=2)
     page = show(player, reduced_motion="reduce")
     assert {"{1 mod}", "{1 std}"} <= drawn(page)
     assert "{2 mod}" not in drawn(page)
     page.get_by_role("button", name="X2").click()
-    wait_for(page, "done", 4)
+    wait_for(page, "at", 4)
     np.testing.assert_allclose(carried(page, 0), kl.DHTable(WALK, convention="standard").fk([0, 0]), atol=1e-12)
     assert {"{2 mod}", "{2 std}"} <= drawn(page)
 
@@ -208,7 +195,7 @@ def test_a_film_is_played_paused_and_leafed_through_and_its_text_follows(show):
     page.wait_for_timeout(500)
     assert get(page, "at") == stopped
     page.get_by_label("Time").press("End")
-    assert picture.get_attribute("aria-label") == shown.scenes[-1]["alt"]
+    assert picture.get_attribute("aria-label") == shown.texts[-1]["alt"]
     assert picture.locator("img:visible").count() == 1
 
 
@@ -365,8 +352,8 @@ def broken():
 
 ALL = {
     "arm": lambda: explore(kl.robots.puma560(), start=np.full(6, 0.5)),
-    "assignment": lambda: at(play_assignment(kl.robots.puma560(), convention="modified"), step=24),
-    "row": lambda: at(play_row(ROW), done=2),
+    "assignment": lambda: at(play_assignment(kl.robots.puma560(), convention="modified"), at=24),
+    "row": lambda: at(play_row(ROW), at=2),
     "by hand": broken,
 }
 

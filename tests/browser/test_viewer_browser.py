@@ -1,6 +1,6 @@
 """The viewer in a real browser, on a page without a kernel: moved by mouse and keys, read aloud, light and dark.
 
-Pictures are drawn without WebGL, which is much faster here, unless a test is about WebGL. test_jupyterlab.py has the viewer in a lab.
+test_jupyterlab.py has the viewer in a lab.
 """
 
 from contextlib import ExitStack
@@ -37,11 +37,11 @@ Q = [0.5, -0.6, 0.7, -0.8, 0.9, -1.0]
 
 
 @pytest.fixture
-def show(chromium_without_webgl, tmp_path):
+def show(chromium, tmp_path):
     """Show viewers on a static page, and wait until they are drawn."""
     with ExitStack() as opened:
 
-        def open_page(*viewers, count=None, browser=chromium_without_webgl, **settings):
+        def open_page(*viewers, count=None, browser=chromium, **settings):
             page = opened.enter_context(watched(browser, **settings))
             page.goto(static_page(tmp_path, *viewers).as_uri())
             wait_until_drawn(page, len(viewers) if count is None else count)
@@ -51,9 +51,9 @@ def show(chromium_without_webgl, tmp_path):
 
 
 @pytest.fixture(scope="module")
-def shared(chromium_without_webgl, tmp_path_factory):
+def shared(chromium, tmp_path_factory):
     """A page with a youBot, on which many tests change one thing each."""
-    with watched(chromium_without_webgl) as page:
+    with watched(chromium) as page:
         page.goto(static_page(tmp_path_factory.mktemp("shared"), explore(YOUBOT)).as_uri())
         wait_until_drawn(page)
         yield page
@@ -105,9 +105,9 @@ def shown_pixels(page):
 # --- the kinematics of the page ---
 
 
-def test_the_page_computes_the_pose_of_every_robot_as_chain_fk_does_and_all_share_one_webgl_context(show, chromium):
+def test_the_page_computes_the_pose_of_every_robot_as_chain_fk_does_and_all_share_one_webgl_context(show):
     """Compare the scene graph in JavaScript with Chain.fk in 100 configurations: at most 1e-12 apart."""
-    page = show(*map(explore, ROBOTS), count=1, browser=chromium)
+    page = show(*map(explore, ROBOTS), count=1)
     worst = {}
     for which, robot in enumerate(ROBOTS):
         page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
@@ -147,9 +147,17 @@ def test_the_readout_shows_the_pose_and_copy_gives_python_code_with_all_digits(s
 # --- mouse and keys ---
 
 
-def test_a_slider_is_dragged_with_the_mouse_and_a_message_says_that_webgl_is_missing(youbot):
+def test_without_webgl_the_drawing_is_shown_and_a_message_says_that_it_does_not_move(chromium_without_webgl, tmp_path):
+    with watched(chromium_without_webgl) as page:
+        page.goto(static_page(tmp_path, explore(YOUBOT)).as_uri())
+        page.get_by_text("WebGL is not available in this browser, so a flat drawing of the start is shown").wait_for()
+        assert page.locator(".kv-still img").is_visible()
+        sliders(page).first.press("ArrowRight")
+        np.testing.assert_allclose(pose(page), YOUBOT.fk(q_of(page)), atol=1e-12)
+
+
+def test_a_slider_is_dragged_with_the_mouse(youbot):
     page = youbot
-    assert "WebGL is not available" in page.locator(".kv-message").inner_text()
     before = shown_pixels(page)
     box = sliders(page).nth(1).bounding_box()
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
@@ -332,11 +340,11 @@ def frames_at(degrees):
 SAID = {
     "arm": (lambda: explore(kl.robots.hrr()), {"q": [0.4, -1.2, 1.7]}),
     "tree": (lambda: explore_tree(TREE), {"q": [0.4, 0.02]}),
-    "linkage": (four_bar_viewer, {"q": four_bar_viewer().mode["curves"][0][80]}),
+    "linkage": (four_bar_viewer, {"at": 80}),
     "frames on links": (lambda: explore(RPR, frames={"2": RPR.home}), {"q": [1, 0, 2], "shown": ["axes", "frame 2"]}),
     "moving frames": (lambda: slide_frames(frames_at, "angle", [0, 30, 60]), {"at": 2}),
-    "row": (lambda: play_row([0.8, 0.6, 0.6, 1.4]), {"done": 3}),
-    "walk": (lambda: play_walk([[0.6, -0.9, 0.4, 0.3]]), {"done": 1}),
+    "row": (lambda: play_row([0.8, 0.6, 0.6, 1.4]), {"at": 3}),
+    "walk": (lambda: play_walk([[0.6, -0.9, 0.4, 0.3]]), {"at": 1}),
     "frames by hand": (
         lambda: assign(RPR, "standard"),
         {"frames": kl.assign_frames(RPR, convention="standard").frames.tolist()},
@@ -393,39 +401,41 @@ def test_a_slider_moves_frames(show):
 # --- closed chains ---
 
 
+AT = "(() => { const { model } = document.querySelector('.kv').viewer; return [model.get('variant'), model.get('at')]; })()"
+
+
 def test_the_page_computes_the_poses_of_a_linkage_s_bodies_as_the_library_does(show):
-    page = show(four_bar_viewer())
+    viewer = four_bar_viewer()
+    page = show(viewer)
     bodies = [body for body in LINKAGE.bodies if body != LINKAGE.ground]
-    for curve in page.evaluate("document.querySelector('.kv').viewer.model.get('mode').curves"):
-        for q in curve[::40]:
-            set_q(page, q)
-            expected = LINKAGE.poses(np.array(q))
-            for arm, body in enumerate(bodies):
-                found = page.evaluate(f"document.querySelector('.kv').viewer.stage.tree.pose({arm})")
-                np.testing.assert_allclose(found, expected[body], atol=1e-12)
+    for at in range(0, len(viewer.stops), 40):
+        page.evaluate(f"document.querySelector('.kv').viewer.model.set('at', {at})")
+        expected = LINKAGE.poses(np.array(viewer.stops[at]["q"]))
+        for arm, body in enumerate(bodies):
+            found = page.evaluate(f"document.querySelector('.kv').viewer.stage.tree.pose({arm})")
+            np.testing.assert_allclose(found, expected[body], atol=1e-12)
 
 
 def test_the_slider_moves_along_its_curve_and_a_click_changes_to_the_other_curve(show):
     viewer = four_bar_viewer()
     page = show(viewer)
-    curves = viewer.mode["curves"]
-    here = curves[0].index(viewer.q)
+    first, second = viewer.mode["variants"]
     page.get_by_label("driver").focus()
     settled(page, lambda: page.keyboard.press("ArrowRight"))
-    assert q_of(page) == curves[0][here + 1]
+    assert page.evaluate(AT) == [first, viewer.at + 1]
     page.get_by_label("Assembly mode").select_option(index=1)
-    assert q_of(page) in curves[1]
+    assert page.evaluate(AT)[0] == second
     place = page.locator(".kv-map").bounding_box()
-    rocker = [float(np.mean([q[2] for q in curve])) for curve in curves]
+    rocker = [np.mean([stop["q"][2] for stop in variant["stops"]]) for variant in viewer.mode["variants"].values()]
     share = 0.95 if rocker[0] < rocker[1] else 0.05  # the height of the first curve on the map, from the top
     settled(
         page, lambda: page.mouse.click(place["x"] + place["width"] / 2, place["y"] + share * (place["height"] - 30))
     )
-    assert q_of(page) in curves[0]
+    name, at = page.evaluate(AT)
+    assert name == first
     page.locator(".kv-map").focus()
-    at = curves[0].index(q_of(page))
     settled(page, lambda: page.keyboard.press("ArrowUp"))
-    assert q_of(page) == curves[0][at + 1]
+    assert page.evaluate(AT) == [first, at + 1]
 
 
 # --- predictions ---
@@ -446,10 +456,10 @@ def test_a_question_elsewhere_on_the_page_or_the_reader_removes_the_cover(show):
 # --- messages and failures ---
 
 
-def test_a_configuration_beyond_its_limits_is_shown_with_a_message(show, chromium):
+def test_a_configuration_beyond_its_limits_is_shown_with_a_message(show):
     rpr = kl.robots.rpr()
     limited = kl.Chain(rpr.screws, rpr.home, limits=[(-1, 1), (-np.inf, np.inf), (0, np.inf)])
-    page = show(explore(limited), browser=chromium)
+    page = show(explore(limited))
     message = page.locator(".kv-message")
     assert not message.is_visible()
     set_q(page, [1.5, 0, -0.2])
@@ -469,8 +479,8 @@ def test_an_arm_that_cannot_be_shown_gives_a_message_on_the_page(show):
 # --- the page ---
 
 
-def test_a_lost_context_is_created_again(show, chromium):
-    page = show(explore(kl.robots.rpr()), browser=chromium)
+def test_a_lost_context_is_created_again(show):
+    page = show(explore(kl.robots.rpr()))
     before = shown_pixels(page)
     page.evaluate("globalThis[Symbol.for('kinlib.renderers')][0]()")
     settled(page, lambda: page.evaluate("document.querySelector('.kv').viewer.stage.draw()"))
@@ -534,6 +544,3 @@ def test_a_screen_reader_gets_the_arm_and_the_position_of_its_tool(youbot):
     assert "youBot, 5 joints (RRRRR)" in page.locator(".kv-canvas").get_attribute("aria-label")
     assert "The end-effector is at (" in page.locator(".kv-screen-reader").text_content()
     assert sliders(page).nth(2).get_attribute("aria-valuetext") == "0.17 radians, 10 degrees"
-
-
-# --- resources ---

@@ -196,7 +196,9 @@ def test_a_prediction_uncovers_the_arm_and_the_explanation(page, site_address):
 
 def test_a_slider_shows_its_images_after_the_prediction(page, site_address):
     page.goto(f"{site_address}/lectures/04_poe_body.html")
-    slides = page.locator('[data-kinlib-slides][data-kinlib-after="04/joint-1"]')
+    slides = page.locator('[data-kinlib-film][data-kinlib-after="04/joint-1"]')
+    slides.scroll_into_view_if_needed()
+    slides.locator(".kv").wait_for()
     assert slides.locator("img:visible").count() == 0
     page.locator('[data-misstep-question="04/joint-1"] .kinlib-choice').nth(1).click()
     seen = []

@@ -11,7 +11,6 @@ from kinlib.view.figures.axis_relations import draw_moving_normal
 from kinlib.view.figures.dh_table import draw_row, draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.figures.lettered_chain import draw_lettered_chain
-from kinlib.view.viewer.dh_row_player import draw_tracks
 from kinlib.view.viewer.tree_viewer import draw_tree
 
 PUMA, YOUBOT, RPPR = kl.robots.puma560(), kl.robots.youbot(), kl.robots.rppr()
@@ -42,6 +41,11 @@ def lettered(chain):
     return draw_lettered_chain(chain, [f"L_{i}" * bool(step.any()) for i, step in enumerate(steps)])
 
 
+def at_stop(player, stop):
+    player.at = stop
+    return player
+
+
 PICTURES = {
     "arm": lambda: view.draw_arm(PUMA, np.full(6, 0.3), ghost=np.zeros(6), show=SHOW),
     "arm with frames": lambda: view.draw_arm(YOUBOT, frames={"2": FRAMES["b"]}, view="front"),
@@ -52,8 +56,8 @@ PICTURES = {
     "parallel axes": lambda: view.draw_axis_relation((Z, (0, 0, 0)), (Z, X)),
     "moving normal": lambda: draw_moving_normal(0.2, 0.5),
     "row": lambda: draw_row(ROW),
-    "row, motion by motion": lambda: draw_tracks(view.play_row(ROW).mode["tracks"], 2),
-    "factors": lambda: draw_tracks(view.play_walk(WALK).mode["tracks"], 3),
+    "row, motion by motion": lambda: at_stop(view.play_row(ROW), 2).picture(),
+    "factors": lambda: at_stop(view.play_walk(WALK), 3).picture(),
     "table": lambda: draw_table(ASSIGNED.table, np.full(6, 0.3), numbers=True),
     "table with a fixed row": lambda: draw_table(BRACKET, [0.3, 0.4], path=False),
     "assignment of one joint": lambda: draw_assignment(kl.assign_frames(TURNTABLE, convention="modified")),

@@ -2,7 +2,6 @@
 
 from typing import Any
 
-import ipywidgets as widgets
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -15,6 +14,7 @@ from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.joint_bodies import stations
+from kinlib.view.viewer.pictures import Pictures
 
 LANE_PX = 6.0
 """Perpendiculars that would lie on each other are drawn side by side, so many pixels apart."""
@@ -22,7 +22,7 @@ LANE_PX = 6.0
 LENGTH_OFFSETS = [(-20, 0), (0, 12), (20, 0), (0, -12), (-26, 10), (26, 10), (26, -10), (-26, -10)]
 
 
-def slide_mid_formula(chain: Chain, q: ArrayLike, *, after: Any = None, start: int = 0) -> widgets.Widget:
+def slide_mid_formula(chain: Chain, q: ArrayLike, *, after: Any = None, start: int = 0) -> Pictures:
     """Show the mid-formula form with M after joint 0, 1, ..., n: e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn.
 
     q  (n,) the joint values at which the position of the end-effector is written in the caption
@@ -32,7 +32,7 @@ def slide_mid_formula(chain: Chain, q: ArrayLike, *, after: Any = None, start: i
 
     >>> from kinlib.chains.robots import mid_formula_arm
     >>> type(slide_mid_formula(mid_formula_arm(), [0.5, -0.3, 0.8, 0.4])).__name__
-    'VBox'
+    'Pictures'
     """
     values = validation.vectors(q, "q", chain.n)
 

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from typing import Any
 
-import ipywidgets as widgets
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -13,6 +12,7 @@ from kinlib.chains.chain import Chain
 from kinlib.view import draw_arm, slide
 from kinlib.view.drawing.picture import vector_text
 from kinlib.view.figures.joint_bodies import stations
+from kinlib.view.viewer.pictures import Pictures
 
 
 def slide_axis(
@@ -24,7 +24,7 @@ def slide_axis(
     *,
     ghost: ArrayLike | None = None,
     after: Any = None,
-) -> widgets.Widget:
+) -> Pictures:
     """Show an arm in several configurations, and the screw axis of one joint in each, as {s} and as {b} read it.
 
     joint           the joint whose axis is written in the caption, counted from 1
@@ -36,7 +36,7 @@ def slide_axis(
     >>> from kinlib.chains.robots import mid_formula_arm
     >>> q = np.radians([[degrees, 0, 0, 0] for degrees in (0, 45, 90)])
     >>> type(slide_axis(mid_formula_arm(), 3, q, "joint 1 (degrees)", [0, 45, 90])).__name__
-    'VBox'
+    'Pictures'
     """
     q = validation.vectors(configurations, "configurations", chain.n)
     points = np.concatenate([stations(chain, now) for now in q])

@@ -7,7 +7,6 @@ linkage itself is drawn by `kinlib.view.figures.linkage`.
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import ipywidgets as widgets
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -19,6 +18,7 @@ from kinlib.view import draw_linkage, slide
 from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.linkage import linkage_geometry
+from kinlib.view.viewer.pictures import Pictures
 
 
 def slide_linkage(
@@ -32,7 +32,7 @@ def slide_linkage(
     names: bool = True,
     after: Any = None,
     start: int = 0,
-) -> widgets.Widget:
+) -> Pictures:
     """Show a linkage in several configurations, in which its loops need not be closed, all at the same scale.
 
     configurations  (m, n) joint values, one configuration for each of the values
@@ -46,7 +46,7 @@ def slide_linkage(
     >>> linkage = four_bar(0.5, 0.3, 0.3, 0.3)
     >>> modes = linkage.assembly_modes(hold={"A": 1.0})
     >>> type(slide_linkage(linkage, modes, "assembly mode", [1, 2], ghosts=modes[::-1])).__name__
-    'VBox'
+    'Pictures'
     """
     q = validation.vectors(configurations, "configurations", mechanism.n)
     drawn = () if ghosts is None else np.broadcast_to(validation.vectors(ghosts, "ghosts", mechanism.n), q.shape)
@@ -67,7 +67,7 @@ def slide_curve(
     parts: Mapping[str, ArrayLike] | None = None,
     captions: Sequence[str] = (),
     after: Any = None,
-) -> widgets.Widget:
+) -> Pictures:
     """Move a linkage along a curve, beside the square of two of its angles, on which the same curve is drawn.
 
     configurations  (m, n) joint values along the curve, as mechanism.trace(...).q
@@ -81,7 +81,7 @@ def slide_curve(
     >>> linkage = four_bar(0.4, 0.1, 0.35, 0.3)
     >>> q = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0], points=13).q
     >>> type(slide_curve(linkage, q, ("A", "D"))).__name__
-    'VBox'
+    'Pictures'
     """
     q = validation.vectors(configurations, "configurations", mechanism.n)
     angles = q[:, [mechanism.names.index(name) for name in pair]]

@@ -8,25 +8,9 @@ uses the theme of the system. The drawing stays legible, because it paints its o
 import colorsys
 import re
 
-from kinlib.view.drawing.figure_colours import (
-    GHOST_GREY,
-    GREY,
-    JOINT_FILL,
-    LIGHT_AND_DARK,
-    LINK_GREY,
-    PALE_GREY,
-)
+from kinlib.view.drawing.figure_colours import LIGHT_AND_DARK
 
-DARK_COLOURS = {
-    "#ffffff": "#171b21",
-    "#000000": "#e6edf3",
-    **dict(LIGHT_AND_DARK.values()),
-    GREY: "#9aa5b1",
-    PALE_GREY: "#3b444f",
-    LINK_GREY: "#7d9cbb",
-    GHOST_GREY: "#59636e",
-    JOINT_FILL: "#80622a",
-}
+DARK_COLOURS = {"#000000": LIGHT_AND_DARK["ink"][1], **dict(LIGHT_AND_DARK.values())}
 """The colour on a dark page for each colour on white paper; for other colours it is computed."""
 
 COLOUR = re.compile(r'(fill|stroke)(="|: )(#[0-9a-fA-F]{6}|white|black)')

@@ -6,7 +6,6 @@ import io
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import partial
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,7 +15,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.tolerances import TYPED_PI_ERROR
 from kinlib.view.drawing.dark_theme import THEME_CSS, follow_theme
-from kinlib.view.drawing.png_and_pdf import KINDS, image_bytes
+from kinlib.view.drawing.png import png_bytes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -38,11 +37,11 @@ class Picture:
     '<svg role="img"><title>A drawing with nothing in it.</title><desc>A drawing with nothing in it.</desc></svg>'
     >>> nothing.save("nothing.jpg")
     Traceback (most recent call last):
-    ValueError: path must end in .svg, .html, .png or .pdf; got 'nothing.jpg'.
+    ValueError: path must end in .svg, .html or .png; got 'nothing.jpg'.
     >>> nothing.html()
     '<figure class="kinlib-figure" ...><style>...</style><img alt="A drawing with nothing in it." ...></figure>'
     >>> sorted(nothing.contents())
-    ['html', 'pdf', 'png', 'svg']
+    ['html', 'png', 'svg']
     """
 
     svg: str
@@ -74,11 +73,14 @@ class Picture:
     def contents(self) -> dict[str, Callable[[], str | bytes]]:
         """Return for each kind of file a function that makes its contents, with the text alternative."""
         title = self.caption or first_sentence(self.alt)
-        images = {kind: partial(image_bytes, self.figure or self.svg, kind, title, self.alt) for kind in KINDS}
-        return {"svg": self.labelled_svg, "html": lambda: page(self.alt, self.html()), **images}
+        return {
+            "svg": self.labelled_svg,
+            "html": lambda: page(self.alt, self.html()),
+            "png": lambda: png_bytes(self.figure or self.svg, title, self.alt),
+        }
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Save the drawing with its text alternative: as an image, .svg, .png or .pdf, or as a page of its own, .html.
+        """Save the drawing with its text alternative: as an image, .svg or .png, or as a page of its own, .html.
 
         Raises ValueError for another ending, and for a folder that does not exist.
         """

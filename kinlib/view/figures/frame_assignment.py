@@ -1,20 +1,38 @@
-"""Drawings of a frame assignment after each of its steps: joint axes, common normals, origins and frames."""
+"""The steps of a frame assignment as stops: the parts that are drawn after each, of which the current ones are strong."""
+
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment
+from kinlib.dh.assignment_steps import AssignmentStep
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import AXIS_COLOURS, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import describe_arm, pose_text
-from kinlib.view.figures.assignment_steps import (
-    MAX_DISTANCE_IN_ARM_SIZES,
-    row_segments,
-    span_on_axis,
-    state_after,
-    visible_features,
-)
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
+from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part
+
+MAX_DISTANCE_IN_ARM_SIZES = 4.0
+"""Frames and normals farther from the arm than this are left out, as those of nearly parallel axes can be."""
+
+STEP_TITLES = {
+    "axes": "The joint axes",
+    "first": "Frame 0",
+    "normal": "Axes {i} and {j}",
+    "origin": "Origin O_{i}",
+    "x": "Axis x_{i}",
+    "y": "Axis y_{i}",
+    "last": "Frame {i}, the last",
+    "row": "Row {i} of the table",
+    "accuracy": "The table and the arm",
+}
+"""The heading of each kind of step."""
+
+MARKED_PARTS = {"origin": "O", "x": "x", "y": "y", "first": "Oxyz", "last": "Oxyz"}
+"""The parts of its frame that a step is about: O for the origin, and axes."""
 
 
 def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, caption: str = "") -> Picture:
@@ -22,9 +40,8 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
 
     until  the index in assignment.steps of the last step drawn; None for the finished assignment
 
-    Joint axes are violet and dashed, common normals orange; a normal of length zero is a short dashed line along its direction.
-    Frame i has x_i, y_i, z_i at its tips; y is drawn only while its frame is strong. Frames with the same origin have arrows
-    of different length. While a row is read off, its a is a thick orange line and its d a thick violet one.
+    Joint axes are violet and dashed, common normals orange; a normal of length zero is a short line along its direction.
+    y is drawn only while its frame is strong. While a row is read off, its a is a thick orange line and its d a violet one.
 
     Raises ValueError if until is not the index of a step.
 
@@ -34,127 +51,153 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
     youBot, standard convention, step 4 of 25. O_1 lies on axis 2, where the common normal meets it: (0.033, 0, 0.147).
     Drawn so far: frame 0 at (0, 0, 0), x along (1, 0, 0), z along (0, 0, 1).
     """
-    steps = assignment.steps
-    drawing = _Drawing(assignment, until)
-    drawing.draw()
-    head = f"{assignment.chain.name}, {assignment.table.convention} convention"
-    if until is None:
-        return drawing.canvas.picture(f"{head}, all {len(steps)} steps. {drawing.describe()}", caption, cropped=True)
-    step = steps[until]
-    step_caption = f"Step {until + 1} of {len(steps)}. {step.text}" + (
-        f" Also valid: {step.others}" if step.others else ""
+    steps, chain = assignment.steps, assignment.chain
+    if until is not None and until not in range(len(steps)):
+        raise ValueError(f"until must be the index of a step of this assignment, 0 to {len(steps) - 1}; got {until!r}.")
+    stop = assignment_stop(assignment, len(steps) - 1 if until is None else until)
+    near, feet = visible_features(assignment)
+    seen = np.concatenate([chain.joint_points, chain.home[None, :3, 3], assignment.frames[near, :3, 3], feet])
+    canvas = Canvas(seen)
+    canvas.floor(seen)
+    draw_joint_bodies(canvas, chain, chain.link_poses(np.zeros(chain.n)))
+    # The joints have their numbers, so only lengths are named.
+    draw_parts(
+        canvas, [part | {"name": part["name"] * (part.get("width") == 4)} for part in stop["parts"]], canvas.size
     )
-    axes = f" {describe_arm(assignment.chain, np.zeros(assignment.chain.n))}" if step.kind == "axes" else ""
-    alt = f"{head}, step {until + 1} of {len(steps)}. {step.text}{axes} {drawing.describe()}"
-    return drawing.canvas.picture(alt, caption or step_caption)
+    if until is None:
+        finished = stop["alt"].partition("Drawn so far")
+        head = f"{chain.name}, {assignment.table.convention} convention, all {len(steps)} steps."
+        return canvas.picture(f"{head} {finished[1]}{finished[2]}", caption, cropped=True)
+    step = steps[until]
+    others = f" Also valid: {step.others}" if step.others else ""
+    return canvas.picture(stop["alt"], caption or f"Step {until + 1} of {len(steps)}. {step.text}{others}")
 
 
-class _Drawing:
-    """One picture of an assignment."""
+def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
+    """Return what is drawn and said after step k of an assignment, counted from 0: a stop for the page.
 
-    def __init__(self, assignment: FrameAssignment, until: int | None) -> None:
-        self.assignment, self.state = assignment, state_after(assignment, until)
-        self.chain = assignment.chain
-        room = np.concatenate([self.chain.joint_points, self.chain.home[None, :3, 3]])
-        self.near, self.feet = visible_features(assignment)
-        seen = np.concatenate([room, assignment.frames[self.near, :3, 3], self.feet])
-        self.middle = room.mean(axis=0)
-        self.canvas = Canvas(seen)
-        self.canvas.floor(seen)
-
-    def draw(self) -> None:
-        self._lines()
-        draw_joint_bodies(self.canvas, self.chain, self.chain.link_poses(np.zeros(self.chain.n)))
-        for pair, strong in enumerate(self.state.normals):
-            if strong is not None:
-                self._normal(pair, strong)
-        if self.state.row is not None:
-            self._row(self.state.row)
-        for i in np.flatnonzero(self.near):
-            self._frame(int(i))
-        if self.state.kind == "accuracy":
-            for name, T, there in (
-                ("s", np.eye(4), self.assignment.frames[0]),
-                ("b", self.chain.home, self.assignment.frames[-1]),
-            ):
-                if np.linalg.norm(
-                    T[:3, 3] - self.middle
-                ) < MAX_DISTANCE_IN_ARM_SIZES * self.canvas.size and not np.allclose(T, there):
-                    self.canvas.triad(T, name, 0.12 * self.canvas.size)
-
-    def describe(self) -> str:
-        whole = [
-            f"frame {i} {pose_text(T)}" for i, T in enumerate(self.assignment.frames) if "y" in self.state.frames[i]
-        ]
-        return f"Drawn so far: {'; '.join(whole) or 'the joints and their axes'}."
-
-    def _lines(self) -> None:
-        """Draw the joint axes, long enough to reach the feet of the normals on them."""
-        for i, (z, point) in enumerate(zip(self.chain.lines.axis, self.chain.joint_points, strict=True)):
-            low, high = span_on_axis(z, point, self.feet)
-            ends = point + (low - 0.18 * self.canvas.size) * z, point + (high + 0.3 * self.canvas.size) * z
-            strong = self.state.axes[i]
-            colour, width = (VIOLET, 1.8) if strong else (_faded(VIOLET), 1.2)
-            self.canvas.arrow(*ends, colour, width, style="--", level=1.5 + strong)
-
-    def _normal(self, pair: int, strong: bool) -> None:
-        normal = self.assignment.normals[pair]
-        colour, width = (ORANGE, 3.2) if strong else (_faded(ORANGE), 2.2)
-        ends = np.array([normal.start, normal.end])
-        if np.linalg.norm(ends[1] - ends[0]) > 1e-9:
-            self.canvas.line(ends, colour, width, level=3.2)
-            return
-        half = 0.22 * self.canvas.size * normal.x
-        self.canvas.line([ends[0] - half, ends[0] + half], colour, width, "--", level=3.2)
-
-    def _row(self, row: int) -> None:
-        """Draw a row's translations from frame to frame: d along the joint axis, a along the common normal."""
-        for name, start, end in row_segments(self.assignment, row):
-            if np.linalg.norm(end - start) < MAX_DISTANCE_IN_ARM_SIZES * self.canvas.size:
-                colour = VIOLET if name[0] == "d" else ORANGE
-                self.canvas.line([start, end], colour, 4.5, level=3.4)
-                self.canvas.label((start + end) / 2, f"${name}$", colour, size=12)
-
-    def _frame(self, i: int) -> None:
-        parts, T, strong = self.state.visible_parts(i), self.assignment.frames[i], self.state.strong[i]
-        if not parts:
-            return
-        length = (0.17 + 0.08 * self._rank(i)) * self.canvas.size
-        for letter in sorted(set(parts) - {"O"}):
-            k = "xyz".index(letter)
-            colour = AXIS_COLOURS[k] if strong else _faded(AXIS_COLOURS[k])
-            tip = T[:3, 3] + length * T[:3, k]
-            self.canvas.arrow(T[:3, 3], tip, colour, 2.4 if strong else 1.6, level=4 + strong + 0.01 * k)
-            x, y = 11 * self.canvas.along(T[:3, 3], tip)
-            places = [(x, y), *((x + dx, y + dy) for dx, dy in _LABEL_NUDGES)]
-            self.canvas.label(tip, f"${letter}_{i}$", colour, places, 10)
-        self.canvas.dot(T[:3, 3], INK if strong else _faded(INK), 6 if strong else 4, level=6)
-        if self.state.kind == "origin" and strong:
-            self.canvas.label(T[:3, 3], f"$O_{i}$", INK)
-
-    def _rank(self, i: int) -> int:
-        """Count the frames that are drawn before this one and have the same origin."""
-        frames = self.assignment.frames
-        return sum(
-            bool(self.state.frames[j] and np.linalg.norm(frames[j, :3, 3] - frames[i, :3, 3]) < 1e-6) for j in range(i)
-        )
-
-
-_LABEL_NUDGES = (
-    *((9, 0), (-9, 0), (0, 10), (0, -10), (14, 10), (-14, 10), (14, -10), (-14, -10)),
-    *((22, 0), (-22, 0), (0, 20), (0, -20)),
-)
-
-
-FADED_SHARE = 0.55
-"""How much of its colour is left of what the current step does not name."""
-
-
-def _faded(colour: str) -> str:
-    """Mix a colour with white, for what the current step does not name.
-
-    >>> _faded("#000000")
-    '#737373'
+    >>> from kinlib.dh.assignment import assign_frames
+    >>> from kinlib.chains.robots import youbot
+    >>> stop = assignment_stop(assign_frames(youbot(), convention="standard"), 3)
+    >>> [part["letters"] for part in stop["parts"] if part["kind"] == "frame"], len(stop["marks"])
+    (['Oxz', 'Oz'], 1)
     """
-    values = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
-    return "#" + "".join(f"{round(255 - FADED_SHARE * (255 - value)):02x}" for value in values)
+    steps, chain, n = assignment.steps, assignment.chain, assignment.chain.n
+    step, i = steps[k], steps[k].frame
+    done = {(one.kind, one.frame) for one in steps[: k + 1]}
+    finished = step.kind == "accuracy"
+    beside = () if i is None else (i - 1, i)
+    near, feet = visible_features(assignment)
+    size = arm_size(chain)
+    parts, marks = [], []
+    for axis, ends in enumerate(axis_ends(chain, feet)):
+        strong = step.kind in {"axes", "accuracy"} or (step.kind == "normal" and axis in beside)
+        parts.append(line_part(*ends, "axis", name=f"axis {axis + 1}", dashed=True, tip=True, strong=strong))
+        marks += [_mark(*ends)] if strong and step.kind == "normal" else []
+    for pair, normal in enumerate(assignment.normals, start=1):
+        if ("normal", pair) in done:
+            strong = finished or (step.kind in {"normal", "x"} and i == pair)
+            half = 0.16 * size * normal.x * (np.linalg.norm(normal.end - normal.start) < 1e-6 * size)
+            ends, name = (normal.start - half, normal.end + half), f"normal {pair}–{pair + 1}"
+            width = 3 if strong else 2
+            parts.append(line_part(*ends, "normal", name=name * strong, width=width, dashed=True, strong=strong))
+            marks += [_mark(*ends)] if strong and not finished else []
+    if step.kind == "row" and i is not None:
+        for name, start, end in row_segments(assignment, i):
+            parts.append(line_part(start, end, "axis" if name[0] == "d" else "normal", name=name, width=4))
+            marks.append(_mark(start, end))
+    origins: list[Array] = []
+    for j, T in enumerate(assignment.frames):
+        letters = _assigned(j, n, done)
+        strong = finished or j == i or (step.kind == "row" and j in beside)
+        if letters and near[j]:
+            rank = sum(bool(np.linalg.norm(T[:3, 3] - origin) < 1e-6) for origin in origins)
+            origins.append(T[:3, 3])
+            # y follows from z and x
+            shown = letters if strong and not finished else letters.replace("y", "")
+            parts.append(frame_part(T, shown, sub=str(j), rank=rank, strong=strong))
+            for letter in MARKED_PARTS.get(step.kind, "") if j == i else "":
+                along = 0 if letter == "O" else T[:3, "xyz".index(letter)]
+                marks.append(_mark(T[:3, 3], T[:3, 3] + (0.2 + 0.07 * rank) * size * along))
+    return {
+        "title": STEP_TITLES[step.kind].format(i=i, j=None if i is None else i + 1),
+        "texts": [step.text],
+        "others": step.others,
+        "alt": _describe(assignment, k, step, [j for j in range(n + 1) if "y" in _assigned(j, n, done)]),
+        "parts": parts,
+        "marks": marks,
+        "row": i if step.kind == "row" else None,
+    }
+
+
+def row_segments(assignment: FrameAssignment, row: int) -> list[tuple[str, Array, Array]]:
+    """Return the translations of a row, counted from 1, as segments (name, start, end): d along z, a along x; none of length zero.
+
+    >>> from kinlib.dh.assignment import assign_frames
+    >>> from kinlib.chains.robots import youbot
+    >>> [name for name, *_ in row_segments(assign_frames(youbot(), convention="standard"), 1)]
+    ['d_1', 'a_1']
+    """
+    before, after = assignment.frames[row - 1 : row + 1]
+    a, _, d, _ = assignment.table.rows[row - 1]
+    standard = assignment.table.convention == "standard"
+    corner = before[:3, 3] + (d * before[:3, 2] if standard else a * before[:3, 0])
+    names = (f"d_{row}", f"a_{row}") if standard else (f"a_{row - 1}", f"d_{row}")
+    segments = zip(names, (before[:3, 3], corner), (corner, after[:3, 3]), strict=True)
+    return [(name, start, end) for name, start, end in segments if np.linalg.norm(end - start) > 1e-9]
+
+
+def visible_features(assignment: FrameAssignment) -> tuple[NDArray[np.bool_], Array]:
+    """Return which frames are near enough to the arm to be shown, (n + 1,), and the feet of normals that are, (m, 3)."""
+    chain = assignment.chain
+    room = np.concatenate([chain.joint_points, chain.home[None, :3, 3]])
+    radius = MAX_DISTANCE_IN_ARM_SIZES * max(arm_size(chain), 0.1)
+    middle = room.mean(axis=0)
+    feet = np.array([foot for normal in assignment.normals for foot in (normal.start, normal.end)]).reshape(-1, 3)
+    near: NDArray[np.bool_] = np.linalg.norm(assignment.frames[:, :3, 3] - middle, axis=-1) < radius
+    return near, feet[np.linalg.norm(feet - middle, axis=-1) < radius]
+
+
+def arm_size(chain: Chain) -> float:
+    """Return the longest side of the box around the joints and the tool of an arm at home, in metres."""
+    return float(np.ptp([*chain.joint_points, chain.home[:3, 3]], axis=0).max())
+
+
+def span_on_axis(z: Array, point: Array, places: ArrayLike) -> tuple[float, float]:
+    """Return from where to where an axis must be drawn, measured from its point, to contain those of the places that are on it.
+
+    >>> span_on_axis(np.array([0.0, 0, 1]), np.zeros(3), [(0, 0, 2), (1, 0, 5)])
+    (0.0, 2.0)
+    """
+    off = np.reshape(places, (-1, 3)) - point
+    along = [0.0, *(off[np.linalg.norm(np.cross(z, off), axis=-1) < 1e-9] @ z).tolist()]
+    return min(along), max(along)
+
+
+def axis_ends(chain: Chain, feet: Array) -> list[tuple[Array, Array]]:
+    """Return both ends of each joint axis, long enough to contain the tool and the feet (m, 3) of normals that are on it."""
+    size, found = arm_size(chain), []
+    for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
+        low, high = span_on_axis(z, point, [*feet, chain.home[:3, 3]])
+        found.append((point + (low - 0.24 * size) * z, point + (high + 0.34 * size) * z))
+    return found
+
+
+def _assigned(i: int, n: int, done: set[tuple[str, int | None]]) -> str:
+    """Return which of O, x, y, z of frame i are assigned. The first and the last frame are assigned in one step."""
+    if i in (0, n):
+        return "Oxyz" if ("first" if i == 0 else "last", i) in done else ""
+    letters = "".join(letters for kind, letters in {"origin": "Oz", "x": "x", "y": "y"}.items() if (kind, i) in done)
+    return "".join(sorted(letters))
+
+
+def _mark(start: Array, end: Array) -> Part:
+    return {"from": (start.round(6) + 0.0).tolist(), "to": (end.round(6) + 0.0).tolist()}
+
+
+def _describe(assignment: FrameAssignment, k: int, step: AssignmentStep, whole: list[int]) -> str:
+    chain = assignment.chain
+    head = f"{chain.name}, {assignment.table.convention} convention, step {k + 1} of {len(assignment.steps)}."
+    axes = f" {describe_arm(chain, np.zeros(chain.n))}" if step.kind == "axes" else ""
+    frames = "; ".join(f"frame {i} {pose_text(assignment.frames[i])}" for i in whole)
+    return f"{head} {step.text}{axes} Drawn so far: {frames or 'the joints and their axes'}."

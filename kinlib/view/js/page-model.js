@@ -100,7 +100,9 @@ export function startViewer(
   element,
   state = JSON.parse(element.querySelector('script[type="application/json"]').textContent),
 ) {
-  const model = new PageModel(element, state);
+  const drawing = element.querySelector('[data-kinlib-drawing]');
+  const model = new PageModel(element, { ...state, drawing: drawing?.innerHTML });
+  drawing?.remove();
   // a question elsewhere on the page sets data-uncovered, before the viewer has started or afterwards
   const uncover = () => {
     if (!('uncovered' in element.dataset)) return;
@@ -109,7 +111,6 @@ export function startViewer(
   };
   uncover();
   new MutationObserver(uncover).observe(element, { attributeFilter: ['data-uncovered'] });
-  element.querySelector('[data-kinlib-drawing]')?.remove();
   element.kinlibModel = model;
   element.dispose = widget.render({ model, el: element });
   return model;

@@ -2,46 +2,11 @@
 // their theme in another way, but all of them paint a background, so its luminance decides.
 import COLOURS from '../colours.json';
 
-/** The colours that drawings have, too: 0 on white paper, 1 on a dark page. */
-const drawn = (page) => Object.fromEntries(Object.entries(COLOURS).map(([name, pair]) => [name, pair[page]]));
-
-const LIGHT = {
-  ...drawn(0),
-  paper: '#f6f8fa',
-  halo: '#f6f8fa',
-  grid: '#aab4be',
-  quiet: '#59636e',
-  link: '#7f9bb5',
-  joint: '#f0cf94',
-  cap: '#c9a15c',
-  rod: '#b9c4cd',
-  ghost: '#a9b2bb',
-  outline: '#2f3b47',
-  shade: 0.1,
-  home: '#8c959f',
-  trail: '#0b7285',
-};
-
-const DARK = {
-  ...drawn(1),
-  dark: true,
-  paper: '#171b21',
-  halo: '#171b21',
-  grid: '#4a5562',
-  quiet: '#9aa5b1',
-  link: '#7d9cbb',
-  joint: '#e3b968',
-  cap: '#a97f38',
-  rod: '#a5b1bc',
-  ghost: '#6b7681',
-  outline: '#05070a',
-  shade: 0.4,
-  home: '#8c959f',
-  trail: '#3bc9db',
-};
-
+/** The colours of kinlib/view/colours.json on the page behind an element, and how dark shadows are. */
 export function themeOf(element) {
-  return isDark(element) ? DARK : LIGHT;
+  const dark = isDark(element);
+  const colours = Object.entries(COLOURS).map(([name, pair]) => [name, pair[Number(dark)]]);
+  return { ...Object.fromEntries(colours), dark, shade: dark ? 0.4 : 0.1 };
 }
 
 export function isDark(element) {

@@ -6,19 +6,21 @@ import { layerToggles, viewButtons } from './controls/layer-toggles.js';
 import { poseReadout } from './controls/pose-readout.js';
 import { predictionCover } from './controls/prediction-cover.js';
 import { formatNumber, h, NO_SHORTCUTS } from './dom.js';
-import { renderFilm } from './film.js';
 import { listen, save } from './model.js';
-import { MODES } from './modes/index.js';
+import { placeFrames } from './modes/place-frames.js';
+import { steps } from './modes/steps.js';
+import { renderPictures } from './pictures.js';
 import { orbitControls } from './render/camera.js';
 import { Stage } from './render/stage.js';
 import { describeArm, describeLinkage, describeTree, endEffectorText, frameText, tipsText } from './scene/describe.js';
 import { matrixOf, rows } from './scene/kinematic-tree.js';
 import { availableLayers, buildLayers, isSingleFrame, showLayers } from './scene/layers.js';
-import { Trail } from './scene/trail.js';
+import { createTrail } from './scene/trail.js';
 import { isDark, onThemeChange, themeOf } from './theme.js';
 import css from './viewer.css';
 
 const HEIGHT_PER_WIDTH = 0.78; // of the picture
+const MODES = { assign: placeFrames, steps }; // what a viewer can do in addition to showing an arm
 const SPEECH_DELAY_MS = 700; // a screen reader announces the pose when nothing has moved for this long
 
 function render({ model, el }) {
@@ -34,14 +36,20 @@ function render({ model, el }) {
   const canvas = h('canvas', { class: 'kv-canvas', tabindex: 0, role: 'img', ...NO_SHORTCUTS });
   const message = h('p', { class: 'kv-message', role: 'status', hidden: true });
   const announcement = h('p', { class: 'kv-screen-reader', 'aria-live': 'polite' });
-  const frame = h('div', { class: 'kv-picture' }, canvas);
+  const still = h('div', { class: 'kv-still' }); // until WebGL has drawn the first picture, and without WebGL
+  const frame = h('div', { class: 'kv-picture' }, canvas, still);
   const root = h('div', { class: 'kv', role: 'group', 'aria-label': `Viewer of ${data.name}` });
   root.viewer = { model }; // for tests and for scripts on the page
   el.append(root);
   root.append(frame);
   const stage = new Stage(data, canvas, themeOf(root));
   root.viewer.stage = stage;
-  stage.onWebGLMissing = () => update();
+  stage.onReady = () => {
+    still.hidden = !stage.withoutWebGL;
+    if (!stage.withoutWebGL) return;
+    save(model, 'flat', true); // Python draws it then, where there is one
+    update();
+  };
   const pose = poseReadout();
   const panel = jointSliders(state);
   const cover = predictionCover(model);
@@ -95,7 +103,11 @@ function render({ model, el }) {
     panel.update(values);
     mode.update?.(values, T);
     trail?.add(tip.set(T[0][3], T[1][3], T[2][3]));
-    showMessage([stage.withoutWebGL && NO_WEBGL, limitMessage(data.limits, values)].filter(Boolean).join(' '));
+    showMessage(
+      [stage.withoutWebGL && (model.withoutKernel ? STILL : NO_WEBGL), limitMessage(data.limits, values)]
+        .filter(Boolean)
+        .join(' '),
+    );
     describeLater();
   }
 
@@ -133,7 +145,7 @@ function render({ model, el }) {
     describe();
     const wanted = shown.includes('trail');
     if (wanted && !trail) {
-      trail = new Trail(stage);
+      trail = createTrail(stage);
       update();
     } else if (!wanted && trail) {
       trail.dispose();
@@ -148,7 +160,6 @@ function render({ model, el }) {
     stage.setTheme(themeOf(root));
     buildLayers(stage, model.get('shown'));
     stage.setQ(q());
-    trail?.applyTheme();
     mode.applyTheme?.();
   }
 
@@ -158,12 +169,17 @@ function render({ model, el }) {
     message.hidden = inside.hidden || !message.textContent; // the message could reveal what is to be predicted
   }
 
-  const changes = { q: update, shown: updateLayers, covered: updateCover };
-  for (const trait of ['step', 'convention', 'done', 'frames', 'at']) changes[trait] = describeLater; // of the modes
+  function updateDrawing() {
+    still.innerHTML = model.get('drawing') ?? '';
+  }
+
+  const changes = { q: update, shown: updateLayers, covered: updateCover, drawing: updateDrawing };
+  for (const trait of ['at', 'variant', 'frames']) changes[trait] = describeLater; // of the modes
   const stopListening = listen(model, changes);
   applyTheme();
   updateLayers();
   updateCover();
+  updateDrawing();
   update();
   describe();
   performance.mark('kinlib-viewer-answers');
@@ -196,7 +212,8 @@ function render({ model, el }) {
   };
 }
 
-const NO_WEBGL = 'WebGL is not available in this browser, so the arm is drawn without shading.';
+const NO_WEBGL = 'WebGL is not available in this browser, so a flat drawing is shown.';
+const STILL = 'WebGL is not available in this browser, so a flat drawing of the start is shown, which does not move.';
 const KEYBOARD_HELP =
   'Arrow keys rotate the view, shift and arrow keys pan it, plus and minus zoom, 0 to 3 select the named views.';
 
@@ -221,7 +238,7 @@ function addStyleSheet() {
 function renderOrExplain(context) {
   try {
     addStyleSheet();
-    return context.model.get('scene') ? render(context) : renderFilm(context);
+    return context.model.get('scene') ? render(context) : renderPictures(context);
   } catch (error) {
     context.el.append(
       h('p', { class: 'kv-failed', role: 'alert' }, `The viewer cannot show this arm: ${error.message}`),

@@ -6,88 +6,20 @@ motion; their text alternatives together tell the film. It never begins by itsel
 """
 
 from collections.abc import Callable, Sequence
-from pathlib import Path
-from typing import Any
 
 import numpy as np
-import traitlets
 
 from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.dark_theme import follow_theme
-from kinlib.view.drawing.picture import Gallery, Picture
-from kinlib.view.viewer.cell_memory import keep_in_cell
-from kinlib.view.viewer.viewer import PageWidget, as_script
+from kinlib.view.drawing.picture import Picture
+from kinlib.view.viewer.pictures import Pictures
 
 FRAMES_PER_SECOND = 6
 
 MAX_SECONDS = 60
 """A longer film is a lecture."""
 
-ONE_FRAME_ON_SCREEN = (
-    "<style>@media screen and (scripting:enabled){.kinlib-film-frames figure:not(:first-child){display:none}"
-    ".kinlib-film-frames>div{display:block!important}}</style>"
-)
-"""Where a script will play the film, its first key frame keeps the place; everywhere else, all of them are shown."""
-
-
-class Film(PageWidget):
-    """A film on the page. Make one with `film`.
-
-    frames  the drawings as SVG, each once
-    order   the drawing that is shown at each tick, and `rate` the ticks per second
-    scenes  for each scene its last tick, its caption and its text alternative
-    at      the tick that is shown; the page and Python can both set it
-
-    >>> from tempfile import TemporaryDirectory
-    >>> from kinlib.view.drawing.canvas import Canvas
-    >>> canvas = Canvas([(0, 0, 0), (2, 0, 0)], view="front")
-    >>> canvas.dot((1, 0, 0))
-    >>> still = film(lambda t: canvas.picture("A point at x = 1 m on a line."), [(1.0, "Nothing moves.")])
-    >>> "A point at x = 1 m" in still.html()
-    True
-    >>> with TemporaryDirectory() as folder:
-    ...     still.save(Path(folder) / "film.html")
-    ...     [path.name for path in Path(folder).iterdir()]
-    ['film.html']
-    """
-
-    frames = traitlets.List(traitlets.Unicode()).tag(sync=True)
-    order = traitlets.List(traitlets.Int()).tag(sync=True)
-    scenes = traitlets.List(traitlets.Dict()).tag(sync=True)
-    rate = traitlets.Float().tag(sync=True)
-    at = traitlets.Int(0).tag(sync=True)
-
-    def __init__(self, key_frames: Sequence[Picture], **traits: Any) -> None:
-        self.key_frames = tuple(key_frames)
-        super().__init__(**traits)
-        keep_in_cell(self, ["at"], (self.scenes, self.order))
-
-    @traitlets.validate("at")
-    def _validate_at(self, proposal: Any) -> int:
-        index: int = proposal["value"]
-        if index not in range(len(self.order)):
-            raise ValueError(f"at must be the number of a frame, 0 to {len(self.order) - 1}; got {index!r}.")
-        return index
-
-    @property
-    def alt(self) -> str:
-        """The text alternative of the whole film: what its key frames show, in order."""
-        return " ".join(picture.alt for picture in self.key_frames)
-
-    def html(self) -> str:
-        """Return the film for a page without a kernel: its frames as JSON, and its key frames, of which a script makes a player."""
-        state = {"frames": self.frames, "order": self.order, "scenes": self.scenes, "rate": self.rate, "at": 0}
-        return (
-            f'<div data-kinlib-film>{as_script(state)}<div class="kinlib-film-frames" data-kinlib-drawing>'
-            f"{ONE_FRAME_ON_SCREEN}{Gallery(self.key_frames).html()}</div></div>"
-        )
-
-    def save(self, path: str | Path) -> None:
-        """Save the key frames with their text alternatives as a page, .html.
-
-        Raises ValueError for another ending.
-        """
-        Gallery(self.key_frames).save(path)
+Film = Pictures
 
 
 def film(draw: Callable[[float], Picture], scenes: Sequence[tuple[float, str]]) -> Film:
@@ -114,24 +46,25 @@ def film(draw: Callable[[float], Picture], scenes: Sequence[tuple[float, str]]) 
         raise ValueError(
             f"scenes must take more than 0 and at most {MAX_SECONDS} seconds in all, each more than 0; got {durations.tolist()}."
         )
-    ends = np.round(np.cumsum(durations) * FRAMES_PER_SECOND).astype(int)
+    ends = np.round(np.cumsum(durations) * FRAMES_PER_SECOND).astype(int).tolist()
     pictures = crop([draw(k / FRAMES_PER_SECOND) for k in range(ends[-1] + 1)])
-    captions = [caption for _, caption in scenes]
     keys = [
         Picture(pictures[end].svg, f"{caption} {pictures[end].alt}", caption)
-        for end, caption in zip(ends, captions, strict=True)
+        for end, (_, caption) in zip(ends, scenes, strict=True)
     ]
+    shown = [keys[int(np.searchsorted(ends, k))] for k in range(len(pictures))]
     # Where nothing moves, the same drawing is shown again.
     drawn = list(dict.fromkeys(picture.svg for picture in pictures))
     return Film(
         keys,
+        pictures.__getitem__,
+        [
+            {"caption": key.caption, "alt": key.alt, "label": f"{k / FRAMES_PER_SECOND:.0f} of {durations.sum():.0f} s"}
+            for k, key in enumerate(shown)
+        ],
         frames=list(map(follow_theme, drawn)),
         order=[drawn.index(picture.svg) for picture in pictures],
-        scenes=[
-            {"end": int(end), "caption": picture.caption, "alt": picture.alt}
-            for end, picture in zip(ends, keys, strict=True)
-        ],
-        rate=float(FRAMES_PER_SECOND),
+        looks={"label": "Time", "rate": FRAMES_PER_SECOND, "ends": ends},
     )
 
 

@@ -22,10 +22,13 @@ from kinlib.view.drawing.canvas import moved
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.linkage import describe_linkage, draw_linkage, is_planar, linkage_geometry
 from kinlib.view.viewer.scene import half_height
-from kinlib.view.viewer.viewer import ViewerBase
+from kinlib.view.viewer.steps import Steps
 
 POINTS_PER_CURVE = 240
 """The number of configurations of a curve; a full revolution has steps of one and a half degrees."""
+
+ROUND_MS = 4000
+"""The time in which Play goes along a curve."""
 
 ON_CURVE_TOL = 0.2
 """A configuration nearer to a curve than this, in radians and metres, is on it; the points of a curve are closer together."""
@@ -37,22 +40,29 @@ PLANAR_VIEW_DEG, SPATIAL_VIEW_DEG = [-90.0, 52.0], [-60.0, 22.0]
 """The initial viewing direction, as azimuth and elevation: from above for a planar linkage, from the front for any other."""
 
 
-class Drive(ViewerBase):
+class Drive(Steps):
     """A linkage on the page. Make one with `drive`; q is a configuration on one of its curves."""
 
-    def __init__(self, mechanism: Mechanism, scene: dict[str, Any], start: Array, **traits: Any) -> None:
+    def __init__(self, mechanism: Mechanism, scene: dict[str, Any], mode: dict[str, Any], **settings: Any) -> None:
         self.mechanism = mechanism
-        super().__init__(scene, start, **traits)
+        super().__init__(scene, mode, **settings)
+        self.observe(self._move, ["at", "variant"])
+        self._move(None)
 
-    def _check(self, values: list[float]) -> None:
+    def check(self, values: list[float]) -> None:
+        """Raise ValueError if the mechanism has another number of joint values."""
         self.mechanism.residual(values)
+
+    def _move(self, _: Any) -> None:
+        self.q = self.stop["q"]
 
     @property
     def alt(self) -> str:
         """The text alternative of the current picture."""
         return describe_linkage(self.mechanism, linkage_geometry(self.mechanism, self.q))
 
-    def _picture(self) -> Picture:
+    def picture(self) -> Picture:
+        """Draw the linkage at q."""
         return draw_linkage(self.mechanism, self.q)
 
 
@@ -80,8 +90,8 @@ def drive(
     >>> from kinlib.mechanisms.linkages import four_bar
     >>> linkage = four_bar(0.4, 0.1, 0.35, 0.3)
     >>> shown = drive(linkage, linkage.assembly_modes(hold={"A": 1.0})[0])
-    >>> len(shown.mode["curves"]), shown.mode["names"]
-    (2, ['A', 'B'])
+    >>> list(shown.mode["variants"]), len(shown.q)
+    (['assembly mode 1', 'assembly mode 2'], 4)
     """
     validation.instance(mechanism, "mechanism", Mechanism)
     first = validation.single(mechanism.in_order(start, "start"), "start")
@@ -93,24 +103,32 @@ def drive(
     else:
         traced = tuple(validation.vectors(curve, "curves", mechanism.n) for curve in curves)
         closed = tuple(np.allclose(np.exp(1j * curve[0]), np.exp(1j * curve[-1])) for curve in traced)
-    nearest = min(traced, key=lambda curve: float(np.linalg.norm(curve - first, axis=1).min()))
-    begin = nearest[np.argmin(np.linalg.norm(nearest - first, axis=1))]
-    return Drive(
-        mechanism,
-        _scene(mechanism, np.concatenate(traced), begin),
-        begin,
-        shown=[] if is_planar(mechanism) else ["axes"],
-        after=after,
-        mode={
-            "kind": "curve",
-            "curves": [curve.tolist() for curve in traced],
+    which = int(np.argmin([np.linalg.norm(curve - first, axis=1).min() for curve in traced]))
+    at = int(np.argmin(np.linalg.norm(traced[which] - first, axis=1)))
+    variants = list(labels) or [f"assembly mode {k + 1}" for k in range(len(traced))]
+    mode = {
+        "variants": {
+            name: {"stops": [{"q": q} for q in curve.tolist()], "closed": bool(is_closed)}
+            for name, curve, is_closed in zip(variants, traced, closed, strict=True)
+        },
+        "name": "configuration",
+        "label": "driver",
+        "choice": "assembly mode",
+        "pace": ROUND_MS / POINTS_PER_CURVE,
+        "map": {
             "columns": [mechanism.names.index(name) for name in named],
-            "names": named,
-            "closed": list(closed),
             "all": list(mechanism.names),
             "angles": _angles(mechanism).tolist(),
-            "labels": list(labels) or [f"assembly mode {k + 1}" for k in range(len(traced))],
         },
+    }
+    return Drive(
+        mechanism,
+        _scene(mechanism, np.concatenate(traced), traced[which][at]),
+        mode,
+        variant=variants[which],
+        at=float(at),
+        shown=[] if is_planar(mechanism) else ["axes"],
+        after=after,
     )
 
 

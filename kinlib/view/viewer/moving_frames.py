@@ -1,10 +1,10 @@
 """Frames that a slider moves, in three dimensions: the reader can rotate the view and compare directions."""
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any, TypeVar
 
 import numpy as np
-import traitlets
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
@@ -12,8 +12,9 @@ from kinlib.arrays.validation import Array
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import frame_text
 from kinlib.view.figures.frames import draw_frames
+from kinlib.view.figures.parts import line_part
 from kinlib.view.viewer.scene import half_height
-from kinlib.view.viewer.viewer import ViewerBase
+from kinlib.view.viewer.steps import Steps, frame_arm, motion_scene
 
 V = TypeVar("V")
 
@@ -21,37 +22,21 @@ AXIS_SHARE, SMALLEST_M = 0.3, 0.3
 """The length of the axes as a share of the extent of the origins, and the least extent, if the frames share an origin."""
 
 
-class FramesViewer(ViewerBase):
-    """Frames on the page. Make one with `slide_frames`.
-
-    at  the index of the value that is selected; the page and Python can both set it
-    """
-
-    at = traitlets.Int(0).tag(sync=True)
-    _set_by_reader = ("at",)
-
-    @traitlets.validate("at")
-    def _validate_at(self, proposal: Any) -> int:
-        index: int = proposal["value"]
-        if index not in range(len(self.mode["values"])):
-            raise ValueError(f"at must be the index of a value, 0 to {len(self.mode['values']) - 1}; got {index!r}.")
-        return index
+class MovingFrames(Steps):
+    """Frames on the page. Make one with `slide_frames`."""
 
     @property
     def poses(self) -> dict[str, Array]:
         """The frames that are shown, by name."""
-        poses = np.reshape(self.mode["poses"][self.at], (-1, 4, 4))
-        return dict(zip(self.mode["names"], poses, strict=True))
+        return dict(zip(self.mode["movers"], np.reshape(self.stop["poses"], (-1, 4, 4)), strict=True))
 
-    @property
-    def alt(self) -> str:
-        """The text alternative of the current picture."""
-        return " ".join([self.mode["captions"][self.at], *map(frame_text, self.poses.items())]).strip()
-
-    def _picture(self) -> Picture:
+    def picture(self) -> Picture:
+        """Draw the frames that are shown."""
         length = self.mode["length"] * self.scene["size"]
-        caption = self.mode["captions"][self.at]
-        return draw_frames(self.poses, arrows=self.mode["arrows"], axis_length=length, alt=self.alt, caption=caption)
+        caption = self.stop["texts"][0]
+        return draw_frames(
+            self.poses, arrows=bool(self.stop["parts"]), axis_length=length, alt=self.alt, caption=caption
+        )
 
 
 def slide_frames(
@@ -62,7 +47,7 @@ def slide_frames(
     caption: Callable[[V], str] | None = None,
     arrows: bool = False,
     after: Any = None,
-) -> FramesViewer:
+) -> MovingFrames:
     """Show frames in three dimensions, with one slider that moves them.
 
     frames_at  a function from a value to {"s": T_ss, "b": T_sb, ...}, poses (4, 4) in one common frame; always the same names
@@ -82,8 +67,8 @@ def slide_frames(
     """
     if len(values) == 0:
         raise ValueError("values must contain at least one value; got none.")
-    names = list(frames_at(values[0]))
     frames = [frames_at(value) for value in values]
+    names = list(frames[0])
     if wrong := [list(one) for one in frames if list(one) != names]:
         raise ValueError(f"frames_at must return the same names for all values, {names}; got {wrong[0]}.")
     poses = np.array([[validation.poses(T, f"frame {name}") for name, T in one.items()] for one in frames]) + 0.0
@@ -94,24 +79,24 @@ def slide_frames(
     low, high = points.min(axis=0), points.max(axis=0)
     middle = (low + high) / 2
     radius = half_height(points - middle) + 0.12 * extent
-    return FramesViewer(
-        {
-            "name": "frames",
-            "size": radius,
-            "arms": [{"columns": [], "joints": [], "home": T.ravel().tolist()} for T in poses[0]],
-            "room": {"centre": middle.tolist(), "radius": radius, "constant": True},
-            "floor": float(low[2]) - 0.1 * extent,
-            "offered": [],
-        },
-        after=after,
-        mode={
-            "kind": "frames",
-            "label": label,
-            "values": [f"{value:.4g}" if isinstance(value, float) else str(value) for value in values],
-            "captions": [caption(value) if caption else "" for value in values],
-            "names": names,
-            "poses": poses.reshape(len(values), len(names), 16).tolist(),
-            "arrows": arrows,
-            "length": AXIS_SHARE * extent / radius,
-        },
-    )
+    stops = []
+    for value, shown in zip(values, poses, strict=True):
+        said = caption(value) if caption else ""
+        ends = [T[:3, 3] for T in shown]
+        stops.append(
+            {
+                "title": f"{value:.4g}" if isinstance(value, float) else str(value),
+                "texts": [said],
+                "alt": " ".join([said, *map(frame_text, zip(names, shown, strict=True))]).strip(),
+                "poses": shown.reshape(-1, 16).tolist(),
+                "parts": [
+                    line_part(a, b, "quiet", tip=True)
+                    for a, b in pairwise(ends if arrows else [])
+                    if np.linalg.norm(b - a) > 1e-6 * radius
+                ],
+            }
+        )
+    room = {"centre": middle.tolist(), "radius": radius, "constant": True}
+    scene = motion_scene("frames", [frame_arm(T) for T in poses[0]], room, float(low[2]) - 0.1 * extent, radius)
+    mode = {"variants": {"": {"stops": stops}}, "label": label, "movers": names, "length": AXIS_SHARE * extent / radius}
+    return MovingFrames(scene, mode, after=after)

@@ -19,9 +19,13 @@ from kinlib.rigid.lie import inverse
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import describe_arm, draw_joints, frame_text
 from kinlib.view.figures.joint_bodies import stations
-from kinlib.view.viewer.assignment_player import bare_scene, table_cells
+from kinlib.view.viewer.dh_players import table_cells
 from kinlib.view.viewer.frame_candidates import frame_candidates
+from kinlib.view.viewer.scene import bare_scene
 from kinlib.view.viewer.viewer import Viewer
+
+VIEW_RADIUS_SHARE = 0.84
+"""The radius in view, as a share of the sphere around all that is drawn: in the initial view no arm fills that sphere."""
 
 TWO_FRAME_RULES = {"x perpendicular to z", "x meets z"}
 """The rules about two consecutive frames; all others are about one frame."""
@@ -62,12 +66,12 @@ class ByHand(Viewer):
     frames = Poses()
     asked = traitlets.Int(0).tag(sync=True)
     verdict = traitlets.Dict().tag(sync=True)
-    _set_by_reader = ("frames",)
+    set_by_reader = ("frames",)
 
     def __init__(self, chain: Chain, convention: Convention, frames: Array) -> None:
         features = frame_candidates(chain)
         ends = np.array([line[end] for line in features["axes"] for end in ("from", "to")])
-        scene = bare_scene(chain, ends)
+        scene = bare_scene(chain, ends, VIEW_RADIUS_SHARE)
         arm = scene["arms"][0]
         arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would reveal the answer
         arm["normals"] = []
@@ -112,7 +116,8 @@ class ByHand(Viewer):
             )
         return frames
 
-    def _picture(self) -> Picture:
+    def picture(self) -> Picture:
+        """Draw the joints of the arm, without the frames."""
         return draw_joints(self.chain)
 
     def _judge(self, _: Any) -> None:

@@ -16,7 +16,7 @@ from kinlib.dh.assignment import assign_frames
 from kinlib.dh.common_normal import common_normal
 from kinlib.rigid.lie import homogeneous, inverse, perpendicular
 from kinlib.view.drawing.canvas import VIEWS, axes_of_view
-from kinlib.view.figures.assignment_steps import MAX_DISTANCE_IN_ARM_SIZES
+from kinlib.view.figures.frame_assignment import MAX_DISTANCE_IN_ARM_SIZES
 from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes, stations
 
 MAX_DETOUR_RATIO = 2.5
@@ -88,6 +88,13 @@ def scene(
         "floor": floor,
         "foot": [0.0, 0.0, 0.0],
     }
+
+
+def bare_scene(chain: Chain, points: Array, share: float) -> dict[str, Any]:
+    """Return the scene of the arm at home without sliders, with a view that also contains points (m, 3), see `still_room`."""
+    data = scene(chain, np.zeros(chain.n), joints=[])
+    room = still_room(np.concatenate([points, stations(chain)]), share)
+    return {**data, "size": max(extent(chain), room["radius"]), "room": room, "offered": ["dimensions"]}
 
 
 def arm_data(chain: Chain) -> dict[str, Any]:

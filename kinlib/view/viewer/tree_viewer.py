@@ -168,10 +168,12 @@ class TreeViewer(ViewerBase):
         """The text alternative of the current picture."""
         return describe_tree(self.tree, self.q)
 
-    def _check(self, values: list[float]) -> None:
+    def check(self, values: list[float]) -> None:
+        """Raise ValueError if the tree has another number of independent joints."""
         self.tree.joint_values(values)
 
-    def _picture(self) -> Picture:
+    def picture(self) -> Picture:
+        """Draw the tree at q."""
         return draw_tree(self.tree, self.q)
 
 

@@ -36,19 +36,39 @@ class Values(traitlets.List[float]):
         return super().validate(obj, np.asarray(value, dtype=float).tolist())
 
 
-class PageWidget(anywidget.AnyWidget):
-    """The base of viewers and films: the script of the page, and what is shown where no widgets are.
+class Covered(anywidget.AnyWidget):
+    """The base of viewers and films: the script of the page, and a cover until a prediction is committed.
 
-    >>> class Sentence(PageWidget):
-    ...     alt = "Nothing moves."
-    ...     def html(self):
-    ...         return f"<p>{self.alt}</p>"
-    >>> Sentence().html()
-    '<p>Nothing moves.</p>'
+    covered  whether the picture is covered until the question given as `after` is committed
+
+    made_of is the data of which the widget is made: if the cell is run again with the same, the widget is shown as the reader has
+    left it.
+
+    >>> from traitlets import Bool, HasTraits
+    >>> class Question(HasTraits):
+    ...     committed = Bool(False)
+    >>> from kinlib.chains.robots import rpr
+    >>> arm = explore(rpr(), after=(question := Question()))
+    >>> question.committed = True
+    >>> arm.covered
+    False
     """
 
     # The bundle defines one global object, so that a page without modules can run it too; a widget needs a default export.
     _esm = (STATIC / "viewer.js").read_text("utf-8") + "\nexport default kinlib.widget;"
+
+    covered = traitlets.Bool(False).tag(sync=True)
+    set_by_reader: Sequence[str] = ()
+    """The traits that survive running the cell again."""
+
+    def __init__(self, made_of: Any, *, after: Any = None, **traits: Any) -> None:
+        super().__init__(**traits)
+        keep_in_cell(self, self.set_by_reader, made_of)
+        self._after = ""  # the name of the question that uncovers the picture; the page has that question too
+        if after is not None and not after.committed:
+            self.covered = True
+            self._after = getattr(after, "name", "")
+            after.observe(lambda _: self.set_trait("covered", False), "committed")
 
     @property
     def alt(self) -> str:
@@ -59,88 +79,88 @@ class PageWidget(anywidget.AnyWidget):
         """Return the widget for a page without a kernel."""
         raise NotImplementedError
 
+    def on_page(self, kind: str, state: str, drawing: str) -> str:
+        """Return the element of a viewer or a film: its state, and the drawing that loader.js replaces, or what covers it."""
+        text = "Commit to your prediction first; then the picture appears here."
+        if self.covered and is_without_kernel():  # a click opens it
+            drawing = f"<details><summary>{text}</summary>{drawing}</details>"
+        elif self.covered:
+            drawing = f"<p>{text}</p>"
+        after = f' data-kinlib-after="{html.escape(self._after)}"' if self._after else ""
+        return f"<div data-kinlib-{kind}{after}>{state}<div data-kinlib-drawing>{drawing}</div></div>"
+
     def _repr_mimebundle_(self, **options: Any) -> Any:
         data, metadata = super()._repr_mimebundle_(**options) or ({}, {})
         return {**data, "text/plain": self.alt, "text/html": self.html()}, metadata
 
 
-class ViewerBase(PageWidget):
+class ViewerBase(Covered):
     """The base of every viewer: the traits that it shares with the page, and its HTML for pages without a kernel.
 
-    q           (n,) joint values; the page and Python can both set them
-    start       (n,) the joint values that the button "Reset" restores
-    shown       the layers that are drawn, any of kinlib.view.viewer.scene.LAYERS
-    covered     whether the picture is covered until a prediction is committed
-    readout     whether the pose of the end-effector is shown beside the picture
-    mode        {"kind", ...}: the data of a mode in kinlib/view/js/modes; empty for an arm with sliders
+    q        (n,) joint values; the page and Python can both set them
+    start    (n,) the joint values that the button "Reset" restores
+    shown    the layers that are drawn, any of kinlib.view.viewer.scene.LAYERS
+    readout  whether the pose of the end-effector is shown beside the picture
+    mode     {"kind", ...}: the data of a mode in kinlib/view/js/modes; empty for an arm with sliders
+    flat     whether the page has no WebGL and asks for `drawing`, the current picture as HTML
 
-    It is made of a scene, the joint values at the start, and further traits. The picture stays covered until the question
-    given as `after` is committed. If the cell is run again, the widget is shown as the reader has left it.
+    It is made of a scene, the joint values at the start, and further traits.
 
-    >>> from traitlets import Bool, HasTraits
-    >>> class Question(HasTraits):
-    ...     committed = Bool(False)
     >>> from kinlib.chains.robots import rpr
-    >>> arm = explore(rpr(), after=(question := Question()))
-    >>> arm.html()[:25]
+    >>> explore(rpr()).html()[:25]
     '<div data-kinlib-viewer><'
-    >>> question.committed = True
-    >>> arm.covered
-    False
-    >>> arm.save("arm.jpg")
+    >>> explore(rpr()).save("arm.jpg")
     Traceback (most recent call last):
-    ValueError: path must end in .svg, .html, .png or .pdf; got 'arm.jpg'.
+    ValueError: path must end in .svg, .html or .png; got 'arm.jpg'.
     """
 
     scene = traitlets.Dict().tag(sync=True)
     q = Values(traitlets.Float()).tag(sync=True)
     start = Values(traitlets.Float()).tag(sync=True)
     shown = traitlets.List(traitlets.Unicode()).tag(sync=True)
-    covered = traitlets.Bool(False).tag(sync=True)
     readout = traitlets.Bool(False).tag(sync=True)
     mode = traitlets.Dict().tag(sync=True)
-
-    _set_by_reader: Sequence[str] = ("q", "shown")  # the traits that survive running the cell again
-    _after = ""  # the name of the question that uncovers the picture; the page has that question too
+    flat = traitlets.Bool(False).tag(sync=True)
+    drawing = traitlets.Unicode().tag(sync=True)
+    set_by_reader: Sequence[str] = ("q", "shown")
 
     def __init__(self, scene: dict[str, Any], start: ArrayLike = (), *, after: Any = None, **traits: Any) -> None:
-        super().__init__(scene=scene, q=start, start=start, **traits)
-        keep_in_cell(self, self._set_by_reader, (self.scene, self.mode, self.start))
-        if after is not None and not after.committed:
-            self.covered = True
-            self._after = getattr(after, "name", "")
-            after.observe(lambda _: self.set_trait("covered", False), "committed")
+        mode = traits.get("mode", {})
+        super().__init__((scene, mode, start), after=after, scene=scene, q=start, start=start, **traits)
+        self.observe(self._send_drawing, ["flat", *self.set_by_reader])
+
+    def _send_drawing(self, _: Any) -> None:
+        if self.flat:
+            self.drawing = self.picture().html()
 
     @traitlets.validate("q", "start")
     def _validate_values(self, proposal: Any) -> list[float]:
         values: list[float] = proposal["value"]
-        self._check(values)
+        self.check(values)
         return values
 
     @traitlets.validate("shown")
     def _validate_shown(self, proposal: Any) -> list[str]:
         names: list[str] = proposal["value"]
-        layers = [*LAYERS, *self._own_frames()]
+        layers = [*LAYERS, *self.own_frames()]
         if unknown := set(names) - set(layers):
             raise ValueError(f"show may contain {', '.join(layers)}; got {', '.join(map(repr, sorted(unknown)))}.")
         return names
 
-    def _own_frames(self) -> list[str]:
+    def own_frames(self) -> list[str]:
         """Return the layers of the frames that were given to `explore`."""
         return [layer for arm in self.scene.get("arms", []) for layer in arm.get("frames", {}) if layer not in LAYERS]
 
-    def _check(self, values: list[float]) -> None:
+    def check(self, values: list[float]) -> None:
         """Raise ValueError if joint values have another size or contain NaN."""
         validation.array(values, "q")
 
-    def _picture(self) -> Picture:
-        """Return the drawing that is shown before the script starts, and in print."""
+    def picture(self) -> Picture:
+        """Return the drawing that is shown before the script starts, without WebGL, and in print."""
         raise NotImplementedError
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Save the viewer as a page of its own that needs no kernel and no network, .html.
-
-        Or its current drawing, as .svg, .png or .pdf.
+        """Save the viewer as a page of its own that needs no kernel and no network, .html, or its current drawing, .svg or .png.
 
         Raises ValueError for another ending, for a folder that does not exist, and if the viewer is covered until a question
         is answered.
@@ -155,25 +175,18 @@ class ViewerBase(PageWidget):
             script = (STATIC / "viewer.js").read_text("utf-8")
             return page(self.alt, f"{self.html()}<script>{script}\nkinlib.startViewers();</script>")
 
-        save(path, {**self._picture().contents(), "html": whole_page})
+        save(path, {**self.picture().contents(), "html": whole_page})
 
     def html(self) -> str:
         """Return the viewer for a page without a kernel: its state as JSON, and a drawing that loader.js replaces."""
         # The page does not need what anywidget and ipywidgets synchronize for themselves.
-        own = set(self.trait_names(sync=True)) - set(anywidget.AnyWidget.class_trait_names(sync=True))
-        state = self.get_state(sorted(name for name in own if not name.startswith("_")))
-        after = f' data-kinlib-after="{html.escape(self._after)}"' if self._after else ""
-        return (
-            f"<div data-kinlib-viewer{after}>{as_script(state)}"
-            f"<div data-kinlib-drawing>{self._covered_drawing() if self.covered else self._picture().html()}</div></div>"
+        own = (
+            set(self.trait_names(sync=True))
+            - set(anywidget.AnyWidget.class_trait_names(sync=True))
+            - {"flat", "drawing"}
         )
-
-    def _covered_drawing(self) -> str:
-        """Return what covers the drawing; on a page that must work without a kernel, a click opens the drawing."""
-        text = "Commit to your prediction first; then the picture appears here."
-        if is_without_kernel():
-            return f"<details><summary>{text}</summary>{self._picture().html()}</details>"
-        return f"<p>{text}</p>"
+        state = self.get_state(sorted(name for name in own if not name.startswith("_")))
+        return self.on_page("viewer", as_script(state), self.picture().html())
 
 
 def as_script(state: Mapping[str, Any]) -> str:
@@ -199,17 +212,19 @@ class Viewer(ViewerBase):
         """The text alternative of the current picture."""
         return describe_arm(self.chain, self.q, home_axes="home axes" in self.shown, frames=self._shown_frames())
 
-    def _check(self, values: list[float]) -> None:
+    def check(self, values: list[float]) -> None:
+        """Raise ValueError if the arm has another number of joints."""
         self.chain.fk(values)
 
-    def _picture(self) -> Picture:
+    def picture(self) -> Picture:
+        """Draw the arm with the layers that are shown."""
         drawn = [name for name in self.shown if name in ARM_LAYERS]
         return draw_arm(self.chain, self.q, show=drawn, frames=self._shown_frames())
 
     def _shown_frames(self) -> dict[str, Array]:
         """Return the poses at q of those frames given to `explore` that are switched on."""
         arm = self.scene["arms"][0]
-        single = [arm["frames"][layer][0] for layer in self._own_frames() if layer in self.shown]
+        single = [arm["frames"][layer][0] for layer in self.own_frames() if layer in self.shown]
         moved = body_motions(self.chain, np.array(self.q))
         return {frame["name"]: moved[frame["body"]] @ np.reshape(frame["pose"], (4, 4)) for frame in single}
 

@@ -25,7 +25,7 @@ TABLE = kl.assign_frames(kl.robots.youbot(), convention="standard").table
 def alts(make, monkeypatch):
     """Return the text alternative of each picture of a slider."""
     monkeypatch.setenv(ENVIRONMENT_VARIABLE, "1")
-    return re.findall(r'<img alt="([^"]+)"', make().html())
+    return [said["alt"] for said in make().texts]
 
 
 def around_the_curve(**settings):
@@ -75,7 +75,7 @@ def test_frames_at_each_value_are_those_of_the_function_and_are_described():
         assert shown.alt in html.unescape(shown.html())
         texts.add(shown.alt)
     assert len(texts) == 3
-    with pytest.raises(ValueError, match="index of a value, 0 to 2; got 3"):
+    with pytest.raises(ValueError, match="number of a stop, 0 to 2; got 3"):
         shown.at = 3
 
 

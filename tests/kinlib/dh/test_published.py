@@ -10,7 +10,6 @@ import pytest
 
 import kinlib as kl
 from kinlib import DHTable, diagnose, equivalent
-from kinlib.dh.joint_maps import JointMap
 
 pin = pytest.importorskip("pinocchio", reason="Pinocchio reads the URDF files")
 
@@ -103,7 +102,7 @@ def test_the_maker_s_table_is_the_urdf_up_to_base_tool_and_zero(table, joints):
     assert found
     mapped = found.base @ table.fk(found.signs * q + found.offsets) @ found.tool
     np.testing.assert_allclose(mapped, poses(model, q), rtol=0, atol=1e-9)
-    same = JointMap(found.base, found.tool, found.signs, found.offsets).poses(table.to_chain(), q)
+    same = found.poses(table.to_chain(), q)
     np.testing.assert_allclose(same, poses(model, q), rtol=0, atol=1e-9)
 
 

@@ -43,7 +43,7 @@ def test_a_saved_drawing_contains_its_text_alternative_and_a_saved_page_needs_no
     shown.save(tmp_path / "it.SVG")
     image = ET.parse(tmp_path / "it.SVG").getroot()
     title, description = image[:2]
-    picture = shown if isinstance(shown, Picture) else shown._picture()
+    picture = shown if isinstance(shown, Picture) else shown.picture()
     assert description.tag.endswith("}desc")
     assert description.text == picture.alt
     assert title.tag.endswith("}title")
@@ -67,7 +67,7 @@ def test_a_saved_drawing_contains_its_text_alternative_and_a_saved_page_needs_no
 def test_other_endings_are_refused_and_nothing_is_written(shown, tmp_path):
     drawn = SHOWN[shown]()
     for name in ("arm.jpg", "arm", "svg", ".svg", "arm.svg.gz", "arm.htm"):
-        with pytest.raises(ValueError, match=r"path must end in \.svg, \.html, \.png or \.pdf; got "):
+        with pytest.raises(ValueError, match=r"path must end in \.svg, \.html or \.png; got "):
             drawn.save(tmp_path / name)
     for name in ("arm.svg", "arm.html"):
         with pytest.raises(ValueError, match="path must be in a folder that exists; got "):
@@ -76,14 +76,10 @@ def test_other_endings_are_refused_and_nothing_is_written(shown, tmp_path):
 
 
 @pytest.mark.parametrize("shown", ["a plot", "two drawings"])
-def test_every_kind_is_saved_as_pixels_and_for_print(shown, tmp_path):
-    drawn = SHOWN[shown]()
-    for name, start in (("it.png", b"\x89PNG"), ("it.pdf", b"%PDF")):
-        drawn.save(tmp_path / name)
-        once = (tmp_path / name).read_bytes()
-        assert once.startswith(start)
-        drawn.save(tmp_path / name)
-        assert (tmp_path / name).read_bytes() == once
+def test_a_drawing_is_saved_as_pixels(shown, tmp_path):
+    for name in ("it.png", "again.png"):
+        SHOWN[shown]().save(tmp_path / name)
+    assert (tmp_path / "it.png").read_bytes() == (tmp_path / "again.png").read_bytes()
     with Image.open(tmp_path / "it.png") as image:
         assert len(image.convert("RGB").getcolors(maxcolors=1 << 24)) > 20
 

@@ -32,10 +32,6 @@ def run(monkeypatch):
     return run_cell
 
 
-def slider_of(widget):
-    return widget.children[1]
-
-
 def pictures():
     return slide(lambda x: draw_arm(ARM, [x, 0, 0]), "joint 1", [0, 1, 2])
 
@@ -44,11 +40,11 @@ WIDGETS = {
     "arm": (lambda: explore(ARM), "q", [0.1, 0.2, 0.3]),
     "layers": (lambda: explore(ARM), "shown", ["axes"]),
     "frames": (lambda: slide_frames(lambda x: {"s": np.eye(4), "b": kl.exp([0, 0, x, 0, 0, x])}, "x", [0, 1]), "at", 1),
-    "steps": (lambda: play_assignment(ARM, convention="standard"), "step", 5),
-    "motions": (lambda: play_row([0.8, 0.6, 0.6, 1.4]), "done", 2.0),
-    "linkage": (lambda: drive(LINKAGE, CLOSED[0]), "q", list(CLOSED[1])),
+    "steps": (lambda: play_assignment(ARM, convention="standard"), "at", 5),
+    "motions": (lambda: play_row([0.8, 0.6, 0.6, 1.4]), "at", 2.0),
+    "linkage": (lambda: drive(LINKAGE, CLOSED[0]), "variant", "assembly mode 2"),
     "placed by hand": (lambda: assign(ARM, "standard"), "frames", FRAMES),
-    "pictures": (lambda: slider_of(pictures()), "value", 2),
+    "pictures": (pictures, "at", 2),
 }
 
 

@@ -15,7 +15,6 @@ from kinlib.rigid.lie import exp
 from kinlib.view import assign, drive, explore, play_assignment, play_row, play_walk, slide_frames
 from kinlib.view.figures.arm import frame_text
 from kinlib.view.figures.dh_table import poses_along_row
-from kinlib.view.viewer.dh_row_player import poses_along_arm
 from kinlib.view.viewer.frame_candidates import frame_candidates
 from kinlib.view.viewer.place_frames import check_placed_frames
 
@@ -37,42 +36,70 @@ def state_of(viewer):
 # --- the assignment player ---
 
 
+def frames_of(stop):
+    return {part["sub"]: part for part in stop["parts"] if part["kind"] == "frame"}
+
+
 @each_arm
 @each_convention
 def test_the_page_receives_every_step_and_every_frame(chain, convention):
-    data = play_assignment(chain, convention=convention).mode["conventions"][convention]
+    stops = play_assignment(chain, convention=convention).stops
     found = kl.assign_frames(chain, convention=convention)
-    assert [step["text"] for step in data["steps"]] == [step.text for step in found.steps]
-    np.testing.assert_array_equal(np.reshape(data["frames"], (-1, 4, 4)), found.frames)
-    assert set(data["steps"][-1]["parts"]) == {"Ozx"}
+    assert [stop["texts"] for stop in stops] == [[step.text] for step in found.steps]
+    last = frames_of(stops[-1])
+    poses = [np.reshape(last[str(i)]["pose"], (4, 4)) for i in range(chain.n + 1)]
+    np.testing.assert_allclose(poses, found.frames, atol=1e-6)
+    assert {part["letters"] for part in last.values()} == {"Oxz"}
+    assert [json.dumps(stop, allow_nan=False) for stop in stops]
+
+
+def test_a_step_adds_to_the_drawing_and_marks_what_it_is_about():
+    stops = play_assignment(kl.robots.youbot(), convention="standard").stops
+    assert [frames_of(stop).get("1", {}).get("letters") for stop in stops[2:7]] == [None, "Oz", "Oxz", "Oxyz", "Oxz"]
+    normals = [[part["name"] for part in stop["parts"] if part["name"].startswith("normal")] for stop in stops[1:5]]
+    assert normals == [[], ["normal 1–2"], [], ["normal 1–2"]]
+    (mark,) = stops[3]["marks"]  # the origin is a point
+    assert mark["from"] == mark["to"] == [0.033, 0, 0.147]
 
 
 def test_python_sets_the_step_and_the_text_alternative_follows():
     player = play_assignment(kl.robots.youbot(), convention="standard")
-    player.step = 3
+    player.at = 3
     assert "step 4 of 25" in player.alt
-    player.step = 24
+    player.at = 24
     assert "This table describes the arm" in player.alt
-    player.convention = "modified"
+    player.variant = "modified"
     assert "modified convention" in player.alt
-    assert state_of(player)["step"] == 24
-    assert state_of(player)["convention"] == "modified"
+    assert state_of(player)["at"] == 24
+    assert state_of(player)["variant"] == "modified"
 
 
 def test_rows_that_the_reader_is_to_find_are_not_on_the_page():
-    standard = play_assignment(kl.robots.youbot(), convention="standard", rows=1).mode["conventions"]["standard"]
-    assert len(standard["table"]) == 1
-    assert [step["row"] for step in standard["steps"]] == [None] * 19 + [1]
+    shown = play_assignment(kl.robots.youbot(), convention="standard", rows=1).mode["variants"]["standard"]
+    assert len(shown["table"]["rows"]) == 1
+    assert [stop["row"] for stop in shown["stops"]] == [None] * 19 + [1]
     with pytest.raises(ValueError, match="0 to 5"):
         play_assignment(kl.robots.youbot(), convention="standard", rows=6)
 
 
-def test_a_step_that_does_not_exist_is_refused_and_the_old_one_stays():
+def test_a_stop_that_does_not_exist_is_refused_and_the_old_one_stays():
     player = play_assignment(kl.robots.youbot(), convention="standard")
-    for step in (-1, 25):
+    for stop in (-1, 25):
         with pytest.raises(ValueError, match="0 to 24"):
-            player.step = step
-    assert player.step == 0
+            player.at = stop
+    with pytest.raises(ValueError, match="variant must be one of standard, modified"):
+        player.variant = "Craig"
+    assert (player.at, player.variant) == (0, "standard")
+
+
+def test_without_webgl_the_page_asks_python_for_drawings():
+    arm = explore(kl.robots.rpr())
+    arm.q = [0.1, 0, 0]
+    assert arm.drawing == ""
+    arm.flat = True
+    assert "q = (0.1, 0, 0)" in arm.drawing
+    arm.q = [0.2, 0, 0]
+    assert "q = (0.2, 0, 0)" in arm.drawing
 
 
 def test_a_viewer_stays_covered_until_the_prediction_is_committed():
@@ -98,31 +125,34 @@ def test_a_viewer_stays_covered_until_the_prediction_is_committed():
 # --- the row player ---
 
 
-def product(track, share=1.0):
+def product(player, track):
     """Multiply the motions of a track as the page does: exponentials of the screws, then the start pose."""
-    T = np.eye(4)
-    for motion in track["motions"]:
-        T = T @ exp(np.array(motion["screw"]) * motion["value"] * share)
-    return T @ np.reshape(track["stops"][0], (4, 4))
+    arm, T = player.scene["arms"][track], np.eye(4)
+    for joint, column in zip(arm["joints"], arm["columns"], strict=True):
+        T = T @ exp(np.array(joint["screw"]) * player.stops[-1]["q"][column])
+    return T @ np.reshape(arm["home"], (4, 4))
 
 
 def test_the_motions_end_at_the_row_s_matrix_in_both_conventions():
     """Compare the product of exponentials with kl.dh_transform, which multiplies matrices."""
     for row in (ROW, [0, 0, 0, 0], [-0.5, -2, 0, 3], [0, 1, -0.4, 0]):
-        for track in play_row(row).mode["tracks"]:
-            start = np.reshape(track["stops"][0], (4, 4))
-            expected = start @ kl.dh_transform(*row, convention=track["title"])
-            np.testing.assert_allclose(product(track), expected, rtol=0, atol=1e-14)
-            stops = np.reshape(track["stops"], (-1, 4, 4))
-            np.testing.assert_allclose(stops, start @ poses_along_row(row, track["title"]), atol=1e-15)
+        player = play_row(row)
+        for k, convention in enumerate(CONVENTIONS):
+            start = np.reshape(player.scene["arms"][k]["home"], (4, 4))
+            expected = start @ kl.dh_transform(*row, convention=convention)
+            np.testing.assert_allclose(product(player, k), expected, rtol=0, atol=1e-14)
+            poses = np.array([stop["poses"][k] for stop in player.stops]).reshape(-1, 4, 4)
+            np.testing.assert_allclose(poses, start @ poses_along_row(row, convention), atol=1e-15)
 
 
 def test_each_factor_of_a_walk_is_one_screw_motion():
-    track = play_walk(WALK).mode["tracks"][0]
-    assert [motion["symbol"] for motion in track["motions"]] == ["Z_1", "X_1", "Z_2", "X_2"]
-    np.testing.assert_allclose(product(track), poses_along_arm(WALK)[-1], rtol=0, atol=1e-14)
-    assert [flag["name"] for flag in track["flags"]] == ["0", "1 mod", "1 std", "2 mod", "2 std"]
-    half = exp(np.array(track["motions"][1]["screw"]) * track["motions"][1]["value"] / 2)
+    player = play_walk(WALK)
+    assert player.mode["product"][0]["symbols"] == ["Z_1", "X_1", "Z_2", "X_2"]
+    np.testing.assert_allclose(
+        product(player, 0), kl.DHTable(WALK, convention="standard").fk([0, 0]), rtol=0, atol=1e-14
+    )
+    assert [part["name"] for part in player.stops[-1]["parts"]] == ["", "1 mod", "1 std", "2 mod", "2 std"]
+    half = exp(np.array(player.scene["arms"][0]["joints"][1]["screw"]) * player.stops[2]["q"][1] / 2)
     there = kl.dh_transform(0.3, -0.45, 0, 0, convention="standard")
     # half a screw motion has half the angle and half the translation
     np.testing.assert_allclose(half, there, atol=1e-14)
@@ -130,10 +160,12 @@ def test_each_factor_of_a_walk_is_one_screw_motion():
 
 def test_the_text_alternative_says_where_the_motions_have_moved_the_frame():
     row, walk = play_row(ROW, convention="modified"), play_walk(WALK)
-    row.done, walk.done = 2, 4
-    T, tip = kl.dh_transform(0.8, 0.6, 0, 0, convention="modified"), poses_along_arm(WALK)[-1]
+    row.at, walk.at = 2, 4
+    T, tip = kl.dh_transform(0.8, 0.6, 0, 0, convention="modified"), kl.DHTable(WALK, convention="standard").fk([0, 0])
     assert f"modified convention, is{frame_text(('', T))[8:]}" in row.alt
     assert f"4 of 4 done. The moving frame is{frame_text(('', tip))[8:]}" in walk.alt
+    row.at = 2.5
+    assert row.alt.startswith("On the way to the next stop. Motions that move a frame: 2 of 4 done.")
 
 
 # --- frames by hand ---

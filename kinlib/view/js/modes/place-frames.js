@@ -2,8 +2,9 @@
 // Python reads them. Python also checks the rules, and a broken rule is highlighted in the picture.
 import { listen, save } from '../model.js';
 import { describeArm, frameText } from '../scene/describe.js';
-import { add, columnOf, openPart, withPart } from '../vectors.js';
-import { axis, createHighlighter, drawPaleArm, frame, lengths } from './frame-drawing.js';
+import { solids } from '../scene/solids.js';
+import { add, columnOf, minus, near, norm, openPart, withPart } from '../vectors.js';
+import { createHighlighter, drawPaleArm } from './pale-arm.js';
 import { pickHandles } from './place-frames-handles.js';
 import { placeFramesPanel } from './place-frames-panel.js';
 import { framePicker } from './place-frames-picking.js';
@@ -136,29 +137,30 @@ export function placeFrames({ model, stage, data }) {
   }
 
   function draw() {
-    const { theme } = stage;
-    const parts = frames().map(drawnFrame);
-    const long = lengths(
-      parts.map(({ pose }) => pose),
-      parts.map(({ letters }) => letters),
-      size,
+    const placed = frames().map(drawnFrame);
+    const here = (i) => columnOf(frames()[i], 3) ?? [NaN];
+    const long = placed.map(
+      (_, i) => 0.2 + 0.07 * placed.filter((_, k) => k < i && near(here(k), here(i), 1e-6 * size)).length,
     );
     stage.setLayer(
       'placed frames',
-      parts.flatMap(({ pose, letters }, i) =>
-        frame(i, pose, letters, { size, theme, strong: i === selection.i, length: long[i], body: 0 }).filter(
-          (part) => !part.label || part.text !== 'y' || i === selection.i,
-        ),
-      ),
+      placed.flatMap((part, i) => {
+        const strong = i === selection.i;
+        const made = solids([{ ...part, kind: 'frame', sub: `${i}`, strong, length: long[i] }], {
+          size,
+          theme: stage.theme,
+        });
+        return made.filter(({ text }) => text !== 'y' || strong);
+      }),
       { through: true },
     );
     highlighter.mark(
       breaches().flatMap(({ frame: i, rule, joint }) => {
         const T = frames()[i];
         const from = columnOf(T, 3);
-        const ray = (k) => ({ from, to: add(from, columnOf(T, k), long[i] * size), wrong: true });
-        const line = { ...data.axes[joint - 1], wrong: true };
-        if (rule === 'origin on axis') return [{ from, wrong: true }, line];
+        const ray = (k) => ({ from, to: add(from, columnOf(T, k), long[i] * size), isWrong: true });
+        const line = { ...data.axes[joint - 1], isWrong: true };
+        if (rule === 'origin on axis') return [{ from, isWrong: true }, line];
         if (rule === 'right-handed') return [ray(0), ray(1), ray(2)];
         return rule.startsWith('z') ? [ray(2), line] : [ray(0), line];
       }),
@@ -193,7 +195,23 @@ export function placeFrames({ model, stage, data }) {
       drawPaleArm(stage);
       stage.setLayer(
         'bare axes',
-        data.axes.flatMap(({ from, to }, i) => axis(i, from, to, { size, theme: stage.theme, beyond: 0.06 })),
+        data.axes.flatMap(({ from, to }, i) => {
+          const line = {
+            kind: 'line',
+            from,
+            to,
+            colour: 'axis',
+            width: 2,
+            dashed: true,
+            tip: true,
+            name: `axis ${i + 1}`,
+          };
+          // its name is a little beyond the handle at its end
+          const off = minus(to, from);
+          const beyond = add(to, off, (0.06 * size) / norm(off));
+          const made = solids([line], { size, theme: stage.theme });
+          return made.map((part) => (part.label ? { ...part, at: beyond } : part));
+        }),
         { through: true },
       );
       draw();

@@ -21,10 +21,9 @@ import {
   Vector3,
 } from 'three';
 import { KinematicTree } from '../scene/kinematic-tree.js';
-import { drawDimensions, drawLabels, fontOf } from '../scene/labels.js';
+import { drawLabels, fontOf } from '../scene/labels.js';
 import { mergeParts } from '../scene/shapes.js';
 import { Camera } from './camera.js';
-import { drawWithoutWebGL } from './canvas-fallback.js';
 import { hasWebGL, prepareScene, renderScene } from './webgl.js';
 
 export class Stage {
@@ -36,7 +35,7 @@ export class Stage {
     this.theme = theme;
     this.tree = new KinematicTree(data.arms);
     this.layers = new Map();
-    /** whether it draws without WebGL; undefined before the first attempt to start WebGL */
+    /** whether there is no WebGL; undefined before the first attempt to start it */
     this.withoutWebGL = undefined;
     this.scene = new Scene();
     this.scene.add(this.tree.root);
@@ -84,8 +83,8 @@ export class Stage {
     this.#addLights();
     this.#addFloor();
     this.setTheme(theme);
-    /** called if WebGL turns out to be unavailable */
-    this.onWebGLMissing = () => {};
+    /** called when the first picture is drawn, or WebGL turns out to be unavailable */
+    this.onReady = () => {};
     /** returns the boxes in the picture, in pixels, that labels must not cover */
     this.reservedBoxes = () => [];
     /** functions (2-D context, camera) that modes draw with over the finished picture */
@@ -177,8 +176,6 @@ export class Stage {
     this.layers.set(name, {
       meshes: meshes.map(([, mesh]) => mesh),
       labels: flat.filter((part) => part.label),
-      dimensions: flat.filter((part) => part.dimension),
-      solids: solids.map((part) => ({ ...part, body: bodyOf(part) })),
       shown: true,
     });
     this.draw();
@@ -202,8 +199,7 @@ export class Stage {
       this.tree.body(rod.arm ?? 0, rod.body).add(mesh);
       return mesh;
     });
-    const solids = rods.map((rod, k) => ({ rod: meshes[k], colour: rod.colour, radius: rod.radius }));
-    this.layers.set(name, { meshes, labels: [], dimensions: [], solids, shown: true });
+    this.layers.set(name, { meshes, labels: [], shown: true });
   }
 
   showLayer(name, shown) {
@@ -254,33 +250,33 @@ export class Stage {
     if (visible && this.stale) this.draw();
   }
 
-  /** Paint now. The first picture is drawn without WebGL, because starting WebGL takes a while. */
+  /** Paint now. Until WebGL is ready, which takes a while, and without it, the page shows the drawing. */
   paint() {
-    if (!this.width || !this.visible) return;
+    if (!this.width || !this.visible || this.withoutWebGL) return;
     this.stale = false;
     this.tree.root.updateMatrixWorld(true);
-    this.#drawPicture(this.withoutWebGL ?? true);
     if (this.withoutWebGL === undefined) {
       cancelAnimationFrame(this.starting);
       this.starting = requestAnimationFrame(() => setTimeout(() => this.#startWebGL()));
       return;
     }
+    this.#drawPicture();
     if (!this.canvas.dataset.pictures) performance.mark('kinlib-viewer-picture');
     this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
   }
 
-  /** Start WebGL. Until it is ready, pictures are drawn without it. */
   async #startWebGL() {
     if (this.preparing || this.withoutWebGL !== undefined || !this.visible) return;
     this.preparing = true;
     const available = hasWebGL();
     if (available) await prepareScene(this.scene, this.camera.threeCamera, this);
     this.withoutWebGL = !available;
-    if (!available) this.onWebGLMissing();
-    this.draw();
+    if (!available) this.canvas.dataset.pictures = 0;
+    this.paint();
+    this.onReady();
   }
 
-  #drawPicture(flat) {
+  #drawPicture() {
     const { context, camera, theme, ratio, width, height } = this;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.fillStyle = theme.paper;
@@ -288,10 +284,9 @@ export class Stage {
     const shown = [...this.layers.values()].filter((layer) => layer.shown);
     const all = (kind) => shown.flatMap((layer) => layer[kind]);
     this.edge.userData.width.value = 1.1 * camera.scale;
-    if (flat) drawWithoutWebGL(context, all('solids'), camera, theme);
-    else this.calls = renderScene(this.scene, camera.threeCamera, context, { width, height, ratio });
-    const taken = [...this.reservedBoxes(), ...drawDimensions(context, all('dimensions'), camera, theme.halo)];
-    this.names = drawLabels(context, all('labels'), taken, camera, { halo: theme.halo, leader: theme.quiet });
+    this.calls = renderScene(this.scene, camera.threeCamera, context, { width, height, ratio });
+    const taken = [...this.reservedBoxes()];
+    this.names = drawLabels(context, all('labels'), taken, camera, theme);
     context.font = fontOf({}, 11);
     context.textAlign = 'left';
     context.textBaseline = 'alphabetic';
@@ -309,7 +304,7 @@ export class Stage {
   }
 }
 
-const EMPTY = { meshes: [], labels: [], dimensions: [], solids: [], shown: false };
+const EMPTY = { meshes: [], labels: [], shown: false };
 
 function groupBy(parts, key) {
   const groups = new Map();

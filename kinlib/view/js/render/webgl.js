@@ -3,7 +3,7 @@
 // In JupyterLab every widget loads its own copy of this module, so a list on the page limits the number of contexts.
 import { WebGLRenderer } from 'three';
 
-const MAX_CONTEXTS = 6; // browsers drop the oldest context when there are more than 16
+const MAX_CONTEXTS = 2;
 const POLL_MS = 10;
 const RENDERERS = Symbol.for('kinlib.renderers');
 let renderer = null;

@@ -1,5 +1,6 @@
 // The layers of an arm on the stage: which ones exist, what each contains, and how they follow the theme.
 import * as parts from './parts.js';
+import { solids } from './solids.js';
 
 /** Layers that the reader can switch on and off, with their names on the page. */
 export const TOGGLES = {
@@ -67,35 +68,28 @@ export function buildLayers(stage, shown) {
   const { size } = data;
   const each = (make) =>
     data.arms.flatMap((arm, k) => (arm.links ? make(arm).map((part) => ({ ...part, arm: k })) : []));
-  const colours = theme;
-  const arm = [...each((one) => parts.links(one, size, colours)), ...each((one) => parts.joints(one, size, colours))];
-  stage.setLayer('arm', [...parts.pedestal(data, size, colours), ...arm, ...parts.pieces(data, size, colours)], {
-    outlined: true,
-  });
-  stage.setLayer('piece axes', () => parts.pieceAxes(data, size, colours), SEEN);
+  const body = (arm) => [...parts.links(arm, size, theme), ...parts.joints(arm, size, theme)];
+  const whole = [...parts.pedestal(data, size, theme), ...each(body), ...parts.pieces(data, size, theme)];
+  stage.setLayer('arm', whole, { outlined: true });
   stage.tree.rodUpdates.length = 0;
   stage.setRods(
     'rods',
-    each((arm) => parts.rods(arm, size, colours)),
+    each((arm) => parts.rods(arm, size, theme)),
   );
-  stage.setLayer('axes', () => each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.axis })), SEEN);
-  stage.setLayer('body axes', () => each((arm) => parts.axes(arm, size, { letter: 'B', colour: colours.axis })), SEEN);
-  stage.setLayer(
-    'home axes',
-    () => each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.home, onBody: () => 0 })),
-    SEEN,
-  );
-  stage.setLayer('normals', () => each((arm) => parts.normals(arm, size, colours)), SEEN);
-  stage.setLayer('dimensions', () => each((arm) => parts.dimensions(arm, size, colours)));
+  const made = {
+    'piece axes': () => parts.pieceAxes(data, size),
+    axes: () => each((arm) => parts.axes(arm, size, 'S', 'axis')),
+    'body axes': () => each((arm) => parts.axes(arm, size, 'B', 'axis')),
+    'home axes': () => each((arm) => parts.axes(arm, size, 'S', 'grey', () => 0)),
+    normals: () => each((arm) => parts.normals(arm, size)),
+    dimensions: () => each((arm) => parts.dimensions(arm, size)),
+  };
   for (const name of frameLayers(data)) {
-    const numbered = !['base', 'tool'].includes(name);
     const length = isSingleFrame(name) ? 0.21 : (LENGTHS[name] ?? 0.17);
-    stage.setLayer(
-      `frames ${name}`,
-      () => each((arm) => parts.triads(arm.frames?.[name] ?? [], size, colours, { numbered, length })),
-      SEEN,
-    );
+    const numbered = !['base', 'tool'].includes(name);
+    made[`frames ${name}`] = () => each((arm) => parts.triads(arm.frames?.[name] ?? [], size, length, numbered));
   }
+  for (const [name, make] of Object.entries(made)) stage.setLayer(name, () => solids(make(), { size, theme }), SEEN);
   showLayers(stage, shown);
 }
 

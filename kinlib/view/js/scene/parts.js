@@ -1,12 +1,11 @@
 // The parts of each layer of an arm: solids and labels, fixed to the bodies and given in the home configuration.
 // A part is { body, shape, from, to, radius, colour }, a label { body, at, from, text, sub, colour, weight }.
-import { add, minus, norm } from '../vectors.js';
-import { arrow, dashedLine, label } from './shapes.js';
+import { add, middle, minus, norm } from '../vectors.js';
+import { label } from './shapes.js';
 
 /** Radii, as fractions of the arm's size. */
 const JOINT = 0.05;
 const LINK = 0.026;
-const ROD = 0.0066;
 
 const unit = (p) => p.map((value) => value / (norm(p) || 1));
 
@@ -82,80 +81,46 @@ export function rods(arm, size, colours) {
   );
 }
 
-/** The dashes and the tip of a joint axis. */
-export const axisDashes = (size) => ({ dash: 0.035 * size, gap: 0.018 * size, head: 0.05 * size, tip: 0.014 * size });
-
-/** Screw axes: dashed, with a tip and a name; on the body before the joint, which does not move its own axis. */
-export function axes(arm, size, { letter, colour, onBody = (i) => i }) {
+/** Screw axes, on the body before the joint, which does not move its own axis. */
+export function axes(arm, size, letter, colour, onBody = (i) => i) {
   return arm.joints.flatMap((joint, i) => {
-    if (joint.hidden) return [];
-    const body = onBody(i);
     const centre = jointCentre(joint, size);
-    const from = add(centre, joint.axis, -0.26 * size);
-    const to = add(centre, joint.axis, 0.36 * size);
-    return [
-      ...arrow({ body, from, to, radius: 0.0048 * size, colour, ...axisDashes(size) }),
-      label(to, letter, colour, 3, { body, from: centre, sub: `${joint.number ?? i + 1}` }),
-    ];
+    const [from, to] = [-0.26, 0.36].map((share) => add(centre, joint.axis, share * size));
+    const name = `${letter}_${joint.number ?? i + 1}`;
+    const looks = { colour, width: 1, dashed: true, tip: true, name };
+    return joint.hidden ? [] : [{ kind: 'line', body: onBody(i), from, to, ...looks }];
   });
 }
 
-/** Frames as three thin rods with a letter at each tip. Frames that share an origin get rods of different length. */
-export function triads(frames, size, colours, { numbered = false, short = false, length = 0.17 } = {}) {
+/** Frames; those that share an origin get axes of different length. DH frames are named by their indices. */
+export function triads(frames, size, length, numbered) {
   const ranks = new Map();
-  return frames.flatMap(({ name, body, pose, rank: given }) => {
-    const origin = [pose[3], pose[7], pose[11]];
-    const key = origin.map((value) => (value / size).toFixed(4)).join();
+  return frames.map(({ name, body, pose, rank: given }) => {
+    const key = [pose[3], pose[7], pose[11]].map((value) => (value / size).toFixed(4)).join();
     const rank = given ?? ranks.get(key) ?? 0;
     ranks.set(key, rank + 1);
-    const long = (length + 0.055 * rank) * size;
     const own = numbered && /^\d+$/.test(name);
-    const thick = own ? 0.85 : 1.15;
-    const made = ['x', 'y', 'z'].flatMap((letter, k) => {
-      const colour = colours[letter];
-      const to = add(origin, [pose[k], pose[4 + k], pose[8 + k]], long);
-      const radius = thick * ROD * size;
-      return [
-        ...arrow({ body, from: origin, to, radius, tip: 2.3 * radius, head: 0.035 * size, colour }),
-        label(to, letter, colour, letter === 'y' ? 1 : 2, {
-          body,
-          from: origin,
-          sub: own || (short && name.length < 3) ? name : '',
-        }),
-      ];
-    });
-    made.push({ body, shape: 'sphere', from: origin, to: origin, radius: 1.6 * ROD * size, colour: colours.ink });
-    if (!own) {
-      // opposite to the axes, where nothing else is drawn
-      const middle = [0, 1, 2].map((row) => origin[row] + pose[4 * row] + pose[4 * row + 1] + pose[4 * row + 2]);
-      made.push(label(origin, `{${name}}`, colours.ink, 4, { body, italic: false, from: short ? middle : undefined }));
-    }
-    return made;
+    const names = { sub: own ? name : '', name: own ? '' : name };
+    return { kind: 'frame', body, pose, letters: 'Oxyz', thin: true, length: length + 0.055 * rank, ...names };
   });
 }
 
-/** Common normals, orange and dashed. One of length 0 is drawn as a short line along its direction. */
-export function normals(arm, size, colours) {
-  return arm.normals.flatMap(({ body, from, to, along }, i) => {
-    const short = norm(minus(to, from)) < 1e-6 * size;
-    const half = short ? 0.09 * size : 0;
+/** Common normals. One of length 0 is drawn as a short line along its direction. */
+export function normals(arm, size) {
+  return arm.normals.map(({ body, from, to, along }, i) => {
+    const half = norm(minus(to, from)) < 1e-6 * size ? 0.09 * size : 0;
     const ends = { from: add(from, along, -half), to: add(to, along, half) };
-    const middle = add(ends.from, minus(ends.to, ends.from), 0.5);
-    const line = { body, ...ends, radius: 0.0075 * size, colour: colours.normal, dash: 0.02 * size, gap: 0.011 * size };
-    const name = label(short ? ends.to : middle, 'a', colours.normal, 2, { body, sub: `${i + 1}` });
-    return [...dashedLine(line), name];
+    return { kind: 'line', body, ...ends, colour: 'normal', width: 2, dashed: true, name: `a_${i + 1}` };
   });
 }
 
-/** Lengths of the links: a dimension line beside each segment, drawn on the 2-D canvas. */
-export function dimensions(arm, size, colours) {
+/** Lengths of the links: a number in the middle of each segment. */
+export function dimensions(arm, size) {
   return arm.links.flatMap((path, body) =>
     path.slice(1).flatMap((to, k) => {
       const length = norm(minus(to, path[k]));
-      if (length < 0.02 * size) return [];
-      return [
-        { body, dimension: true, from: path[k], to, text: `${Number(length.toPrecision(4))}`, colour: colours.ink },
-      ];
+      const text = `${Number(length.toPrecision(4))}`;
+      return length < 0.02 * size ? [] : [{ kind: 'name', body, at: middle(path[k], to), text, weight: 3 }];
     }),
   );
 }
@@ -205,21 +170,13 @@ export function pieces({ pieces: all = [], floor }, size, colours) {
 }
 
 /** The axes of a linkage's joints, through each joint. */
-export function pieceAxes({ pieces: all = [] }, size, colours) {
+export function pieceAxes({ pieces: all = [] }, size) {
   return all
     .filter(({ name, kind }) => name && kind !== 'ball')
-    .flatMap(({ arm, body, at, along }) =>
-      dashedLine({
-        arm,
-        body,
-        from: add(at, along, -0.3 * size),
-        to: add(at, along, 0.3 * size),
-        radius: 0.005 * size,
-        colour: colours.axis,
-        dash: 0.035 * size,
-        gap: 0.018 * size,
-      }),
-    );
+    .map(({ arm, body, at, along }) => {
+      const [from, to] = [-0.3, 0.3].map((share) => add(at, along, share * size));
+      return { kind: 'line', arm, body, from, to, colour: 'axis', width: 1, dashed: true };
+    });
 }
 
 /** A unit vector perpendicular to an axis; the same axis always gives the same vector. */

@@ -1,0 +1,277 @@
+"""Search for the slips that explain a table: a list of candidates, a filter by invariants, a price, and a full comparison.
+
+All slips of `kinlib.dh.slips` are corrected in all places at once, as arrays of rows. Most corrections are refuted by the invariants
+of the axes, and only the rest is compared with the arm. The price of a correction is the number of entries that it edits; then the
+numbers that it invents, because some number explains almost anything; then how large and unusual the change is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property, reduce
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinlib.arrays.tolerances import EQUIVALENCE_TOL
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain, random_configurations
+from kinlib.dh.assignment import assign_frames
+from kinlib.dh.equivalence import AxisInvariants, Booleans, Equivalence, describe_pose, equivalent, format_offset
+from kinlib.dh.parsing import COLUMNS, joint_entries
+from kinlib.dh.slips import (
+    NUMBERS,
+    OTHER_CONVENTION,
+    Correction,
+    Fault,
+    corrections,
+    corrections_of_joint_types,
+    wrong_number,
+)
+from kinlib.dh.table import DHTable, joint_axes, table_poses
+
+MAX_COMPARED, MAX_PAIRS = 60, 20_000
+"""How many corrected tables whose invariants agree are compared with the arm in full, and how many pairs of mistakes are tried."""
+
+FILTER_TOL_FACTOR = 3
+"""How many times the tolerance an invariant may be off before a correction is refuted by it."""
+
+TYPED_POSE_TOL = 1e-6
+"""How far the inverse of a pose may be off that a person typed."""
+
+
+@dataclass(frozen=True, eq=False)
+class TableExplanation:
+    """Mistakes that together explain a table.
+
+    faults      the mistakes
+    corrected   the table without them, which describes the arm up to the choices that are not fixed
+    edits       how many entries they change; a pose or an invented number counts as one more
+    is_a_choice whether the table is right up to choices that are fixed, and the faults are these choices
+    """
+
+    faults: Sequence[Fault]
+    corrected: DHTable
+    edits: int
+    is_a_choice: bool = False
+
+    def says_as_much(self, other: TableExplanation) -> bool:
+        """Whether another explanation leads to the same table."""
+        a, b = self.corrected, other.corrected
+        is_same = (a.convention, a.joints, a.signs.tolist()) == (b.convention, b.joints, b.signs.tolist())
+        return is_same and bool(np.abs(a.rows - b.rows).max() < 1e-9)
+
+
+def explain_by_slips(  # noqa: PLR0917
+    table: DHTable,
+    reference: Chain | DHTable,
+    fixed: frozenset[str],
+    free_ends: frozenset[str],
+    tolerance: float,
+    count: int,
+) -> list[TableExplanation]:
+    """Return the explanations of a table by so many slips with the smallest price.
+
+    free_ends   of the fixed choices, a base or a tool that may be wrong as well; then it is told, too
+    """
+    arm = reference.to_chain() if isinstance(reference, DHTable) else reference
+    right = assign_frames(arm, convention=table.convention).table
+    if isinstance(reference, DHTable) and len(reference.rows) == len(table.rows):
+        right = reference.converted(table.convention)
+    found: list[TableExplanation] = []
+    for start in corrections_of_joint_types(table, arm.joint_types):
+        # If the joint types differ, no other correction can help without these.
+        if len(start) <= count:
+            first = reduce(lambda wrong, each: each.of(wrong), start, table)
+            search = _Search(first, arm, right.rows, fixed - free_ends, free_ends, tolerance)
+            found += search.explanations([each.fault for each in start], count - len(start))
+    return found
+
+
+def explain_by_choices(table: DHTable, found: Equivalence) -> TableExplanation | None:
+    """Return the choices up to which a table is right as an explanation; None if it is not."""
+    faults = choices_as_faults(table, found) if found.verdict == "same" else []
+    if not faults:
+        return None
+    rows, signs = table.rows.copy(), table.signs.copy()
+    for joint, (row, column) in enumerate(joint_entries(table.joints)):
+        rows[row, column] += table.signs[row] * found.offsets[joint]
+        signs[row] *= found.signs[joint]
+    corrected = table.changed(rows=rows, signs=signs, base=found.base @ table.base, tool=table.tool @ found.tool)
+    return TableExplanation(faults, corrected, sum(map(_weight, faults)), is_a_choice=True)
+
+
+def choices_as_faults(table: DHTable, found: Equivalence) -> list[Fault]:
+    """Write the choices in which a table differs from an arm as corrections, each with its numbers."""
+    faults = []
+    for joint, (row, column) in enumerate(joint_entries(table.joints)):
+        name, letter, place = COLUMNS[column], table.joints[row], f"joint {joint + 1}"
+        if text := format_offset(letter, float(table.signs[row] * found.offsets[joint]), found.tolerance):
+            base = " (or rotate the base by as much about axis 1)" if joint == 0 and letter == "R" else ""
+            faults.append(Fault("another zero", f"{place}: add {text} to {name}{base}.", row + 1, name))
+        if found.signs[joint] < 0:
+            sign = "-" if table.signs[row] > 0 else "+"
+            text = f"{place}: write {sign}q in {name}, because q counts in the opposite direction."
+            faults.append(Fault("sign of q", text, row + 1, name))
+    for end, own, T in (("base", table.base, found.base @ table.base), ("tool", table.tool, table.tool @ found.tool)):
+        if np.abs(T - own).max() > found.tolerance:
+            is_missing = np.abs(own - np.eye(4)).max() < EQUIVALENCE_TOL
+            is_inverted = np.abs(own @ T - np.eye(4)).max() < TYPED_POSE_TOL
+            what = "is missing" if is_missing else "is inverted" if is_inverted else "is wrong"
+            name = {"base": "The base T_s0", "tool": "The tool transform"}[end]
+            faults.append(Fault(f"wrong {end}", f"{name} {what}: it should be {describe_pose(T, found.tolerance)}."))
+    return faults
+
+
+def _weight(fault: Fault) -> int:
+    """How many edits a choice counts as: a pose is two."""
+    return 2 if fault.name in {"wrong base", "wrong tool"} else 1
+
+
+@dataclass(frozen=True, eq=False)
+class _Search:
+    """The search for corrections of a table that has the joint types of the arm; candidates are places in the list of singles."""
+
+    table: DHTable
+    arm: Chain
+    right: Array
+    fixed: frozenset[str]
+    free_ends: frozenset[str]
+    tolerance: float
+
+    def explanations(self, faults: list[Fault], count: int) -> list[TableExplanation]:
+        """Return the explanations by this number of corrections with the smallest price; `faults` were corrected before."""
+        places = {0: np.zeros((len(faults[:1]), 0), dtype=int), 1: np.arange(len(self._singles))[:, None]}.get(count)
+        prices = self._prices(self._pairs if places is None else places)
+        found, least = list[TableExplanation](), 0
+        for (edits, *_), chosen in prices[:MAX_COMPARED]:
+            if found and edits > least:
+                break
+            try:
+                corrected = reduce(lambda table, each: each.of(table), chosen, self.table)
+            except ValueError:  # for example an angle of many turns, which no table has
+                continue
+            compared = equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance)
+            if compared.verdict == "same":
+                told = [*faults, *(self._described(each.fault, corrected) for each in chosen)]
+                wrong = {f"wrong {end}" for end in self.free_ends}
+                ends = [fault for fault in choices_as_faults(corrected, compared) if fault.name in wrong]
+                poses = {"base": compared.base @ corrected.base, "tool": corrected.tool @ compared.tool}
+                corrected = corrected.changed(**{end: poses[end] for end in self.free_ends})
+                each = TableExplanation(told + ends, corrected, edits + len(faults) + sum(map(_weight, ends)))
+                if not any(each.says_as_much(other) for other in found):
+                    found, least = [*found, each], edits
+        return found
+
+    def _described(self, fault: Fault, corrected: DHTable) -> Fault:
+        if fault.text or not fault.row or not fault.column:
+            return fault
+        return wrong_number(self.table, corrected, fault.row - 1, COLUMNS.index(fault.column))
+
+    def _prices(self, places: NDArray[np.int_]) -> list[tuple[tuple[int, int, float], list[Correction]]]:
+        """Return the price and the corrections of each candidate (N, count) that can be the arm, the cheapest first.
+
+        Invariants decide, and if zeros and signs are fixed, the poses of a few q.
+        """
+        rows, signs, is_other = self._corrected(places)
+        agree = self._invariants.agree(self._values(rows, signs, is_other), "signs" in self.fixed)
+        if self.fixed >= {"zeros", "signs"} and agree.any():
+            q, some, at = random_configurations(self.arm.n, 4), rows[agree, None], signs[agree, None]
+            poses = self._of_both(is_other[agree], lambda table, of: table_poses(table, some[of], q, at[of]))
+            agree[agree] = _same_motion(poses, self.arm.fk(q), self.fixed, FILTER_TOL_FACTOR * self.tolerance)
+        numbers, edits = self._numbers[places].sum(axis=1), self._edits[places].sum(axis=1)
+        sizes = np.where(numbers > 0, np.abs(rows - self.table.rows).sum(axis=(1, 2)), 0.0)
+        sizes += 1e-3 * (rows[:, :, [0, 2]] < 0).sum(axis=(1, 2))  # in most tables the lengths have one sign
+        order = sorted((int(edits[k]), int(numbers[k]), round(float(sizes[k]), 9), k) for k in np.flatnonzero(agree))
+        return [((e, n, size), [self._singles[place] for place in places[k]]) for e, n, size, k in order]
+
+    @cached_property
+    def _known(self) -> tuple[list[Correction], Array]:
+        """The corrections that change something, and the rows that each of them leads to, (N, m, 4)."""
+        known = corrections(self.table, self.right, "zeros" in self.fixed, "signs" in self.fixed)
+        rows = np.array([each.change(self.table.rows) for each in known])
+        differs = np.abs(rows - self.table.rows).max(axis=(1, 2)) > 1e-12
+        kept = [k for k, each in enumerate(known) if differs[k] or each.convention or each.reversed]
+        return [known[k] for k in kept], rows[kept]
+
+    @cached_property
+    def _singles(self) -> list[Correction]:
+        return self._known[0]
+
+    @cached_property
+    def _numbers(self) -> Booleans:
+        return np.array([each.fault.name in NUMBERS for each in self._singles])
+
+    @cached_property
+    def _edits(self) -> NDArray[np.int_]:
+        """The entries that each correction changes; two rows that change places are two, and labels and invented numbers one more.
+
+        Every entry of a column has to be wrong in the same way, which is one more as well: a single entry is the simpler explanation.
+        """
+        edits = (np.abs(self._known[1] - self.table.rows) > 1e-12).sum(axis=(1, 2)) + self._numbers
+        for k, each in enumerate(self._singles):
+            is_column = each.fault.row is None and each.fault.name.startswith("sign of")
+            edits[k] = min(edits[k], 2) if each.fault.name == "rows swapped" else edits[k] + is_column
+            edits[k] += bool(each.convention) + bool(each.reversed)
+        return np.asarray(edits)
+
+    @cached_property
+    def _invariants(self) -> AxisInvariants:
+        return AxisInvariants(self.arm, FILTER_TOL_FACTOR * self.tolerance)
+
+    @cached_property
+    def _pairs(self) -> NDArray[np.int_]:
+        """The pairs of which each one changes every invariant that is wrong without it, (N, 2)."""
+        values = self._values(*self._corrected(np.arange(len(self._singles))[:, None]))
+        own = self._values(*self._corrected(np.zeros((1, 0), dtype=int)))
+        violated = self._invariants.violated(values).astype(float)
+        unchanged = np.isclose(values, own, rtol=1e-9, atol=1e-10).astype(float)
+        possible = violated @ unchanged.T == 0
+        return np.argwhere(np.triu(possible & possible.T, 1))[:MAX_PAIRS]
+
+    def _corrected(self, places: NDArray[np.int_]) -> tuple[Array, Array, Booleans]:
+        """Correct candidates (N, count): rows (N, m, 4), signs (N, m), and whether the convention changes (N,).
+
+        A correction of a row comes after one of the whole table, as the singles are sorted.
+        """
+        rows = np.repeat(self.table.rows[None], len(places), axis=0)
+        signs = np.repeat(self.table.signs[None], len(places), axis=0)
+        is_other = np.zeros(len(places), bool)
+        for at, column in enumerate(places.T):
+            rows = self._known[1][column] if at == 0 else rows
+            for place in np.unique(column):
+                single, chosen = self._singles[place], np.flatnonzero(column == place)
+                rows[chosen] = single.change(rows[chosen]) if at else rows[chosen]
+                is_other[chosen] ^= single.convention is not None
+                for row in single.reversed:
+                    signs[chosen, row] *= -1
+        return rows, signs, is_other
+
+    def _values(self, rows: Array, signs: Array, is_other: Booleans) -> Array:
+        """Compute the invariants of the corrected tables, (N, k)."""
+        return self._of_both(is_other, lambda table, of: self._invariants.of(*joint_axes(table, rows[of], signs[of])))
+
+    def _of_both(self, is_other: Booleans, compute: Callable[[DHTable, Booleans], Array]) -> Array:
+        """Compute something of the tables of one convention, and of those of the other."""
+        values = found = compute(self.table, ~is_other)
+        if is_other.any():
+            values = np.zeros((len(is_other), *found.shape[1:]))
+            values[~is_other] = found
+            values[is_other] = compute(self.table.changed(convention=OTHER_CONVENTION[self.table.convention]), is_other)
+        return values
+
+
+def _same_motion(poses: Array, right: Array, fixed: frozenset[str], loose: float) -> Booleans:
+    """Return which poses (N, k, 4, 4) are the right ones (k, 4, 4) up to the frames at the ends that are free."""
+
+    def motions(T: Array) -> Array:
+        start = np.linalg.inv(T[..., :1, :, :])
+        if fixed >= {"base", "tool"}:
+            return T
+        if fixed & {"base", "tool"}:
+            return T[..., 1:, :, :] @ start if "base" in fixed else start @ T[..., 1:, :, :]
+        return np.asarray(np.trace(T[..., 1:, :3, :3] @ start[..., :3, :3], axis1=-2, axis2=-1))
+
+    same: Booleans = np.abs(motions(poses) - motions(right)).reshape(len(poses), -1).max(axis=-1) <= loose
+    return same

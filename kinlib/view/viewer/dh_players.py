@@ -1,0 +1,353 @@
+"""Players of Denavit-Hartenberg: the motions of a row, the factors along an arm, and the steps of an assignment, as stops.
+
+The page treats motions as an arm whose joints they are, each about or along an axis that the motions before have moved. Therefore
+the scene graph that moves a robot also plays a row, in the order of its convention.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib.arrays import tolerances, validation
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.dh.assignment import FrameAssignment, assign_frames
+from kinlib.dh.formatting import format_rows
+from kinlib.dh.table import Convention, DHTable, dh_transform, validate_convention
+from kinlib.rigid.lie import adjoint, homogeneous
+from kinlib.view.drawing.canvas import Canvas, view_axes
+from kinlib.view.drawing.crop import crop
+from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.figures.arm import frame_text
+from kinlib.view.figures.dh_table import MOTION_ORDER, ROTATE_X, ROTATE_Z, TRANSLATE_X, TRANSLATE_Z, poses_along_row
+from kinlib.view.figures.frame_assignment import assignment_stop, axis_ends, draw_assignment, visible_features
+from kinlib.view.figures.joint_bodies import stations
+from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, name_part
+from kinlib.view.viewer.scene import bare_scene, still_room
+from kinlib.view.viewer.steps import Steps, Stop, frame_arm, motion_scene
+
+CONVENTIONS: tuple[Convention, ...] = get_args(Convention)
+
+SYMBOLS = {ROTATE_Z: "R_z(theta)", TRANSLATE_Z: "T_z(d)", TRANSLATE_X: "T_x(a)", ROTATE_X: "R_x(alpha)"}
+NAMES = {ROTATE_Z: "theta", TRANSLATE_Z: "d", TRANSLATE_X: "a", ROTATE_X: "alpha"}
+
+MOTION_TEXTS: dict[Convention, dict[int, str]] = {
+    "standard": {
+        ROTATE_Z: "Rotate about z by theta, {value}: x becomes parallel to the common normal.",
+        TRANSLATE_Z: "Translate along z by d, {value}: the origin moves to the foot of the normal.",
+        TRANSLATE_X: "Translate along x by a, {value}: along the common normal, to the next axis.",
+        ROTATE_X: "Rotate about x by alpha, {value}: z becomes parallel to axis i+1. This is frame i.",
+    },
+    "modified": {
+        ROTATE_X: "Rotate about x by alpha, {value}: z becomes parallel to axis i.",
+        TRANSLATE_X: "Translate along x by a, {value}: along the common normal, to axis i.",
+        ROTATE_Z: "Rotate about z by theta, {value}: the rotation of joint i about its own axis.",
+        TRANSLATE_Z: "Translate along z by d, {value}: to the foot of the next normal. This is frame i.",
+    },
+}
+"""The text of each motion of a row, in each convention."""
+
+AXIS_NAMES: dict[Convention, tuple[str, str]] = {"standard": ("axis i", "axis i+1"), "modified": ("axis i−1", "axis i")}
+"""The axes on which the z of frame i-1 and of frame i lie."""
+
+FRAME_LENGTH = 0.34
+"""The length of the axes of a frame, as a share of the size of the motions."""
+
+VIEW_RADIUS_SHARE = {0: 0.84, 1: 0.94, 2: 0.79}
+"""The radius in view, as a share of the sphere around all that is drawn: of an assignment, and of one track or two side by side."""
+
+AT_THE_START = "No motion is complete yet: the frame is at its start."
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """A motion of a frame about and along its own x or z, by an angle in radians and a distance in metres."""
+
+    axis: str
+    angle: float
+    distance: float
+    symbol: str
+    name: str
+    text: str
+
+    @property
+    def value(self) -> float:
+        """The value of the joint that makes this motion: its angle, or else its distance."""
+        return self.angle if abs(self.angle) > tolerances.UNIT_LENGTH_TOL else self.distance
+
+    def screw(self, T: Array) -> Array:
+        """Return the screw axis (6,) of that joint, for a frame at T."""
+        unit = np.eye(3)["xz".index(self.axis) * 2]
+        own = np.array([self.angle, self.distance]) / self.value if self.value else np.array([0.0, 1.0])
+        return np.asarray(adjoint(T) @ np.concatenate([own[0] * unit, own[1] * unit]))
+
+
+@dataclass(frozen=True, eq=False)
+class Track:
+    """Motions one after the other: the poses (m + 1, 4, 4) before and after them, the axes drawn, and the frames that stay.
+
+    names  for each number of motions done, the index and the name of the frame that is then reached
+    """
+
+    title: str
+    motions: Sequence[Motion]
+    poses: Array
+    axes: Sequence[Part]
+    names: dict[int, tuple[str, str]]
+
+
+class Motions(Steps):
+    """Motions on the page. Make one with `play_row` or `play_walk`; `at` is the number of motions that are done."""
+
+    def picture(self) -> Picture:
+        """Draw the motions that are done."""
+        stop, size = self.stop, self.scene["size"]
+        origins = np.array([np.reshape(T, (4, 4))[:3, 3] for T in self.mode["all_poses"]])
+        middle = (origins.min(axis=0) + origins.max(axis=0)) / 2
+        canvas = Canvas(middle + 0.72 * (origins - middle))  # no frame extends far beyond the origins
+        ways = [way for passed in self.stops[: self.stops.index(stop)] for way in passed["ways"]]
+        moving = (
+            []
+            if stop["reached"]
+            else [frame_part(np.reshape(T, (4, 4)), "Oxyz", length=FRAME_LENGTH) for T in stop["poses"]]
+        )
+        draw_parts(canvas, [*self.mode["still"], *ways, *stop["parts"], *moving], size)
+        return canvas.picture(self.alt, cropped=True)
+
+
+class AssignmentPlayer(Steps):
+    """A frame assignment on the page. Make one with `play_assignment`; the variant is the convention."""
+
+    def __init__(self, chain: Chain, rows: int | None, convention: Convention, after: Any) -> None:
+        self.assignments: dict[str, FrameAssignment] = {
+            name: assign_frames(chain, convention=name) for name in CONVENTIONS
+        }
+        points = [stations(chain)]
+        for one in self.assignments.values():
+            near, feet = visible_features(one)
+            points += [one.frames[near, :3, 3], np.reshape(axis_ends(chain, feet), (-1, 3))]
+        variants = {name: _assignment_variant(one, rows) for name, one in self.assignments.items()}
+        mode = {"variants": variants, "name": "step", "choice": "convention"}
+        scene = bare_scene(chain, np.concatenate(points), VIEW_RADIUS_SHARE[0])
+        super().__init__(scene, mode, variant=convention, after=after, start=np.zeros(chain.n))
+
+    def picture(self) -> Picture:
+        """Draw the assignment after the current step."""
+        return crop([draw_assignment(self.assignments[self.variant], int(self.at))])[0]
+
+
+def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any = None) -> Motions:
+    """Play the four motions of a DH row in the order of one convention, or of both side by side.
+
+    row         (4,) a, alpha, d, theta, in metres and radians
+    convention  None shows both conventions, with the same four numbers
+    after       a question; the picture stays covered until a prediction is committed
+
+    Raises ValueError if row does not have shape (4,), or the convention is unknown.
+
+    >>> player = play_row([0.8, 0.6, 0.6, 1.4], convention="standard")
+    >>> player.at = 2
+    >>> player.alt
+    'Motions that move a frame: 2 of 4 done. The moving frame, standard convention, is at (0, 0, 0.6), x along (0.17, 0.985, 0), ...'
+    """
+    values = validation.vectors(row, "row", 4)
+    if values.ndim != 1:
+        raise ValueError(f"row must be one row, of shape (4,); got {values.shape}. For several rows, use play_walk.")
+    shown: list[Convention] = list(MOTION_ORDER) if convention is None else [validate_convention(convention)]
+    ends = [poses_along_row(values, name)[:, :3, 3] for name in MOTION_ORDER]
+    size = max(float(np.ptp(ends, axis=(0, 1)).max()), 0.2)
+    apart = 1.9 * size * view_axes("default")[1][0]
+    return _player([_row_track(values, name, k * apart, size) for k, name in enumerate(shown)], size, after)
+
+
+def play_walk(rows: ArrayLike, *, after: Any = None) -> Motions:
+    """Play the product Z_1 X_1 Z_2 X_2 ... along an arm, with the frames of both conventions.
+
+    rows   (m, 4) standard rows a, alpha, d, theta; each is two factors, and each factor is one screw motion
+    after  a question; the picture stays covered until a prediction is committed
+
+    The pose after Z_i is frame i of the modified convention, the pose after X_i is frame i of the standard one.
+
+    Raises ValueError if rows does not have shape (m, 4).
+
+    >>> player = play_walk([[0.4, 0, 0.1, 0]])
+    >>> player.at = 2
+    >>> player.alt
+    'Motions that move a frame: 2 of 2 done. The moving frame is at (0.4, 0, 0.1), x along x, y along y, z along z. Reached: {0} at ...'
+    """
+    values = np.atleast_2d(validation.vectors(rows, "rows", 4))
+    poses, motions, names = [np.eye(4)], [], {0: ("0", "0")}
+    for i, (a, alpha, d, theta) in enumerate(values, start=1):
+        poses.append(poses[-1] @ dh_transform(0, 0, d, theta, convention="standard"))
+        poses.append(poses[-1] @ dh_transform(a, alpha, 0, 0, convention="standard"))
+        along, across = f"Z_{i}: along and about the axis of joint {i}.", f"X_{i}: along and about the common normal."
+        motions += [
+            Motion("z", theta, d, f"Z_{i}", f"Z{i}", f"{along} Frame {i} of the modified convention is here."),
+            Motion("x", alpha, a, f"X_{i}", f"X{i}", f"{across} Frame {i} of the standard convention is here."),
+        ]
+        names |= {2 * i - 1: (f"{i}", f"{i} mod"), 2 * i: (f"{i}", f"{i} std")}
+    size = max(float(np.ptp([T[:3, 3] for T in poses], axis=0).max()), 0.2)
+    axes = [_axis(poses[2 * i], poses[2 * i + 1], f"axis {i + 1}", size) for i in range(len(values))]
+    return _player([Track("", motions, np.array(poses), axes, names)], size, after)
+
+
+def play_assignment(
+    chain: Chain, *, convention: Convention, rows: int | None = None, after: Any = None
+) -> AssignmentPlayer:
+    """Show the assignment of DH frames to an arm step by step, forwards and back.
+
+    rows   how many rows of the table are read; the reader finds the others. By default all of them
+    after  a question; the arm stays covered until a prediction is committed
+
+    Raises ValueError if the convention is unknown, a joint is helical, or rows is not one of 0, ..., n.
+
+    >>> from kinlib.chains.robots import youbot
+    >>> player = play_assignment(youbot(), convention="standard")
+    >>> player.at = 3
+    >>> player.alt[:62]
+    'youBot, standard convention, step 4 of 25. O_1 lies on axis 2,'
+    """
+    validation.instance(chain, "chain", Chain)
+    if rows is not None and rows not in range(chain.n + 1):
+        raise ValueError(f"rows must be the number of rows to show, 0 to {chain.n}; got {rows!r}.")
+    return AssignmentPlayer(chain, rows, validate_convention(convention), after)
+
+
+def table_cells(table: DHTable) -> list[list[str]]:
+    """Return the rows of a table as the page shows them: a, alpha, d, theta, with q_i for the joint variable.
+
+    >>> from kinlib.chains.robots import youbot
+    >>> table_cells(assign_frames(youbot(), convention="standard").table)[3]
+    ['0', '90°', '0', 'q_4 + 90°']
+    """
+    return [[cell.replace("-", "−") for cell in row] for row in format_rows(table, variable="q_{}".format)]
+
+
+def _assignment_variant(assignment: FrameAssignment, rows: int | None) -> dict[str, Any]:
+    """Return the stops of an assignment; if only some rows are read, the accuracy of the table is left out too."""
+    count = len(assignment.steps)
+    if rows is not None:
+        count = next(k for k, step in enumerate(assignment.steps) if step.kind == "row") + rows
+    table = {"convention": assignment.table.convention, "rows": table_cells(assignment.table)[:rows]}
+    return {"stops": [assignment_stop(assignment, k) for k in range(count)], "table": table}
+
+
+def _row_track(row: Array, convention: Convention, place: Array, size: float) -> Track:
+    poses = homogeneous(np.eye(3), place) @ poses_along_row(row, convention)
+    motions = []
+    for kind in MOTION_ORDER[convention]:
+        value, rotates = float(row[kind]), kind in (ROTATE_X, ROTATE_Z)
+        shown = f"{np.degrees(value):.4g}°" if rotates else f"{value:.4g} m"
+        text = MOTION_TEXTS[convention][kind].format(value=shown.replace("-", "−"))
+        axis = "x" if kind in (TRANSLATE_X, ROTATE_X) else "z"
+        motions.append(Motion(axis, value * rotates, value * (not rotates), SYMBOLS[kind], NAMES[kind], text))
+    # The d of a standard row runs along the axis where it starts, that of a modified one where it ends.
+    spans = ((0, 2), (4, 4)) if convention == "standard" else ((0, 0), (2, 4))
+    axes = [
+        _axis(poses[i], poses[j], name, size, strong=name == "axis i")
+        for (i, j), name in zip(spans, AXIS_NAMES[convention], strict=True)
+    ]
+    return Track(convention, motions, poses, axes, {0: ("i−1", ""), 4: ("i", "")})
+
+
+def _axis(one: Array, other: Array, name: str, size: float, *, strong: bool = True) -> Part:
+    """Return the line along the z of a frame, long enough to contain two origins."""
+    z, distance = one[:3, 2], float((other - one)[:3, 3] @ one[:3, 2])
+    low, high = (one[:3, 3] + along * z for along in (min(0.0, distance) - 0.3 * size, max(0.0, distance) + 0.6 * size))
+    return line_part(low, high, "axis", name=name, dashed=True, tip=True, strong=strong)
+
+
+def _player(tracks: Sequence[Track], size: float, after: Any) -> Motions:
+    """Return the player of tracks: the moving frame of each, the ways it has made, and the frames it has reached."""
+    count = len(tracks[0].motions)
+    values = np.array([[motion.value for motion in track.motions] for track in tracks])
+    still: list[Part] = []
+    for track in tracks:
+        still += [*track.axes, frame_part(track.poses[-1], "Oxyz", length=0.9 * FRAME_LENGTH, strong=False)]
+        if track.title:
+            still.append(name_part(track.poses[0, :3, 3] - (0, 0, 0.5 * size), track.title))
+    stops = [
+        _motion_stop(tracks, k) | {"q": np.where(np.arange(count) < k, values, 0.0).ravel().tolist()}
+        for k in range(count + 1)
+    ]
+    arms = []
+    for k, track in enumerate(tracks):
+        arm = frame_arm(track.poses[0], [motion.screw(track.poses[0]) for motion in track.motions])
+        arms.append(arm | {"columns": list(range(k * count, (k + 1) * count))})
+    ends = [end for track in tracks for line in track.axes for end in (line["from"], line["to"])]
+    points = np.array([*ends, *(T[:3, 3] for track in tracks for T in track.poses)])
+    scene = motion_scene(
+        "a row of a DH table",
+        arms,
+        still_room(points, VIEW_RADIUS_SHARE[len(tracks)]),
+        float(points[:, 2].min()) - 0.1 * size,
+        size,
+    )
+    mode = {
+        "variants": {"": {"stops": stops}},
+        "name": "motion",
+        "pace": 1100,
+        "movers": [""] * len(tracks),
+        "length": FRAME_LENGTH,
+        "still": still,
+        "product": [
+            {
+                "title": f"{track.title} convention" * bool(track.title),
+                "symbols": [motion.symbol for motion in track.motions],
+            }
+            for track in tracks
+        ],
+        "all_poses": [T.ravel().tolist() for track in tracks for T in track.poses],
+    }
+    return Motions(scene, mode, after=after)
+
+
+def _motion_stop(tracks: Sequence[Track], k: int) -> Stop:
+    """Return the stop after k motions; its ways and turns are those of the motion that follows."""
+    ways, turns, parts, sentences = [], [], [], []
+    for track in tracks:
+        reached = {name or sub: track.poses[after] for after, (sub, name) in track.names.items() if after <= k}
+        for after, (sub, name) in track.names.items():
+            if after <= k:
+                length = FRAME_LENGTH * (1 if after else 0.9)
+                parts.append(
+                    frame_part(
+                        track.poses[after],
+                        "Oxz",
+                        sub=sub,
+                        name=name if " " in name else "",
+                        length=length,
+                        strong=after == k,
+                    )
+                )
+        if k < len(track.motions):
+            motion, (here, there) = track.motions[k], track.poses[k : k + 2]
+            if motion.distance:
+                colour, name = ("axis", "d") if motion.axis == "z" else ("normal", "a")
+                ways.append(
+                    line_part(
+                        here[:3, 3], there[:3, 3], colour, name=name if motion.name in "da" else motion.name, width=4
+                    )
+                )
+            if abs(motion.angle) > 0.01:
+                pose, name = here.ravel().tolist(), motion.name if not motion.distance else ""
+                turns.append(
+                    {"pose": pose, "axis": motion.axis, "angle": motion.angle, "rise": motion.distance, "name": name}
+                )
+        start = track.poses[0, :3, 3]
+        of = f", {track.title} convention," if track.title else ""
+        moving = frame_text(("", homogeneous(track.poses[k, :3, :3], track.poses[k, :3, 3] - start)))
+        places = "; ".join(f"{{{name}}} at {vector_text(T[:3, 3] - start)}" for name, T in reached.items())
+        sentences.append(f"{moving.replace('Frame {}', f'The moving frame{of} is')} Reached: {places}.")
+    return {
+        "texts": [track.motions[k - 1].text if k else AT_THE_START for track in tracks],
+        "alt": f"Motions that move a frame: {k} of {len(tracks[0].motions)} done. {' '.join(sentences)}",
+        "poses": [track.poses[k].ravel().tolist() for track in tracks],
+        "parts": parts,
+        "ways": ways,
+        "turns": turns,
+        "reached": k in tracks[0].names,
+    }

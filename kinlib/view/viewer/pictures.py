@@ -1,0 +1,86 @@
+"""The player of pictures: a film, or a slider through the pictures of several values. Made by `film` and `slide`."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import traitlets
+
+from kinlib.view.drawing.dark_theme import follow_theme
+from kinlib.view.drawing.picture import Gallery, Picture
+from kinlib.view.viewer.viewer import Covered, as_script
+
+ONE_PICTURE_ON_SCREEN = (
+    "<style>@media screen and (scripting:enabled){.kinlib-film-frames figure:not(:first-child){display:none}"
+    ".kinlib-film-frames>div{display:block!important}}</style>"
+)
+"""Where a script will show the pictures, the first one keeps the place; everywhere else, all of them are shown."""
+
+
+class Pictures(Covered):
+    """Pictures on the page, of which one is shown.
+
+    frames   the drawings as SVG, each once; empty for one that is made when it is selected
+    order    the drawing of each stop
+    texts    the caption, the text alternative and the label of each stop
+    looks    "label" of the slider, "rate" in stops per second of a film, "ends" of its scenes
+    at       the stop that is shown; the page and Python can both set it
+
+    still    the pictures for print, and for a page without a script
+
+    Use `film` or `slide`:
+
+    >>> from kinlib.view.drawing.canvas import Canvas
+    >>> dot = Canvas([(0, 0, 0), (2, 0, 0)], view="front").picture("A point at x = 1 m on a line.")
+    >>> shown = Pictures([dot], lambda index: dot, [{"caption": "", "alt": dot.alt, "label": "1"}], order=[0], frames=[""])
+    >>> shown.alt
+    'A point at x = 1 m on a line.'
+    """
+
+    frames = traitlets.List(traitlets.Unicode()).tag(sync=True)
+    order = traitlets.List(traitlets.Int()).tag(sync=True)
+    texts = traitlets.List(traitlets.Dict()).tag(sync=True)
+    looks = traitlets.Dict().tag(sync=True)
+    at = traitlets.Int(0).tag(sync=True)
+    set_by_reader = ("at",)
+
+    def __init__(
+        self, still: Sequence[Picture], draw: Callable[[int], Picture], texts: Sequence[dict[str, Any]], **traits: Any
+    ) -> None:
+        self.still, self._draw = tuple(still), draw
+        super().__init__((list(texts), traits.get("looks")), texts=list(texts), **traits)
+        self._fill(None)
+        self.observe(self._fill, "at")
+
+    @traitlets.validate("at")
+    def _validate_at(self, proposal: Any) -> int:
+        index: int = proposal["value"]
+        if index not in range(len(self.order)):
+            raise ValueError(f"at must be the number of a picture, 0 to {len(self.order) - 1}; got {index!r}.")
+        return index
+
+    def _fill(self, _: Any) -> None:
+        """Draw the selected picture if it has not been drawn yet."""
+        k = self.order[self.at]
+        if not self.frames[k]:
+            picture = self._draw(k)
+            self.frames = [*self.frames[:k], follow_theme(picture.svg), *self.frames[k + 1 :]]
+            said = {"caption": picture.caption, "alt": picture.alt}
+            self.texts = [said | {"label": one["label"]} if i == self.at else one for i, one in enumerate(self.texts)]
+
+    @property
+    def alt(self) -> str:
+        """The text alternative of the whole: what the still pictures show, in order."""
+        return " ".join(picture.alt for picture in self.still)
+
+    def html(self) -> str:
+        """Return the pictures for a page without a kernel: as JSON, and the still ones, of which a script makes a player."""
+        names = ["frames", "order", "texts", "looks", "at", "covered"]
+        still = f'<div class="kinlib-film-frames">{ONE_PICTURE_ON_SCREEN}{Gallery(self.still).html()}</div>'
+        return self.on_page("film", as_script(self.get_state(names)), still)
+
+    def save(self, path: Any) -> None:
+        """Save the still pictures with their text alternatives as a page, .html.
+
+        Raises ValueError for another ending.
+        """
+        Gallery(self.still).save(path)
