@@ -12,7 +12,7 @@ from kinlib.rigid.rpy import origin
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.drawing.plot import plot
 from kinlib.view.viewer.moving_frames import slide_frames
-from kinlib.view.viewer.picture_slider import slide
+from kinlib.view.viewer.pictures import slide
 
 BOOM, WRIST = (-4, -2, 0), (4, -2, 0)
 """The origins of the joints of the RPR arm, as its file gives them."""

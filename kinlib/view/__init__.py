@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from kinlib.view.viewer.film import film
     from kinlib.view.viewer.linkage_driver import drive
     from kinlib.view.viewer.moving_frames import slide_frames
-    from kinlib.view.viewer.picture_slider import slide
+    from kinlib.view.viewer.pictures import slide
     from kinlib.view.viewer.place_frames import assign
     from kinlib.view.viewer.viewer import explore
 
@@ -67,7 +67,7 @@ LAZY_NAMES = {
     "play_row": "viewer.dh_players",
     "play_walk": "viewer.dh_players",
     "show": "browser",
-    "slide": "viewer.picture_slider",
+    "slide": "viewer.pictures",
     "slide_frames": "viewer.moving_frames",
 }
 """Names that need ipywidgets and anywidget, and their modules, which are imported on first use because figures need neither."""

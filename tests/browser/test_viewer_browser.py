@@ -291,8 +291,21 @@ def test_frames_are_chosen_from_a_list_and_named(youbot):
     names = "[...document.querySelector('.kv').viewer.stage.names].map((box) => box.name)"
     settled(page, lambda: choose.select_option(label="standard DH"))
     assert {"x0", "z1", "x5"} <= set(page.evaluate(names))
+    settled(page, page.get_by_label("Show {1}").uncheck)  # some of them
+    seen = set(page.evaluate(names))
+    assert "x0" in seen
+    assert "z1" not in seen
     settled(page, lambda: choose.select_option(label="no frames"))
     assert set(page.evaluate(names)) == {f"S{i}" for i in range(1, 6)}
+
+
+def test_the_link_that_a_slider_moves_is_in_one_colour_while_the_pointer_is_on_it(youbot):
+    page = youbot
+    before = shown_pixels(page)
+    settled(page, sliders(page).nth(2).hover)
+    assert shown_pixels(page) != before
+    settled(page, page.locator(".kv-pose").hover)
+    assert shown_pixels(page) == before
 
 
 def test_a_trail_follows_the_tool(youbot):

@@ -9,11 +9,12 @@ import numpy as np
 from browser import contrast
 
 from kinlib.view.drawing.dark_theme import COLOUR, DARK_COLOURS, dark_colour
-from kinlib.view.drawing.figure_colours import GHOST_GREY, PALE_GREY
+from kinlib.view.drawing.figure_colours import GHOST_GREY, LIGHT_AND_DARK, PALE_GREY
+from kinlib.view.drawing.shades import SHADES
 
 PAPER = DARK_COLOURS["#ffffff"]
-QUIET = {"white", "#ffffff", PALE_GREY}
-"""Paper, and the grid: these need no contrast."""
+QUIET = {"white", "#ffffff", PALE_GREY, *SHADES, *(LIGHT_AND_DARK[name][0] for name in ("edge", "shadow"))}
+"""Paper, the grid, and the shades of bodies, of which some are as dark as a dark page: these need no contrast."""
 
 
 def assert_legible(pictures):

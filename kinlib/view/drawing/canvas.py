@@ -35,16 +35,8 @@ BORDER_PX = 20.0
 
 HEIGHT_LABEL_OFFSETS = [(20, 0), (-20, 0), (20, 12), (-20, -12)]
 FOOT_LABEL_OFFSETS = [
-    (0, -14),
-    (38, -6),
-    (-38, -6),
-    (0, 14),
-    (0, -28),
-    (46, -18),
-    (-46, -18),
-    (46, 10),
-    (-46, 10),
-    (0, 28),
+    *((0, -14), (38, -6), (-38, -6), (0, 14), (0, -28)),
+    *((46, -18), (-46, -18), (46, 10), (-46, 10), (0, 28)),
 ]
 """Where the labels of heights, and of points on the floor, may be placed: offsets in pixels to the right and up."""
 
@@ -91,7 +83,7 @@ class Canvas:
         size: tuple[float, float] = (640, 440),
         sizes: ArrayLike | None = None,
     ) -> None:
-        self.eye, self._plane = view_axes(view)
+        self.eye, self.sheet_axes = view_axes(view)
         around = np.reshape(np.asarray(around, dtype=float), (-1, 3))
         self._extent = max(float(np.ptp(around, axis=0).max()), 1e-3)
         measured = 0.0 if sizes is None else float(np.ptp(np.reshape(sizes, (-1, 3)), axis=0).max())
@@ -116,13 +108,18 @@ class Canvas:
 
     def project(self, points: ArrayLike) -> Array:
         """Project points (..., 3) onto the plane of the sheet, (..., 2), in metres."""
-        projected: Array = np.asarray(points, dtype=float) @ self._plane.T
+        projected: Array = np.asarray(points, dtype=float) @ self.sheet_axes.T
         return projected
 
     def to_pixels(self, points: ArrayLike) -> Array:
         """Project points (..., 3) to pixels (..., 2), measured from the upper left corner of the sheet."""
         pixels: Array = self._sheet / 2 + (self.project(points) - self._middle) * self._scale * (1, -1)
         return pixels
+
+    @property
+    def pixels_per_metre(self) -> float:
+        """The scale of the drawing."""
+        return self._scale
 
     def along(self, start: ArrayLike, end: ArrayLike) -> Array:
         """Return the direction from one point to another on the sheet, (2,), to the right and up; 0 if it is seen end-on."""
@@ -134,7 +131,7 @@ class Canvas:
         """Move a line (m, 3) sideways on the sheet, so that lines that cover each other can be drawn side by side."""
         line = np.asarray(points, dtype=float)
         right, up = self.along(line[0], line[-1])
-        moved: Array = line + (pixels / self._scale) * (np.array([-up, right]) @ self._plane)
+        moved: Array = line + (pixels / self._scale) * (np.array([-up, right]) @ self.sheet_axes)
         return moved
 
     def line(
@@ -191,6 +188,15 @@ class Canvas:
         self._marks.append((level, svg.polygon(hull, colour, edge)))
         self._bodies.append(np.array([hull.min(axis=0), hull.max(axis=0)]))
 
+    def shape(self, pixels: Array, colour: str, *, edge: str = "none", width: float = 1.0, level: float = 3.0) -> None:
+        """Fill a polygon that is given in pixels, (m, 2)."""
+        if len(pixels) > 2:
+            self._marks.append((level, svg.polygon(pixels, colour, edge, width)))
+
+    def cover(self, hulls: Sequence[Array]) -> None:
+        """Keep labels off polygons that are given in pixels."""
+        self._bodies += [np.array([hull.min(axis=0), hull.max(axis=0)]) for hull in hulls]
+
     def dot(self, point: ArrayLike, colour: str = INK, size: float = 5.0, level: float = 5.0) -> None:
         """Mark a point by a dot."""
         self._marks.append((level, svg.circle(self.to_pixels(point), size / 2, colour)))
@@ -217,19 +223,23 @@ class Canvas:
                 self.label((foot + point) / 2, f"{point[2]:.4g}", colour, HEIGHT_LABEL_OFFSETS, 9)
             self.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", colour, FOOT_LABEL_OFFSETS, 9)
 
-    def floor(self, points: ArrayLike, numbers: bool = False) -> None:
-        """Draw a grid at height 0 under the points, in steps of 1, 2 or 5, with numbers along x and y if numbers is true."""
+    def floor(self, points: ArrayLike, numbers: bool = False, height: float = 0.0) -> None:
+        """Draw a grid at a height under the points, in steps of 1, 2 or 5, with numbers along x and y if numbers is true."""
         points = np.reshape(np.asarray(points, dtype=float), (-1, 3))
         # Numbers are written at the border; half a tile keeps them off joints that are at the border too.
         room = 0.5 if numbers else 0.0
         xs, ys = self._tiles(points, 0, room), self._tiles(points, 1, room)
         for x in xs:
-            self.line([(x, ys[0], 0), (x, ys[-1], 0)], PALE_GREY, 1.0, level=0)
+            self.line([(x, ys[0], height), (x, ys[-1], height)], PALE_GREY, 1.0, level=0)
         for y in ys:
-            self.line([(xs[0], y, 0), (xs[-1], y, 0)], PALE_GREY, 1.0, level=0)
+            self.line([(xs[0], y, height), (xs[-1], y, height)], PALE_GREY, 1.0, level=0)
         if not numbers:
             self.label(
-                (xs[-1], ys[0], 0), f"grid {xs[1] - xs[0]:.3g} m", GREY, [(0, -12), (36, -8), (-40, -12), (36, 8)], 8
+                (xs[-1], ys[0], height),
+                f"grid {xs[1] - xs[0]:.3g} m",
+                GREY,
+                [(0, -12), (36, -8), (-40, -12), (36, 8)],
+                8,
             )
             return
         for x in xs[:-1]:

@@ -9,8 +9,9 @@ import colorsys
 import re
 
 from kinlib.view.drawing.figure_colours import LIGHT_AND_DARK
+from kinlib.view.drawing.shades import SHADES
 
-DARK_COLOURS = {"#000000": LIGHT_AND_DARK["ink"][1], **dict(LIGHT_AND_DARK.values())}
+DARK_COLOURS = {**SHADES, "#000000": LIGHT_AND_DARK["ink"][1], **dict(LIGHT_AND_DARK.values())}
 """The colour on a dark page for each colour on white paper; for other colours it is computed."""
 
 COLOUR = re.compile(r'(fill|stroke)(="|: )(#[0-9a-fA-F]{6}|white|black)')

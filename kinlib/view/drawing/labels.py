@@ -60,7 +60,11 @@ def place_labels(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: 
         cost = LATER_OFFSET_COST * np.arange(len(boxes)) + OFF_SHEET_COST * (
             (boxes[:, 0] < 2) | (boxes[:, 1] > sheet - 2)
         ).any(axis=-1)
-        cost = cost + LABEL_OVERLAP_COST * _overlaps(boxes, taken) + BODY_OVERLAP_COST * _overlaps(boxes, bodies)
+        cost = (
+            cost
+            + LABEL_OVERLAP_COST * _overlaps(boxes, taken)
+            + BODY_OVERLAP_COST * np.minimum(_overlaps(boxes, bodies), 2)
+        )
         best = int(np.argmin(cost + LINE_CROSSING_COST * _crossings(boxes, strokes)))
         taken = np.concatenate([taken, boxes[best : best + 1]])
         yield label, centres[best]

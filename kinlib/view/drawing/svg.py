@@ -39,7 +39,8 @@ def polyline(points: Array, colour: str, width: float, style: str = "-") -> str:
 
 def polygon(points: Array, colour: str, edge: str = "none", width: float = 1.0) -> str:
     """Return a filled polygon with the corners (m, 2)."""
-    return f'<polygon points="{_pairs(points)}" fill="{colour}" stroke="{edge}" stroke-width="{width:g}"/>'
+    stroke = "" if edge == "none" else f' stroke="{edge}" stroke-width="{width:g}"'
+    return f'<polygon points="{_pairs(points)}" fill="{colour}"{stroke}/>'
 
 
 def circle(centre: Array, radius: float, colour: str, edge: str = "none") -> str:

@@ -8,9 +8,12 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
+from kinlib.rigid.lie import inverse
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, LINK_GREY, ORANGE, VIOLET
+from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.figures.bodies import body_of
+from kinlib.view.figures.body_drawing import draw_body
 from kinlib.view.figures.joint_bodies import carried_axes, draw_joint_bodies, stations
 
 ARM_LAYERS = {"axes", "body axes", "home axes", "links", "tool", "base"}
@@ -56,14 +59,18 @@ def draw_arm(
     q = home if q is None else validation.single(chain.in_order(q), "q")
     ghost = None if ghost is None else validation.single(chain.in_order(ghost), "ghost")
     path, shadow = stations(chain, q), stations(chain, q if ghost is None else ghost)
-    seen = np.concatenate([path, shadow]) if around is None else around
+    body, links = body_of(chain), chain.link_poses(q)
+    moved = np.concatenate([np.eye(4)[None], links @ inverse(chain.link_poses(home))])
+    seen = (
+        np.concatenate([path, shadow, body.extent(moved)])
+        if around is None
+        else np.asarray(around, dtype=float).reshape(-1, 3)
+    )
     canvas = Canvas(seen, view, sizes=stations(chain))
-    canvas.floor(seen)
+    canvas.floor(seen, height=body.lowest)
     if ghost is not None:
         canvas.line(shadow, GHOST_GREY, 6.0, level=1)
-    canvas.line(path, LINK_GREY, 6.0)
-    links = chain.link_poses(q)
-    draw_joint_bodies(canvas, chain, links)
+    draw_body(canvas, body, moved)
     if "home axes" in show:
         _draw_axes(canvas, chain, chain.link_poses(home), "S", GREY)
     if "axes" in show or "body axes" in show:

@@ -6,7 +6,7 @@ import COLOURS from '../colours.json';
 export function themeOf(element) {
   const dark = isDark(element);
   const colours = Object.entries(COLOURS).map(([name, pair]) => [name, pair[Number(dark)]]);
-  return { ...Object.fromEntries(colours), dark, shade: dark ? 0.4 : 0.1 };
+  return { ...Object.fromEntries(colours), isDark: dark, shade: dark ? 0.4 : 0.1 };
 }
 
 export function isDark(element) {

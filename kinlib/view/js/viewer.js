@@ -14,7 +14,7 @@ import { orbitControls } from './render/camera.js';
 import { Stage } from './render/stage.js';
 import { describeArm, describeLinkage, describeTree, endEffectorText, frameText, tipsText } from './scene/describe.js';
 import { matrixOf, rows } from './scene/kinematic-tree.js';
-import { availableLayers, buildLayers, isSingleFrame, showLayers } from './scene/layers.js';
+import { availableLayers, buildLayers, framesIn, isSingleFrame, showLayers } from './scene/layers.js';
 import { createTrail } from './scene/trail.js';
 import { isDark, onThemeChange, themeOf } from './theme.js';
 import css from './viewer.css';
@@ -31,6 +31,7 @@ function render({ model, el }) {
     q,
     set: (values) => save(model, 'q', values),
     start: () => model.get('start'),
+    choose: (link) => data.arms.length === 1 && stage.choose(link),
   };
 
   const canvas = h('canvas', { class: 'kv-canvas', tabindex: 0, role: 'img', ...NO_SHORTCUTS });
@@ -53,10 +54,14 @@ function render({ model, el }) {
   const pose = poseReadout();
   const panel = jointSliders(state);
   const cover = predictionCover(model);
+  const hidden = new Set(); // the names of frames that the reader has switched off in a group of frames
   const switches = layerToggles({
     available: availableLayers(data, model.get('shown')),
     shown: () => model.get('shown'),
     setShown: (names) => save(model, 'shown', names),
+    framesIn: (layers) => framesIn(data, layers),
+    hidden,
+    changed: () => updateLayers(),
   });
   const modeData = model.get('mode') ?? {};
   const mode = MODES[modeData.kind]?.({ model, stage, data: modeData, state, showMessage }) ?? {};
@@ -140,7 +145,7 @@ function render({ model, el }) {
 
   function updateLayers() {
     const shown = model.get('shown');
-    showLayers(stage, shown);
+    showLayers(stage, shown, hidden);
     switches.update();
     describe();
     const wanted = shown.includes('trail');

@@ -3,7 +3,6 @@
 The page keeps the frames in a trait, so placing them also works without a kernel. Checking them by the rules needs Python.
 """
 
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -18,7 +17,6 @@ from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.rigid.lie import inverse
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import describe_arm, draw_joints, frame_text
-from kinlib.view.figures.joint_bodies import stations
 from kinlib.view.viewer.dh_players import table_cells
 from kinlib.view.viewer.frame_candidates import frame_candidates
 from kinlib.view.viewer.scene import bare_scene
@@ -75,8 +73,6 @@ class ByHand(Viewer):
         arm = scene["arms"][0]
         arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would reveal the answer
         arm["normals"] = []
-        # Straight links, because link paths with bends would show the normals.
-        arm["links"] = [np.array(pair).tolist() for pair in pairwise(stations(chain))]
         self.convention = convention
         super().__init__(
             chain,

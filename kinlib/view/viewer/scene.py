@@ -4,6 +4,7 @@ Every part is fixed to a body: body 0 is the base, body i is what joint i moves.
 """
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -16,11 +17,9 @@ from kinlib.dh.assignment import assign_frames
 from kinlib.dh.common_normal import common_normal
 from kinlib.rigid.lie import homogeneous, inverse, perpendicular
 from kinlib.view.drawing.canvas import VIEWS, axes_of_view
+from kinlib.view.figures.bodies import body_of, solid_data
 from kinlib.view.figures.frame_assignment import MAX_DISTANCE_IN_ARM_SIZES
 from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes, stations
-
-MAX_DETOUR_RATIO = 2.5
-"""A link is drawn along its axes and their common normal, unless that is longer than the straight line by this factor."""
 
 MIN_SIZE_IN_ROOM_RADII = 0.95
 """Joints, frames and arrows are drawn as for an arm of at least this size, relative to the radius of what is in view."""
@@ -28,7 +27,6 @@ MIN_SIZE_IN_ROOM_RADII = 0.95
 HEIGHT_PER_WIDTH = 0.78
 """The shape of the picture on the page, as in js/viewer.js."""
 
-Z = np.eye(3)[2]
 COINCIDENT_TOL_M = 1e-9
 
 
@@ -72,9 +70,11 @@ def scene(
         joint_slider(i, chain.joint_types[i] == "P", limits[i], float(start[i]), title=titles[i], span=span)
         for i in (joint - 1 for joint in joints)
     ]
-    configurations = np.concatenate([stations(chain), stations(chain, start)])
-    view, floor = room(configurations, _tips(chain, start), extent(chain))
-    arm = arm_data(chain)
+    body = body_of(chain)
+    moved = body_motions(chain, np.asarray(start))
+    configurations = np.concatenate([stations(chain), stations(chain, start), body.extent(moved)])
+    view = room(configurations, _tips(chain, start), extent(chain))
+    arm = arm_data(chain) | {"body": solid_data(body.links)}
     if frames:
         arm["frames"] = frames_on_links(chain, start, frames)
     return {
@@ -85,7 +85,7 @@ def scene(
         "sliders": sliders,
         "limits": finite_limits(chain.limits) if chain.limits is not None else [],
         "room": view,
-        "floor": floor,
+        "floor": body.lowest,
         "foot": [0.0, 0.0, 0.0],
     }
 
@@ -94,7 +94,10 @@ def bare_scene(chain: Chain, points: Array, share: float) -> dict[str, Any]:
     """Return the scene of the arm at home without sliders, with a view that also contains points (m, 3), see `still_room`."""
     data = scene(chain, np.zeros(chain.n), joints=[])
     room = still_room(np.concatenate([points, stations(chain)]), share)
-    return {**data, "size": max(extent(chain), room["radius"]), "room": room, "offered": ["dimensions"]}
+    data["arms"][0].pop("body")  # the axes are to be seen
+    lowest = float(stations(chain)[:, 2].min())
+    floor = lowest - (0.1 if lowest > -0.05 * extent(chain) else 0.2) * extent(chain)
+    return {**data, "size": max(extent(chain), room["radius"]), "room": room, "floor": floor, "offered": ["dimensions"]}
 
 
 def arm_data(chain: Chain) -> dict[str, Any]:
@@ -108,11 +111,21 @@ def arm_data(chain: Chain) -> dict[str, Any]:
     return {
         "columns": list(range(chain.n)),
         "joints": joint_data(chain),
-        "links": [path.tolist() for path in link_paths(chain)],
+        "links": skeleton(chain),
         "home": chain.home.ravel().tolist(),
         "frames": _frames(chain, size),
         "normals": _normals(chain, size),
     }
+
+
+def skeleton(chain: Chain) -> list[list[list[float]]]:
+    """Return the lines of links 0 to n at home: each straight from joint to joint, because a bend would show a common normal.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> len(skeleton(rpr()))
+    4
+    """
+    return [np.array(pair).tolist() for pair in pairwise(stations(chain))]
 
 
 def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> dict[str, Any]:
@@ -181,27 +194,6 @@ def half_height(points: Array, look: Sequence[float] = VIEWS["default"]) -> floa
     return max(float(max(HEIGHT_PER_WIDTH * right, up)) for right, up in seen)
 
 
-def link_paths(chain: Chain) -> list[Array]:
-    """Return the lines (k, 3) of links 0 to n at home: along an axis, along the common normal, along the next axis.
-
-    >>> from kinlib.chains.robots import puma560
-    >>> link_paths(puma560())[3].round(4).tolist()            # the elbow: out by a3, then down by d4
-    [[0.4318, 0.15, 0.0], [0.4521, 0.15, 0.0], [0.4521, 0.15, -0.4318]]
-    """
-    tool = chain.home[:3, 3]
-    axes = [Z, *chain.lines.axis]
-    points = [np.zeros(3), *chain.joint_points]
-    paths = []
-    for i in range(chain.n):
-        normal = common_normal(
-            (axes[i], points[i]), (axes[i + 1], points[i + 1]), perpendicular(axes[i]), at_other_point=True
-        )
-        paths.append(_path([points[i], normal.start, normal.end, points[i + 1]]))
-    z, last = axes[-1], points[-1]
-    paths.append(_path([last, last + z * (z @ (tool - last)), tool]))
-    return paths
-
-
 def joint_slider(
     column: int,
     is_prismatic: bool,
@@ -256,22 +248,18 @@ def _tips(chain: Chain, q: Array) -> Array:
     return np.concatenate([axes, 0.2 * size * np.eye(3), tool[:3, 3] + 0.2 * size * tool[:3, :3].T])
 
 
-def room(configurations: Array, tips: Array, size: float) -> tuple[dict[str, Any], float]:
-    """Return the region that must be in view, and the height of the floor.
+def room(configurations: Array, tips: Array, size: float) -> dict[str, Any]:
+    """Return the region that must be in view.
 
     The configurations shown (m, 3) and the tips of their arrows (k, 3) fill the picture, with a margin for labels. If the arm
     moves farther, the page zooms out.
 
-    >>> room(np.eye(3), np.zeros((1, 3)), size=1.0)[1]
-    -0.1
+    >>> room(np.eye(3), np.zeros((1, 3)), size=1.0)["centre"]
+    [0.5, 0.5, 0.5]
     """
     seen = np.concatenate([configurations, tips])
     centre = (seen.min(axis=0) + seen.max(axis=0)) / 2
-    radius = half_height(seen - centre) + 0.1 * size
-    lowest = float(configurations[:, 2].min())
-    # The lowest joint must be above the floor; an arm that hangs from its base gets more space below it.
-    floor = lowest - (0.1 if lowest > -0.05 * size else 0.2) * size
-    return {"centre": centre.tolist(), "radius": radius}, floor
+    return {"centre": centre.tolist(), "radius": half_height(seen - centre) + 0.1 * size}
 
 
 def still_room(points: Array, share: float) -> dict[str, Any]:
@@ -283,19 +271,6 @@ def still_room(points: Array, share: float) -> dict[str, Any]:
     low, high = points.min(axis=0), points.max(axis=0)
     radius = share * float(np.linalg.norm(high - low)) / 2
     return {"centre": ((low + high) / 2).tolist(), "radius": radius, "constant": True}
-
-
-def _path(points: list[Array]) -> Array:
-    """Return the path through points without repeated ones, or the straight line if the path is a detour."""
-    corners = [points[0]]
-    for point in points[1:]:
-        if np.linalg.norm(point - corners[-1]) > COINCIDENT_TOL_M:
-            corners.append(point)
-    path = np.array(corners)
-    straight = float(np.linalg.norm(points[-1] - points[0]))
-    if np.linalg.norm(np.diff(path, axis=0), axis=-1).sum() > MAX_DETOUR_RATIO * straight:
-        path = np.array([points[0], points[-1]] if straight > COINCIDENT_TOL_M else [points[0]])
-    return path + 0.0
 
 
 def joint_data(chain: Chain) -> list[dict[str, Any]]:

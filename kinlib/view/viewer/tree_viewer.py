@@ -16,11 +16,13 @@ from kinlib.rigid.lie import adjoint
 from kinlib.urdf.links_and_joints import UrdfJoint
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import INK, LINK_GREY
+from kinlib.view.drawing.figure_colours import INK
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import JOINT_KINDS, configuration_text, direction_text
-from kinlib.view.figures.joint_bodies import NUMBER_OFFSETS, carried_axes, draw_joint_body, stations
-from kinlib.view.viewer.scene import finite_limits, frame_data, joint_data, joint_slider, link_paths, room
+from kinlib.view.figures.bodies import Body, Primitive, body_of, solid_data, visual_solids
+from kinlib.view.figures.body_drawing import draw_body
+from kinlib.view.figures.joint_bodies import NUMBER_OFFSETS, carried_axes, stations
+from kinlib.view.viewer.scene import body_motions, finite_limits, frame_data, joint_data, joint_slider, room, skeleton
 from kinlib.view.viewer.viewer import ViewerBase
 
 MAX_NAMED_TIPS = 8
@@ -71,8 +73,7 @@ def branches(tree: Tree) -> list[Branch]:
     [('tool', 5)]
     """
     moving = {name: row for row, name in enumerate(tree.moving_joint_names)}
-    free = {joint.name: np.eye(4) for joint in tree.parent_joints.values() if joint.type in {"planar", "floating"}}
-    home = tree.poses(np.zeros(tree.n), joint_poses=free)
+    home = home_poses(tree)
     found: list[Branch] = []
     for tip in tree.tips:
         path: list[UrdfJoint] = [step.joint for step in tree.path(tree.root, tip)]
@@ -93,6 +94,37 @@ def branches(tree: Tree) -> list[Branch]:
     return found
 
 
+def home_poses(tree: Tree) -> dict[str, Array]:
+    """Return the pose of each link where the independent joints are 0, and planar and floating joints at the identity."""
+    free = {joint.name: np.eye(4) for joint in tree.parent_joints.values() if joint.type in {"planar", "floating"}}
+    return tree.poses(np.zeros(tree.n), joint_poses=free)
+
+
+def branch_bodies(tree: Tree, found: list[Branch]) -> list[tuple[tuple[Primitive, ...], ...]]:
+    """Return the primitives of each body of each branch, each link once: those of the file, or else some by rule.
+
+    A link is fixed to the body that the moving joints above it move. Where no link of a body shows more than a mesh, it gets the
+    body of any arm.
+    """
+    home, drawn = home_poses(tree), set[str]()
+    bodies: list[tuple[tuple[Primitive, ...], ...]] = []
+    for branch in found:
+        own: list[list[Primitive]] = [[] for _ in range(branch.chain.n + 1)]
+        index = 0
+        for link, joint in [
+            (tree.root, ""),
+            *((step.joint.child, step.joint.name) for step in tree.path(tree.root, branch.tip)),
+        ]:
+            index += joint in branch.names
+            if link not in drawn:
+                own[index] += visual_solids(tree.link_elements[link], home[link])
+                drawn.add(link)
+        rule = body_of(branch.chain, hand=len(found) == 1).links
+        first = branch.shared or int(bool(bodies))
+        bodies.append(tuple(tuple(solids) or (rule[i] if i >= first else ()) for i, solids in enumerate(own)))
+    return bodies
+
+
 def draw_tree(tree: Tree, q: JointValues | None = None) -> Picture:
     """Draw a tree in a configuration: links, joints with the number of their value in q, axes, and the frames of root and tips.
 
@@ -109,16 +141,20 @@ def draw_tree(tree: Tree, q: JointValues | None = None) -> Picture:
     found = branches(tree)
     paths = [branch.stations(values) for branch in found]
     seen = np.concatenate(paths)
+    bodies = branch_bodies(tree, found)
+    body = Body(tuple(link for links in bodies for link in links), values, "")
+    motions = [body_motions(branch.chain, branch.values(values)) for branch in found]
+    moved = np.concatenate(motions)
+    seen = np.concatenate([seen, body.extent(moved)])
     canvas = Canvas(seen, sizes=np.concatenate([branch.stations(np.zeros(tree.n)) for branch in found]))
-    canvas.floor(seen)
+    canvas.floor(seen, height=body.lowest)
     canvas.size *= _share(found)
-    for branch, path in zip(found, paths, strict=True):
-        canvas.line(path[branch.shared :], LINK_GREY, 6.0)
+    draw_body(canvas, body, moved)
+    for branch in found:
         frames = branch.chain.link_poses(branch.values(values))
         axes = carried_axes(branch.chain, frames)
         for i in range(branch.shared, branch.chain.n):
             axis, point = axes[i], frames[i, :3, 3]
-            draw_joint_body(canvas, branch.chain.joint_types[i], axis, point)
             canvas.axis(point - 0.1 * canvas.size * axis, point + 0.2 * canvas.size * axis)
             canvas.label(point, str(branch.columns[i] + 1), INK, NUMBER_OFFSETS, 11)
         if len(found) <= MAX_NAMED_TIPS:
@@ -196,12 +232,18 @@ def explore_tree(tree: Tree, start: JointValues | None = None) -> TreeViewer:
     size = max(float(np.ptp(places, axis=0).max()), 1e-3)
     tips = [branch.chain.fk(branch.values(q)) for branch in found]
     arrows = [T[:3, 3] + 0.2 * size * T[:3, :3].T for T in (np.eye(4), *tips)]
-    view, floor = room(places, np.concatenate(arrows), size)
+    bodies = branch_bodies(tree, found)
+    body = Body(tuple(link for links in bodies for link in links), q, "")
+    motions = [body_motions(branch.chain, branch.values(q)) for branch in found]
+    view = room(np.concatenate([places, body.extent(np.concatenate(motions))]), np.concatenate(arrows), size)
     types = {branch.columns[i]: branch.chain.joint_types[i] == "P" for branch in found for i in range(branch.chain.n)}
     scene = {
         "name": tree.name,
         "size": size * _share(found),
-        "arms": [_arm(branch, is_first=branch is found[0]) for branch in found],
+        "arms": [
+            _arm(branch, is_first=branch is found[0]) | {"body": solid_data(links)}
+            for branch, links in zip(found, bodies, strict=True)
+        ],
         "sliders": [
             joint_slider(
                 int(column), types[column], tree.limits[column], float(q[column]), title=tree.joint_names[column]
@@ -211,7 +253,7 @@ def explore_tree(tree: Tree, start: JointValues | None = None) -> TreeViewer:
         "limits": finite_limits(tree.limits),
         "offered": ["axes", "dimensions"],
         "room": view,
-        "floor": floor,
+        "floor": body.lowest,
         "foot": [0.0, 0.0, 0.0],
     }
     shown = ["axes", "base", *(["tool"] if len(found) <= MAX_NAMED_TIPS else [])]
@@ -230,7 +272,7 @@ def _arm(branch: Branch, is_first: bool) -> dict[str, Any]:
         joint["screw"] = (branch.multipliers[i] * branch.chain.screws[i]).tolist()
         joint["travel"] *= float(branch.multipliers[i])
         joint |= {"number": int(branch.columns[i]) + 1, "name": branch.names[i], "hidden": i < branch.shared}
-    paths = [path.tolist() for path in link_paths(branch.chain)]
+    paths = skeleton(branch.chain)
     base = [frame_data("s", 0, np.eye(4))] if is_first else []
     return {
         "tip": branch.tip,

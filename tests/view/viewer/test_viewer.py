@@ -103,7 +103,7 @@ def test_a_static_page_gets_the_state_and_a_drawing_with_a_text_alternative(robo
     assert robot.name in re.search(r'<img alt="([^"]+)"', page["text/html"])[1]
     assert page["text/plain"] == arm.alt
     assert "application/vnd.jupyter.widget-view+json" in page
-    assert len(page["text/html"]) < 60_000
+    assert len(page["text/html"]) < 120_000
 
 
 def test_a_name_cannot_end_the_script_that_contains_it():

@@ -6,7 +6,7 @@ import { typedNumber } from './typed-number.js';
 
 const DEGREE = Math.PI / 180;
 
-/** @param state { sliders, start(), q(), set(q) } @returns { element, update(q), dispose() } */
+/** @param state { sliders, start(), q(), set(q), choose(link) } @returns { element, update(q), dispose() } */
 export function jointSliders(state) {
   const rows = state.sliders.map((slider) => sliderRow(slider, state));
   const motion = sweepJoints(state);
@@ -65,7 +65,13 @@ function sliderRow(slider, state) {
   return {
     element: h(
       'div',
-      { class: 'kv-row' },
+      {
+        class: 'kv-row',
+        onpointerenter: () => state.choose(column + 1),
+        onpointerleave: () => state.choose(null),
+        onfocusin: () => state.choose(column + 1),
+        onfocusout: () => state.choose(null),
+      },
       h('label', { for: id, title: label }, renderSymbol(name)),
       range,
       field.element,

@@ -30,7 +30,7 @@ export function drawPaleArm(stage) {
 export function createHighlighter(stage) {
   let strokes = [];
   const overlay = (context, camera) => {
-    const { dark, marked, wrong } = stage.theme;
+    const { isDark: dark, marked, wrong } = stage.theme;
     context.save();
     context.globalCompositeOperation = dark ? 'screen' : 'multiply';
     context.lineCap = 'round';

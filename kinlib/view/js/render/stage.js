@@ -18,7 +18,9 @@ import {
   Quaternion,
   ReplaceStencilOp,
   Scene,
+  ShaderMaterial,
   Vector3,
+  Vector4,
 } from 'three';
 import { KinematicTree } from '../scene/kinematic-tree.js';
 import { drawLabels, fontOf } from '../scene/labels.js';
@@ -41,6 +43,8 @@ export class Stage {
     this.scene.add(this.tree.root);
     this.camera = new Camera(data.room, () => this.draw());
     this.solid = new MeshLambertMaterial({ vertexColors: true });
+    /** the materials of bodies: as they are, chosen, and faded because another link is chosen */
+    this.casts = ['plain', 'chosen', 'faded'].map(() => castMaterial());
     this.hidden = new MeshBasicMaterial({
       vertexColors: true,
       transparent: true,
@@ -143,7 +147,14 @@ export class Stage {
     this.theme = theme;
     this.grid.material.color = new Color(theme.grid);
     this.shade.opacity = theme.shade;
-    this.edge.color = new Color(theme.outline);
+    this.edge.color = new Color(theme.edge);
+    const tints = [null, [theme.chosen, 0.75], [theme.paper, 0.6]];
+    for (const [k, { uniforms }] of this.casts.entries()) {
+      uniforms.dark.value = Number(theme.isDark);
+      const [colour, share] = tints[k] ?? [theme.paper, 0];
+      const { r, g, b } = new Color(colour).convertLinearToSRGB();
+      uniforms.tint.value.set(r, g, b, share);
+    }
     this.draw();
   }
 
@@ -163,7 +174,7 @@ export class Stage {
     const solids = parts.filter((part) => part.shape);
     for (const [body, group] of groupBy(solids, bodyOf)) {
       const geometry = mergeParts(group, outlined);
-      meshes.push([body, new Mesh(geometry, this.solid)]);
+      meshes.push([body, new Mesh(geometry, outlined ? this.casts[0] : this.solid)]);
       if (outlined) meshes.push([body, new Mesh(geometry, this.edge)], [body, new Mesh(geometry, this.shade)]);
       if (through) meshes.push([body, new Mesh(geometry, this.hidden)]);
     }
@@ -200,6 +211,16 @@ export class Stage {
       return mesh;
     });
     this.layers.set(name, { meshes, labels: [], shown: true });
+  }
+
+  /** Show a link of the first arm in one colour and the others faded; none if it is null. */
+  choose(link) {
+    const chosen = link === null ? null : this.tree.body(0, link);
+    for (const mesh of this.layers.get('arm')?.meshes ?? []) {
+      const other = chosen === mesh.parent ? this.casts[1] : this.casts[2];
+      if (this.casts.includes(mesh.material)) mesh.material = chosen ? other : this.casts[0];
+    }
+    this.draw();
   }
 
   showLayer(name, shown) {
@@ -298,10 +319,47 @@ export class Stage {
   dispose() {
     cancelAnimationFrame(this.waiting);
     for (const name of [...this.layers.keys()]) this.removeLayer(name);
-    for (const thing of [this.grid.geometry, this.grid.material, this.solid, this.hidden, this.edge, this.shade])
+    for (const thing of [
+      this.grid.geometry,
+      this.grid.material,
+      this.solid,
+      this.cast,
+      this.hidden,
+      this.edge,
+      this.shade,
+    ])
       thing.dispose();
     this.visible = false;
   }
+}
+
+/** The material of bodies: half-Lambert light from the upper left of the picture, as in kinlib/view/drawing/shades.py. */
+function castMaterial() {
+  return new ShaderMaterial({
+    vertexColors: true,
+    uniforms: {
+      dark: { value: 0 },
+      tint: { value: new Vector4() },
+      light: { value: new Vector3(-0.42, 0.78, 0.52).normalize() },
+    },
+    vertexShader: `varying vec3 n, ink;
+      void main() {
+        n = normalMatrix * normal;
+        ink = color;
+        gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+      }`,
+    fragmentShader: `uniform vec3 light;
+      uniform float dark;
+      uniform vec4 tint;
+      varying vec3 n, ink;
+      void main() {
+        vec3 base = mix(ink, tint.rgb, tint.a);
+        float k = dot(normalize(n), light) * 0.5 + 0.5;
+        vec3 cool = base * mix(vec3(0.50, 0.56, 0.66), vec3(0.34, 0.38, 0.46), dark);
+        vec3 lit = mix(cool, base, smoothstep(0.15, 0.75, k));
+        gl_FragColor = vec4(lit + (1.0 - lit) * 0.45 * smoothstep(0.85, 1.0, k), 1.0);
+      }`,
+  });
 }
 
 const EMPTY = { meshes: [], labels: [], shown: false };

@@ -8,6 +8,7 @@ const POLL_MS = 10;
 const RENDERERS = Symbol.for('kinlib.renderers');
 let renderer = null;
 let refused = false;
+let smooth = true; // without a graphics card, smooth edges take half of the time
 
 function liveRenderers() {
   globalThis[RENDERERS] ??= [];
@@ -28,7 +29,7 @@ function forget() {
 function acquireRenderer() {
   if (!renderer) {
     while (liveRenderers().length >= MAX_CONTEXTS) liveRenderers()[0]();
-    renderer = new WebGLRenderer({ antialias: true, alpha: true, stencil: true });
+    renderer = new WebGLRenderer({ antialias: smooth, alpha: true, stencil: true });
     renderer.domElement.addEventListener('webglcontextlost', forget, { once: true });
   }
   // the most recently used renderer is released last
@@ -42,6 +43,9 @@ export function hasWebGL() {
   if (refused) return false;
   const probe = document.createElement('canvas').getContext('webgl2');
   refused = !probe;
+  const named = probe?.getExtension('WEBGL_debug_renderer_info');
+  const name = named && probe.getParameter(named.UNMASKED_RENDERER_WEBGL);
+  smooth = !/swiftshader|llvmpipe|software|basic render/i.test(name);
   probe?.getExtension('WEBGL_lose_context')?.loseContext();
   return !refused;
 }

@@ -68,13 +68,14 @@ export function buildLayers(stage, shown) {
   const { size } = data;
   const each = (make) =>
     data.arms.flatMap((arm, k) => (arm.links ? make(arm).map((part) => ({ ...part, arm: k })) : []));
-  const body = (arm) => [...parts.links(arm, size, theme), ...parts.joints(arm, size, theme)];
-  const whole = [...parts.pedestal(data, size, theme), ...each(body), ...parts.pieces(data, size, theme)];
-  stage.setLayer('arm', whole, { outlined: true });
+  const limbs = (arm) => [...parts.links(arm, size, theme), ...parts.joints(arm, size, theme)];
+  const solid = each((arm) => (arm.body ? parts.body(arm, theme) : limbs(arm)));
+  const foot = data.arms[0].body ? [] : parts.pedestal(data, size, theme);
+  stage.setLayer('arm', [...foot, ...solid, ...parts.pieces(data, size, theme)], { outlined: true });
   stage.tree.rodUpdates.length = 0;
   stage.setRods(
     'rods',
-    each((arm) => parts.rods(arm, size, theme)),
+    each((arm) => (arm.body ? [] : parts.rods(arm, size, theme))),
   );
   const made = {
     'piece axes': () => parts.pieceAxes(data, size),
@@ -87,16 +88,30 @@ export function buildLayers(stage, shown) {
   for (const name of frameLayers(data)) {
     const length = isSingleFrame(name) ? 0.21 : (LENGTHS[name] ?? 0.17);
     const numbered = !['base', 'tool'].includes(name);
-    made[`frames ${name}`] = () => each((arm) => parts.triads(arm.frames?.[name] ?? [], size, length, numbered));
+    // a layer for each frame, so that the reader can choose among them
+    const triads = each((arm) => parts.triads(arm.frames?.[name] ?? [], size, length, numbered));
+    const names = each((arm) => arm.frames?.[name] ?? []).map((frame) => frame.name);
+    for (const [k, frame] of names.entries()) made[`frames ${name} ${frame}`] = () => [triads[k]];
   }
   for (const [name, make] of Object.entries(made)) stage.setLayer(name, () => solids(make(), { size, theme }), SEEN);
   showLayers(stage, shown);
 }
 
-/** Show the named layers and hide the others. */
-export function showLayers(stage, shown) {
+/** The names of the frames in some layers, each once. */
+export function framesIn({ arms }, layers) {
+  return [
+    ...new Set(
+      arms.flatMap(({ frames = {} }) => layers.flatMap((name) => (frames[name] ?? []).map((one) => one.name))),
+    ),
+  ];
+}
+
+/** Show the named layers, without the frames that are hidden, and hide the others. */
+export function showLayers(stage, shown, hidden = new Set()) {
   stage.showLayer('piece axes', shown.includes('axes'));
   for (const name of ['axes', 'body axes', 'home axes', 'normals', 'dimensions'])
     stage.showLayer(name, shown.includes(name));
-  for (const name of frameLayers(stage.data)) stage.showLayer(`frames ${name}`, shown.includes(name));
+  for (const layer of frameLayers(stage.data))
+    for (const name of framesIn(stage.data, [layer]))
+      stage.showLayer(`frames ${layer} ${name}`, shown.includes(layer) && !hidden.has(name));
 }

@@ -9,6 +9,22 @@ const LINK = 0.026;
 
 const unit = (p) => p.map((value) => value / (norm(p) || 1));
 
+/** The solids of an arm's body, link by link: drums, tubes and boxes, see kinlib/view/figures/bodies.py. */
+export function body(arm, colours) {
+  return arm.body.flatMap((link, k) =>
+    link.flatMap(({ kind, points, sizes, colour, axes }) => {
+      const look = { body: k, colour: colours[colour] };
+      if (kind === 'box') return [{ ...look, shape: 'block', from: points[0], to: points[0], sizes, axes }];
+      if (kind === 'drum') return [{ ...look, shape: 'drum', from: points[0], to: points[1], radius: sizes[0] }];
+      const balls = points.map((at, i) => ({ ...look, shape: 'sphere', from: at, to: at, radius: sizes[i] }));
+      const cones = points.slice(1).map((to, i) => {
+        return { ...look, shape: 'frustum', from: points[i], to, radius: sizes[i], end: sizes[i + 1] };
+      });
+      return [...balls, ...cones];
+    }),
+  );
+}
+
 /** Where a joint is drawn: joints with the same point and axis are drawn side by side along the axis. */
 function jointCentre(joint, size) {
   return add(joint.point, joint.axis, 3.3 * JOINT * size * joint.shift);

@@ -8,12 +8,15 @@ import {
   Curve,
   CylinderGeometry,
   Float32BufferAttribute,
+  LatheGeometry,
   Matrix4,
   Quaternion,
   SphereGeometry,
   TubeGeometry,
+  Vector2,
   Vector3,
 } from 'three';
+import { RoundedBoxGeometry } from 'three/examples/jsm/geometries/RoundedBoxGeometry.js';
 import { add, minus, norm } from '../vectors.js';
 
 const UP = new Vector3(0, 1, 0);
@@ -37,11 +40,24 @@ const MAKERS = {
   cylinder: (length, r) => new CylinderGeometry(r, r, length, 40),
   cone: (length, r) => new ConeGeometry(r, length, 16),
   box: (length, r) => new BoxGeometry(2 * r, length, 2 * r),
-  sphere: (_, r) => new SphereGeometry(r, 20, 14),
+  sphere: (_, r) => new SphereGeometry(r, 20, 12),
+  frustum: (length, r, { end }) => new CylinderGeometry(end, r, length, 24, 1, true),
+  drum: (length, r) => new LatheGeometry(roundedProfile(length, r), 28),
+  block: (_, __, { sizes }) => new RoundedBoxGeometry(...sizes.map((half) => 2 * half), 1, 0.16 * Math.min(...sizes)),
   capsule: (length, r) => new CapsuleGeometry(r, length, 8, 20),
   // the sign of turns makes the thread right-handed or left-handed
   helix: (length, r, { turns, wire }) => new TubeGeometry(new Helix(r, length, turns), 96, wire, 6),
 };
+
+/** The outline of a cylinder with rounded edges, from the middle of its lower end to that of its upper one. */
+function roundedProfile(length, r) {
+  const edge = Math.min(0.16 * r, 0.3 * length);
+  const corner = (angle) => [r - edge + edge * Math.cos(angle), length / 2 - edge + edge * Math.sin(angle)];
+  const upper = [0, 1].map((share) => corner((share * Math.PI) / 2));
+  const half = [...upper, [0, length / 2]];
+  const lower = half.map(([x, y]) => [x, -y]).reverse();
+  return [...lower, ...half].map(([x, y]) => new Vector2(x, y));
+}
 
 /** The geometry of a part { shape, from, to, radius, ... }, in metres, between its two points. */
 function makeSolid(part) {
@@ -50,7 +66,8 @@ function makeSolid(part) {
   const length = along.length();
   const geometry = MAKERS[part.shape](length, part.radius, part);
   const turned = new Quaternion();
-  if (length > 0) turned.setFromUnitVectors(UP, along.clone().divideScalar(length));
+  if (part.axes) turned.setFromRotationMatrix(new Matrix4().makeBasis(...part.axes.map((v) => new Vector3(...v))));
+  else if (length > 0) turned.setFromUnitVectors(UP, along.clone().divideScalar(length));
   const middle = from.addScaledVector(along, 0.5);
   return geometry.applyMatrix4(new Matrix4().compose(middle, turned, ONE));
 }
@@ -103,8 +120,10 @@ export function mergeParts(parts, outlined) {
     if (outlined)
       for (const value of outlineNormals(points, geometry.attributes.normal.array)) outlineNormal.push(value);
     ink.set(part.colour);
+    if (outlined) ink.convertLinearToSRGB(); // its material does not convert colours
     for (let k = 0; k < points.length; k += 3) colour.push(ink.r, ink.g, ink.b);
-    for (const corner of geometry.index.array) index.push(first + corner);
+    const corners = geometry.index?.array ?? Array.from({ length: points.length / 3 }, (_, k) => k);
+    for (const corner of corners) index.push(first + corner);
     geometry.dispose();
   }
   const whole = new BufferGeometry();

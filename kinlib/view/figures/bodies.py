@@ -1,0 +1,410 @@
+"""The body of an arm: for each link drums, tubes and boxes, given at home in {s}, so that link i moves by the first i screws.
+
+Known robots are described in kinlib/view/bodies.json. Any other arm gets a body from its screw axes and its joint points:
+a barrel around each revolute joint, a sleeve with a rod at each prismatic one, tapered tubes between them, a foot and a gripper.
+The links of a URDF show the boxes, cylinders and spheres of their <visual> elements; no file that they name is opened.
+"""
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache, lru_cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.rigid.lie import perpendicular
+from kinlib.rigid.rpy import origin
+from kinlib.rigid.screw import screw
+from kinlib.urdf.xml_elements import Element
+
+DATA = json.loads(Path(__file__).parents[1].joinpath("bodies.json").read_text("utf-8"))
+
+SAME_AXES_TOL_M = 1e-3
+"""An arm whose screws differ by less than this from those of a known robot, in metres and radians, has its body."""
+
+EDGE_SHARE = 0.16
+"""How far the edges of drums and boxes are rounded, as a share of the radius or of the smallest half side."""
+
+
+X = np.array([1.0, 0, 0])
+
+
+class Primitive(NamedTuple):
+    """A solid of a link.
+
+    kind     "drum": a cylinder between two points; "tube": balls joined by cones; "box": half sides along three axes
+    points   (k, 3) the ends of a drum, the balls of a tube, the centre of a box
+    sizes    (k,) the radius at each point; (3,) the half sides of a box
+    colour   its name in colours.json
+    axes     (3, 3) the directions of a box, in columns
+    """
+
+    kind: str
+    points: Array
+    sizes: Array
+    colour: str
+    axes: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """The body of an arm.
+
+    links   the primitives of link 0 to link n
+    pose    (n,) a configuration that shows its shape
+    source  where its dimensions come from
+    """
+
+    links: tuple[tuple[Primitive, ...], ...]
+    pose: Array
+    source: str
+
+    @property
+    def lowest(self) -> float:
+        """The height of the floor, on which the base is."""
+        standing = next((link for link in self.links if link), ())
+        return min((float(rim_points(solid, X)[:, 2].min()) for solid in standing), default=0.0)
+
+    def extent(self, moved: Array) -> Array:
+        """Return the ends and centres of all primitives after motions of the links (n + 1, 4, 4), (m, 3), and their feet."""
+        found = [
+            solid.points @ moved[k, :3, :3].T + moved[k, :3, 3] for k, link in enumerate(self.links) for solid in link
+        ]
+        points = np.concatenate(found)
+        return np.concatenate([points, points * (1, 1, 0) + (0, 0, self.lowest)])
+
+
+def solid_data(links: Sequence[Sequence[Primitive]]) -> list[list[dict[str, Any]]]:
+    """Return the primitives of links as data for the page."""
+    return [
+        [
+            {
+                "kind": solid.kind,
+                "points": solid.points.round(6).tolist(),
+                "sizes": solid.sizes.round(6).tolist(),
+                "colour": solid.colour,
+                "axes": solid.axes.T.round(6).tolist(),
+            }
+            for solid in link
+        ]
+        for link in links
+    ]
+
+
+def visual_solids(link: Element, T: Array) -> list[Primitive]:
+    """Return what a link shows, at the pose T of its frame; nothing of meshes, nor of elements that are not as they should be.
+
+    >>> shape = Element("sphere", 3, {"radius": "0.1"})
+    >>> link = Element("link", 1, {"name": "ball"}, None, [Element("visual", 2, {}, None, [Element("geometry", 2, {}, None, [shape])])])
+    >>> [solid.kind for solid in visual_solids(link, np.eye(4))]
+    ['tube']
+    """
+    found = []
+    for visual in link.children:
+        geometry = next((child for child in visual.children if child.tag == "geometry"), None)
+        if visual.tag != "visual" or geometry is None:
+            continue
+        place = next((child for child in visual.children if child.tag == "origin"), None)
+        for shape in geometry.children:
+            try:
+                values = (
+                    {name: place.numbers(name, 3) for name in ("xyz", "rpy") if name in place.attributes}
+                    if place
+                    else {}
+                )
+                found += _visual_solid(shape, T @ origin(**values))
+            except ValueError:
+                continue
+    return found
+
+
+def _visual_solid(shape: Element, T: Array) -> list[Primitive]:
+    at, z = T[:3, 3], T[:3, 2]
+    if shape.tag == "box":
+        return [box(at, np.array(shape.numbers("size", 3)) / 2, axes=T[:3, :3])]
+    if shape.tag == "cylinder":
+        (radius,), (length,) = shape.numbers("radius", 1), shape.numbers("length", 1)
+        return [drum(z, at, radius, -length / 2, length / 2)]
+    if shape.tag == "sphere":
+        (radius,) = shape.numbers("radius", 1)
+        return [tube([*(at - 1e-4 * radius * z), radius], [*(at + 1e-4 * radius * z), radius])]
+    return []
+
+
+@lru_cache(maxsize=32)
+def body_of(chain: Chain, *, hand: bool = True) -> Body:
+    """Return the body of an arm: the one in bodies.json if it has the same screws as a known robot, or else one by rule.
+
+    hand  whether an arm by rule has a gripper
+
+    >>> from kinlib.chains.robots import panda, rpr
+    >>> body_of(panda()).source[:52]
+    'Link lengths: Franka Emika, Control Parameters Docum'
+    >>> len(body_of(rpr()).links)
+    4
+    """
+    for known, described in _known_robots():
+        if known.shape == chain.screws.shape and np.allclose(known, chain.screws, atol=SAME_AXES_TOL_M):
+            names = {"cap": "blue", **described.get("colours", {})}
+            links = tuple(
+                tuple(
+                    solid._replace(colour=names.get(solid.colour, solid.colour))
+                    for row in rows
+                    for solid in _solids(row)
+                )
+                for rows in described["links"]
+            )
+            return Body(links, np.array(described["pose"], dtype=float), described["source"])
+    return _Builder(chain).body(hand)
+
+
+def rim_points(solid: Primitive, eye: Array, count: int = 24) -> Array:
+    """Return points on a primitive, (m, 3), whose hull is its silhouette, seen along eye: rings of count points, or corners.
+
+    >>> rim_points(box((0, 0, 0), (1, 1, 1)), np.array([0, 0, 1.0]))[:, 2].max()
+    np.float64(1.0)
+    """
+    if solid.kind == "box":
+        return np.asarray(solid.points[0] + (CORNERS * solid.sizes) @ solid.axes.T)
+    z = eye
+    if solid.kind == "drum":
+        way = solid.points[1] - solid.points[0]
+        z = way / np.linalg.norm(way)
+    ring = circle(z, count)
+    return np.concatenate([p + r * ring for p, r in zip(solid.points, solid.sizes, strict=True)])
+
+
+CORNERS = np.stack(np.meshgrid(*[(-1.0, 1.0)] * 3), axis=-1).reshape(-1, 3)
+"""The corners of a cube."""
+
+
+def circle(z: Array, count: int) -> Array:
+    """Return points (count, 3) of the unit circle perpendicular to a unit vector.
+
+    >>> circle(np.array([0, 0, 1.0]), 4).round(9)[:, 2].tolist()
+    [0.0, 0.0, 0.0, 0.0]
+    """
+    a, b, c = z.tolist()
+    far = np.hypot(a, b) if abs(c) < 0.9 else np.hypot(b, c)
+    x = (b / far, -a / far, 0.0) if abs(c) < 0.9 else (0.0, c / far, -b / far)
+    y = (b * x[2] - c * x[1], c * x[0] - a * x[2], a * x[1] - b * x[0])
+    return np.asarray(_unit_circle(count) @ np.array([x, y]))
+
+
+@cache
+def _unit_circle(count: int) -> Array:
+    angles = np.arange(count) * 2 * np.pi / count
+    return np.stack([np.cos(angles), np.sin(angles)], axis=1)
+
+
+def drum(axis: ArrayLike, point: ArrayLike, radius: float, *ends: float, colour: str = "body") -> Primitive:
+    """Return a cylinder along an axis through a point; its ends are measured from there."""
+    z, p = np.asarray(axis, dtype=float), np.asarray(point, dtype=float)
+    low, high = sorted(ends)
+    return Primitive("drum", np.array([p + low * z, p + high * z]), np.array([radius, radius]), colour, np.eye(3))
+
+
+def tube(*balls: Sequence[float], colour: str = "body") -> Primitive:
+    """Return a tapered tube through balls (x, y, z, radius)."""
+    rows = np.array(balls, dtype=float)
+    return Primitive("tube", rows[:, :3], rows[:, 3], colour, np.eye(3))
+
+
+def box(centre: ArrayLike, half: ArrayLike, colour: str = "body", axes: Array | None = None) -> Primitive:
+    """Return a box with half sides along the columns of axes."""
+    at, sides = np.array([centre], dtype=float), np.array(half, dtype=float)
+    return Primitive("box", at, sides, colour, np.eye(3) if axes is None else axes)
+
+
+def gripper(point: Array, direction: ArrayLike, opening: ArrayLike, size: float) -> list[Primitive]:
+    """Return a gripper with two fingers: a palm at a point, fingers along a direction, which open along another one."""
+    z, y = np.asarray(direction, dtype=float), np.asarray(opening, dtype=float)
+    axes = np.stack([np.cross(y, z), y, z], axis=1)
+
+    def part(across: float, along: float, half: Sequence[float], colour: str) -> Primitive:
+        return box(point + size * (across * y + along * z), size * np.array(half), colour, axes)
+
+    fingers: list[Any] = [(s * 0.37, 0.6, (0.17, 0.14, 0.14), "dark") for s in (-1, 1)]
+    fingers += [(s * 0.32, 1.08, (0.12, 0.07, 0.42), "metal") for s in (-1, 1)]
+    return [part(0, 0.27, (0.25, 0.56, 0.23), "grip"), *(part(*finger) for finger in fingers)]
+
+
+def _axis(name: Any) -> Array:
+    return np.asarray(np.eye(3)["xyz".index(name[-1])] * (-1 if name[0] == "-" else 1))
+
+
+def _solids(row: list[Any]) -> list[Primitive]:
+    """Return the primitives of a row of bodies.json."""
+    kind, *rest = row
+    if kind == "drum":
+        return [drum(_axis(rest[0]), *rest[1:5], colour=rest[5] if len(rest) > 5 else "body")]
+    if kind == "tube":
+        return [
+            tube(
+                *[ball for ball in rest if not isinstance(ball, str)],
+                colour=next((c for c in rest if isinstance(c, str)), "body"),
+            )
+        ]
+    if kind == "box":
+        return [box(*rest)]
+    point, direction, opening, size = rest
+    return gripper(np.array(point), _axis(direction), _axis(opening), size)
+
+
+@cache
+def _known_robots() -> list[tuple[Array, dict[str, Any]]]:
+    found = []
+    for described in DATA.values():
+        axes = described["axes"]
+        pitch = [np.inf if len(axis) > 2 else 0.0 for axis in axes]
+        found.append((screw([_axis(axis[0]) for axis in axes], [axis[1] for axis in axes], pitch), described))
+    return found
+
+
+class _Builder:
+    """The body of any arm. Lengths are shares of its reach: the sum of the distances from joint to joint, and to the tool."""
+
+    def __init__(self, chain: Chain) -> None:
+        self.chain, n = chain, chain.n
+        self.axes = chain.lines.axis
+        self.slides = [letter == "P" for letter in chain.joint_types]
+        self.tip, self.tool = chain.home[:3, 3], chain.home[:3, :3]
+        path = np.array([*chain.joint_points, self.tip])
+        reach = float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum()) or float(np.linalg.norm(path[0])) or 1.0
+        self.radius = (0.078 - 0.0035 * min(n, 10)) * reach
+        self.sleeve = 0.24 * reach
+        self.centres = path[:-1].copy()
+        self.grip_at = self.tip
+        self.links: list[list[Primitive]] = [[] for _ in range(n + 1)]
+
+    def r(self, i: int) -> float:
+        """The radius of joint i, which decreases towards the tool."""
+        return self.radius * (1 - 0.38 * i / self.chain.n)
+
+    def body(self, hand: bool) -> Body:
+        self._separate()
+        for i in range(self.chain.n):
+            self._joint(i)
+        if hand:
+            self._hand()
+        self._foot()
+        links = tuple(
+            tuple(solid._replace(colour=solid.colour.replace("cap", "blue")) for solid in link) for link in self.links
+        )
+        return Body(links, self._shown(), "By rule, from the screw axes and the joint points.")
+
+    def _shown(self) -> Array:
+        """Return a configuration within the limits that is not stretched out."""
+        q = np.array(
+            [0.25 * self.sleeve if slides else (0.35, -0.5, 0.6)[i % 3] for i, slides in enumerate(self.slides)]
+        )
+        if self.chain.limits is None:
+            return q
+        low, high = np.asarray(self.chain.limits, dtype=float).T
+        return np.asarray(np.clip(q, low, high))
+
+    def _separate(self) -> None:
+        """Move drums along their axes, and sleeves anywhere, so that joints that share a point are apart: from the tool back."""
+        c, n, R = self.centres, self.chain.n, self.radius
+        last, z = n - 1, self.tool[:, 2]
+        if not self.slides[last] and abs(self.axes[last] @ z) > 0.9 and _near(c[last], self.tip, 0.6 * R):
+            if last and not self.slides[last - 1] and _near(c[last - 1], self.tip, 0.6 * R):  # a wrist at the tool
+                c[last] = self.tip + 1.75 * self.r(last) * z
+                self.grip_at = c[last] + 1.3 * self.r(last) * z
+            else:
+                c[last] = self.tip - 1.3 * self.r(last) * z
+        elif _near(c[last], self.tip, 0.6 * R):
+            self.grip_at = self.tip + 1.1 * self.r(last) * z
+        for i in range(n - 2, -1, -1):
+            a, r, there = self.axes[i], self.r(i), c[i + 1]
+            way = there - c[i]
+            along = float(way @ a)
+            across = float(np.linalg.norm(way - along * a))
+            if self.slides[i]:
+                if across < 0.6 * R and along < self.sleeve / 2 + 1.5 * r:
+                    c[i] = there - (self.sleeve / 2 + 1.6 * r) * a
+            elif not self.slides[i + 1] and _near(c[i], there, 0.8 * r):
+                beyond = c[i + 2] if i + 2 < n else self.tip
+                out = float((beyond - there) @ self.axes[i + 1])
+                if abs(out) >= 1.2 * r:  # the later drum towards what it carries, or else the earlier one back
+                    c[i + 1] = there + np.sign(out) * min(1.85 * r, abs(out)) * self.axes[i + 1]
+                else:
+                    sign = -1.0 if i == 0 else float(np.sign((c[i - 1] - c[i]) @ a)) or 1.0
+                    c[i] = c[i] + sign * 1.9 * r * a
+            elif abs(along) < 0.75 * np.linalg.norm(way) and (i > 0 or (along > 0 and a[2] > 0.9)):
+                c[i] = c[i] + along * a  # level with what it carries
+
+    def _foot(self) -> None:
+        """Add a round plate on the floor and a column up to the first joint."""
+        at, R = self.centres[0], self.radius
+        upright = abs(self.axes[0][2]) > 0.9
+        drop = (2.5 if upright else 3.2) * R
+        parts = [rim_points(solid, X)[:, 2].min() - 0.1 * R for link in self.links for solid in link]
+        low = min(at[2] - drop, 0.0, *parts)
+        ground, height = np.array([at[0], at[1], low]), at[2] - low
+        z = np.eye(3)[2]
+        self.links[0] += [
+            drum(z, ground, 1.7 * R, 0, 0.24 * R, colour="dark"),
+            drum(z, ground, 1.2 * R, 0.2 * R, 0.55 * R),
+            drum(z, ground, (0.97 if upright else 0.8) * R, 0.54 * R, height - (0.86 if upright else 0.6) * R),
+        ]
+
+    def _joint(self, i: int) -> None:
+        n, a, p, r = self.chain.n, self.axes[i], self.centres[i], self.r(i)
+        there = self.centres[i + 1] if i + 1 < n else self.grip_at
+        thin = 0.6 * self.r(i + 1) if i + 1 < n else 0.5 * r
+        way = there - p
+        length = float(np.linalg.norm(way))
+        u = way / length if length > 1e-9 else a
+        before, after = self.links[i], self.links[i + 1]
+        if self.slides[i]:
+            x = perpendicular(a)
+            axes = np.stack([x, np.cross(a, x), a], axis=1)
+
+            def slab(low: float, high: float, half: float, colour: str) -> Primitive:
+                return box(p + (low + high) / 2 * a, (half, half, (high - low) / 2), colour, axes)
+
+            half, S = 0.74 * r, self.sleeve
+            out = max(float(way @ a), 0.62 * S)
+            before += [
+                slab(-S / 2, S / 2, half, "body"),
+                *(slab(q * S, (q + 0.07) * S, 1.12 * half, "cap") for q in (-0.52, 0.45)),
+            ]
+            after.append(slab(-0.45 * S, out, 0.56 * half, "metal"))
+            if np.linalg.norm(way - (way @ a) * a) > 0.3 * r:
+                after += [
+                    slab(out - 0.1 * S, out + 0.1 * S, 0.95 * half, "cap"),
+                    tube([*(p + out * a), 0.6 * r], [*there, thin]),
+                ]
+            elif length > out + r:
+                after.append(tube([*(p + out * a), 0.5 * half], [*there, thin]))
+            return
+        half = 0.92 * r
+        before.append(drum(a, p, r, -half, half))
+        after += [drum(a, p, 0.88 * r, s * (half + 0.01 * r), s * (half + 0.3 * r), colour="cap") for s in (-1, 1)]
+        if abs(u @ a) < 0.75:
+            after.append(drum(u, p, 0.78 * r, 0.86 * r, 1.26 * r, colour="dark"))
+        if length > 1.6 * r:
+            knees = [(min(1.15 * r, 0.4 * length), 0.68 * r), (min(2.6 * r, 0.6 * length), 0.6 * r), (length, thin)]
+            after.append(tube(*[[*(p + s * u), radius] for s, radius in knees]))
+
+    def _hand(self) -> None:
+        n, r = self.chain.n, self.r(self.chain.n)
+        way = self.tip - self.centres[-1]
+        far = float(np.linalg.norm(way))
+        z = way / far if self.grip_at is self.tip and far > 0.3 * r else self.tool[:, 2]
+        side = self.tool[:, 0] if abs(self.tool[:, 1] @ z) > 0.7 else self.tool[:, 1]
+        y = side - (side @ z) * z
+        self.links[n] += [
+            drum(z, self.grip_at, 0.8 * r, -0.35 * r, 0.02 * r, colour="metal"),
+            *gripper(self.grip_at, z, y / np.linalg.norm(y), 1.75 * r),
+        ]
+
+
+def _near(p: Array, q: Array, far: float) -> bool:
+    return bool(np.linalg.norm(p - q) < far)
