@@ -28,6 +28,7 @@ from misstep.problem import Template
 from misstep.questions.item import Item, read_questions
 from misstep.sheet import SAMPLE_ID, OpenSheet, Sheet
 from misstep.verdict import Verdict
+from misstep.worked_solution import worked_solution
 
 if TYPE_CHECKING:
     from misstep.questions.widget import Explanation, Question
@@ -159,10 +160,13 @@ class Course:
         if number not in blanks:
             raise ValueError(f"There is no blank step {number!r}. The blank steps are: {', '.join(blanks)}.")
         template, is_first = blanks[number], number not in self._tried
-        judgement = judge(template.variant(SAMPLE_ID), answer)
+        problem = template.variant(SAMPLE_ID)
+        judgement = judge(problem, answer)
         if judgement.state in {"partly", "wrong"}:
             self._tried.add(number)
-        return Verdict(template, judgement, address=lecture_address(template.lecture, self.site), is_first=is_first)
+        address = lecture_address(template.lecture, self.site)
+        worked = worked_solution(problem) if problem.solution is not None and judgement.state == "right" else ()
+        return Verdict(template, judgement, address=address, is_first=is_first, worked=worked)
 
     def questions(self) -> dict[str, dict[str, Item]]:
         """The questions of each lecture, by the number of the lecture and the name of the question.

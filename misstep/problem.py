@@ -37,6 +37,7 @@ class Problem:
     statement  Markdown with `$...$` for mathematics
     mistakes   the mistakes that are no mutants of the solution
     given      the given values by name; students get them by sheet.given(k), so they need not type them
+    shown      further values by name that stand in the statement or the drawing, and that students read there
     figure     a function that draws the figure; it is called only when the problem is shown
     solution   the solution as an expression over the given values (`misstep.mutants`); for an answer that is a function or a
                formula, a function from its arguments to an expression. Its mutants are mistakes of the problem
@@ -62,6 +63,7 @@ class Problem:
     answer: Answer
     mistakes: Sequence[Mistake] = ()
     given: Mapping[str, Any] = field(default_factory=dict)
+    shown: Mapping[str, Any] = field(default_factory=dict)
     figure: Callable[[], Any] | None = None
     solution: Expression | Callable[..., Expression] | None = None
     advice: Mapping[str, str] = field(default_factory=dict)
@@ -223,6 +225,7 @@ class Template:
     lecture       where to re-read, "01_ohm#Parallel circuits": notebook and heading
     make_problem  the function from a sampler to a Problem
     sampler       the class of the sampler that the function gets
+    further       a question for a student who has solved it, which changes something
 
     >>> import numpy as np
     >>> from misstep.answers.number import Numbers
@@ -240,6 +243,7 @@ class Template:
     lecture: str
     make_problem: Callable[[Any], Problem]
     sampler: type[Sampler] = Sampler
+    further: str = ""
 
     @property
     def lecture_name(self) -> str:
@@ -274,6 +278,8 @@ def problem(
     points: int,
     lecture: str,
     sampler: type[S] = Sampler,  # type: ignore[assignment]
+    *,
+    further: str = "",
 ) -> Callable[[Callable[[S], Problem]], Template]:
     """Decorate a function from a sampler to a Problem, and so make it a Template.
 
@@ -281,6 +287,7 @@ def problem(
     points   the full score, shared equally among the parts of the answer
     lecture  where to re-read, "01_ohm#Parallel circuits": notebook and heading
     sampler  the class of the sampler that the function gets
+    further  a question for a student who has solved it, which changes something
 
     >>> import numpy as np
     >>> from misstep.answers.number import Numbers
@@ -296,6 +303,6 @@ def problem(
     """
 
     def decorate(make_problem: Callable[[S], Problem]) -> Template:
-        return Template(number, title, points, lecture, make_problem, sampler)
+        return Template(number, title, points, lecture, make_problem, sampler, further)
 
     return decorate

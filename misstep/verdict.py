@@ -23,6 +23,7 @@ class Verdict:
 
     emission  the answer with its sheet, problem and student; a grader reads it and judges it again
     address   the address of the section to re-read, "" if it is not known
+    worked    the steps of the worked solution, for a right answer
     is_first  whether no answer to the problem was wrong before; then the card tells the idea, and not yet the place
     """
 
@@ -31,6 +32,7 @@ class Verdict:
     emission: Mapping[str, Any] | None = None
     address: str = ""
     is_first: bool = False
+    worked: Sequence[str] = ()
 
     @property
     def score(self) -> float:
@@ -47,6 +49,10 @@ class Verdict:
         body += paragraphs(
             judgement.findings, right_parts, RIGHT if judgement.fraction else TOGETHER, is_first=self.is_first
         )
+        if self.worked:
+            body += ["One way to it:", *self.worked]
+        if judgement.state == "right" and template.further:
+            body.append(f"A further question: {template.further}")
         if judgement.state not in ("right", "blank"):
             section = template.lecture.partition("#")[2]
             body.append(Link(f"Re-read: section “{section}” of {template.lecture_name}.", self.address))

@@ -286,7 +286,10 @@ _LOST_QUADRANT = table(
 )
 
 corner_angle: Operation = Operation(
-    "corner of a triangle", lambda *sides: np.arccos(_cosine(*sides)), "\\angle({0}, {1})".format, _corner_slips
+    "corner of a triangle",
+    lambda *sides: np.arccos(_cosine(*sides)),
+    "\\arccos(({0}^2 + {1}^2 - {2}^2) / (2\\,{0}\\,{1}))".format,
+    _corner_slips,
 )
 """The angle in radians between two sides of a triangle, by the law of cosines: corner_angle(one, two, opposite)."""
 

@@ -82,6 +82,6 @@ def _scaled(rpy: Expression, factor: float | Array) -> Expression:
     return Operation("scaled", lambda angles: angles * factor, "{0}".format)(rpy)
 
 
-_rpy_rotation: Operation = Operation("roll, pitch, yaw", _rotation, "R({0})".format, _rpy_slips)
+_rpy_rotation: Operation = Operation("roll, pitch, yaw", _rotation, "R_z R_y R_x".format, _rpy_slips)
 _one_rotation: Operation = Operation("one rotation", exponential, "R({0})".format)
 _moving: Operation = Operation("moving axes", _about_moving_axes, "R({0})".format)

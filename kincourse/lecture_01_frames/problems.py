@@ -44,7 +44,13 @@ SUBSCRIPTS_CANCEL = "Only in $T_{ts}\\,T_{sc}\\,T_{co}$ do all adjacent subscrip
 LEFT_OR_RIGHT = "A motion about or along an axis of {s} multiplies from the left, and one about or along an axis of {b} from the right."
 
 
-@problem("01.1", "A pose from a drawing", points=2, lecture="01_frames#Columns and rows")
+@problem(
+    "01.1",
+    "A pose from a drawing",
+    points=2,
+    lecture="01_frames#Columns and rows",
+    further="What is $T_{bs}$, and which of its numbers can you read off the drawing directly?",
+)
 def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
     place = np.zeros(3)
     while not are_distinguishable([np.zeros(3), place]):
@@ -73,7 +79,13 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("01.2", "A rotation from a drawing", points=2, lecture="01_frames#Columns and rows")
+@problem(
+    "01.2",
+    "A rotation from a drawing",
+    points=2,
+    lecture="01_frames#Columns and rows",
+    further="Which rotation takes you back from {b} to {a}, and how does its matrix differ from yours?",
+)
 def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
     k, degrees = sampler.integer(0, 2), sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1))
     angle = given(f"{degrees}^\\circ", degrees, ANGLE)
@@ -102,7 +114,13 @@ def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("01.3", "A motion of the plane as one matrix", points=2, lecture="01_frames#Homogeneous coordinates")
+@problem(
+    "01.3",
+    "A motion of the plane as one matrix",
+    points=2,
+    lecture="01_frames#Homogeneous coordinates",
+    further="Swap the order of the two motions. Which block of the matrix changes, and which stays?",
+)
 def homogeneous_matrix(sampler: ArmSampler) -> Problem:
     shift_first = sampler.choice([True, False])
     degrees, shift = sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1)), sampler.point(4)[:2]
@@ -146,7 +164,13 @@ def homogeneous_matrix(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("01.4", "A point and a direction", points=2, lecture="01_frames#Homogeneous coordinates")
+@problem(
+    "01.4",
+    "A point and a direction",
+    points=2,
+    lecture="01_frames#Homogeneous coordinates",
+    further="The camera moves by 1 m without rotating. Which of your two rows changes?",
+)
 def point_and_arrow(sampler: ArmSampler) -> Problem:
     T, x_c, d = _random_pose(sampler), sampler.point(6) / 10, sampler.point(6) / 10
     T_sc, x, arrow = pose("T_{sc}", T), given("x", x_c), given("d", d)
@@ -179,7 +203,13 @@ def point_and_arrow(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("01.5", "The inverse of a pose", points=2, lecture="01_frames#The inverse")
+@problem(
+    "01.5",
+    "The inverse of a pose",
+    points=2,
+    lecture="01_frames#The inverse",
+    further="For which poses is the inverse the same matrix as the pose itself?",
+)
 def look_back(sampler: ArmSampler) -> Problem:
     T = _random_pose(sampler)
     T_gs = inverse(pose("T_{sg}", T))
@@ -201,7 +231,13 @@ def look_back(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("01.6", "Subscripts that cancel", points=2, lecture="01_frames#Chaining along the links")
+@problem(
+    "01.6",
+    "Subscripts that cancel",
+    points=2,
+    lecture="01_frames#Chaining along the links",
+    further="Which pose do you get from $T_{oc}\\,T_{cs}\\,T_{st}$, and how is it related to your answer?",
+)
 def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
     T_sc, T_co, T_st = (_random_pose(sampler) for _ in range(3))
     T_to = inverse(pose("T_{st}", T_st)) @ pose("T_{sc}", T_sc) @ pose("T_{co}", T_co)
@@ -237,7 +273,13 @@ MAX_COSINE = 0.95
 """Of an own axis and the fixed axis of the same name, so that a motion about one differs from that about the other."""
 
 
-@problem("01.7", "Fixed axes or moving axes", points=3, lecture="01_frames#Left or right")
+@problem(
+    "01.7",
+    "Fixed axes or moving axes",
+    points=3,
+    lecture="01_frames#Left or right",
+    further="Exchange *own* and *fixed* in both motions. When is the result the same?",
+)
 def own_or_fixed(sampler: ArmSampler) -> Problem:
     degrees, far = sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1)), sampler.length(0.2, 0.9)
     T = _random_pose(sampler)
@@ -287,7 +329,13 @@ LEFT_FOR_FIXED_AXES = (
 )
 
 
-@problem("01.8", "Rotations in order", points=2, lecture="01_frames#Fixed axes and moving axes")
+@problem(
+    "01.8",
+    "Rotations in order",
+    points=2,
+    lecture="01_frames#Fixed axes and moving axes",
+    further="Which two neighbours could you exchange without changing the result?",
+)
 def rotations_in_order(sampler: ArmSampler) -> Problem:
     names = [f"R_{letter}" for letter in sampler.shuffled("abcd")]
     fixed = sampler.shuffled([True, True, False, False])
@@ -368,7 +416,13 @@ FLAWS_REFUTED = {
 """Why each answer is wrong where it is wrong, without the right answer."""
 
 
-@problem("01.9", "Is it a rigid motion?", points=2, lecture="01_frames#Columns and rows")
+@problem(
+    "01.9",
+    "Is it a rigid motion?",
+    points=2,
+    lecture="01_frames#Columns and rows",
+    further="Change as few entries as possible to make this matrix a rigid motion. Is there only one way?",
+)
 def rigid_or_not(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(FLAWS))
     T = np.eye(4)

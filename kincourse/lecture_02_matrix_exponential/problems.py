@@ -53,7 +53,13 @@ ONE_MOTION = "A twist is scaled as a whole."
 SHORTEST = "Longer vectors lead to $R$ as well. The logarithm is the shortest one, with $\\theta \\le \\pi$."
 
 
-@problem("02.1", "The matrix of a screw", points=3, lecture="02_matrix_exponential#The equation behind it")
+@problem(
+    "02.1",
+    "The matrix of a screw",
+    points=3,
+    lecture="02_matrix_exponential#The equation behind it",
+    further="What is $[S]$ multiplied by the homogeneous coordinates of the origin?",
+)
 def matrix_of_a_screw(sampler: ArmSampler) -> Problem:
     omega, v = sampler.point(5), sampler.point(5)
     w = point("\\omega", omega).mistaken_for(
@@ -75,7 +81,13 @@ def matrix_of_a_screw(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("02.2", "A rotation about a given axis", points=3, lecture="02_matrix_exponential#The key identity")
+@problem(
+    "02.2",
+    "A rotation about a given axis",
+    points=3,
+    lecture="02_matrix_exponential#The key identity",
+    further="About which points of space does nothing move, and what would change if $d$ were negated?",
+)
 def turn_about_a_line(sampler: ArmSampler) -> Problem:
     direction, length = _direction(sampler)
     degrees = sampler.choice([degrees for degrees in range(35, 165, 5) if degrees not in (45, 90, 120)])
@@ -103,7 +115,13 @@ def turn_about_a_line(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("02.3", "A rotation as a formula", points=3, lecture="02_matrix_exponential#The key identity")
+@problem(
+    "02.3",
+    "A rotation as a formula",
+    points=3,
+    lecture="02_matrix_exponential#The key identity",
+    further="Set $\\theta = \\pi$ in your formula. Why is the matrix now symmetric?",
+)
 def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
     one, two, length = sampler.choice(PYTHAGOREAN_TRIPLES)
     whole = sp.Matrix(sampler.shuffled([0, sampler.choice((-1, 1)) * one, sampler.choice((-1, 1)) * two]))
@@ -119,7 +137,13 @@ def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("02.4", "Where the origin goes", points=3, lecture="02_matrix_exponential#From rotations to screws")
+@problem(
+    "02.4",
+    "Where the origin goes",
+    points=3,
+    lecture="02_matrix_exponential#From rotations to screws",
+    further="At which $\\theta$ is the origin farthest from where it began?",
+)
 def where_the_origin_goes(sampler: ArmSampler) -> Problem:
     d, e = sampler.choice([(d, e) for d in AXIS_DIRECTIONS for e in (X, Y, Z) if not d @ e])
     k = sampler.choice((-1, 1)) * sampler.integer(1, 5)
@@ -158,7 +182,13 @@ def where_the_origin_goes(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("02.5", "Three terms of the series", points=3, lecture="02_matrix_exponential#The series, term by term")
+@problem(
+    "02.5",
+    "Three terms of the series",
+    points=3,
+    lecture="02_matrix_exponential#The series, term by term",
+    further="How much smaller is the error with half of the angle? Which power of $\\theta$ is this?",
+)
 def three_terms(sampler: ArmSampler) -> Problem:
     angle, radius = sampler.choice([1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8]), sampler.length(0.3, 2.5)
 
@@ -226,7 +256,13 @@ def three_terms(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("02.6", "A motion with constant velocity", points=3, lecture="02_matrix_exponential#From rotations to screws")
+@problem(
+    "02.6",
+    "A motion with constant velocity",
+    points=3,
+    lecture="02_matrix_exponential#From rotations to screws",
+    further="When has the body made exactly one turn, and where is it then?",
+)
 def gyroscope(sampler: ArmSampler) -> Problem:
     size, seconds = sampler.choice([2.0, 3.0, 0.5]), sampler.choice([0.4, 0.5, 0.6, 0.7, 0.8])
     omega, v = size * sampler.choice(AXIS_DIRECTIONS), sampler.point(3)
@@ -282,7 +318,13 @@ def gyroscope(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("02.7", "A logarithm near half a turn", points=3, lecture="02_matrix_exponential#The logarithm")
+@problem(
+    "02.7",
+    "A logarithm near half a turn",
+    points=3,
+    lecture="02_matrix_exponential#The logarithm",
+    further="The symmetric part of $R$ gives the axis, too. Why is it more accurate near half a turn?",
+)
 def near_half_a_turn(sampler: ArmSampler) -> Problem:
     direction, length = _direction(sampler)
     degrees = sampler.integer(172, 177)  # four digits of a sine are too few
@@ -354,7 +396,13 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("02.8", "A helical joint as a formula", points=3, lecture="02_matrix_exponential#Helices")
+@problem(
+    "02.8",
+    "A helical joint as a formula",
+    points=3,
+    lecture="02_matrix_exponential#Helices",
+    further="Set the pitch to 0. Which entries of your matrix change?",
+)
 def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
     d, place = sampler.choice(AXIS_DIRECTIONS), sampler.point(4)
     h = sp.Rational(sampler.integer(1, 9), 20)

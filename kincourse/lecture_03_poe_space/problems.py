@@ -55,7 +55,13 @@ JOINT_ORDER_ADVICE = "The factor of the joint at the base is leftmost, because t
 TOOL_ADVICE = "The $z$ axis of the tool is a column of $M$ and moves with the arm: multiply $M$ by $\\mathrm{Trans}_z$ on the right."
 
 
-@problem("03.1", "Screw axes of a plain arm", points=3, lecture="03_poe_space#Revolute joints")
+@problem(
+    "03.1",
+    "Screw axes of a plain arm",
+    points=3,
+    lecture="03_poe_space#Revolute joints",
+    further="Which numbers of your rows change if you take another point on the axis of joint 1?",
+)
 def plain_arm(sampler: ArmSampler) -> Problem:
     letters = sampler.choice(["RRP", "RPR", "PRR"])
     while True:
@@ -73,7 +79,13 @@ def plain_arm(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("03.2", "A joint at an angle", points=3, lecture="03_poe_space#Angled joints")
+@problem(
+    "03.2",
+    "A joint at an angle",
+    points=3,
+    lecture="03_poe_space#Angled joints",
+    further="At which angle does the moment become largest?",
+)
 def angled_joint(sampler: ArmSampler) -> Problem:
     degrees, p = sampler.choice([20, 25, 35, 40, 50, 55, 65, 70]), sampler.point(3)
     upright, toward, names = sampler.choice([(Z, X, "zxy"), (Z, Y, "zyx"), (X, Y, "xyz"), (Y, X, "yxz")])
@@ -100,7 +112,13 @@ def angled_joint(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("03.3", "A prismatic joint at an angle", points=3, lecture="03_poe_space#Prismatic joints")
+@problem(
+    "03.3",
+    "A prismatic joint at an angle",
+    points=3,
+    lecture="03_poe_space#Prismatic joints",
+    further="The joint is mounted one metre higher. What changes in its screw axis?",
+)
 def leaning_slide(sampler: ArmSampler) -> Problem:
     sides = np.array(sampler.shuffled([0, *sampler.choice([(3, 4), (5, 12), (8, 15)])]), dtype=float)
     along = sides * np.array([sampler.choice((-1, 1)) for _ in range(3)])
@@ -123,7 +141,13 @@ def leaning_slide(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("03.4", "A helical joint", points=3, lecture="03_poe_space#Helical joints")
+@problem(
+    "03.4",
+    "A helical joint",
+    points=3,
+    lecture="03_poe_space#Helical joints",
+    further="What is the screw axis of the left-handed joint with the same lead?",
+)
 def helical_joint(sampler: ArmSampler) -> Problem:
     axis, point, lead = sampler.choice([X, Y, Z, -X, -Y, -Z]), sampler.point(3), sampler.length(0.2, 0.9)
     h = (given("l", lead) / given("2\\pi", 2 * np.pi)).named("h")
@@ -148,7 +172,13 @@ def helical_joint(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("03.5", "A screw axis from a drawing", points=3, lecture="03_poe_space#Screw axes from a drawing")
+@problem(
+    "03.5",
+    "A screw axis from a drawing",
+    points=3,
+    lecture="03_poe_space#Screw axes from a drawing",
+    further="Which other points of this axis could you have read off the drawing?",
+)
 def from_a_drawing(sampler: ArmSampler) -> Problem:
     robot = sampler.arm("RRR")
     joint = sampler.integer(1, 3)
@@ -169,7 +199,13 @@ def from_a_drawing(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("03.6", "In which order?", points=3, lecture="03_poe_space#The order of the factors")
+@problem(
+    "03.6",
+    "In which order?",
+    points=3,
+    lecture="03_poe_space#The order of the factors",
+    further="Which factors move the end-effector if only the first joint of the chain moves?",
+)
 def which_order(sampler: ArmSampler) -> Problem:
     names = sampler.shuffled("abcd")
     while sum(map(str.__ne__, names, "abcd")) < 3:  # otherwise a slip in the right order would be the alphabet
@@ -218,7 +254,13 @@ def which_order(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("03.7", "The forward kinematics as a function", points=3, lecture="03_poe_space#The product")
+@problem(
+    "03.7",
+    "The forward kinematics as a function",
+    points=3,
+    lecture="03_poe_space#The product",
+    further="How would your function change for an arm with one more joint at the end?",
+)
 def where_is_the_tool(sampler: ArmSampler) -> Problem:
     types = sampler.choice(["RRR", "RPR", "RRP"])
     robot = sampler.arm(types)
@@ -250,7 +292,13 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("03.8", "A longer tool on an angled arm", points=3, lecture="03_poe_space#The home pose")
+@problem(
+    "03.8",
+    "A longer tool on an angled arm",
+    points=3,
+    lecture="03_poe_space#The home pose",
+    further="For which joint values do the old and the new tool have the same orientation?",
+)
 def longer_tool(sampler: ArmSampler) -> Problem:
     straight = angled_arm(
         np.radians(sampler.choice([30, 40, 50, 60])),
@@ -318,7 +366,13 @@ def longer_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("03.9", "The home pose of a whole arm", points=3, lecture="03_poe_space#A whole arm in letters")
+@problem(
+    "03.9",
+    "The home pose of a whole arm",
+    points=3,
+    lecture="03_poe_space#A whole arm in letters",
+    further="Which entries of $M$ stay the same if {b} is moved to the wrist?",
+)
 def home_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     robot = draw_lettered_arm(sampler)
 
@@ -345,7 +399,13 @@ def home_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("03.10", "All screw axes of a whole arm", points=3, lecture="03_poe_space#A whole arm in letters")
+@problem(
+    "03.10",
+    "All screw axes of a whole arm",
+    points=3,
+    lecture="03_poe_space#A whole arm in letters",
+    further="Two joints have parallel axes. Which entries of their screws must agree?",
+)
 def screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     robot = draw_lettered_arm(sampler.of_problem("03.9"))
     n = robot.chain.n
@@ -379,7 +439,13 @@ def screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("03.11", "The forward kinematics of a whole arm", points=3, lecture="03_poe_space#A whole arm in letters")
+@problem(
+    "03.11",
+    "The forward kinematics of a whole arm",
+    points=3,
+    lecture="03_poe_space#A whole arm in letters",
+    further="Which entries of $T(q)$ do not depend on the last joint value?",
+)
 def kinematics_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     robot = draw_lettered_arm(sampler.of_problem("03.9"))
     types, n = robot.joint_types, robot.chain.n
@@ -507,7 +573,13 @@ def _links(robot: LetteredArm, lengths: Mapping[str, float]) -> list[Expression]
     return links
 
 
-@problem("03.12", "A palletizer", points=4, lecture="03_poe_space#Screw axes from a drawing")
+@problem(
+    "03.12",
+    "A palletizer",
+    points=4,
+    lecture="03_poe_space#Screw axes from a drawing",
+    further="The origin of {s} is moved to joint 2. Which numbers of your screws change?",
+)
 def palletizer(sampler: ArmSampler) -> Problem:
     while True:
         a, b, c, d, e, f, g, h = lengths(sampler, 8)

@@ -58,7 +58,13 @@ PASSED_ADVICE = "Joint 1 moves axis 2 and the tool together, so only the joints 
 TO_BODY_ADVICE = "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here."
 
 
-@problem("04.1", "A body screw off a drawing", points=3, lecture="04_poe_body#A second method")
+@problem(
+    "04.1",
+    "A body screw off a drawing",
+    points=3,
+    lecture="04_poe_body#A second method",
+    further="Give the space screw of the same joint. Which half of it do you know without computing?",
+)
 def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     joint = sampler.integer(1, 3)
     while True:
@@ -104,14 +110,21 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.2", "Body screws by the adjoint", points=3, lecture="04_poe_body#The adjoint")
+@problem(
+    "04.2",
+    "Body screws by the adjoint",
+    points=3,
+    lecture="04_poe_body#The adjoint",
+    further="Which body screw would not change if the tool were longer along its own $z$ axis?",
+)
 def by_the_adjoint(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
     return Problem(
         statement="This arm has the space screws $S_i$ and the home pose $M$. Give its body screws $B_1, B_2, B_3$, as rows.\n\n"
         f"$$S = {matrix(robot.screws)}$$\n\n$$M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
-        given={"screws": robot.screws, "home": robot.home},
+        given={"screws": robot.screws},
+        shown={"home": robot.home},
         answer=ScrewsAnswer(robot.body_screws),
         solution=change_frame(inverse(given_pose("M", robot.home)), screw_axes("S", robot.screws)),
         advice={
@@ -123,7 +136,13 @@ def by_the_adjoint(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.3", "Back to space screws", points=2, lecture="04_poe_body#The adjoint")
+@problem(
+    "04.3",
+    "Back to space screws",
+    points=2,
+    lecture="04_poe_body#The adjoint",
+    further="Why are the body screws of a prismatic joint found by a rotation alone?",
+)
 def back_to_space(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
     return Problem(
@@ -142,7 +161,13 @@ def back_to_space(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.4", "The place of M", points=2, lecture="04_poe_body#The mid-formula form")
+@problem(
+    "04.4",
+    "The place of M",
+    points=2,
+    lecture="04_poe_body#The mid-formula form",
+    further="How many other places of $M$ are possible if each screw may be written in either frame?",
+)
 def where_home_stands(sampler: ArmSampler) -> Problem:
     k, names = sampler.integer(1, 3), sampler.shuffled("abcd")
     while [names[:k], names[k:]] == [sorted(names[:k]), sorted(names[k:])]:  # too close to the alphabet
@@ -189,7 +214,13 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.5", "The body form", points=3, lecture="04_poe_body#The body form")
+@problem(
+    "04.5",
+    "The body form",
+    points=3,
+    lecture="04_poe_body#The body form",
+    further="Write the same pose with space screws. Which factor stays as it is?",
+)
 def body_form(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRR", "RPR", "RRP"]))
     typed, q, words = _random_configuration(sampler, robot)
@@ -215,7 +246,13 @@ def body_form(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.6", "M in the middle", points=3, lecture="04_poe_body#The mid-formula form")
+@problem(
+    "04.6",
+    "M in the middle",
+    points=3,
+    lecture="04_poe_body#The mid-formula form",
+    further="Move $M$ one place to the left. Which screw must be rewritten?",
+)
 def home_in_the_middle(sampler: ArmSampler) -> Problem:
     robot, k = _random_arm(sampler, sampler.choice(["RRRR", "RRPR", "RPRR"])), 2
     typed, _, words = _random_configuration(sampler, robot)
@@ -247,7 +284,13 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.7", "A new tool", points=3, lecture="04_poe_body#The adjoint")
+@problem(
+    "04.7",
+    "A new tool",
+    points=3,
+    lecture="04_poe_body#The adjoint",
+    further="For which new tools do the $\\omega$ of all body screws stay as they are?",
+)
 def new_tool(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
     turn = _rotation(sampler.choice([X, Y]), sampler.choice([30, 40, -50, -60, 70]))
@@ -282,7 +325,13 @@ def new_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.8", "A column of the body Jacobian", points=2, lecture="04b_velocity#Body screws and the body Jacobian")
+@problem(
+    "04.8",
+    "A column of the body Jacobian",
+    points=2,
+    lecture="04b_velocity#Body screws and the body Jacobian",
+    further="Which joint values does the column of the last joint depend on?",
+)
 def jacobian_column(sampler: ArmSampler) -> Problem:
     robot, i = _random_arm(sampler, sampler.choice(["RRRR", "RRPR", "PRRR"])), 1
     typed, q, words = _random_configuration(sampler, robot)
@@ -345,7 +394,13 @@ def jacobian_column(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.9", "The twist of the tool", points=3, lecture="04b_velocity#Joint rates and the twist of the tool")
+@problem(
+    "04.9",
+    "The twist of the tool",
+    points=3,
+    lecture="04b_velocity#Joint rates and the twist of the tool",
+    further="At which rates does the tool stand still in this configuration, other than 0?",
+)
 def twist_of_the_tool(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRR", "RPR", "RRP"]))
     typed, q, words = _random_configuration(sampler, robot)
@@ -434,7 +489,13 @@ class WristAnswer(Numbers):
         return [0, 1]
 
 
-@problem("04.10", "A singular wrist", points=3, lecture="04b_velocity#Singular configurations")
+@problem(
+    "04.10",
+    "A singular wrist",
+    points=3,
+    lecture="04b_velocity#Singular configurations",
+    further="Does the wrist have a second singular configuration, and how far is it from this one?",
+)
 def singular_wrist(sampler: ArmSampler) -> Problem:
     tilt = sampler.choice([20, 25, 35, 40, 50, 55, 65, 70, 110, 115, 125, 130, 140, 145, 155, 160])
     (toward, name), sign = sampler.choice([(X, "x"), (Y, "y")]), sampler.choice([1, -1])
@@ -486,7 +547,13 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.11", "All body screws of a whole arm", points=3, lecture="04_poe_body#A second method")
+@problem(
+    "04.11",
+    "All body screws of a whole arm",
+    points=3,
+    lecture="04_poe_body#A second method",
+    further="Which lengths do not occur in any body screw, and why?",
+)
 def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     robot = _lettered_arm_beside_its_tool(sampler)
     n, symbols = robot.chain.n, sp.symbols(robot.letters, positive=True)
@@ -574,7 +641,13 @@ def _random_configuration(sampler: ArmSampler, robot: Chain) -> Configuration:
     return configuration_from_typed(robot, typed)
 
 
-@problem("04.12", "A wrist with offsets", points=4, lecture="04_poe_body#A second method")
+@problem(
+    "04.12",
+    "A wrist with offsets",
+    points=4,
+    lecture="04_poe_body#A second method",
+    further="With all offsets 0, which entries of the three screws vanish?",
+)
 def drawn_wrist(sampler: ArmSampler) -> Problem:
     while True:
         a, b, c, d, e, f, g = lengths(sampler, 7, 0.04, 0.3)

@@ -20,7 +20,7 @@ from kincourse.sampling.drawn_machines import (
     lengths,
     table_frames,
 )
-from kincourse.text.joint_table import MARKS_BY_ROW, joint_table
+from kincourse.text.joint_table import joint_table
 from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.dh.formatting import markdown_table
 from kinlib.dh.parsing import COLUMNS
@@ -46,7 +46,13 @@ BASE_AND_TOOL_ADVICE = (
 )
 
 
-@problem("05.1", "Four numbers between two drawn frames", points=4, lecture="05_dh_standard#Four numbers")
+@problem(
+    "05.1",
+    "Four numbers between two drawn frames",
+    points=4,
+    lecture="05_dh_standard#Four numbers",
+    further="Give the row that leads back from frame 1 to frame 0. Is it a standard row?",
+)
 def four_numbers(sampler: ArmSampler) -> Problem:
     start, row = np.eye(4), np.zeros(4)
     # A row without a minus sign would hide all of them.
@@ -74,7 +80,13 @@ def four_numbers(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("05.2", "One row as a matrix", points=2, lecture="05_dh_standard#The general A matrix")
+@problem(
+    "05.2",
+    "One row as a matrix",
+    points=2,
+    lecture="05_dh_standard#The general A matrix",
+    further="For which numbers do this matrix and that of the modified row agree?",
+)
 def one_row(sampler: ArmSampler) -> Problem:
     a, d = sampler.length(0.2, 0.9), sampler.length(0.2, 0.9)
     alpha, theta = sampler.choice([90, -90, 60, -60, 30, -30]), sampler.degrees(-75, 75)
@@ -96,7 +108,13 @@ def one_row(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("05.3", "A whole table from a drawing", points=4, lecture="05_dh_standard#Reading a table off a drawing")
+@problem(
+    "05.3",
+    "A whole table from a drawing",
+    points=4,
+    lecture="05_dh_standard#Reading a table off a drawing",
+    further="Reverse one inner $x$ axis. Which four numbers of the table change?",
+)
 def whole_table(sampler: ArmSampler) -> Problem:
     rows, places = np.zeros((3, 4)), [np.zeros(3)]
     while not are_distinguishable(places):
@@ -111,17 +129,23 @@ def whole_table(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Write a table of this arm in the standard convention. The drawing shows $q = 0$; each arrow shows the "
         "direction in which its joint rotates when $q$ grows. Frame 0 is {s} and frame 3 is {b}, so base and tool are the "
-        f"identity. A table is right if it gives the pose of {{b}} for every $q$. {MARKS_BY_ROW}\n\n{joint_table(robot)}\n\n"
+        f"identity. A table is right if it gives the pose of {{b}} for every $q$.\n\n{joint_table(robot)}\n\n"
         f"{{b}} is at ${vector(robot.home[:3, 3])}$, its $x$ along ${vector(robot.home[:3, 0])}$, its $z$ along "
         f"${vector(robot.home[:3, 2])}$.",
         figure=partial(draw_joints, robot, tool=True),
-        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
+        shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
         answer=DHTableAnswer(table, anchored=True),
         mistakes=[rows_of_the_other_convention(table)],
     )
 
 
-@problem("05.4", "Offsets from a drawn zero", points=3, lecture="05_dh_standard#The offset")
+@problem(
+    "05.4",
+    "Offsets from a drawn zero",
+    points=3,
+    lecture="05_dh_standard#The offset",
+    further="The arm is drawn at another zero. Which numbers of the table change, and which do not?",
+)
 def offsets(sampler: ArmSampler) -> Problem:
     lengths = [sampler.integer(1, 3) for _ in range(3)]
     values = np.ones(3)
@@ -206,7 +230,13 @@ def offsets(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("05.5", "A chain of A matrices", points=2, lecture="05_dh_standard#The product of the A matrices")
+@problem(
+    "05.5",
+    "A chain of A matrices",
+    points=2,
+    lecture="05_dh_standard#The product of the A matrices",
+    further="Which of the three matrices depends on no joint value of the others, and what follows for the position?",
+)
 def chain_of_matrices(sampler: ArmSampler) -> Problem:
     joint_types = sampler.choice(["RPR", "RRP", "PRR"])
     cells, values = [], []
@@ -234,7 +264,13 @@ def chain_of_matrices(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("05.6", "The faulty entry", points=3, lecture="05_dh_standard#Reading a table off a drawing")
+@problem(
+    "05.6",
+    "The faulty entry",
+    points=3,
+    lecture="05_dh_standard#Reading a table off a drawing",
+    further="Which other single entry, changed instead, would leave the last frame where it is?",
+)
 def faulty_entry(sampler: ArmSampler) -> Problem:
     rows, places = np.zeros((3, 4)), [np.zeros(3)]
     while not are_distinguishable(places):
@@ -266,7 +302,13 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("05.7", "Parallel axes", points=4, lecture="05_dh_standard#Special cases")
+@problem(
+    "05.7",
+    "Parallel axes",
+    points=4,
+    lecture="05_dh_standard#Special cases",
+    further="Move every origin to the height 0. What do the rows say now?",
+)
 def parallel_axes(sampler: ArmSampler) -> Problem:
     sides = np.zeros((2, 2))
     while np.abs(sides.sum(axis=0)).max() < 1:  # axis 3 must not coincide with axis 1
@@ -334,7 +376,13 @@ def _axis_distance(i: int, x: float, y: float, z: float) -> tuple[Expression, fl
     return a, between
 
 
-@problem("05.8", "Base and tool", points=2, lecture="05_dh_standard#Base and tool")
+@problem(
+    "05.8",
+    "Base and tool",
+    points=2,
+    lecture="05_dh_standard#Base and tool",
+    further="Can the base be written as a further row in front of the table? What must be true of it?",
+)
 def base_and_tool(sampler: ArmSampler) -> Problem:
     rows = [
         [sampler.length(0.2, 0.6), sampler.choice([1, -1]) * RIGHT_ANGLE_RAD, sampler.length(0.2, 0.6), 0],
@@ -388,7 +436,13 @@ def _format_row(row: list[float], i: int) -> str:
     return f"({number(a)}, {lean}, {number(d)}, q_{i})"
 
 
-@problem("05.9", "A SCARA from its drawing", points=4, lecture="05_dh_standard#Reading a table off a drawing")
+@problem(
+    "05.9",
+    "A SCARA from its drawing",
+    points=4,
+    lecture="05_dh_standard#Reading a table off a drawing",
+    further="The arm is measured at another $q$. Which numbers of your rows do you see again?",
+)
 def scara(sampler: ArmSampler) -> Problem:
     while True:
         a, b, c, d, e, f, g = lengths(sampler, 7)
@@ -400,7 +454,7 @@ def scara(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="The drawing shows a SCARA with joints RRP at home, in millimetres, with its standard frames: "
         "the origin of frame $i$ is D$i$, $z_i$ is the axis of joint $i + 1$, the arrow is $x_i$, and $z_3$ is along $z_2$. Give "
-        f"the three rows $a, \\alpha, d, \\theta$ at home, in metres and radians. {MARKS_BY_ROW}",
+        "the three rows $a, \\alpha, d, \\theta$ at home, in metres and radians.",
         figure=partial(draw_table_frames, table),
         answer=DHRowsAnswer(table.rows),
         mistakes=drawn_table_mistakes(table),

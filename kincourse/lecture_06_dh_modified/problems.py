@@ -27,7 +27,7 @@ from kincourse.sampling.drawn_machines import (
     lengths,
     table_frames,
 )
-from kincourse.text.joint_table import MARKS_BY_ROW, joint_table
+from kincourse.text.joint_table import joint_table
 from kinlib.arrays.validation import Array, read_only_copy
 from kinlib.chains.chain import random_configurations
 from kinlib.chains.robots import X, Y, Z, pose
@@ -305,7 +305,13 @@ class FaultyEntryAnswer(Numbers):
         return None
 
 
-@problem("06.1", "The link transform of a row", points=3, lecture="06_dh_modified#The general matrix")
+@problem(
+    "06.1",
+    "The link transform of a row",
+    points=3,
+    lecture="06_dh_modified#The general matrix",
+    further="In which two numbers would the standard matrix of the same row differ?",
+)
 def link_transform(sampler: ArmSampler) -> Problem:
     row = _random_row(sampler)
     a, alpha, d, theta = row
@@ -334,7 +340,13 @@ def link_transform(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("06.2", "A row as two axial screws", points=2, lecture="06_dh_modified#Two axial screws")
+@problem(
+    "06.2",
+    "A row as two axial screws",
+    points=2,
+    lecture="06_dh_modified#Two axial screws",
+    further="Exchange the two twists. For which rows is the product the same?",
+)
 def axial_screws(sampler: ArmSampler) -> Problem:
     row = _random_row(sampler)
     a, alpha, d, theta = row
@@ -352,36 +364,54 @@ def axial_screws(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("06.3", "From standard to modified", points=4, lecture="06_dh_modified#Converting")
+@problem(
+    "06.3",
+    "From standard to modified",
+    points=4,
+    lecture="06_dh_modified#Converting",
+    further="What happens to the last $a$ and $\\alpha$ if there is no tool?",
+)
 def to_modified(sampler: ArmSampler) -> Problem:
     table = _random_table(sampler, "standard")
     answer = _converted(table, "modified")
     return Problem(
         statement="Convert this standard table to the modified convention. Frame 0 stays the same. The $a$ and $\\alpha$ that are "
         "left over become the tool, which is not part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at "
-        f"$q = 0$, angles in radians. {MARKS_BY_ROW}\n\n" + _format_table(table.rows, "standard", table.joints),
-        given={"rows": table.rows, "joints": table.joints},
+        "$q = 0$, angles in radians.\n\n" + _format_table(table.rows, "standard", table.joints),
+        shown={"rows": table.rows, "joints": table.joints},
         answer=answer,
         mistakes=_wrong_conversions(answer),
     )
 
 
-@problem("06.4", "From modified to standard", points=4, lecture="06_dh_modified#Converting")
+@problem(
+    "06.4",
+    "From modified to standard",
+    points=4,
+    lecture="06_dh_modified#Converting",
+    further="Convert your rows back. Which entries are lost on the way, and where do they go?",
+)
 def to_standard(sampler: ArmSampler) -> Problem:
     table = _random_table(sampler, "modified")
     answer = _converted(table, "standard")
     return Problem(
         statement="In this modified table $a_0$ and $\\alpha_0$ are not 0, because frame {0} is fixed to the wall, away from "
         "axis 1. Convert the table to the standard convention. The $a$ and $\\alpha$ that are left over become the base, which is not "
-        f"part of the answer. Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians. {MARKS_BY_ROW}\n\n"
+        "part of the answer. Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
         + _format_table(table.rows, "modified", table.joints),
-        given={"rows": table.rows, "joints": table.joints},
+        shown={"rows": table.rows, "joints": table.joints},
         answer=answer,
         mistakes=_wrong_conversions(answer),
     )
 
 
-@problem("06.5", "Which convention is this?", points=2, lecture="06_dh_modified#Which convention is this?")
+@problem(
+    "06.5",
+    "Which convention is this?",
+    points=2,
+    lecture="06_dh_modified#Which convention is this?",
+    further="Which one further measurement would decide every such question?",
+)
 def which_convention(sampler: ArmSampler) -> Problem:
     truth = sampler.choice("abcd")
     rows = np.array([_random_row(sampler), _random_row(sampler)])
@@ -428,7 +458,13 @@ def which_convention(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("06.6", "The faulty entry", points=3, lecture="06_dh_modified#The general matrix")
+@problem(
+    "06.6",
+    "The faulty entry",
+    points=3,
+    lecture="06_dh_modified#The general matrix",
+    further="If two entries of this row were wrong, would you see both?",
+)
 def faulty_entry(sampler: ArmSampler) -> Problem:
     rows = np.array(
         [
@@ -509,7 +545,13 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("06.7", "The rotation of a wrist", points=3, lecture="06b_puma#The wrist")
+@problem(
+    "06.7",
+    "The rotation of a wrist",
+    points=3,
+    lecture="06b_puma#The wrist",
+    further="For which angles is the rotation the constant alone?",
+)
 def wrist(sampler: ArmSampler) -> Problem:
     degrees = [0, 0, 0]
     while (
@@ -544,7 +586,13 @@ def wrist(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("06.8", "The pose of an RPR arm", points=3, lecture="06_dh_modified#A worked example")
+@problem(
+    "06.8",
+    "The pose of an RPR arm",
+    points=3,
+    lecture="06_dh_modified#A worked example",
+    further="The prismatic joint moves by 0.1 m. In which direction does the end-effector move?",
+)
 def chain(sampler: ArmSampler) -> Problem:
     a1 = d2 = sampler.length(0.3, 0.9)
     while d2 == a1:
@@ -566,7 +614,13 @@ def chain(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("06.9", "The angles of a wrist", points=3, lecture="06b_puma#Angles from a rotation")
+@problem(
+    "06.9",
+    "The angles of a wrist",
+    points=3,
+    lecture="06b_puma#Angles from a rotation",
+    further="Which orientations can the wrist reach in one way only?",
+)
 def angles_of_a_wrist(sampler: ArmSampler) -> Problem:
     first, last = sampler.shuffled([sampler.degrees(15, 75), -sampler.degrees(105, 165)])
     degrees = [[first, sampler.degrees(25, 80), last], [0, 0, sampler.choice((-1, 1)) * sampler.degrees(15, 75)]]
@@ -584,7 +638,13 @@ def angles_of_a_wrist(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("06.10", "A whole arm from a drawing", points=5, lecture="06_dh_modified#Frame labelling in eight steps")
+@problem(
+    "06.10",
+    "A whole arm from a drawing",
+    points=5,
+    lecture="06_dh_modified#Frame labelling in eight steps",
+    further="Which of your rows would a second correct table share with yours?",
+)
 def whole_arm(sampler: ArmSampler) -> Problem:
     places = [np.zeros(3)]
     while not are_distinguishable(places) or min(place[2] for place in places[1:]) < MIN_HEIGHT_M:
@@ -602,11 +662,12 @@ def whole_arm(sampler: ArmSampler) -> Problem:
         statement=f"Write a table of this arm with {len(joints)} joints in the modified convention. The drawing shows $q = 0$; each "
         "arrow shows the direction in which its joint moves when $q$ grows. Frame 0 is {s}, and "
         f"frame {len(joints)} is {{b}}, so base and tool are the identity. A table is right if it gives the pose of {{b}} for every "
-        f"$q$. {MARKS_BY_ROW} Lengths may be typed as letters, such as `-l_2`, or as numbers: {lengths} (metres).\n\n"
+        f"$q$. Lengths may be typed as letters, such as `-l_2`, or as numbers: {lengths} (metres).\n\n"
         f"{joint_table(robot, points=points)}\n\n{{b}} is at ${points[-1]}$, its $x$ along ${vector(robot.home[:3, 0])}$, its $z$ "
         f"along ${vector(robot.home[:3, 2])}$.",
         figure=partial(draw_joints, robot, tool=True),
-        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, "lengths": np.array(letters)},
+        given={"lengths": np.array(letters)},
+        shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
         answer=DHTableAnswer(
             table, anchored=True, lengths={f"l_{k}": length for k, length in enumerate(letters, start=1)}
         ),
@@ -703,7 +764,11 @@ def _format_table(
 
 
 @problem(
-    "06.11", "A telescope mount from its drawing", points=4, lecture="06_dh_modified#Frame labelling in eight steps"
+    "06.11",
+    "A telescope mount from its drawing",
+    points=4,
+    lecture="06_dh_modified#Frame labelling in eight steps",
+    further="Where would the frames be in the standard convention?",
 )
 def telescope_mount(sampler: ArmSampler) -> Problem:
     while True:
@@ -717,7 +782,7 @@ def telescope_mount(sampler: ArmSampler) -> Problem:
         statement="The drawing shows the mount of a telescope at home, in millimetres, with modified frames: joint 1 "
         "is the azimuth, joint 2 the altitude, joint 3 rotates the camera. The origin of frame $i$ is D$i$, $z_i$ is the axis of joint "
         "$i$, and the arrow is $x_i$; $z_0$ is along $z_1$. Give the three rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at home, in "
-        f"metres and radians. {MARKS_BY_ROW}",
+        "metres and radians.",
         figure=partial(draw_table_frames, table),
         answer=DHRowsAnswer(table.rows),
         mistakes=drawn_table_mistakes(table),

@@ -12,7 +12,7 @@ from kincourse.mistakes.dh import rows_of_the_other_convention
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
-from kincourse.text.joint_table import MARKS_BY_ROW, end_frames, given_frames, joint_table
+from kincourse.text.joint_table import end_frames, given_frames, joint_table
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
@@ -46,7 +46,13 @@ CASES = {
 }
 
 
-@problem("07.1", "The relation of two axes", points=2, lecture="07_frame_assignment#The algorithm")
+@problem(
+    "07.1",
+    "The relation of two axes",
+    points=2,
+    lecture="07_frame_assignment#The algorithm",
+    further="How many common normals do two parallel lines have, and what may you choose?",
+)
 def the_case(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(CASES))
     z, point = sampler.choice(AXIS_DIRECTIONS), sampler.point(4)
@@ -81,7 +87,13 @@ def _case_message(wrong: str, right: str) -> str:
     return "Look for a common point: no point of one axis lies on the other, so their distance is not 0."
 
 
-@problem("07.2", "Frames by the rules", points=4, lecture="07_frame_assignment#The algorithm")
+@problem(
+    "07.2",
+    "Frames by the rules",
+    points=4,
+    lecture="07_frame_assignment#The algorithm",
+    further="Where did the rules leave you a choice, and what would the table look like with the other one?",
+)
 def frames_by_the_rules(sampler: ArmSampler) -> Problem:
     robot = sampler.arm("RRR")
     found = assign_frames(robot, convention="standard").frames
@@ -91,7 +103,7 @@ def frames_by_the_rules(sampler: ArmSampler) -> Problem:
         "each with `pose((x, y, z), origin)` from `kinlib.chains.robots`. Where the rules leave a choice, every choice is right."
         f"\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
-        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
+        shown={"arm": robot, "screws": robot.screws, "home": robot.home, "points": robot.joint_points},
         answer=DHFramesAnswer(found, chain=robot, convention="standard"),
         mistakes=[
             mistake(
@@ -141,23 +153,35 @@ def _along_the_links(frames: Array, robot: Chain) -> Array:
     return rotated
 
 
-@problem("07.3", "The table of a drawn arm", points=4, lecture="07_frame_assignment#What is free")
+@problem(
+    "07.3",
+    "The table of a drawn arm",
+    points=4,
+    lecture="07_frame_assignment#What is free",
+    further="Find a second table of this arm without a row of yours. How do you prove that they agree?",
+)
 def table_of_an_arm(sampler: ArmSampler) -> Problem:
     robot = sampler.arm(sampler.choice(["RRR", "RRRP", "RRRR"]))
     table = assign_frames(robot, convention="standard").table
     return Problem(
         statement="Write a DH table of this arm in the standard convention: text with the header `a | alpha | d | theta` and one row for "
         f"each joint, with `q1`, `q2`, ... for the joint variables. {_given(robot.n)} Every table that gives the pose of frame {robot.n} "
-        f"in frame 0 for every $q$ is right, so you may choose the frames between them. {MARKS_BY_ROW}"
+        f"in frame 0 for every $q$ is right, so you may choose the frames between them."
         f"\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
-        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
+        shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
         mistakes=[rows_of_the_other_convention(table)],
     )
 
 
-@problem("07.4", "Parallel and antiparallel axes", points=4, lecture="07_frame_assignment#The algorithm")
+@problem(
+    "07.4",
+    "Parallel and antiparallel axes",
+    points=4,
+    lecture="07_frame_assignment#The algorithm",
+    further="Turn axis 4 so that it has the direction of axis 3. Which rows change?",
+)
 def parallel_axes(sampler: ArmSampler) -> Problem:
     height, upper_arm, forearm, wrist = (sampler.integer(1, 4) for _ in range(4))
     sideways, backwards = sampler.integer(1, 3), sampler.choice((-1, 1)) * sampler.integer(1, 3)
@@ -175,9 +199,9 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Axes 2, 3 and 4 of this arm are parallel lines, and axis 4 has the opposite direction. Write a DH table in the "
         f"modified convention. {_given(robot.n)} Every table that gives the pose of frame {robot.n} in frame 0 for every $q$ is right. "
-        f"{MARKS_BY_ROW}\n\n{joint_table(robot)}\n\n{given_frames(table)}",
+        f"\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
-        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
+        shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
         mistakes=[
             mistake(
@@ -214,7 +238,13 @@ RULE_EXPLANATIONS = {
 }
 
 
-@problem("07.5", "Which rule is broken?", points=3, lecture="07_frame_assignment#When a table is wrong")
+@problem(
+    "07.5",
+    "Which rule is broken?",
+    points=3,
+    lecture="07_frame_assignment#When a table is wrong",
+    further="Change one frame so that exactly two rules are broken.",
+)
 def which_rule(sampler: ArmSampler) -> Problem:
     robot, right = sampler.arm("RRR"), sampler.choice(list(RULES))
     found = assign_frames(robot, convention="standard")
@@ -263,7 +293,13 @@ def _with_frames(robot: Chain, frames: Array) -> Picture:
     return draw_assignment(replace(assign_frames(robot, convention="standard"), frames=frames))
 
 
-@problem("07.6", "A table to correct", points=3, lecture="07_frame_assignment#When a table is wrong")
+@problem(
+    "07.6",
+    "A table to correct",
+    points=3,
+    lecture="07_frame_assignment#When a table is wrong",
+    further="Which measurement of the arm would have shown this fault first?",
+)
 def table_to_mend(sampler: ArmSampler) -> Problem:
     rows = np.zeros((4, 4))
     for i in range(4):
@@ -279,16 +315,11 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
     other_length[i, 2 - k] -= error
     return Problem(
         statement="This DH table was written for the arm below, in the standard convention, but one of its lengths is wrong. Compare "
-        f"the table with the axes, and give the corrected table. The rows that are right already earn nothing. {_given(4)}"
+        f"the table with the axes, and give the corrected table. {_given(4)}"
         f"\n\n{_format_table(table.changed(rows=printed))}\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
-        given={
-            "rows": printed,
-            "screws": robot.screws,
-            "home": robot.home,
-            "points": robot.joint_points,
-            **end_frames(table),
-        },
+        given={"rows": printed},
+        shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True, printed=True),
         mistakes=[
             mistake(
@@ -316,6 +347,7 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
     "A prismatic joint drawn elsewhere",
     points=2,
     lecture="07_frame_assignment#Prismatic joints are free vectors",
+    further="At which place of the joint is one of the two lengths 0?",
 )
 def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
     first = second = moved = 1.0
@@ -369,7 +401,13 @@ def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("07.8", "Which table is the same arm?", points=3, lecture="07_frame_assignment#Two right tables")
+@problem(
+    "07.8",
+    "Which table is the same arm?",
+    points=3,
+    lecture="07_frame_assignment#Two right tables",
+    further="Write one more table of the same arm that looks as different as possible.",
+)
 def same_arm(sampler: ArmSampler) -> Problem:
     table, changed = _tables_to_compare(sampler)
     names = list(changed)
@@ -435,7 +473,13 @@ def _format_table(table: DHTable) -> str:
     return markdown_table(format_rows(table, length=number, angle=degrees))
 
 
-@problem("07.9", "The leg of a walking machine", points=4, lecture="07_frame_assignment#The algorithm")
+@problem(
+    "07.9",
+    "The leg of a walking machine",
+    points=4,
+    lecture="07_frame_assignment#The algorithm",
+    further="Axis 1 is moved by 0.1 m along $x$. Which origin moves, and in which direction?",
+)
 def leg(sampler: ArmSampler) -> Problem:
     while True:
         a, b, c, d, e, f, g, h = lengths(sampler, 8)

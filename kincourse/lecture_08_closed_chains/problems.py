@@ -76,7 +76,13 @@ def open_configuration(A: float) -> Array:
     return np.array([A, -A, np.pi / 2, 0.0])
 
 
-@problem("08.1", "The residual of an open loop", points=3, lecture="08_closed_chains#Loop closure")
+@problem(
+    "08.1",
+    "The residual of an open loop",
+    points=3,
+    lecture="08_closed_chains#Loop closure",
+    further="How large may the residual be if the lengths are measured to a millimetre?",
+)
 def residual(sampler: ArmSampler) -> Problem:
     four_bar = crank_rocker(sampler)
     linkage = linkages.four_bar(*four_bar)
@@ -113,7 +119,13 @@ def residual(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("08.2", "Both assembly modes", points=3, lecture="08_closed_chains#The smallest loop")
+@problem(
+    "08.2",
+    "Both assembly modes",
+    points=3,
+    lecture="08_closed_chains#The smallest loop",
+    further="At which crank angle do both modes meet?",
+)
 def both_ways(sampler: ArmSampler) -> Problem:
     four_bar, degrees = crank_rocker(sampler), sampler.degrees(25, 155)
     A = radians(given("A", degrees, ANGLE))
@@ -165,7 +177,13 @@ def _bar(begin: str, length: float, right: float) -> str:
     return f"{begin} {length:.3g} m long." if abs(length - right) > CHECK_TOLERANCE else ""
 
 
-@problem("08.3", "A point of the coupler", points=3, lecture="08_closed_chains#The smallest loop")
+@problem(
+    "08.3",
+    "A point of the coupler",
+    points=3,
+    lecture="08_closed_chains#The smallest loop",
+    further="Where is P in the other assembly mode?",
+)
 def coupler_point(sampler: ArmSampler) -> Problem:
     four_bar, degrees = crank_rocker(sampler), sampler.degrees(25, 155)
     along, left = sampler.length(0.1, 0.25), sampler.length(0.1, 0.25)
@@ -225,7 +243,7 @@ def coupler_point(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"{describe_lengths(four_bar)} The angle of its crank is {degrees} degrees, and C lies to the left of the "
         f"arrow from B to D. A point P of the coupler lies {number(along)} m from B along the coupler, towards C, and {number(left)} m "
-        "to the left of the coupler; $p$ stands for these two distances. What is the position of P, as $[x, y]$ from A?",
+        "to the left of the coupler. Call these two distances $p$. What is the position of P, as $[x, y]$ from A?",
         figure=partial(draw_linkage, linkage, four_bar.assembly_modes(np.radians(degrees))[0], points=drawn),
         given={"bars": tuple(four_bar), "degrees": degrees, "along": along, "left": left},
         answer=Numbers(P.value, unit="m", test=distance_from_B),
@@ -237,7 +255,13 @@ def coupler_point(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("08.4", "A slider-crank with an offset", points=2, lecture="08_closed_chains#A worked example")
+@problem(
+    "08.4",
+    "A slider-crank with an offset",
+    points=2,
+    lecture="08_closed_chains#A worked example",
+    further="At which crank angle is the slider farthest away?",
+)
 def slider(sampler: ArmSampler) -> Problem:
     crank, rod, offset = (
         sampler.length(0.2, 0.35),
@@ -296,7 +320,13 @@ def slider(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("08.5", "Which configuration is drawn?", points=2, lecture="08_closed_chains#The smallest loop")
+@problem(
+    "08.5",
+    "Which configuration is drawn?",
+    points=2,
+    lecture="08_closed_chains#The smallest loop",
+    further="Which single measurement tells the two modes apart?",
+)
 def which_mode(sampler: ArmSampler) -> Problem:
     four_bar, degrees, drawn, named = _distinct_modes(sampler)
     q = four_bar.assembly_modes(np.radians(degrees))[drawn]
@@ -352,7 +382,13 @@ KINDS = {
 }
 
 
-@problem("08.6", "What kind of four-bar is it?", points=2, lecture="08_closed_chains#Grashof's condition")
+@problem(
+    "08.6",
+    "What kind of four-bar is it?",
+    points=2,
+    lecture="08_closed_chains#Grashof's condition",
+    further="Change one length by as little as possible to get another kind of four-bar.",
+)
 def which_kind(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(KINDS))
     four_bar = four_bar_of_kind(sampler, right)
@@ -378,7 +414,13 @@ def _kind_message(wrong: str, right: str) -> str:
     return f"Grashof's condition holds, so the shortest bar makes full turns relative to all others. Here it is {shortest}."
 
 
-@problem("08.7", "The range of a crank", points=3, lecture="08_closed_chains#The configuration-space curve")
+@problem(
+    "08.7",
+    "The range of a crank",
+    points=3,
+    lecture="08_closed_chains#The configuration-space curve",
+    further="What changes if the longest bar is the ground?",
+)
 def dead_point(sampler: ArmSampler) -> Problem:
     four_bar = limited_crank(sampler)
     lengths = ground, crank, coupler, rocker = bars(four_bar)
@@ -444,7 +486,13 @@ DEGREES_OF_FREEDOM_NOTE = (
 )
 
 
-@problem("08.8", "Mobility by counting", points=3, lecture="08_closed_chains#The Gruebler-Kutzbach formula")
+@problem(
+    "08.8",
+    "Mobility by counting",
+    points=3,
+    lecture="08_closed_chains#The Gruebler-Kutzbach formula",
+    further="Add a leg with six degrees of freedom. What happens to the mobility, and why?",
+)
 def counting(sampler: ArmSampler) -> Problem:
     d, kinds = sampler.choice([(3, PLANAR_LEGS), (6, SPATIAL_LEGS), (6, SPATIAL_LEGS)])
     one, other = sampler.shuffled(kinds)[:2]
@@ -457,7 +505,7 @@ def counting(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"A platform moves {place}. It is connected to the ground by {len(legs)} legs: {listed}. The joints are listed from the "
         f"ground to the platform, and between two neighbouring joints of a leg there is one body. {DEGREES_OF_FREEDOM_NOTE} "
-        "Which mobility does the Gruebler-Kutzbach formula give? In the feedback, $N$ is the number of bodies, $J$ that of the joints, and "
+        "Which mobility does the Gruebler-Kutzbach formula give? Here $N$ is the number of bodies, $J$ that of the joints, and "
         "$f$ the degrees of freedom of a joint.",
         given={"d": d, "legs": [leg.degrees_of_freedom for leg in legs]},
         answer=Numbers(np.array(float(right.value))),
@@ -470,7 +518,13 @@ def counting(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("08.9", "Three kinds of mobility", points=3, lecture="08_closed_chains#Where counting fails")
+@problem(
+    "08.9",
+    "Three kinds of mobility",
+    points=3,
+    lecture="08_closed_chains#Where counting fails",
+    further="Which small change of the lengths would make all three counts equal?",
+)
 def three_mobilities(sampler: ArmSampler) -> Problem:
     case = overconstrained_case(sampler)
     linkage, loops = case.linkage, len(case.linkage.loops)

@@ -44,12 +44,16 @@ absolute = function("absolute values", np.abs, "|{0}|")
 LINKS = ("base", "boom", "forearm", "hand")
 ROUNDING_NOTE = "Take `1.5708` for a right angle."
 
-SYMBOLS_NOTE = (
-    "In the feedback, $R_i$ and $p_i$ are the rotation and the `xyz` of the origin of `joint_i`, and $T_i$ is its pose."
+SYMBOLS_NOTE = "Call the rotation and the `xyz` of the origin of `joint_i` $R_i$ and $p_i$, and its pose $T_i$."
+
+
+@problem(
+    "09.1",
+    "The pose of a joint",
+    points=3,
+    lecture="09_urdf#Roll, pitch and yaw",
+    further="Give the `origin` of the parent as the child sees it.",
 )
-
-
-@problem("09.1", "The pose of a joint", points=3, lecture="09_urdf#Roll, pitch and yaw")
 def pose_of_a_joint(sampler: ArmSampler) -> Problem:
     xyz, rpy = sampler.point(3), random_right_angles(sampler, sampler.choice([2, 3]))
     element = f'<origin xyz="{format_values(xyz)}" rpy="{format_values(rpy)}"/>'
@@ -59,7 +63,7 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"A joint of a URDF file has this origin:\n\n{fence_urdf(element)}\n\nGive the pose of the joint frame in the "
         f"frame of the parent link at $q = 0$. {ROUNDING_NOTE}",
-        given={"xyz": xyz, "rpy": rpy},
+        shown={"xyz": xyz, "rpy": rpy},
         answer=PoseAnswer(T.value),
         solution=T.mistaken_for(
             ("xyz and rpy swapped", "swap `xyz` and `rpy`", assemble(rpy_rotation("R", xyz), given("rpy", rpy)))
@@ -67,7 +71,13 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("09.2", "The direction of an axis", points=2, lecture="09_urdf#What a joint says")
+@problem(
+    "09.2",
+    "The direction of an axis",
+    points=2,
+    lecture="09_urdf#What a joint says",
+    further="Which other `axis` in another `origin` describes the same joint?",
+)
 def direction_of_an_axis(sampler: ArmSampler) -> Problem:
     rpy, axis = random_oblique_angles(sampler), _random_axis(sampler)
     element = f'<origin xyz="0 0 1" rpy="{format_values(rpy)}"/>\n<axis xyz="{format_values(axis)}"/>'
@@ -143,7 +153,13 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
     return p
 
 
-@problem("09.3", "A joint deep in the file", points=3, lecture="09_urdf#What a joint says")
+@problem(
+    "09.3",
+    "A joint deep in the file",
+    points=3,
+    lecture="09_urdf#What a joint says",
+    further="Which `xyz` can you change without moving the origin of joint 3?",
+)
 def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     joints = _three_joints(sampler)
     text = serial_urdf(joints, LINKS)
@@ -151,7 +167,7 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Give the position of the origin of `joint_3` in the frame of the base when all joint values are 0. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
-        given={"urdf": text},
+        shown={"urdf": text},
         answer=VectorsAnswer(p.value, unit="m"),
         solution=p,
         advice={
@@ -161,7 +177,13 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("09.4", "A screw axis from a file", points=3, lecture="09_urdf#From the file to screws")
+@problem(
+    "09.4",
+    "A screw axis from a file",
+    points=3,
+    lecture="09_urdf#From the file to screws",
+    further="Which parts of the file could you change without changing this screw axis?",
+)
 def screw_from_a_file(sampler: ArmSampler) -> Problem:
     joints = _three_joints(sampler)
     axis = _random_axis(sampler)
@@ -194,7 +216,7 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Give the screw axis of `joint_3` in the frame of the base. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
-        given={"urdf": text},
+        shown={"urdf": text},
         answer=ScrewsAnswer(S.value),
         solution=S,
         # With right angles, R_3 R_1 R_2 is often R_1 R_2 R_3; it is not an order in which people multiply.
@@ -202,7 +224,13 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("09.5", "The home pose from a file", points=3, lecture="09_urdf#From the file to screws")
+@problem(
+    "09.5",
+    "The home pose from a file",
+    points=3,
+    lecture="09_urdf#From the file to screws",
+    further="Where does the file say how the hand is drawn, and does $M$ depend on it?",
+)
 def home_from_a_file(sampler: ArmSampler) -> Problem:
     joints = _three_joints(sampler)
     weld = UrdfJoint("weld", sampler.point(3), random_right_angles(sampler, 1), kind="fixed")
@@ -227,7 +255,7 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Give the home pose $M$ of the link `hand` in the frame of the base. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
-        given={"urdf": text},
+        shown={"urdf": text},
         answer=PoseAnswer(M.value),
         solution=M,
         advice={
@@ -259,7 +287,13 @@ UNIT_AXES = ("0.6 0 -0.8", "0 -0.8 0.6", "-0.6 0.8 0")
 """Axes of length 1 that do not look it, for the joint without a fault."""
 
 
-@problem("09.6", "Which line is wrong?", points=2, lecture="09_urdf#Who notices an error?")
+@problem(
+    "09.6",
+    "Which line is wrong?",
+    points=2,
+    lecture="09_urdf#Who notices an error?",
+    further="Which of the rules would a reader that only draws the robot never check?",
+)
 def which_line(sampler: ArmSampler) -> Problem:
     fault = sampler.choice(list(FAULTY_ELEMENTS))
     where = 2 if fault == "second parent" else sampler.choice([1, 2])
@@ -373,7 +407,13 @@ def _number_lines(lines: list[str]) -> str:
     return "\n".join(f"{i:2}  {line}" for i, line in enumerate(lines, start=1))
 
 
-@problem("09.7", "The path through a tree", points=2, lecture="09_urdf#A URDF is a tree")
+@problem(
+    "09.7",
+    "The path through a tree",
+    points=2,
+    lecture="09_urdf#A URDF is a tree",
+    further="Which link do both hands share, and how many joints move both?",
+)
 def path_through_a_tree(sampler: ArmSampler) -> Problem:
     a, b, c, d = sampler.shuffled(["pan", "tilt", "swing", "twist", "bend", "yaw"])[:4]
     near, far = sampler.shuffled(["left", "right"])
@@ -428,7 +468,13 @@ def path_through_a_tree(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("09.8", "From a DH row to a URDF", points=3, lecture="09_urdf#The youBot, from a table and from a file")
+@problem(
+    "09.8",
+    "From a DH row to a URDF",
+    points=3,
+    lecture="09_urdf#The youBot, from a table and from a file",
+    further="Why does a row in the standard convention need two origins?",
+)
 def from_a_dh_row(sampler: ArmSampler) -> Problem:
     a, d = sampler.length(0.2, 0.9), sampler.length(0.2, 0.9)
     # Not 45 degrees, whose sine is its cosine, and no right angle, whose sine leaves a length as it is.
@@ -491,7 +537,13 @@ def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
 MIMIC_ADVICE = "A mimic joint has the value multiplier times the value of the other joint, plus offset."
 
 
-@problem("09.9", "A joint that follows another", points=3, lecture="09_urdf#Mimic joints")
+@problem(
+    "09.9",
+    "A joint that follows another",
+    points=3,
+    lecture="09_urdf#Mimic joints",
+    further="Which multiplier keeps the direction of the forearm fixed in the base?",
+)
 def mimic_joint(sampler: ArmSampler) -> Problem:
     boom, forearm, height = (sampler.length(0.2, 0.9) for _ in range(3))
     factor = sampler.choice((-1, 1)) * sampler.choice([0.5, 1.5, 2.0, 2.5])
@@ -531,7 +583,8 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The joint `swing` of this file has the value $q_1 = {number(q_rad)}$ rad. Give the position of the origin of the link "
         f"`tool` in the frame of the base.\n\n{fence_urdf(text)}",
-        given={"urdf": text, "q": q_rad},
+        given={"q": q_rad},
+        shown={"urdf": text},
         answer=VectorsAnswer(x.value, unit="m"),
         solution=x,
         advice={
@@ -560,7 +613,13 @@ WRONG_FRAME_ADVICE = (
 )
 
 
-@problem("09.10", "An axis in the wrong frame", points=3, lecture="09_urdf#An error that every reader accepts")
+@problem(
+    "09.10",
+    "An axis in the wrong frame",
+    points=3,
+    lecture="09_urdf#An error that every reader accepts",
+    further="Which axis would hide this error?",
+)
 def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
     joints, omega = _three_joints(sampler), _random_axis(sampler, (0.48, 0.6, 0.64))
     joints[2] = UrdfJoint("joint_3", joints[2].xyz, random_oblique_angles(sampler), omega)
@@ -613,7 +672,13 @@ LOOKALIKES = {
 """For a wrong origin, and for a wrong axis: what to say of the other element of the joint, and of the next joint's origin."""
 
 
-@problem("09.11", "Origin or axis?", points=2, lecture="09_urdf#An error that every reader accepts")
+@problem(
+    "09.11",
+    "Origin or axis?",
+    points=2,
+    lecture="09_urdf#An error that every reader accepts",
+    further="Which single measurement tells a wrong origin from a wrong axis?",
+)
 def origin_or_axis(sampler: ArmSampler) -> Problem:
     meant = [_joint_across_its_rotation(sampler, f"joint_{k}") for k in (1, 2, 3)]
     joints = [*meant, UrdfJoint("weld", sampler.point(3), kind="fixed")]
@@ -662,7 +727,13 @@ def _data_sheet(joints: Sequence[UrdfJoint], origins: Sequence[Array], axes: Seq
     return "\n".join(f"| {' | '.join(row)} |" for row in [heads, 3 * ("---",), *rows])
 
 
-@problem("09.12", "The file of a gantry", points=4, lecture="09_urdf#From the file to screws")
+@problem(
+    "09.12",
+    "The file of a gantry",
+    points=4,
+    lecture="09_urdf#From the file to screws",
+    further="Which of the four steps would change if the third axis were reversed?",
+)
 def gantry(sampler: ArmSampler) -> Problem:
     while True:
         a, b, c, d, e, f, g, h = lengths(sampler, 8)

@@ -61,7 +61,13 @@ REPORTS = {
 """For each kind of report in problem 3 how it becomes a pose."""
 
 
-@problem("10.1", "From a table to a screw", points=3, lecture="10_one_robot_four_ways#A table")
+@problem(
+    "10.1",
+    "From a table to a screw",
+    points=3,
+    lecture="10_one_robot_four_ways#A table",
+    further="Which entries of the screw depend on the choice of $x_2$?",
+)
 def from_a_table(sampler: ArmSampler) -> Problem:
     length = partial(sampler.length, 0.1, 0.9)
     right_angle = partial(sampler.choice, (-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD))
@@ -107,7 +113,13 @@ def from_a_table(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("10.2", "Another tool", points=3, lecture="10_one_robot_four_ways#What changes when a frame moves")
+@problem(
+    "10.2",
+    "Another tool",
+    points=3,
+    lecture="10_one_robot_four_ways#What changes when a frame moves",
+    further="For which tools is the change of the body screws a rotation alone?",
+)
 def another_tool(sampler: ArmSampler) -> Problem:
     robot = sampler.arm("RR")
     turned = sampler.choice(((X, Y, Z), (Y, Z, X), (Z, X, Y)))
@@ -117,7 +129,8 @@ def another_tool(sampler: ArmSampler) -> Problem:
         statement="The body screws of an arm are\n\n"
         f"$$B = {matrix(B)},$$\n\none row for each joint. A gripper is mounted; the pose of its frame {{c}} in {{b}} is\n\n"
         f"$$T_{{bc}} = {matrix(step)}.$$\n\nGive the body screws in {{c}}, as rows.",
-        given={"body_screws": B, "T_bc": step},
+        given={"body_screws": B},
+        shown={"T_bc": step},
         answer=ScrewsAnswer(seen.value),
         solution=seen,
         advice={
@@ -129,7 +142,13 @@ def another_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("10.3", "One of four is wrong", points=3, lecture="10_one_robot_four_ways#Do they agree?")
+@problem(
+    "10.3",
+    "One of four is wrong",
+    points=3,
+    lecture="10_one_robot_four_ways#Do they agree?",
+    further="How many configurations do you need to find the wrong description for certain?",
+)
 def one_of_four(sampler: ArmSampler) -> Problem:
     names = {"a": "space screws", "b": "body screws", "c": "table", "d": "file"}
     wrong = sampler.choice("abcd")
@@ -163,7 +182,13 @@ def one_of_four(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("10.4", "The origin of a joint", points=3, lecture="10_one_robot_four_ways#A file")
+@problem(
+    "10.4",
+    "The origin of a joint",
+    points=3,
+    lecture="10_one_robot_four_ways#A file",
+    further="Which `rpy` would give the same origin with another axis?",
+)
 def joint_origin(sampler: ArmSampler) -> Problem:
     # With two right angles, fixed and moving axes could be swapped.
     degrees = [sampler.choice((90, -90)), 0, sampler.choice((-60, -30, 30, 60))]
@@ -203,7 +228,13 @@ def joint_origin(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("10.5", "The same in letters", points=3, lecture="05_dh_standard#The product of the A matrices")
+@problem(
+    "10.5",
+    "The same in letters",
+    points=3,
+    lecture="05_dh_standard#The product of the A matrices",
+    further="At which $q_2$ does the position not depend on $q_1$?",
+)
 def in_letters(sampler: ArmSampler) -> Problem:
     a, b = sampler.length(0.2, 0.5), sampler.length(0.6, 0.9)
     lift = sampler.choice((-1, 1))
@@ -312,7 +343,13 @@ def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> E
     )
 
 
-@problem("10.6", "Three arms, one object", points=3, lecture="10_one_robot_four_ways#Two arms, one tray")
+@problem(
+    "10.6",
+    "Three arms, one object",
+    points=3,
+    lecture="10_one_robot_four_ways#Two arms, one tray",
+    further="One arm lets go. How many degrees of freedom are left?",
+)
 def three_arms(sampler: ArmSampler) -> Problem:
     flat = sampler.choice((True, False))
     low, high = (4, 9) if flat else (7, 12)  # an arm of 3 or 6 joints would add no freedom
@@ -351,7 +388,7 @@ def three_arms(sampler: ArmSampler) -> Problem:
     )
     return Problem(
         statement=f"Three arms of {arms[0]}, {arms[1]} and {arms[2]} joints hold one {held}, each of them rigidly. No axes are "
-        "in a special position. How many degrees of freedom does the whole mechanism have? In the feedback, $d$ is the number of "
+        "in a special position. How many degrees of freedom does the whole mechanism have? Here $d$ is the number of "
         "equations of a loop.",
         given={"joints": np.array(arms, dtype=float)},
         answer=Numbers(np.array(right)),
@@ -360,7 +397,13 @@ def three_arms(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("10.7", "Where is the tool?", points=3, lecture="10_one_robot_four_ways#Two products of exponentials")
+@problem(
+    "10.7",
+    "Where is the tool?",
+    points=3,
+    lecture="10_one_robot_four_ways#Two products of exponentials",
+    further="Compute it by the body form as well. Which factor do both forms share?",
+)
 def where_is_the_tool(sampler: ArmSampler) -> Problem:
     robot = sampler.arm(sampler.choice(("RPR", "RRP", "PRR")))
     degrees = [sampler.degrees(-80, 80) for _ in range(3)]

@@ -23,7 +23,6 @@ from kincourse.mistakes.dh import is_in_several_rows
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kincourse.sampling.drawn_machines import drawn_table_mistakes, misread
-from kincourse.text.joint_table import MARKS_BY_ROW
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint, homogeneous, inverse
@@ -102,7 +101,13 @@ def _begin(project: Project) -> str:
     return f"Your machine is the {project.name} of your project. Its joints are {joints}. "
 
 
-@problem("10.8", "Project: the marks of the axes", points=2, lecture=f"{LECTURE}The project")
+@problem(
+    "10.8",
+    "Project: the marks of the axes",
+    points=2,
+    lecture=f"{LECTURE}The project",
+    further="Which mark would you measure again, because an error there does the most harm?",
+)
 def marks_of_the_axes(sampler: ArmSampler) -> Problem:
     project, right = open_project(sampler.student), draw_machine(sampler.student)
     points = np.array([*right.points, right.chain.home[:3, 3]])
@@ -116,7 +121,13 @@ def marks_of_the_axes(sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
-@problem("10.9", "Project: the screws", points=2, lecture=f"{LECTURE}The project")
+@problem(
+    "10.9",
+    "Project: the screws",
+    points=2,
+    lecture=f"{LECTURE}The project",
+    further="Check one screw by the velocity of a point. Which point do you take?",
+)
 def screws_of_the_project(sampler: ArmSampler) -> Problem:
     project, right = open_project(sampler.student), draw_machine(sampler.student)
     pitches = np.array([np.inf if letter == "P" else 0.0 for letter in project.joints])
@@ -134,21 +145,33 @@ def screws_of_the_project(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("10.10", "Project: the table", points=3, lecture=f"{LECTURE}The project")
+@problem(
+    "10.10",
+    "Project: the table",
+    points=3,
+    lecture=f"{LECTURE}The project",
+    further="Which entry would you change if the controller counted joint 2 in the other direction?",
+)
 def table_of_the_project(sampler: ArmSampler) -> Problem:
     project, table = open_project(sampler.student), draw_machine(sampler.student).table
     return Problem(
         statement=f"{_begin(project)}Sheet 2 of the drawing shows frames 0 to {table.n} of the controller, in the standard convention: "
         "the origin of frame i is Di, z_i is the axis of joint i + 1, and the arrow is x_i; "
         f"z_{table.n} is parallel to "
-        f"z_{table.n - 1}. Give the {table.n} rows a, alpha, d, theta at home, in metres and radians. {MARKS_BY_ROW}",
+        f"z_{table.n - 1}. Give the {table.n} rows a, alpha, d, theta at home, in metres and radians.",
         figure=lambda: project.drawing("table"),
         answer=DHRowsAnswer(table.rows),
         mistakes=drawn_table_mistakes(table),
     ).without_duplicates()
 
 
-@problem("10.11", "Project: the file", points=3, lecture=f"{LECTURE}The project")
+@problem(
+    "10.11",
+    "Project: the file",
+    points=3,
+    lecture=f"{LECTURE}The project",
+    further="Which numbers of the file say nothing about the motion?",
+)
 def origins_of_the_file(sampler: ArmSampler) -> Problem:
     project, frames = open_project(sampler.student), draw_machine(sampler.student).file_frames
     origins = inverse(frames[:-1]) @ frames[1:]
@@ -163,7 +186,13 @@ def origins_of_the_file(sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
-@problem("10.12", "Project: the wrong joint", points=1, lecture=f"{LECTURE}The report")
+@problem(
+    "10.12",
+    "Project: the wrong joint",
+    points=1,
+    lecture=f"{LECTURE}The report",
+    further="Which log would not have shown this error?",
+)
 def wrong_joint(sampler: ArmSampler) -> Problem:
     project = open_project(sampler.student)
     received, names = project.received, {str(i): f"joint {i}" for i in range(1, len(project.joints) + 1)}
@@ -185,7 +214,13 @@ def wrong_joint(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("10.13", "Project: how far off", points=2, lecture=f"{LECTURE}The report")
+@problem(
+    "10.13",
+    "Project: how far off",
+    points=2,
+    lecture=f"{LECTURE}The report",
+    further="Where is the pen if joint 1 is off by one degree as well?",
+)
 def how_far_off(sampler: ArmSampler) -> Problem:
     project = open_project(sampler.student)
     received, log, right = project.received, project.log, draw_machine(sampler.student).chain
@@ -240,7 +275,13 @@ def how_far_off(sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
-@problem("10.14", "Project: the pen", points=2, lecture=f"{LECTURE}The pen")
+@problem(
+    "10.14",
+    "Project: the pen",
+    points=2,
+    lecture=f"{LECTURE}The pen",
+    further="Which joint limits the path, and how would you move the paper?",
+)
 def which_path_writes(sampler: ArmSampler) -> Problem:
     project = open_project(sampler.student)
     paths, chain = project.paths, draw_machine(sampler.student).chain

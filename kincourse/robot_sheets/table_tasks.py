@@ -21,7 +21,7 @@ from kincourse.robot_sheets.sampling import (
 from kincourse.robot_sheets.task import RobotTask, add_task
 from kincourse.sampling.arms import ArmSampler
 from kincourse.sampling.drawn_machines import table_frames
-from kincourse.text.joint_table import MARKS_BY_ROW, end_frames, given_frames, joint_table
+from kincourse.text.joint_table import end_frames, given_frames, joint_table
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.formatting import format_rows, markdown_table
@@ -116,7 +116,6 @@ def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem
         statement=f"{robot.name}{cut} is drawn with its joints at {words}; let $q = 0$ in this configuration. Write its table in the "
         f"{convention} convention. Each $q_i$ is positive about or along the direction of its joint. The poses of frame 0 and frame {n} in "
         "{s} are given. Where the rules leave a choice, it is yours: every table that fits is right. "
-        f"{MARKS_BY_ROW}"
         f"\n\n{joint_table(arm)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, arm),
         given={"screws": arm.screws, "points": arm.joint_points, "home": arm.home, **end_frames(table)},

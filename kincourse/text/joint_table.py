@@ -10,9 +10,6 @@ from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import inverse
 from misstep.display.text import matrix, number, vector
 
-MARKS_BY_ROW = "Each right row earns its share of the points, unless one mistake runs through the whole table."
-"""What a statement says of the marks for a table."""
-
 
 def joint_table(chain: Chain, joints: Iterable[int] | None = None, points: Sequence[str] = ()) -> str:
     """Write the joints as a Markdown table: kind, direction, a point on the axis, pitch.

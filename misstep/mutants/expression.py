@@ -147,7 +147,12 @@ class Expression:
         """The expression in LaTeX."""
         if self.label or not self.arguments:
             return self.label
-        return self.operation.latex(*(self._bracketed(node) for node in self.arguments))
+        return self.formula
+
+    @property
+    def formula(self) -> str:
+        """The operation on its arguments in LaTeX, without its own name; "" for a given value."""
+        return self.operation.latex(*map(self._bracketed, self.arguments)) if self.arguments else ""
 
     def _bracketed(self, node: "Expression") -> str:
         is_loose = not node.label and len(node.arguments) > 1 and node.operation.binds < self.operation.binds

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from misstep.sheet import SAMPLE_ID, Sheet
+from misstep.worked_solution import worked_solution
 
 SCHEMA = 3
 """The version of nbgrader's metadata."""
@@ -82,6 +83,28 @@ def problem_cells(k: int, title: str, points: int, entry: Entry) -> list[dict[st
         _code(f"answer-{k}", "\n".join(lines), {"grade": False, "locked": False, "solution": True}),
         _code(f"check-{k}", f"sheet.check({k}, {name})", scored),
     ]
+
+
+WORKED = "worked-"
+"""The beginning of the ids of the cells with worked solutions, which students do not get."""
+
+
+def with_worked_solutions(text: str, sheet: Sheet) -> str:
+    """Return an instructor's notebook with a worked solution after each check, as a student of SAMPLE_ID reads it on the card."""
+    content = json.loads(text)
+    cells = []
+    for cell in (cell for cell in content["cells"] if not cell["id"].startswith(WORKED)):
+        cells.append(cell)
+        if found := re.fullmatch(r"check-(\d+)", cell["id"]):
+            template = sheet.problems[int(found[1]) - 1]
+            problem = template.variant(SAMPLE_ID)
+            what = "The answer" if problem.solution is None else "One way to it"
+            steps = "\n".join(f"- {step}" for step in worked_solution(problem))
+            further = f"\n\nA further question: {template.further}" if template.further else ""
+            cells.append(
+                _markdown(f"{WORKED}{found[1]}", f"{what}, with the numbers of “{SAMPLE_ID}”:\n\n{steps}{further}")
+            )
+    return json.dumps(content | {"cells": cells}, indent=1, ensure_ascii=False) + "\n"
 
 
 def _markdown(name: str, text: str) -> dict[str, Any]:

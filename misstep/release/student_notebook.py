@@ -1,6 +1,6 @@
 """`misstep release`: the students' notebooks in exercises/, made from the instructors' notebooks in solutions/.
 
-    misstep release           write every notebook of exercises/ that is stale
+    misstep release           write the worked solutions in solutions/, and every notebook of exercises/ that is stale
     misstep release --check   list the notebooks that are stale, and write nothing
 
 All steps are nbgrader's own, so `nbgrader generate_assignment` and this command release the same notebook.
@@ -10,6 +10,9 @@ import argparse
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
+
+from misstep.catalog import find_course
+from misstep.release.instructor_notebook import WORKED, with_worked_solutions
 
 STUB = "# your lines here"
 """The comment that replaces a solution. The line above it, for example `voltage_1 = ...`, names the answer."""
@@ -30,6 +33,7 @@ def student_version(source: Path) -> str:
 
     stub = Config({"ClearSolutions": {"code_stub": {"python": STUB}}})
     notebook = nbformat.read(source, as_version=4)
+    notebook.cells = [cell for cell in notebook.cells if not cell.get("id", "").startswith(WORKED)]
     ids = Counter(cell.metadata.nbgrader.get("grade_id") for cell in notebook.cells if "nbgrader" in cell.metadata)
     if repeated := ", ".join(repr(name) for name, times in ids.items() if times > 1):
         raise ValueError(
@@ -48,6 +52,18 @@ def sheet_files(root: Path) -> Iterator[tuple[Path, Path]]:
     """Yield each notebook and JSON file in solutions/, with the path of its student's version in exercises/."""
     for source in sorted([*(root / "solutions").glob("*/*.ipynb"), *(root / "solutions").glob("*/*.json")]):
         yield source, root / "exercises" / source.relative_to(root / "solutions")
+
+
+def find_unworked(root: Path) -> dict[Path, str]:
+    """Return the notebooks in solutions/ of the course's sheets whose worked solutions are stale, with what they must be."""
+    course = find_course()
+    found = {}
+    for source, _ in sheet_files(root):
+        if source.suffix == ".ipynb" and source.stem in course.sheets():
+            text = source.read_text(encoding="utf-8")
+            if (worked := with_worked_solutions(text, course.find_sheet(source.stem))) != text:
+                found[source] = worked
+    return found
 
 
 def find_stale(root: Path) -> list[Path]:
@@ -71,6 +87,11 @@ def run(options: argparse.Namespace) -> int:
         raise ValueError(
             f"{options.root.resolve()} has no solutions/*/*.ipynb. Give the folder that contains solutions/ by --root."
         )
+    unworked = find_unworked(options.root)
+    for source, text in unworked.items():
+        print(f"{'stale' if options.check else 'written'}: {source.relative_to(options.root)}")
+        if not options.check:
+            source.write_text(text, encoding="utf-8", newline="\n")
     for target in (stale := find_stale(options.root)):
         source = options.root / "solutions" / target.relative_to(options.root / "exercises")
         released = student_version(source)
@@ -80,4 +101,4 @@ def run(options: argparse.Namespace) -> int:
             target.write_text(released, encoding="utf-8", newline="\n")
     if not stale and not options.check:
         print(f"Nothing to write: the notebooks in {options.root / 'exercises'} are those of solutions.")
-    return 1 if stale and options.check else 0
+    return 1 if (stale or unworked) and options.check else 0

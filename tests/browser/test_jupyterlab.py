@@ -45,8 +45,7 @@ import kinlib as kl
 from kincourse import open_sheet
 from kinlib.view import assign, play_assignment
 sheet = open_sheet('07_frame_assignment', 'ada')
-given = sheet.given(2)
-robot = kl.Chain(given.screws, given.home, given.points)
+robot = sheet.problem(2).shown["arm"]
 hand = assign(robot, 'standard')
 hand
 ---
@@ -264,7 +263,7 @@ def test_python_and_the_page_are_synchronized_without_echoes(lab):
 
 def test_python_checks_placed_frames_the_sheet_accepts_them_and_a_player_handles_arrow_keys(lab):
     page = run_first(lab("by_hand.ipynb"))
-    given = open_sheet("07_frame_assignment", "ada").given(2)
+    arm = open_sheet("07_frame_assignment", "ada").problem(2).shown["arm"]
     check = page.get_by_role("button", name="Check the rules")
     page.get_by_label("Direction of z 0", exact=True).select_option(index=1)
     check.click()
@@ -281,7 +280,7 @@ def test_python_checks_placed_frames_the_sheet_accepts_them_and_a_player_handles
             const { x, y } = stage.camera.project(stage.camera.target.clone().set(...point));
             const ratio = stage.canvas.width / stage.canvas.clientWidth;
             return [...stage.context.getImageData(ratio * (x + 8), ratio * y, 1, 1).data].slice(0, 3); }""",
-        given.points[1].tolist(),
+        arm.joint_points[1].tolist(),
     )
     assert red - max(green, blue) > 100, "a red badge must be on joint 2"
     run_cell(page, 2)

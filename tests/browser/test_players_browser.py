@@ -21,8 +21,7 @@ from kinlib.chains.robots import pose
 from kinlib.dh.rules import check_frames
 from kinlib.view import assign, explore, play_assignment, play_row, play_walk
 
-GIVEN = open_sheet("07_frame_assignment", "ada").given(2)
-ARM = kl.Chain(GIVEN.screws, GIVEN.home, GIVEN.points, "RRR")
+ARM = open_sheet("07_frame_assignment", "ada").problem(2).shown["arm"]
 RIGHT = kl.assign_frames(ARM, convention="standard").frames
 ROW = [0.8, 0.6, 0.6, 1.4]
 WALK = [[0.6, -0.9, 0.4, 0.3], [0.5, 1.6, 0.4, -1.0]]

@@ -12,6 +12,7 @@ from misstep.answers.number import Numbers
 from misstep.display.sentences import STEP_BY_STEP, UNKNOWN
 from misstep.judge import Finding, Judgement, judge
 from misstep.mistakes import mistake
+from misstep.mutants.expression import given as of_solution
 from misstep.paragraphs import paragraphs
 from misstep.problem import Problem, problem
 from misstep.sampling import Sampler
@@ -254,3 +255,18 @@ def test_the_first_card_tells_the_idea_and_the_second_one_the_place():
     assert "one sign is wrong." in first
     assert "entry 3" not in first
     assert "one sign is wrong. Look at entry 3." in second
+
+
+def test_a_right_answer_is_followed_by_a_worked_solution_and_a_further_question():
+    @problem("01.1", "A half", points=1, lecture="01_ohm#Currents", further="And a third?")
+    def half(sampler):
+        return Problem("Halve 6.", Numbers(np.array(3.0)), solution=of_solution("x", 6.0) / 2)
+
+    sheet = OpenSheet(Sheet("01_ohm", "Ohm's law", [half]), "ada")
+    assert sheet.check(1, 12).worked == ()
+    assert sheet.check(1, 3).card.body[1:] == [
+        "One way to it:",
+        "$x = 6$",
+        "$x / 2 = 3$",
+        "A further question: And a third?",
+    ]

@@ -22,8 +22,10 @@ def says_a_fact(message):
 def judged(template, student):
     """Yield each answer from outside to a problem, with its judgement and the names of its right parts."""
     problem = template.variant(student)
-    neighbour = SimpleNamespace(**template.variant(f"the neighbour of {student}").given)
-    for made in outside_answers(template.number, SimpleNamespace(**problem.given), problem.answer.value, neighbour):
+    given, neighbour = (
+        SimpleNamespace(**one.given, **one.shown) for one in (problem, template.variant(f"the neighbour of {student}"))
+    )
+    for made in outside_answers(template.number, given, problem.answer.value, neighbour):
         judgement = judge(problem, made.value)
         right = set[str]()
         if judgement.state in {"partly", "wrong"}:

@@ -6,6 +6,7 @@ Every file that is printed or asked is read by Pinocchio as well, whose parser i
 import json
 import re
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -35,23 +36,29 @@ def agree(one, other, atol=POSITION_ATOL_M):
 def test_the_urdf_reader_gives_the_answers_of_the_sheet(student):
     sheet = open_sheet("09_urdf", student)
     answer = {k: sheet.problem(k).answer.value for k in range(1, 12)}
-    chain = {k: load_urdf(sheet.given(k).urdf) for k in (3, 4, 5, 11)}
+    chain = {k: load_urdf(facts(sheet, k).urdf) for k in (3, 4, 5, 11)}
     agree(chain[3].points[2], answer[3])
     agree(chain[4].screws[2], answer[4])
     agree(chain[5].home, answer[5])
     with pytest.raises(ValueError, match=r"^Line \d") as refused:
-        load_urdf(sheet.given(6).urdf)
+        load_urdf(facts(sheet, 6).urdf)
     assert int(re.match(r"Line (\d+)", str(refused.value))[1]) == answer[6]
-    given = sheet.given(7)
+    given = facts(sheet, 7)
     names = load_urdf(given.urdf, given.base, given.tip).joint_names
     assert given.options[answer[7]] == list(names)
-    row = sheet.given(8)
+    row = facts(sheet, 8)
     agree(origin(*answer[8]), dh_transform(row.a, row.alpha, row.d, 0, convention="modified"), 1e-12)
-    given = sheet.given(10)
+    given = facts(sheet, 10)
     head, tail = given.urdf.split('name="joint_3"')
     mended = re.sub(r'<axis xyz="[^"]*"', f'<axis xyz="{" ".join(map(str, answer[10]))}"', tail)
     agree(load_urdf(f'{head}name="joint_3"{mended}').lines.axis[2], given.omega)
-    assert lines_that_can_be_wrong(sheet.given(11)) == [answer[11]]
+    assert lines_that_can_be_wrong(facts(sheet, 11)) == [answer[11]]
+
+
+def facts(sheet, k):
+    """What a student knows of problem k: what is given, and what stands in the statement."""
+    problem = sheet.problem(k)
+    return SimpleNamespace(**problem.given, **problem.shown)
 
 
 def lines_that_can_be_wrong(given):
@@ -82,13 +89,13 @@ def test_pinocchio_reads_every_file_of_the_sheet_and_gives_its_answers(student):
     sheet = open_sheet("09_urdf", student)
     answer = {k: sheet.problem(k).answer.value for k in range(1, 12)}
     for k in (3, 4, 5, 7, 10, 11):
-        assert len(pin.buildModelFromXML(sheet.given(k).urdf).names) > 2
+        assert len(pin.buildModelFromXML(facts(sheet, k).urdf).names) > 2
     names = ["joint_1", "joint_2", "joint_3"]
-    [hand] = poses_by_pinocchio(sheet.given(3).urdf, "base", "hand", names, np.zeros((1, 3)))
+    [hand] = poses_by_pinocchio(facts(sheet, 3).urdf, "base", "hand", names, np.zeros((1, 3)))
     agree(hand[:3, 3], answer[3])
-    [hand] = poses_by_pinocchio(sheet.given(5).urdf, "base", "hand", names[:2], np.zeros((1, 2)))
+    [hand] = poses_by_pinocchio(facts(sheet, 5).urdf, "base", "hand", names[:2], np.zeros((1, 2)))
     agree(hand, answer[5])
-    given = sheet.given(9)
+    given = facts(sheet, 9)
     model = pin.buildModelFromXML(given.urdf, mimic=True)
     data = model.createData()
     pin.framesForwardKinematics(model, data, np.array([given.q]))
@@ -121,7 +128,7 @@ def test_every_fault_occurs_and_correcting_its_line_makes_the_file_valid():
     seen = set()
     for student in STUDENTS:
         sheet = open_sheet("09_urdf", student)
-        text, line = sheet.given(6).urdf, int(sheet.problem(6).answer.value)
+        text, line = facts(sheet, 6).urdf, int(sheet.problem(6).answer.value)
         lines = text.splitlines()
         faulty = lines[line - 1]
         seen.add(re.search(r"<(\w+)", faulty)[1])
@@ -150,7 +157,7 @@ def test_every_right_answer_is_right_and_no_two_options_are_the_same():
         sheet = open_sheet("09_urdf", student)
         asked = sheet.problem(2)
         agree(kl.load_urdf(joint_of(asked.statement)).lines.axis[0], asked.answer.value)
-        options = sheet.given(7).options
+        options = facts(sheet, 7).options
         assert len({*map(tuple, options.values())}) == len(options)
         xyz, (alpha, _, _) = sheet.problem(8).answer.value
         for same in ((alpha + np.pi, np.pi, np.pi), (alpha - np.pi, -np.pi, np.pi), (alpha + 2 * np.pi, 0, 0)):

@@ -1,0 +1,84 @@
+"""Worked solutions: the expression that judges an answer, written step by step with the numbers of the student."""
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from misstep.answers.choice import Choice
+from misstep.answers.expression import ClosedForm
+from misstep.display.text import matrix, number, vector
+from misstep.mutants.expression import Expression
+from misstep.problem import Problem
+
+MAX_GIVEN, MAX_STEPS, MAX_ENTRIES = 6, 8, 36
+"""How many given values and steps are written, and the entries of the largest array."""
+
+
+def worked_solution(problem: Problem) -> Sequence[str]:
+    r"""Return the steps to the right answer of a problem, each in a sentence or a formula.
+
+    >>> from misstep.answers.number import Numbers
+    >>> from misstep.mutants.expression import given
+    >>> reach = (given("a", 0.5) + given("b", 0.25)).named("r")
+    >>> worked_solution(Problem("", Numbers(np.array(1.5)), solution=2 * reach))
+    ['$a = 0.5$, $b = 0.25$', '$r = a + b = 0.75$', '$2\\,r = 1.5$']
+    """
+    answer, solution = problem.answer, problem.solution
+    if isinstance(answer, Choice):
+        text = answer.options[answer.value]
+        return [answer.value if answer.value == text else f"{answer.value}: {text}"]
+    steps: list[str] = []
+    if isinstance(solution, Expression):
+        return list(dict.fromkeys(_steps(solution)))
+    if solution is not None:
+        root = next(iter(answer.at_inputs(solution)))
+        named = [node for node in dict.fromkeys(_in_order(root)) if node.arguments and node.label and node is not root]
+        steps = list(dict.fromkeys(f"${node.label} = {node.formula}$" for node in named[-MAX_STEPS:]))
+        steps.append(f"${root.formula}$")
+    if isinstance(answer, ClosedForm):
+        import sympy as sp
+
+        return [*steps, f"${sp.latex(answer.value)}$"]
+    value = getattr(answer.value, "rows", answer.value)
+    if written := "" if callable(value) else _written(value):
+        steps.append(f"${written}$")
+    elif isinstance(value, Sequence):
+        steps.append(", ".join(map(str, value)))
+    elif isinstance(value, np.ndarray):
+        steps += [f"${matrix(one)}$" for one in value]
+    return steps
+
+
+def _steps(root: Expression) -> Iterator[str]:
+    nodes = list(dict.fromkeys(_in_order(root)))
+    leaves = [node for node in nodes if not node.arguments and not _is_number(node.label)]
+    given = [f"${node.label} = {text}$" for node in leaves if (text := _written(node.value)) and "$" not in node.label]
+    if given:
+        yield ", ".join(dict.fromkeys(given[:MAX_GIVEN]))
+    named = [node for node in nodes if node.arguments and node.label and node is not root]
+    for node in [*named[-MAX_STEPS:], root]:
+        parts = dict.fromkeys(filter(None, (node.label, node.formula, _written(node.value))))
+        yield f"${' = '.join(parts)}$"
+
+
+def _in_order(node: Expression) -> Iterator[Expression]:
+    """Yield the parts of an expression, each after its own parts."""
+    for argument in node.arguments:
+        yield from _in_order(argument)
+    yield node
+
+
+def _written(value: Any) -> str:
+    """Return a number, a vector or a matrix in LaTeX; "" for anything else."""
+    try:
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        return ""
+    if array.size > MAX_ENTRIES or array.ndim > 2:
+        return ""
+    return matrix(array) if array.ndim == 2 else vector(array) if array.ndim else number(float(array))
+
+
+def _is_number(label: str) -> bool:
+    return label.lstrip("-").replace(".", "", 1).isdigit()
