@@ -38,6 +38,7 @@ Open chains
     load_urdf(file), to_urdf(arm), Tree          URDF; Tree.from_urdf(file) has all branches, and poses(q) of all links
 Denavit-Hartenberg
     DHTable(rows, convention), dh_transform(a, alpha, d, theta, convention)
+    read_table(text)                             a table as it was pasted, with what was assumed for it
     assign_frames(arm, convention)               a FrameAssignment, with its table and .steps, the reason for each frame
     equivalent(one, other), diagnose(table, arm), check_frames(arm, frames, convention)
                          compare: an Equivalence, a Diagnosis, a list of Breach
@@ -60,6 +61,7 @@ from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import Equivalence, equivalent
+from kinlib.dh.read_table import read_table
 from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention, DHTable, dh_transform
 from kinlib.mechanisms import linkages
@@ -101,6 +103,7 @@ if TYPE_CHECKING:
         "load_urdf",
         "log",
         "nearest_rotation",
+        "read_table",
         "robots",
         "screw",
         "show",

@@ -60,7 +60,7 @@ MAX_OFFERED_TOL = 1e-2
 MAX_JOINTS = 9
 """Of so many joints all signs are tried, and of more joints at most two with the sign -1."""
 
-MAX_MAPS, EXACT, MAX_STEPS, LARGEST_STEP = 8, 1e-12, 6, 1e3
+MAX_MAPS, EXACT, MAX_STEPS, LARGEST_STEP = 4, 1e-12, 6, 1e3
 """How many maps are compared; and a map whose poses differ by more is improved, in so many steps, none longer than the last."""
 
 
@@ -268,7 +268,7 @@ def nearest_maps(
     0.0
     """
     starts, found, most = _starts(one, other, fixed, loose), list[Equivalence](), 2 * one.n
-    for signs, offsets, R in starts[:MAX_MAPS]:
+    for signs, offsets, R in starts:
         changes = int(np.sum(signs < 0) + np.sum(np.abs(offsets) > SAME_DISTANCE_RAD))
         if changes > most:
             break
@@ -304,12 +304,13 @@ def _starts(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> li
             else:
                 possible &= np.abs(offsets[:, k]) < MAX_ROTATION_OF_FIXED
             offsets[:, k] = 0.0
-    starts: list[tuple[int, int, int, tuple[Array, Array, Array]]] = []
-    for signs, flip, c in zip(s[possible], flips[possible, 0], offsets[possible], strict=True):
-        R = np.eye(3) if "base" in fixed else _frame(v[0], y[0]) @ _frame(signs[0] * u[0], flip * x[0]).T
-        changed = np.abs(c) > max(loose, SAME_DISTANCE_RAD)
-        starts.append((int(np.sum(signs < 0) + changed.sum()), int(changed.sum()), len(starts), (signs, c, R)))
-    return [start for *_, start in sorted(starts, key=lambda each: each[:3])]
+    changed = np.abs(offsets) > max(loose, SAME_DISTANCE_RAD)
+    zeros, count = changed.sum(axis=1), (s < 0).sum(axis=1) + changed.sum(axis=1)
+    starts = []
+    for k in [k for k in np.lexsort((zeros, count)) if possible[k]][:MAX_MAPS]:
+        theirs, ours = _frame(v[0], y[0]), _frame(s[k, 0] * u[0], flips[k, 0] * x[0])
+        starts.append((s[k], offsets[k], np.eye(3) if "base" in fixed else theirs @ ours.T))
+    return starts
 
 
 def _normals(

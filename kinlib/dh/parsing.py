@@ -68,11 +68,11 @@ def is_plausible_angle(angle: float) -> bool:
     >>> [is_plausible_angle(angle) for angle in (-np.pi, 5 * np.pi / 2, 1.2345 + 2 * np.pi, 10, 22.5, 90)]
     [True, True, True, False, False, False]
     """
-    size, degrees = abs(angle) - 1e-3, math.degrees(angle)  # 6.283 is a full turn
-    if size <= 2 * math.pi:
-        return True
-    is_whole, is_typed = abs(degrees - round(degrees)) < 1e-4, abs(angle - round(angle, 3)) < 1e-9
-    return size <= 20 * math.pi and (is_whole or (not is_typed and size <= 4 * math.pi))
+    size = abs(angle) - 1e-3  # 6.283 is a full turn
+    if size <= 2 * math.pi or size > 20 * math.pi:
+        return size <= 2 * math.pi
+    degrees, is_typed = math.degrees(angle), abs(angle - round(angle, 3)) < 1e-9
+    return abs(degrees - round(degrees)) < 1e-4 or (not is_typed and size <= 4 * math.pi)
 
 
 class Rows(NamedTuple):
@@ -307,16 +307,44 @@ def _parse_entry(
     entry, place = row[column], f"Row {number}, {column}"
     if not isinstance(entry, str):
         return complex(_single_number(entry, place)), ()
+    try:
+        value, variables, unit = evaluate_entry(entry, column, lengths)
+    except ValueError as error:
+        raise ValueError(f"{place}: {error}") from error
+    # A heading in degrees applies to bare numbers; an entry with pi or a unit has its own unit.
+    if in_degrees and not unit:
+        value, unit = complex(math.radians(value.real), value.imag), "°"
+    if column in ANGLE_COLUMNS:
+        _validate_angle(value.real, place, repr(entry) if unit else f"{value.real:g} rad")
+    elif unit == "°":
+        raise ValueError(f"{place}: {entry!r} is an angle, but {column} is a length. Are two columns swapped?")
+    return value, variables
+
+
+class Entry(NamedTuple):
+    """An entry: its value, in which the variable is the imaginary unit (0.5 - q1 is 0.5 - 1j); its variables; and "°", "pi" or ""."""
+
+    value: complex
+    variables: Sequence[str] = ()
+    unit: str = ""
+
+
+def evaluate_entry(entry: str, column: str, lengths: Mapping[str, float]) -> Entry:
+    """Evaluate an entry of a column; the names of `lengths` have values.
+
+    Raises ValueError for anything but sums, products and fractions of numbers, names and a variable.
+
+    >>> evaluate_entry("-90° + q2", "theta", {})
+    Entry(value=(-1.5707963267948966+1j), variables=['q2'], unit='°')
+    """
     if len(entry) > MAX_ENTRY_LENGTH:
         raise ValueError(
-            f"{place}: an entry must have at most {MAX_ENTRY_LENGTH} characters; {entry[:20]!r}... has {len(entry)}."
+            f"an entry must have at most {MAX_ENTRY_LENGTH} characters; {entry[:20]!r}... has {len(entry)}."
         )
     text = re.sub(r"\\frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))", respelled(entry)).strip()
     text = re.sub(r"[\\{}$]|\b(?:np|math)\.", "", text)
-    text, units = re.subn(rf"({NUMBER})\s*(?:°|deg\b)", r"(\1*pi/180)", text)
+    text, degrees = re.subn(rf"({NUMBER})\s*(?:°|deg\b)", r"(\1*pi/180)", text)
     text = re.sub(rf"({NUMBER}|\))\s*(?=(?:pi|q_?\d*)\b|theta)", r"\1*", text)
-    if (units or in_degrees) and column not in ANGLE_COLUMNS:
-        raise ValueError(f"{place}: {entry!r} is an angle, but {column} is a length. Are two columns swapped?")
     try:
         if re.search(r"[^\w\s.+*/()-]|\d_|\b0[a-zA-Z]", text):  # Python also reads 0x1F and 1_000, but people do not
             raise TypeError("not an entry of a table")
@@ -324,19 +352,13 @@ def _parse_entry(
         value = _evaluate(tree, column, lengths)
     except (SyntaxError, KeyError, TypeError, ZeroDivisionError, ValueError) as error:
         raise ValueError(
-            f"{place}: an entry must be a number, or a joint variable with a number; got {entry!r}. {_hint(text, column, error)}."
+            f"an entry must be a number, or a joint variable with a number; got {entry!r}. {_hint(text, column, error)}."
         ) from error
     if not np.isfinite(value):
-        raise ValueError(f"{place}: an entry must be a finite number; got {entry!r}.")
-    # A heading in degrees applies to bare numbers; an entry with pi or a unit has its own unit.
-    has_unit = bool(units) or re.search(r"\bpi\b", text) is not None
-    if in_degrees and not has_unit:
-        value, has_unit = complex(math.radians(value.real), value.imag), True
-    if column in ANGLE_COLUMNS:
-        _validate_angle(value.real, place, repr(entry) if has_unit else f"{value.real:g} rad")
+        raise ValueError(f"an entry must be a finite number; got {entry!r}.")
     names = (node.id for node in ast.walk(tree) if isinstance(node, ast.Name))
     variables = (name.replace("_", "") for name in names if name not in lengths and _is_variable(name, column))
-    return value, [*dict.fromkeys(variables)]
+    return Entry(value, [*dict.fromkeys(variables)], "°" if degrees else "pi" if re.search(r"\bpi\b", text) else "")
 
 
 def _hint(text: str, column: str, error: Exception) -> str:

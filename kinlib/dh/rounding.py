@@ -70,7 +70,14 @@ def typed_half_units(rows: Array) -> tuple[Array, str]:
     if not lengths.any():
         length_decimals = angle_decimals
     half = np.empty(rows.shape)
-    half[:, [0, 2]] = 0.5 * 10.0**-length_decimals
+    # Programs print four significant digits: a number with the most of them may end there.
+    texts = [np.format_float_positional(abs(number), trim="-") for number in lengths.ravel()]
+    digits = np.array([len(text.replace(".", "").lstrip("0")) for text in texts])
+    own = [
+        len(text.partition(".")[2]) if count == digits.max() == 4 else length_decimals
+        for text, count in zip(texts, digits, strict=True)
+    ]
+    half[:, [0, 2]] = (0.5 * 10.0 ** -np.array(own, dtype=float)).reshape(-1, 2)
     half[:, [1, 3]] = np.maximum(0.5 * unit * 10.0**-angle_decimals, TYPED_PI_ERROR * (is_right | (not typed.size)))
     words = [f"lengths to {10.0**-length_decimals:g} m"] if length_decimals < ALL_DECIMALS else []
     if angle_decimals < ALL_DECIMALS:

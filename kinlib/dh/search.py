@@ -31,8 +31,9 @@ from kinlib.dh.slips import (
 )
 from kinlib.dh.table import DHTable, joint_axes, table_poses
 
-MAX_COMPARED, MAX_PAIRS = 60, 20_000
-"""How many corrected tables whose invariants agree are compared with the arm in full, and how many pairs of mistakes are tried."""
+MAX_COMPARED, MAX_COMPARED_WITH_SLIDES, MAX_PAIRS = 20, 60, 20_000
+"""How many corrected tables whose invariants agree are compared in full, more if prismatic joints leave fewer invariants; and how
+many pairs of mistakes are tried."""
 
 FILTER_TOL_FACTOR = 3
 """How many times the tolerance an invariant may be off before a correction is refuted by it."""
@@ -145,7 +146,8 @@ class _Search:
         places = {0: np.zeros((len(faults[:1]), 0), dtype=int), 1: np.arange(len(self._singles))[:, None]}.get(count)
         prices = self._prices(self._pairs if places is None else places)
         found, least = list[TableExplanation](), 0
-        for (edits, *_), chosen in prices[:MAX_COMPARED]:
+        most = MAX_COMPARED_WITH_SLIDES if "P" in self.arm.joint_types else MAX_COMPARED
+        for (edits, *_), chosen in prices[:most]:
             if found and edits > least:
                 break
             try:

@@ -14,7 +14,7 @@ from itertools import combinations, permutations
 
 import numpy as np
 
-from kinlib.arrays.formatting import format_degrees, format_different
+from kinlib.arrays.formatting import format_degrees, format_different, format_number
 from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import COLUMNS, joint_entries
@@ -346,7 +346,9 @@ def wrong_number(table: DHTable, right: DHTable, row: int, column: int) -> Fault
     """
     factor, unit = (180 / np.pi, "°") if column in ANGLES else (1.0, "")
     typed, value, name = float(table.rows[row, column]), float(right.rows[row, column]), COLUMNS[column]
-    should, has = (f"{text}{unit}" for text in format_different(round(factor * value, 9), round(factor * typed, 9)))
+    numbers = round(factor * value, 9), round(factor * typed, 9)
+    texts = [format_number(number, 6) for number in numbers]
+    should, has = (f"{text}{unit}" for text in (texts if texts[0] != texts[1] else format_different(*numbers)))
     if (row, column) in joint_entries(table.joints) and not typed:
         return Fault("offset forgotten", f"Row {row + 1}: the offset of {name} is missing, {should}.", row + 1, name)
     return Fault("wrong number", f"Row {row + 1}: {name} should be {should}; the table has {has}.", row + 1, name)

@@ -388,6 +388,17 @@ def joint_axes(table: DHTable, rows: Array, signs: Array | None = None) -> tuple
     return at_joints[..., :3, 2] * signs[..., moving, None], at_joints[..., :3, 3]
 
 
+def table_frames(table: DHTable, q: Array) -> dict[str, Array]:
+    """Compute the frames of a table in {s}, the last one on each link, by the number of the link; a fixed row moves with its link.
+
+    >>> [*table_frames(DHTable([[1, 0, 0, 0]], convention="standard"), np.zeros(1))]
+    ['0', '1']
+    """
+    poses = accumulate(row_transforms(table, table.rows, q), np.matmul, initial=table.base)
+    links = accumulate((letter != "F" for letter in table.joints), initial=0)
+    return {str(link): T for link, T in zip(links, poses, strict=True)}
+
+
 def _split_ends(text: str) -> tuple[str, dict[str, Any]]:
     """Split the lines `base = [[...]]` and `tool = [[...]]` from the text of a table."""
     import json  # for tables that were printed

@@ -9,9 +9,12 @@ from pathlib import Path
 from tempfile import mkdtemp
 from typing import Any
 
+import numpy as np
+
 from kinlib.arrays.validation import JointValues, describe
 from kinlib.chains.chain import Chain
-from kinlib.dh.table import DHTable
+from kinlib.dh.assignment import FrameAssignment
+from kinlib.dh.table import DHTable, table_frames
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.picture import Gallery, Picture
@@ -22,7 +25,7 @@ from kinlib.view.viewer.viewer import ViewerBase, explore
 
 
 def show(
-    shown: Chain | DHTable | Tree | Mechanism | Picture | Gallery | ViewerBase,
+    shown: Chain | DHTable | FrameAssignment | Tree | Mechanism | Picture | Gallery | ViewerBase,
     q: JointValues | None = None,
     *,
     path: str | PathLike[str] = "",
@@ -32,9 +35,9 @@ def show(
     In a notebook it is displayed below the cell. Elsewhere it is saved as a page in a temporary folder, which the web browser
     opens; where there is no browser, the name of the file is printed.
 
-    shown  a chain, a table, a tree, a closed chain, or what a function of kinlib.view returns
-    q      (n,) joint values, or a mapping from joint names to values; by default some that show the shape of an arm, and home of
-           a tree. A closed chain needs them
+    shown  a chain, a table or a frame assignment, which are drawn with their frames, a tree, a closed chain, or what a function of
+           kinlib.view returns
+    q      (n,) joint values, or a mapping from joint names to values; home by default. A closed chain needs them
     path   the file to save to instead of showing it: .html, or a drawing as .svg or .png
 
     Raises ValueError if q does not have n values or is given without a robot, for anything else to show, for another ending, and
@@ -47,9 +50,13 @@ def show(
     ...     Path(folder, "youbot.html").read_text("utf-8")[:15]
     '<!DOCTYPE html>'
     """
-    if isinstance(shown, Chain | DHTable):
-        chain = shown.to_chain() if isinstance(shown, DHTable) else shown
-        shown = explore(chain, start=body_of(chain).pose if q is None else q)
+    if isinstance(shown, DHTable | FrameAssignment):
+        table = shown if isinstance(shown, DHTable) else shown.table
+        frames = table_frames(table, np.zeros(table.n) if q is None else table.in_order(q))
+        shown = explore(table.to_chain(), start=q, frames=frames)
+        shown.shown = ["axes", *(f"frame {name}" for name in frames)]
+    elif isinstance(shown, Chain):
+        shown = explore(shown, start=body_of(shown).pose if q is None else q)
     elif isinstance(shown, Tree):
         shown = explore_tree(shown, q)
     elif isinstance(shown, Mechanism):
@@ -65,7 +72,8 @@ def show(
         )
     if not isinstance(shown, Picture | Gallery | ViewerBase):
         raise ValueError(
-            f"show takes a Chain, DHTable, Tree or Mechanism, or what a function of kinlib.view returns; got {describe(shown)}."
+            f"show takes a Chain, DHTable, FrameAssignment, Tree or Mechanism, or what a function of kinlib.view returns; got "
+            f"{describe(shown)}."
         )
     if path:
         shown.save(path)

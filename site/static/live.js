@@ -816,6 +816,12 @@
     event.preventDefault();
     run(cell, event.detail.refused);
   });
+  // your_robot.js writes what its form says into a cell, and runs it
+  document.addEventListener('kinlib-run', ({ detail }) => {
+    const cell = cells.find(({ element }) => element.contains(detail.element));
+    if (detail.source) cell.edit(detail.source, false);
+    run(cell);
+  });
   const button = h('button', { type: 'button', class: 'kinlib-button', onclick: download }, 'Download with my answers');
   const downloaded = h('p', { role: 'status' });
   note.replaceChildren(

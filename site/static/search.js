@@ -39,6 +39,10 @@
     'exp map': 'exponential',
     'hat operator': 'skew-symmetric matrix',
     'home position': 'home',
+    'from urdf': 'your robot',
+    'dh table is wrong': 'your robot',
+    'dh parameters': 'your robot',
+    'paste urdf': 'your robot',
     internet: 'offline',
     plagiarism: 'alike',
   };

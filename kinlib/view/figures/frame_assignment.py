@@ -7,8 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.assignment import FrameAssignment
-from kinlib.dh.assignment_steps import AssignmentStep
+from kinlib.dh.assignment import AssignmentStep, FrameAssignment
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import describe_arm, pose_text

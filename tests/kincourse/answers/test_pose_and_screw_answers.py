@@ -60,7 +60,7 @@ def test_a_screw_is_told_which_half_is_right_if_one_is():
     problem = Problem("", ScrewsAnswer(right), [])
     assert problem.answer.parts == ["screw 1"]
     told = {
-        (0, 0, 1, 9, -2, 0.5): "Look at $v_x$: all other entries are right.",
+        (0, 0, 1, 9, -2, 0.5): "One entry is wrong.\nLook at $v_x$: all other entries are right.",
         (0, 0.0005, 1, 9, -9, 0.5): "$\\omega$ is right",
         (0, 2, 0, 0, -2, 0.5): "$v$ is right, but $\\omega$ is not.",
         (0, 1, 0, 9, -2, 0.5): "$\\omega$ is not right.",

@@ -9,7 +9,7 @@ from strategies import ROBOTS, chains_with_values
 
 import kinlib as kl
 from kinlib import DHTable
-from kinlib.dh.assignment_steps import AssignmentStep
+from kinlib.dh.assignment import AssignmentStep
 
 CONVENTIONS = ["standard", "modified"]
 

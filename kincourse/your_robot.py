@@ -1,0 +1,329 @@
+"""Your robot: a URDF, a DH table that was pasted, or both; what the table says of the arm, and the table that is right.
+
+The notebook and the page of that name show what `examine` returns. Everything that a person gave is escaped before it is shown.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from html import escape
+from typing import Any
+
+import numpy as np
+
+from kinlib.arrays.formatting import format_degrees, format_number, html_table
+from kinlib.chains.chain import Chain
+from kinlib.chains.robots import youbot
+from kinlib.dh.assignment import FrameAssignment, assign_frames
+from kinlib.dh.diagnosis import Diagnosis, diagnose
+from kinlib.dh.equivalence import CHOICES, measured_difference
+from kinlib.dh.formatting import format_rows, headings
+from kinlib.dh.read_table import Assumption, read_table
+from kinlib.dh.table import Convention, DHTable, table_frames
+from kinlib.urdf.chains import load_urdf
+from kinlib.urdf.robot_tree import Tree
+from kinlib.view.viewer.viewer import Viewer, explore
+
+MAX_URDF_LENGTH = 20_000_000
+"""The maximum number of characters of a URDF file; longer ones are refused before they are parsed."""
+
+UR_SOURCE = 'Universal Robots, "DH parameters for calculations of kinematics and dynamics"'
+CORKE = "as in Corke's Robotics Toolbox"
+
+
+class KnownArms:
+    """A list of the arms in KNOWN with their sources; the page fills its menu from it."""
+
+    def _repr_html_(self) -> str:
+        rows = [[name, str(table.n), source] for name, (table, source) in KNOWN.items()]
+        return html_table("Known arms", ("arm", "joints", "source"), rows)
+
+    def __repr__(self) -> str:
+        return "\n".join(f"{name}: {source}" for name, (_, source) in KNOWN.items())
+
+
+def known_arms() -> KnownArms:
+    """Return the list of known arms, to be shown in a notebook."""
+    return KnownArms()
+
+
+def _published(
+    rows: Sequence[Sequence[float]], source: str, *, convention: Convention = "standard", joints: str = ""
+) -> tuple[DHTable, str]:
+    """Return a maker's table, a and d in metres, alpha and theta in degrees, and its source."""
+    return DHTable(np.array(rows) * (1, np.pi / 180, 1, np.pi / 180), convention, joints=joints), source
+
+
+def _universal(*lengths: float) -> tuple[DHTable, str]:
+    d1, a2, a3, d4, d5, d6 = lengths
+    rows = [(0, 90, d1, 0), (a2, 0, 0, 0), (a3, 0, 0, 0), (0, 90, d4, 0), (0, -90, d5, 0), (0, 0, d6, 0)]
+    return _published(rows, UR_SOURCE)
+
+
+KNOWN: Mapping[str, tuple[DHTable, str]] = {
+    "youBot": (assign_frames(youbot(), convention="standard").table, youbot().source),
+    "UR3e": _universal(0.15185, -0.24355, -0.2132, 0.13105, 0.08535, 0.0921),
+    "UR5": _universal(0.089159, -0.425, -0.39225, 0.10915, 0.09465, 0.0823),
+    "UR5e": _universal(0.1625, -0.425, -0.3922, 0.1333, 0.0997, 0.0996),
+    "UR10e": _universal(0.1807, -0.6127, -0.57155, 0.17415, 0.11985, 0.11655),
+    "UR16e": _universal(0.1807, -0.4784, -0.36, 0.17415, 0.11985, 0.11655),
+    "Panda": _published(
+        [(0, 0, 0.333, 0), (0, -90, 0, 0), (0, 90, 0.316, 0), (0.0825, 90, 0, 0), (-0.0825, -90, 0.384, 0), (0, 90, 0, 0),
+         (0.088, 90, 0, 0), (0, 0, 0.107, 0)], 'Franka Emika, "Robot and interface specifications"', convention="modified",
+        joints="RRRRRRRF"),
+    "iiwa 14": _published(
+        [(0, -90, 0.36, 0), (0, 90, 0, 0), (0, 90, 0.42, 0), (0, -90, 0, 0), (0, -90, 0.4, 0), (0, 90, 0, 0), (0, 0, 0.126, 0)],
+        'KUKA, "LBR iiwa 14 R820, Specification" (dimensions)'),
+    "KR 16": _published(
+        [(0.26, 90, 0.675, 0), (0.68, 0, 0, 90), (-0.035, 90, 0, 0), (0, -90, 0.67, 0), (0, 90, 0, 0), (0, 0, 0.158, 180)],
+        'KUKA, "KR 6-2, KR 16-2, Specification" (dimensions)'),
+    "IRB 140": _published(
+        [(0.07, -90, 0.352, 0), (0.36, 0, 0, -90), (0, -90, 0, 0), (0, 90, 0.38, 0), (0, -90, 0, 0), (0, 0, 0.065, 180)],
+        f"ABB, IRB 140 data sheet, {CORKE}"),
+    "PUMA 560": _published(
+        [(0, 90, 0.6718, 0), (0.4318, 0, 0, 0), (0.0203, -90, 0.15005, 0), (0, 90, 0.4318, 0), (0, -90, 0, 0), (0, 0, 0, 0)],
+        f"Unimation, PUMA 560, {CORKE}"),
+    "Stanford arm": _published(
+        [(0, -90, 0.412, 0), (0, 90, 0.154, 0), (0, 0, 0, -90), (0, -90, 0, 0), (0, 90, 0, 0), (0, 0, 0.263, 0)],
+        "Paul, Stanford AIM-177, figure 2.3", joints="RRPRRR"),
+    "Cobra 600 (SCARA)": _published(
+        [(0.325, 0, 0.387, 0), (0.275, 180, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0)], f"Adept, Cobra 600, {CORKE}", joints="RRPR"),
+}  # fmt: skip
+"""Arms by the numbers of their makers, each with its source."""
+
+
+@dataclass(frozen=True, eq=False)
+class Examination:
+    """What is known of a robot: the arm, the table that was read, what was assumed for it, and the comparison of the two.
+
+    free, strict   the diagnosis with all choices free, and with all fixed: the second is right only if the same q gives the same pose
+    unread         why a table or a file could not be read; then the rest is what could
+    notes          what else was decided, for example which joints are left at 0
+    """
+
+    arm: Chain | None = None
+    table: DHTable | None = None
+    assumed: Sequence[Assumption] = ()
+    free: Diagnosis | None = None
+    strict: Diagnosis | None = None
+    unread: str = ""
+    notes: Sequence[str] = ()
+
+    @property
+    def sentence(self) -> str:
+        """The answer in one sentence."""
+        if self.unread:
+            return self.unread
+        if self.table is None or self.arm is None:
+            given = self.arm or self.table
+            return f"{given.name}: {given.n} joints." if given else "Give a URDF file, a table, or both."
+        if self.strict is None:
+            return (
+                f"The table has {self.table.n} joints ({self.table.joints.replace('F', '')}), and the arm has {self.arm.n} "
+                f"({self.arm.joint_types}), so they cannot be compared. Choose another tip or base, or look for a missing row."
+            )
+        metres, radians = measured_difference(self.table.to_chain(), self.arm)
+        size = f"{format_number(metres, 3)} m and {format_number(math.degrees(radians), 3, zero=1e-6)}°"
+        if self.strict.verdict == "right":
+            return "The table agrees with the arm: the same q gives the same pose."
+        if self.strict.verdict == "rounded":
+            return f"The table agrees with the arm to the digits that are printed: for the same q the tool differs by {size}."
+        return f"For the same q the tool differs by up to {size}, at 1000 random configurations."
+
+    @property
+    def readings(self) -> list[str]:
+        """Each reading that explains the difference, the shortest first."""
+        if not self.free or not self.strict or self.strict.verdict in {"right", "rounded"}:
+            return []
+        texts = []
+        is_right = self.free.verdict in {"right", "rounded"}
+        if is_right:
+            lines = [line for line in str(self.free).splitlines()[2:] if not line.startswith(("To count", "If q is"))]
+            texts.append("\n".join(["The table describes the same arm with other choices:", *lines]))
+        elif self.free.explanations:
+            texts.append(str(self.free))
+        strict = str(self.strict)
+        is_choice = bool(self.strict.explanations) and self.strict.explanations[0].is_a_choice
+        if strict not in texts and not (is_right and is_choice):
+            same = "If q, base and tool are meant to be the same: " if texts else ""
+            texts.append(same + strict)
+        return sorted(texts, key=len)
+
+    @property
+    def corrected(self) -> DHTable | None:
+        """The table with the poses of the arm for the same q, as near the given one as was found."""
+        if not self.arm:
+            return self.table
+        if not self.table or not self.strict:
+            return assign_frames(self.arm, convention="standard", snap=True).table
+        found = self.strict.corrected
+        if found is None and self.strict.nearest is not None and not self.strict.up_to:
+            found = self.strict.nearest
+        return (
+            found if found is not None else assign_frames(self.arm, convention=self.table.convention, snap=True).table
+        )
+
+    @property
+    def wrong_rows(self) -> list[int]:
+        """The rows, from 0, in which the table differs from the corrected one."""
+        right, table = self.corrected, self.table
+        if right is None or table is None or right.rows.shape != table.rows.shape:
+            return []
+        one, other = (np.column_stack([each.rows, each.signs]) for each in (table, right))
+        return [int(row) for row in np.flatnonzero(np.abs(one - other).max(axis=1) > 1e-9)]
+
+    def copies(self) -> dict[str, str]:
+        """The corrected table as text to copy: as text, CSV, LaTeX, Python, and for the Robotics Toolbox."""
+        return formats(self.corrected) if self.corrected else {}
+
+    def picture(self) -> Viewer | None:
+        """The arm with sliders, and on it the frames of the table, which can be switched on one by one."""
+        arm = self.arm or (self.table.to_chain() if self.table else None)
+        if arm is None or not self.table or self.table.n != arm.n:
+            return None if arm is None else explore(arm, show=("axes", "base", "tool", "standard DH"))
+        return explore(arm, frames=table_frames(self.table, np.zeros(arm.n)))
+
+    def _repr_html_(self) -> str:
+        return "".join(self._blocks())
+
+    def _blocks(self) -> Iterator[str]:
+        yield f'<p class="your-robot-answer"><strong>{escape(self.sentence)}</strong></p>'
+        if self.assumed or self.notes:
+            asked = [each for each in self.assumed if each.options]
+            items = [f"{note}" for note in self.notes] + [each.text for each in self.assumed if not each.options]
+            items += [f"{each.text} If not, pass {each.argument} ({', '.join(each.options)})." for each in asked]
+            yield f"<p>What was assumed:</p><ul>{''.join(f'<li>{escape(item)}</li>' for item in items)}</ul>"
+        for text in self.readings:
+            yield f"<p>{'<br>'.join(escape(line) for line in text.splitlines())}</p>"
+        if self.table:
+            yield self._side_by_side()
+        if self.arm and not self.table:
+            for convention in ("standard", "modified"):
+                yield from _assigned(assign_frames(self.arm, convention=convention), self.arm)
+            yield f"<details><summary>Screw axes and M</summary><pre>{escape(str(self.arm))}</pre></details>"
+        for name, text in self.copies().items():
+            label = "The corrected table" if self.wrong_rows else "The table"
+            yield f"<details><summary>{label} as {escape(name)}</summary><pre>{escape(text)}</pre></details>"
+
+    def _side_by_side(self) -> str:
+        """The rows of the table beside those of the corrected one, the wrong ones marked in a column and not by colour alone."""
+        right, table = self.corrected, self.table
+        if table is None or right is None or not self.arm or right.rows.shape != table.rows.shape:
+            return table._repr_html_() if table is not None else ""
+        (number, *names), wrong = headings(table.convention), self.wrong_rows
+        heads = [number, *(f"{name}: table" for name in names), *(f"{name}: arm" for name in names), ""]
+        pairs = zip(_entries(table), _entries(right), strict=True)
+        marks = {row: "✗ first wrong row" if row == wrong[0] else "✗" for row in wrong}
+        rows = [[str(i + 1), *one, *other, marks.get(i, "✓")] for i, (one, other) in enumerate(pairs)]
+        return html_table("The table, and the numbers that give the arm's poses", heads, rows)
+
+
+def _assigned(found: FrameAssignment, arm: Chain) -> Iterator[str]:
+    clean = assign_frames(arm, convention=found.table.convention, snap=True)
+    exact = replace(found.table, name=f"{arm.name}, exact")
+    yield clean.table._repr_html_()
+    yield f"<p>Clean numbers; the poses differ from the file by at most {clean.accuracy:.1e} (metres, and entries of R).</p>"
+    if np.abs(exact.rows - clean.table.rows).max() > 1e-12:
+        yield f"<details><summary>All digits of the file</summary>{exact._repr_html_()}</details>"
+    steps = "".join(f"<li>{escape(str(step))}</li>" for step in found.steps)
+    yield f"<details><summary>The reason for each frame</summary><ol>{steps}</ol></details>"
+
+
+def _entries(table: DHTable) -> list[list[str]]:
+    return format_rows(table, length=lambda x: format_number(x, 6), angle=lambda x: format_degrees(x, 6))
+
+
+def formats(table: DHTable) -> dict[str, str]:
+    """Write a table as text, CSV, LaTeX, Python, and for the Robotics Toolbox.
+
+    >>> print(formats(DHTable([[0.4, 0, 0.1, 0]], convention="standard"))["roboticstoolbox"])
+    DHRobot([
+        RevoluteDH(a=0.4, alpha=0, d=0.1, offset=0),
+    ])
+    """
+    rows, names = _entries(table), headings(table.convention)[1:]
+    greek = [name.replace("alpha", "\\alpha").replace("theta", "\\theta") for name in names]
+    latex = [" & ".join(["$i$", *(f"${name}$" for name in greek)]) + r" \\ \hline"]
+    latex += [
+        " & ".join([str(i), *(cell.replace("°", r"^\circ").join("$$") for cell in row)]) + r" \\"
+        for i, row in enumerate(rows, 1)
+    ]
+    numbers = [[float(f"{x:.12g}") for x in row] for row in table.rows.tolist()]
+    extra = f", joints={table.joints!r}" if set(table.joints) != {"R"} else ""
+    extra += f", signs={table.signs.astype(int).tolist()}" if (table.signs != 1).any() else ""
+    ends = {"base": table.base, "tool": table.tool}
+    extra += "".join(
+        f",\n    {name}={T.round(12).tolist()}" for name, T in ends.items() if np.abs(T - np.eye(4)).max() > 1e-9
+    )
+    body = "\n".join(f"    {row}," for row in numbers)
+    kind = {"standard": "DH", "modified": "MDH"}[table.convention]
+    links = []
+    for letter, sign, (a, alpha, d, theta) in zip(table.joints, table.signs, numbers, strict=True):
+        flip = ", flip=True" if sign < 0 else ""
+        lead = f"a={a:g}, alpha={alpha:.12g}" if alpha else f"a={a:g}, alpha=0"
+        if letter == "P":
+            links.append(f"    Prismatic{kind}({lead}, theta={theta:.12g}, offset={d:g}{flip}),")
+        elif letter == "R":
+            links.append(f"    Revolute{kind}({lead}, d={d:g}, offset={theta:.12g}{flip}),")
+    fixed = "# a fixed row belongs to the tool\n" if "F" in table.joints else ""
+    return {
+        "text": str(table),
+        "CSV": "\n".join(",".join(row) for row in [["a", "alpha", "d", "theta"], *rows]),
+        "LaTeX": "\\begin{tabular}{ccccc}\n" + "\n".join(latex) + "\n\\end{tabular}",
+        "Python": f"kl.DHTable([\n{body}\n], convention={table.convention!r}{extra})",
+        "roboticstoolbox": f"{fixed}DHRobot([\n" + "\n".join(links) + "\n])",
+    }
+
+
+def examine(
+    arm: str | Chain | DHTable = "", table: str | DHTable = "", *, base: str = "", tip: str = "", **how: Any
+) -> Examination:
+    r"""Read an arm and a table, and compare them.
+
+    arm    the path or the text of a URDF file, the name of an arm in KNOWN, a chain; or "" for none
+    table  the text of a table as it was pasted; or "" for none
+    base, tip  the links of the file between which the arm is; by default the root and the only tip
+    how    what the text of the table does not say, as `read_table` takes it: convention, order, length_unit, angle_unit, joints
+
+    >>> print(examine("UR5e", "a alpha d\n0 90 0.1625\n0.425 0 0\n-0.3922 0 0\n0 90 0.1333\n0 -90 0.0997\n0 0 0.0996").sentence)
+    For the same q the tool differs by up to 0.85 m and 0°, at 1000 random configurations.
+    """
+    found = Examination()
+    try:
+        if arm != "":
+            chain, notes = _read_arm(arm, base, tip)
+            found = replace(found, arm=chain, notes=notes)
+        if table != "":
+            reading = (
+                (table, ()) if isinstance(table, DHTable) else read_table(table, **{k: v for k, v in how.items() if v})
+            )
+            found = replace(found, table=reading[0], assumed=reading[1])
+    except (ValueError, OSError) as error:
+        return replace(found, unread=str(error))
+    if found.arm is None or found.table is None or found.arm.n != found.table.n:
+        return found
+    free, strict = (diagnose(found.table, found.arm, fixed) for fixed in ((), CHOICES))
+    return replace(found, free=free, strict=strict)
+
+
+def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, list[str]]:
+    if isinstance(arm, Chain):
+        return arm, []
+    if isinstance(arm, DHTable) or arm in KNOWN:
+        table, source = (arm, "") if isinstance(arm, DHTable) else KNOWN[arm]
+        return table.to_chain().changed(name="arm" if isinstance(arm, DHTable) else arm), [f"Source: {source}"] * bool(
+            source
+        )
+    if len(arm) > MAX_URDF_LENGTH:
+        raise ValueError(
+            f"A URDF file must have at most {MAX_URDF_LENGTH // 10**6} million characters; got {len(arm)}."
+        )
+    if "<" not in arm and not arm.strip().endswith((".urdf", ".xml")):
+        raise ValueError(f"{arm!r:.60} is neither a URDF file nor a known arm. Known are {', '.join(KNOWN)}.")
+    options = {key: value for key, value in (("base", base), ("tip", tip)) if value}
+    chain = load_urdf(arm, **options)
+    others = [name for name in Tree.from_urdf(arm).joint_names if name not in (chain.joint_names or ())]
+    left = f"Joints that are not on the way from base to tip are left at 0: {', '.join(others[:12])}" if others else ""
+    return chain, [f"{left}{' and more' if len(others) > 12 else ''}."] if left else []

@@ -1,0 +1,116 @@
+"""Your robot: published tables as they were copied against files that packages ship, judged by forward kinematics of our own."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import kinlib as kl
+from kincourse.your_robot import KNOWN, examine, formats
+
+
+def poses(table, q):
+    """Forward kinematics in plain NumPy, which shares no code with kinlib."""
+    found = []
+    for values in q:
+        T, moving = np.array(table.base), iter(values)
+        for (a, alpha, d, theta), letter, sign in zip(table.rows, table.joints, table.signs, strict=True):
+            angle = theta + (sign * next(moving) if letter == "R" else 0.0)
+            c, s, ca, sa = np.cos(angle), np.sin(angle), np.cos(alpha), np.sin(alpha)
+            Z = np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
+            X = np.array([[1, 0, 0, a], [0, ca, -sa, 0], [0, sa, ca, 0], [0, 0, 0, 1]])
+            T = T @ (Z @ X if table.convention == "standard" else X @ Z)
+        found.append(T @ table.tool)
+    return np.array(found)
+
+
+def shipped(package, name):
+    """The path of a URDF file in a package."""
+    folder = Path(pytest.importorskip(package).__file__).parent
+    return str(next(folder.rglob(name)))
+
+
+def page(*lengths):
+    """A table as the page of Universal Robots has it."""
+    d1, a2, a3, d4, d5, d6 = lengths
+    rows = [(0, d1, "π/2"), (a2, 0, 0), (a3, 0, 0), (0, d4, "π/2"), (0, d5, "-π/2"), (0, d6, 0)]
+    cells = [f"Joint {i}\t0\t{a}\t{d}\t{alpha}\tLink {i}\t2.5" for i, (a, d, alpha) in enumerate(rows, start=1)]
+    return "\n".join(["Kinematics\ttheta [rad]\ta [m]\td [m]\talpha [rad]\tDynamics\tMass [kg]", *cells])
+
+
+UR5E = page(0.1625, -0.425, -0.3922, 0.1333, 0.0997, 0.0996)
+KR16 = "Achse;theta (°);d (mm);a (mm);alpha (°)\n1;0;675;260;90\n2;90;0;680;0\n3;0;0;-35;90\n4;0;670;0;-90\n5;0;0;0;90\n6;180;158;0;0"
+IIWA = r"$i$ & $\alpha_i$ & $a_i$ & $d_i$ & $\theta_i$ \\ \hline" + "\n".join(
+    rf"{i} & ${alpha}^\circ$ & 0 & {d} & $\theta_{i}$ \\"
+    for i, (alpha, d) in enumerate(
+        [(-90, 0.36), (90, 0), (90, 0.42), (-90, 0), (-90, 0.4), (90, 0), (0, 0.126)], start=1
+    )
+)
+MILLIMETRES = (
+    "theta,d,a,alpha\n0,89.159,0,1.5708\n0,0,-425,0\n0,0,-392.25,0\n0,109.15,0,1.5708\n0,94.65,0,-1.5708\n0,82.3,0,0"
+)
+PAIRS = {
+    "UR5e": ("airo_models", "ur5e.urdf", "tool0", UR5E, "joint 1: add 180° to theta"),
+    "UR3e": ("airo_models", "ur3e.urdf", "tool0", page(0.15185, -0.24355, -0.2132, 0.13105, 0.08535, 0.0921), "joint 1: add 180° to theta"),
+    "UR5e, a sign": ("airo_models", "ur5e.urdf", "tool0", UR5E.replace("-0.425", "0.425"), "joint 2: add 180° to theta"),
+    "KR16": ("rtbdata", "kr16_2.urdf", "", KR16, "joint 2: write -q in theta"),
+    "iiwa": ("rtbdata", "lbr_iiwa_14_r820.urdf", "", IIWA, ""),
+    "iiwa 7 for 14": ("rtbdata", "lbr_iiwa_14_r820.urdf", "", IIWA.replace("0.36", "0.34").replace("0.42", "0.40"),
+                      "Row 3: d should be 0.42; the table has 0.4."),
+    "UR5 in millimetres": ("", "UR5", "", MILLIMETRES, ""),
+    "UR5e for UR5": ("", "UR5", "", UR5E, "Row 1: d should be 0.089159; the table has 0.1625."),
+    "Panda as standard": ("", "Panda", "", str(KNOWN["Panda"][0]).replace("_{i-1}", ""), "The table is in the modified convention"),
+    "two wrong entries": ("", "UR5e", "", UR5E.replace("0.1333", "0.1233").replace("-0.3922", "-0.3722"),
+                          "Row 4: d should be 0.1333; the table has 0.1233."),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("pair", PAIRS.values(), ids=PAIRS)
+def test_what_is_said_of_a_published_table_is_true(pair):
+    package, file, tip, text, words = pair
+    found = examine(shipped(package, file) if package else file, text, tip=tip, convention="standard")
+    q = np.random.default_rng(0).uniform(-3, 3, (50, found.arm.n))
+    right, off = found.arm.fk(q), np.abs(poses(found.table, q) - found.arm.fk(q)).max()
+    assert words in " ".join(found.readings)
+    if found.strict.verdict == "rounded":
+        assert off < 1e-3
+        assert "to the digits that are printed" in found.sentence
+        return
+    assert found.sentence.startswith("For the same q the tool differs by up to")
+    assert off > 1e-3
+    np.testing.assert_allclose(poses(found.corrected, q), right, atol=1e-3)
+    assert found.wrong_rows or found.corrected.convention != found.table.convention
+    assert found.copies()["text"] == str(found.corrected)
+
+
+def test_one_of_the_two_is_enough_and_what_cannot_be_compared_is_said():
+    alone = examine(kl.to_urdf(kl.robots.puma560()))
+    assert alone.corrected.joints == "RRRRRR"
+    assert "The reason for each frame" in alone._repr_html_()
+    assert examine(table=UR5E, convention="standard").sentence == "table: 6 joints."
+    assert "so they cannot be compared" in examine("Panda", UR5E, convention="standard").sentence
+    assert examine().sentence == "Give a URDF file, a table, or both."
+
+
+def test_what_is_given_is_escaped_and_what_cannot_be_read_is_said():
+    for arm, table in (("<script>alert(1)</script>", ""), ("UR5", "<script>alert(1)</script>"), ("no such arm", "")):
+        found = examine(arm, table)
+        assert found.unread
+        assert "<script>" not in found._repr_html_()
+    loop = '<robot name="r"><link name="a"/><link name="b"/>' + "".join(
+        f'<joint name="{one}{two}" type="fixed"><parent link="{one}"/><child link="{two}"/></joint>'
+        for one, two in ("ab", "ba")
+    )
+    assert examine(f"{loop}</robot>").unread
+
+
+def test_a_copied_table_is_the_table_in_the_robotics_toolbox_and_in_python():
+    rtb = pytest.importorskip("roboticstoolbox")
+    for name, (table, _) in KNOWN.items():
+        texts = formats(table)
+        again = eval(texts["Python"], {"kl": kl})
+        q = np.random.default_rng(1).uniform(-1, 1, table.n)
+        np.testing.assert_allclose(again.fk(q), table.fk(q), atol=1e-9, err_msg=name)
+        if "F" not in table.joints and np.array_equal(table.tool, np.eye(4)) and np.array_equal(table.base, np.eye(4)):
+            theirs = eval(texts["roboticstoolbox"], vars(rtb))
+            np.testing.assert_allclose(theirs.fkine(q).A, table.fk(q), atol=1e-9, err_msg=name)

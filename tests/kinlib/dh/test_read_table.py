@@ -1,0 +1,109 @@
+"""Tables as people paste them: each form is the same arm, nothing is assumed without a sentence, and what is no table is refused."""
+
+import numpy as np
+import pytest
+
+from kinlib import read_table
+
+UR5 = np.array([
+    (0, 90, 0.089159, 0), (-0.425, 0, 0, 0), (-0.39225, 0, 0, 0), (0, 90, 0.10915, 0), (0, -90, 0.09465, 0), (0, 0, 0.0823, 0),
+]) * (1, np.pi / 180, 1, np.pi / 180)  # fmt: skip
+ROWS = UR5.tolist()
+
+
+def lines(head, row, end=""):
+    """A text with a line for each row: a, alpha in radians and degrees, d and i."""
+    numbers = [{"a": a, "alpha": alpha, "deg": round(np.degrees(alpha)), "d": d} for a, alpha, d, _ in ROWS]
+    return "\n".join([head, *(row.format(i=i, **each) for i, each in enumerate(numbers, start=1)), end])
+
+
+FORMS = {
+    "a web page, with other columns": lines(
+        "Kinematics\ttheta [rad]\ta [m]\td [m]\talpha [rad]\tDynamics\tMass [kg]",
+        "Joint {i}\t0\t{a}\t{d}\t{alpha}\tLink {i}\t3.7",
+    ),
+    "the same with blanks": lines("Kinematics theta [rad] a [m] d [m] alpha [rad]", "Joint {i} 0 {a} {d} {deg}°"),
+    "a spreadsheet with decimal commas": "Gelenk;theta (deg);d (mm);a (mm);alpha (deg)\n1;0;89,159;0;90\n2;0;0;-425;0\n"
+    "3;0;0;-392,25;0\n4;0;109,15;0;90\n5;0;94,65;0;-90\n6;0;82,3;0;0",
+    "CSV": lines("joint,theta,d,a,alpha", "{i},0,{d},{a},{alpha}"),
+    "Markdown": lines("| Link | a | α (°) | d | θ |\n|---|---|---|---|---|", "| {i} | {a} | {deg} | {d} | θ{i} |"),
+    "LaTeX": lines(
+        r"\begin{tabular}{cc} \hline $i$ & $\alpha_i$ & $a_i$ & $d_i$ & $\theta_i$ \\ \hline",
+        r"{i} & ${deg}^\circ$ & {a} & ${d}$ & $\theta_{{{i}}}$ \\",
+        r"\end{tabular}",
+    ),
+    "HTML": lines("<table><tr><th>&theta;</th><th>d</th><th>a</th><th>&alpha; [&deg;]</th></tr>",
+                  "<tr><td>&theta;<sub>{i}</sub></td><td>{d}</td><td>{a}</td><td>{deg}</td></tr>", "</table>"),
+    "printed by a toolbox": lines(
+        "DHRobot: UR5, standard DH parameters\n┌──┐\n│ θⱼ │ dⱼ │ aⱼ │ ⍺ⱼ │ q⁻ │ q⁺ │\n├──┤",
+        "│ q{i} │ {d} │ {a} │ {deg}.0° │ -360° │ 360° │",
+        "└──┘\n\n│ name │ q0 │ q1 │ q2 │ q3 │ q4 │ q5 │\n│ qz │ 0° │ 0° │ 0° │ 0° │ 0° │ 0° │",
+        ),
+    "calls": lines("robot = DHRobot([", "    RevoluteDH(d={d}, a={a}, alpha={alpha}),", "], name='UR5')"),
+    "calls of MATLAB": lines("", "L({i}) = Link([0 {d} {a} {alpha}]);"),
+    "an array with a comment": lines("# a, alpha, d, theta\nDH = np.array([", "[{a}, np.radians({deg}), {d}, 0],", "])"),
+    "an array of C": "double dh[6][4] = { // theta, d, a, alpha\n {0, 0.089159, 0, M_PI_2},\n {0, 0, -0.425, 0},\n"
+    " {0,0,-0.39225,0},\n {0, 0.10915, 0, M_PI/2},\n {0, 0.09465, 0, -M_PI_2},\n {0, 0.0823, 0, 0} };",
+    "lists by column": "\n".join(f"{name} = {[row[k] for row in ROWS]}" for k, name in enumerate(("a", "alpha", "d"))),
+    "dictionaries": lines("[", "{{'a': {a}, 'alpha': {alpha}, 'd': {d}, 'theta': 'q{i}'}},", "]"),
+    "other names": lines("i  alfa  r  d  v", "{i} {deg} {a} {d} q{i}"),
+    "without a heading, in millimetres": "0 89.159 0 90\n0 0 -425 0\n0 0 -392.25 0\n0 109.15 0 90\n0 94.65 0 -90\n0 82.3 0 0",
+    "empty cells": "joint\ta\talpha\td\ttheta\n1\t\t90\t0.089159\tq1\n2\t-0.425\t\t\tq2\n3\t-0.39225\t\t\tq3\n"
+    "4\t\t90\t0.10915\tq4\n5\t\t-90\t0.09465\tq5\n6\t\t\t0.0823\tq6",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", FORMS.values(), ids=FORMS)
+def test_each_form_is_the_same_arm_and_its_unit_and_convention_are_said(text):
+    table, assumed = read_table(text, convention="standard")
+    np.testing.assert_allclose(table.rows, UR5, atol=1e-6)
+    assert table.joints == "RRRRRR"
+    asked = {each.argument: each.options[0] for each in assumed if each.options}
+    has_unit = any(unit in text for unit in ("[m]", "(mm)"))
+    assert asked.get("length_unit") == (None if has_unit else "mm" if "millimetres" in text or "-425 " in text else "m")
+
+
+def test_joints_are_those_of_the_variables_the_types_or_the_names_of_the_rows():
+    scara = "joint,type,theta,d,a,alpha\n1,revolute,0,387,325,0\n2,revolute,0,0,275,180\n3,prismatic,0,0,0,0\n4,revolute,0,0,0,0"
+    assert read_table(scara, convention="standard").table.joints == "RRPR"
+    flange = "Joint a (m) d (m) alpha (rad) theta (rad)\nJoint1 0 0.333 0 0\nJoint2 0.088 0 pi/2 0\nFlange 0 0.107 0 0"
+    table, assumed = read_table(flange, convention="modified")
+    assert (table.joints, table.rows[2, 2]) == ("RRF", 0.107)
+    assert any("row 3 is fixed, as its name says" in each.text for each in assumed)
+    offsets = read_table(
+        "d (mm) a (mm) alpha (deg) offset (deg)\n352 70 -90 0\n0 360 0 -90", convention="standard"
+    ).table
+    np.testing.assert_allclose(offsets.rows[1], [0.36, 0, 0, -np.pi / 2])
+    named = read_table(
+        "a alpha d theta\n0 90° l1 q1\nl2 0 0 -q2\nwith l1 = 300 mm, l2 = 0.25", convention="standard"
+    ).table
+    assert (named.rows[0, 2], named.rows[1, 0], named.signs.tolist()) == (0.3, 0.25, [1, -1])
+
+
+def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
+    text = "0 89.159 0 90\n0 0 -425 0\n0 0 -392.25 0"
+    asked = {each.argument for each in read_table(text).assumed if each.options}
+    assert asked == {"order", "length_unit", "angle_unit", "convention"}
+    said = {"order": "theta d a alpha", "length_unit": "mm", "angle_unit": "deg", "convention": "modified"}
+    table, assumed = read_table(text, **said)
+    assert not [each for each in assumed if each.options]
+    assert (table.convention, table.rows[0, 2]) == ("modified", 0.089159)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", "No table was found: no line has four numbers"),
+        (
+            "a alpha d theta\n0 90° 0.1 q1\n0 0 abc 0 0 1 2",
+            r"Line 3, .* cannot be read: it has another number of cells",
+        ),
+        ("a alpha d theta\n0 90° 0.1 q1*q2\n0 0 0 q2", r"Line 2, .* cannot be read"),
+        ("a = [0, 1]\nalpha = [0, 0]\nd = [1]", r"The lists must have the same length, 2; d \(1\) has another"),
+        ("x" * 200_000, "must have at most 100000 characters; got 200000"),
+        ("0 0 0 1\n" * 100, "A table must have at most 60 rows; got 100"),
+    ],
+)
+def test_what_is_no_table_is_refused_with_its_line(text, words):
+    with pytest.raises(ValueError, match=words):
+        read_table(text)
