@@ -21,12 +21,16 @@ from kinlib.view.figures.bodies import body_of, solid_data
 from kinlib.view.figures.frame_assignment import MAX_DISTANCE_IN_ARM_SIZES
 from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes, stations
 
+MAX_DETOUR_RATIO = 2.5
+"""The lengths of a link are along its axes and their common normal, unless that is longer than the straight line by this factor."""
+
 MIN_SIZE_IN_ROOM_RADII = 0.95
 """Joints, frames and arrows are drawn as for an arm of at least this size, relative to the radius of what is in view."""
 
 HEIGHT_PER_WIDTH = 0.78
 """The shape of the picture on the page, as in js/viewer.js."""
 
+Z = np.eye(3)[2]
 COINCIDENT_TOL_M = 1e-9
 
 
@@ -95,6 +99,7 @@ def bare_scene(chain: Chain, points: Array, share: float) -> dict[str, Any]:
     data = scene(chain, np.zeros(chain.n), joints=[])
     room = still_room(np.concatenate([points, stations(chain)]), share)
     data["arms"][0].pop("body")  # the axes are to be seen
+    data["arms"][0]["links"] = skeleton(chain)
     lowest = float(stations(chain)[:, 2].min())
     floor = lowest - (0.1 if lowest > -0.05 * extent(chain) else 0.2) * extent(chain)
     return {**data, "size": max(extent(chain), room["radius"]), "room": room, "floor": floor, "offered": ["dimensions"]}
@@ -111,7 +116,7 @@ def arm_data(chain: Chain) -> dict[str, Any]:
     return {
         "columns": list(range(chain.n)),
         "joints": joint_data(chain),
-        "links": skeleton(chain),
+        "links": [path.tolist() for path in link_paths(chain)],
         "home": chain.home.ravel().tolist(),
         "frames": _frames(chain, size),
         "normals": _normals(chain, size),
@@ -119,7 +124,7 @@ def arm_data(chain: Chain) -> dict[str, Any]:
 
 
 def skeleton(chain: Chain) -> list[list[list[float]]]:
-    """Return the lines of links 0 to n at home: each straight from joint to joint, because a bend would show a common normal.
+    """Return the lines of links 0 to n at home, straight from joint to joint: a bend would show a common normal.
 
     >>> from kinlib.chains.robots import rpr
     >>> len(skeleton(rpr()))
@@ -192,6 +197,27 @@ def half_height(points: Array, look: Sequence[float] = VIEWS["default"]) -> floa
     views = [look, *VIEWS.values()]
     seen = [np.abs(points @ axes_of_view(*view)[1].T).max(axis=0) for view in views]
     return max(float(max(HEIGHT_PER_WIDTH * right, up)) for right, up in seen)
+
+
+def link_paths(chain: Chain) -> list[Array]:
+    """Return the lines (k, 3) of links 0 to n at home: along an axis, along the common normal, along the next axis.
+
+    >>> from kinlib.chains.robots import puma560
+    >>> link_paths(puma560())[3].round(4).tolist()            # the elbow: out by a3, then down by d4
+    [[0.4318, 0.15, 0.0], [0.4521, 0.15, 0.0], [0.4521, 0.15, -0.4318]]
+    """
+    tool = chain.home[:3, 3]
+    axes = [Z, *chain.lines.axis]
+    points = [np.zeros(3), *chain.joint_points]
+    paths = []
+    for i in range(chain.n):
+        normal = common_normal(
+            (axes[i], points[i]), (axes[i + 1], points[i + 1]), perpendicular(axes[i]), at_other_point=True
+        )
+        paths.append(_path([points[i], normal.start, normal.end, points[i + 1]]))
+    z, last = axes[-1], points[-1]
+    paths.append(_path([last, last + z * (z @ (tool - last)), tool]))
+    return paths
 
 
 def joint_slider(
@@ -271,6 +297,19 @@ def still_room(points: Array, share: float) -> dict[str, Any]:
     low, high = points.min(axis=0), points.max(axis=0)
     radius = share * float(np.linalg.norm(high - low)) / 2
     return {"centre": ((low + high) / 2).tolist(), "radius": radius, "constant": True}
+
+
+def _path(points: list[Array]) -> Array:
+    """Return the path through points without repeated ones, or the straight line if the path is a detour."""
+    corners = [points[0]]
+    for point in points[1:]:
+        if np.linalg.norm(point - corners[-1]) > COINCIDENT_TOL_M:
+            corners.append(point)
+    path = np.array(corners)
+    straight = float(np.linalg.norm(points[-1] - points[0]))
+    if np.linalg.norm(np.diff(path, axis=0), axis=-1).sum() > MAX_DETOUR_RATIO * straight:
+        path = np.array([points[0], points[-1]] if straight > COINCIDENT_TOL_M else [points[0]])
+    return path + 0.0
 
 
 def joint_data(chain: Chain) -> list[dict[str, Any]]:

@@ -71,7 +71,7 @@ def test_a_prediction_does_not_include_its_explanations(page):
 def test_a_notebook_in_a_lab_does_not_contain_the_answers(monkeypatch):
     """Students save their notebooks, and the explanations must not be in the file beside the question."""
     monkeypatch.delenv(ENVIRONMENT_VARIABLE, raising=False)
-    assert still(ask("03/check-1")) == still(explain("03/order")) == ""
+    assert still(ask("03/check-2")) == still(explain("03/order")) == ""
 
 
 def test_a_slider_includes_a_picture_for_each_value(page):

@@ -89,7 +89,8 @@ export function steps({ model, stage, data }) {
     const now = stop();
     controls.update();
     select.value = model.get('variant');
-    count.textContent = data.label && !data.map ? now.title : countText();
+    const shown = data.label ? now.title : countText();
+    count.textContent = data.map ? '' : shown;
     title.hidden = Boolean(data.label) || !now.title;
     title.replaceChildren(...renderMathText(now.title ?? ''));
     others.replaceChildren(...(now.others ? [h('b', {}, 'Also valid: '), ...renderMathText(now.others)] : []));
