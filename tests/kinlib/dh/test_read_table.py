@@ -37,7 +37,7 @@ FORMS = {
     "printed by a toolbox": lines(
         "DHRobot: UR5, standard DH parameters\n┌──┐\n│ θⱼ │ dⱼ │ aⱼ │ ⍺ⱼ │ q⁻ │ q⁺ │\n├──┤",
         "│ q{i} │ {d} │ {a} │ {deg}.0° │ -360° │ 360° │",
-        "└──┘\n\n│ name │ q0 │ q1 │ q2 │ q3 │ q4 │ q5 │\n│ qz │ 0° │ 0° │ 0° │ 0° │ 0° │ 0° │",
+        "└──┘\n\n│ name │ q0 │ q1 │ q2 │ q3 │ q4 │ q5 │\n│ q │ 0° │ 0° │ 0° │ 0° │ 0° │ 0° │",
         ),
     "calls": lines("robot = DHRobot([", "    RevoluteDH(d={d}, a={a}, alpha={alpha}),", "], name='UR5')"),
     "calls of MATLAB": lines("", "L({i}) = Link([0 {d} {a} {alpha}]);"),
