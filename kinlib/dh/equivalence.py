@@ -395,19 +395,24 @@ def _improved(found: Equivalence, one: Chain, other: Chain, fixed: frozenset[str
     # The zero of the first joint is a motion of the base, and that of the last one a motion of the tool.
     is_free[6] &= "base" in fixed
     is_free[-7] &= "tool" in fixed
-    for _ in range(MAX_STEPS):
+    # Translations first: for them the problem is linear, and where rotations are redundant they would share the error.
+    slides = [letter == "P" for letter in one.joint_types]
+    translates = np.array([*[False] * 3, *[True] * 3, *slides, *[False] * 3, *[True] * 3])
+    for free in (is_free & translates, *[is_free] * MAX_STEPS):
         if found.difference <= EXACT:
             break
         error, J = linearized(found.base, one, found.signs * q + found.offsets, found.tool, target)
-        step = np.linalg.lstsq(J * is_free, -error, rcond=1e-10)[0] * is_free
-        if np.abs(step).max() > LARGEST_STEP:
+        step = np.linalg.lstsq(J * free, -error, rcond=1e-10)[0] * free
+        if free is is_free and np.abs(step).max() > LARGEST_STEP:
             break
         X, Y = exp(step[:6]) @ found.base, found.tool @ exp(step[-6:])
         moved = _measured(replace(found, base=X, tool=Y, offsets=found.offsets + step[6:-6]), one, other)
         if moved.difference >= found.difference:
-            break
+            if free is is_free:
+                break
+            continue
         is_slow, found = moved.difference > 0.5 * found.difference, moved
-        if is_slow:  # a start that is right leaves a linear problem
+        if is_slow and free is is_free:  # a start that is right leaves a linear problem
             break
     return found
 
