@@ -13,13 +13,13 @@ from collections.abc import Mapping, Sequence
 COMMANDS = {
     "export": ("misstep.grading.prairielearn", "write the problems of the course for PrairieLearn"),
     "grade": ("misstep.grading.command", "grade the submissions of a sheet, without running them"),
-    "preview": ("misstep.preview", "show a problem, and each mistake with its card"),
+    "preview": ("misstep.release.preview", "show a problem, and each mistake with its card"),
     "release": ("misstep.release.student_notebook", "write the students' notebooks from the instructors' notebooks"),
 }
 """For each command its module, and what it does."""
 
-EXTRAS = {"grade": "misstep[grading]", "release": "misstep[release]"}
-"""For each command the extra that installs what it requires besides NumPy."""
+EXTRAS = {"grade": "kincourse[grading]", "release": "kincourse[grading]"}
+"""For each command the extra that installs what it requires besides the course itself."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
