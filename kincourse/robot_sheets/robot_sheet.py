@@ -69,7 +69,7 @@ def _fits(robot: Chain, name: str) -> bool:
         return False  # a DH row cannot describe a helical joint
     return all(
         any(
-            problem.is_discriminating() and len(problem.known_mistakes) >= MIN_MISTAKES
+            problem.is_discriminating() and _mistake_count(problem) >= MIN_MISTAKES
             for problem in (
                 _clearest_problem(TASKS[name], robot, ArmSampler(student, name, attempt))
                 for attempt in range(MAX_DRAWS)
@@ -77,6 +77,10 @@ def _fits(robot: Chain, name: str) -> bool:
         )
         for student in PROBE_STUDENTS
     )
+
+
+def _mistake_count(problem: Problem) -> int:
+    return len(problem.known_mistakes) + len(problem.slips)
 
 
 def _clearest_problem(task: RobotTask, robot: Chain, sampler: ArmSampler) -> Problem:
@@ -87,9 +91,9 @@ def _clearest_problem(task: RobotTask, robot: Chain, sampler: ArmSampler) -> Pro
     problems: list[Problem] = []
     while len(problems) < CLEAREST_OF:
         problems.append(task.write(robot, sampler))
-        if not problems[-1].hidden and len(problems[-1].known_mistakes) >= MIN_MISTAKES:
+        if not problems[-1].hidden and _mistake_count(problems[-1]) >= MIN_MISTAKES:
             return problems[-1]
-    clearest = max(problems, key=lambda problem: (-len(problem.hidden), len(problem.known_mistakes)))
+    clearest = max(problems, key=lambda problem: (-len(problem.hidden), _mistake_count(problem)))
     return replace(clearest, invisible=clearest.hidden)
 
 
