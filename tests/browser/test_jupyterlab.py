@@ -13,7 +13,6 @@ import kinlib as kl
 from kincourse import find_question
 
 SHEET = "exercises/01_frames/01_frames.ipynb"
-LECTURE = "notebooks/00_start_here.ipynb"
 KERNEL = {"name": "python3", "display_name": "Python 3", "language": "python"}
 PLACING = [
     nbformat.v4.new_code_cell(
