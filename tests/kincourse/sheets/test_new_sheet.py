@@ -57,7 +57,7 @@ def test_every_robot_gets_eight_problems_that_suit_it_and_whose_mistakes_can_be_
         assert tasks == list(TASK_ORDER[:PROBLEMS_PER_SHEET])
     for task in tasks:
         for problem in variants(key, task, STUDENTS[:1]):
-            assert len(problem.known_mistakes) >= 3
+            assert len([*problem.known_mistakes, *problem.slips]) >= 3
             assert judge(problem, problem.answer.value).fraction == 1.0
             for wrong in problem.mistakes:
                 assert judge(problem, wrong.value).mistakes == [wrong.name]
