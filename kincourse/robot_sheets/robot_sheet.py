@@ -67,6 +67,8 @@ def tasks_for(robot: Chain) -> list[str]:
 def _fits(robot: Chain, name: str) -> bool:
     if name in TABLE_TASKS and "H" in robot.joint_types:
         return False  # a DH row cannot describe a helical joint
+    if name == "modified_table" and robot.n == 1:
+        return False  # the only row has no axis before it
     return all(
         any(
             problem.is_discriminating() and _mistake_count(problem) >= MIN_MISTAKES

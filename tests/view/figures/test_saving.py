@@ -128,7 +128,7 @@ def test_show_takes_every_kind_of_robot_with_values_by_name(opened, tmp_path):
     by_name = {"c": 0.3, "a": 0.1, "b": 0.2}
     for robot, q, alt in (
         (named, by_name, describe_arm(named, [0.1, 0.2, 0.3])),
-        (table, [0.1, 0.2, 0.3], describe_arm(table.to_chain(), [0.1, 0.2, 0.3])),
+        (table, [0.1, 0.2, 0.3], None),
         (kl.Tree.from_urdf(kl.to_urdf(named)), by_name, None),
         (FOUR_BAR, dict(zip(FOUR_BAR.names, closed, strict=True)), view.draw_linkage(FOUR_BAR, closed).alt),
     ):

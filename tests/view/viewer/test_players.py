@@ -266,8 +266,7 @@ def test_frames_with_open_entries_are_synchronized_with_the_page():
 
 def test_a_sheet_names_the_frames_that_are_not_placed():
     sheet = open_sheet("07_frame_assignment", "ada")
-    given = sheet.given(2)
-    chain = kl.Chain(given.screws, given.home, given.points)
+    chain = sheet.problem(2).shown["arm"]
     frames = kl.assign_frames(chain, convention="standard").frames.copy()
     frames[[0, 3], :3, 0] = np.nan
     pasted = [... if i in (0, 3) else T for i, T in enumerate(frames)]
