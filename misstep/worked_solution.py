@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 
 from misstep.answers.choice import Choice
-from misstep.answers.expression import ClosedForm
 from misstep.display.text import matrix, number, vector
 from misstep.mutants.expression import Expression
 from misstep.problem import Problem
@@ -36,7 +35,7 @@ def worked_solution(problem: Problem) -> Sequence[str]:
         named = [node for node in dict.fromkeys(_in_order(root)) if node.arguments and node.label and node is not root]
         steps = list(dict.fromkeys(f"${node.label} = {node.formula}$" for node in named[-MAX_STEPS:]))
         steps.append(f"${root.formula}$")
-    if isinstance(answer, ClosedForm):
+    if hasattr(answer.value, "free_symbols"):  # a formula of SymPy, which a page loads only when a cell uses it
         import sympy as sp
 
         return [*steps, f"${sp.latex(answer.value)}$"]
