@@ -200,7 +200,7 @@ def test_the_page_says_how_much_is_loaded_and_when_nothing_arrives(chromium_with
             body="postMessage({ kind: 'bytes', received: 12.9e6, total: 37.2e6 });",
         ))  # fmt: skip
         page.goto(lecture)
-        agree(page, cell(page, "draw_parts(arm)"))
+        agree(page, cell(page, "print(arm.home"))
         expect(page.locator(".kinlib-live-status")).to_have_text("Python is loading 12 of 38 MB")
         assert float(page.locator(".kinlib-live-status progress").get_attribute("value")) == pytest.approx(12.9 / 37.2)
         page.clock.run_for(20_000)
@@ -211,7 +211,7 @@ def test_the_page_says_why_python_could_not_start_and_tries_again(chromium_witho
     with unwatched(chromium_without_webgl, service_workers="block") as page:
         page.route("**/live/load.json", lambda route: route.abort())
         page.goto(lecture)
-        first = cell(page, "draw_parts(arm)")
+        first = cell(page, "print(arm.home")
         agree(page, first)
         ended(first, "Python could not start.")
         expect(page.locator(".kinlib-live-status")).to_contain_text("Check the connection, then press Run again.")
