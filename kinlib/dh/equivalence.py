@@ -145,7 +145,12 @@ class Equivalence:
         return self.explain()
 
     def poses(self, one: Chain, q: Array) -> Array:
-        """Compute X T_a(s q + c) Y, for q (..., n)."""
+        """Compute X T_a(s q + c) Y, for q (..., n).
+
+        >>> from kinlib.chains.robots import rpr
+        >>> equivalent(rpr(), rpr()).poses(rpr(), np.zeros(3)).shape
+        (4, 4)
+        """
         T: Array = self.base @ one.fk(self.signs * q + self.offsets) @ self.tool
         return T
 
@@ -422,6 +427,12 @@ def linearized(X: Array, chain: Chain, values: Array, Y: Array, target: Array) -
 
     values (N, n), target (N, 4, 4). The error is the small twist of target^-1 X T Y; with M = X T Y and the body Jacobian J of the
     chain, it changes by Ad(M^-1) dX + Ad(Y^-1) J dvalues + dY.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> q = np.zeros((2, 3))
+    >>> error, J = linearized(np.eye(4), rpr(), q, np.eye(4), rpr().fk(q))
+    >>> bool(error.any()), J.shape
+    (False, (12, 15))
     """
     M = X @ chain.fk(values) @ Y
     E = inverse(target) @ M
@@ -528,7 +539,15 @@ class AxisInvariants:
     tolerance: float
 
     def of(self, axis: Array, point: Array) -> Array:
-        """Compute the invariants of mechanisms, directions and points of their axes (..., n, 3) each -> (..., k)."""
+        """Compute the invariants of mechanisms, directions and points of their axes (..., n, 3) each -> (..., k).
+
+        >>> from kinlib.chains.robots import rpr
+        >>> arm = rpr()
+        >>> own = AxisInvariants(arm, 1e-9)
+        >>> values = own.of(arm.lines.axis, arm.joint_points)
+        >>> values.ndim
+        1
+        """
         u, v, between = axis[..., :-1, :], axis[..., 1:, :], np.diff(point, axis=-2)
         across = cross(u, v)
         moment, distance = _dot(between, across), np.linalg.norm(cross(between, u), axis=-1)
@@ -542,19 +561,43 @@ class AxisInvariants:
         return np.concatenate(parts, axis=-1)
 
     def violated(self, values: Array) -> Booleans:
-        """Return which invariants (..., k) differ from those of the reference for every choice of signs."""
+        """Return which invariants (..., k) differ from those of the reference for every choice of signs.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> arm = rpr()
+        >>> own = AxisInvariants(arm, 1e-9)
+        >>> values = own.of(arm.lines.axis, arm.joint_points)
+        >>> bool(own.violated(values).any())
+        False
+        """
         violated: Booleans = np.abs(np.abs(values) - np.abs(self._values)) > self._tolerances
         return violated
 
     def agree(self, values: Array, signs_are_fixed: bool = False) -> Booleans:
-        """Return for which mechanisms (N,) all invariants (N, k) agree for one choice of the joint signs."""
+        """Return for which mechanisms (N,) all invariants (N, k) agree for one choice of the joint signs.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> arm = rpr()
+        >>> own = AxisInvariants(arm, 1e-9)
+        >>> values = own.of(arm.lines.axis, arm.joint_points)
+        >>> bool(own.agree(values[None])[0])
+        True
+        """
         if signs_are_fixed:
             return np.asarray(np.all(np.abs(values - self._values) <= self._tolerances, axis=-1))
         possible = np.all(~self.violated(values), axis=-1)
         return np.array([each and len(self.sign_patterns(own)) > 0 for each, own in zip(possible, values, strict=True)])
 
     def sign_patterns(self, values: Array) -> Array:
-        """Return all signs of the joints (P, n) for which all invariants (k,) agree, those with the fewest -1 first."""
+        """Return all signs of the joints (P, n) for which all invariants (k,) agree, those with the fewest -1 first.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> arm = rpr()
+        >>> own = AxisInvariants(arm, 1e-9)
+        >>> values = own.of(arm.lines.axis, arm.joint_points)
+        >>> own.sign_patterns(values)[0].tolist()
+        [1.0, 1.0, 1.0]
+        """
         agree = np.abs(self._factors * values - self._values) <= self._tolerances
         return self._patterns[agree.all(axis=1)]
 
