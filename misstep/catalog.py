@@ -28,7 +28,7 @@ from misstep.problem import Template
 from misstep.questions.item import Item, read_questions
 from misstep.sheet import SAMPLE_ID, OpenSheet, Sheet
 from misstep.verdict import Verdict
-from misstep.worked_solution import worked_solution
+from misstep.worked_solution import steps_after
 
 if TYPE_CHECKING:
     from misstep.questions.widget import Explanation, Question
@@ -165,7 +165,7 @@ class Course:
         if judgement.state in {"partly", "wrong"}:
             self._tried.add(number)
         address = lecture_address(template.lecture, self.site)
-        worked = worked_solution(problem) if problem.solution is not None and judgement.state == "right" else ()
+        worked = steps_after(problem, judgement)
         return Verdict(template, judgement, address=address, is_first=is_first, worked=worked)
 
     def questions(self) -> dict[str, dict[str, Item]]:

@@ -13,7 +13,7 @@ from misstep.judge import Finding, Judgement, judge
 from misstep.problem import Problem, Template
 from misstep.storage.serialize import to_data
 from misstep.verdict import Tally, Verdict, observation
-from misstep.worked_solution import worked_solution
+from misstep.worked_solution import steps_after
 
 SAMPLE_ID = "your id"
 """The id in a sheet as it is released. Its numbers are valid, but they are the same for everybody."""
@@ -127,8 +127,7 @@ class OpenSheet:
         is_first = not any(one.state in {"partly", "wrong"} for one in self._judgements[k])
         self._judgements[k].append(judgement)
         address = lecture_address(template.lecture, self.site)
-        worked = worked_solution(problem) if problem.solution is not None and judgement.state == "right" else ()
-        self.verdicts[k] = Verdict(template, judgement, emission, address, is_first, worked)
+        self.verdicts[k] = Verdict(template, judgement, emission, address, is_first, steps_after(problem, judgement))
         return self.verdicts[k]
 
     def tally(self) -> Tally:
