@@ -9,6 +9,7 @@ from misstep.answers.choice import Choice
 from misstep.display.text import matrix, number, vector
 from misstep.judge import Judgement
 from misstep.mutants.expression import Expression
+from misstep.mutants.operations import radians
 from misstep.problem import Problem
 
 MAX_GIVEN, MAX_STEPS, MAX_ENTRIES = 6, 8, 36
@@ -66,12 +67,20 @@ def worked_solution(problem: Problem) -> Sequence[str]:
 def _steps(root: Expression) -> Iterator[str]:
     nodes = list(dict.fromkeys(_in_order(root)))
     leaves = [node for node in nodes if not node.arguments and not _is_number(node.label)]
-    given = [f"${node.label} = {text}$" for node in leaves if (text := _written(node.value)) and "$" not in node.label]
+    in_degrees = {id(node.arguments[0]) for node in nodes if node.operation is radians}
+    given = [
+        f"${node.label} = {text}{'°' if id(node) in in_degrees else ''}$"
+        for node in leaves
+        if (text := _written(node.value)) and "$" not in node.label
+    ]
     if given:
         yield ", ".join(dict.fromkeys(given[:MAX_GIVEN]))
     named = [node for node in nodes if node.arguments and node.label and node is not root]
     for node in [*named[-MAX_STEPS:], root]:
-        parts = dict.fromkeys(filter(None, (node.label, node.formula, _written(node.value))))
+        # A column or an entry has the formula of the whole; a label in brackets is that of a sum within a product.
+        formula = "" if node.operation.name == "entry" else node.formula
+        label = "" if node.label == f"({formula})" else node.label
+        parts = dict.fromkeys(filter(None, (label, formula, _written(node.value))))
         yield f"${' = '.join(parts)}$"
 
 
@@ -94,4 +103,4 @@ def _written(value: Any) -> str:
 
 
 def _is_number(label: str) -> bool:
-    return label.lstrip("-").replace(".", "", 1).isdigit()
+    return label.removesuffix("^\\circ").lstrip("-").replace(".", "", 1).isdigit()

@@ -293,7 +293,12 @@ corner_angle: Operation = Operation(
 )
 """The angle in radians between two sides of a triangle, by the law of cosines: corner_angle(one, two, opposite)."""
 
-polar: Operation = Operation("polar coordinates", lambda r, angle: _rotated(angle, np.array([r, 0.0])), "({0}, {1})".format, _polar_slips)
+polar: Operation = Operation(
+    "polar coordinates",
+    lambda r, angle: _rotated(angle, np.array([r, 0.0])),
+    "{0}\\,(\\cos {1}, \\sin {1})".format,
+    _polar_slips,
+)
 """The point (2,) at a distance from the origin in the direction of an angle in radians."""
 
 direction_of: Operation = Operation(

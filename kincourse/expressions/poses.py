@@ -247,7 +247,12 @@ def _inverse_slips(node: Expression) -> Slips:
 inverse: Operation = Operation("inverse of a pose", np.linalg.inv, power("{-1}"), _inverse_slips, involution=True)
 """The inverse of a pose: (R^T, -R^T p)."""
 
-exp: Operation = Operation("exponential", lambda S, q: exponential(S * q), "e^{{[{0}]{1}}}".format, _exp_slips)
+
+def _exponential_latex(S: str, q: str) -> str:
+    return f"e^{{[{S}]({q})}}" if q.startswith("-") else f"e^{{[{S}]{q}}}"
+
+
+exp: Operation = Operation("exponential", lambda S, q: exponential(S * q), _exponential_latex, _exp_slips)
 """The exponential of a screw S (6,) or rotation vector (3,) times a joint value: e^{[S] q}."""
 
 logarithm: Operation = Operation("logarithm", _logarithm, "\\log({0})".format, _LOGARITHMS, SUM)

@@ -259,7 +259,7 @@ rotation_exp: Operation = Operation(
 position_exp: Operation = Operation(
     "position",
     lambda w, v, q: _formula(INTEGRAL, _squared, _size(w), w, q, v),
-    "G({2})\\,{1}".format,
+    lambda _, v, theta: f"G({theta})\\,{v}" if not v.startswith("-") else f"G({theta})\\,({v})",
     _position_slips,
 )
 """The position of e^{[S] theta} for S = (omega, v) with omega not zero: G(theta) v."""

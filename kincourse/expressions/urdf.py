@@ -21,7 +21,8 @@ def rpy_rotation(label: str, rpy: Array | Expression) -> Expression:
     >>> rpy_rotation("R", np.array([0, 0, np.pi / 2])).value.round(9)[:, 0]
     array([0., 1., 0.])
     """
-    return _rpy_rotation(rpy if isinstance(rpy, Expression) else given(label, rpy)).named(label)
+    angles = rpy if isinstance(rpy, Expression) else given(label.replace("R", "\\mathrm{rpy}", 1), rpy)
+    return _rpy_rotation(angles).named(label)
 
 
 def about_own_axes(R: Expression) -> Expression:
