@@ -49,9 +49,11 @@ class Covered(anywidget.AnyWidget):
     ...     committed = Bool(False)
     >>> from kinlib.chains.robots import rpr
     >>> arm = explore(rpr(), after=(question := Question()))
+    >>> arm.on_page("viewer", "", "<svg></svg>")[23:]
+    '><div data-kinlib-drawing><p>Commit to your prediction first; then the picture appears here.</p></div></div>'
     >>> question.committed = True
-    >>> arm.covered
-    False
+    >>> arm.covered, arm.html()[:25]
+    (False, '<div data-kinlib-viewer><')
     """
 
     # The bundle defines one global object, so that a page without modules can run it too; a widget needs a default export.
@@ -109,6 +111,12 @@ class ViewerBase(Covered):
     >>> from kinlib.chains.robots import rpr
     >>> explore(rpr()).html()[:25]
     '<div data-kinlib-viewer><'
+    >>> arm = explore(rpr(), frames={"1": np.eye(4)})
+    >>> arm.own_frames(), arm.picture().alt[:3]
+    (['frame 1'], 'RPR')
+    >>> arm.check([1, 2])
+    Traceback (most recent call last):
+    ValueError: RPR has 3 joints (RPR), so q must have shape (..., 3); got (2,). Pass one value per joint.
     >>> explore(rpr()).save("arm.jpg")
     Traceback (most recent call last):
     ValueError: path must end in .svg, .html or .png; got 'arm.jpg'.
@@ -201,7 +209,14 @@ def as_script(state: Mapping[str, Any]) -> str:
 
 
 class Viewer(ViewerBase):
-    """An arm on the page. Make one with `explore`."""
+    """An arm on the page. Make one with `explore`.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> arm = explore(rpr())
+    >>> arm.check([0, 0.5, 0])
+    >>> arm.picture().alt[:13]
+    'RPR, 3 joints'
+    """
 
     def __init__(self, chain: Chain, scene: dict[str, Any], start: ArrayLike, **traits: Any) -> None:
         self.chain = chain

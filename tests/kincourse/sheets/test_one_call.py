@@ -12,6 +12,7 @@ import kinlib as kl
 from kincourse import find_sheet, sheets
 
 MAX_PROBLEMS, MAX_POINTS = 6, 15
+MAX_ROWS = 12
 CONVENTIONS = ({"convention": "standard"}, {"convention": "modified"})
 SLOW = {"assembly_modes", "finite_mobility", "mobility", "draw", "show"}
 """Searches that no problem asks for, and pictures."""
@@ -51,6 +52,8 @@ def calls(function, given):
     except (TypeError, ValueError):
         return
     values = list(given.values())
+    if "kinlib.dh" in function.__module__:  # no table of a machine has as many rows as a recorded path
+        values = [value for value in values if not isinstance(value, np.ndarray) or value.size <= 6 * MAX_ROWS]
     named = {name: given[name] for name in parameters if name in given}
     count = sum(one.default is one.empty and one.kind == one.POSITIONAL_OR_KEYWORD for one in parameters.values())
     chosen = [(value,) for value in values]
@@ -100,7 +103,9 @@ def seen_in(result, given, depth=1):
 def solving_call(problem):
     """Return the name of a function whose one call, also on a chain or a table of what is given, solves a problem; "" if none does."""
     answer = replace(problem.answer, printed=True) if hasattr(problem.answer, "printed") else problem.answer
-    for function in CALLABLES if problem.given else ():
+    is_formula = hasattr(answer.value, "free_symbols")  # otherwise the functions of numbers give the same, and sooner
+    functions = [one for one in CALLABLES if is_formula or "symbolic" not in one.__module__]
+    for function in functions if problem.given else ():
         for result in calls(function, problem.given):
             made = [result]
             if isinstance(result, kl.Chain | kl.DHTable):
