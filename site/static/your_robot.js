@@ -9,6 +9,7 @@
     );
   const compare = cellWith('found = examine(');
   const picture = cellWith('found.picture()');
+  const practise = [cellWith('sheet = practise('), cellWith('sheet.check(')];
   const known = cellWith('known_arms()')?.querySelectorAll('tbody tr') ?? [];
   if (!h || !compare || !document.querySelector('[data-kinlib-lab]')) return;
 
@@ -160,15 +161,20 @@
       `found = examine(arm, table${options.join('')})`,
       'found',
     ].join('\n');
-    const run = (element, text) =>
-      document.dispatchEvent(new CustomEvent('kinlib-run', { detail: { element, source: text } }));
-    run(compare.querySelector('.cell_input'), source);
-    if (given && picture) run(picture.querySelector('.cell_input'));
+    for (const cell of [compare, picture]) cell.querySelector('.cell_output')?.replaceChildren(); // of another robot
+    answer.hidden = false;
+    run(compare, source);
+    run(picture);
     answer.scrollIntoView({ behavior: 'smooth', block: 'nearest' });
   }
 
+  const run = (cell, source) =>
+    document.dispatchEvent(
+      new CustomEvent('kinlib-run', { detail: { element: cell.querySelector('.cell_input'), source } }),
+    );
+
   // The code of the cell is folded, and its output stands below the form.
-  const answer = h('div', { class: 'your-robot-result' });
+  const answer = h('div', { class: 'your-robot-result', hidden: true });
   const form = h(
     'form',
     { class: 'your-robot', onsubmit: (event) => event.preventDefault() },
@@ -204,7 +210,11 @@
   const place =
     document.querySelector('article h1').parentElement.querySelector('ul') ?? document.querySelector('article h1');
   place.after(form, answer);
-  answer.append(compare);
+  const start = () => {
+    for (const cell of practise) run(cell);
+    practise[0].scrollIntoView({ behavior: 'smooth', block: 'start' });
+  };
+  answer.append(compare, picture, h('p', {}, button('Practise with this robot', start)));
 
   // Each corrected table gets a button that copies it.
   const addCopies = () => {
