@@ -245,7 +245,7 @@ def _entries(table: DHTable) -> list[list[str]]:
 def formats(table: DHTable) -> dict[str, str]:
     """Write a table as text, CSV, LaTeX, Python, and for the Robotics Toolbox.
 
-    >>> print(formats(DHTable([[0.4, 0, 0.1, 0]], convention="standard"))["roboticstoolbox"])
+    >>> print(formats(DHTable([[0.4, 0, 0.1, 0]], convention="standard"))["Robotics Toolbox"])
     DHRobot([
         RevoluteDH(a=0.4, alpha=0, d=0.1, offset=0),
     ])
@@ -280,7 +280,7 @@ def formats(table: DHTable) -> dict[str, str]:
         "CSV": "\n".join(",".join(row) for row in [["a", "alpha", "d", "theta"], *rows]),
         "LaTeX": "\\begin{tabular}{ccccc}\n" + "\n".join(latex) + "\n\\end{tabular}",
         "Python": f"kl.DHTable([\n{body}\n], convention={table.convention!r}{extra})",
-        "roboticstoolbox": f"{fixed}DHRobot([\n" + "\n".join(links) + "\n])",
+        "Robotics Toolbox": f"{fixed}DHRobot([\n" + "\n".join(links) + "\n])",
     }
 
 

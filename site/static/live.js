@@ -820,6 +820,7 @@
   document.addEventListener('kinlib-run', ({ detail }) => {
     const cell = cells.find(({ element }) => element.contains(detail.element));
     if (detail.source) cell.edit(detail.source, false);
+    cell.status.textContent = '';
     run(cell);
   });
   const button = h('button', { type: 'button', class: 'kinlib-button', onclick: download }, 'Download with my answers');
