@@ -136,7 +136,7 @@ class Examination:
 
     @property
     def readings(self) -> list[str]:
-        """Each reading that explains the difference, the shortest first."""
+        """Each reading that explains the difference, that with the fewest changes first."""
         if not self.free or not self.strict or self.strict.verdict in {"right", "rounded"}:
             return []
         texts = []
@@ -151,7 +151,7 @@ class Examination:
         if strict not in texts and not (is_right and is_choice):
             same = "If q, base and tool are meant to be the same: " if texts else ""
             texts.append(same + strict)
-        return sorted(texts, key=len)
+        return sorted(texts, key=lambda text: (text.count("\n"), len(text)))
 
     @property
     def corrected(self) -> DHTable | None:

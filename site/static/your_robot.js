@@ -162,10 +162,10 @@
       'found',
     ].join('\n');
     for (const cell of [compare, picture]) cell.querySelector('.cell_output')?.replaceChildren(); // of another robot
-    answer.hidden = false;
+    for (const section of answer) section.hidden = false;
     run(compare, source);
     run(picture);
-    answer.scrollIntoView({ behavior: 'smooth', block: 'nearest' });
+    answer[0].scrollIntoView({ behavior: 'smooth', block: 'start' });
   }
 
   const run = (cell, source) =>
@@ -173,8 +173,13 @@
       new CustomEvent('kinlib-run', { detail: { element: cell.querySelector('.cell_input'), source } }),
     );
 
-  // The code of the cell is folded, and its output stands below the form.
-  const answer = h('div', { class: 'your-robot-result', hidden: true });
+  // The sections of the notebook with these cells show the answer, without their code; what they say of the code is left out.
+  const answer = [compare, picture].map((cell) => cell.closest('section'));
+  for (const section of answer) {
+    section.classList.add('your-robot-result');
+    section.hidden = true;
+  }
+  for (const about of answer[0].querySelectorAll(':scope > p')) about.remove();
   const form = h(
     'form',
     { class: 'your-robot', onsubmit: (event) => event.preventDefault() },
@@ -209,12 +214,11 @@
   }
   const place =
     document.querySelector('article h1').parentElement.querySelector('ul') ?? document.querySelector('article h1');
-  place.after(form, answer);
+  place.after(form);
   const start = () => {
     for (const cell of practise) run(cell);
-    practise[0].scrollIntoView({ behavior: 'smooth', block: 'start' });
   };
-  answer.append(compare, picture, h('p', {}, button('Practise with this robot', start)));
+  practise[0].before(h('p', {}, button('Start with the robot of the form', start)));
 
   // Each corrected table gets a button that copies it.
   const addCopies = () => {

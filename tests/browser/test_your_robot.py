@@ -19,7 +19,7 @@ def test_a_table_with_a_wrong_sign_is_explained_and_corrected(chromium_without_w
     with watched(chromium_without_webgl) as page:
         page.set_default_timeout(PYTHON_TIMEOUT_MS)
         page.goto(f"{site_address}/lectures/your_robot.html")
-        answer = page.locator(".your-robot-result")
+        answer, drawing = page.locator(".your-robot-result").all()
         expect(answer).to_be_hidden()
         page.get_by_label("A URDF file", exact=True).set_input_files(file)
         expect(page.locator("form")).to_contain_text("6 joints lie between them.")
@@ -31,7 +31,7 @@ def test_a_table_with_a_wrong_sign_is_explained_and_corrected(chromium_without_w
         expect(answer.locator("tr", has_text="first wrong row")).to_contain_text("-0.425")
         answer.get_by_text("The corrected table as text").click()
         expect(answer.locator("details[open] pre").first).to_contain_text("-0.425")
-        expect(answer.locator("[data-kinlib-viewer]")).to_have_count(1, timeout=PYTHON_TIMEOUT_MS)
-        page.get_by_role("button", name="Practise with this robot").click()
+        expect(drawing.locator("[data-kinlib-viewer]")).to_have_count(1, timeout=PYTHON_TIMEOUT_MS)
+        page.get_by_role("button", name="Start with the robot of the form").click()
         problem = page.locator("div.cell", has_text="sheet = practise(")
         expect(problem.locator(".cell_output")).to_contain_text("points)", timeout=PYTHON_TIMEOUT_MS)
