@@ -224,9 +224,12 @@ HEAD = "a|alpha|d|theta\n"
 REFUSED = {
     "degrees": (
         HEAD + "0|-90|0|q1",
-        r"^Row 1, alpha: an angle must be .*; got -90 rad\. -90 rad\? Write -90° if it is in",
+        r"^Row 1, alpha: an angle must be .*; got -90 rad\. If the number is in degrees, write -90°;",
     ),
-    "degrees beside a variable": (HEAD + "0|0|0|q1 - 90", r"Row 1, theta: .*; got -90 rad\. -90 rad\? Write -90° if"),
+    "degrees beside a variable": (
+        HEAD + "0|0|0|q1 - 90",
+        r"Row 1, theta: .*; got -90 rad\. If the number is in degrees, write -90°",
+    ),
     "a turn and a bit": ([[0, 0, 0, 6.3]], "Row 1, theta: an angle must be at most a full turn, 2 pi, .*; got 6.3 rad"),
     "a row too many numbers": (HEAD + "0|0|0|q1\n3|0|0|0|q2", "Row 2 must have 4 entries, one per heading; got 5: '3"),
     "a missing column": ("a|alpha|d\n0|0|0", "The heading must name the columns a, alpha, d, theta, each once"),
