@@ -29,7 +29,7 @@ from kinlib.dh.equivalence import (
 )
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.rounding import nearest_rows, nearest_table, rounding_effect, typed_half_units
-from kinlib.dh.search import TableExplanation, choices_as_faults, explain_by_choices, explain_by_slips
+from kinlib.dh.search import TableExplanation, cheapest, choices_as_faults, explain_by_choices, explain_by_slips
 from kinlib.dh.slips import MIN_LENGTH_MM, NUMBERS, SLIPS_OF_A_TABLE, Fault, wrong_number
 from kinlib.dh.table import Convention, DHTable
 from kinlib.urdf.chains import load_urdf
@@ -263,8 +263,7 @@ def _explanations(  # noqa: PLR0917
         pairs = explain_by_slips(table, reference, fixed, frozenset(), bound, 2)
         if ends := fixed & {"base", "tool"}:
             pairs += explain_by_slips(table, reference, fixed, ends, bound, 1)
-        least = min((each.edits for each in pairs), default=0)
-        found = _with_enough_digits([each for each in pairs if each.edits == least], table, half)
+        found = _with_enough_digits(cheapest(pairs), table, half)
     if choice and not any(each.says_as_much(choice) for each in found):
         is_pair = bool(found) and len(found[0].faults) > 1
         found = [choice] if not found or choice.edits < found[0].edits + is_pair else found
