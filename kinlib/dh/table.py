@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, reduce
 from itertools import accumulate
@@ -35,7 +35,7 @@ from kinlib.arrays.formatting import (
 from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
-from kinlib.dh.formatting import PRINTED_DIGITS, format_rows, headings
+from kinlib.dh.formatting import PRINTED_DIGITS, add_variable, headings
 from kinlib.dh.parsing import COLUMNS, Rows, joint_entries, read_rows
 from kinlib.rigid.screw import screw
 
@@ -397,6 +397,30 @@ def table_frames(table: DHTable, q: Array) -> dict[str, Array]:
     poses = accumulate(row_transforms(table, table.rows, q), np.matmul, initial=table.base)
     links = accumulate((letter != "F" for letter in table.joints), initial=0)
     return {str(link): T for link, T in zip(links, poses, strict=True)}
+
+
+def format_rows(
+    table: DHTable,
+    *,
+    length: Callable[[float], str] = format_number,
+    angle: Callable[[float], str] = format_degrees,
+    variable: Callable[[int], str] = "q{}".format,
+) -> list[list[str]]:
+    r"""Write each row of a table as its four entries a, alpha, d, theta.
+
+    length    writes a and d, given in metres
+    angle     writes alpha and theta, given in radians
+    variable  writes the variable of joint i, starting from 1
+
+    >>> table = DHTable("a | alpha | d | theta\n 0.4 | pi/2 | 0 | 0.5*pi - q1\n 0 | 0 | q2 | 0", convention="standard")
+    >>> format_rows(table)
+    [['0.4', '90°', '0', '-q1 + 90°'], ['0', '0', 'q2', '0']]
+    """
+    rows = [[length(a), angle(alpha), length(d), angle(theta)] for a, alpha, d, theta in table.rows.tolist()]
+    for joint, (row, column) in enumerate(joint_entries(table.joints), start=1):
+        sign = "-" if table.signs[row] < 0 else ""
+        rows[row][column] = add_variable(f"{sign}{variable(joint)}", rows[row][column])
+    return rows
 
 
 def _split_ends(text: str) -> tuple[str, dict[str, Any]]:

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, dh_transform, robots
-from kinlib.dh.formatting import format_rows
 from kinlib.dh.parsing import read_rows
+from kinlib.dh.table import format_rows
 
 EXACT = 1e-12
 
