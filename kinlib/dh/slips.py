@@ -149,15 +149,12 @@ SLIPS_OF_A_ROW = [
 ]  # fmt: skip
 """The slips in one row, the most frequent ones first."""
 
+TWO_ENTRIES = "Rows {{row}} and {{other}}: the entries of {name} are swapped."
+
 SLIPS_OF_TWO_ROWS = [
     Slip("rows swapped", "Rows {row} and {other} are swapped.", roll(range(4), 1)),
     *(
-        Slip(
-            "entry one row off",
-            f"Rows {{row}} and {{other}}: the entries of {name} are swapped.",
-            roll([k], 1),
-            column=k,
-        )
+        Slip("entry one row off", TWO_ENTRIES.format(name=name), roll([k], 1), column=k)
         for k, name in enumerate(COLUMNS)
     ),
 ]
@@ -357,12 +354,8 @@ def _set(rows_: Sequence[int], column: int, value: float | Array) -> Change:
 
 def off_the_normal(rows: Array) -> Array:
     """Measure a from origin to origin, with no d, so that x is along the link and not along the common normal."""
-    slanted = rows[:, [A]] != 0
-    return np.where(
-        slanted,
-        np.column_stack([np.hypot(rows[:, A], rows[:, D]), rows[:, ALPHA], 0 * rows[:, D], rows[:, THETA]]),
-        rows,
-    )
+    a, alpha, d, theta = rows.T
+    return np.where(rows[:, [A]] != 0, np.column_stack([np.hypot(a, d), alpha, 0 * d, theta]), rows)
 
 
 SLIPS_THAT_LOSE_NUMBERS = [
