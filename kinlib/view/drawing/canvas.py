@@ -158,7 +158,7 @@ class Canvas:
         true = self._scale * float(np.linalg.norm(np.subtract(end, start)))
         seen = float(np.linalg.norm(tip - tail))
         if seen < 0.03 * true:
-            self._end_on(tip, towards=float(self.eye @ np.subtract(end, start)) > 0, colour=colour, level=level)
+            self._end_on(tip, max(6.0, 2.3 * width), float(self.eye @ np.subtract(end, start)) > 0, colour, level)
             return
         along = (tip - tail) / max(seen, 1e-9)
         head = (6 + 1.5 * width) * min(1.0, 2 * seen / max(true, 1e-9))  # foreshortened, but not as soon as its stem
@@ -300,14 +300,15 @@ class Canvas:
         lines: Array = np.arange(low, high + 0.5) * step
         return lines
 
-    def _end_on(self, centre: Array, towards: bool, colour: str, level: float) -> None:
+    def _end_on(self, centre: Array, radius: float, towards: bool, colour: str, level: float) -> None:
         """Draw an arrow that points towards the viewer or away."""
-        self._marks.append((level, svg.circle(centre, 6, "white", edge=colour)))
+        self._marks.append((level, svg.circle(centre, radius, "white", edge=colour)))
         if towards:
-            self._marks.append((level, svg.circle(centre, 2, colour)))
+            self._marks.append((level, svg.circle(centre, radius / 3, colour)))
             return
-        for end in ((4, 4), (4, -4)):
-            self._marks.append((level, svg.polyline(np.array([centre - end, centre + end]), colour, 1.3)))
+        for x, y in ((radius, radius), (radius, -radius)):
+            stroke = np.array([x, y]) * 2 / 3
+            self._marks.append((level, svg.polyline(np.array([centre - stroke, centre + stroke]), colour, 1.3)))
 
 
 def _step(rough: float) -> float:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from kinlib.view.drawing.crop import crop
-from kinlib.view.drawing.dark_theme import follow_theme
+from kinlib.view.drawing.figure_colours import follow_theme
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.viewer.pictures import Pictures
 

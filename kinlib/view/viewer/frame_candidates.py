@@ -16,6 +16,7 @@ from kinlib.rigid.lie import perpendicular
 from kinlib.view.drawing.picture import vector_text
 from kinlib.view.figures.frame_assignment import span_on_axis
 from kinlib.view.figures.joint_bodies import stations
+from kinlib.view.figures.tree import branches
 from kinlib.view.viewer.scene import extent
 
 COINCIDENT_TOL = 1e-9
@@ -34,7 +35,7 @@ def frame_candidates(chain: Chain) -> dict[str, Any]:
     >>> frame_candidates(rpr())["points"][0]["text"]
     'joint 1; joint 2; intersection of axes 1 and 2; foot of normal 2–3 on axis 2'
     """
-    size, points = extent(chain), _origins(chain)
+    size, points = extent(*branches(chain)), _origins(chain)
     lines = []
     for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
         low, high = span_on_axis(z, point, [at for at, _ in points])

@@ -6,10 +6,9 @@ from typing import Any, TypeVar
 import traitlets
 
 from kinlib.view.drawing.crop import crop, is_croppable
-from kinlib.view.drawing.dark_theme import follow_theme
-from kinlib.view.drawing.picture import Gallery, Picture
-from kinlib.view.drawing.static_page import is_without_kernel
-from kinlib.view.viewer.viewer import Covered, as_script
+from kinlib.view.drawing.figure_colours import follow_theme
+from kinlib.view.drawing.picture import Gallery, Picture, is_without_kernel
+from kinlib.view.viewer.viewer import Covered
 
 ONE_PICTURE_ON_SCREEN = (
     "<style>@media screen and (scripting:enabled){.kinlib-film-frames figure:not(:first-child){display:none}"
@@ -78,7 +77,7 @@ class Pictures(Covered):
         """Return the pictures for a page without a kernel: as JSON, and the still ones, of which a script makes a player."""
         names = ["frames", "order", "texts", "looks", "at", "covered"]
         still = f'<div class="kinlib-film-frames">{ONE_PICTURE_ON_SCREEN}{Gallery(self.still).html()}</div>'
-        return self.on_page("film", as_script(self.get_state(names)), still)
+        return self.on_page("film", self.get_state(names), still)
 
     def save(self, path: Any) -> None:
         """Save the still pictures with their text alternatives as a page, .html.

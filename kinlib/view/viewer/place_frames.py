@@ -20,7 +20,7 @@ from kinlib.view.figures.arm import describe_arm, draw_joints, frame_text
 from kinlib.view.viewer.dh_players import table_cells
 from kinlib.view.viewer.frame_candidates import frame_candidates
 from kinlib.view.viewer.scene import bare_scene
-from kinlib.view.viewer.viewer import Viewer
+from kinlib.view.viewer.viewer import ViewerBase
 
 VIEW_RADIUS_SHARE = 0.84
 """The radius in view, as a share of the sphere around all that is drawn: in the initial view no arm fills that sphere."""
@@ -53,7 +53,7 @@ def _from_page(poses: Any, _: Any = None) -> Array:
         ) from error
 
 
-class ByHand(Viewer):
+class ByHand(ViewerBase):
     """Frames that are placed on the page. Make one with `assign`.
 
     frames   (n + 1, 4, 4) frames 0 to n in {s} at home; NaN for what is not placed yet. The page and Python can both set it
@@ -74,8 +74,8 @@ class ByHand(Viewer):
         arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would reveal the answer
         arm["normals"] = []
         self.convention = convention
+        self.chain = chain
         super().__init__(
-            chain,
             {**scene, "offered": ["base", "tool"]},
             np.zeros(chain.n),
             shown=["base", "tool"],
@@ -111,6 +111,10 @@ class ByHand(Viewer):
                 f"got {frames.shape}."
             )
         return frames
+
+    def check(self, values: list[float]) -> None:
+        """Raise ValueError if the arm has another number of joints."""
+        self.chain.in_order(values)
 
     def picture(self) -> Picture:
         """Draw the joints of the arm, without the frames."""

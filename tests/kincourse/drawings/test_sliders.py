@@ -15,7 +15,7 @@ from kincourse.lecture_08_closed_chains.drawings import slide_curve, slide_linka
 from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus
 from kinlib.rigid.lie import exp, homogeneous
 from kinlib.view import slide_frames
-from kinlib.view.drawing.static_page import ENVIRONMENT_VARIABLE
+from kinlib.view.drawing.picture import ENVIRONMENT_VARIABLE
 
 WIDE = kl.linkages.four_bar(ground=0.5, crank=0.3, coupler=0.3, rocker=0.3)
 ARM = kl.robots.mid_formula_arm()
