@@ -76,7 +76,8 @@ def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None
         name: moved(poses[body], validation.vectors(p, f"point {name}", 3))
         for name, (body, p) in (points or {}).items()
     }
-    corners: dict[str, list[Array]] = {body: [] for body in poses}
+    home = body_points(mechanism)
+    corners = {body: moved(T, home[body]) for body, T in poses.items()}
     first, second, axes = [], [], []
     own_values = np.split(values, np.cumsum([joint.dof for joint in mechanism.joints])[:-1])
     for joint, own in zip(mechanism.joints, own_values, strict=True):
@@ -86,12 +87,24 @@ def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None
         first.append(moved(carried, joint.position))
         second.append(moved(there @ inverse(joint.closing_offset), joint.position))
         axes.append(here[:3, :3] @ line(joint.screws[0]).axis)
-        corners[joint.bodies[0]].append(moved(here, joint.position))
-        corners[joint.bodies[1]].append(second[-1])
     for name, (body, _) in (points or {}).items():
-        corners[body].append(named[name])
-    shapes = {body: np.array(places) for body, places in corners.items()}
-    return LinkageGeometry(np.array(first), np.array(second), np.array(axes), shapes, named)
+        corners[body] = np.concatenate([corners[body], named[name][None]])
+    return LinkageGeometry(np.array(first), np.array(second), np.array(axes), corners, named)
+
+
+def body_points(mechanism: Mechanism) -> dict[str, Array]:
+    """Return for each body the points of its joints, (k, 3), which move with it.
+
+    >>> from kinlib.mechanisms.linkages import four_bar
+    >>> body_points(four_bar(4, 1, 3.5, 3))["crank"] + 0.0
+    array([[0., 0., 0.],
+           [1., 0., 0.]])
+    """
+    found: dict[str, list[Array]] = {body: [] for body in mechanism.bodies}
+    for joint in mechanism.joints:
+        found[joint.bodies[0]].append(joint.position)
+        found[joint.bodies[1]].append(moved(inverse(joint.closing_offset), joint.position))
+    return {body: np.array(places) for body, places in found.items()}
 
 
 def draw_linkage(
@@ -158,10 +171,6 @@ def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry, ghost: Lin
     """Return the text alternative of a drawing of a linkage: its bodies, where its joints are, and whether it is closed.
 
     ghost  the configuration that is drawn in grey
-
-    >>> from kinlib.mechanisms.linkages import triangle
-    >>> describe_linkage(triangle(), linkage_geometry(triangle(), [0, 0, 0]))[-36:]
-    'All lengths in metres. It is closed.'
     """
     shown = slice(2) if is_planar(mechanism) else slice(3)
     joints = [

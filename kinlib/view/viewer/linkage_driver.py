@@ -19,7 +19,7 @@ from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import inverse
 from kinlib.rigid.screw import line
 from kinlib.view.drawing.canvas import moved
-from kinlib.view.figures.linkage import draw_linkage, is_planar, linkage_geometry
+from kinlib.view.figures.linkage import body_points, draw_linkage, is_planar, linkage_geometry
 from kinlib.view.viewer.scene import half_height
 from kinlib.view.viewer.steps import Steps
 
@@ -180,19 +180,17 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
 
 def _pieces(mechanism: Mechanism, names: list[str]) -> list[dict[str, Any]]:
     """Return what is drawn: bars between the joints of each body, and each joint on the first of its two bodies."""
-    corners: dict[str, list[Array]] = {body: [] for body in [mechanism.ground, *names]}
     pieces = []
     for joint in mechanism.joints:
         first, second = joint.bodies
-        corners[first].append(joint.position)
-        corners[second].append(moved(inverse(joint.closing_offset), joint.position))
         axis = line(joint.screws[0]).axis
         kind = "ball" if joint.dof > 1 else "box" if not joint.screws[0, :3].any() else "cylinder"
         drawn = {"name": joint.name, "joins": list(joint.bodies), "foot": first == mechanism.ground}
         pieces.append(_piece(names, first, kind, joint.position, axis, **drawn))
         if kind == "box":  # the slider is as wide as its sleeve, so that its translation is visible
-            pieces.append(_piece(names, second, "slider", corners[second][-1], axis))
-    for body, points in corners.items():
+            at = moved(inverse(joint.closing_offset), joint.position)
+            pieces.append(_piece(names, second, "slider", at, axis))
+    for body, points in body_points(mechanism).items():
         if body != mechanism.ground:
             ends = [*points, points[0]] if len(points) > 2 else points
             pieces += [_piece(names, body, "bar", a, b - a) for a, b in pairwise(ends) if np.linalg.norm(b - a)]
