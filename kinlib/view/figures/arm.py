@@ -59,13 +59,8 @@ def draw_arm(
     q = home if q is None else validation.single(chain.in_order(q), "q")
     ghost = None if ghost is None else validation.single(chain.in_order(ghost), "ghost")
     path, shadow = stations(chain, q), stations(chain, q if ghost is None else ghost)
-    body, links = body_of(chain), chain.link_poses(q)
-    moved = np.concatenate([np.eye(4)[None], links @ inverse(chain.link_poses(home))])
-    seen = (
-        np.concatenate([path, shadow, body.extent(moved)])
-        if around is None
-        else np.asarray(around, dtype=float).reshape(-1, 3)
-    )
+    body, links, moved = body_of(chain), chain.link_poses(q), body_motions(chain, q)
+    seen = np.concatenate([path, shadow, body.extent(moved)]) if around is None else np.reshape(around, (-1, 3))
     canvas = Canvas(seen, view, sizes=stations(chain))
     canvas.floor(seen, height=body.lowest)
     if ghost is not None:
@@ -86,6 +81,17 @@ def draw_arm(
         canvas.triad(validation.poses(T, f"frame {name}"), name, 0.17 * canvas.size)
     text = describe_arm(chain, q, ghost=ghost, home_axes="home axes" in show, frames=frames)
     return canvas.picture(text, caption, cropped=around is None)
+
+
+def body_motions(chain: Chain, q: Array) -> Array:
+    """Return the motion of each body from home to q, (n + 1, 4, 4): body 0 is the base, body i is what joint i moves.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> body_motions(rpr(), np.array([0, 0.5, 0]))[2, :3, 3]
+    array([0. , 0. , 0.5])
+    """
+    moved = chain.link_poses(q) @ inverse(chain.link_poses(np.zeros(chain.n)))
+    return np.concatenate([np.eye(4)[None], moved])
 
 
 def draw_joints(chain: Chain, tool: bool = False) -> Picture:
@@ -214,11 +220,7 @@ def describe_arm(
 
 
 def frame_text(frame: tuple[str, ArrayLike]) -> str:
-    """Return a sentence about a frame: its name, its origin and the directions of its axes.
-
-    >>> frame_text(("1", np.eye(4)))
-    'Frame {1} at (0, 0, 0), x along x, y along y, z along z.'
-    """
+    """Return a sentence about a frame: its name, its origin and the directions of its axes."""
     name, T = frame[0], np.asarray(frame[1], dtype=float)
     axes = ", ".join(f"{letter} along {direction_text(axis)}" for letter, axis in zip("xyz", T[:3, :3].T, strict=True))
     return f"Frame {{{name}}} at {vector_text(T[:3, 3])}, {axes}."
@@ -235,11 +237,7 @@ def _draw_axes(canvas: Canvas, chain: Chain, frames: Array, name: str, colour: s
 
 
 def pose_text(T: Array) -> str:
-    """Write where a DH frame is: its origin, and the directions of x and z, from which y follows.
-
-    >>> pose_text(np.eye(4))
-    'at (0, 0, 0), x along (1, 0, 0), z along (0, 0, 1)'
-    """
+    """Write where a DH frame is: its origin, and the directions of x and z, from which y follows."""
     return f"at {vector_text(T[:3, 3])}, x along {vector_text(T[:3, 0])}, z along {vector_text(T[:3, 2])}"
 
 
@@ -256,9 +254,5 @@ def direction_text(axis: Array) -> str:
 
 
 def configuration_text(q: ArrayLike) -> str:
-    """Write a configuration as "at home" or by its values.
-
-    >>> configuration_text([0, 0]), configuration_text([0, 1.5])
-    ('at home', 'at q = (0, 1.5)')
-    """
+    """Write a configuration as "at home" or by its values."""
     return f"at q = {vector_text(q)}" if np.abs(q).max() > tolerances.TYPED_PI_ERROR else "at home"

@@ -10,13 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import adjoint, inverse
+from kinlib.rigid.lie import adjoint
 from kinlib.urdf.links_and_joints import UrdfJoint
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK
 from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.figures.arm import JOINT_KINDS, configuration_text, direction_text
+from kinlib.view.figures.arm import JOINT_KINDS, body_motions, configuration_text, direction_text
 from kinlib.view.figures.bodies import Body, Primitive, body_of, visual_solids
 from kinlib.view.figures.body_drawing import draw_body
 from kinlib.view.figures.joint_bodies import NUMBER_OFFSETS, carried_axes, stations
@@ -59,17 +59,6 @@ class Branch:
     def motions(self, q: ArrayLike) -> Array:
         """Return the motion of each body from home to q, (k + 1, 4, 4): body 0 is the base, body i is what joint i moves."""
         return body_motions(self.chain, self.values(q))
-
-
-def body_motions(chain: Chain, q: Array) -> Array:
-    """Return the motion of each body from home to q, (n + 1, 4, 4): body 0 is the base, body i is what joint i moves.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> body_motions(rpr(), np.array([0, 0.5, 0]))[2, :3, 3]
-    array([0. , 0. , 0.5])
-    """
-    moved = chain.link_poses(q) @ inverse(chain.link_poses(np.zeros(chain.n)))
-    return np.concatenate([np.eye(4)[None], moved])
 
 
 def branches(robot: Chain | Tree) -> list[Branch]:

@@ -19,10 +19,11 @@ from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.rigid.lie import homogeneous, inverse, perpendicular
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.canvas import VIEWS, axes_of_view
+from kinlib.view.figures.arm import body_motions
 from kinlib.view.figures.bodies import solid_data
 from kinlib.view.figures.frame_assignment import MAX_DISTANCE_IN_ARM_SIZES
 from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes, stations
-from kinlib.view.figures.tree import Branch, body_motions, branches, joint_share, robot_body
+from kinlib.view.figures.tree import Branch, branches, joint_share, robot_body
 
 MAX_DETOUR_RATIO = 2.5
 """The lengths of a link are along its axes and their common normal, unless that is longer than the straight line by this factor."""

@@ -21,8 +21,8 @@ from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.picture import Picture, is_without_kernel, page, save
-from kinlib.view.figures.arm import ARM_LAYERS, describe_arm, draw_arm
-from kinlib.view.figures.tree import MAX_NAMED_TIPS, body_motions, describe_tree, draw_tree
+from kinlib.view.figures.arm import ARM_LAYERS, body_motions, describe_arm, draw_arm
+from kinlib.view.figures.tree import MAX_NAMED_TIPS, describe_tree, draw_tree
 from kinlib.view.viewer.cell_memory import keep_in_cell
 from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, scene
 
