@@ -23,15 +23,9 @@ CHARACTER_WIDTH = 0.6
 
 
 def crop(pictures: Sequence[Picture], largest: tuple[float, float] = LARGEST_PX) -> list[Picture]:
-    """Cut drawings to the smallest rectangle that contains what all of them show, and enlarge them a little.
+    """Cut drawings to the smallest rectangle that contains what all of them show, and enlarge them a little, to `largest`.
 
     Raises ValueError if a picture was not made by svg.document.
-
-    >>> from kinlib.view.drawing.canvas import Canvas
-    >>> canvas = Canvas([(0, 0, 0), (1, 0, 0)], view="front")
-    >>> canvas.line([(0, 0, 0), (1, 0, 0)])
-    >>> crop([canvas.picture("A horizontal line, one metre long.")])[0].svg.split(">")[0][-57:].strip()
-    'width="495.8" height="26" viewBox="129.3 129.3 381.4 20"'
     """
     boxes = np.array([_content(picture.svg) for picture in pictures])
     low, high = boxes[:, 0].min(axis=0) - BORDER_PX, boxes[:, 1].max(axis=0) + BORDER_PX

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.assignment import assign_frames
+from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.formatting import format_rows
 from kinlib.dh.table import Convention, DHTable, dh_transform, validate_convention
 from kinlib.rigid.lie import adjoint, homogeneous
@@ -169,7 +169,7 @@ def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = 
     if rows is not None and rows not in range(chain.n + 1):
         raise ValueError(f"rows must be the number of rows to show, 0 to {chain.n}; got {rows!r}.")
     validate_convention(convention)
-    assignments = {name: assign_frames(chain, convention=name) for name in CONVENTIONS}
+    assignments: dict[str, FrameAssignment] = {name: assign_frames(chain, convention=name) for name in CONVENTIONS}
     points, variants = [stations(chain)], {}
     for name, one in assignments.items():
         near, feet = visible_features(one)

@@ -25,16 +25,9 @@ class Pictures(Covered):
     texts    the caption, the text alternative and the label of each stop
     looks    "label" of the slider, "rate" in stops per second of a film, "ends" of its scenes
     at       the stop that is shown; the page and Python can both set it
-
     still    the pictures for print, and for a page without a script
 
-    Use `film` or `slide`:
-
-    >>> from kinlib.view.drawing.canvas import Canvas
-    >>> dot = Canvas([(0, 0, 0), (2, 0, 0)], view="front").picture("A point at x = 1 m on a line.")
-    >>> shown = Pictures([dot], lambda index: dot, [{"caption": "", "alt": dot.alt, "label": "1"}], order=[0], frames=[""])
-    >>> shown.alt
-    'A point at x = 1 m on a line.'
+    Make them with `film` or `slide`.
     """
 
     frames = traitlets.List(traitlets.Unicode()).tag(sync=True)
@@ -120,14 +113,13 @@ def slide(
     if is_croppable(drawn[start]) or is_without_kernel():
         pictures = [drawn[start] if index == start else at(index) for index in range(len(values))]
         drawn = dict(enumerate(crop(pictures) if all(map(is_croppable, pictures)) else pictures))
-    labels = [f"{value:.4g}" if isinstance(value, float) else str(value) for value in values]
+    texts = [{"label": f"{value:.4g}" if isinstance(value, float) else str(value)} for value in values]
+    for k, picture in drawn.items():
+        texts[k] |= {"caption": picture.caption, "alt": picture.alt}
     return Pictures(
         [drawn[start]],
         at,
-        [
-            {"label": text, "caption": drawn[k].caption, "alt": drawn[k].alt} if k in drawn else {"label": text}
-            for k, text in enumerate(labels)
-        ],
+        texts,
         frames=[follow_theme(drawn[k].svg) if k in drawn else "" for k in range(len(values))],
         order=list(range(len(values))),
         looks={"label": label},

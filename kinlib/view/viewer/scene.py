@@ -175,33 +175,20 @@ def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> 
 
 
 def extent(*arms: Branch) -> float:
-    """Return the longest side of a robot at home, in metres: the unit of length of what is not drawn to scale; 1 if it is 0.
-
-    >>> from kinlib.chains.robots import youbot
-    >>> extent(*branches(youbot()))
-    0.5405
-    """
+    """Return the longest side of a robot at home, in metres: the unit of length of what is not drawn to scale; 1 if it is 0."""
     side = float(np.ptp(np.concatenate([stations(branch.chain) for branch in arms]), axis=0).max())
     return side if side > COINCIDENT_TOL_M else 1.0
 
 
 def half_height(points: Array, look: Sequence[float] = VIEWS["default"]) -> float:
-    """Return half the height of a picture in which points (m, 3) about its centre are in view, from `look` and in all named views.
-
-    >>> half_height(np.array([[0.0, 0, 2], [0, 0, -2]]))
-    2.0
-    """
+    """Return half the height of a picture in which points (m, 3) about its centre are in view, from `look` and in all named views."""
     views = [look, *VIEWS.values()]
     seen = [np.abs(points @ axes_of_view(*view)[1].T).max(axis=0) for view in views]
     return max(float(max(HEIGHT_PER_WIDTH * right, up)) for right, up in seen)
 
 
 def still_room(points: Array, share: float) -> dict[str, Any]:
-    """Return the region in view of what does not leave its place: a share of the sphere around points (m, 3).
-
-    >>> still_room(np.array([[0, 0, 0], [0, 0, 2.0]]), 0.5)
-    {'centre': [0.0, 0.0, 1.0], 'radius': 0.5, 'constant': True}
-    """
+    """Return the region in view of what does not leave its place: a share of the sphere around points (m, 3)."""
     low, high = points.min(axis=0), points.max(axis=0)
     radius = share * float(np.linalg.norm(high - low)) / 2
     return {"centre": ((low + high) / 2).tolist(), "radius": radius, "constant": True}
