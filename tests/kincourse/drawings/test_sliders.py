@@ -69,7 +69,7 @@ def test_frames_at_each_value_are_those_of_the_function_and_are_described():
     texts = set()
     for index, x in enumerate((0.0, 0.5, 1.0)):
         shown.at = index
-        np.testing.assert_allclose(shown.poses["b"], turning(x)["b"])
+        np.testing.assert_allclose(np.reshape(shown.stop["poses"][1], (4, 4)), turning(x)["b"])
         assert shown.alt.startswith(f"Rotated by {x} rad. Frame {{s}} at (0, 0, 0)")
         assert f"x along {'x' if not x else f'({np.cos(x):.3g}, {np.sin(x):.3g}, 0)'}" in shown.alt
         assert shown.alt in html.unescape(shown.html())
