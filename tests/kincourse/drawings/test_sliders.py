@@ -15,7 +15,7 @@ from kincourse.lecture_08_closed_chains.drawings import slide_curve, slide_linka
 from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus
 from kinlib.rigid.lie import exp, homogeneous
 from kinlib.view import slide_frames
-from kinlib.view.drawing.static_page import ENVIRONMENT_VARIABLE
+from kinlib.view.drawing.picture import ENVIRONMENT_VARIABLE
 
 WIDE = kl.linkages.four_bar(ground=0.5, crank=0.3, coupler=0.3, rocker=0.3)
 ARM = kl.robots.mid_formula_arm()
@@ -69,7 +69,7 @@ def test_frames_at_each_value_are_those_of_the_function_and_are_described():
     texts = set()
     for index, x in enumerate((0.0, 0.5, 1.0)):
         shown.at = index
-        np.testing.assert_allclose(shown.poses["b"], turning(x)["b"])
+        np.testing.assert_allclose(np.reshape(shown.stop["poses"][1], (4, 4)), turning(x)["b"])
         assert shown.alt.startswith(f"Rotated by {x} rad. Frame {{s}} at (0, 0, 0)")
         assert f"x along {'x' if not x else f'({np.cos(x):.3g}, {np.sin(x):.3g}, 0)'}" in shown.alt
         assert shown.alt in html.unescape(shown.html())
