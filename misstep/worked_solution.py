@@ -11,6 +11,7 @@ from misstep.judge import Judgement
 from misstep.mutants.expression import Expression
 from misstep.mutants.operations import radians
 from misstep.problem import Problem
+from misstep.reasoned_choice import ReasonedChoice
 
 MAX_GIVEN, MAX_STEPS, MAX_ENTRIES = 6, 8, 36
 """How many given values and steps are written, and the entries of the largest array."""
@@ -39,6 +40,9 @@ def worked_solution(problem: Problem) -> Sequence[str]:
     ['$a = 0.5$, $b = 0.25$', '$r = a + b = 0.75$', '$2\\,r = 1.5$']
     """
     answer, solution = problem.answer, problem.solution
+    if isinstance(answer, ReasonedChoice):
+        both = (answer.choice, answer.reason)
+        return [step for one in both for step in worked_solution(Problem("", one))]
     if isinstance(answer, Choice):
         text = answer.options[answer.value]
         return [answer.value if answer.value == text else f"{answer.value}: {text}"]

@@ -37,6 +37,7 @@ from misstep.mistakes import mistake
 from misstep.mutants.expression import given
 from misstep.mutants.operations import ANGLE, VECTOR, function, radians, stack
 from misstep.problem import Problem
+from misstep.reasoned_choice import with_reason
 from misstep.sheet import Sheet
 
 SUBSCRIPTS_CANCEL = "Only in $T_{ts}\\,T_{sc}\\,T_{co}$ do all adjacent subscripts cancel: s with s, and c with c."
@@ -440,13 +441,22 @@ def rigid_or_not(sampler: ArmSampler) -> Problem:
     elif right == "e":
         T[3, :3], T[:3, 3] = T[:3, 3], 0
     listed = "\n".join(f"- `'{letter}'`: {flaw}" for letter, flaw in FLAWS.items())
-    return Problem(
+    R = T[:3, :3]
+    shows = {
+        "b": np.linalg.norm(R[:, j]),
+        "c": R[:, j] @ R[:, k],
+        "e": T[3] @ T[3],
+    }.get(right, np.cross(R[:, 0], R[:, 1])[0])
+    problem = Problem(
         statement="Is this matrix a rigid motion? If not, which condition fails? $R$ is its upper left block, of shape (3, 3).\n\n"
-        f"$${matrix(T)}$$\n\n{listed}",
+        f"$${matrix(T)}$$\n\n{listed}\n\nAnswer with a letter and a number that shows it, such as `('a', 0.8)`: for `'b'` the length of "
+        "the column that is no unit vector, for `'c'` the dot product of the two columns that are not orthogonal, for `'e'` the sum of the "
+        "squares of the last row, and for `'a'` and `'d'` the first entry of the cross product of columns 1 and 2.",
         given={"matrix": T},
         answer=Choice(right, FLAWS),
         mistakes=[mistake(f"flaw {wrong}", wrong, FLAWS_REFUTED[wrong]) for wrong in FLAWS if wrong != right],
     )
+    return with_reason(problem, Numbers(np.array(float(shows))))
 
 
 def _rotation(k: int, degrees: float) -> Array:

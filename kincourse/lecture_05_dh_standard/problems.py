@@ -28,10 +28,12 @@ from kinlib.dh.table import DHTable
 from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import ANGLE, radians, sqrt, square, stack
 from misstep.problem import Problem
+from misstep.reasoned_choice import with_reason
 from misstep.sheet import Sheet
 
 RIGHT_ANGLE_RAD = np.pi / 2
@@ -283,7 +285,8 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
         ) * (1, RIGHT_ANGLE_RAD, 1, RIGHT_ANGLE_RAD)
         table = DHTable(rows, convention="standard", name="Frames 0 to 3")
         places = [*table_frames(table)[:, :3, 3]]
-    i, k = sampler.integer(0, 2), sampler.integer(0, 3)
+    # half a turn could be typed with either sign
+    i, k = sampler.choice([(i, k) for i in range(3) for k in range(4) if k in {0, 2} or rows[i, k] < 3])
     wrong = rows.copy()
     if k in {0, 2}:
         wrong[i, k] = sampler.choice([length for length in (1, 2, 3, -rows[i, k]) if length != rows[i, k]])
@@ -292,14 +295,16 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
         wrong[i, k] = RIGHT_ANGLE_RAD * sampler.choice([other for other in (-1, 0, 1, 2) if (other - quarter) % 4])
     answer = f"{COLUMNS[k]}{i + 1}"
     printed = markdown_table([[number(a), degrees(alpha), number(d), degrees(theta)] for a, alpha, d, theta in wrong])
-    return Problem(
+    problem = Problem(
         statement="The table below was read from the drawn frames, at $q = 0$, in the standard convention. One entry is wrong. "
-        f"Which one? Answer with its column and its row, such as `'d2'`.\n\n{printed}",
+        "Which one, and what is its right value? Answer with its column and row, and with the value in metres or radians, such as "
+        f"`('d2', 1.5)`.\n\n{printed}",
         figure=partial(draw_table, table, numbers=True),
         given={"frames": table_frames(table), "rows": wrong},
         answer=Choice(answer, entry_names(3)),
         mistakes=other_entries(answer, 3, "standard"),
     )
+    return with_reason(problem, Numbers(np.array(rows[i, k])))
 
 
 @problem(

@@ -47,6 +47,7 @@ from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import stack
 from misstep.problem import Problem
+from misstep.reasoned_choice import with_reason
 from misstep.sheet import Sheet
 
 RIGHT_ANGLE_RAD = np.pi / 2
@@ -446,16 +447,18 @@ def which_convention(sampler: ArmSampler) -> Problem:
             "It may be modified. But in the standard convention it gives the same pose, because all $d$ and $\\theta$ are 0 here."
         )
     listed = "\n".join(f"- `'{letter}'`: {text}" for letter, text in options.items())
-    return Problem(
+    problem = Problem(
         statement="The table of an arm with two revolute joints does not say in which convention it is. Base and tool are "
         "the identity. On the real arm, the pose $T$ of the end-effector was measured at "
         f"$q = {vector(np.degrees(q))}$ degrees. What does the measurement tell you?\n\n"
-        f"{_format_table(rows, '', 'RR')}\n\n$$T = {matrix(T)}$$\n\n{listed}",
+        f"{_format_table(rows, '', 'RR')}\n\n$$T = {matrix(T)}$$\n\n{listed}\n\nAnswer with a letter, and with the x coordinates "
+        "of the end-effector that the table gives in the standard and in the modified convention, such as `('a', [0.4, 0.7])`.",
         figure=partial(draw_frames, {"0": np.eye(4), "2": T}, arrows=False),
         given={"rows": rows, "q": q, "pose": T},
         answer=Choice(truth, options),
         mistakes=[mistake(options[letter], letter, why[letter]) for letter in options if letter != truth],
     )
+    return with_reason(problem, Numbers(np.array([pose[0, 3] for pose in poses.values()]), unit="m"))
 
 
 @problem(

@@ -8,7 +8,7 @@ import numpy as np
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.frames import DHFramesAnswer
 from kincourse.answers.point import VectorsAnswer
-from kincourse.mistakes.dh import rows_of_the_other_convention
+from kincourse.mistakes.dh import entry_names, rows_of_the_other_convention
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
@@ -32,6 +32,7 @@ from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import given
 from misstep.mutants.operations import stack
 from misstep.problem import Problem
+from misstep.reasoned_choice import with_reason
 from misstep.sheet import Sheet
 
 RIGHT_ANGLE_RAD = np.pi / 2
@@ -63,14 +64,16 @@ def the_case(sampler: ArmSampler) -> Problem:
     place = point + along * z + distance * normal + (sampler.integer(1, 3) * side if right in "ab" else 0)
     robot = arm([(z, point), (other, place)], pose((X, Y, Z), place + X), "Two axes", "drawn for you")
     listed = "\n".join(f"- {letter}) {case}" for letter, case in CASES.items())
-    return Problem(
+    problem = Problem(
         statement=f"Two revolute joints follow each other in an arm. How are their axes related?\n\n{joint_table(robot)}\n\n{listed}\n\n"
-        "Answer with a letter, such as `'a'`.",
+        "Answer with a letter, and with the point of the second axis that is nearest to the point of the first one in the table, such as "
+        "`('a', [1, 0, 2])`.",
         figure=partial(draw_joints, robot),
         given={"axes": np.array([z, other]), "points": robot.joint_points},
         answer=Choice(right, CASES),
         mistakes=[mistake(CASES[wrong], wrong, _case_message(wrong, right)) for wrong in CASES if wrong != right],
     )
+    return with_reason(problem, Numbers(place + other * ((point - place) @ other), unit="m"))
 
 
 def _case_message(wrong: str, right: str) -> str:
@@ -256,23 +259,34 @@ def which_rule(sampler: ArmSampler) -> Problem:
     axes, origin = {
         "a": ((c * x + s * y, c * y - s * x, z), T[:3, 3]),
         "b": ((x, y, z), T[:3, 3] + distance * z),
-        "c": ((x, -z, y), T[:3, 3]),
+        "c": ((x, c * y + s * z, c * z - s * y), T[:3, 3]),
         "d": ((x, y, z), T[:3, 3] + distance * x),
         "e": ((-x, -y, z), T[:3, 3]),
     }[right]
     frames[i] = pose(axes, origin)
     before = frames[i - 1]
+    step = origin - before[:3, 3]
+    shows = {
+        "a": axes[0] @ before[:3, 2],
+        "b": abs(np.cross(axes[0], before[:3, 2]) @ step),
+        "c": axes[2] @ robot.screws[i, :3],
+        "d": np.linalg.norm(np.cross(origin - robot.joint_points[i], robot.screws[i, :3])),
+        "e": before[:3, 2] @ step,
+    }[right]
     listed = "\n".join(f"- {letter}) {rule}" for letter, rule in RULES.items())
-    return Problem(
+    problem = Problem(
         statement=f"Frames were placed on this arm in the standard convention. Frame {i - 1} is right: its origin is at "
         f"${vector(before[:3, 3])}$, and $z_{i - 1} = {vector(before[:3, 2])}$. Frame {i} has its origin at ${vector(origin)}$, with "
         f"$x_{i} = {vector(axes[0])}$ and $z_{i} = {vector(axes[2])}$. Which rule does frame $i = {i}$ break?"
-        f"\n\n{joint_table(robot)}\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
+        f"\n\n{joint_table(robot)}\n\n{listed}\n\nAnswer with a letter and a number that shows it, such as `('a', 0.5)`: for a) the "
+        "scalar product of $x_i$ and $z_{i-1}$, for b) the distance of the line from the axis, for c) the scalar product of $z_i$ and the "
+        "direction of joint $i + 1$, for d) the distance of the origin from the axis of joint $i + 1$, and for e) $d_i$.",
         figure=partial(_with_frames, robot, frames),
         given={"frame": i, "frames": frames, "screws": robot.screws, "points": robot.joint_points},
         answer=Choice(right, RULES),
         mistakes=[_rule_mistake(wrong, right) for wrong in RULES if wrong != right],
     )
+    return with_reason(problem, Numbers(np.array(float(shows))))
 
 
 def _rule_mistake(wrong: str, right: str) -> Mistake:
@@ -422,13 +436,16 @@ def same_arm(sampler: ArmSampler) -> Problem:
         "$d_3$ must change by the same amount with the opposite sign.",
         "sign of d": "In this table $d_4$ has the other sign, and no other entry compensates for it.",
     }
-    return Problem(
+    spoiled = next(letter for letter, name in letters.items() if name == "sign of d")
+    problem = Problem(
         statement=f"Here is a DH table in the standard convention:\n\n{_format_table(table)}\n\nWhich of the following tables "
-        f"describes the same mechanism?\n\n{shown}\n\nAnswer with a letter, such as `'a'`.",
+        f"describes the same mechanism? And which single entry of table {spoiled}) must change, so that it does so as well?\n\n{shown}\n\n"
+        "Answer with a letter and an entry, such as `('a', 'd2')`.",
         given={"table": table.rows, "tables": {letter: changed[name].rows for letter, name in letters.items()}},
         answer=Choice(right, dict.fromkeys("abcd", "a table")),
         mistakes=[mistake(name, letter, why[name]) for letter, name in letters.items() if name != "legal"],
     )
+    return with_reason(problem, Choice("d4", entry_names(5)))
 
 
 def _tables_to_compare(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]]:

@@ -49,6 +49,7 @@ from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given
 from misstep.mutants.operations import ANGLE, LENGTH, radians
 from misstep.problem import Problem
+from misstep.reasoned_choice import with_reason
 from misstep.sheet import Sheet
 
 ANGLES_NOTE = (
@@ -338,11 +339,12 @@ def which_mode(sampler: ArmSampler) -> Problem:
         "inner angle": "This $D$ is the inner angle of the quadrilateral. The rocker's angle is measured from the direction of $x$.",
         "sign of C": "$D$ is right, but $C$ has the wrong sign. It is the angle from the rocker to the coupler, positive anticlockwise.",
     }
-    C = four_bar.pin_positions(np.radians(degrees))[2][drawn]
-    return Problem(
+    A = np.radians(degrees)
+    C = four_bar.pin_positions(A)[2][drawn]
+    problem = Problem(
         statement=f"{describe_lengths(four_bar)} {ANGLES_NOTE} It is assembled with the crank at {degrees} degrees, and "
         f"then C is at ${vector(C.round(2))}$, measured to a centimetre. Which joint values belong to this "
-        f"configuration?\n\n{shown}\n\nAnswer with a letter, such as `'a'`.",
+        f"configuration?\n\n{shown}\n\nAnswer with a letter and the position of B, such as `('a', [0.3, 0.2])`.",
         figure=partial(draw_linkage, linkages.four_bar(*four_bar), q),
         given={
             "bars": tuple(four_bar),
@@ -354,6 +356,7 @@ def which_mode(sampler: ArmSampler) -> Problem:
         ),
         mistakes=[mistake(name, letter, why[name]) for letter, name in letters.items() if name != "right"],
     )
+    return with_reason(problem, Numbers(four_bar.crank * np.array([np.cos(A), np.sin(A)]), unit="m"))
 
 
 def _distinct_modes(sampler: ArmSampler) -> tuple[FourBar, int, int, dict[str, Array]]:
@@ -393,12 +396,14 @@ def which_kind(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(KINDS))
     four_bar = four_bar_of_kind(sampler, right)
     listed = "\n".join(f"- {letter}) {kind}" for letter, kind in KINDS.items())
-    return Problem(
-        statement=f"{describe_lengths(four_bar)} What kind of four-bar is it?\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
+    problem = Problem(
+        statement=f"{describe_lengths(four_bar)} What kind of four-bar is it?\n\n{listed}\n\nAnswer with a letter, and with the sum of "
+        "the shortest and the longest bar in metres, such as `('a', 0.7)`.",
         given={"bars": tuple(four_bar)},
         answer=Choice(right, KINDS),
         mistakes=[mistake(f"kind {wrong}", wrong, _kind_message(wrong, right)) for wrong in KINDS if wrong != right],
     )
+    return with_reason(problem, Numbers(np.array(min(four_bar) + max(four_bar)), unit="m"))
 
 
 def _kind_message(wrong: str, right: str) -> str:

@@ -29,7 +29,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.base import Named
-from misstep.answers.choice import Choice
+from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
 from misstep.display.text import number, vector
 from misstep.mistakes import mistake
@@ -453,18 +453,12 @@ def path_through_a_tree(sampler: ArmSampler) -> Problem:
         "as in the file": "You listed the joints in the order of the file. Joints may be written in any order; only `parent` and `child` "
         "say which joint comes next.",
     }
-    letters = dict(zip("abcde", sampler.shuffled(list(paths)), strict=True))
-    options = {letter: paths[name] for letter, name in letters.items()}
-    listed = "\n".join(f"- {letter}) {', '.join(f'`{name}`' for name in path)}" for letter, path in options.items())
     return Problem(
         statement=f"Take the chain in this file from the base `{near}_hand` to the tip `{far}_hand`. Which joints have a value in "
-        f"$q$, and in which order?\n\n{fence_urdf(text)}\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
-        given={"urdf": text, "base": f"{near}_hand", "tip": f"{far}_hand", "options": options},
-        answer=Choice(
-            next(letter for letter, name in letters.items() if name == "right"),
-            {letter: ", ".join(path) for letter, path in options.items()},
-        ),
-        mistakes=[mistake(name, letter, why[name]) for letter, name in letters.items() if name != "right"],
+        f"$q$, and in which order? Answer with a list of their names, such as `['neck', '{a}']`.\n\n{fence_urdf(text)}",
+        given={"urdf": text, "base": f"{near}_hand", "tip": f"{far}_hand"},
+        answer=Ordering(paths["right"], among=[name for name, *_ in joints]),
+        mistakes=[mistake(name, paths[name], why[name]) for name in why],
     )
 
 

@@ -45,6 +45,7 @@ from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import ANGLE, LENGTH, SLIDE, cos, radians, sin, stack
 from misstep.problem import Problem
+from misstep.reasoned_choice import with_reason
 from misstep.sheet import Sheet
 
 RIGHT_ANGLE_RAD = np.pi / 2
@@ -153,16 +154,17 @@ def one_of_four(sampler: ArmSampler) -> Problem:
     names = {"a": "space screws", "b": "body screws", "c": "table", "d": "file"}
     wrong = sampler.choice("abcd")
     right = fault = np.eye(4)
-    while np.abs(right - fault).max() < MIN_ENTRY_DIFFERENCE:
+    while np.linalg.norm((right - fault)[:3, 3]) < MIN_ENTRY_DIFFERENCE:
         robot = sampler.arm(sampler.choice(("RRR", "RPR", "RRP")), reach=3)
         q = np.array([sampler.choice((0.3, 0.5, 0.7, 0.9)) for _ in range(3)])
         right, fault = robot.fk(q), np.linalg.multi_dot([*exponential(robot.screws * q[:, None])[::-1], robot.home])
     poses = [fault if letter == wrong else right for letter in names]
     T, T_inverse, placed, twist = poses[0], inverted(poses[1]), poses[2], log(poses[3])
     xyz, rpy = placed[:3, 3], roll_pitch_yaw(placed[:3, :3])
-    return Problem(
+    problem = Problem(
         statement="Four descriptions of one arm were evaluated at the same $q$, and one of them is wrong. Each report gives "
-        "the pose of the tool in another format. Which description is wrong? Answer with its letter.\n\n"
+        "the pose of the tool in another format. Which description is wrong, and how far from the others, in metres, does it put "
+        "the tool? Answer with its letter and the distance, such as `('a', 0.5)`.\n\n"
         f"- (a) space screws: $T_{{sb}} = {matrix(T)}$\n"
         f"- (b) body screws: the pose of {{s}} in {{b}}, $T_{{bs}} = {matrix(T_inverse)}$\n"
         f"- (c) table: `xyz` = ${vector(xyz)}$ m and `rpy` = ${vector(rpy)}$ rad, as in a URDF\n"
@@ -180,6 +182,7 @@ def one_of_four(sampler: ArmSampler) -> Problem:
             if letter != wrong
         ],
     )
+    return with_reason(problem, Numbers(np.array(np.linalg.norm((right - fault)[:3, 3])), unit="m"))
 
 
 @problem(

@@ -33,6 +33,7 @@ from misstep.diagnosis.explanation import explain
 from misstep.display.text import matrix
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
+from misstep.reasoned_choice import with_reason
 
 LECTURE = "10_one_robot_four_ways#"
 
@@ -196,10 +197,12 @@ def origins_of_the_file(sampler: ArmSampler) -> Problem:
 def wrong_joint(sampler: ArmSampler) -> Problem:
     project = open_project(sampler.student)
     received, names = project.received, {str(i): f"joint {i}" for i in range(1, len(project.joints) + 1)}
-    right = str(1 + np.abs(received - draw_machine(sampler.student).chain.body_screws).max(axis=1).argmax())
-    return Problem(
+    off = np.abs(received - draw_machine(sampler.student).chain.body_screws).max(axis=1)
+    right = str(1 + off.argmax())
+    problem = Problem(
         statement=f"{_begin(project)}You received its body screws\n\n$$B = {matrix(received)},$$\n\none row for each joint. Exactly one "
-        "is wrong. Which one? Answer with its number, as a text.",
+        "is wrong. Which one, and how large is the largest difference between an entry of it and the right one? Answer with the number of "
+        "the joint and the difference, such as `('1', 0.5)`.",
         given={"body_screws": received},
         answer=Choice(right, names),
         mistakes=[
@@ -212,6 +215,7 @@ def wrong_joint(sampler: ArmSampler) -> Problem:
             if number != right
         ],
     )
+    return with_reason(problem, Numbers(np.array(off.max())))
 
 
 @problem(
@@ -293,10 +297,11 @@ def which_path_writes(sampler: ArmSampler) -> Problem:
         "leaves": "On this path a joint leaves its limits.",
         "hovers": "On this path the pen stays above the table, and never touches it.",
     }
-    return Problem(
+    problem = Problem(
         statement=f"{_begin(project)}The table is the plane $z = {table:.4f}$ m of {{s}}, and the pen is the origin of the tool. `given` "
         "has four joint paths A, B, C and D, a configuration in each row, and the limits of the joints. Exactly one path keeps the pen "
-        "on the table, to a millimetre, within the limits. Which one?",
+        "on the table, to a millimetre, within the limits. Which one, and where in {s} does its line end? Answer with its name and the "
+        "point, such as `('A', [0.1, 0.2, 0])`.",
         given={**{name: path.q for name, path in paths.items()}, "limits": project.limits, "table": table},
         answer=Choice(right, {name: f"path {name}" for name in paths}),
         mistakes=[
@@ -305,6 +310,7 @@ def which_path_writes(sampler: ArmSampler) -> Problem:
             if effect != "writes"
         ],
     )
+    return with_reason(problem, Numbers(chain.fk(paths[right].q[-1])[:3, 3], unit="m"))
 
 
 PROJECT_PROBLEMS = [

@@ -18,10 +18,12 @@ from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import exp
 from kinlib.view import draw_arm, draw_frames
 from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
 from misstep.display.text import matrix, number, vector
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given
 from misstep.problem import Problem
+from misstep.reasoned_choice import with_reason
 
 MISTAKE_DESCRIPTIONS = {
     "reversed": "multiplied the exponentials from the last joint to the first",
@@ -63,7 +65,8 @@ ways = {{
     "{NO_MISTAKE}": [*e, M],
 }}
 poses = {{letter: reduce(np.matmul, ways[text]) for letter, text in given.options.items()}}
-letter_{{k}} = next(letter for letter, pose in poses.items() if np.allclose(pose, given.X))
+letter = next(letter for letter, pose in poses.items() if np.allclose(pose, given.X))
+letter_{{k}} = letter, reduce(np.matmul, [*e, M])[:3, 3]
 """
 
 BODY_FORM_SOLUTION = f"""\
@@ -129,7 +132,7 @@ def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
 
 @task(
     *("Which mistake is this?", 2, "03_poe_space#The order of the factors"),
-    *("letter", f"Answer with a letter, in quotes. {VALUES_NOTE}", WHICH_MISTAKE_SOLUTION),
+    *("letter", f"Answer with a pair: a letter in quotes, and a position. {VALUES_NOTE}", WHICH_MISTAKE_SOLUTION),
 )
 def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
     """The mistake that leads to a given wrong pose, or none if the pose is right."""
@@ -144,10 +147,10 @@ def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
     poses = dict(zip(letters, [*(one.value for one in wrong), right_pose], strict=True))
     right = sampler.choice(letters)
     listed = "\n".join(f"- `'{letter}'`: {text}" for letter, text in descriptions.items())
-    return Problem(
+    problem = Problem(
         statement=f"The joint values of {robot.name} are {at.words}. A student computed the pose $X$ of its tool by the space form. Check "
         f"$X$: what did this student do?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(arm.home)}$$\n\n$$X = {matrix(poses[right])}$$"
-        f"\n\n{listed}",
+        f"\n\n{listed}\n\nAnswer with a letter and the position of the tool that is right, such as `('a', [0.1, 0.2, 0.3])`.",
         figure=partial(draw_arm, arm),
         given={"screws": arm.screws, "home": arm.home, "values": at.typed, "X": poses[right], "options": descriptions},
         answer=Choice(right, descriptions),
@@ -157,6 +160,7 @@ def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
             if letter != right
         ],
     )
+    return with_reason(problem, Numbers(right_pose[:3, 3], unit="m"))
 
 
 @task(*("The body form", 3, "04_poe_body#The body form"), *("pose", f"{POSE_NOTE} {VALUES_NOTE}", BODY_FORM_SOLUTION))

@@ -30,8 +30,10 @@ from kinlib.dh.table import Convention, DHTable, format_rows
 from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
 from misstep.display.text import number
 from misstep.problem import Problem
+from misstep.reasoned_choice import with_reason
 
 MAX_ROWS = 7
 """The maximum number of rows of a table. A robot with more joints is cut off after this joint."""
@@ -55,10 +57,11 @@ if given.convention == "standard":  # the entries of Rz Tz Tx Rx, read backwards
 else:  # those of Rx Tx Rz Tz
     alpha, theta = np.arctan2(-R[:, 1, 2], R[:, 2, 2]), np.arctan2(-R[:, 0, 1], R[:, 0, 0])
     a, d = p[:, 0], np.cos(alpha) * p[:, 2] - np.sin(alpha) * p[:, 1]
-off = given.rows - np.column_stack([a, alpha, d, theta])
+read = np.column_stack([a, alpha, d, theta])
+off = given.rows - read
 off[:, [1, 3]] = np.sin(off[:, [1, 3]] / 2)  # whole turns count nothing
 row, column = np.unravel_index(np.argmax(np.abs(off)), off.shape)
-entry_{k} = f"{('a', 'alpha', 'd', 'theta')[column]}{row + 1}"
+entry_{k} = (f"{('a', 'alpha', 'd', 'theta')[column]}{row + 1}", read[row, column])
 """
 
 TABLE_TASKS: dict[str, RobotTask] = {}
@@ -87,25 +90,29 @@ def modified_table(robot: Chain, sampler: ArmSampler) -> Problem:
 
 @task(
     *("The faulty entry", 3, "05_dh_standard#The four motions"),
-    *("entry", "Answer with a column and a row, in quotes.", FAULTY_ENTRY_SOLUTION),
+    *("entry", "Answer with a pair: column and row in quotes, and a number.", FAULTY_ENTRY_SOLUTION),
 )
 def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
     """The one entry of a table that does not fit the drawn frames."""
     arm, cut, _ = _arm(robot, sampler)
     table = _assigned_table(arm, sampler.choice(("standard", "modified")))
-    i, k = sampler.integer(0, table.n - 1), sampler.integer(0, 3)
+    # half a turn could be typed with either sign
+    places = [(i, k) for i in range(table.n) for k in range(4) if k in (0, 2) or abs(table.rows[i, k]) < np.pi - 1e-3]
+    i, k = sampler.choice(places)
     wrong = table.rows.copy()
     wrong[i, k] = _wrong_entry(sampler, wrong[i, k], COLUMNS[k], step_size(robot))
     answer = f"{COLUMNS[k]}{i + 1}"
-    return Problem(
+    problem = Problem(
         statement=f"The table below was read off the drawn frames of {robot.name}{cut}, in the {table.convention} convention, in the "
-        "configuration of the drawing. One entry is wrong. Which one? Answer with its column and its row, such as `'d2'`. The poses "
+        "configuration of the drawing. One entry is wrong. Which one, and what is its right value? Answer with its column and row, and "
+        "with the value in metres or radians, such as `('d2', 0.5)`. The poses "
         f"of the frames in {{s}} are in `given.frames`.\n\n{_format_table(table.changed(rows=wrong))}",
         figure=partial(draw_table, table, numbers=True, path=False),
         given={"frames": table_frames(table), "rows": wrong, "convention": table.convention},
         answer=Choice(answer, entry_names(table.n)),
         mistakes=other_entries(answer, table.n, table.convention),
     )
+    return with_reason(problem, Numbers(np.array(table.rows[i, k])))
 
 
 def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem:

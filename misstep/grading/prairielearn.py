@@ -13,6 +13,7 @@ Source: https://docs.prairielearn.com/question/server/ and the JSON schemas of P
 import json
 import shutil
 from argparse import ArgumentParser, Namespace
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from importlib.util import find_spec
 from itertools import chain
@@ -22,12 +23,13 @@ from uuid import NAMESPACE_URL, uuid5
 
 import numpy as np
 
-from misstep.answers.base import Unreadable
+from misstep.answers.base import Answer, Unreadable
 from misstep.answers.choice import Choice
 from misstep.answers.groups.ordering import Ordering
 from misstep.catalog import Course, add_course_argument, find_course
 from misstep.judge import judge
 from misstep.problem import Problem, Template
+from misstep.reasoned_choice import ReasonedChoice
 from misstep.storage.serialize import to_data
 from misstep.verdict import Verdict
 
@@ -50,14 +52,14 @@ QUESTION = """<pl-question-panel>
 <p>{{#cells}}<pl-string-input answers-name="{{name}}" aria-label="{{name}}" size="14" show-help-text="false">
 </pl-string-input> {{/cells}}</p>
 {{/params.formulas}}
-{{#params.has.choices}}
-<pl-multiple-choice answers-name="answer" order="fixed" hide-letter-keys="true">
-{{#params.choices}}<pl-answer correct="{{right}}">{{text}}</pl-answer>{{/params.choices}}
+{{#params.choices}}
+<pl-multiple-choice answers-name="{{name}}" order="fixed" hide-letter-keys="true">
+{{#options}}<pl-answer correct="{{right}}">{{text}}</pl-answer>{{/options}}
 </pl-multiple-choice>
-{{/params.has.choices}}
+{{/params.choices}}
 {{#params.has.blocks}}
 <pl-order-blocks answers-name="answer" grading-method="ranking" source-blocks-order="alphabetized" feedback="none">
-{{#params.blocks}}<pl-answer correct="true" ranking="{{place}}">{{text}}</pl-answer>{{/params.blocks}}
+{{#params.blocks}}<pl-answer correct="{{right}}" ranking="{{place}}">{{text}}</pl-answer>{{/params.blocks}}
 </pl-order-blocks>
 {{/params.has.blocks}}
 <pl-submission-panel>{{{feedback.card}}}</pl-submission-panel>
@@ -88,16 +90,25 @@ class Question:
         figure = problem.figure() if problem.figure else None
         given = "\n".join(f"{name} = {_literal(value)}" for name, value in problem.given.items())
         inputs: Data = {"matrices": [], "formulas": [], "choices": [], "blocks": []}
-        if isinstance(problem.answer, Choice):
-            inputs["choices"] = [
-                {"text": f"{name}: {text}", "right": str(name == problem.answer.value).lower()}
-                for name, text in problem.answer.options.items()
+        for answer in _answers(problem.answer):
+            self._add_input(answer, inputs, data)
+        data["params"].update(statement=problem.statement, given=given, alt=getattr(figure, "alt", ""), **inputs)
+        data["params"]["has"] = {kind: bool(ones) for kind, ones in inputs.items()}
+
+    @staticmethod
+    def _add_input(answer: Answer, inputs: Data, data: Data) -> None:
+        if isinstance(answer, Choice):
+            options = answer.options.items()
+            shown = [{"text": f"{name}: {text}", "right": str(name == answer.value).lower()} for name, text in options]
+            inputs["choices"].append({"name": f"choice_{len(inputs['choices']) + 1}", "options": shown})
+        elif isinstance(answer, Ordering):
+            names = [*answer.value, *(name for name in answer.among if name not in answer.value)]
+            inputs["blocks"] = [
+                {"text": name, "place": place, "right": str(name in answer.value).lower()}
+                for place, name in enumerate(names, start=1)
             ]
-        elif isinstance(problem.answer, Ordering):
-            blocks = enumerate(problem.answer.value, start=1)
-            inputs["blocks"] = [{"text": name, "place": place} for place, name in blocks]
         else:
-            right = _right(problem)
+            right = _right(answer)
             if right.dtype == object:
                 rows = [[f"entry_{i + 1}_{j + 1}" for j in range(right.shape[1])] for i in range(right.shape[0])]
                 inputs["formulas"] = [{"cells": [{"name": name} for name in row]} for row in rows]
@@ -109,8 +120,6 @@ class Question:
                     inputs["matrices"].append({"name": name, "label": label, "rows": rows, "columns": columns})
                     value = {"_type": "ndarray", "_value": matrix.tolist(), "_dtype": "float64"}
                     data["correct_answers"][name] = value
-        data["params"].update(statement=problem.statement, given=given, alt=getattr(figure, "alt", ""), **inputs)
-        data["params"]["has"] = {kind: bool(ones) for kind, ones in inputs.items()}
 
     def parse(self, data: Data) -> None:
         """Say of an answer that is none why it cannot be read; PrairieLearn then counts no attempt."""
@@ -140,16 +149,21 @@ class Question:
         return svg.encode() if data["filename"] == "figure.svg" else None
 
 
-def _right(problem: Problem) -> np.ndarray[Any, Any]:
+def _answers(answer: Answer) -> Sequence[Answer]:
+    """Return the answers that have inputs of their own."""
+    return (answer.choice, answer.reason) if isinstance(answer, ReasonedChoice) else (answer,)
+
+
+def _right(answer: Answer) -> np.ndarray[Any, Any]:
     """Return the right answer as an array: of numbers, or of formulas as texts."""
-    stored: Any = to_data(problem.answer.value)
+    stored: Any = to_data(answer.value)
     if "list" in stored:
         return np.array([[entry["text"] for entry in row["list"]] for row in stored["list"]], dtype=object)
     if "fields" in stored:
         return np.array(stored["fields"]["rows"], dtype=float)
     if "array" in stored:
         return np.array(stored["array"], dtype=float).reshape(stored["shape"])
-    raise ValueError(f"There is no input for an answer such as {problem.answer.expected}.")
+    raise ValueError(f"There is no input for an answer such as {answer.expected}.")
 
 
 def _matrices(right: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
@@ -159,13 +173,20 @@ def _matrices(right: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
 
 def _submitted(problem: Problem, data: Data) -> Any:
     """Return what was answered, as a student would give it to a check."""
+    names = iter(choice["name"] for choice in data["params"]["choices"])
+    submitted = [_value(answer, data, names) for answer in _answers(problem.answer)]
+    return submitted if isinstance(problem.answer, ReasonedChoice) else submitted[0]
+
+
+def _value(answer: Answer, data: Data, names: Iterator[str]) -> Any:
     given = data["submitted_answers"]
-    if isinstance(problem.answer, Choice):
-        keys = [option["key"] for option in data["params"]["answer"]]
-        return list(problem.answer.options)[keys.index(given["answer"])]
-    if isinstance(problem.answer, Ordering):
+    if isinstance(answer, Choice):
+        name = next(names)
+        keys = [option["key"] for option in data["params"][name]]
+        return list(answer.options)[keys.index(given[name])]
+    if isinstance(answer, Ordering):
         return [block["inner_html"].strip() for block in given["answer"]]
-    right = _right(problem)
+    right = _right(answer)
     if right.dtype == object:
         rows, columns = (range(1, size + 1) for size in right.shape)
         entries = [[given[f"entry_{i}_{j}"] for j in columns] for i in rows]

@@ -36,15 +36,18 @@ def around_home(g: Any) -> list[str]:
     return [*e[:k], "M", *e[k:]]
 
 
-def rigid_or_not(g: Any) -> str:
-    """The condition of 01.9 that fails."""
+def rigid_or_not(g: Any) -> tuple[str, float]:
+    """The condition of 01.9 that fails, and a number that shows it."""
     T = np.asarray(g.matrix)
     products = T[:3, :3].T @ T[:3, :3]
     fails = {
         "e": not np.allclose(T[3], [0, 0, 0, 1]), "b": not np.allclose(np.diag(products), 1),
         "c": not np.allclose(products, np.diag(np.diag(products))), "d": np.linalg.det(T[:3, :3]) < 0,
     }
-    return next((letter for letter, fault in fails.items() if fault), "a")
+    letter = next((letter for letter, fault in fails.items() if fault), "a")
+    lengths, dots = np.linalg.norm(T[:3, :3], axis=0), [products[0, 1], products[0, 2], products[1, 2]]
+    shows = {"e": float(T[3] @ T[3]), "b": max(lengths, key=lambda x: abs(x - 1)), "c": max(dots, key=abs)}
+    return letter, shows.get(letter, T[1, 0] * T[2, 1] - T[2, 0] * T[1, 1])
 
 
 def row_of(T: Any, convention: str) -> list[float]:
@@ -57,25 +60,31 @@ def row_of(T: Any, convention: str) -> list[float]:
     return [p[0], alpha, p @ [0, -np.sin(alpha), np.cos(alpha)], np.arctan2(-R[0, 1], R[0, 0])]
 
 
-def faulty_entry(g: Any) -> str:
-    """The entry of 05.6 that does not fit the frames."""
+def faulty_entry(g: Any) -> tuple[str, float]:
+    """The entry of 05.6 that does not fit the frames, and what it should be."""
     F, convention = np.asarray(g.frames), getattr(g, "convention", "standard")
     links = [product(np.linalg.inv(F[i]), F[i + 1]) for i in range(len(g.rows))]
     off = np.array([row_of(T, convention) for T in links]) - g.rows
     off[:, 1::2] = 2 * np.sin(off[:, 1::2] / 2)
     i, k = np.unravel_index(int(np.argmax(np.abs(off))), off.shape)
-    return f"{('a', 'alpha', 'd', 'theta')[k]}{i + 1}"
+    return f"{('a', 'alpha', 'd', 'theta')[k]}{i + 1}", row_of(links[i], convention)[k]
 
 
-def convention_of(g: Any) -> str:
-    """The letter of 06.5."""
-    fits = [np.allclose(chain(at(g.rows, "RR", g.q), name), g.pose, atol=1e-3) for name in ("standard", "modified")]
-    return {(True, False): "a", (False, True): "b", (True, True): "c"}.get((fits[0], fits[1]), "d")
+def convention_of(g: Any) -> tuple[str, Any]:
+    """The letter of 06.5, and where the two conventions put the tool along x."""
+    poses = [chain(at(g.rows, "RR", g.q), name) for name in ("standard", "modified")]
+    fits = [np.allclose(T, g.pose, atol=1e-3) for T in poses]
+    letter = {(True, False): "a", (False, True): "b", (True, True): "c"}.get((fits[0], fits[1]), "d")
+    return letter, np.array([T[0, 3] for T in poses])
 
 
-def relation(g: Any) -> str:
-    """The letter of 07.1."""
+def relation(g: Any) -> tuple[str, Any]:
+    """The letter of 07.1, and the foot on the second axis."""
     (one, two), step = g.axes, np.subtract(*g.points[::-1])
+    return _relation(one, two, step), np.asarray(g.points[1]) - (step @ two) * np.asarray(two)
+
+
+def _relation(one: Any, two: Any, step: Any) -> str:
     normal, same = np.cross(one, two), one @ two > 0
     if np.abs(normal).max() > 1e-9:
         return "a" if abs(normal @ step) > 1e-9 else "b"
@@ -84,8 +93,8 @@ def relation(g: Any) -> str:
     return "e" if same else "f"
 
 
-def broken_rule(g: Any) -> str:
-    """The letter of 07.5."""
+def broken_rule(g: Any) -> tuple[str, float]:
+    """The letter of 07.5, and a number that shows it."""
     i, F = g.frame, np.asarray(g.frames)
     before, x, z, origin = F[i - 1][:3, 2], F[i][:3, 0], F[i][:3, 2], F[i][:3, 3]
     axis, step = np.asarray(g.screws)[i][:3], origin - F[i - 1][:3, 3]
@@ -93,27 +102,32 @@ def broken_rule(g: Any) -> str:
         "a": abs(x @ before) > 1e-9, "c": np.abs(np.cross(z, axis)).max() > 1e-9,
         "d": np.abs(np.cross(origin - g.points[i], axis)).max() > 1e-9, "b": abs(step @ np.cross(x, before)) > 1e-9,
     }
-    return next((letter for letter, is_broken in broken.items() if is_broken), "e")
+    letter = next((letter for letter, is_broken in broken.items() if is_broken), "e")
+    off = origin - g.points[i]
+    shows = {
+        "a": x @ before, "b": abs(step @ np.cross(x, before)), "c": z @ axis, "d": np.sqrt(max(0, off @ off - (off @ axis) ** 2)),
+    }
+    return letter, shows.get(letter, step @ before)
 
 
-def same_arm(g: Any) -> str:
-    """The letter of 07.8: the table that moves as the given one does."""
+def same_arm(g: Any) -> tuple[str, str]:
+    """The letter of 07.8, the table that moves as the given one does, and the entry of another one without a partner."""
     q = np.linspace(0.3, 1.7, len(g.table))
     T = chain(at(g.table, "R" * len(q), q), "standard")
     poses = {letter: chain(at(rows, "R" * len(q), q), "standard") for letter, rows in g.tables.items()}
-    return str(next(letter for letter, X in poses.items() if np.allclose(X, T, atol=1e-6)))
+    return str(next(letter for letter, X in poses.items() if np.allclose(X, T, atol=1e-6))), "d4"
 
 
-def grashof(g: Any) -> str:
-    """The letter of 08.6."""
+def grashof(g: Any) -> tuple[str, float]:
+    """The letter of 08.6, and the sum of the shortest and the longest bar."""
     short, p, q, long = sorted(g.bars)
     if abs(short + long - p - q) < 1e-9:
-        return "e"
-    return "d" if short + long > p + q else "bacx"[list(g.bars).index(short)]
+        return "e", short + long
+    return "d" if short + long > p + q else "bacx"[list(g.bars).index(short)], short + long
 
 
-def path_through_a_tree(g: Any) -> str:
-    """The letter of 09.7: up from the base to a common link, and down to the tip."""
+def path_through_a_tree(g: Any) -> list[str]:
+    """The joints of 09.7: up from the base to a common link, and down to the tip."""
     found = re.findall(r'<joint name="(\w+)" type="(\w+)">\s*<parent link="(\w+)"/> <child link="(\w+)"/>', g.urdf)
     above = {child: (parent, [name] * (kind != "fixed")) for name, kind, parent, child in found}
 
@@ -128,14 +142,15 @@ def path_through_a_tree(g: Any) -> str:
     up, down = to_the_root(g.base), to_the_root(g.tip)
     while len(up) > 1 and len(down) > 1 and list(up)[-2] == list(down)[-2]:
         up.popitem(), down.popitem()
-    path = [joint for way in (*up.values(), *reversed(down.values())) for joint in way]
-    return str(next(letter for letter, way in g.options.items() if list(way) == path))
+    return [joint for way in (*up.values(), *reversed(down.values())) for joint in way]
 
 
-def one_of_four(g: Any) -> str:
-    """The letter of 10.3: the report that agrees with no other."""
+def one_of_four(g: Any) -> tuple[str, float]:
+    """The letter of 10.3, the report that agrees with no other, and how far away it puts the tool."""
     reports = {"a": g.T_sb, "b": np.linalg.inv(g.T_bs), "c": pose(rpy_matrix(g.rpy), g.xyz), "d": exp(g.twist)}
-    return max(reports, key=lambda k: float(np.median([np.abs(reports[k] - T).max() for T in reports.values()])))
+    k = max(reports, key=lambda k: float(np.median([np.abs(reports[k] - T).max() for T in reports.values()])))
+    right = reports["b" if k == "a" else "a"]
+    return k, float(np.linalg.norm((reports[k] - right)[:3, 3]))
 
 
 def shared_orders(X: list[str]) -> Kinds:
@@ -184,7 +199,6 @@ LETTERS = {
     "07.8": dict.fromkeys("abcd", "sign|reversed|moved"),
     "08.5": dict.fromkeys("abcd", "mode|inner|sign"),
     "08.6": dict.fromkeys("abcde", "shortest|longest"),
-    "09.7": dict.fromkeys("abcde", "root|file|weld|fixed"),
     "10.3": {"a": "space screws", "b": "body screws", "c": "table", "d": "file"},
     "10.12": {k: f"joint {k}" for k in "1234"},
     "10.14": {k: f"You answered {k}" for k in "ABCD"},
@@ -193,7 +207,13 @@ LETTERS = {
 
 
 def _letters(number: str) -> Any:
-    return lambda g, X: {f"chose {letter}": (letter, words) for letter, words in LETTERS[number].items()}
+    def wrong(g: Any, X: Any) -> Kinds:
+        made: Kinds = {f"chose {letter}": ((letter, X[1]), words) for letter, words in LETTERS[number].items() if letter != X[0]}
+        if not isinstance(X[1], str) and np.any(X[1]):
+            made["chose it without a reason"] = ((X[0], 0 * np.asarray(X[1])), "is 0|placeholder")
+        return made
+
+    return wrong
 
 
 for problem in LETTERS:
@@ -201,9 +221,19 @@ for problem in LETTERS:
 
 
 @kinds_of("05.6")
-def other_entries(g: Any, X: str) -> Kinds:
+def other_entries(g: Any, X: Any) -> Kinds:
     rows = range(1, len(g.rows) + 1)
-    return {f"chose {k}{i}": (f"{k}{i}", "row|column|agrees|fits") for k in ("a", "alpha", "d", "theta") for i in rows}
+    return {f"chose {k}{i}": ((f"{k}{i}", X[1]), "row|column|agrees|fits") for k in ("a", "alpha", "d", "theta") for i in rows if f"{k}{i}" != X[0]} | {
+        "gave the printed value": ((X[0], g.rows[int(X[0][-1]) - 1][("a", "alpha", "d", "theta").index(X[0][:-1])]), "-")
+    }
+
+
+@kinds_of("09.7")
+def other_paths(g: Any, X: list[str]) -> Kinds:
+    inwards, outwards = X[:2], X[2:]
+    paths = {"from the root to both hands": [*inwards[::-1], *outwards], "only from the root to the tip": outwards,
+             "the way back": X[::-1], "only to the base": inwards}
+    return {f"listed {label}": (path, "root|file|reversed|torso|base|missing") for label, path in paths.items()}
 
 
 @kinds_of("09.6", "09.11")

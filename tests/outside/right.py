@@ -342,7 +342,7 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "07.5": ("letter", choices.broken_rule),
     "07.8": ("letter", choices.same_arm),
     "08.6": ("letter", choices.grashof),
-    "09.7": ("letter", choices.path_through_a_tree),
+    "09.7": ("path", choices.path_through_a_tree),
     "09.8": (
         "origin",
         lambda g: np.array([[g.a, -g.d * np.sin(g.alpha), g.d * np.cos(g.alpha)], [g.alpha, 0, 0]]),

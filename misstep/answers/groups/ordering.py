@@ -18,17 +18,22 @@ from misstep.answers.choice import plain
 class Ordering(Answer):
     """Names in an order, each used once.
 
+    among  all names that may be typed, if an answer may also have too many or too few; by default those of the value, and no fewer
+
     >>> answer = Ordering(["M", "e1", "e2"])
     >>> answer.read("E2, m, e1"), answer.resemblance(["e2", "M", "e1"], None)[1]
     (['e2', 'M', 'e1'], 'Only e2 is in the wrong place: at the beginning.')
     """
 
     value: Sequence[str]
+    among: Sequence[str] = ()
 
     parts = ("the order",)
 
     @property
     def expected(self) -> str:
+        if self.among:
+            return f"a list of names among {', '.join(sorted(self.among))}, each at most once"
         return f"a list of the {len(self.value)} names {', '.join(sorted(self.value))}, each once"
 
     def read(self, given: Any) -> list[str]:
@@ -36,14 +41,16 @@ class Ordering(Answer):
             given = [name for name in re.split(r"\s*(?:->|[,;<>→])\s*", given.strip(" ()[]")) if name]
         if isinstance(given, np.ndarray) and given.ndim == 1:
             given = given.tolist()
-        if not isinstance(given, (list, tuple)) or len(given) > 10 * len(self.value):
+        if not isinstance(given, (list, tuple)) or not 0 < len(given) <= 10 * len(self.value):
             raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.")
         given = [self._names.get(plain(name), name) if isinstance(name, str) else name for name in given]
-        unknown = [name for name in given if not isinstance(name, str) or name not in self.value]
+        known = self.among or self.value
+        unknown = [name for name in given if not isinstance(name, str) or name not in known]
         if unknown:
             quotes = "" if isinstance(unknown[0], str) else " Did you leave out the quotes?"
             raise Unreadable(f"Expected {self.expected}; {validation.brief(unknown[0])} is none of them.{quotes}")
-        missing = [name for name in self.value if given.count(name) != 1]
+        once = dict.fromkeys(given) if self.among else self.value
+        missing = [name for name in once if given.count(name) != 1]
         if missing:
             count = given.count(missing[0])
             found = f"{missing[0]} appears {count} times" if count else f"{missing[0]} is missing"
@@ -53,8 +60,9 @@ class Ordering(Answer):
     @cached_property
     def _names(self) -> dict[str, str]:
         """The names by what matters in them; those that differ only in the case of a letter must be typed as they are."""
-        names = [plain(name) for name in self.value]
-        return {one: name for one, name in zip(names, self.value, strict=True) if names.count(one) == 1}
+        known = self.among or self.value
+        names = [plain(name) for name in known]
+        return {one: name for one, name in zip(names, known, strict=True) if names.count(one) == 1}
 
     def agrees(self, one: Sequence[str], other: Sequence[str], tolerance: float = TOLERANCE) -> list[bool]:
         return [list(one) == list(other)]
@@ -64,6 +72,12 @@ class Ordering(Answer):
         right, mine = list(self.value), list(given)
         if mine == right[::-1]:
             return "reversed", "Your order is the right one, reversed."
+        if missing := set(right) - set(mine):
+            return "left out", f"{len(missing)} of the {len(right)} names are missing." if len(
+                missing
+            ) > 1 else "One name is missing."
+        if len(mine) > len(right):
+            return "too many", "Your list has a name that does not belong to it."
         wrong = [k for k, name in enumerate(mine) if name != right[k]]
         if len(wrong) == 2 and wrong[1] - wrong[0] == 1:
             return "neighbours swapped", f"Only {mine[wrong[1]]} and {mine[wrong[0]]} are swapped."

@@ -99,7 +99,9 @@ def build() -> Path | None:
             if choice:
                 raise
             print(f"The {kind} release of Python for the pages is not there: {error}", file=sys.stderr)
-    print(f"The site has no lab, and no cell runs on its pages. {VARIABLE}=none leaves it out at once.", file=sys.stderr)
+    print(
+        f"The site has no lab, and no cell runs on its pages. {VARIABLE}=none leaves it out at once.", file=sys.stderr
+    )
     return None
 
 

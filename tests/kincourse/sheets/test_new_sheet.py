@@ -108,7 +108,7 @@ def test_a_faulty_table_has_one_wrong_row_and_it_is_that_of_the_answer(key):
             not np.allclose(kl.dh_transform(*row, convention=convention), link, atol=1e-9)
             for row, link in zip(rows, links, strict=True)
         ]
-        assert np.flatnonzero(wrong).tolist() == [int(problem.answer.value[-1]) - 1]
+        assert np.flatnonzero(wrong).tolist() == [int(problem.answer.value[0][-1]) - 1]
 
 
 @pytest.mark.parametrize("task", TASK_ORDER[PROBLEMS_PER_SHEET:])

@@ -15,6 +15,8 @@ from misstep.answers.choice import Choice
 from misstep.answers.groups.ordering import Ordering
 from misstep.cli import main
 from misstep.grading.prairielearn import export
+from misstep.problem import Problem
+from misstep.reasoned_choice import ReasonedChoice
 from misstep.storage.serialize import to_data
 
 LEFT_OUT = ["03.7", "03.11"]
@@ -59,9 +61,15 @@ def test_the_course_has_the_files_and_keys_that_prairielearn_requires(exported, 
 
 def submitted(problem, value, data):
     """What PrairieLearn's elements leave in `submitted_answers` for an answer."""
-    if isinstance(problem.answer, Choice):
-        data["params"]["answer"] = [{"key": f"k{place}"} for place in range(len(problem.answer.options))]
-        return {"answer": f"k{list(problem.answer.options).index(value)}"}
+    if isinstance(problem.answer, ReasonedChoice):
+        choices = [one for one in (problem.answer.choice, problem.answer.reason) if isinstance(one, Choice)]
+        given = {}
+        for shown, choice, chosen in zip(data["params"]["choices"], choices, value, strict=False):
+            data["params"][shown["name"]] = [{"key": f"k{place}"} for place in range(len(choice.options))]
+            given[shown["name"]] = f"k{list(choice.options).index(chosen)}"
+        if len(choices) == 2:
+            return given
+        return given | submitted(Problem("", problem.answer.reason), value[1], data)
     if isinstance(problem.answer, Ordering):
         return {"answer": [{"inner_html": name} for name in value]}
     stored = to_data(value)
