@@ -73,7 +73,7 @@ def scene(
         raise ValueError(f"{robot.name} has joints 1 to {robot.n}; got {wrong[0]!r}.")
     limits = np.full((robot.n, 2), (-np.inf, np.inf)) if robot.limits is None else robot.limits
     titles = robot.joint_names or [""] * robot.n
-    body, links = robot_body(robot, found)
+    body, bodies = robot_body(robot, found)
     size = extent(*found)
     seen = [body.extent(np.concatenate([branch.motions(start) for branch in found])), 0.2 * size * np.eye(3)]
     for branch in found:
@@ -84,11 +84,13 @@ def scene(
     points = np.concatenate(seen)
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
     radius = half_height(points - centre) + 0.1 * size  # a margin for labels
-    arms = [arm_data(branch) | {"body": solid_data(own)} for branch, own in zip(found, links, strict=True)]
+    arms = [arm_data(branch) | {"body": solid_data(own.links)} for branch, own in zip(found, bodies, strict=True)]
     if frames and isinstance(robot, Chain):
         arms[0]["frames"] = frames_on_links(robot, start, frames)
     elif isinstance(robot, Tree):
         arms[0]["frames"]["base"] = [frame_data("s", 0, np.eye(4))]
+        for arm, own in zip(arms, bodies, strict=True):
+            arm["rule"] = list(own.by_rule)
     return {
         "name": robot.name,
         # If an arm is small compared with what is in view, its marks must stay large enough to be distinguished.
