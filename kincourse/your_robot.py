@@ -13,18 +13,20 @@ from typing import Any
 
 import numpy as np
 
+from kincourse.robot_sheets.robot_sheet import robot_sheet, tasks_for
 from kinlib.arrays.formatting import format_degrees, format_number, html_table
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import youbot
 from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import CHOICES, measured_difference
-from kinlib.dh.formatting import format_rows, headings
+from kinlib.dh.formatting import headings
 from kinlib.dh.read_table import Assumption, read_table
-from kinlib.dh.table import Convention, DHTable, table_frames
+from kinlib.dh.table import Convention, DHTable, format_rows, table_frames
 from kinlib.urdf.chains import load_urdf
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.viewer.viewer import Viewer, explore
+from misstep.sheet import OpenSheet
 
 MAX_URDF_LENGTH = 20_000_000
 """The maximum number of characters of a URDF file; longer ones are refused before they are parsed."""
@@ -134,7 +136,7 @@ class Examination:
 
     @property
     def readings(self) -> list[str]:
-        """Each reading that explains the difference, the shortest first."""
+        """Each reading that explains the difference, that with the fewest changes first."""
         if not self.free or not self.strict or self.strict.verdict in {"right", "rounded"}:
             return []
         texts = []
@@ -149,7 +151,7 @@ class Examination:
         if strict not in texts and not (is_right and is_choice):
             same = "If q, base and tool are meant to be the same: " if texts else ""
             texts.append(same + strict)
-        return sorted(texts, key=len)
+        return sorted(texts, key=lambda text: (text.count("\n"), len(text)))
 
     @property
     def corrected(self) -> DHTable | None:
@@ -179,11 +181,16 @@ class Examination:
         return formats(self.corrected) if self.corrected else {}
 
     def picture(self) -> Viewer | None:
-        """The arm with sliders, and on it the frames of the table, which can be switched on one by one."""
+        """The arm with sliders, and on it the frames of the table, which can be switched on one by one.
+
+        The frames of the first wrong row are on: that of the row, and the one before it.
+        """
         arm = self.arm or (self.table.to_chain() if self.table else None)
         if arm is None or not self.table or self.table.n != arm.n:
             return None if arm is None else explore(arm, show=("axes", "base", "tool", "standard DH"))
-        return explore(arm, frames=table_frames(self.table, np.zeros(arm.n)))
+        row = self.wrong_rows[0] if self.wrong_rows else 0
+        frames = table_frames(self.table, np.zeros(arm.n))
+        return explore(arm, show=("axes", f"frame {row}", f"frame {row + 1}"), frames=frames)
 
     def _repr_html_(self) -> str:
         return "".join(self._blocks())
@@ -196,7 +203,9 @@ class Examination:
             items += [f"{each.text} If not, pass {each.argument} ({', '.join(each.options)})." for each in asked]
             yield f"<p>What was assumed:</p><ul>{''.join(f'<li>{escape(item)}</li>' for item in items)}</ul>"
         for text in self.readings:
-            yield f"<p>{'<br>'.join(escape(line) for line in text.splitlines())}</p>"
+            head, *changes = map(escape, text.splitlines())
+            items = "".join(f"<li>{change}</li>" for change in changes)
+            yield f"<p>{head}</p>" + f"<ul>{items}</ul>" * bool(changes)
         if self.table:
             yield self._side_by_side()
         if self.arm and not self.table:
@@ -238,7 +247,7 @@ def _entries(table: DHTable) -> list[list[str]]:
 def formats(table: DHTable) -> dict[str, str]:
     """Write a table as text, CSV, LaTeX, Python, and for the Robotics Toolbox.
 
-    >>> print(formats(DHTable([[0.4, 0, 0.1, 0]], convention="standard"))["roboticstoolbox"])
+    >>> print(formats(DHTable([[0.4, 0, 0.1, 0]], convention="standard"))["Robotics Toolbox"])
     DHRobot([
         RevoluteDH(a=0.4, alpha=0, d=0.1, offset=0),
     ])
@@ -273,7 +282,7 @@ def formats(table: DHTable) -> dict[str, str]:
         "CSV": "\n".join(",".join(row) for row in [["a", "alpha", "d", "theta"], *rows]),
         "LaTeX": "\\begin{tabular}{ccccc}\n" + "\n".join(latex) + "\n\\end{tabular}",
         "Python": f"kl.DHTable([\n{body}\n], convention={table.convention!r}{extra})",
-        "roboticstoolbox": f"{fixed}DHRobot([\n" + "\n".join(links) + "\n])",
+        "Robotics Toolbox": f"{fixed}DHRobot([\n" + "\n".join(links) + "\n])",
     }
 
 
@@ -306,6 +315,26 @@ def examine(
         return found
     free, strict = (diagnose(found.table, found.arm, fixed) for fixed in ((), CHOICES))
     return replace(found, free=free, strict=strict)
+
+
+def practise(arm: str | Chain | DHTable | Examination, student: str, *, base: str = "", tip: str = "") -> OpenSheet:
+    """Make the exercise sheet of an arm, as `kincourse new-sheet` does, with the numbers of a student.
+
+    arm        as `examine` takes it, or what it returned
+    base, tip  as `examine` takes them
+
+    Raises ValueError if there is no arm, if it cannot be read, or if too few tasks make sense for it.
+
+    >>> list(practise("UR5e", "ada").problem(1).given)
+    ['T_sr', 'T_rf', 'T_fb']
+    """
+    if isinstance(arm, Examination):
+        chain = arm.arm or (arm.table.to_chain() if arm.table else None)
+        if chain is None:
+            raise ValueError(f"An exercise sheet needs a robot. {arm.sentence}")
+    else:
+        chain, _ = _read_arm(arm, base, tip)
+    return OpenSheet(robot_sheet("your_robot", chain, tasks_for(chain)), student)
 
 
 def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, list[str]]:

@@ -41,7 +41,8 @@ def summary(html: Path, seconds: float) -> str:
     """Say what was built, and how to look at it."""
     sizes = [path.stat().st_size for path in html.rglob("*") if path.is_file()]
     pages = sum("lab" not in path.relative_to(html).parts for path in html.rglob("*.html"))
-    built = f"{pages} pages in {html}, {sum(sizes) / 1e6:.0f} MB with the lab, in {seconds:.0f} s."
+    lab = "with Python for their cells" if (html / "lab").exists() else "without Python for their cells"
+    built = f"{pages} pages in {html}, {sum(sizes) / 1e6:.0f} MB {lab}, in {seconds:.0f} s."
     return f"{built}\nTo look at them: python course.py serve"
 
 

@@ -18,8 +18,8 @@ from kinlib.chains.chain import Chain
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import equivalent
-from kinlib.dh.formatting import format_rows, markdown_table
-from kinlib.dh.table import DHTable
+from kinlib.dh.formatting import markdown_table
+from kinlib.dh.table import DHTable, format_rows
 from kinlib.rigid.lie import homogeneous
 from kinlib.view import draw_joints
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions

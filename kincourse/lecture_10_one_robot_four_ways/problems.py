@@ -29,8 +29,8 @@ from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler
 from kincourse.text.joint_table import joint_table
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
-from kinlib.dh.formatting import format_rows, markdown_table
-from kinlib.dh.table import DHTable
+from kinlib.dh.formatting import markdown_table
+from kinlib.dh.table import DHTable, format_rows
 from kinlib.rigid.lie import adjoint, log
 from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import inverse as inverted

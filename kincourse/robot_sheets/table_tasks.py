@@ -24,9 +24,9 @@ from kincourse.sampling.drawn_machines import table_frames
 from kincourse.text.joint_table import end_frames, given_frames, joint_table
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.formatting import format_rows, markdown_table
+from kinlib.dh.formatting import markdown_table
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
-from kinlib.dh.table import Convention, DHTable
+from kinlib.dh.table import Convention, DHTable, format_rows
 from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice

@@ -26,9 +26,8 @@ from kinlib.arrays.tolerances import INTERSECTION_TOL_M, PARALLEL_TOL_RAD, RELOC
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.common_normal import CommonNormal, common_normal
-from kinlib.dh.formatting import format_rows
 from kinlib.dh.parsing import MAX_LENGTH_M
-from kinlib.dh.table import Convention, DHTable, joint_transform, normal_transform, validate_convention
+from kinlib.dh.table import Convention, DHTable, format_rows, joint_transform, normal_transform, validate_convention
 from kinlib.rigid.lie import cross, homogeneous, nearest_rotation
 
 ACCURACY_SAMPLES = 24
@@ -93,7 +92,7 @@ class FrameAssignment(validation.ReadOnly):
         >>> step.kind, step.frame, step.text, step.others
         ('y', 1, 'y_1 = z_1 × x_1 completes a right-handed frame: (0, 0, 1).', '')
         """
-        return _explain_assignment(self.chain, self.table, self.frames, self.normals, self.accuracy)
+        return [*_steps(self)]
 
 
 def assign_frames(chain: Chain, convention: Convention, *, snap: bool = False) -> FrameAssignment:
@@ -129,7 +128,8 @@ def assign_frames(chain: Chain, convention: Convention, *, snap: bool = False) -
     if not snap:
         return best
     clean = (_snapped(result) for result in results if result)
-    return min(clean, key=lambda result: (_count_digits(result.table), result.accuracy))
+    # The table with the fewest digits is the cleanest.
+    return min(clean, key=lambda result: (sum(map(str.isdigit, str(result.table))), result.accuracy))
 
 
 def _snapped(found: FrameAssignment) -> FrameAssignment:
@@ -153,11 +153,6 @@ def _clean_pose(T: Array) -> Array:
     return nearest_rotation(rounded)
 
 
-def _count_digits(table: DHTable) -> int:
-    """Count the digits of a table as it is printed, which are fewer where its numbers are clean."""
-    return sum(character.isdigit() for character in str(table))
-
-
 def _assign(chain: Chain, convention: Convention, parallel_below: float) -> FrameAssignment | None:
     """Assign frames, treating axes at a smaller angle than the bound as parallel; None if a normal is too far away for a table."""
     standard = convention == "standard"
@@ -167,9 +162,8 @@ def _assign(chain: Chain, convention: Convention, parallel_below: float) -> Fram
     frames = [frame]
     for i in range(chain.n - 1):
         other = axes[i + 1], points[i + 1]
-        normal = common_normal(
-            _axis(frame), other, frame[:3, 0], at_other_point=standard, parallel_below=parallel_below
-        )
+        axis = frame[:3, 2], frame[:3, 3]
+        normal = common_normal(axis, other, frame[:3, 0], at_other_point=standard, parallel_below=parallel_below)
         normals.append(normal)
         if i == 0 and not standard:
             # {0} coincides with {1} at q_1 = 0, so the first normal determines the first frame.
@@ -201,25 +195,22 @@ def _points_on_axes(chain: Chain) -> Array:
     """Choose a point on each axis. A prismatic axis may be anywhere, so it is put where its normal to a neighbour stays near."""
     points = np.array(chain.joint_points)
     axes = chain.lines.axis
-    for i, joint_type in enumerate(chain.joint_types):
-        if joint_type == "P":
-            for neighbour in (i - 1, i + 1):
-                if not 0 <= neighbour < chain.n:
-                    continue
-                sine = np.linalg.norm(cross(axes[i], axes[neighbour]))
-                if PARALLEL_TOL_RAD < sine < RELOCATE_PRISMATIC_RAD:
-                    points[i] = points[neighbour]
+    for i in [i for i, joint_type in enumerate(chain.joint_types) if joint_type == "P"]:
+        for neighbour in range(max(i - 1, 0), min(i + 2, chain.n)):
+            if PARALLEL_TOL_RAD < np.linalg.norm(cross(axes[i], axes[neighbour])) < RELOCATE_PRISMATIC_RAD:
+                points[i] = points[neighbour]
     return points
 
 
 def _first_frame(z: Array, point: Array) -> Array:
     """Place frame 0 on the first axis, as close to {s} as the axis allows."""
-    return _frame(_first_perpendicular(np.eye(3), z), z, point - z * (z @ point))
+    x = _first_perpendicular(np.eye(3), z)
+    return homogeneous(np.transpose([x, cross(z, x), z]), point - z * (z @ point))
 
 
 def _last_frame(frame: Array, home: Array) -> tuple[Array, tuple[float, float], float]:
     """Place frame n of the standard convention: z_n stays parallel, and the frame is as near the tool as that allows."""
-    z, origin = _axis(frame)
+    z, origin = frame[:3, 2], frame[:3, 3]
     foot = origin + z * (z @ (home[:3, 3] - origin))
     offset = home[:3, 3] - foot
     a = float(np.linalg.norm(offset))
@@ -257,22 +248,11 @@ def _relative_pose(frame: Array, T: Array) -> Array:
     return relative
 
 
-def _axis(frame: Array) -> tuple[Array, Array]:
-    return frame[:3, 2], frame[:3, 3]
-
-
-def _frame(x: Array, z: Array, origin: Array) -> Array:
-    return homogeneous(np.transpose([x, cross(z, x), z]), origin)
-
-
 def _first_perpendicular(candidates: Array, z: Array) -> Array:
     """Project the first of the candidates that is not along z to a unit vector perpendicular to z."""
-    for x in candidates:
-        across = x - z * (z @ x)
-        if (length := np.linalg.norm(across)) > 0.1:
-            unit: Array = across / length
-            return unit
-    raise AssertionError("three orthogonal axes cannot all be along z")
+    across = candidates - np.outer(candidates @ z, z)
+    k = np.argmax(np.linalg.norm(across, axis=1) > 0.1)  # of three orthogonal ones at least two are not
+    return np.asarray(across[k] / np.linalg.norm(across[k]))
 
 
 NEARLY_PARALLEL = (
@@ -326,30 +306,39 @@ class AssignmentStep:
         return f"{self.text} (Also right: {self.others})" if self.others else self.text
 
 
-def _explain_assignment(
-    chain: Chain, table: DHTable, frames: Array, normals: Sequence[CommonNormal], accuracy: float
-) -> list[AssignmentStep]:
+def _steps(found: FrameAssignment) -> Iterator[AssignmentStep]:
     """Explain an assignment in the steps in which a person does it."""
+    chain, table, frames, normals = found.chain, found.table, found.frames, found.normals
     standard = table.convention == "standard"
-    steps = [_explain_axes(chain, standard), _explain_first_frame(table, frames)]
-    for pair, normal in enumerate(normals):
-        steps += _explain_link(chain, frames[pair + 1], pair, normal, standard)
-    steps.append(_explain_last_frame(chain, table, frames))
-    steps += _explain_rows(table)
-    steps.append(_explain_accuracy(accuracy, any(normal.is_nearly_parallel for normal in normals)))
-    return steps
-
-
-def _explain_axes(chain: Chain, standard: bool) -> AssignmentStep:
-    prismatic = [i for i, joint_type in enumerate(chain.joint_types, start=1) if joint_type == "P"]
-    revolute = [i for i in range(1, chain.n + 1) if i not in prismatic]
-    kinds = f"{_joints(revolute)} revolute" if revolute else ""
-    if prismatic:
-        kinds += f"{'; ' if revolute else ''}{_joints(prismatic)} prismatic"
-        kinds += ", with a direction but no position"
-    rule = "z_{i-1} lies on the axis of joint i" if standard else "z_i lies on the axis of joint i"
+    kinds = []
+    for letter, kind in (("R", "revolute"), ("P", "prismatic")):
+        numbers = [i for i, joint_type in enumerate(chain.joint_types, start=1) if joint_type == letter]
+        kinds += [f"{_joints(numbers)} {kind}"] if numbers else []
+    text = f"Locate the joint axes: {'; '.join(kinds)}{', with a direction but no position' * ('P' in chain.joint_types)}. "
+    text += f"In this convention {'z_{i-1} lies' if standard else 'z_i lies'} on the axis of joint i."
     others = "Each z may have the opposite direction; then the joint variable changes its sign."
-    return AssignmentStep("axes", None, f"Locate the joint axes: {kinds}. In this convention {rule}.", others)
+    yield AssignmentStep("axes", None, text, others)
+    place = f"Its origin is at {format_vector(frames[0, :3, 3])}, its x along {format_vector(frames[0, :3, 0])}."
+    text = (
+        f"Frame 0 is on axis 1, at the point nearest {{s}}, with x as near the x of {{s}} as the axis allows. {place}"
+    )
+    others = "Any other origin on the axis and any x perpendicular to it; base, d_1 and theta_1 change accordingly."
+    if not standard:
+        text = f"Frame 0 coincides with frame 1 at q_1 = 0, so the first row begins with alpha = 0 and a = 0. {place}"
+        others = "Any other frame, with other numbers in the base and in the first row."
+    yield AssignmentStep("first", 0, text, others)
+    for pair, normal in enumerate(normals):
+        yield from _explain_link(chain, frames[pair + 1], pair, normal, standard)
+    yield _explain_last_frame(chain, table, frames)
+    for i, (a, alpha, d, theta) in enumerate(format_rows(table, variable="q_{}".format), start=1):
+        k = i if standard else i - 1
+        yield AssignmentStep("row", i, f"Row {i}: a_{k} = {a}, alpha_{k} = {alpha}, d_{i} = {d}, theta_{i} = {theta}.")
+    is_exact = found.accuracy < 1e-11
+    text = f"This table describes the arm{', up to rounding' if is_exact else ' only approximately'}: at {ACCURACY_SAMPLES} "
+    text += f"configurations its poses differ by at most {found.accuracy:.1e}."
+    if any(normal.is_nearly_parallel for normal in normals) and not is_exact:
+        text += " The nearly parallel axes limit its accuracy."
+    yield AssignmentStep("accuracy", None, text)
 
 
 def _joints(numbers: Sequence[int]) -> str:
@@ -357,17 +346,6 @@ def _joints(numbers: Sequence[int]) -> str:
     is_run = len(numbers) > 2 and numbers[-1] - numbers[0] == len(numbers) - 1
     names = f"{numbers[0]} to {numbers[-1]}" if is_run else ", ".join(map(str, numbers))
     return f"joints {names} are" if len(numbers) > 1 else f"joint {names} is"
-
-
-def _explain_first_frame(table: DHTable, frames: Array) -> AssignmentStep:
-    place = f"Its origin is at {format_vector(frames[0, :3, 3])}, its x along {format_vector(frames[0, :3, 0])}."
-    if table.convention == "standard":
-        text = f"Frame 0 is on axis 1, at the point nearest {{s}}, with x as near the x of {{s}} as the axis allows. {place}"
-        others = "Any other origin on the axis and any x perpendicular to it; base, d_1 and theta_1 change accordingly."
-    else:
-        text = f"Frame 0 coincides with frame 1 at q_1 = 0, so the first row begins with alpha = 0 and a = 0. {place}"
-        others = "Any other frame, with other numbers in the base and in the first row."
-    return AssignmentStep("first", 0, text, others)
 
 
 def _explain_link(chain: Chain, T: Array, pair: int, normal: CommonNormal, standard: bool) -> Iterator[AssignmentStep]:
@@ -413,24 +391,3 @@ def _explain_last_frame(chain: Chain, table: DHTable, frames: Array) -> Assignme
         )
         others = "Any other origin on the axis and any x perpendicular to it; d, theta and the tool change accordingly."
     return AssignmentStep("last", n, text, others)
-
-
-def _explain_rows(table: DHTable) -> Iterator[AssignmentStep]:
-    rows = format_rows(table, variable="q_{}".format)
-    for row, (a, alpha, d, theta) in enumerate(rows, start=1):
-        index = row - 1 if table.convention == "modified" else row
-        text = f"Row {row}: a_{index} = {a}, alpha_{index} = {alpha}, d_{row} = {d}, theta_{row} = {theta}."
-        yield AssignmentStep("row", row, text)
-
-
-def _explain_accuracy(accuracy: float, nearly_parallel: bool) -> AssignmentStep:
-    is_exact = accuracy < 1e-11
-    claim = (
-        "This table describes the arm, up to rounding"
-        if is_exact
-        else "This table describes the arm only approximately"
-    )
-    text = f"{claim}: at {ACCURACY_SAMPLES} configurations its poses differ by at most {accuracy:.1e}."
-    if nearly_parallel and not is_exact:
-        text += " The nearly parallel axes limit its accuracy."
-    return AssignmentStep("accuracy", None, text)

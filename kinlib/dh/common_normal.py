@@ -71,7 +71,12 @@ def common_normal(
     sine = math.hypot(*both)
     if sine <= parallel_below:
         start = near if at_other_point else origin
-        return _parallel_normal(z, previous_x, across, start, opposite=bool(z @ other_z < 0), sine=sine)
+        distance, opposite = math.hypot(*across), z @ other_z < 0
+        if distance > INTERSECTION_TOL_M:
+            case: Case = "antiparallel" if opposite else "parallel"
+            return CommonNormal(case, across / distance, start, start + across, sine)
+        x = previous_x - z * (z @ previous_x)
+        return CommonNormal("anti-coincident" if opposite else "coincident", x / np.linalg.norm(x), start, start, sine)
     x = both / sine
     # The distances along both axes to the points between which the connection is perpendicular to both.
     along = float(_cross(across, other_z) @ both) / sine**2
@@ -81,18 +86,6 @@ def common_normal(
     if abs(length) <= INTERSECTION_TOL_M:
         return CommonNormal("intersecting", -x if x @ previous_x < -PARALLEL_TOL_RAD else x, start, end, sine)
     return CommonNormal("skew", x if length > 0 else -x, start, end, sine)
-
-
-def _parallel_normal(
-    z: Array, previous_x: Array, across: Array, start: Array, *, opposite: bool, sine: float
-) -> CommonNormal:
-    distance = math.hypot(*across)
-    if distance > INTERSECTION_TOL_M:
-        case: Case = "antiparallel" if opposite else "parallel"
-        return CommonNormal(case, across / distance, start, start + across, sine)
-    x = previous_x - z * (z @ previous_x)
-    case = "anti-coincident" if opposite else "coincident"
-    return CommonNormal(case, x / np.linalg.norm(x), start, start, sine)
 
 
 def _cross(u: Array, v: Array) -> Array:

@@ -29,7 +29,7 @@ from kinlib.dh.equivalence import (
 )
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.rounding import nearest_rows, nearest_table, rounding_effect, typed_half_units
-from kinlib.dh.search import TableExplanation, choices_as_faults, explain_by_choices, explain_by_slips
+from kinlib.dh.search import TableExplanation, cheapest, choices_as_faults, explain_by_choices, explain_by_slips
 from kinlib.dh.slips import MIN_LENGTH_MM, NUMBERS, SLIPS_OF_A_TABLE, Fault, wrong_number
 from kinlib.dh.table import Convention, DHTable
 from kinlib.urdf.chains import load_urdf
@@ -96,7 +96,7 @@ class Diagnosis:
         lines = self._told_mistakes() or [self.difference]
         if self.verdict == "undecided":
             cause = (
-                f"its numbers may only be rounded ({self.rounding})" if self.rounding else "axes are nearly parallel"
+                f"its numbers may only be rounded ({self.rounding})" * bool(self.rounding) or "axes are nearly parallel"
             )
             or_else = ", or:" if self.explanations else "."
             lines = [f"Whether this table describes the arm cannot be decided: {cause}{or_else}", *lines]
@@ -235,9 +235,9 @@ def _judge_rounding(
     if near.verdict != "same":
         return "excluded" if near.verdict == "different" and near.tolerance <= 0.1 * smallest else "possible"
     fit = nearest_rows(table, arm, near, fixed, half_unit, few=False)
-    if fit is None or fit.difference > max(EQUIVALENCE_TOL, 1e-2 * near.tolerance):
+    if fit is None or fit[1] > max(EQUIVALENCE_TOL, 1e-2 * near.tolerance):
         return "possible"
-    off = np.abs(fit.rows - table.rows) / half_unit
+    off = np.abs(fit[0] - table.rows) / half_unit
     for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
         off[entry] = 0.0
     # The sum of squares is smallest, not the largest change. No numbers within their half units have a smaller sum.
@@ -263,8 +263,7 @@ def _explanations(  # noqa: PLR0917
         pairs = explain_by_slips(table, reference, fixed, frozenset(), bound, 2)
         if ends := fixed & {"base", "tool"}:
             pairs += explain_by_slips(table, reference, fixed, ends, bound, 1)
-        least = min((each.edits for each in pairs), default=0)
-        found = _with_enough_digits([each for each in pairs if each.edits == least], table, half)
+        found = _with_enough_digits(cheapest(pairs), table, half)
     if choice and not any(each.says_as_much(choice) for each in found):
         is_pair = bool(found) and len(found[0].faults) > 1
         found = [choice] if not found or choice.edits < found[0].edits + is_pair else found
@@ -275,10 +274,9 @@ def _with_enough_digits(found: list[TableExplanation], table: DHTable, half_unit
     """Return the explanations without those by a number that only has fewer decimals than it should have."""
 
     def is_rounded(each: TableExplanation, fault: Fault) -> bool:
-        if fault.name not in NUMBERS or not fault.row or not fault.column:
-            return False
-        entry = fault.row - 1, COLUMNS.index(fault.column)
-        return bool(abs(each.corrected.rows[entry] - table.rows[entry]) <= 1.05 * half_unit[entry])
+        entry = (fault.row or 1) - 1, COLUMNS.index(fault.column or "a")
+        off = abs(each.corrected.rows[entry] - table.rows[entry])
+        return bool(fault.name in NUMBERS and fault.row and fault.column and off <= 1.05 * half_unit[entry])
 
     return [each for each in found if not any(is_rounded(each, fault) for fault in each.faults)]
 

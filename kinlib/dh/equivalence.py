@@ -13,7 +13,7 @@ the answer, so it can be checked again.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import combinations
@@ -151,8 +151,7 @@ class Equivalence:
         >>> equivalent(rpr(), rpr()).poses(rpr(), np.zeros(3)).shape
         (4, 4)
         """
-        T: Array = self.base @ one.fk(self.signs * q + self.offsets) @ self.tool
-        return T
+        return np.asarray(self.base @ one.fk(self.signs * q + self.offsets) @ self.tool)
 
 
 def format_offset(letter: str, offset: float, tolerance: float) -> str:
@@ -233,8 +232,9 @@ def equivalent(
     if one.joint_types != other.joint_types:
         types = f"The joint types differ: {one.joint_types} in the first, {other.joint_types} in the second."
         return Equivalence("different", explain=lambda: types)
-    near = _nearly_parallel(one) | _nearly_parallel(other)
-    found = [_identity_map(one, other)]
+    near = _nearly_parallel(one, other)
+    same_q = Equivalence("same", signs=np.ones(one.n), offsets=np.zeros(one.n), joint_types=one.joint_types)
+    found = [_measured(same_q, one, other)]
     if found[0].difference > tolerance and len({*fixed}) < len(CHOICES):
         loose = max(10 * tolerance, NEARLY_PARALLEL_LOSS * near.any())
         found += nearest_maps(one, other, frozenset(fixed), loose, tolerance)
@@ -256,11 +256,6 @@ def _description_length(found: Equivalence, tolerance: float) -> tuple[int, floa
     return int(joints) + sum(distance > tolerance for distance in distances), sum(distances)
 
 
-def _identity_map(one: Chain, other: Chain) -> Equivalence:
-    start = Equivalence("same", signs=np.ones(one.n), offsets=np.zeros(one.n), joint_types=one.joint_types)
-    return _measured(start, one, other)
-
-
 def nearest_maps(
     one: Chain, other: Chain, fixed: frozenset[str], loose: float, tolerance: float = 0.0
 ) -> list[Equivalence]:
@@ -272,8 +267,8 @@ def nearest_maps(
     >>> nearest_maps(rpr(), rpr(), frozenset(CHOICES), 1e-6)[0].difference
     0.0
     """
-    starts, found, most = _starts(one, other, fixed, loose), list[Equivalence](), 2 * one.n
-    for signs, offsets, R in starts:
+    found, most = list[Equivalence](), 2 * one.n
+    for signs, offsets, R in _starts(one, other, fixed, loose):
         changes = int(np.sum(signs < 0) + np.sum(np.abs(offsets) > SAME_DISTANCE_RAD))
         if changes > most:
             break
@@ -285,8 +280,8 @@ def nearest_maps(
     return found
 
 
-def _starts(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> list[tuple[Array, Array, Array]]:
-    """Return signs (n,), offsets (n,) and the rotation of the base for all signs that the axes admit, the fewest changes first."""
+def _starts(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> Iterator[tuple[Array, Array, Array]]:
+    """Yield signs (n,), offsets (n,) and the rotation of the base for all signs that the axes admit, the fewest changes first."""
     invariants = AxisInvariants(other, 100 * loose)
     u, v, letters = one.lines.axis, other.lines.axis, one.joint_types
     # The frames of nearly parallel axes are far away, so the points that are compared are those next to the tool.
@@ -309,13 +304,10 @@ def _starts(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> li
             else:
                 possible &= np.abs(offsets[:, k]) < MAX_ROTATION_OF_FIXED
             offsets[:, k] = 0.0
-    changed = np.abs(offsets) > max(loose, SAME_DISTANCE_RAD)
-    zeros, count = changed.sum(axis=1), (s < 0).sum(axis=1) + changed.sum(axis=1)
-    starts = []
-    for k in [k for k in np.lexsort((zeros, count)) if possible[k]][:MAX_MAPS]:
+    zeros = (np.abs(offsets) > max(loose, SAME_DISTANCE_RAD)).sum(axis=1)
+    for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros)) if possible[k]][:MAX_MAPS]:
         theirs, ours = _frame(v[0], y[0]), _frame(s[k, 0] * u[0], flips[k, 0] * x[0])
-        starts.append((s[k], offsets[k], np.eye(3) if "base" in fixed else theirs @ ours.T))
-    return starts
+        yield s[k], offsets[k], np.eye(3) if "base" in fixed else theirs @ ours.T
 
 
 def _normals(
@@ -470,11 +462,10 @@ def neighbours(chain: Chain) -> tuple[Array, Array, Array]:
     return sine, np.arctan2(sine, np.abs(np.sum(u * v, axis=-1))), distance
 
 
-def _nearly_parallel(chain: Chain) -> Booleans:
-    """Which pairs of neighbouring axes are nearly parallel, (n - 1,): a description of them has lost digits."""
-    sine = neighbours(chain)[0]
-    near: Booleans = (sine > PARALLEL_TOL_RAD) & (sine < NEARLY_PARALLEL_RAD)
-    return near
+def _nearly_parallel(*arms: Chain) -> Booleans:
+    """Which pairs of neighbouring axes are nearly parallel in an arm, (n - 1,): a description of them has lost digits."""
+    sines = np.array([neighbours(arm)[0] for arm in arms])
+    return np.asarray(((sines > PARALLEL_TOL_RAD) & (sines < NEARLY_PARALLEL_RAD)).any(axis=0))
 
 
 def _why_undecided(near: Booleans, difference: float) -> str:
@@ -508,7 +499,7 @@ def _rounded_up(value: float) -> float:
 
 def _largest_axis_difference(one: Chain, other: Chain, tolerance: float) -> str:
     """Describe the pair of neighbouring axes whose angle or distance differs most; "" if they all agree."""
-    is_near = _nearly_parallel(one) | _nearly_parallel(other)
+    is_near = _nearly_parallel(one, other)
     _, angles, distances = np.array([neighbours(one), neighbours(other)]).swapaxes(0, 1)
     found = [(tolerance, "")]
     for i, near in enumerate(is_near):
@@ -542,11 +533,8 @@ class AxisInvariants:
         """Compute the invariants of mechanisms, directions and points of their axes (..., n, 3) each -> (..., k).
 
         >>> from kinlib.chains.robots import rpr
-        >>> arm = rpr()
-        >>> own = AxisInvariants(arm, 1e-9)
-        >>> values = own.of(arm.lines.axis, arm.joint_points)
-        >>> values.ndim
-        1
+        >>> AxisInvariants(rpr(), 1e-9).of(rpr().lines.axis, rpr().joint_points) + 0.0
+        array([0., 0.])
         """
         u, v, between = axis[..., :-1, :], axis[..., 1:, :], np.diff(point, axis=-2)
         across = cross(u, v)
@@ -564,11 +552,8 @@ class AxisInvariants:
         """Return which invariants (..., k) differ from those of the reference for every choice of signs.
 
         >>> from kinlib.chains.robots import rpr
-        >>> arm = rpr()
-        >>> own = AxisInvariants(arm, 1e-9)
-        >>> values = own.of(arm.lines.axis, arm.joint_points)
-        >>> bool(own.violated(values).any())
-        False
+        >>> AxisInvariants(rpr(), 1e-9).violated(np.array([0.0, 0.5]))
+        array([False,  True])
         """
         violated: Booleans = np.abs(np.abs(values) - np.abs(self._values)) > self._tolerances
         return violated
@@ -577,11 +562,8 @@ class AxisInvariants:
         """Return for which mechanisms (N,) all invariants (N, k) agree for one choice of the joint signs.
 
         >>> from kinlib.chains.robots import rpr
-        >>> arm = rpr()
-        >>> own = AxisInvariants(arm, 1e-9)
-        >>> values = own.of(arm.lines.axis, arm.joint_points)
-        >>> bool(own.agree(values[None])[0])
-        True
+        >>> AxisInvariants(rpr(), 1e-9).agree(np.array([[0.0, 0.0], [0.0, 0.5]]))
+        array([ True, False])
         """
         if signs_are_fixed:
             return np.asarray(np.all(np.abs(values - self._values) <= self._tolerances, axis=-1))
@@ -592,10 +574,7 @@ class AxisInvariants:
         """Return all signs of the joints (P, n) for which all invariants (k,) agree, those with the fewest -1 first.
 
         >>> from kinlib.chains.robots import rpr
-        >>> arm = rpr()
-        >>> own = AxisInvariants(arm, 1e-9)
-        >>> values = own.of(arm.lines.axis, arm.joint_points)
-        >>> own.sign_patterns(values)[0].tolist()
+        >>> AxisInvariants(rpr(), 1e-9).sign_patterns(np.zeros(2))[0].tolist()
         [1.0, 1.0, 1.0]
         """
         agree = np.abs(self._factors * values - self._values) <= self._tolerances
@@ -616,9 +595,7 @@ class AxisInvariants:
 
     @cached_property
     def _sines(self) -> Array:
-        axis = self.reference.lines.axis
-        sines: Array = np.linalg.norm(cross(axis[:-1], axis[1:]), axis=-1)
-        return sines
+        return neighbours(self.reference)[0]
 
     def _pairs_of_lines(self, has_angle: Booleans) -> list[int]:
         """The pairs (k, k + 1) of axes at some angles, without those of a prismatic joint, which has no line."""
@@ -640,11 +617,9 @@ class AxisInvariants:
 
         A helical joint changes this distance with its zero.
         """
-        runs = []
-        for i, j in combinations(self._skew, 2):
-            if {*range(i + 1, j)} <= {*self._parallel} and {*self.reference.joint_types[i + 1 : j + 1]} == {"R"}:
-                runs.append((i, j))
-        return runs
+        types, parallel = self.reference.joint_types, {*self._parallel}
+        pairs = combinations(self._skew, 2)
+        return [(i, j) for i, j in pairs if {*range(i + 1, j)} <= parallel and {*types[i + 1 : j + 1]} == {"R"}]
 
     @cached_property
     def _tolerances(self) -> Array:

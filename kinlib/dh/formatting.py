@@ -1,37 +1,16 @@
-"""Write DH tables as text: headings, and rows with the joint variables in the entries that vary.
+"""Write the parts of DH tables as text: headings, variables, and tables in Markdown.
 
 `headings.json` holds the headings of every table that shows its convention; one to be filled in has the names of `COLUMNS`.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
-from typing import Protocol
 
-from kinlib.arrays.formatting import format_degrees, format_number
-from kinlib.arrays.validation import Array
-from kinlib.dh.parsing import COLUMNS, joint_entries
-
-Format = Callable[[float], str]
+from kinlib.dh.parsing import COLUMNS
 
 PRINTED_DIGITS = 12
 """A printed table is read back with this many digits."""
-
-
-class _TableRows(Protocol):
-    """What is written of a table: a `DHTable` has it."""
-
-    @property
-    def rows(self) -> Array:
-        """The numbers (m, 4)."""
-
-    @property
-    def joints(self) -> str:
-        """A letter per row."""
-
-    @property
-    def signs(self) -> Array:
-        """The signs (m,) of the variables."""
 
 
 @cache
@@ -47,31 +26,6 @@ def headings(convention: str) -> tuple[str, ...]:
 
     by_convention = json.loads(Path(__file__).with_name("headings.json").read_text("utf-8"))
     return tuple(by_convention[convention])
-
-
-def format_rows(
-    table: _TableRows,
-    *,
-    length: Format = format_number,
-    angle: Format = format_degrees,
-    variable: Callable[[int], str] = "q{}".format,
-) -> list[list[str]]:
-    r"""Write each row of a table as its four entries a, alpha, d, theta.
-
-    length    writes a and d, given in metres
-    angle     writes alpha and theta, given in radians
-    variable  writes the variable of joint i, starting from 1
-
-    >>> from kinlib.dh.table import DHTable
-    >>> table = DHTable("a | alpha | d | theta\n 0.4 | pi/2 | 0 | 0.5*pi - q1\n 0 | 0 | q2 | 0", convention="standard")
-    >>> format_rows(table)
-    [['0.4', '90°', '0', '-q1 + 90°'], ['0', '0', 'q2', '0']]
-    """
-    rows = [[length(a), angle(alpha), length(d), angle(theta)] for a, alpha, d, theta in table.rows.tolist()]
-    for joint, (row, column) in enumerate(joint_entries(table.joints), start=1):
-        sign = "-" if table.signs[row] < 0 else ""
-        rows[row][column] = add_variable(f"{sign}{variable(joint)}", rows[row][column])
-    return rows
 
 
 def add_variable(variable: str, constant: str) -> str:

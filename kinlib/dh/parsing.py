@@ -20,11 +20,27 @@ from kinlib.arrays.validation import Array
 COLUMNS = ("a", "alpha", "d", "theta")
 ANGLE_COLUMNS = ("alpha", "theta")
 
-COLUMN_SYNONYMS = {"psi": "alpha", "twist": "alpha", "length": "a", "offset": "d", "angle": "theta"}
-"""Other names of the columns; the EduFill manipulation module writes psi where others write alpha."""
+COLUMN_NAMES = {
+    name: column
+    for column, names in {
+        "a": "a r length linklength aj ai an",
+        "alpha": "alpha alfa alph twist linktwist psi alphaj",
+        "d": "d s linkoffset dj di",
+        "theta": "theta th q angle jointangle v thetaj var variable",
+        "offset": "offset thetaoffset offsettheta theta0 zero jointoffset qoffset",
+        "type": "type sigma jointtype kind",
+    }.items()
+    for name in names.split()
+}
+"""The names that people give to columns, in small letters without signs and indices. An offset is that of theta, beside a d."""
 
 ROW_NUMBER_HEADINGS = ("i", "j", "k", "n", "#", "no", "no.", "nr", "row", "link", "joint", "index", "axis", "frame")
 """Headings of a column that counts the rows."""
+
+HEADING_UNIT = re.compile(
+    r"[\[(/,_]?\s*(?<![a-zA-Z])(mm|cm|m|millimet\w+|met(?:er|re)s?|rad|radians?|deg|degrees?)\b\.?\s*[\])]?|°"
+)
+HEADING_INDEX = re.compile(r"[_\s({\[]*(?:[ijkn]|\d)\s*(-\s*1)?[)}\]]*\s*$")
 
 JOINT_VARIABLE = re.compile(r"(?:q|theta|d)_?(\d*)", re.ASCII)
 
@@ -55,8 +71,7 @@ def joint_entries(joints: str) -> list[tuple[int, int]]:
     >>> joint_entries("RFP")
     [(0, 3), (2, 2)]
     """
-    columns = {"R": COLUMNS.index("theta"), "P": COLUMNS.index("d")}
-    return [(row, columns[letter]) for row, letter in enumerate(joints) if letter != "F"]
+    return [(row, 3 if letter == "R" else 2) for row, letter in enumerate(joints) if letter != "F"]
 
 
 def is_plausible_angle(angle: float) -> bool:
@@ -105,8 +120,6 @@ def read_rows(
     array([[ 0.   ,  0.   ,  0.   ,  0.   ],
            [ 0.5  , -1.571,  0.   , -1.571]])
     """
-    if joints is not None and not isinstance(joints, str):
-        raise ValueError(f"joints must be a string with a letter for each row; got {validation.describe(joints)}.")
     if not isinstance(lengths or {}, Mapping):
         raise ValueError(f"lengths must be a dictionary such as {{'l2': 0.5}}; got {validation.describe(lengths)}.")
     values = {name: _single_number(value, f"lengths[{name!r:.60}]") for name, value in (lengths or {}).items()}
@@ -114,54 +127,48 @@ def read_rows(
         raise ValueError("lengths must not redefine pi. Choose another name.")
     degrees = set[str]()
     if isinstance(rows, str):
-        rows, degrees = split_table(rows, convention)
+        rows, degrees = _split_table(rows, convention)
     if not isinstance(rows, Sequence) or not any(isinstance(row, Mapping) for row in rows):
         numbers = validation.vectors(rows, "rows", 4)
         if numbers.ndim != 2:
             raise ValueError(f"rows must have shape (m, 4), with columns {', '.join(COLUMNS)}; got {numbers.shape}.")
-        return _validate_rows(numbers, joints or "R" * len(numbers), None)
-    cells = [
-        [_parse_entry(row, column, number, values, column in degrees) for column in COLUMNS]
-        for number, row in enumerate(rows, start=1)
-    ]
-    letters, signs, names = zip(*(_joint_of_row(row, i) for i, row in enumerate(cells, start=1)), strict=True)
-    _validate_labels([name for name in names if name])
-    if joints is not None and joints != "".join(letters):
-        raise ValueError(
-            f"joints must agree with the variables in the rows, {''.join(letters)}; got {joints:.60}. Which rows have a joint?"
+        letters, signs = ("R" * len(numbers) if joints is None else joints), None
+    else:
+        cells = [
+            [_parse_entry(row, column, i, values, column in degrees) for column in COLUMNS]
+            for i, row in enumerate(rows, 1)
+        ]
+        kinds = [joint_of_row(dict(zip(COLUMNS, row, strict=True)), f"Row {i}") for i, row in enumerate(cells, 1)]
+        _validate_labels([name for _, _, name in kinds if name])
+        numbers, signs = (
+            np.array([[entry.value.real for entry in row] for row in cells]),
+            np.array([sign for _, sign, _ in kinds]),
         )
-    return _validate_rows(
-        np.array([[entry[0].real for entry in row] for row in cells]), "".join(letters), np.array(signs)
-    )
+        letters = "".join(letter for letter, _, _ in kinds)
+        if joints is not None and joints != letters:
+            raise ValueError(
+                f"joints must agree with the variables in the rows, {letters}; got {joints!r:.60}. Which rows have a joint?"
+            )
+    _validate_rows(numbers, letters)
+    return Rows(numbers, letters, signs)
 
 
-def _validate_rows(numbers: Array, joints: str, signs: Array | None) -> Rows:
-    if len(joints) != len(numbers) or set(joints) - set("RPF"):
+def _validate_rows(numbers: Array, joints: Any) -> None:
+    if not isinstance(joints, str) or len(joints) != len(numbers) or set(joints) - set("RPF"):
         raise ValueError(
             f"joints must have a letter R, P or F for each of the {len(numbers)} rows; got {joints!r:.60}."
         )
     if set(joints) <= {"F"}:
         raise ValueError("A table must have at least one joint, but every row is fixed. Is q1 missing from an entry?")
-    for row, values in enumerate(numbers.tolist(), start=1):
-        for column, value in zip(COLUMNS, values, strict=True):
-            if column in ANGLE_COLUMNS:
-                _validate_angle(value, f"Row {row}, {column}", f"{value:g} rad")
-            elif abs(value) > MAX_LENGTH_M:
-                raise ValueError(f"Row {row}: {column} must be at most {MAX_LENGTH_M:g} m; got {value:g} m.")
-    return Rows(numbers, joints, signs)
-
-
-def _validate_angle(angle: float, place: str, given: str) -> None:
-    """Refuse an angle that nobody means; `given` is the angle as it was typed, or the number with its unit."""
-    if is_plausible_angle(angle):
-        return
-    hint = f"Subtract full turns: {round(math.degrees(angle), 6) % 360:.6g}° is the same angle."
-    if given.endswith(" rad"):
-        number = given.removesuffix(" rad")
-        hint = f"{given}? Write {number}° if it is in degrees, or subtract full turns if it is in radians."
-    raise ValueError(
-        f"{place}: an angle must be at most a full turn, 2 pi, or at most ten turns in whole degrees; got {given}. {hint}"
-    )
+    for (row, column), value in np.ndenumerate(numbers):
+        name = COLUMNS[column]
+        if name in ANGLE_COLUMNS and not is_plausible_angle(value):
+            raise ValueError(
+                f"Row {row + 1}, {name}: an angle must be at most a full turn, 2 pi, or at most ten turns in whole degrees; got "
+                f"{value:g} rad. If the number is in degrees, write {value:g}°; if not, subtract full turns."
+            )
+        if name not in ANGLE_COLUMNS and abs(value) > MAX_LENGTH_M:
+            raise ValueError(f"Row {row + 1}: {name} must be at most {MAX_LENGTH_M:g} m; got {value:g} m.")
 
 
 def _validate_labels(names: Sequence[str]) -> None:
@@ -171,14 +178,11 @@ def _validate_labels(names: Sequence[str]) -> None:
     if numbers == [*range(1, len(numbers) + 1)]:
         return
     twice = next((number for number in numbers if numbers.count(number) > 1), None)
+    hint = "Is a row missing? The joints are counted from 1. A variable without a number, q, is the joint of its row."
     if twice is not None:
         hint = f"Two rows have the variable of joint {twice}, but each joint has one row."
     elif {*numbers} == {*range(1, len(numbers) + 1)}:
         hint = "Give the rows in the order of the joints, because each row begins at the frame of the row before."
-    else:
-        hint = (
-            "Is a row missing? The joints are counted from 1. A variable without a number, q, is the joint of its row."
-        )
     raise ValueError(
         f"The joint variables must be numbered 1, 2, ... in the order of the rows; got {', '.join(names):.100}. {hint}"
     )
@@ -191,55 +195,31 @@ def _single_number(value: Any, name: str) -> float:
     return float(number)
 
 
-def _joint_of_row(row: Sequence[tuple[complex, Sequence[str]]], number: int) -> tuple[str, float, str]:
-    """Return the type and the sign of a row's joint, and the name of its variable, from the variables in the entries."""
-    moving = {column: entry for column, entry in zip(COLUMNS, row, strict=True) if entry[1]}
-    if not moving:
-        return "F", 1.0, ""
-    for column, (_, names) in moving.items():
-        if len(names) > 1:
-            raise ValueError(
-                f"Row {number}, {column}: an entry must have one joint variable, that of its own joint; got "
-                f"{' and '.join(names)}. If the angle depends on two joints, their mechanism is not a chain of rows."
-            )
-    columns = ", ".join(moving)
-    if len(moving) > 1 or columns in {"a", "alpha"}:
-        swapped = {"a": " Are the columns a and d swapped?", "alpha": " Are the columns alpha and theta swapped?"}
-        raise ValueError(
-            f"Row {number}: the joint variable must be in theta or in d, once; it is in {columns}.{swapped.get(columns, '')}"
-        )
-    value, names = moving[columns]
-    if abs(value.imag) != 1:
-        raise ValueError(
-            f"Row {number}: the joint variable in {columns} must be q or -q, without a factor; its factor is {value.imag:g}."
-        )
-    return ("R" if columns == "theta" else "P"), value.imag, names[0]
-
-
-def split_table(text: str, convention: str | None) -> tuple[list[dict[str, str]], set[str]]:
+def _split_table(text: str, convention: str | None) -> tuple[list[dict[str, str]], set[str]]:
     """Split a text into rows of entries by column name, and find the columns whose numbers are degrees."""
     if len(text) > MAX_TEXT_LENGTH:
         raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
     lines = [line for line in respelled(text).strip().splitlines() if line.strip(" |-+:\t")]
     if len(lines) < 2:
         raise ValueError("A table as text must have a heading, such as 'a | alpha | d | theta', and at least one row.")
-    head = [_parse_heading(cell, convention) for cell in _split_line(lines[0])]
-    names = [name for name, _ in head]
-    if sorted(name for name in names if name in COLUMNS) != sorted(COLUMNS):
+    heads = parse_headings(_split_line(lines[0]))
+    for head in heads:
+        _validate_heading(head, convention)
+    if sorted(head.name for head in heads if head.name in (*COLUMNS, "offset")) != sorted(COLUMNS):
         raise ValueError(
             f"The heading must name the columns {', '.join(COLUMNS)}, each once; got {lines[0].strip()!r:.100}."
         )
     rows = []
     for number, line in enumerate(lines[1:], start=1):
         cells = _split_line(line)
-        if len(cells) == len(head) + 1 and cells[0].rstrip(".") == str(number):
+        if len(cells) == len(heads) + 1 and cells[0].rstrip(".") == str(number):
             cells = cells[1:]  # the rows are numbered, but their column has no heading
-        if len(cells) != len(head):
+        if len(cells) != len(heads):
             raise ValueError(
-                f"Row {number} must have {len(head)} entries, one per heading; got {len(cells)}: {line.strip()!r:.100}."
+                f"Row {number} must have {len(heads)} entries, one per heading; got {len(cells)}: {line.strip()!r:.100}."
             )
-        rows.append(dict(zip(names, cells, strict=True)))
-    for name in {*names} & {*ROW_NUMBER_HEADINGS}:
+        rows.append({head.name: cell for head, cell in zip(heads, cells, strict=True)})
+    for name in {head.name for head in heads} & {*ROW_NUMBER_HEADINGS}:
         labels = [row[name].rstrip(".") for row in rows]
         are_numbers = all(re.fullmatch(r"\d{1,4}", label, re.ASCII) for label in labels)
         if are_numbers and [*map(int, labels)] != [*range(int(labels[0]), int(labels[0]) + len(labels))]:
@@ -247,7 +227,7 @@ def split_table(text: str, convention: str | None) -> tuple[list[dict[str, str]]
                 f"The rows must be in the order of their numbers, none of them missing or twice; got {', '.join(labels):.100}. "
                 "Sort the rows, because each of them begins at the frame of the row before."
             )
-    return rows, {name for name, degrees in head if degrees}
+    return rows, {head.name for head in heads if head.unit == "deg"}
 
 
 def _split_line(line: str) -> list[str]:
@@ -269,56 +249,62 @@ def respelled(text: str) -> str:
     return text
 
 
-def _parse_heading(head: str, convention: str | None) -> tuple[str, bool]:
-    """Return the name of a column, and whether its numbers are degrees: "alpha_{i-1} (deg)" is ("alpha", True).
+class Heading(NamedTuple):
+    """A heading: the name of its column, or its own text if that is no column of a table; its unit, and its indices "i" or "i-1"."""
 
-    Any other name is returned unchanged: a column of joint types is not read.
+    name: str
+    unit: str = ""
+    indices: str = ""
+    text: str = ""
+
+
+def parse_headings(cells: Sequence[str]) -> list[Heading]:
+    """Read the headings of columns; "offset" is d where no other column is.
+
+    >>> [head[:3] for head in parse_headings(["alpha_{i-1} (deg)", "Offset", "No."])]
+    [('alpha', 'deg', 'i-1'), ('d', '', ''), ('no.', '', '')]
     """
-    if unit := re.search(r"\b[mc]m\b", head):
-        raise ValueError(
-            f"Lengths must be in metres, but the heading {head!r:.60} says {unit[0]}. Write 0.4 for 400 mm."
-        )
-    degrees = bool(re.search(r"deg|°", head))
-    plain = re.sub(r"[\\${}\s°]|[(\[](?![ijkn](?:-1)?[)\]])[^()\[\]]*[)\]]", "", head).lower()
-    found = re.fullmatch(r"([a-z]+?)_?[(\[]?[ijkn](-1)?[)\]]?", plain)
-    name = COLUMN_SYNONYMS.get(found[1], found[1]) if found and plain not in COLUMN_SYNONYMS else ""
-    if name not in COLUMNS:
-        plain = re.sub(r"_.*", "", plain)
-        return COLUMN_SYNONYMS.get(plain, plain), degrees
-    said = "modified" if found and found[2] else "standard"
-    if name in ("a", "alpha") and convention in ("standard", "modified") and said != convention:
-        raise ValueError(
-            f"The heading {head!r:.60} is that of a {said} table, but convention is {convention!r}. These two are often confused: row i "
-            f"has a_i and alpha_i in the standard convention, and a_{{i-1}} and alpha_{{i-1}} in the modified one (Craig). Write "
-            f"convention={said!r}, or, if the numbers are those of a {convention} table, write {name} without an index."
-        )
-    return name, degrees
+    heads = [parse_heading(cell) for cell in cells]
+    has_d = any(head.name == "d" for head in heads)
+    return [head._replace(name="d") if head.name == "offset" and not has_d else head for head in heads]
 
 
-def _parse_entry(
-    row: Any, column: str, number: int, lengths: Mapping[str, float], in_degrees: bool
-) -> tuple[complex, Sequence[str]]:
-    """Evaluate an entry: its value, in which the variable is the imaginary unit (0.5 - q1 is 0.5 - 1j), and its variables."""
-    if not isinstance(row, Mapping) or column not in row:
-        given = "" if isinstance(row, Mapping) else f"; it is {validation.describe(row)}"
+def parse_heading(head: str) -> Heading:
+    """Read a single heading.
+
+    >>> parse_heading("d_i [mm]")
+    Heading(name='d', unit='mm', indices='i', text='d_i [mm]')
+    """
+    plain = head.strip().strip("\"'`*:").replace("\\", "").replace("$", "")
+    if re.search(r"[⁻⁺]|min|max|lim|range", plain):  # of a joint
+        return Heading(plain.lower(), text=head)
+    unit = ""
+    if found := HEADING_UNIT.search(plain):
+        unit = {"°": "deg", "mi": "mm", "me": "m", "ra": "rad", "de": "deg"}.get((found[1] or "°")[:2], found[1])
+        if re.search("[a-zA-Z]", plain[: found.start()]):
+            plain = plain[: found.start()] + plain[found.end() :]
+    plain = plain.strip().lower()
+    index = HEADING_INDEX.search(plain)
+    whole, bare = (re.sub("[^a-z0]", "", text) for text in (plain, plain[: index.start()] if index else plain))
+    name = COLUMN_NAMES.get(whole) or COLUMN_NAMES.get(bare) or plain
+    return Heading(
+        name, unit, "i-1" if index and index[1] else "i" if index and re.search("[ijkn]", index[0]) else "", head
+    )
+
+
+def _validate_heading(head: Heading, convention: str | None) -> None:
+    """Refuse millimetres, and an index that contradicts the convention."""
+    if head.unit in {"mm", "cm"}:
         raise ValueError(
-            f"Row {number} has no {column}{given}. Each row must have all of {', '.join(COLUMNS)}; write 0 for an empty entry."
+            f"Lengths must be in metres, but the heading {head.text!r:.60} says {head.unit}. Write 0.4 for 400 mm."
         )
-    entry, place = row[column], f"Row {number}, {column}"
-    if not isinstance(entry, str):
-        return complex(_single_number(entry, place)), ()
-    try:
-        value, variables, unit = evaluate_entry(entry, column, lengths)
-    except ValueError as error:
-        raise ValueError(f"{place}: {error}") from error
-    # A heading in degrees applies to bare numbers; an entry with pi or a unit has its own unit.
-    if in_degrees and not unit:
-        value, unit = complex(math.radians(value.real), value.imag), "°"
-    if column in ANGLE_COLUMNS:
-        _validate_angle(value.real, place, repr(entry) if unit else f"{value.real:g} rad")
-    elif unit == "°":
-        raise ValueError(f"{place}: {entry!r} is an angle, but {column} is a length. Are two columns swapped?")
-    return value, variables
+    said = {"i": "standard", "i-1": "modified"}.get(head.indices, convention)
+    if head.name in ("a", "alpha") and convention in ("standard", "modified") and said != convention:
+        raise ValueError(
+            f"The heading {head.text!r:.60} is that of a {said} table, but convention is {convention!r}. These two are often confused: "
+            "row i has a_i and alpha_i in the standard convention, and a_{i-1} and alpha_{i-1} in the modified one (Craig). Write "
+            f"convention={said!r}, or, if the numbers are those of a {convention} table, write {head.name} without an index."
+        )
 
 
 class Entry(NamedTuple):
@@ -327,6 +313,57 @@ class Entry(NamedTuple):
     value: complex
     variables: Sequence[str] = ()
     unit: str = ""
+
+
+def _parse_entry(row: Any, column: str, number: int, lengths: Mapping[str, float], in_degrees: bool) -> Entry:
+    if not isinstance(row, Mapping) or column not in row:
+        given = "" if isinstance(row, Mapping) else f"; it is {validation.describe(row)}"
+        raise ValueError(
+            f"Row {number} has no {column}{given}. Each row must have all of {', '.join(COLUMNS)}; write 0 for an empty entry."
+        )
+    text, place = row[column], f"Row {number}, {column}"
+    if not isinstance(text, str):
+        return Entry(complex(_single_number(text, place)))
+    try:
+        entry = evaluate_entry(text, column, lengths)
+    except ValueError as error:
+        raise ValueError(f"{place}: {error}") from error
+    if column not in ANGLE_COLUMNS and entry.unit == "°":
+        raise ValueError(f"{place}: {text!r} is an angle, but {column} is a length. Are two columns swapped?")
+    # A heading in degrees applies to bare numbers; an entry with pi or a unit has its own unit.
+    factor = math.pi / 180 if in_degrees and not entry.unit else 1.0
+    return entry._replace(value=complex(entry.value.real * factor, entry.value.imag))
+
+
+def joint_of_row(row: Mapping[str, Entry], place: str) -> tuple[str, float, str]:
+    """Return the type and the sign of a row's joint, and the name of its variable, from the variables in its entries by column.
+
+    Raises ValueError for a second variable, one in another column than d and theta, and one with a factor.
+
+    >>> joint_of_row({"d": Entry(1 - 1j, ["q1"])}, "Row 1")
+    ('P', -1.0, 'q1')
+    """
+    moving = {column: entry for column, entry in row.items() if entry.variables}
+    for column, entry in moving.items():
+        if len(entry.variables) > 1:
+            raise ValueError(
+                f"{place}, {column}: an entry must have one joint variable, that of its own joint; got "
+                f"{' and '.join(entry.variables)}. If the angle depends on two joints, their mechanism is not a chain of rows."
+            )
+    if not moving:
+        return "F", 1.0, ""
+    columns = ", ".join(moving)
+    if columns not in ("d", "theta"):
+        swapped = {"a": " Are the columns a and d swapped?", "alpha": " Are the columns alpha and theta swapped?"}
+        raise ValueError(
+            f"{place}: the joint variable must be in theta or in d, once; it is in {columns}.{swapped.get(columns, '')}"
+        )
+    value, names, _ = moving[columns]
+    if abs(value.imag) != 1:
+        raise ValueError(
+            f"{place}: the joint variable in {columns} must be q or -q, without a factor; its factor is {value.imag:g}."
+        )
+    return ("R" if columns == "theta" else "P"), value.imag, names[0]
 
 
 def evaluate_entry(entry: str, column: str, lengths: Mapping[str, float]) -> Entry:
@@ -384,10 +421,8 @@ def _evaluate(node: ast.expr, column: str, lengths: Mapping[str, float]) -> comp
             return 1j
         case ast.Name(id=name):
             raise KeyError(name)
-        case ast.UnaryOp(op=ast.USub(), operand=operand):
-            return -_evaluate(operand, column, lengths)
-        case ast.UnaryOp(op=ast.UAdd(), operand=operand):
-            return _evaluate(operand, column, lengths)
+        case ast.UnaryOp(op=ast.USub() | ast.UAdd() as sign, operand=operand):
+            return _evaluate(operand, column, lengths) * (-1 if isinstance(sign, ast.USub) else 1)
         case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
             one, other = _evaluate(left, column, lengths), _evaluate(right, column, lengths)
             # A variable times or divided by a variable is no entry, and its square would be the square of the imaginary unit.

@@ -1,9 +1,9 @@
 r"""Read a DH table as people paste it: from a data sheet, a web page, a spreadsheet, a paper, or code.
 
-The text becomes a grid of cells by one of five readers: calls such as RevoluteDH(a=0.4), dictionaries by row, lists by column, names
-with indices such as d1 = 0.3, or lines of cells. Then the columns, the units, the joints and the convention are found. What the text
-says is taken; what it only suggests is assumed with a sentence, and where the numbers alone suggest it, the assumption lists the
-options, so that a person can be asked. `kinlib.dh.parsing` evaluates the entries, for this and for the strict tables of `DHTable`.
+The text becomes rows of cells by one of three readers: calls and dictionaries by row, such as RevoluteDH(a=0.4); lists by column and
+names with indices, such as d1 = 0.3; or lines of cells. Then the columns, the units, the joints and the convention are found. What the
+text says is taken; what it only suggests is assumed with a sentence, and where the numbers alone suggest it, the assumption lists the
+options, so that a person can be asked. `kinlib.dh.parsing` reads headings and entries, for this and for the strict tables of `DHTable`.
 """
 
 from __future__ import annotations
@@ -16,23 +16,24 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from kinlib.arrays.formatting import format_vector
-from kinlib.arrays.validation import describe
-from kinlib.dh.parsing import COLUMNS, MAX_TEXT_LENGTH, NUMBER, Entry, evaluate_entry, respelled
-from kinlib.dh.table import Convention, DHTable, validate_convention
+from kinlib.arrays.validation import Array, describe
+from kinlib.dh.parsing import (
+    COLUMN_NAMES,
+    COLUMNS,
+    MAX_TEXT_LENGTH,
+    NUMBER,
+    Entry,
+    evaluate_entry,
+    joint_of_row,
+    parse_heading,
+    parse_headings,
+    respelled,
+)
+from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.lie import homogeneous
 
 MAX_LINES, MAX_CELLS, MAX_ROWS = 2000, 40, 60
 """The maximum number of lines and of cells in a line that are read, and of rows of a table."""
-
-SYNONYMS = {
-    **dict.fromkeys(("a", "r", "length", "linklength", "aj", "ai", "an"), "a"),
-    **dict.fromkeys(("alpha", "alfa", "alph", "twist", "linktwist", "psi", "alphaj"), "alpha"),
-    **dict.fromkeys(("d", "s", "linkoffset", "dj", "di"), "d"),
-    **dict.fromkeys(("theta", "th", "q", "angle", "jointangle", "v", "thetaj", "var", "variable"), "theta"),
-    **dict.fromkeys(("offset", "thetaoffset", "offsettheta", "theta0", "zero", "jointoffset", "qoffset"), "offset"),
-    **dict.fromkeys(("type", "sigma", "jointtype", "kind"), "type"),
-}
-"""The names that people give to columns, in small letters without signs and indices."""
 
 ORDERS = ("theta d a alpha", "a alpha d theta", "alpha a theta d", "alpha a d theta", "d a alpha theta", "a d alpha theta",
           "d theta a alpha", "theta a d alpha", "alpha a offset d", "theta alpha a d", "a alpha theta d")  # fmt: skip
@@ -43,9 +44,37 @@ LENGTH_UNITS, ANGLE_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}, {"rad": 1.0, "de
 MIN_MILLIMETRES = 5.0
 """Lengths of arms in metres are smaller."""
 
+NEEDED, ALL_COLUMNS = {"a", "alpha", "d"}, {*COLUMNS, "offset"}
+
 TOOL_WORDS = re.compile(r"\b(flange|tool|hand|tcp|end.?effector|ee|fixed|gripper|base)\b", re.IGNORECASE)
 
 LABEL = re.compile(r"\b(joint|link|axis|j|l|link_?joint|row|frame)[\s_-]?(\d+)\b", re.IGNORECASE)
+
+REPLACEMENTS = [
+    (r"\x1b\[[0-9;]*m|[\u200b\u200e\ufeff]", ""),
+    (r"</t[dh]>\s*<t[dh][^>]*>", " | "), (r"</?(?:tr|table|br|p)\b[^>]*>", "\n"),
+    (r"<su[bp]>(.*?)</su[bp]>", r"_\1"), (r"<[a-zA-Z/][^>]{0,200}>", " "),
+    (r"\\(?:begin|end)\{\w+\*?\}(?:\{[^}]*\})?|\\(?:hline|(?:top|mid|bottom)rule|cline\{[^}]*\})", "\n"),
+    (r"\\(?:text|mathrm|textbf|mathbf|mathit)\{([^{}]*)\}", r"\1"), (r"\^\{?\s*\\circ\s*\}?|\\degree", "°"),
+    (r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))"), (r"\\\\(?:\[[^]]*\])?", "\n"), (r"\\,|\$", ""),
+    (r"\\(?:cdot|times)\b", "*"), (r"\\(alpha|theta|pi)\b", r"\1"), ("&", " | "),
+    ("⍺", "alpha"), ("ⱼ", "_j"), ("ₙ", "_n"), ("’", "'"), ("\xa0", " "), ("½", "1/2"), ("[┃│║]", "|"), ("[\u2500-\u257f]+", ""),
+    (r"\b(?:M_PI|PI)_([24])\b", r"pi/\1"), (r"\b(?:M_PI|(?:np|numpy|math|Math|sp|sympy)\.(?:pi|PI)|PI)\b", "pi"),
+    (r"\b(?:(?:np|numpy|math)\.)?(?:deg2rad|radians)\(([^()]*)\)", r"\1°"),
+]  # fmt: skip
+"""What terminals, HTML, LaTeX and code write for signs and separators, and what a keyboard has for them."""
+
+GROUP = re.compile(
+    r"\b(?!\w*Robot)(?P<kind>(?:Frame\W+)?\w*(?:Revolute|Prismatic|Link|DH)\w*)\s*\((?P<call>(?:[^()]|\([^()]*\))*)\)"
+    r"|\{(?P<row>[^{}]*)\}|(?:^|\n)\s*-\s+(?P<item>\w+\s*:[^\n]*(?:\n\s+\w+\s*:[^\n]*)*)"
+)
+"""A call, a dictionary, or an item of YAML."""
+
+PAIR = re.compile(
+    r"(?:\b([a-zA-Z]\w*)\s*[:=]|['\"](\w+)['\"]\s*(?:[:=]|,(?=\s*[^\s'\"])))\s*['\"]?([^,=\[\]{}'\"\n;]+)"
+)
+
+LIST = re.compile(r"['\"]?\b([a-zA-Z][\w.]*)['\"]?\]?\s*[=:]\s*(?:\w+\.\w+\()?[\[({]([^\[\](){}]*)[\])}]")
 
 
 class Assumption(NamedTuple):
@@ -72,7 +101,10 @@ class _Grid:
     cells: list[list[str]] = field(default_factory=list)
     units: dict[str, str] = field(default_factory=dict)
     modified: bool | None = None
-    notes: list[str] = field(default_factory=list)
+    assumed: list[Assumption] = field(default_factory=list)
+
+    def assume(self, text: str, argument: str = "", options: Sequence[str] = ()) -> None:
+        self.assumed.append(Assumption(text, argument, options))
 
 
 def read_table(
@@ -107,193 +139,128 @@ def read_table(
         raise ValueError(f"text must be the text of a table; got {describe(text)}. Pass rows of numbers to DHTable.")
     if len(text) > MAX_TEXT_LENGTH:
         raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
-    plain, values, ends = _plain(text), dict(lengths or {}), dict[str, Any]()
+    plain, ends = _plain(text), dict[str, Any]()
     for end, place, angles in re.findall(r"\b(base|tool)\s*\|\s*t = ([-\d., ]+);\s*rpy/xyz = ([-\d.°, ]+)\|?", plain):
         if not re.search("[1-9]", angles):  # printed by the Robotics Toolbox
             ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
             plain = re.sub(rf"^.*\b{end}\s*\|\s*t = .*$", "", plain, flags=re.MULTILINE)
-    grid = next((found for reader in READERS if (found := reader(plain)) and (found.rows or found.cells)), None)
+    readers = (_from_groups, _from_columns, _from_lines)
+    grid = next((found for reader in readers if (found := reader(plain)) and (found.rows or found.cells)), None)
     if grid is None:
         raise ValueError(
             "No table was found: no line has four numbers, and no call or list names a, alpha, d and theta. Paste the rows with a "
             "heading such as 'a alpha d theta', one row in a line."
         )
-    values |= {key: value for key, value in _definitions(plain).items() if key not in values}
-    assumed = [Assumption(note) for note in grid.notes]
-    assumed += [
-        Assumption(f"The {end} was read as a translation by {format_vector(T[:3, 3])} m.") for end, T in ends.items()
-    ]
+    for end, T in ends.items():
+        grid.assume(f"The {end} was read as a translation by {format_vector(T[:3, 3])} m.")
+    values = _definitions(plain) | dict(lengths or {})
     if not grid.rows:
-        _name_columns(grid, order, values, assumed)
+        _name_columns(grid, order, values)
     if len(grid.rows) > MAX_ROWS:
         raise ValueError(f"A table must have at most {MAX_ROWS} rows; got {len(grid.rows)}.")
-    entries = _evaluate(grid, values, assumed)
-    if {"theta", "offset"} <= {*entries[0]}:
-        entries = [row | {"theta": _sum(row["theta"], row["offset"])} for row in entries]
-    elif "offset" in entries[0]:
-        entries = [row | {"theta": row["offset"]} for row in entries]
-    letters, signs = _joints(grid, entries, joints, assumed)
+    entries = _evaluate(grid, values)
+    letters, signs = (joints, None) if joints else _joints(grid, entries)
     numbers = np.array([[row[column].value.real for column in COLUMNS] for row in entries])
-    numbers *= _scales(grid, entries, numbers, length_unit, angle_unit, assumed)
-    if convention is None:
-        said = _said_convention(plain, grid)
-        convention = said or "standard"
-        if said:
-            assumed.append(Assumption(f"The convention is {said}, as the text says."))
-        else:
-            words = "The text does not say which convention: standard was taken."
-            assumed.append(Assumption(words, "convention", ("standard", "modified")))
-    table = DHTable(numbers, validate_convention(convention), joints=letters, signs=signs, name=name, **ends)
-    return Reading(table, assumed)
+    for given, units, argument in ((length_unit, LENGTH_UNITS, "length_unit"), (angle_unit, ANGLE_UNITS, "angle_unit")):
+        _scale(grid, entries, numbers, given, units, argument)
+    said = _said_convention(plain, grid)
+    if convention is None and said:
+        grid.assume(f"The convention is {said}, as the text says.")
+    elif convention is None:
+        words = "The text does not say which convention: standard was taken."
+        grid.assume(words, "convention", ("standard", "modified"))
+    table = DHTable(numbers, convention or said or "standard", joints=letters, signs=signs or (), name=name, **ends)
+    return Reading(table, grid.assumed)
 
 
 def _plain(text: str) -> str:
-    """Replace what HTML, LaTeX, terminals and code write for signs and separators by what a keyboard has."""
+    """Write a text as with a keyboard, a row in each line."""
     import html  # for tables that were pasted; `import kinlib` loads no more than NumPy
 
-    text = re.sub(r"\x1b\[[0-9;]*m|[\u200b\u200e\ufeff]", "", html.unescape(text))
+    text = respelled(html.unescape(text))
     if re.search(r"<t[dh][\s>]", text):
         text = re.sub(r"\s*\n\s*", " ", text)
-    text = re.sub(r"</t[dh]>\s*<t[dh][^>]*>", " | ", text)
-    text = re.sub(r"</?(?:tr|table|br|p)\b[^>]*>", "\n", text)
-    text = re.sub(r"<su[bp]>(.*?)</su[bp]>", r"_\1", text)
-    text = re.sub(r"<[a-zA-Z/][^>]{0,200}>", " ", text)
-    if re.search(r"\\(?:begin|hline|\\|frac|alpha|theta)|\$", text):
-        text = re.sub(
-            r"\\(?:begin|end)\{\w+\*?\}(?:\{[^}]*\})?|\\(?:hline|(?:top|mid|bottom)rule|cline\{[^}]*\})", "\n", text
-        )
-        text = re.sub(r"\\(?:text|mathrm|textbf|mathbf|mathit)\{([^{}]*)\}", r"\1", text)
-        text = re.sub(r"\^\{?\s*\\circ\s*\}?|\\degree", "°", text)
-        text = re.sub(r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))", text)
-        text = re.sub(r"\\\\(?:\[[^]]*\])?", "\n", text).replace("&", " | ").replace("\\,", "").replace("$", "")
-        text = re.sub(
-            r"\\(alpha|theta|pi|cdot|times)\b", lambda found: {"cdot": "*", "times": "*"}.get(found[1], found[1]), text
-        )
-    for sign, plain in {
-        "⍺": "alpha",
-        "ⱼ": "_j",
-        "ₙ": "_n",
-        "’": "'",
-        "\xa0": " ",
-        "½": "1/2",
-        "┃": "|",
-        "│": "|",
-        "║": "|",
-    }.items():
-        text = text.replace(sign, plain)
-    text = re.sub(r"[─━═┌┐└┘├┤┬┴┼╔╗╚╝╠╣╦╩╬┏┓┗┛┳┻╋┠┨]+", "", respelled(text))
-    text = re.sub(
-        r"\b(?:M_PI|(?:np|numpy|math|Math|sp|sympy)\.(?:pi|PI)|PI)(?=_|\b)(_[24])?",
-        lambda f: f"pi{(f[1] or '').replace('_', '/')}",
-        text,
-    )
-    return re.sub(r"\b(?:(?:np|numpy|math)\.)?(?:deg2rad|radians)\(([^()]*)\)", r"\1°", text)
+    for pattern, plain in REPLACEMENTS:
+        text = re.sub(pattern, plain, text)
+    return text
 
 
-def _column(head: str) -> tuple[str, str, str]:
-    """Return the name of a column, its unit, and its index "i" or "i-1", each "" if there is none."""
-    if re.search(r"[⁻⁺]|min|max|lim|range", head):
-        return "", "", ""
-    unit = ""
-    if found := re.search(
-        r"[\[(/,]?\s*\b(mm|cm|m|millimet\w+|met(?:er|re)s?|rad|radians?|deg|degrees?)\b\.?\s*[\])]?|°", head
-    ):
-        unit = {"°": "deg", "mi": "mm", "me": "m", "ra": "rad", "de": "deg"}.get(
-            found[0] if found[0] == "°" else found[1][:2], found[1]
-        )
-        head = (
-            head[: found.start()] + head[found.end() :]
-            if re.sub(r"[^a-z]", "", head[: found.start()].lower())
-            else head
-        )
-    plain = head.strip().strip("\"'`*:").lower()
-    index = re.search(r"[_\s({\[]*(?:[ijkn]|\d)\s*(-\s*1)?[)}\]]*\s*$", plain)
-    bare = re.sub(r"[^a-z0]", "", plain[: index.start()] if index and index.start() else plain)
-    name = SYNONYMS.get(re.sub(r"[^a-z0]", "", plain)) or SYNONYMS.get(bare, "")
-    return name, unit, ("i-1" if index and index[1] else "i" if index and re.search("[ijkn]", index[0]) else "")
+def _column(name: str) -> str:
+    """Return the column that a name stands for; "" if there is none."""
+    found = parse_heading(name).name
+    return found if found in COLUMN_NAMES.values() else ""
 
 
-CALL = re.compile(
-    r"\b(?!\w*Robot)(\w*?)(Revolute|Prismatic|DHLink|Link|DH_Craig1989|DH|DHRevolute|DHPrismatic)(M?DH)?\w*\s*\(((?:[^()]|\([^()]*\))*)\)"
-)
-
-
-def _from_calls(text: str) -> _Grid | None:
-    """Read calls: RevoluteDH(d=0.1, a=0.2), Link([0 0.1 0.2 pi/2]), DH_Craig1989(a, alpha, d, theta)."""
-    grid = _Grid()
-    for found in CALL.finditer(text):
-        kind, inside = found[0].partition("(")[0], found[4]
-        named = dict(re.findall(r"['\"]?\b([a-zA-Z]\w*)['\"]?\s*(?:=|,(?=\s*[-\d]))\s*([^,=\[\]]+)", inside))
-        row = {_column(key)[0] or key: value.strip() for key, value in named.items()}
-        positional = [cell for cell in re.split(r"[,\s]+", re.sub(r"[\[\]{}]", " ", inside).strip()) if cell]
-        if ({*row} & {*COLUMNS, "offset"} or not positional) and not re.match(r"\s*[\[{]", inside):
+def _from_groups(text: str) -> _Grid | None:
+    """Read calls, RevoluteDH(d=0.1, a=0.2) or Link([0 0.1 0.2 pi/2]), and dictionaries, {"a": 0, "alpha": pi/2, "d": 0.1}."""
+    grid, note = _Grid(), ""
+    for found in GROUP.finditer(text):
+        kind, inside = found["kind"] or "", found["call"] or found["row"] or found["item"] or ""
+        pairs = [(_column(name or quoted), value.strip()) for name, quoted, value in PAIR.findall(inside)]
+        named = [(column, value) for column, value in pairs if column]
+        row, cells = dict(named), re.sub(r"[\[\]{},]", " ", inside).split()
+        is_by_name = (bool({*row} & ALL_COLUMNS) or not cells) and not re.match(r"\s*[\[{]", inside)
+        if not kind and (not {*row} >= NEEDED or len(row) < len(named)):
+            continue
+        if kind and is_by_name:
             row = {column: row.get(column, "0") for column in (*COLUMNS, "offset")}
-        elif len(positional) >= 4 and all(_is_entry(cell) for cell in positional[:4]):
-            is_kdl = "Frame" in text[max(0, found.start() - 8) : found.start()] or "Craig" in kind
-            row = dict(
-                zip(("a", "alpha", "d", "theta") if is_kdl else ("theta", "d", "a", "alpha"), positional, strict=False)
-            )
-            row |= {"type": positional[4]} if len(positional) > 4 and positional[4] in "01" else {}
-            note = f"{kind}(...) was read as ({', '.join([*row][:4])})."
-            grid.notes = [note]
-        else:
+        elif kind and len(cells) >= 4 and all(map(_is_entry, cells[:4])):
+            columns = ("a", "alpha", "d", "theta") if re.search("Frame|Craig", kind) else ("theta", "d", "a", "alpha")
+            row = dict(zip((*columns, "type"), cells[: 4 + (cells[4:5] in (["0"], ["1"]))], strict=False))
+            note = f"{kind.rpartition(':')[2]}(...) was read as ({', '.join(columns)})."
+        elif kind:
             continue
         if re.search("revolute", kind, re.IGNORECASE):
-            row |= {"type": "R", "theta": "0"} if "offset" in row and named.get("offset") else {"type": "R"}
+            row |= {"type": "R"}
         elif re.search("prismatic", kind, re.IGNORECASE):
-            row |= {"type": "P", "d": row.get("offset") or row["d"], "offset": "0"}
+            row |= {"type": "P", "d": row["offset"] if row.get("offset", "0") != "0" else row["d"], "offset": "0"}
         grid.rows.append(row)
-        grid.places.append(f"Call {len(grid.rows)}, {found[0]:.60}")
-        if re.search(r"MDH|Craig|modified", kind):
+        grid.places.append(f"{'Call' if kind else 'Row'} {len(grid.rows)}, {found[0].strip():.60}")
+        if re.search("MDH|Craig|modified", kind):
             grid.modified = True
-        elif re.search("DH$", kind) and "DH" in kind:
+        elif kind.endswith("DH"):
             grid.modified = bool(grid.modified)
-    return _uniform(grid) if len(grid.rows) > 1 else None
-
-
-def _from_dictionaries(text: str) -> _Grid | None:
-    """Read dictionaries by row: {"a": 0, "alpha": pi/2, "d": 0.1, "theta": "q1"}."""
-    grid = _Grid()
-    for found in re.finditer(r"\{([^{}]*)\}|(?:^|\n)\s*-\s+(\w+\s*:[^\n]*(?:\n\s+\w+\s*:[^\n]*)*)", text):
-        inside = found[1] or found[2]
-        pairs = re.findall(r"['\"]?(\w+)['\"]?\s*[:=]\s*['\"]?([^,'\"\n;]+)", inside)
-        named = [(_column(key)[0], value.strip()) for key, value in pairs if _column(key)[0]]
-        row = dict(named)
-        if {"a", "alpha", "d"} <= {*row} and len(row) == len(named):
-            grid.rows.append(row)
-            grid.places.append(f"Row {len(grid.rows)}, {found[0].strip():.60}")
-    return _uniform(grid) if grid.rows else None
+    if note:
+        grid.assume(note)
+    return _uniform(grid) if len(grid.rows) > 1 or (grid.rows and not kind) else None
 
 
 def _from_columns(text: str) -> _Grid | None:
-    """Read lists by column, a = [0, -0.425, ...], and names with indices, d1 = 0.1; a2 = -0.425."""
-    lists, modified = dict[str, list[str]](), None
-    for found in re.finditer(
-        r"['\"]?\b([a-zA-Z][\w.]*)['\"]?\]?\s*[=:]\s*(?:\w+\.\w+\()?[\[({]([^\[\](){}]*)[\])}]", text
-    ):
-        column = _column(found[1].rpartition(".")[2])[0] or _column(found[1].rpartition("_")[2])[0]
-        cells = [cell for cell in re.split(r"[,;]|\s+(?![*/+-]\s)", found[2].strip()) if cell.strip()]
-        if column and cells and all(_is_entry(cell) for cell in cells):
+    """Read lists by column, a = [0, -0.425, ...]; names with indices, d1 = 0.1; or lines that begin with the names of columns."""
+    lists, grid = dict[str, list[str]](), _Grid()
+    for name, inside in LIST.findall(text):
+        column = _column(name.rpartition(".")[2]) or _column(name.rpartition("_")[2])
+        cells = [cell for cell in re.split(r"[,;]|\s+(?![*/+-]\s)", inside.strip()) if cell.strip()]
+        if column and cells and all(map(_is_entry, cells)):
             lists[column] = cells
-    if not {"a", "alpha", "d"} <= {*lists}:
-        lists, by_index = {}, dict[str, dict[int, str]]()
+    if not {*lists} >= NEEDED:
+        by_index = dict[str, dict[int, str]]()
         for name, number, value in re.findall(r"\b([a-zA-Z]+)_?(\d{1,2})\s*[=:]\s*([^,;\n}]+)", text):
-            if (column := _column(name)[0]) and _is_entry(value):
+            if (column := _column(name)) and _is_entry(value):
                 by_index.setdefault(column, {})[int(number)] = value
-        if not {"a", "alpha", "d"} <= {*by_index}:
+        lists = {}
+        if {*by_index} >= NEEDED:
+            if min(*by_index["a"], *by_index["alpha"]) < min(by_index["d"]) == 1:  # a_0 and alpha_0, but d_1
+                grid.modified = True
+                for column in ("a", "alpha"):
+                    by_index[column] = {k + 1: value for k, value in by_index[column].items()}
+            indices = sorted({k for cells in by_index.values() for k in cells})
+            lists = {column: [cells.get(k, "") for k in indices] for column, cells in by_index.items()}
+    if not lists:
+        lines = [cells for line in text.splitlines()[:MAX_LINES] for cells in _splits(line.strip())[-1:]]
+        named = {_column(line[0]): line[1:] for line in lines if len(line) > 2 and _is_entry(line[1])}
+        if not {*named} >= NEEDED or len({len(named[column]) for column in NEEDED}) > 1:
             return None
-        modified = min(*by_index["a"], *by_index["alpha"]) < min(by_index["d"]) == 1  # a_0 and alpha_0, but d_1
-        for column in ("a", "alpha") if modified else ():
-            by_index[column] = {k + 1: value for k, value in by_index[column].items()}
-        indices = sorted({k for column in by_index.values() for k in column})
-        lists = {column: [cells.get(k, "") for k in indices] for column, cells in by_index.items()}
+        lists = {name: cells for name, cells in named.items() if name and len(cells) == len(named["a"])}
+        grid.assume("Each row is a column of the text.")
     count = max(map(len, lists.values()))
     if short := [f"{column} ({len(cells)})" for column, cells in lists.items() if len(cells) != count]:
         raise ValueError(
             f"The lists must have the same length, {count}; {', '.join(short)} has another. Is an entry missing?"
         )
-    rows = [{column: cells[k] for column, cells in lists.items()} for k in range(count)]
-    return _uniform(_Grid(rows, [f"Entry {k + 1} of the lists" for k in range(count)], modified=modified or None))
+    grid.rows = [{column: cells[k] for column, cells in lists.items()} for k in range(count)]
+    grid.places = [f"Entry {k + 1} of the lists" for k in range(count)]
+    return _uniform(grid)
 
 
 def _from_lines(text: str) -> _Grid | None:
@@ -302,10 +269,7 @@ def _from_lines(text: str) -> _Grid | None:
         text = re.sub(r"^[^\n#%/]*?[=(]\s*(?=[\[{])", "", text, flags=re.MULTILINE)  # the name of an array
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
     grid, heads, is_after_gap, widths = _Grid(), list[str](), False, set[int]()
-    lines = text.splitlines()[:MAX_LINES]
-    if columns := _across(lines):
-        return columns
-    for number, raw in enumerate(lines, start=1):
+    for number, raw in enumerate(text.splitlines()[:MAX_LINES], start=1):
         line = LABEL.sub(r"\1\2", re.sub(r"^\s*(?:#+|%+|//+|/?\*+|>+)\s*", "", raw)).strip().rstrip(",")
         line = re.sub(r"\s+(?=[\[(](?:mm?|cm|rad|deg\w*|°|i|i-1)[\])])", "", line)
         if not re.sub(r"[|\s:+=-]", "", line):
@@ -314,56 +278,40 @@ def _from_lines(text: str) -> _Grid | None:
         place, splits = f"Line {number}, {raw.strip()!r:.80}", _splits(line)
         if is_after_gap and widths:  # another table may follow
             splits = [cells for cells in splits if len(cells) in widths]
-        if not grid.rows and any(names := [_heading(cells, grid) for cells in splits]):
-            heads, grid.cells, grid.places = next(filter(None, names)), [], []
-        elif heads and (row := next(filter(None, (_row(cells, heads) for cells in splits)), None)):
-            grid.rows.append(row)
+        numbers = len(re.findall(rf"(?<![\w.])-?{NUMBER}", line))
+        read = [(cells, row) for cells in splits if (row := _row(cells, heads))] if heads else []
+        plain = [] if heads else [entries for cells in splits if len(entries := _entries(cells)) >= 4]
+        if not grid.rows and (named := next(filter(None, (_heading(cells, grid) for cells in splits)), None)):
+            heads, grid.cells, grid.places = named, [], []
+        elif read:
+            grid.rows.append(read[0][1])
             grid.places.append(place)
-            widths |= {len(cells) for cells in splits if _row(cells, heads) == row}
-        elif not heads and (plain := next(filter(None, map(_plain_row, splits)), None)):
-            grid.cells.append(plain)
+            widths |= {len(cells) for cells, row in read if row == read[0][1]}
+        elif plain:
+            grid.cells.append(plain[0])
             grid.places.append(place)
-        elif heads or grid.cells:
-            numbers = len(re.findall(rf"(?<![\w.])-?{NUMBER}", line))
-            has_rows = bool(grid.rows or grid.cells)
-            if has_rows and (is_after_gap or (numbers and ("=" in line or numbers < 3))):
-                grid.notes.append(f"What follows the table was not read, from line {number}: {raw.strip()!r:.60}.")
-                break
-            if numbers >= 3:
-                raise ValueError(
-                    f"{place} cannot be read: it has another number of cells than the heading, or a cell that is no number. Write 0 into "
-                    "empty cells, and one cell for each heading."
-                )
+        elif (grid.rows or grid.cells) and (is_after_gap or (numbers and ("=" in line or numbers < 3))):
+            grid.assume(f"What follows the table was not read, from line {number}: {raw.strip()!r:.60}.")
+            break
+        elif (heads or grid.cells) and numbers >= 3:
+            raise ValueError(
+                f"{place} cannot be read: it has another number of cells than the heading, or a cell that is no number. Write 0 into "
+                "empty cells, and one cell for each heading."
+            )
         is_after_gap = False
     return _uniform(grid) if grid.rows else grid
 
 
-def _across(lines: Sequence[str]) -> _Grid | None:
-    """Read a table whose columns are the rows: lines that begin with a, alpha, d and theta."""
-    found = [cells for line in lines for cells in _splits(line.strip())[-1:] if len(cells) > 2 and _is_entry(cells[1])]
-    named = {_column(cells[0])[0]: cells[1:] for cells in found}
-    count = len(named.get("a", ()))
-    if not {"a", "alpha", "d"} <= {*named} or len(named["alpha"]) != count or len(named["d"]) != count:
-        return None
-    named = {name: cells for name, cells in named.items() if name and len(cells) == count}
-    rows = [{name: cells[k] for name, cells in named.items()} for k in range(count)]
-    notes = ["Each row is a column of the text."]
-    return _uniform(_Grid(rows, [f"Column {k + 1}" for k in range(count)], notes=notes))
-
-
 def _heading(cells: list[str], grid: _Grid) -> list[str]:
     """Return the names of the columns if the cells are a heading, and keep their units and their convention."""
-    found = [_column(cell) for cell in cells]
-    heads = [name for name, _, _ in found]
-    if "offset" in heads and "d" not in heads:
-        heads = ["d" if name == "offset" else name for name in heads]
-    names = [name for name in heads if name in {*COLUMNS, "offset"}]
-    if len({*names}) < 3 or len({*names}) < len(names) or any(re.fullmatch(NUMBER, cell) for cell in cells):
+    heads = parse_headings(cells)
+    names = [head.name for head in heads if head.name in ALL_COLUMNS]
+    if len({*names}) < max(3, len(names)) or any(re.fullmatch(NUMBER, cell) for cell in cells):
         return []
-    grid.units = {name: unit for name, (_, unit, _) in zip(heads, found, strict=True) if name and unit}
-    indices = {index for name, _, index in found if name in {"a", "alpha"} and index}
+    grid.units = {head.name: head.unit for head in heads if head.name in ALL_COLUMNS and head.unit}
+    indices = {head.indices for head in heads if head.name in {"a", "alpha"} and head.indices}
     grid.modified = "i-1" in indices if indices else None
-    return heads
+    return [head.name if head.name in {*ALL_COLUMNS, "type"} else "" for head in heads]
 
 
 def _row(cells: list[str], heads: list[str]) -> dict[str, str] | None:
@@ -379,32 +327,25 @@ def _row(cells: list[str], heads: list[str]) -> dict[str, str] | None:
     return row | ({"label": label} if label else {})
 
 
-def _plain_row(cells: list[str]) -> list[str]:
-    """Return the cells that are entries, at least four, without the label of the row; [] if the line is no row."""
+def _entries(cells: list[str]) -> list[str]:
+    """Return the cells of a line that are entries, without the label of the row."""
     entries = [cell for cell in cells if _is_entry(cell)]
-    if len(entries) > 4 and re.fullmatch(r"[A-Za-z]+\d+", entries[0]):
-        entries = entries[1:]
-    return entries if len(entries) >= 4 else []
+    return entries[len(entries) > 4 and bool(re.fullmatch(r"[A-Za-z]+\d+", entries[0])) :]
 
 
 def _splits(line: str) -> list[list[str]]:
     """Split a line into cells at the separators that it may have, the surest first."""
-    if "|" in line or "\t" in line or ";" in line:
-        separator = "|" if "|" in line else "\t" if "\t" in line else ";"
-        cells = line.strip().strip("|").split(separator) if separator == "|" else line.split(separator)
+    if separator := next((sign for sign in "|\t;" if sign in line), ""):
+        cells = (line.strip().strip("|") if separator == "|" else line).split(separator)
         split = [[_cell(cell, decimal_comma=True) for cell in cells[:MAX_CELLS]]]
         return split + ([line.split()[:MAX_CELLS]] if separator == "\t" else [])
     found = []
-    if ("," in line and not re.fullmatch(r"(?:\S*\d,\d\S*|[^,\s]+)(?:\s+(?:\S*\d,\d\S*|[^,\s]+))*", line)) or (
-        line.count(",") >= 3 and " " not in line
-    ):
+    has_decimal_commas = re.fullmatch(r"(?:\S*\d,\d\S*|[^,\s]+)(?:\s+(?:\S*\d,\d\S*|[^,\s]+))*", line)
+    if ("," in line and not has_decimal_commas) or (line.count(",") >= 3 and " " not in line):
         found.append([_cell(cell) for cell in line.split(",")[:MAX_CELLS]])
     spaced = re.sub(r"\s*([+*/])\s*|(?<=[\w°)])\s+(-)\s+(?=\d|pi)", lambda f: f[1] or f[2], line)
-    found += [
-        [_cell(cell, decimal_comma=True) for cell in re.split(pattern, spaced)[:MAX_CELLS]]
-        for pattern in (r"\s{2,}", r"\s+")
-    ]
-    return found
+    splits = (re.split(pattern, spaced)[:MAX_CELLS] for pattern in (r"\s{2,}", r"\s+"))
+    return found + [[_cell(cell, decimal_comma=True) for cell in cells] for cells in splits]
 
 
 def _cell(cell: str, decimal_comma: bool = False) -> str:
@@ -440,161 +381,110 @@ def _is_entry(cell: str) -> bool:
 
 def _uniform(grid: _Grid) -> _Grid:
     """Give all rows the columns that any of them has; a column that no row has is 0, and theta then is the variable."""
-    columns = {name for row in grid.rows for name in row} & {*COLUMNS, "offset"}
+    columns = {name for row in grid.rows for name in row} & ALL_COLUMNS
     if missing := [name for name in ("a", "alpha", "d") if name not in columns]:
-        grid.notes.append(f"There is no column {' and '.join(missing)}: it was read as 0.")
+        grid.assume(f"There is no column {' and '.join(missing)}: it was read as 0.")
     if not columns & {"theta", "offset"}:
-        grid.notes.append("There is no column theta: each theta was read as the joint variable.")
-    grid.rows = [
-        {name: row.get(name, "" if name in columns else "0") for name in (*COLUMNS, *columns)} | row
-        for row in grid.rows
-    ]
+        grid.assume("There is no column theta: each theta was read as the joint variable.")
+    filled = {name: "" if name in columns else "0" for name in (*COLUMNS, *columns)}
+    grid.rows = [filled | row for row in grid.rows]
     return grid
 
 
-def _name_columns(grid: _Grid, order: str, lengths: Mapping[str, float], assumed: list[Assumption]) -> None:
+def _name_columns(grid: _Grid, order: str, lengths: Mapping[str, float]) -> None:
     """Name the columns of cells without a heading: as `order` says, or in the usual order that suits the numbers best."""
-    width = min(map(len, grid.cells))
-    counted = [
-        [row[0] for row in grid.cells] == [str(k) for k in range(start, start + len(grid.cells))] for start in (0, 1)
-    ]
-    if width > 4 and any(counted):
+    labels, numbers = [row[0] for row in grid.cells], range(len(grid.cells) + 1)
+    if min(map(len, grid.cells)) > 4 and labels in ([*map(str, numbers[:-1])], [*map(str, numbers[1:])]):
         grid.cells = [row[1:] for row in grid.cells]
     if order and sorted(order.split()) not in [sorted(known.split()) for known in ORDERS]:
         raise ValueError(f'order must name the columns, such as "theta d a alpha"; got {order!r:.60}.')
-    values = [
-        [_entry(cell, "theta", dict.fromkeys(re.findall(r"[a-z]\w*", cell), 1.0) | {**lengths}) for cell in row[:4]]
-        for row in grid.cells
-    ]
-    texts = [" ".join(row[k] for row in grid.cells) for k in range(4)]
-
-    def fits(names: str) -> int:
-        """How well the numbers suit an order: right angles and variables are in the angles, and no length is one."""
-        score = 0
-        for k, name in enumerate(names.split()):
-            column = np.array([row[k].value.real for row in values])
-            is_angle = bool(re.search("pi|°", texts[k])) or bool(
-                np.any(np.isin(np.abs(column).round(2), (1.57, 90, 180, 3.14, 45)))
-            )
-            score += 2 * is_angle * (1 if name in {"alpha", "theta"} else -1)
-            score += 2 * bool(re.search(r"\bq|theta", texts[k])) * (1 if name == "theta" else -1)
-            is_length = bool((column % 1 != 0).any()) and not is_angle
-            score += is_length * (1 if name in {"a", "d"} else -1)
-        return score
-
-    best = order or max(ORDERS, key=fits)
+    suits = []
+    for texts in zip(*(row[:4] for row in grid.cells), strict=True):
+        text, known = " ".join(texts), dict.fromkeys(re.findall(r"[a-z]\w*", " ".join(texts)), 1.0) | {**lengths}
+        column = np.array([_entry(cell, "theta", known).value.real for cell in texts])
+        has_right_angles = np.isin(np.abs(column).round(2), (1.57, 90, 180, 3.14, 45)).any()
+        is_angle, is_variable = bool(re.search("pi|°", text) or has_right_angles), bool(re.search(r"\bq|theta", text))
+        length = 2 * is_angle - bool((column % 1 != 0).any() and not is_angle)
+        suits.append({"a": -length, "alpha": length, "d": -length, "theta": length + 4 * is_variable})
+    best = order or max(ORDERS, key=lambda names: sum(suits[k].get(n, 0) for k, n in enumerate(names.split())))
     names = best.replace("offset", "theta").split()
     grid.rows = [dict(zip(names, row, strict=False)) for row in grid.cells]
     if not order:
         words = f"The columns have no heading: they were read as {', '.join(names)}."
-        assumed.append(Assumption(words, "order", [best, *(known for known in ORDERS if known != best)][:6]))
+        grid.assume(words, "order", [best, *(known for known in ORDERS if known != best)][:6])
 
 
-def _evaluate(grid: _Grid, lengths: Mapping[str, float], assumed: list[Assumption]) -> list[dict[str, Entry]]:
-    """Evaluate all cells; the place of one that cannot be read is told."""
+def _evaluate(grid: _Grid, lengths: Mapping[str, float]) -> list[dict[str, Entry]]:
+    """Evaluate all cells, and add the offset of theta to it; the place of a cell that cannot be read is told."""
     entries, empty = [], 0
     for row, place in zip(grid.rows, grid.places, strict=False):
-        read = {}
-        for column in [name for name in row if name in {*COLUMNS, "offset"}]:
-            cell = row[column]
-            empty += not cell.strip()
+        read = dict[str, Entry]()
+        for column in [name for name in row if name in ALL_COLUMNS]:
+            empty += not row[column].strip()
             try:
-                read[column] = _entry(cell, "theta" if column == "offset" else column, lengths)
+                read[column] = _entry(row[column], "theta" if column == "offset" else column, lengths)
             except ValueError as error:
                 raise ValueError(f"{place}: {column}: {error}") from error
-        entries.append(read)
-    if empty and not any("There is no column" in note for note in grid.notes):
-        assumed.append(Assumption(f"{empty} empty cells were read as 0."))
+        offset, theta = read.pop("offset", Entry(0j)), read["theta"]
+        variables, unit = [*theta.variables, *offset.variables], theta.unit or offset.unit
+        entries.append(read | {"theta": Entry(theta.value + offset.value, variables, unit)})
+    if empty and not any("There is no column" in each.text for each in grid.assumed):
+        grid.assume(f"{empty} empty cells were read as 0.")
     return entries
 
 
-def _sum(one: Entry, other: Entry) -> Entry:
-    return Entry(one.value + other.value, [*one.variables, *other.variables], one.unit or other.unit)
-
-
-def _joints(
-    grid: _Grid, entries: list[dict[str, Entry]], joints: str, assumed: list[Assumption]
-) -> tuple[str, list[float]]:
+def _joints(grid: _Grid, entries: list[dict[str, Entry]]) -> tuple[str, list[float]]:
     """Find the letter and the sign of the joint of each row: from its variable, a column of types, or because all rows have one."""
-    letters, signs = "", [1.0] * len(entries)
-    for k, (row, cells) in enumerate(zip(entries, grid.rows, strict=True)):
-        kind = cells.get("type", "").strip().lower()[:1]
-        moving = [name for name in ("theta", "d") if row[name].variables]
-        letter = {"r": "R", "0": "R", "p": "P", "1": "P", "f": "F"}.get(kind, "")
-        if len(moving) > 1:
-            raise ValueError(
-                f"{grid.places[k]}: theta and d have a variable; one must be a number. Give lengths={{'d1': ...}}?"
-            )
-        if moving and abs(row[moving[0]].value.imag) != 1:
-            raise ValueError(f"{grid.places[k]}: the joint variable must be q or -q, without a factor.")
-        if moving:
-            letter, signs[k] = {"theta": "R", "d": "P"}[moving[0]], row[moving[0]].value.imag
-        letters += letter or "?"
-    if joints:
-        return joints, signs
+    letters, signs = "", list[float]()
+    for row, cells, place in zip(entries, grid.rows, grid.places, strict=False):
+        letter, sign, variable = joint_of_row(row, place)
+        kind = {"r": "R", "0": "R", "p": "P", "1": "P", "f": "F"}.get(cells.get("type", "").strip().lower()[:1], "?")
+        letters, signs = letters + (letter if variable else kind), [*signs, sign]
     if "?" in letters and set(letters) <= {"?", "P"}:
         words = "theta has no variable: each row is a revolute joint, with the number as its offset."
         fixed = [k for k, row in enumerate(grid.rows) if TOOL_WORDS.search(row.get("label", "")) and k]
         letters = "".join("F" if k in fixed else letter.replace("?", "R") for k, letter in enumerate(letters))
         if fixed:
             words = f"{words[:-1]}; row {fixed[0] + 1} is fixed, as its name says."
-        if not any("There is no column theta" in note for note in grid.notes):
-            assumed.append(Assumption(words))
+        if not any("There is no column theta" in each.text for each in grid.assumed):
+            grid.assume(words)
     elif "?" in letters:
         rows = ", ".join(str(k + 1) for k, letter in enumerate(letters) if letter == "?")
-        assumed.append(Assumption(f"Row {rows} has no variable: it was read as fixed, without a joint."))
-        letters = letters.replace("?", "F")
-    return letters, signs
+        grid.assume(f"Row {rows} has no variable: it was read as fixed, without a joint.")
+    return letters.replace("?", "F"), signs
 
 
-def _scales(  # noqa: PLR0917
-    grid: _Grid,
-    entries: list[dict[str, Entry]],
-    numbers: np.ndarray,
-    length_unit: str,
-    angle_unit: str,
-    assumed: list[Assumption],
-) -> np.ndarray:
-    """Find the factor of each number to metres and radians: by its own unit, the heading, the argument, or the numbers."""
-    factors = np.ones(numbers.shape)
-    for columns, given, units, argument in (
-        ((0, 2), length_unit, LENGTH_UNITS, "length_unit"),
-        ((1, 3), angle_unit, ANGLE_UNITS, "angle_unit"),
-    ):
-        if given and given not in units:
-            raise ValueError(f"{argument} must be one of {', '.join(units)}; got {given!r:.60}.")
-        names = [COLUMNS[k] for k in columns]
-        plain = [(i, k) for i, row in enumerate(entries) for k in columns if not row[COLUMNS[k]].unit and numbers[i, k]]
-        size = max((abs(float(numbers[place])) for place in plain), default=0.0)
-        said = {grid.units[name] for name in names if grid.units.get(name) in units}
-        unit = given or (said.pop() if len(said) == 1 else "")
-        if not unit and plain:
-            unit = ("m", "mm")[size > MIN_MILLIMETRES] if columns[0] == 0 else ("rad", "deg")[size > 2 * np.pi + 0.01]
-            what = "lengths" if columns[0] == 0 else "angles"
-            words = (
-                f"The text does not say the unit of its {what}: {unit} was taken, because the largest is {size:.6g}."
-            )
-            is_sure = columns[0] == 1 and any(abs(abs(float(numbers[p])) - np.pi / 2) < 1e-2 for p in plain)
-            assumed.append(
-                Assumption(
-                    words, "" if is_sure else argument, () if is_sure else (unit, *(u for u in units if u != unit))
-                )
-            )
-        for i, k in plain:
-            own = grid.units.get(COLUMNS[k], "")
-            factors[i, k] = units[given or (own if own in units else unit)]
-    return factors
+def _scale(  # noqa: PLR0917
+    grid: _Grid, entries: list[dict[str, Entry]], numbers: Array, given: str, units: Mapping[str, float], argument: str
+) -> None:
+    """Convert the lengths or the angles to metres or radians: by their own unit, the argument, the heading, or their sizes."""
+    if given and given not in units:
+        raise ValueError(f"{argument} must be one of {', '.join(units)}; got {given!r:.60}.")
+    columns, is_length = (1, 3) if argument == "angle_unit" else (0, 2), argument == "length_unit"
+    plain = [(i, k) for i, row in enumerate(entries) for k in columns if not row[COLUMNS[k]].unit and numbers[i, k]]
+    sizes = [abs(float(numbers[place])) for place in plain]
+    said = {unit for k in columns if (unit := grid.units.get(COLUMNS[k], "")) in units}
+    unit = given or (said.pop() if len(said) == 1 else "")
+    if not unit and plain:
+        is_large = max(sizes) > (MIN_MILLIMETRES if is_length else 2 * np.pi + 0.01)
+        unit = (("m", "mm") if is_length else ("rad", "deg"))[is_large]
+        is_sure = not is_length and any(abs(size - np.pi / 2) < 1e-2 for size in sizes)
+        what = (
+            f"The text does not say the unit of its {'lengths' if is_length else 'angles'}: {unit} was taken, because"
+        )
+        options = (unit, *(other for other in units if other != unit))
+        grid.assume(f"{what} the largest is {max(sizes):.6g}.", *(() if is_sure else (argument, options)))
+    for i, k in plain:
+        own = grid.units.get(COLUMNS[k], "")
+        numbers[i, k] *= units[given or (own if own in units else unit)]
 
 
 def _said_convention(text: str, grid: _Grid) -> Convention | None:
     """The convention that the text names, in words, in the indices of its headings, or in the names of its calls."""
     if grid.modified is not None:
         return "modified" if grid.modified else "standard"
-    said = {
-        word.lower()
-        for word in re.findall(r"\b(modified|craig|mdh|standard|classic|proximal|distal)\b", text, re.IGNORECASE)
-    }
-    modified, standard = said & {"modified", "craig", "mdh", "proximal"}, said & {"standard", "classic", "distal"}
+    modified = re.search(r"\b(modified|craig|mdh|proximal)\b", text, re.IGNORECASE)
+    standard = re.search(r"\b(standard|classic|distal)\b", text, re.IGNORECASE)
     return None if bool(modified) == bool(standard) else "modified" if modified else "standard"
 
 
@@ -602,7 +492,3 @@ def _definitions(text: str) -> dict[str, float]:
     """Read the values of names, l1 = 0.3 or d1 = 89.2 mm, that stand beside a table."""
     found = re.findall(rf"\b([a-zA-Z]+_?\{{?\d+\}}?)\s*=\s*(-?{NUMBER})\s*(mm|cm|m)?\b", text)
     return {re.sub(r"[_{}]", "", name): float(value) * LENGTH_UNITS[unit or "m"] for name, value, unit in found}
-
-
-READERS = (_from_calls, _from_dictionaries, _from_columns, _from_lines)
-"""The readers of a text, the most specific first."""

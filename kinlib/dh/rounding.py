@@ -7,9 +7,8 @@ the most, and so are all angles, in radians or in degrees, whichever takes fewer
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
+from numpy.typing import ArrayLike
 
 from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
@@ -35,16 +34,11 @@ FIT_STEPS = 20
 LARGEST_FIT = 1e3
 """If a number has to change by more than this, in metres and radians, the fit does not converge."""
 
-ROW_SCREWS = {
-    "theta": (0, 0, 1, 0, 0, 0),
-    "d": (0, 0, 0, 0, 0, 1),
-    "a": (0, 0, 0, 1, 0, 0),
-    "alpha": (1, 0, 0, 0, 0, 0),
-}
-"""The screw axes of the four motions of a row, in the frame that it begins with; all of them pass through its origin."""
-
 FACTORS = {"standard": ("theta", "d", "a", "alpha"), "modified": ("alpha", "a", "theta", "d")}
-"""The order of these motions by convention."""
+"""The order of the four motions of a row, by convention."""
+
+ROW_SCREWS = {"theta": np.eye(6)[2], "d": np.eye(6)[5], "a": np.eye(6)[3], "alpha": np.eye(6)[0]}
+"""Their screw axes in the frame that the row begins with; all of them pass through its origin."""
 
 
 def typed_half_units(rows: Array) -> tuple[Array, str]:
@@ -71,11 +65,11 @@ def typed_half_units(rows: Array) -> tuple[Array, str]:
         length_decimals = angle_decimals
     half = np.empty(rows.shape)
     # Programs print four significant digits: a number with the most of them may end there.
-    texts = [np.format_float_positional(abs(number), trim="-") for number in lengths.ravel()]
-    digits = np.array([len(text.replace(".", "").lstrip("0")) for text in texts])
+    texts = [*map(_shortest, lengths.ravel())]
+    digits = [len(text.replace(".", "").lstrip("0")) for text in texts]
     own = [
-        len(text.partition(".")[2]) if count == digits.max() == 4 else length_decimals
-        for text, count in zip(texts, digits, strict=True)
+        _decimals([x]) if max(digits) == n == 4 else length_decimals
+        for x, n in zip(lengths.ravel(), digits, strict=True)
     ]
     half[:, [0, 2]] = (0.5 * 10.0 ** -np.array(own, dtype=float)).reshape(-1, 2)
     half[:, [1, 3]] = np.maximum(0.5 * unit * 10.0**-angle_decimals, TYPED_PI_ERROR * (is_right | (not typed.size)))
@@ -85,10 +79,14 @@ def typed_half_units(rows: Array) -> tuple[Array, str]:
     return np.maximum(half, np.spacing(np.abs(rows)) / 2), ", ".join(words)
 
 
-def _decimals(numbers: Array) -> int:
-    """Return how many decimals the number with the most of them has, in the shortest form that reads back as the same number."""
-    texts = (np.format_float_positional(number, trim="-") for number in numbers.ravel())
-    return max((len(text.partition(".")[2]) for text in texts), default=0)
+def _shortest(number: float) -> str:
+    """Write a number in the shortest form that reads back as the same number."""
+    return np.format_float_positional(abs(number), trim="-")
+
+
+def _decimals(numbers: ArrayLike) -> int:
+    """Return how many decimals the number with the most of them has."""
+    return max((len(_shortest(number).partition(".")[2]) for number in np.ravel(numbers)), default=0)
 
 
 def rounding_effect(table: DHTable, half_unit: Array) -> float:
@@ -104,17 +102,10 @@ def rounding_effect(table: DHTable, half_unit: Array) -> float:
     return float(half_unit[:, [0, 2]].sum() + max(1.0, reach) * half_unit[:, [1, 3]].sum())
 
 
-class NearestRows(NamedTuple):
-    """The rows (m, 4) with which a table describes an arm, and the largest difference in a pose that they leave."""
-
-    rows: Array
-    difference: float
-
-
 def nearest_rows(
     table: DHTable, arm: Chain, start: Equivalence, fixed: frozenset[str], half_unit: Array, *, few: bool
-) -> NearestRows | None:
-    """Find the rows nearest to those of a table with which it describes an arm, up to the choices that are not fixed.
+) -> tuple[Array, float] | None:
+    """Find the rows (m, 4) nearest to those of a table with which it describes an arm, and the largest difference that they leave.
 
     start  a map from the chain of the table to the arm, from which the search begins
     few    whether as few entries as possible change; otherwise the sum of their squares in half units is smallest
@@ -124,8 +115,9 @@ def nearest_rows(
     the poses change with the numbers, and each step is a least-squares problem. If few entries are to change, the weight of an
     entry grows with the change that it had in the step before.
     """
-    order = [COLUMNS.index(name) for name in FACTORS[table.convention]]
-    motions = Chain(np.tile([ROW_SCREWS[COLUMNS[k]] for k in order], (len(table.rows), 1)), np.eye(4))
+    names = FACTORS[table.convention]
+    order = [COLUMNS.index(name) for name in names]
+    motions = Chain(np.tile([ROW_SCREWS[name] for name in names], (len(table.rows), 1)), np.eye(4))
     q = random_configurations(arm.n, COMPARED_CONFIGURATIONS)
     values = rows_at(table, table.rows, start.signs * q + start.offsets)[..., order].reshape(len(q), -1)
     unit = half_unit.copy()
@@ -148,7 +140,7 @@ def nearest_rows(
             weight = np.abs(change / units) + 1e-2
     difference = largest_difference(X @ motions.fk(values + change) @ Y, target)
     rows = table.rows + change.reshape(-1, 4)[:, np.argsort(order)]
-    return NearestRows(np.where(np.abs(rows) < ROUNDING_ERROR, 0.0, rows), difference)
+    return np.where(np.abs(rows) < ROUNDING_ERROR, 0.0, rows), difference
 
 
 def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: Array, noise: float) -> DHTable | None:
@@ -160,11 +152,11 @@ def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: 
     rough = sorted(nearest_maps(table.to_chain(), arm, fixed, ROUGH), key=lambda each: each.difference)[:2]
     for start in [identity, *rough]:
         fit = nearest_rows(table, arm, start, fixed, unit, few=True)
-        if fit and fit.difference <= tolerance:
+        if fit and fit[1] <= tolerance:
             # A change below half a unit of the last digit is none, and two digits more than the table has are enough.
             finest = 10.0 ** np.floor(np.log10(unit / 50))
-            rows = np.where(np.arange(4) % 2, fit.rows, np.round(fit.rows / finest) * finest)
-            rows = np.where(np.abs(fit.rows - table.rows) <= 1.05 * half_unit, table.rows, rows)
+            rows = np.where(np.arange(4) % 2, fit[0], np.round(fit[0] / finest) * finest)
+            rows = np.where(np.abs(fit[0] - table.rows) <= 1.05 * half_unit, table.rows, rows)
             for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
                 rows[entry] = table.rows[entry]
             nearest = table.changed(rows=rows)

@@ -77,23 +77,17 @@ def _check_right_handed(T: Array, tolerance: float) -> Iterator[Breach]:
 def _check_axes(chain: Chain, T: Array, standard: bool, tolerance: float) -> Iterator[Breach]:
     axes = chain.lines.axis
     for joint, (axis, point) in enumerate(zip(axes, chain.joint_points, strict=True), start=1):
-        i = joint - 1 if standard else joint
+        i = joint - standard
         z, origin = T[i, :3, 2], T[i, :3, 3]
+        distance = np.linalg.norm(np.cross(origin - point, axis))
         if np.linalg.norm(np.cross(z, axis)) > tolerance:
-            elsewhere = joint - 1 if standard else joint + 1
-            other = elsewhere if 1 <= elsewhere <= chain.n else None
-            swapped = other is not None and np.linalg.norm(np.cross(z, axes[other - 1])) <= tolerance
+            other = joint - 1 if standard else joint + 1
+            swapped = 1 <= other <= chain.n and np.linalg.norm(np.cross(z, axes[other - 1])) <= tolerance
             hint = f" It is along the axis of joint {other}, as in the other convention." if swapped else ""
             yield Breach(i, "z along axis", f"z_{i} must be along the axis of joint {joint}, but is not.{hint}")
-        elif (
-            chain.joint_types[joint - 1] != "P"
-            and (distance := np.linalg.norm(np.cross(origin - point, axis))) > tolerance
-        ):
-            yield Breach(
-                i,
-                "origin on axis",
-                f"The origin of frame {i} must lie on the axis of joint {joint}; it is {distance:.3g} m away.",
-            )
+        elif chain.joint_types[joint - 1] != "P" and distance > tolerance:
+            text = f"The origin of frame {i} must lie on the axis of joint {joint}; it is {distance:.3g} m away."
+            yield Breach(i, "origin on axis", text)
 
 
 def _check_common_normals(T: Array, standard: bool, tolerance: float) -> Iterator[Breach]:
@@ -104,15 +98,10 @@ def _check_common_normals(T: Array, standard: bool, tolerance: float) -> Iterato
         between = T[other, :3, 3] - T[own, :3, 3]
         if abs(x @ z) > tolerance:
             angle = np.degrees(np.arccos(np.clip(x @ z, -1, 1)))
-            yield Breach(
-                own,
-                "x perpendicular to z",
-                f"x_{own} must be perpendicular to z_{other}; the angle is {angle:.4g} degrees.",
-            )
+            text = f"x_{own} must be perpendicular to z_{other}; the angle is {angle:.4g} degrees."
+            yield Breach(own, "x perpendicular to z", text)
         elif (distance := abs(between @ np.cross(x, z))) > tolerance:
-            yield Breach(
-                own,
-                "x meets z",
+            text = (
                 f"The line of x_{own} must intersect the axis z_{other}; it passes at a distance of {distance:.3g} m. "
-                f"Is x_{own} on the common normal?",
             )
+            yield Breach(own, "x meets z", f"{text}Is x_{own} on the common normal?")

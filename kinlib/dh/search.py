@@ -7,9 +7,11 @@ numbers that it invents, because some number explains almost anything; then how 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import operator
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
-from functools import cached_property, reduce
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,11 +24,10 @@ from kinlib.dh.equivalence import AxisInvariants, Booleans, Equivalence, describ
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.slips import (
     NUMBERS,
-    OTHER_CONVENTION,
     Correction,
     Fault,
     corrections,
-    corrections_of_joint_types,
+    starting_tables,
     wrong_number,
 )
 from kinlib.dh.table import DHTable, joint_axes, table_poses
@@ -40,6 +41,9 @@ FILTER_TOL_FACTOR = 3
 
 TYPED_POSE_TOL = 1e-6
 """How far the inverse of a pose may be off that a person typed."""
+
+Price = tuple[int, int, float]
+"""The edited entries, the invented numbers, and how large and unusual the change is."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,17 +81,22 @@ def explain_by_slips(  # noqa: PLR0917
     free_ends   of the fixed choices, a base or a tool that may be wrong as well; then it is told, too
     """
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
-    right = assign_frames(arm, convention=table.convention).table
-    if isinstance(reference, DHTable) and len(reference.rows) == len(table.rows):
-        right = reference.converted(table.convention)
-    found: list[TableExplanation] = []
-    for start in corrections_of_joint_types(table, arm.joint_types):
-        # If the joint types differ, no other correction can help without these.
-        if len(start) <= count:
-            first = reduce(lambda wrong, each: each.of(wrong), start, table)
-            search = _Search(first, arm, right.rows, fixed - free_ends, free_ends, tolerance)
-            found += search.explanations([each.fault for each in start], count - len(start))
-    return found
+    found = list[tuple[Price, TableExplanation]]()
+    for faults, start in starting_tables(table, arm.joint_types):
+        if len(faults) <= count:
+            right = assign_frames(arm, convention=start.convention).table
+            if isinstance(reference, DHTable) and len(reference.rows) == len(table.rows):
+                right = reference.converted(start.convention)
+            search = _Search(start, arm, right.rows, fixed - free_ends, free_ends, tolerance)
+            for price, each in search.explanations(faults, count - len(faults)):
+                if not any(each.says_as_much(other) for _, other in found):
+                    found.append((price, each))
+    return cheapest([each for _, each in sorted(found, key=operator.itemgetter(0))])
+
+
+def cheapest(found: Sequence[TableExplanation]) -> list[TableExplanation]:
+    """Return the explanations with the fewest edits."""
+    return [each for each in found if each.edits == min(other.edits for other in found)]
 
 
 def explain_by_choices(table: DHTable, found: Equivalence) -> TableExplanation | None:
@@ -132,7 +141,7 @@ def _weight(fault: Fault) -> int:
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """The search for corrections of a table that has the joint types of the arm; candidates are places in the list of singles."""
+    """The search for corrections of a table that has the joint types of the arm."""
 
     table: DHTable
     arm: Chain
@@ -141,52 +150,56 @@ class _Search:
     free_ends: frozenset[str]
     tolerance: float
 
-    def explanations(self, faults: list[Fault], count: int) -> list[TableExplanation]:
-        """Return the explanations by this number of corrections with the smallest price; `faults` were corrected before."""
-        places = {0: np.zeros((len(faults[:1]), 0), dtype=int), 1: np.arange(len(self._singles))[:, None]}.get(count)
-        prices = self._prices(self._pairs if places is None else places)
-        found, least = list[TableExplanation](), 0
-        most = MAX_COMPARED_WITH_SLIDES if "P" in self.arm.joint_types else MAX_COMPARED
-        for (edits, *_), chosen in prices[:most]:
-            if found and edits > least:
-                break
-            try:
-                corrected = reduce(lambda table, each: each.of(table), chosen, self.table)
-            except ValueError:  # for example an angle of many turns, which no table has
-                continue
-            compared = equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance)
-            if compared.verdict == "same":
-                told = [*faults, *(self._described(each.fault, corrected) for each in chosen)]
-                wrong = {f"wrong {end}" for end in self.free_ends}
-                ends = [fault for fault in choices_as_faults(corrected, compared) if fault.name in wrong]
-                poses = {"base": compared.base @ corrected.base, "tool": corrected.tool @ compared.tool}
-                corrected = corrected.changed(**{end: poses[end] for end in self.free_ends})
-                each = TableExplanation(told + ends, corrected, edits + len(faults) + sum(map(_weight, ends)))
-                if not any(each.says_as_much(other) for other in found):
-                    found, least = [*found, each], edits
-        return found
+    def explanations(self, faults: Sequence[Fault], count: int) -> Iterator[tuple[Price, TableExplanation]]:
+        """Yield the explanations by so many corrections with the fewest edits; `faults` were corrected before."""
+        least, most = None, MAX_COMPARED_WITH_SLIDES if "P" in self.arm.joint_types else MAX_COMPARED
+        for price, places, rows, signs in self._candidates(count)[:most]:
+            if least is not None and price[0] > least:
+                return
+            with suppress(ValueError):  # for example an angle of many turns, which no table has
+                corrected = self.table.changed(rows=rows, signs=signs)
+                compared = equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance)
+                if compared.verdict == "same":
+                    least = price[0]
+                    told = [*faults, *(self._described(self._singles[place].fault, corrected) for place in places)]
+                    wrong = {f"wrong {end}" for end in self.free_ends}
+                    ends = [fault for fault in choices_as_faults(corrected, compared) if fault.name in wrong]
+                    poses = {"base": compared.base @ corrected.base, "tool": corrected.tool @ compared.tool}
+                    corrected = corrected.changed(**{end: poses[end] for end in self.free_ends})
+                    edits = price[0] + len(faults) + sum(map(_weight, ends))
+                    yield (edits, *price[1:]), TableExplanation(told + ends, corrected, edits)
 
     def _described(self, fault: Fault, corrected: DHTable) -> Fault:
         if fault.text or not fault.row or not fault.column:
             return fault
         return wrong_number(self.table, corrected, fault.row - 1, COLUMNS.index(fault.column))
 
-    def _prices(self, places: NDArray[np.int_]) -> list[tuple[tuple[int, int, float], list[Correction]]]:
-        """Return the price and the corrections of each candidate (N, count) that can be the arm, the cheapest first.
+    def _candidates(self, count: int) -> list[tuple[Price, list[int], Array, Array]]:
+        """Return the candidates of so many corrections that can be the arm, the cheapest first: the places of the corrections in
+        the list of singles, rows and signs.
 
-        Invariants decide, and if zeros and signs are fixed, the poses of a few q.
+        Invariants decide, and if zeros and signs are fixed, the poses of a few q. A correction of a row comes after one of the whole
+        table, as the singles are sorted.
         """
-        rows, signs, is_other = self._corrected(places)
-        agree = self._invariants.agree(self._values(rows, signs, is_other), "signs" in self.fixed)
+        places = (
+            self._pairs if count > 1 else np.arange(len(self._singles))[:, None] if count else np.zeros((1, 0), int)
+        )
+        rows = np.repeat(self.table.rows[None], len(places), axis=0)
+        signs = self.table.signs * self._flips[places].prod(axis=1)
+        for at, column in enumerate(places.T):
+            rows = self._known[1][column] if at == 0 else rows
+            for place in np.unique(column) if at else ():
+                rows[column == place] = self._singles[place].change(rows[column == place])
+        agree = self._invariants.agree(self._invariants.of(*joint_axes(self.table, rows, signs)), "signs" in self.fixed)
         if self.fixed >= {"zeros", "signs"} and agree.any():
-            q, some, at = random_configurations(self.arm.n, 4), rows[agree, None], signs[agree, None]
-            poses = self._of_both(is_other[agree], lambda table, of: table_poses(table, some[of], q, at[of]))
+            q = random_configurations(self.arm.n, 4)
+            poses = table_poses(self.table, rows[agree, None], q, signs[agree, None])
             agree[agree] = _same_motion(poses, self.arm.fk(q), self.fixed, FILTER_TOL_FACTOR * self.tolerance)
         numbers, edits = self._numbers[places].sum(axis=1), self._edits[places].sum(axis=1)
         sizes = np.where(numbers > 0, np.abs(rows - self.table.rows).sum(axis=(1, 2)), 0.0)
         sizes += 1e-3 * (rows[:, :, [0, 2]] < 0).sum(axis=(1, 2))  # in most tables the lengths have one sign
         order = sorted((int(edits[k]), int(numbers[k]), round(float(sizes[k]), 9), k) for k in np.flatnonzero(agree))
-        return [((e, n, size), [self._singles[place] for place in places[k]]) for e, n, size, k in order]
+        return [((e, n, size), places[k].tolist(), rows[k], signs[k]) for e, n, size, k in order]
 
     @cached_property
     def _known(self) -> tuple[list[Correction], Array]:
@@ -194,12 +207,18 @@ class _Search:
         known = corrections(self.table, self.right, "zeros" in self.fixed, "signs" in self.fixed)
         rows = np.array([each.change(self.table.rows) for each in known])
         differs = np.abs(rows - self.table.rows).max(axis=(1, 2)) > 1e-12
-        kept = [k for k, each in enumerate(known) if differs[k] or each.convention or each.reversed]
+        kept = [k for k, each in enumerate(known) if differs[k] or each.reversed]
         return [known[k] for k in kept], rows[kept]
 
-    @cached_property
+    @property
     def _singles(self) -> list[Correction]:
         return self._known[0]
+
+    @cached_property
+    def _flips(self) -> Array:
+        """Which signs each correction changes, (N, m)."""
+        m = len(self.table.rows)
+        return np.array([[-1.0 if row in each.reversed else 1.0 for row in range(m)] for each in self._singles])
 
     @cached_property
     def _numbers(self) -> Booleans:
@@ -215,7 +234,7 @@ class _Search:
         for k, each in enumerate(self._singles):
             is_column = each.fault.row is None and each.fault.name.startswith("sign of")
             edits[k] = min(edits[k], 2) if each.fault.name == "rows swapped" else edits[k] + is_column
-            edits[k] += bool(each.convention) + bool(each.reversed)
+            edits[k] += bool(each.reversed)
         return np.asarray(edits)
 
     @cached_property
@@ -225,43 +244,13 @@ class _Search:
     @cached_property
     def _pairs(self) -> NDArray[np.int_]:
         """The pairs of which each one changes every invariant that is wrong without it, (N, 2)."""
-        values = self._values(*self._corrected(np.arange(len(self._singles))[:, None]))
-        own = self._values(*self._corrected(np.zeros((1, 0), dtype=int)))
+        signs = self.table.signs * self._flips
+        values = self._invariants.of(*joint_axes(self.table, self._known[1], signs))
+        own = self._invariants.of(*joint_axes(self.table, self.table.rows))
         violated = self._invariants.violated(values).astype(float)
         unchanged = np.isclose(values, own, rtol=1e-9, atol=1e-10).astype(float)
         possible = violated @ unchanged.T == 0
         return np.argwhere(np.triu(possible & possible.T, 1))[:MAX_PAIRS]
-
-    def _corrected(self, places: NDArray[np.int_]) -> tuple[Array, Array, Booleans]:
-        """Correct candidates (N, count): rows (N, m, 4), signs (N, m), and whether the convention changes (N,).
-
-        A correction of a row comes after one of the whole table, as the singles are sorted.
-        """
-        rows = np.repeat(self.table.rows[None], len(places), axis=0)
-        signs = np.repeat(self.table.signs[None], len(places), axis=0)
-        is_other = np.zeros(len(places), bool)
-        for at, column in enumerate(places.T):
-            rows = self._known[1][column] if at == 0 else rows
-            for place in np.unique(column):
-                single, chosen = self._singles[place], np.flatnonzero(column == place)
-                rows[chosen] = single.change(rows[chosen]) if at else rows[chosen]
-                is_other[chosen] ^= single.convention is not None
-                for row in single.reversed:
-                    signs[chosen, row] *= -1
-        return rows, signs, is_other
-
-    def _values(self, rows: Array, signs: Array, is_other: Booleans) -> Array:
-        """Compute the invariants of the corrected tables, (N, k)."""
-        return self._of_both(is_other, lambda table, of: self._invariants.of(*joint_axes(table, rows[of], signs[of])))
-
-    def _of_both(self, is_other: Booleans, compute: Callable[[DHTable, Booleans], Array]) -> Array:
-        """Compute something of the tables of one convention, and of those of the other."""
-        values = found = compute(self.table, ~is_other)
-        if is_other.any():
-            values = np.zeros((len(is_other), *found.shape[1:]))
-            values[~is_other] = found
-            values[is_other] = compute(self.table.changed(convention=OTHER_CONVENTION[self.table.convention]), is_other)
-        return values
 
 
 def _same_motion(poses: Array, right: Array, fixed: frozenset[str], loose: float) -> Booleans:

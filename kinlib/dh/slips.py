@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from itertools import combinations, permutations
 
 import numpy as np
@@ -149,15 +149,12 @@ SLIPS_OF_A_ROW = [
 ]  # fmt: skip
 """The slips in one row, the most frequent ones first."""
 
+TWO_ENTRIES = "Rows {{row}} and {{other}}: the entries of {name} are swapped."
+
 SLIPS_OF_TWO_ROWS = [
     Slip("rows swapped", "Rows {row} and {other} are swapped.", roll(range(4), 1)),
     *(
-        Slip(
-            "entry one row off",
-            f"Rows {{row}} and {{other}}: the entries of {name} are swapped.",
-            roll([k], 1),
-            column=k,
-        )
+        Slip("entry one row off", TWO_ENTRIES.format(name=name), roll([k], 1), column=k)
         for k, name in enumerate(COLUMNS)
     ),
 ]
@@ -180,25 +177,11 @@ class Fault:
 
 @dataclass(frozen=True, eq=False)
 class Correction:
-    """A fault and its correction: the change of the numbers of the table, its convention, and the letters and signs of its joints.
-
-    letters   the right letters by row; reversed, the rows whose joint counts in the opposite direction
-    """
+    """A fault and its correction: the change of the numbers, and the rows whose joint counts in the opposite direction."""
 
     fault: Fault
-    change: Change = field(default=lambda rows: rows)
-    convention: Convention | None = None
-    letters: dict[int, str] = field(default_factory=dict)
+    change: Change = lambda rows: rows
     reversed: frozenset[int] = frozenset()
-
-    def of(self, table: DHTable) -> DHTable:
-        """Correct a table."""
-        letters, signs = [*table.joints], table.signs.copy()
-        signs[[*self.reversed]] *= -1
-        for row, letter in self.letters.items():
-            letters[row] = letter
-        convention = self.convention or table.convention
-        return table.changed(rows=self.change(table.rows), convention=convention, joints="".join(letters), signs=signs)
 
 
 def tables_with_a_slip(table: DHTable) -> Iterator[tuple[str, DHTable]]:
@@ -243,9 +226,7 @@ def corrections(table: DHTable, right: Array, zeros_are_fixed: bool, signs_are_f
     zeros_are_fixed whether the entries that the joints change count, and signs_are_fixed, whether their directions do
     """
     variables = [] if zeros_are_fixed else joint_entries(table.joints)
-    other = OTHER_CONVENTION[table.convention]
-    text = f"The table is in the {other} convention, but was read as {table.convention}."
-    found = [Correction(Fault("other convention", text), convention=other)]
+    found = list[Correction]()
     for slip, places in _slips_in_places(len(table.rows)):
         if len(places) == 1 and ((places[0], slip.column) in variables or not _is_likely(slip, table.rows[places[0]])):
             continue
@@ -276,27 +257,35 @@ def _fault(slip: Slip, places: Sequence[int], table: DHTable) -> Fault:
     return Fault(slip.name, slip.text.format(row=row, other=other), row, column)
 
 
-def corrections_of_joint_types(table: DHTable, joint_types: str) -> list[list[Correction]]:
-    """Return the ways to give a table the joint types of an arm: variables in the other column, or two rows swapped."""
-    right = [*table.joints]
-    columns = []
-    for (row, _), letter in zip(joint_entries(table.joints), joint_types, strict=True):
+def starting_tables(table: DHTable, joint_types: str) -> Iterator[tuple[list[Fault], DHTable]]:
+    """Yield a table in both conventions and with the joint types of an arm, and the faults that were corrected.
+
+    Variables belong in the other column, or two rows are swapped.
+
+    >>> [(len(faults), table.joints) for faults, table in starting_tables(DHTable([[1, 0, 0, 0]], "standard"), "P")]
+    [(1, 'P'), (2, 'P')]
+    """
+    other, ways = OTHER_CONVENTION[table.convention], [(list[Fault](), table)]
+    right, moving = [*table.joints], [row for row, _ in joint_entries(table.joints)]
+    for row, letter in zip(moving, joint_types, strict=True):
         right[row] = letter
-        if letter != table.joints[row]:
-            kind, column = ("prismatic", "d") if letter == "P" else ("revolute", "theta")
+    if right != [*table.joints]:
+        faults = []
+        for row in (row for row in moving if right[row] != table.joints[row]):
+            kind, column = ("prismatic", "d") if right[row] == "P" else ("revolute", "theta")
             text = f"Row {row + 1}: the joint variable belongs in {column}, because this joint is {kind}."
-            fault = Fault("variable in the wrong column", text, row + 1, column)
-            columns.append(Correction(fault, letters={row: letter}))
-    if not columns:
-        return [[]]
-    ways = [columns]
-    for one, two in combinations(range(len(right)), 2):
-        letters = {one: table.joints[two], two: table.joints[one]}
-        if [letters.get(row, letter) for row, letter in enumerate(table.joints)] == right:
-            slip = SLIPS_OF_TWO_ROWS[0]
-            swapped = Correction(_fault(slip, [one, two], table), _changed(slip.change, [one, two]))
-            ways.append([replace(swapped, letters=letters)])
-    return ways
+            faults.append(Fault("variable in the wrong column", text, row + 1, column))
+        ways = [(faults, table.changed(joints="".join(right)))]
+        for places in combinations(range(len(right)), 2):
+            order = np.arange(len(right))
+            order[[*places]] = places[::-1]
+            if [table.joints[row] for row in order] == right:
+                swapped = table.changed(rows=table.rows[order], joints="".join(right))
+                ways.append(([_fault(SLIPS_OF_TWO_ROWS[0], places, table)], swapped))
+    text = f"The table is in the {other} convention, but was read as {table.convention}."
+    for faults, start in ways:
+        yield faults, start
+        yield [*faults, Fault("other convention", text)], start.changed(convention=other)
 
 
 def _corrections_of_signs(table: DHTable) -> Iterator[Correction]:
@@ -365,12 +354,8 @@ def _set(rows_: Sequence[int], column: int, value: float | Array) -> Change:
 
 def off_the_normal(rows: Array) -> Array:
     """Measure a from origin to origin, with no d, so that x is along the link and not along the common normal."""
-    slanted = rows[:, [A]] != 0
-    return np.where(
-        slanted,
-        np.column_stack([np.hypot(rows[:, A], rows[:, D]), rows[:, ALPHA], 0 * rows[:, D], rows[:, THETA]]),
-        rows,
-    )
+    a, alpha, d, theta = rows.T
+    return np.where(rows[:, [A]] != 0, np.column_stack([np.hypot(a, d), alpha, 0 * d, theta]), rows)
 
 
 SLIPS_THAT_LOSE_NUMBERS = [

@@ -14,9 +14,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property, reduce
+from functools import cached_property, partial, reduce
 from itertools import accumulate
 from typing import TYPE_CHECKING, Any, Literal, cast, get_args
 
@@ -35,7 +35,7 @@ from kinlib.arrays.formatting import (
 from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
-from kinlib.dh.formatting import PRINTED_DIGITS, format_rows, headings
+from kinlib.dh.formatting import PRINTED_DIGITS, add_variable, headings
 from kinlib.dh.parsing import COLUMNS, Rows, joint_entries, read_rows
 from kinlib.rigid.screw import screw
 
@@ -131,14 +131,12 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         rows, ends = _split_ends(given) if isinstance(given, str) else (given, {})
         read = read_rows(rows, self.joints or None, self.lengths, convention)
         arrays = {"rows": read.numbers, "signs": _signs(self.signs, read)}
-        for name, value in {"base": self.base, "tool": self.tool}.items():
-            if name in ends:
-                if not np.array_equal(value, np.eye(4)):
-                    raise ValueError(f"{name} must be given once; got it in the text and as an argument. Remove one.")
-                value = ends[name]  # noqa: PLW2901
-            arrays[name] = validation.poses(value, name)
+        for name, value in (("base", self.base), ("tool", self.tool)):
+            if name in ends and not np.array_equal(value, np.eye(4)):
+                raise ValueError(f"{name} must be given once; got it in the text and as an argument. Remove one.")
+            arrays[name] = validation.poses(ends.get(name, value), name)
             if arrays[name].ndim != 2:
-                raise ValueError(f"{name} must be a single pose, (4, 4); got {np.shape(value)}.")
+                raise ValueError(f"{name} must be a single pose, (4, 4); got {arrays[name].shape}.")
         for name, array in arrays.items():
             object.__setattr__(self, name, validation.read_only_copy(array))
         object.__setattr__(self, "joints", read.joints)
@@ -167,17 +165,16 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 
     def _ends(self, digits: int = PRINTED_DIGITS) -> list[str]:
         """Base and tool as text, those that are not the identity."""
-        ends = {"base": self.base, "tool": self.tool}
-        is_free = {name: np.abs(T - np.eye(4)).max() <= ROUNDING_ERROR for name, T in ends.items()}
-        return [f"{name} = {format_matrix(T, digits)}" for name, T in ends.items() if not is_free[name]]
+        ends = [
+            (name, T)
+            for name, T in (("base", self.base), ("tool", self.tool))
+            if np.abs(T - np.eye(4)).max() > ROUNDING_ERROR
+        ]
+        return [f"{name} = {format_matrix(T, digits)}" for name, T in ends]
 
     def _numbered_rows(self) -> list[list[str]]:
-        rows = format_rows(
-            self,
-            length=lambda length: format_number(length, PRINTED_DIGITS),
-            angle=lambda angle: format_degrees(angle, PRINTED_DIGITS),
-        )
-        return [[str(i), *row] for i, row in enumerate(rows, start=1)]
+        length, angle = (partial(write, digits=PRINTED_DIGITS) for write in (format_number, format_degrees))
+        return [[str(i), *row] for i, row in enumerate(format_rows(self, length=length, angle=angle), start=1)]
 
     @property
     def n(self) -> int:
@@ -270,17 +267,12 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         """
         if validate_convention(convention) == self.convention:
             return self
-        normals, joints = self.rows[:, :2], self.rows[:, 2:]
-        zeros = np.zeros((1, 2))
-        base, tool = self.base, self.tool
-        if convention == "modified":
-            tool = normal_transform(*normals[-1]) @ tool
-            normals = np.concatenate([zeros, normals[:-1]])
-        else:
-            base = base @ normal_transform(*normals[0])
-            normals = np.concatenate([normals[1:], zeros])
-        rows = np.hstack([normals, joints])
-        return self.changed(rows=rows, convention=convention, base=base, tool=tool)
+        rows, (step, left) = self.rows.copy(), ((1, -1) if convention == "modified" else (-1, 0))
+        end = normal_transform(*rows[left, :2])
+        rows[:, :2] = np.roll(rows[:, :2], step, axis=0)
+        rows[left + step, :2] = 0.0
+        ends = {"tool": end @ self.tool} if convention == "modified" else {"base": self.base @ end}
+        return self.changed(rows=rows, convention=convention, **ends)
 
     def changed(self, **fields: Any) -> DHTable:
         """Copy the table with some fields replaced: rows as numbers (m, 4), convention, joints, signs, base, tool, name.
@@ -399,15 +391,37 @@ def table_frames(table: DHTable, q: Array) -> dict[str, Array]:
     return {str(link): T for link, T in zip(links, poses, strict=True)}
 
 
+def format_rows(
+    table: DHTable,
+    *,
+    length: Callable[[float], str] = format_number,
+    angle: Callable[[float], str] = format_degrees,
+    variable: Callable[[int], str] = "q{}".format,
+) -> list[list[str]]:
+    r"""Write each row of a table as its four entries a, alpha, d, theta.
+
+    length    writes a and d, given in metres
+    angle     writes alpha and theta, given in radians
+    variable  writes the variable of joint i, starting from 1
+
+    >>> table = DHTable("a | alpha | d | theta\n 0.4 | pi/2 | 0 | 0.5*pi - q1\n 0 | 0 | q2 | 0", convention="standard")
+    >>> format_rows(table)
+    [['0.4', '90°', '0', '-q1 + 90°'], ['0', '0', 'q2', '0']]
+    """
+    rows = [[length(a), angle(alpha), length(d), angle(theta)] for a, alpha, d, theta in table.rows.tolist()]
+    for joint, (row, column) in enumerate(joint_entries(table.joints), start=1):
+        sign = "-" if table.signs[row] < 0 else ""
+        rows[row][column] = add_variable(f"{sign}{variable(joint)}", rows[row][column])
+    return rows
+
+
 def _split_ends(text: str) -> tuple[str, dict[str, Any]]:
     """Split the lines `base = [[...]]` and `tool = [[...]]` from the text of a table."""
     import json  # for tables that were printed
 
-    ends: dict[str, Any] = {}
-    lines = text.splitlines()
+    ends, lines = dict[str, Any](), text.splitlines()
     while lines and (found := re.fullmatch(r"\s*(base|tool)\s*=\s*(\[.*\])\s*|\s*", lines[-1][:MAX_END_LENGTH])):
-        lines.pop()
-        if found[1]:
+        if lines.pop() and found[1]:
             try:
                 ends[found[1]] = json.loads(found[2])
             except (ValueError, RecursionError) as error:
@@ -419,17 +433,15 @@ def _split_ends(text: str) -> tuple[str, dict[str, Any]]:
 
 def _signs(given: Array, read: Rows) -> Array:
     """The signs of the rows: the given ones, or else those of the variables."""
-    m = len(read.numbers)
-    if np.size(given) == 0:
-        return np.ones(m) if read.signs is None else read.signs
-    signs = validation.array(given, "signs")
-    if signs.shape != (m,) or (np.abs(signs) != 1).any():
+    own = np.ones(len(read.numbers)) if read.signs is None else read.signs
+    signs = validation.array(given, "signs") if np.size(given) else own
+    if signs.shape != own.shape or (np.abs(signs) != 1).any():
         raise ValueError(
-            f"signs must have an entry 1 or -1 for each of the {m} rows; got {validation.describe(given)}."
+            f"signs must have an entry 1 or -1 for each of the {len(own)} rows; got {validation.describe(given)}."
         )
-    if read.signs is not None and (signs != read.signs).any():
+    if read.signs is not None and (signs != own).any():
         raise ValueError(
-            f"signs must agree with the variables in the rows, {read.signs.astype(int).tolist()}; got "
+            f"signs must agree with the variables in the rows, {own.astype(int).tolist()}; got "
             f"{signs.astype(int).tolist()}. If the rows have variables, leave signs out."
         )
     return signs

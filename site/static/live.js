@@ -549,7 +549,7 @@
     }
 
     wait(asked, above) {
-      Object.assign(this, { asked, sent: false, failed: false, fresh: true, length: 0 });
+      Object.assign(this, { asked, sent: false, failed: false, fresh: true, length: 0, leftovers: [] });
       this.status.textContent =
         asked && above ? `Waiting for Python. Cells above that run first: ${above}.` : 'Waiting for Python.';
       this.nameButton('Stop');
@@ -570,6 +570,7 @@
 
     finish(text, ran = false) {
       if (ran && this.fresh) this.clear(); // it has displayed nothing
+      for (const child of this.leftovers) child.remove();
       if (this.role === 'show' && ran && !this.failed) {
         this.isExample = false;
         this.cover(this.madeFrom !== madeFrom(this));
@@ -595,9 +596,8 @@
         this.output = h('div', { class: 'cell_output docutils container' });
         this.tools.after(this.output);
       }
-      const { kept } = this;
-      for (const child of [...this.output.childNodes])
-        if (!kept.some((viewer) => child.contains(viewer))) child.remove();
+      this.leftovers = [...this.output.childNodes].filter((child) => this.kept.some((viewer) => child.contains(viewer)));
+      for (const child of [...this.output.childNodes]) if (!this.leftovers.includes(child)) child.remove();
       this.element.querySelector('details.below-input, details.hide.above-output')?.setAttribute('open', '');
     }
 
@@ -820,6 +820,7 @@
   document.addEventListener('kinlib-run', ({ detail }) => {
     const cell = cells.find(({ element }) => element.contains(detail.element));
     if (detail.source) cell.edit(detail.source, false);
+    cell.status.textContent = '';
     run(cell);
   });
   const button = h('button', { type: 'button', class: 'kinlib-button', onclick: download }, 'Download with my answers');

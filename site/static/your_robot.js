@@ -9,6 +9,7 @@
     );
   const compare = cellWith('found = examine(');
   const picture = cellWith('found.picture()');
+  const practise = [cellWith('sheet = practise('), cellWith('sheet.check(')];
   const known = cellWith('known_arms()')?.querySelectorAll('tbody tr') ?? [];
   if (!h || !compare || !document.querySelector('[data-kinlib-lab]')) return;
 
@@ -160,15 +161,25 @@
       `found = examine(arm, table${options.join('')})`,
       'found',
     ].join('\n');
-    const run = (element, text) =>
-      document.dispatchEvent(new CustomEvent('kinlib-run', { detail: { element, source: text } }));
-    run(compare.querySelector('.cell_input'), source);
-    if (given && picture) run(picture.querySelector('.cell_input'));
-    answer.scrollIntoView({ behavior: 'smooth', block: 'nearest' });
+    for (const cell of [compare, picture]) cell.querySelector('.cell_output')?.replaceChildren(); // of another robot
+    for (const section of answer) section.hidden = false;
+    run(compare, source);
+    run(picture);
+    answer[0].scrollIntoView({ behavior: 'smooth', block: 'start' });
   }
 
-  // The code of the cell is folded, and its output stands below the form.
-  const answer = h('div', { class: 'your-robot-result' });
+  const run = (cell, source) =>
+    document.dispatchEvent(
+      new CustomEvent('kinlib-run', { detail: { element: cell.querySelector('.cell_input'), source } }),
+    );
+
+  // The sections of the notebook with these cells show the answer, without their code; what they say of the code is left out.
+  const answer = [compare, picture].map((cell) => cell.closest('section'));
+  for (const section of answer) {
+    section.classList.add('your-robot-result');
+    section.hidden = true;
+  }
+  for (const about of answer[0].querySelectorAll(':scope > p')) about.remove();
   const form = h(
     'form',
     { class: 'your-robot', onsubmit: (event) => event.preventDefault() },
@@ -203,8 +214,11 @@
   }
   const place =
     document.querySelector('article h1').parentElement.querySelector('ul') ?? document.querySelector('article h1');
-  place.after(form, answer);
-  answer.append(compare);
+  place.after(form);
+  const start = () => {
+    for (const cell of practise) run(cell);
+  };
+  practise[0].before(h('p', {}, button('Start with the robot of the form', start)));
 
   // Each corrected table gets a button that copies it.
   const addCopies = () => {

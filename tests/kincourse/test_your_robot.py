@@ -112,5 +112,5 @@ def test_a_copied_table_is_the_table_in_the_robotics_toolbox_and_in_python():
         q = np.random.default_rng(1).uniform(-1, 1, table.n)
         np.testing.assert_allclose(again.fk(q), table.fk(q), atol=1e-9, err_msg=name)
         if "F" not in table.joints and np.array_equal(table.tool, np.eye(4)) and np.array_equal(table.base, np.eye(4)):
-            theirs = eval(texts["roboticstoolbox"], vars(rtb))
+            theirs = eval(texts["Robotics Toolbox"], vars(rtb))
             np.testing.assert_allclose(theirs.fkine(q).A, table.fk(q), atol=1e-9, err_msg=name)

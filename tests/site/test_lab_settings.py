@@ -145,7 +145,11 @@ def test_without_a_network_the_lab_is_left_out_unless_it_was_requested(tmp_path,
     def no_network(address, timeout):
         raise URLError("no route")
 
+    def no_registry(name, *_, **__):
+        raise wheels.Unreachable(f"pip could not download {name}")
+
     monkeypatch.setenv(lab.VARIABLE, choice)
+    monkeypatch.setattr(wheels, "download", no_registry)
     monkeypatch.setattr(lab, "LABS", tmp_path / "built")
     monkeypatch.setattr(pyodide.urllib.request, "urlopen", no_network)
     monkeypatch.setattr(pyodide, "DOWNLOADS", tmp_path)

@@ -14,8 +14,7 @@ from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment, assign_frames
-from kinlib.dh.formatting import format_rows
-from kinlib.dh.table import Convention, DHTable, dh_transform, validate_convention
+from kinlib.dh.table import Convention, DHTable, dh_transform, format_rows, validate_convention
 from kinlib.rigid.lie import adjoint, homogeneous
 from kinlib.view.drawing.canvas import Canvas, view_axes
 from kinlib.view.drawing.crop import crop

@@ -4,7 +4,8 @@ The environment variable KINLIB_LAB chooses the release of Python for the browse
     official   Pyodide's newest release, as on the published site; the build needs access to the Internet
     offline    the older release that tests use; the build needs package registries only
     none       no lab, and no buttons that open it
-If the variable is not set, the official release is tried, and if it cannot be downloaded the site is built without a lab.
+If the variable is not set, the official release is tried, then the older one, and if neither can be downloaded the site is
+built without a lab.
 """
 
 import gzip
@@ -87,21 +88,19 @@ def build() -> Path | None:
         return None
     if choice not in ("", *DISTRIBUTIONS):
         raise ValueError(f"{VARIABLE} must be one of {', '.join([*DISTRIBUTIONS, 'none'])}; got {choice!r}.")
-    kind = choice or "official"
-    folder = LABS / kind
-    if hash_file(folder).exists() and hash_file(folder).read_text("utf-8") == input_hash():
-        return folder / "html"
-    try:
-        build_with_jupyterlite(kind, folder)
-    except Unreachable as error:
-        if choice:
-            raise
-        print(
-            f"The site has no lab: {error}\nTo skip the lab without this attempt, set {VARIABLE}=none.", file=sys.stderr
-        )
-        return None
-    hash_file(folder).write_text(input_hash(), "utf-8")
-    return folder / "html"
+    for kind in [choice] if choice else DISTRIBUTIONS:
+        folder = LABS / kind
+        try:
+            if not hash_file(folder).exists() or hash_file(folder).read_text("utf-8") != input_hash():
+                build_with_jupyterlite(kind, folder)
+                hash_file(folder).write_text(input_hash(), "utf-8")
+            return folder / "html"
+        except Unreachable as error:
+            if choice:
+                raise
+            print(f"The {kind} release of Python for the pages is not there: {error}", file=sys.stderr)
+    print(f"The site has no lab, and no cell runs on its pages. {VARIABLE}=none leaves it out at once.", file=sys.stderr)
+    return None
 
 
 def build_with_jupyterlite(kind: str, folder: Path) -> None:

@@ -16,8 +16,8 @@ from kinlib import linkages, robots
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment, assign_frames
-from kinlib.dh.formatting import format_rows, headings, in_latex, markdown_table
-from kinlib.dh.table import Convention
+from kinlib.dh.formatting import headings, in_latex, markdown_table
+from kinlib.dh.table import Convention, format_rows
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.view import drive, explore
 from kinlib.view.drawing.figure_colours import follow_theme

@@ -5,10 +5,8 @@ import re
 
 import numpy as np
 import pytest
-import scipy.linalg
 
 import kinlib as kl
-from kincourse.lecture_02_matrix_exponential.drawings import plot_series
 from kincourse.lecture_04_poe_body.drawings import slide_axis, slide_mid_formula
 from kincourse.lecture_05_dh_standard.drawings import slide_offset
 from kincourse.lecture_08_closed_chains.drawings import slide_curve, slide_linkage
@@ -92,14 +90,3 @@ def test_wrong_arguments_are_refused():
     ]:
         with pytest.raises(ValueError, match=says):
             make()
-
-
-def test_the_plotted_error_is_that_of_the_sum():
-    S, tool = kl.robots.rpr().screws[0], (0, 0, 1)
-    caption = plot_series(S, 2 * np.pi, tool, 12).caption
-    term, total = np.eye(4), np.eye(4)
-    for k in range(1, 12):
-        term = term @ kl.hat(S * 2 * np.pi) / k
-        total = total + term
-    error = np.abs((total - scipy.linalg.expm(kl.hat(S * 2 * np.pi))) @ [*tool, 1]).max()
-    assert f"the error after 12 terms is {error:.0e} m" in caption

@@ -8,10 +8,11 @@ import pytest
 import sympy
 from hypothesis import given
 from hypothesis import strategies as st
+from strategies import chains_with_values
 
 import kinlib as kl
 from kinlib import DHTable, dh_transform, robots
-from kinlib.dh.formatting import format_rows
+from kinlib.dh.assignment import AssignmentStep
 from kinlib.dh.parsing import read_rows
 
 EXACT = 1e-12
@@ -124,16 +125,6 @@ def test_any_table_moves_as_the_robotics_toolbox_s(table):
         close(links, [link.A(value).A for link, value in zip(theirs.links, row, strict=True)])
 
 
-@given(tables("RP"))
-def test_the_axes_of_a_table_are_the_twists_of_the_robotics_toolbox(table):
-    """It writes (v, omega), and its twists and its last frame know of no base and no tool."""
-    table = table.changed(base=np.eye(4))
-    twists, last = as_rtb(table, table.convention).twists()
-    chain = table.to_chain()
-    close(chain.home, last.A @ table.tool)
-    close(chain.screws, np.roll(np.reshape(twists.A, (-1, 6)), 3, axis=1))
-
-
 @given(st.tuples(*[sums()] * 4))
 def test_an_entry_is_what_sympy_makes_of_it(entries):
     """Any sum of numbers, fractions, pi and a length; the coefficient of q is the joint's sign."""
@@ -157,6 +148,7 @@ def test_a_table_survives_the_other_convention_and_back(table):
     there = table.converted(other)
     assert there.convention == other
     close(there.fk(q), table.fk(q))
+    close(table.to_chain().fk(q), table.fk(q))
     close(there.converted(table.convention).fk(q), table.fk(q))
 
 
@@ -224,50 +216,41 @@ HEAD = "a|alpha|d|theta\n"
 REFUSED = {
     "degrees": (
         HEAD + "0|-90|0|q1",
-        r"^Row 1, alpha: an angle must be .*; got -90 rad\. -90 rad\? Write -90° if it is in",
+        r"^Row 1, alpha: an angle must be .*; got -90 rad\. If the number is in degrees, write -90°;",
     ),
-    "degrees beside a variable": (HEAD + "0|0|0|q1 - 90", r"Row 1, theta: .*; got -90 rad\. -90 rad\? Write -90° if"),
-    "a turn and a bit": ([[0, 0, 0, 6.3]], "Row 1, theta: an angle must be at most a full turn, 2 pi, .*; got 6.3 rad"),
+    "degrees beside a variable": (
+        HEAD + "0|0|0|q1 - 90",
+        r"Row 1, theta: .*; got -90 rad\. If the number is in degrees, write -90°",
+    ),
     "a row too many numbers": (HEAD + "0|0|0|q1\n3|0|0|0|q2", "Row 2 must have 4 entries, one per heading; got 5: '3"),
     "a missing column": ("a|alpha|d\n0|0|0", "The heading must name the columns a, alpha, d, theta, each once"),
     "a nameless row": ([{"a": 0, "alpha": 0, "d": 0, "theta": "q"}, None], "Row 2 has no a; it is NoneType"),
-    "no rows": (HEAD, "must have a heading, .* and at least one row"),
     "no joint": (HEAD + "0|0|0|0", "every row is fixed"),
     "two variables": (HEAD + "0|0|q1|q1", "Row 1: the joint variable must be in theta or in d, once"),
-    "a variable in a": (HEAD + "q1|0|0|0", "Row 1: .* it is in a. Are the columns a and d swapped?"),
     "a gear": (HEAD + "0|0|0|2*q1", "must be q or -q, without a factor; its factor is 2"),
+    "a product of variables": (HEAD + "0|0|0|q1*q1", "Row 1, theta: an entry must be a number"),
     "two joints in an angle": (HEAD + "1|0|0|q1\n1|0|0|q1+q2", "Row 2, theta: .* that of its own joint; got q1 and q2"),
-    "an unknown length": (HEAD + "0|0|l7|q1", r"Row 1, d: .*; got 'l7'.*lengths=\{'l7': ...\}"),
     "an angle in a length": (HEAD + "0|0|30°|q1", "d is a length. Are two columns swapped"),
     "millimetres in the heading": (
         "a (mm)|alpha|d|theta\n400|0|0|q1",
         r"in metres, but the heading 'a \(mm\)' says mm",
     ),
-    "millimetres in an entry": (HEAD + "400 mm|0|0|q1", "Row 1, a: .*Lengths are in metres: write 0.4 for 400 mm"),
     "a decimal comma": (HEAD + "0,4|0|0|q1", r"Row 1, a: .*; got '0,4'\. The decimal sign is a point: write 0\.4\.$"),
     "swapped labels": (
         HEAD + "1|0|0|q2\n1|0|0|q1",
         r"^The joint variables must be numbered 1, 2, .*; got q2, q1\. Give the",
     ),
-    "a label twice": (
-        HEAD + "1|0|0|q1\n1|0|0|q_1",
-        r"; got q1, q1\. Two rows have the variable of joint 1, but each .*\.$",
-    ),
     "rows in another order": (
         "i|a|alpha|d|theta\n2|1|0|0|q\n1|1|0|0|q",
         "in the order of their numbers, .*; got 2, 1. Sort",
     ),
-    "NaN": ([[0, 0, np.nan, 0]], r"rows contains NaN or infinity at index \[0, 2\]"),
     "infinity": (HEAD + "1e400|0|0|q1", "Row 1, a: an entry must be a finite number; got '1e400'"),
     "a transposed table": (np.zeros((4, 6)), r"rows must have shape \(..., 4\); got \(4, 6\).*rows.T"),
-    "one row": (np.zeros(4), r"must have shape \(m, 4\)"),
     "an entry without end": (HEAD + "-" * 5000 + "1|0|0|q1", r"at most 200 characters; '-{20}'\.\.\. has 5001"),
-    "a text without end": ("0 " * 60_000, "at most 100000 characters; got 120000"),
     **{
         entry: (f"{HEAD}{entry}|0|0|q1", f"^Row 1, a: an entry must be a number, or .*; got {re.escape(repr(entry))}")
         for entry in ("__import__('os')", "1/0", "1_000", "0x10", "True")
     },
-    "a product of variables": (HEAD + "0|0|0|q1*q1", "Row 1, theta: an entry must be a number"),
 }
 
 
@@ -307,8 +290,6 @@ def test_a_table_means_nothing_without_its_convention():
 @pytest.mark.parametrize(
     ("lengths", "words"),
     [
-        ({"l": np.nan}, r"lengths\['l'\] contains NaN"),
-        ({"l": [0.4]}, r"lengths\['l'\] must be a single number; got list \[0.4\]"),
         ({"pi": 3}, "must not redefine pi"),
         (7, r"lengths must be a dictionary such as \{'l2': 0.5\}; got int 7"),
     ],
@@ -352,10 +333,6 @@ def test_signs_are_read_from_the_variables_or_given_with_numbers():
     ("rows", "signs", "message"),
     [
         ([[0, 0, 0, 0]], [1, 1], r"signs must have an entry 1 or -1 for each of the 1 rows; got list \[1, 1\]"),
-        ([[0, 0, 0, 0]], [0.5], r"signs must have an entry 1 or -1 for each of the 1 rows; got list \[0\.5\]"),
-        ([[0, 0, 0, 0]], [[1]], r"signs must have an entry 1 or -1"),
-        ([[0, 0, 0, 0]], ["+"], "signs must be an array of real numbers"),
-        ([[0, 0, 0, 0]], [np.nan], "signs contains NaN"),
         ("a|alpha|d|theta\n0|0|0|-q1", [1], r"signs must agree with the variables in the rows, \[-1\]; got \[1\]\. If"),
     ],
 )
@@ -378,10 +355,32 @@ def test_a_table_survives_json(table, data):
     np.testing.assert_array_equal(back.fk(q), table.fk(q))
 
 
-@given(tables())
-def test_rows_that_are_written_out_can_be_read_again(table):
-    rows = format_rows(table, length="{!r}".format, angle="{!r}".format)
-    names = ("a", "alpha", "d", "theta")
-    back = DHTable([dict(zip(names, row, strict=True)) for row in rows], convention=table.convention)
-    assert (back.joints, back.signs.tolist()) == (table.joints, table.signs.tolist())
-    np.testing.assert_allclose(back.rows, table.rows, rtol=1e-15, atol=0)
+# --- as text ---
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+@given(chains_with_values())
+def test_a_printed_table_is_read_back(convention, drawn):
+    chain, _ = drawn
+    if "H" in chain.joint_types:
+        return
+    table = kl.assign_frames(chain, convention=convention).table
+    again = DHTable(str(table), convention=convention)
+    np.testing.assert_allclose(again.rows, table.rows, rtol=1e-11, atol=1e-9)
+    assert again.joints == table.joints
+    assert np.array_equal(again.signs, table.signs)
+    for end in ("base", "tool"):
+        np.testing.assert_allclose(getattr(again, end), getattr(table, end), rtol=1e-11, atol=1e-9)
+    assert again.fk({f"q{i + 1}": 0 for i in range(table.n)}).shape == (4, 4)
+
+
+def test_the_repr_of_a_result_says_what_its_text_says():
+    step = AssignmentStep("x", 1, "x_1 is along the normal.", "The opposite direction.")
+    assert str(step) == "x_1 is along the normal. (Also right: The opposite direction.)"
+    table = kl.assign_frames(kl.robots.rpr(), convention="standard").table
+    assert repr(table).startswith("DHTable('RPR', standard, 3 rows: RPR, base = [[")
+    flipped = table.changed(signs=[1, 1, -1])
+    for found in (kl.equivalent(table, flipped), kl.diagnose(table, flipped)):
+        assert " ".join(str(found).splitlines()) in repr(found)
+        assert "joint 3: " in repr(found)
+    assert kl.equivalent(table, flipped).choices(1e-8) == [("signs", "joint 3: q counts in the opposite direction")]

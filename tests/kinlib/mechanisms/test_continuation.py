@@ -59,21 +59,6 @@ def straightened(path, curve):
     return path.resample(curve, 4001).length[-1]
 
 
-# --- closed curves ---
-
-
-@pytest.mark.parametrize("step", STEPS)
-def test_a_circle_is_traced_once(step):
-    curve = circle().follow(np.array([0.6, 0.8]), step, 1000)
-    assert curve.closed
-    assert curve.ends == ("closed", "closed")
-    assert curve.residual < ROUNDED
-    close(np.linalg.norm(curve.q, axis=1), 1)
-    close(curve.q[-1], curve.q[0])
-    close(straightened(circle(), curve), 2 * np.pi, atol=1e-5)
-    assert (np.diff(curve.length) <= step * 1.3).all()
-
-
 # --- branches that cross, and branches that almost do ---
 
 

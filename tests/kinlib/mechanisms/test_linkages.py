@@ -241,9 +241,6 @@ def test_the_ring_of_ten_links_has_mobility_8_in_every_configuration():
             lambda: linkages.four_bar(4, -1, 3, 3),
             r"crank must be a positive length in metres; got -1\. Lengths have no sign",
         ),
-        (lambda: linkages.four_bar(4, 1, np.nan, 3), r"coupler must be a positive length in metres; got nan"),
-        (lambda: linkages.five_bar(1, (1, 1), (1, 0)), r"length 2 must be a positive length"),
-        (lambda: linkages.stewart_gough(height=np.inf), r"height must be a positive length"),
         (
             lambda: linkages.bennett(0.5, 1.5, 0.6),
             r"b sin\(alpha\) / a, must be at most 1; got 1\.2\. Try a smaller b\.",

@@ -5,15 +5,14 @@ from functools import reduce
 import modern_robotics as mr
 import mpmath_oracle
 import numpy as np
-import pinocchio_oracle
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
-from strategies import chains_with_values, points
+from strategies import points
 
-from kinlib import Chain, Mechanism, exp, linkages, robots, screw
+from kinlib import Mechanism, exp, linkages, robots, screw
 from kinlib.mechanisms.joints import (
     Joint,
     spherical,
@@ -116,38 +115,6 @@ def test_spherical_and_universal_joints_agree_with_scipy_s_angles(angles, centre
         close(T @ [*centre, 1], [*centre, 1])
 
 
-@settings(max_examples=25)
-@given(chains_with_values(3), chains_with_values(3))
-def test_closed_chains_and_joined_branches_agree_with_pinocchio(one, two):
-    """For a ring, log of its pose; for two branches, T_1 = T_2: what moves the end of one must move that of the other."""
-    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
-    # modern_robotics takes turns below 1e-6 for none
-    one, two = ((chain, np.where(np.abs(q) < 1e-5, 0, q)) for chain, q in (one, two))
-    (first, q), (second, p) = one, two
-    there, here = (
-        pinocchio_oracle.pinocchio_loop(pinocchio_oracle.pinocchio_model(chain), v[None])[0] for chain, v in (one, two)
-    )
-    assume(first.n > 1 and all(np.trace(T[:3, :3]) > -0.99 for T in (there, here, there @ mr.TransInv(here))))
-    size = 1 + sum(np.abs(chain.screws[:, 3:]).sum() for chain in (first, second)) * 5
-    close(Mechanism.from_chain(first).residual(q), np.roll(pin.log6(there).vector, 3), atol=1e-12 * size)
-    joined = Mechanism.from_branches(first, second)
-    left = joined.residual([*q, *p])
-    ways = (there @ mr.TransInv(here), here @ mr.TransInv(there))
-    apart = [np.abs(left - np.roll(pin.log6(T).vector, 3)).max() for T in ways]
-    assert min(apart) < 1e-12 * size
-
-
-# --- one mechanism, many descriptions ---
-
-
-DESCRIBED = {
-    "four-bar": (linkages.four_bar(0.4, 0.1, 0.35, 0.3), {"A": 1.0}, 2),
-    "slider-crank": (linkages.slider_crank(1, 3, 0.2), {"A": 1.0}, 2),
-    "Bennett": (linkages.bennett(), {"joint 1": 1.0}, 1),
-    "five-bar": (linkages.five_bar(1, (1, 1), (1, 1)), {"A": 2.0, "D": 1.0}, 2),
-}
-
-
 # --- joints of all kinds ---
 
 
@@ -178,7 +145,11 @@ def test_hooke_s_joint_satisfies_hooke_s_equation(bend):
 
 def test_assemble_finds_the_configuration_that_scipy_finds():
     rng = np.random.default_rng(3)
-    for linkage, hold, _ in DESCRIBED.values():
+    for linkage, hold in (
+        (linkages.four_bar(0.4, 0.1, 0.35, 0.3), {"A": 1.0}),
+        (linkages.bennett(), {"joint 1": 1.0}),
+        (linkages.five_bar(1, (1, 1), (1, 1)), {"A": 2.0, "D": 1.0}),
+    ):
         mode = linkage.assembly_modes(hold=hold)[0]
         free = [i for i, name in enumerate(linkage.names) if name not in hold]
         guess = mode + 0.05 * rng.normal(size=linkage.n) * np.isin(np.arange(linkage.n), free)
@@ -224,11 +195,9 @@ def bars(*bodies):
             lambda: Mechanism(bars("ab", "ab", "cd")),
             r"must connect every body with a; got none to c, d\. Is a joint missing\?",
         ),
-        (lambda: Mechanism(bars("ab", "ab"), ground="c"), r"one of the bodies a, b; got 'c'"),
         (lambda: Mechanism(bars("ab", "ab")[:1] * 2), r"names of the joints must be different; got J0 more than once"),
         (lambda: Joint("J", ("a", "a"), screw(Z)), r"Joint J must join two different bodies; got tuple \('a', 'a'\)"),
         (lambda: Mechanism.from_branches(robots.rpr()), r"at least two branches to join; got 1"),
-        (lambda: Mechanism.from_chain(Chain([screw(Z)], np.eye(4))), r"two different bodies"),
     ],
 )
 def test_invalid_mechanisms_are_refused(build, message):
@@ -239,10 +208,6 @@ def test_invalid_mechanisms_are_refused(build, message):
 @pytest.mark.parametrize(
     ("ask", "message"),
     [
-        (
-            lambda m: m.residual([1, 2, 3]),
-            r"shape \(\.\.\., 4\); got \(3,\)\. Pass one value for each of A, B, D, C\.",
-        ),
         (lambda m: m.assemble(np.zeros(4), hold={"E": 1}), r"four-bar has no 'E'\. Its joint values are A, B, D, C\."),
         (lambda m: m.assemble(np.zeros(4), hold={"A": [1, 2]}), r"A must be held at one number; got list \[1, 2\]"),
         (lambda m: m.assemble(np.zeros(4), hold=dict.fromkeys("ABCD", 0)), r"must not be held; all are held\."),

@@ -4,10 +4,12 @@ import modern_robotics as mr
 import mpmath_oracle
 import numpy as np
 import pytest
+import scipy.linalg
 from hypothesis import given
-from strategies import poses, twists
+from hypothesis import strategies as st
+from strategies import poses, rotations, twists
 
-from kinlib import adjoint, exp, hat, inverse, log, vee
+from kinlib import adjoint, exp, hat, inverse, log, nearest_rotation, vee
 
 EXACT = 1e-13
 """The promise of the library. Entries are of size 1 to 4, so this is some hundred roundings; the worst seen is ten."""
@@ -136,3 +138,30 @@ def test_an_invalid_argument_is_refused_with_the_remedy(argument, message, funct
     for function in functions:
         with pytest.raises(ValueError, match=message):
             function(argument)
+
+
+# --- repairing a rounded rotation ---
+
+
+@given(rotations(), st.integers(1, 4))
+def test_the_nearest_rotation_is_that_of_the_polar_decomposition(R, digits):
+    rounded = np.round(R, digits)
+    close(nearest_rotation(rounded), scipy.linalg.polar(rounded)[0])
+    inverse(nearest_rotation(rounded))  # it is a rotation now
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = rounded, (1, 2, 3)
+    close(nearest_rotation(pose)[:3, :3], nearest_rotation(rounded))
+    close(nearest_rotation(pose)[:3, 3], (1, 2, 3), 0)
+
+
+@pytest.mark.parametrize(
+    ("X", "words"),
+    [
+        (np.zeros((3, 3)), "differs by 1"),
+        (np.diag([1, 1, -1]), "a reflection"),
+        ([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 1]], "last row"),
+    ],
+)
+def test_what_is_no_rounded_rotation_is_refused(X, words):
+    with pytest.raises(ValueError, match=words):
+        nearest_rotation(X)

@@ -40,14 +40,9 @@ NO_NUMBER = "pitch must be an array of real numbers; got {}"
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"pitch": np.nan}, NO_PITCH.format("nan")),
-        ({"pitch": -np.inf}, NO_PITCH.format("-inf")),
         ({"pitch": [0.0, np.nan]}, NO_PITCH.format("nan")),
         ({"pitch": "inf"}, NO_NUMBER.format("str")),
-        ({"pitch": None}, NO_NUMBER.format("NoneType")),
-        ({"pitch": 1j}, NO_NUMBER.format("complex")),
         ({"axis": (0, 0, 2)}, r"axis must be a unit vector; its length is 2\. .*Divide it by its norm"),
-        ({"point": (1, 2)}, r"point must have shape \(\.\.\., 3\); got \(2,\)"),
     ],
 )
 def test_an_invalid_direction_point_or_pitch_is_refused(arguments, message):
@@ -58,15 +53,12 @@ def test_an_invalid_direction_point_or_pitch_is_refused(arguments, message):
 @pytest.mark.parametrize(
     ("S", "message"),
     [
-        ([0, 0, 2, 0, 0, 0], r"In S the length of omega is 2\. .*divide all six numbers"),
         ([[0, 0, 1, 0, 0, 0], [0, 0, 0, 0, 3, 4]], r"In S\[1\] the length of v \(omega is zero.*\) is 5\. "),
         (
             np.zeros(6),
             r"In S the length of v .* is 0\. A revolute joint needs an axis, and a prismatic joint needs a dir",
         ),
         ([1e-17, 0, 0, 0, 0, 1], r"length of omega is 1e-17\. Is it a prismatic joint with a rounding error in omega"),
-        (np.zeros((6, 2)), r"S must have shape \(\.\.\., 6\); got \(6, 2\).*try S\.T"),
-        ([0, 0, 1, np.nan, 0, 0], r"S contains NaN or infinity at index \[3\]"),
     ],
 )
 def test_a_twist_that_is_not_a_screw_axis_is_refused(S, message):

@@ -89,7 +89,6 @@ def test_a_helical_joint_is_refused_with_the_reason():
     ("names", "said"),
     [
         (("a", "a", "b"), r"joint_names must have 3 different names, one per joint; got \('a', 'a', 'b'\)"),
-        (("a", "", "b"), r"must consist of printable characters, .*; got str ''\.$"),
         (("a", "b\n", "c"), r"printable characters, .*; got str 'b\\n'\.$"),
         (("a", "${b}", "c"), r"without \$\{ and \$\(, which begin a macro of xacro; got str '\$\{b\}'\.$"),
     ],
@@ -124,7 +123,6 @@ def test_without_an_axis_it_is_x_and_without_an_origin_it_is_the_parent_s():
     ("said", "limits"),
     [
         ('upper="2"', [0, 2]),
-        ('lower="-2"', [-2, 0]),
         ('effort="1" velocity="1"', [0, 0]),
         ('lower="1" upper="1"', [1, 1]),
     ],
@@ -140,11 +138,9 @@ def test_a_limit_that_is_not_given_is_0_and_a_joint_may_be_locked(said, limits):
     ("parts", "said"),
     [
         ('<axis xyz="0 0 0"/>', 'Line 5, <axis> in <joint name="j">: xyz must be a direction; got zero'),
-        ('<axis xyz="0 1"/>', 'xyz must have 3 numbers; got 2: "0 1"'),
         ('<axis xyz="0, 0, 1"/>', 'got "0,".*Separate numbers by spaces'),
         ('\n\n<axis xyz="nan 0 1"/>', 'Line 7, .*must consist of finite numbers; got "nan"'),
         (f'<axis xyz="{"1" * 5000} 0 0"/>', r'xyz must have at most 1000 characters; got 5004, "1{20}\.\.\."\.$'),
-        ("<axis/>", "it must have the attribute xyz=...; its attributes are: none"),
         ('<axis xyz="0 0 1"/>\n<axis xyz="0 0 1"/>', "at most one <axis>; got two, in lines 5 and 6"),
         ('<origin rpy="0 0 90"/>', r"rpy must be .*; got 90 rad\. Is it in degrees\? URDF uses radians"),
         (
@@ -169,9 +165,7 @@ def test_an_invalid_joint_is_refused_with_its_line(parts, said):
             '<limit lower="2" upper="1"/>',
             "Line 5, <limit> .*got lower 2 and upper 1. Are they interchanged",
         ),
-        ("revolute", '<limit lower="-inf" upper="1"/>', 'got "-inf"'),
         ("revolut", "", 'type must be one of revolute, continuous.*; got "revolut"'),
-        ("spherical", "", 'type must be one of .*; got "spherical"'),
     ],
 )
 def test_invalid_types_and_limits_are_refused(kind, parts, said):
@@ -204,21 +198,13 @@ def linked(links, *joints):
             linked("abcd", "ab", "bc", "cd", "db"),
             "Line 9, <child> in <joint .*link b is already the child of joint j0 in line 6.*cannot describe loops",
         ),
-        (linked("a", "aa"), "form a cycle: a"),
         (
             linked("abc", "ab"),
             r'Line 4, <link name="c">: a tree must have one root.*there are others, such as a\. Which',
         ),
-        (linked(""), 'Line 1, <robot name="r">: it must have at least one <link>'),
         (
             linked("abc", "ab", "ac"),
             r'Line 2, <link name="a">: exactly one end .*; got 2\. Pass tip=.*, one of b \(1 joint\), c \(1 joint\)',
-        ),
-        (linked("a"), "got 0. Pass a base with a moving joint below it"),
-        (linked("ab", "ab").replace('<child link="b"/>', ""), "Line 4, .*it must have a <child link=...>"),
-        (
-            linked("ab", "ab").replace('type="continuous"', ""),
-            "it must have the attribute type=...; its attributes are: name",
         ),
         (linked(["a", "${prefix}b"]), "Line 3, .*by xacro"),
         (
@@ -250,9 +236,7 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
     [
         ("", "must begin with <robot name=...>; got an empty text"),
         ("<robot>\n<link>\n</robot>", "Line 3: the file must be XML; mismatched tag. An element opened above"),
-        ("<robot>\n<link>", "Line 2: .*end too early"),
         ("\n<robot>\n<link name=a/>", "Line 3: the file must be XML; not well-formed .*Is a quote missing"),
-        ("<robot name='\ud800'/>", "surrogates not allowed"),
         ("\n<sdf/>", "Line 2, <sdf>: the first element of a URDF must be <robot>; this is an SDF file"),
         ("\n" + BOMB + "]>\n<robot name='&j;'/>", "Line 2, <!DOCTYPE>: a URDF must have no document type"),
         (
@@ -275,10 +259,8 @@ def test_texts_that_are_not_a_urdf_are_refused(text, said):
 @pytest.mark.parametrize(
     ("content", "said"),
     [
-        (b"", "is empty"),
         (b"\n\n<robot>\n<link name=a/>\n</robot>", "Line 4: the file must be XML; .*Is a quote missing"),
         (one_joint().replace("one", "Ä").encode("latin-1"), "Line 1: the file must be XML; .*not saved as UTF-8"),
-        (b'<?xml version="1.0" encoding="klingon"?>\n<robot name="r"/>', "Line 1: unknown encoding: klingon"),
         (b'<?xml version="1.0" encoding="utf-16"?>\n<robot name="r"/>', "Line 1: .*encoding specified"),
     ],
 )
