@@ -49,7 +49,7 @@ export class Stage {
     this.solid = new MeshLambertMaterial({ vertexColors: true });
     /** the materials of bodies: as they are, chosen, and faded because another link is chosen */
     this.casts = ['plain', 'chosen', 'faded'].map(() => castMaterial());
-    this.meshCasts = this.casts.map(({ uniforms }) => Object.assign(castMaterial(uniforms), { side: DoubleSide }));
+    this.meshCasts = this.casts.map(({ uniforms }) => Object.assign(castMaterial(uniforms, 0.5), { side: DoubleSide }));
     /** the bodies whose meshes have been read, see scene/meshes.js */
     this.meshes = [];
     this.ground = { value: data.floor };
@@ -210,11 +210,12 @@ export class Stage {
   buildMeshes() {
     this.removeLayer('meshes');
     const corners = this.meshes.flatMap(({ pieces }) => pieces).reduce((sum, { index }) => sum + index.length, 0);
+    this.shade.visible = corners <= MAX_SHADED_CORNERS;
     const meshes = this.meshes.flatMap(({ arm, body, pieces }) => {
       const geometry = mergeMeshes(pieces, this.theme);
       const shadow = new Mesh(geometry, this.shade);
       Object.assign(shadow, { renderOrder: this.shade.userData.order, frustumCulled: false });
-      const drawn = [new Mesh(geometry, this.meshCasts[0]), ...(corners > MAX_SHADED_CORNERS ? [] : [shadow])];
+      const drawn = [new Mesh(geometry, this.meshCasts[0]), shadow];
       this.tree.body(arm, body).add(...drawn);
       return drawn;
     });
@@ -368,7 +369,7 @@ export class Stage {
 }
 
 /** The material of bodies: half-Lambert light from the upper left of the picture, as in kinlib/view/drawing/shades.py. */
-function castMaterial(uniforms) {
+function castMaterial(uniforms, rim = 0) {
   return new ShaderMaterial({
     vertexColors: true,
     uniforms: uniforms ?? {
@@ -391,6 +392,7 @@ function castMaterial(uniforms) {
         float k = dot(normalize(n), light) * 0.5 + 0.5;
         vec3 cool = base * mix(vec3(0.50, 0.56, 0.66), vec3(0.34, 0.38, 0.46), dark);
         vec3 lit = mix(cool, base, smoothstep(0.15, 0.75, k));
+        lit *= 1.0 - ${rim.toFixed(1)} * pow(1.0 - abs(normalize(n).z), 3.0) * (1.0 - dark); // in place of an outline
         gl_FragColor = vec4(lit + (1.0 - lit) * 0.45 * smoothstep(0.85, 1.0, k), 1.0);
       }`,
   });
