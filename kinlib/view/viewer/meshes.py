@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from kinlib.rigid.rpy import origin
 from kinlib.urdf.robot_tree import Tree
 from kinlib.urdf.xml_elements import Element
+from kinlib.view.figures.bodies import shapes, visual_pose
 from kinlib.view.figures.tree import Branch, home_poses, links_of_bodies
 
 MAX_FILE_BYTES, MAX_ALL_BYTES = 40_000_000, 80_000_000
@@ -55,24 +55,19 @@ def read_meshes(tree: Tree, found: list[Branch], packages: Packages = ()) -> Mes
 
 
 def _shown(links: list[Element], home: Mapping[str, Array], library: "_Library") -> Iterator[dict[str, Any]]:
-    for link in links:
-        for visual in (child for child in link.children if child.tag == "visual"):
-            shapes = [shape for child in visual.children if child.tag == "geometry" for shape in child.children]
-            for mesh in (shape for shape in shapes if shape.tag == "mesh"):
-                try:
-                    name = mesh.text("filename")
-                    place = visual.child("origin")
-                    given = [key for key in ("xyz", "rpy") if place and key in place.attributes]
-                    pose = home[link.text("name")] @ origin(**{key: place.numbers(key, 3) for key in given if place})
-                    scale = mesh.numbers("scale", 3) if "scale" in mesh.attributes else [1.0, 1.0, 1.0]
-                    if not np.all(scale):
-                        raise mesh.error("its scale must not be 0.")
-                except ValueError as error:
-                    library.refused.setdefault(str(error), []).append(f"in line {mesh.line}")
-                    continue
-                if file := library.find(name):
-                    looks = {"scale": scale, "colour": _colour(visual)}
-                    yield {"file": file, "name": name, "pose": (pose + 0.0).ravel().tolist(), **looks}
+    shown = [(link, visual, shape) for link in links for visual, shape in shapes(link)]
+    for link, visual, mesh in (one for one in shown if one[2].tag == "mesh"):
+        try:
+            name, pose = mesh.text("filename"), visual_pose(visual, home[link.text("name")]) + 0.0
+            scale = mesh.numbers("scale", 3) if "scale" in mesh.attributes else [1.0, 1.0, 1.0]
+            if not np.all(scale):
+                raise mesh.error("its scale must not be 0.")
+        except ValueError as error:
+            library.refused.setdefault(str(error), []).append(f"in line {mesh.line}")
+            continue
+        if file := library.find(name):
+            place = {"pose": pose.ravel().tolist(), "scale": scale}
+            yield {"file": file, "name": name, "colour": _colour(visual), **place}
 
 
 def _colour(visual: Element) -> str | None:
