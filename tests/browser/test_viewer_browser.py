@@ -403,7 +403,7 @@ def test_meshes_take_the_place_of_bodies_by_rule_and_what_cannot_be_read_is_said
     write(tmp_path, {"crane.urdf": crane(*map(visual, names)), **files})
     tree = kl.Tree.from_urdf(tmp_path / "crane.urdf")
     page = show(explore(tree))
-    page.evaluate("document.querySelector('.kv').viewer.meshes")
+    page.wait_for_function("document.querySelector('.kv').viewer.meshes?.then(() => true)", timeout=TIMEOUT_MS)
     read = page.evaluate(
         """document.querySelector('.kv').viewer.stage.meshes.map(({ body, pieces }) => {
             const low = (k) => Math.min(...pieces[0].position.filter((_, i) => i % 3 === k));

@@ -48,6 +48,7 @@ function render({ model, el }) {
   root.viewer.stage = stage;
   stage.onReady = () => {
     still.hidden = !stage.withoutWebGL;
+    if (Object.keys(model.get('meshes') ?? {}).length) root.viewer.meshes ??= addMeshes();
     if (!stage.withoutWebGL) return;
     save(model, 'flat', true); // Python draws it then, where there is one
     update();
@@ -203,7 +204,6 @@ function render({ model, el }) {
   update();
   describe();
   performance.mark('kinlib-viewer-answers');
-  if (Object.keys(model.get('meshes') ?? {}).length) root.viewer.meshes = addMeshes();
   const stopTheme = onThemeChange(applyTheme);
   const stopOrbit = orbitControls(stage.camera, canvas);
   const resizeObserver = new ResizeObserver(() => {

@@ -3,10 +3,14 @@ import { BufferAttribute, BufferGeometry, Color, Matrix3, Matrix4, Vector3 } fro
 
 const MAX_CORNERS = 3_000_000; // of a million triangles
 
-const bytesOf = (data) =>
-  typeof data === 'string'
-    ? Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0))
-    : new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+/** The bytes that a kernel has sent, or that a page has as base64. */
+function bytesOf(data) {
+  if (typeof data !== 'string') return new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+  const letters = atob(data);
+  const bytes = new Uint8Array(letters.length);
+  for (let k = 0; k < bytes.length; k += 1) bytes[k] = letters.charCodeAt(k);
+  return bytes;
+}
 
 let loaders; // of all viewers
 
@@ -19,6 +23,7 @@ export async function readMeshes(model, arms) {
   let room = MAX_CORNERS;
   for (const [file, data] of Object.entries(model.get('meshes'))) {
     const name = arms.flatMap(({ meshes }) => meshes.flat()).find((mesh) => mesh.file === file)?.name ?? file;
+    await new Promise((done) => setTimeout(done)); // the page answers between two files
     try {
       const pieces = await read(file.split('.').at(-1), bytesOf(data));
       room -= pieces.reduce((sum, { index }) => sum + index.length, 0);
