@@ -102,13 +102,7 @@ def visual_pose(visual: Element, T: Array) -> Array:
 
 
 def visual_solids(link: Element, T: Array) -> list[Primitive]:
-    """Return what a link shows, at the pose T of its frame; nothing of meshes, nor of elements that are not as they should be.
-
-    >>> shape = Element("sphere", 3, {"radius": "0.1"})
-    >>> link = Element("link", 1, {"name": "ball"}, None, [Element("visual", 2, {}, None, [Element("geometry", 2, {}, None, [shape])])])
-    >>> [solid.kind for solid in visual_solids(link, np.eye(4))]
-    ['tube']
-    """
+    """Return what a link shows, at the pose T of its frame; nothing of meshes, nor of elements that are not as they should be."""
     found = []
     for visual, shape in shapes(link):
         try:
@@ -157,11 +151,7 @@ def _coloured(links: Sequence[Sequence[Primitive]], names: dict[str, str]) -> tu
 
 
 def rim_points(solid: Primitive, eye: Array, count: int = 24) -> Array:
-    """Return points on a primitive, (m, 3), whose hull is its silhouette, seen along eye: rings of count points, or corners.
-
-    >>> rim_points(box((0, 0, 0), (1, 1, 1)), np.array([0, 0, 1.0]))[:, 2].max()
-    np.float64(1.0)
-    """
+    """Return points on a primitive, (m, 3), whose hull is its silhouette, seen along eye: rings of count points, or corners."""
     if solid.kind == "box":
         return np.asarray(solid.points[0] + (CORNERS * solid.sizes) @ solid.axes.T)
     z = eye
@@ -177,11 +167,7 @@ CORNERS = np.stack(np.meshgrid(*[(-1.0, 1.0)] * 3), axis=-1).reshape(-1, 3)
 
 
 def circle(z: Array, count: int) -> Array:
-    """Return points (count, 3) of the unit circle perpendicular to a unit vector.
-
-    >>> circle(np.array([0, 0, 1.0]), 4).round(9)[:, 2].tolist()
-    [0.0, 0.0, 0.0, 0.0]
-    """
+    """Return points (count, 3) of the unit circle perpendicular to a unit vector."""
     a, b, c = z.tolist()
     far = np.hypot(a, b) if abs(c) < 0.9 else np.hypot(b, c)
     x = (b / far, -a / far, 0.0) if abs(c) < 0.9 else (0.0, c / far, -b / far)

@@ -187,12 +187,6 @@ def describe_tree(tree: Tree, q: ArrayLike) -> str:
     q  (n,) of the independent joints
 
     js/scene/describe.js says the same of the tree in the viewer.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> from kinlib.urdf.chains import to_urdf
-    >>> print(describe_tree(Tree.from_urdf(to_urdf(rpr())), [0, 0, 0]))   # doctest: +NORMALIZE_WHITESPACE +ELLIPSIS
-    RPR, 3 independent joints, 1 branch, at home. To tool: joint 1 joint_1 revolute along -y at (-4, -2, 0);
-    joint 2 joint_2 prismatic along z at ...; its end is at (0, 0, 1) m.
     """
     found = branches(tree)
     count = f"{len(found)} branch{'es'[: 2 * (len(found) != 1)]}"

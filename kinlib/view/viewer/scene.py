@@ -152,11 +152,6 @@ def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> 
             {s} and frame 0 are fixed to the base, {b} to the last link
 
     Raises ValueError if a frame is not a pose, or its name is not a number, "s" or "b".
-
-    >>> from kinlib.chains.robots import rpr
-    >>> layers = frames_on_links(rpr(), np.array([0, 0.5, 0]), {"2": rpr().link_poses([0, 0.5, 0])[1]})
-    >>> np.reshape(layers["frame 2"][0]["pose"], (4, 4))[:3, 3] - rpr().joint_points[1]      # at home, where joint 2 is 0
-    array([0., 0., 0.])
     """
     moved = body_motions(chain, q)
     layers: dict[str, Any] = {}

@@ -46,17 +46,6 @@ class Covered(anywidget.AnyWidget):
 
     made_of is the data of which the widget is made: if the cell is run again with the same, the widget is shown as the reader has
     left it.
-
-    >>> from traitlets import Bool, HasTraits
-    >>> class Question(HasTraits):
-    ...     committed = Bool(False)
-    >>> from kinlib.chains.robots import rpr
-    >>> arm = explore(rpr(), after=(question := Question()))
-    >>> arm.on_page("viewer", {}, "<svg></svg>")[-107:]
-    '<div data-kinlib-drawing><p>Commit to your prediction first; then the picture appears here.</p></div></div>'
-    >>> question.committed = True
-    >>> arm.covered, arm.html()[:25]
-    (False, '<div data-kinlib-viewer><')
     """
 
     # The bundle defines one global object, so that a page without modules can run it too; a widget needs a default export.
@@ -113,11 +102,6 @@ class ViewerBase(Covered):
     notes    what is not shown, in sentences
 
     It is made of a scene, the joint values at the start, and further traits.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> explore(rpr()).save("arm.jpg")
-    Traceback (most recent call last):
-    ValueError: path must end in .svg, .html or .png; got 'arm.jpg'.
     """
 
     scene = traitlets.Dict().tag(sync=True)
