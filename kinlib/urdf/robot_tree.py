@@ -10,6 +10,7 @@ import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -51,6 +52,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
     name           of the robot
     link_elements  the elements of the links, by name
     parent_joints  for the name of each link but the root, the joint whose child it is, in the order of the file
+    folder         where its file is, if it was read from one: `kl.show` looks there for meshes
 
     n joints are independent: they move, and they do not mimic another joint. m joints move by one value, mimic joints included.
     Both are in the order of the file. Planar and floating joints have no single value: see `poses`. Wherever q is an argument, it
@@ -80,6 +82,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
     name: str
     link_elements: Mapping[str, Element] = field(default_factory=dict, repr=False)
     parent_joints: Mapping[str, UrdfJoint] = field(default_factory=dict, repr=False)
+    folder: Path | None = field(default=None, repr=False)
 
     def __post_init__(self) -> None:
         if not self.link_elements:
@@ -100,7 +103,9 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         Source: the URDF specification, "link" and "joint".
         """
         robot = read_robot(path_or_text)
-        return cls(robot.text("name"), *read_tree(robot))
+        is_text = isinstance(path_or_text, str) and path_or_text.lstrip("\ufeff \t\r\n").startswith("<")
+        folder = None if is_text else Path(path_or_text).parent
+        return cls(robot.text("name"), *read_tree(robot), folder)
 
     def __repr__(self) -> str:
         types = [self._moving_joints[name].type for name in self.joint_names]

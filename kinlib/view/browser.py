@@ -18,6 +18,7 @@ from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.figures.bodies import body_of
 from kinlib.view.figures.linkage import draw_linkage
+from kinlib.view.viewer.meshes import Packages
 from kinlib.view.viewer.viewer import ViewerBase, explore
 
 
@@ -26,6 +27,7 @@ def show(
     q: JointValues | None = None,
     *,
     path: str | PathLike[str] = "",
+    packages: Packages = (),
 ) -> None:
     """Show a robot in three dimensions with sliders, a closed chain as a drawing, or anything that this package draws.
 
@@ -34,9 +36,10 @@ def show(
 
     shown  a chain, a table or a frame assignment, which are drawn with their frames, a tree, a closed chain, or what a function of
            kinlib.view returns
-    q      (n,) joint values, or a mapping from joint names to values; by default some that show the shape of an arm, and home of
-            a tree. A closed chain needs them
+    q      (n,) joint values, or a mapping from joint names to values; by default some that show the shape of an arm, and
+            some within the limits of a tree. A closed chain needs them
     path   the file to save to instead of showing it: .html, or a drawing as .svg or .png
+    packages  folders of packages, or {name: folder}, in which the meshes of a tree are looked for, see `kinlib.view.explore`
 
     Raises ValueError if q does not have n values or is given without a robot, for anything else to show, for another ending, and
     for a folder that does not exist.
@@ -58,7 +61,7 @@ def show(
     elif isinstance(shown, Chain):
         shown = explore(shown, start=body_of(shown).pose if q is None else q)
     elif isinstance(shown, Tree):
-        shown = explore(shown, start=q)
+        shown = explore(shown, start=q, packages=packages)
     elif isinstance(shown, Mechanism):
         if q is None:
             raise ValueError(

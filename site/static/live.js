@@ -596,7 +596,9 @@
         this.output = h('div', { class: 'cell_output docutils container' });
         this.tools.after(this.output);
       }
-      this.leftovers = [...this.output.childNodes].filter((child) => this.kept.some((viewer) => child.contains(viewer)));
+      this.leftovers = [...this.output.childNodes].filter((child) =>
+        this.kept.some((viewer) => child.contains(viewer)),
+      );
       for (const child of [...this.output.childNodes]) if (!this.leftovers.includes(child)) child.remove();
       this.element.querySelector('details.below-input, details.hide.above-output')?.setAttribute('open', '');
     }

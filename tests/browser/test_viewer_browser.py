@@ -20,6 +20,7 @@ from browser import (
     wait_until_drawn,
     watched,
 )
+from mesh_files import crane, dae, glb, obj, stl, visual, write
 from PIL import Image
 from strategies import ROBOTS
 from urdf_files import TWO_FINGERS
@@ -387,6 +388,51 @@ def test_every_branch_of_a_tree_ends_where_tree_poses_has_its_tip(show):
     ends = page.evaluate("[0, 1, 2].map((k) => document.querySelector('.kv').viewer.stage.tree.pose(k))")
     for T, tip in zip(ends, TREE.tips, strict=True):
         np.testing.assert_allclose(T, TREE.poses(q)[tip], atol=1e-12)
+
+
+def test_meshes_take_the_place_of_bodies_by_rule_and_what_cannot_be_read_is_said(show, tmp_path):
+    files = {
+        "a.stl": stl(),
+        "b.obj": obj(),
+        "c.dae": dae(),
+        "d.glb": glb(),
+        "e.stl": b"not a mesh",
+        "f.glb": glb("https://example.org/a"),
+    }
+    names = [*files, "missing.stl"]
+    write(tmp_path, {"crane.urdf": crane(*map(visual, names)), **files})
+    tree = kl.Tree.from_urdf(tmp_path / "crane.urdf")
+    page = show(explore(tree))
+    page.wait_for_function("document.querySelector('.kv').viewer.meshes?.then(() => true)", timeout=TIMEOUT_MS)
+    read = page.evaluate(
+        """document.querySelector('.kv').viewer.stage.meshes.map(({ body, pieces }) => {
+            const low = (k) => Math.min(...pieces[0].position.filter((_, i) => i % 3 === k));
+            const high = (k) => Math.max(...pieces[0].position.filter((_, i) => i % 3 === k));
+            return [body, pieces[0].index.length, pieces[0].colour, [0, 1, 2].map((k) => high(k) - low(k)), low(2)]; })"""
+    )
+    assert [(body, corners) for body, corners, *_ in read] == [(0, 12), (1, 12), (2, 12), (3, 12)]
+    for body, _, _, size, low in read:
+        np.testing.assert_allclose([*size, low], [0.1, 0.1, 0.2, 0.1 * body + 0.05], atol=1e-6)
+    assert [colour for *_, colour, _, _ in read] == [None, None, "#ff8000", "#ffffff"]
+    by_rule = (
+        "[...new Set(document.querySelector('.kv').viewer.stage.layers.get('arm').meshes.map((m) => m.parent))].length"
+    )
+    assert page.evaluate(by_rule) == 3  # e, f and the missing one
+    message = page.locator(".kv-message").first.inner_text()
+    for said in (
+        "A mesh is not shown, missing.stl: it was not found",
+        "The mesh e.stl could not be read",
+        "The mesh f.glb",
+    ):
+        assert said in message
+    floor = page.evaluate("document.querySelector('.kv').viewer.stage.ground.value")
+    assert floor == pytest.approx(0.05)
+    dark = "document.body.style.background = '#171b21'; document.documentElement.dataset.theme = 'dark'"
+    before = shown_pixels(page)
+    settled(page, lambda: page.evaluate(dark))
+    assert shown_pixels(page) != before
+    settled(page, lambda: sliders(page).first.press("End"))
+    assert page.evaluate("globalThis[Symbol.for('kinlib.renderers')].length") == 1
 
 
 def test_frames_on_the_links_are_switched_on_one_by_one(show):

@@ -27,17 +27,18 @@ def node_modules():
     return JS / "node_modules"
 
 
-def test_the_committed_bundle_equals_a_new_build(node_modules, tmp_path):
-    command = json.loads((JS / "package.json").read_text("utf-8"))["scripts"]["build"].split()
+@pytest.mark.parametrize("name", ["viewer", "meshes"])
+def test_the_committed_bundle_equals_a_new_build(node_modules, tmp_path, name):
+    command = json.loads((JS / "package.json").read_text("utf-8"))["scripts"][f"build:{name}"].split()
     entry = [word for word in command if not word.startswith("--outfile")]
-    bundle = tmp_path / "viewer.js"
+    bundle = tmp_path / f"{name}.js"
     # npm finds esbuild in node_modules, on every system
     done = subprocess.run(
         [NPM, "exec", "--offline", "--", *entry, f"--outfile={bundle}"],
         cwd=JS, capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
-    assert bundle.read_bytes() == (STATIC / "viewer.js").read_bytes(), "run: npm run build"
+    assert bundle.read_bytes() == (STATIC / f"{name}.js").read_bytes(), "run: npm run build"
 
 
 def test_the_linter_and_the_formatter_find_nothing_to_change(node_modules):

@@ -59,11 +59,7 @@ def text(centre: Sequence[float] | Array, label: str, colour: str, size: float) 
 
 
 def plain_text(text: str) -> str:
-    r"""Return the characters of a label without its markup, for example to estimate its width.
-
-    >>> plain_text(r"$\theta_{12}$"), plain_text("{s}")
-    ('θ12', '{s}')
-    """
+    r"""Return the characters of a label without its markup, for example to estimate its width."""
     return "".join(part for part, _, _ in _parts(text))
 
 

@@ -2,11 +2,11 @@
 
 Known robots are described in kinlib/view/bodies.json. Any other arm gets a body from its screw axes and its joint points:
 a barrel around each revolute joint, a sleeve with a rod at each prismatic one, tapered tubes between them, a foot and a gripper.
-The links of a URDF show the boxes, cylinders and spheres of their <visual> elements; no file that they name is opened.
+The links of a URDF show the boxes, cylinders and spheres of their <visual> elements; viewer/meshes.py reads meshes.
 """
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
@@ -87,30 +87,28 @@ def solid_data(links: Sequence[Sequence[Primitive]]) -> list[list[dict[str, Any]
     return [[data(solid) for solid in link] for link in links]
 
 
-def visual_solids(link: Element, T: Array) -> list[Primitive]:
-    """Return what a link shows, at the pose T of its frame; nothing of meshes, nor of elements that are not as they should be.
+def shapes(link: Element) -> Iterator[tuple[Element, Element]]:
+    """Yield the shapes that a link shows, each with its <visual>."""
+    for visual in (child for child in link.children if child.tag == "visual"):
+        for geometry in (child for child in visual.children if child.tag == "geometry"):
+            yield from ((visual, shape) for shape in geometry.children)
 
-    >>> shape = Element("sphere", 3, {"radius": "0.1"})
-    >>> link = Element("link", 1, {"name": "ball"}, None, [Element("visual", 2, {}, None, [Element("geometry", 2, {}, None, [shape])])])
-    >>> [solid.kind for solid in visual_solids(link, np.eye(4))]
-    ['tube']
-    """
+
+def visual_pose(visual: Element, T: Array) -> Array:
+    """Return the pose of a <visual> of a link whose frame is at T. Raises ValueError if its origin is not as it should be."""
+    place = visual.child("origin")
+    given = [name for name in ("xyz", "rpy") if place and name in place.attributes]
+    return np.asarray(T @ origin(**{name: place.numbers(name, 3) for name in given if place}))
+
+
+def visual_solids(link: Element, T: Array) -> list[Primitive]:
+    """Return what a link shows, at the pose T of its frame; nothing of meshes, nor of elements that are not as they should be."""
     found = []
-    for visual in link.children:
-        geometry = next((child for child in visual.children if child.tag == "geometry"), None)
-        if visual.tag != "visual" or geometry is None:
+    for visual, shape in shapes(link):
+        try:
+            found += _visual_solid(shape, visual_pose(visual, T))
+        except ValueError:
             continue
-        place = next((child for child in visual.children if child.tag == "origin"), None)
-        for shape in geometry.children:
-            try:
-                values = (
-                    {name: place.numbers(name, 3) for name in ("xyz", "rpy") if name in place.attributes}
-                    if place
-                    else {}
-                )
-                found += _visual_solid(shape, T @ origin(**values))
-            except ValueError:
-                continue
     return found
 
 
@@ -153,11 +151,7 @@ def _coloured(links: Sequence[Sequence[Primitive]], names: dict[str, str]) -> tu
 
 
 def rim_points(solid: Primitive, eye: Array, count: int = 24) -> Array:
-    """Return points on a primitive, (m, 3), whose hull is its silhouette, seen along eye: rings of count points, or corners.
-
-    >>> rim_points(box((0, 0, 0), (1, 1, 1)), np.array([0, 0, 1.0]))[:, 2].max()
-    np.float64(1.0)
-    """
+    """Return points on a primitive, (m, 3), whose hull is its silhouette, seen along eye: rings of count points, or corners."""
     if solid.kind == "box":
         return np.asarray(solid.points[0] + (CORNERS * solid.sizes) @ solid.axes.T)
     z = eye
@@ -173,11 +167,7 @@ CORNERS = np.stack(np.meshgrid(*[(-1.0, 1.0)] * 3), axis=-1).reshape(-1, 3)
 
 
 def circle(z: Array, count: int) -> Array:
-    """Return points (count, 3) of the unit circle perpendicular to a unit vector.
-
-    >>> circle(np.array([0, 0, 1.0]), 4).round(9)[:, 2].tolist()
-    [0.0, 0.0, 0.0, 0.0]
-    """
+    """Return points (count, 3) of the unit circle perpendicular to a unit vector."""
     a, b, c = z.tolist()
     far = np.hypot(a, b) if abs(c) < 0.9 else np.hypot(b, c)
     x = (b / far, -a / far, 0.0) if abs(c) < 0.9 else (0.0, c / far, -b / far)

@@ -13,6 +13,7 @@ from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint
 from kinlib.urdf.links_and_joints import UrdfJoint
 from kinlib.urdf.robot_tree import Tree
+from kinlib.urdf.xml_elements import Element
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK
 from kinlib.view.drawing.picture import Picture, vector_text
@@ -99,29 +100,46 @@ def home_poses(tree: Tree) -> dict[str, Array]:
     return tree.poses(np.zeros(tree.n), joint_poses=free)
 
 
-def robot_body(robot: Chain | Tree, found: list[Branch]) -> tuple[Body, list[tuple[tuple[Primitive, ...], ...]]]:
-    """Return the body of a robot, with the links of all its branches in a row, and the links of each branch.
-
-    A link of a tree is fixed to the body that the moving joints above it move. It shows what the file shows, once; where no link of
-    a body shows more than a mesh, it gets the body of any arm.
-    """
-    if isinstance(robot, Chain):
-        return body_of(robot), [body_of(robot).links]
-    home, drawn = home_poses(robot), set[str]()
-    bodies: list[tuple[tuple[Primitive, ...], ...]] = []
+def links_of_bodies(tree: Tree, found: list[Branch]) -> list[list[list[Element]]]:
+    """Return the links of each body of each branch, each once: a link is fixed to what the moving joints above it move."""
+    drawn, bodies = set[str](), []
     for branch in found:
-        own: list[list[Primitive]] = [[] for _ in range(branch.chain.n + 1)]
+        own: list[list[Element]] = [[] for _ in range(branch.chain.n + 1)]
         index = 0
-        steps = [(step.joint.child, step.joint.name) for step in robot.path(robot.root, branch.tip)]
-        for link, joint in [(robot.root, ""), *steps]:
+        steps = [(step.joint.child, step.joint.name) for step in tree.path(tree.root, branch.tip)]
+        for link, joint in [(tree.root, ""), *steps]:
             index += joint in branch.names
             if link not in drawn:
-                own[index] += visual_solids(robot.link_elements[link], home[link])
+                own[index].append(tree.link_elements[link])
                 drawn.add(link)
+        bodies.append(own)
+    return bodies
+
+
+@dataclass(frozen=True, eq=False)
+class BranchBody:
+    """The solids of each body of a branch, and whether they are by rule because the file shows none."""
+
+    links: tuple[tuple[Primitive, ...], ...]
+    by_rule: tuple[bool, ...]
+
+
+def robot_body(robot: Chain | Tree, found: list[Branch]) -> tuple[Body, list[BranchBody]]:
+    """Return the body of a robot, with the links of all its branches in a row, and the body of each branch.
+
+    A link of a tree shows what the file shows; where no link of a body shows more than a mesh, it gets the body of any arm.
+    """
+    if isinstance(robot, Chain):
+        return body_of(robot), [BranchBody(body_of(robot).links, ())]
+    home = home_poses(robot)
+    bodies: list[BranchBody] = []
+    for branch, links in zip(found, links_of_bodies(robot, found), strict=True):
+        own = [[solid for link in one for solid in visual_solids(link, home[link.text("name")])] for one in links]
         rule = body_of(branch.chain, hand=len(found) == 1).links
         first = branch.shared or int(bool(bodies))
-        bodies.append(tuple(tuple(solids) or (rule[i] if i >= first else ()) for i, solids in enumerate(own)))
-    return Body(tuple(link for links in bodies for link in links), np.zeros(robot.n), "The file."), bodies
+        drawn = tuple(tuple(solids) or (rule[i] if i >= first else ()) for i, solids in enumerate(own))
+        bodies.append(BranchBody(drawn, tuple(not solids for solids in own)))
+    return Body(tuple(link for body in bodies for link in body.links), np.zeros(robot.n), "The file."), bodies
 
 
 def joint_share(found: list[Branch]) -> float:
@@ -169,12 +187,6 @@ def describe_tree(tree: Tree, q: ArrayLike) -> str:
     q  (n,) of the independent joints
 
     js/scene/describe.js says the same of the tree in the viewer.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> from kinlib.urdf.chains import to_urdf
-    >>> print(describe_tree(Tree.from_urdf(to_urdf(rpr())), [0, 0, 0]))   # doctest: +NORMALIZE_WHITESPACE +ELLIPSIS
-    RPR, 3 independent joints, 1 branch, at home. To tool: joint 1 joint_1 revolute along -y at (-4, -2, 0);
-    joint 2 joint_2 prismatic along z at ...; its end is at (0, 0, 1) m.
     """
     found = branches(tree)
     count = f"{len(found)} branch{'es'[: 2 * (len(found) != 1)]}"

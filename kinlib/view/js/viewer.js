@@ -15,6 +15,7 @@ import { Stage } from './render/stage.js';
 import { describeArm, describeLinkage, describeTree, endEffectorText, frameText, tipsText } from './scene/describe.js';
 import { matrixOf, rows } from './scene/kinematic-tree.js';
 import { availableLayers, buildLayers, framesIn, isSingleFrame, showLayers } from './scene/layers.js';
+import { lowestOf, readMeshes } from './scene/meshes.js';
 import { createTrail } from './scene/trail.js';
 import { isDark, onThemeChange, themeOf } from './theme.js';
 import css from './viewer.css';
@@ -47,6 +48,7 @@ function render({ model, el }) {
   root.viewer.stage = stage;
   stage.onReady = () => {
     still.hidden = !stage.withoutWebGL;
+    if (Object.keys(model.get('meshes') ?? {}).length) root.viewer.meshes ??= addMeshes();
     if (!stage.withoutWebGL) return;
     save(model, 'flat', true); // Python draws it then, where there is one
     update();
@@ -92,6 +94,7 @@ function render({ model, el }) {
 
   let trail = null;
   let speaking = 0;
+  const notes = [...(model.get('notes') ?? [])]; // about the meshes of the robot
   const tip = new Vector3();
 
   function showMessage(text) {
@@ -109,7 +112,7 @@ function render({ model, el }) {
     mode.update?.(values, T);
     trail?.add(tip.set(T[0][3], T[1][3], T[2][3]));
     showMessage(
-      [stage.withoutWebGL && (model.withoutKernel ? STILL : NO_WEBGL), limitMessage(data.limits, values)]
+      [stage.withoutWebGL && (model.withoutKernel ? STILL : NO_WEBGL), limitMessage(data.limits, values), ...notes]
         .filter(Boolean)
         .join(' '),
     );
@@ -156,6 +159,19 @@ function render({ model, el }) {
       trail.dispose();
       trail = null;
     }
+  }
+
+  /** Replace bodies by their meshes as soon as these have been read. */
+  async function addMeshes() {
+    const found = await readMeshes(model, data.arms);
+    stage.meshes = found.bodies;
+    notes.push(...found.notes);
+    const standsOnMesh = found.bodies.some(({ arm, body }) => arm === 0 && body === 0);
+    const lowest = lowestOf(found.bodies, stage.tree);
+    stage.setFloor(standsOnMesh ? lowest : Math.min(lowest, data.floor));
+    buildLayers(stage, model.get('shown'));
+    updateLayers();
+    update();
   }
 
   function applyTheme() {

@@ -188,12 +188,7 @@ def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = 
 
 
 def table_cells(table: DHTable) -> list[list[str]]:
-    """Return the rows of a table as the page shows them: a, alpha, d, theta, with q_i for the joint variable.
-
-    >>> from kinlib.chains.robots import youbot
-    >>> table_cells(assign_frames(youbot(), convention="standard").table)[3]
-    ['0', '90°', '0', 'q_4 + 90°']
-    """
+    """Return the rows of a table as the page shows them: a, alpha, d, theta, with q_i for the joint variable."""
     return [[cell.replace("-", "−") for cell in row] for row in format_rows(table, variable="q_{}".format)]
 
 

@@ -66,7 +66,7 @@ class Pictures(Covered):
         """The text alternative of the whole: what the still pictures show, in order."""
         return " ".join(picture.alt for picture in self.still)
 
-    def html(self) -> str:
+    def html(self, whole: bool = True) -> str:
         """Return the pictures for a page without a kernel: as JSON, and the still ones, of which a script makes a player."""
         names = ["frames", "order", "texts", "looks", "at", "covered"]
         still = f'<div class="kinlib-film-frames">{ONE_PICTURE_ON_SCREEN}{Gallery(self.still).html()}</div>'

@@ -73,7 +73,7 @@ def scene(
         raise ValueError(f"{robot.name} has joints 1 to {robot.n}; got {wrong[0]!r}.")
     limits = np.full((robot.n, 2), (-np.inf, np.inf)) if robot.limits is None else robot.limits
     titles = robot.joint_names or [""] * robot.n
-    body, links = robot_body(robot, found)
+    body, bodies = robot_body(robot, found)
     size = extent(*found)
     seen = [body.extent(np.concatenate([branch.motions(start) for branch in found])), 0.2 * size * np.eye(3)]
     for branch in found:
@@ -84,11 +84,13 @@ def scene(
     points = np.concatenate(seen)
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
     radius = half_height(points - centre) + 0.1 * size  # a margin for labels
-    arms = [arm_data(branch) | {"body": solid_data(own)} for branch, own in zip(found, links, strict=True)]
+    arms = [arm_data(branch) | {"body": solid_data(own.links)} for branch, own in zip(found, bodies, strict=True)]
     if frames and isinstance(robot, Chain):
         arms[0]["frames"] = frames_on_links(robot, start, frames)
     elif isinstance(robot, Tree):
         arms[0]["frames"]["base"] = [frame_data("s", 0, np.eye(4))]
+        for arm, own in zip(arms, bodies, strict=True):
+            arm["rule"] = list(own.by_rule)
     return {
         "name": robot.name,
         # If an arm is small compared with what is in view, its marks must stay large enough to be distinguished.
@@ -150,11 +152,6 @@ def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> 
             {s} and frame 0 are fixed to the base, {b} to the last link
 
     Raises ValueError if a frame is not a pose, or its name is not a number, "s" or "b".
-
-    >>> from kinlib.chains.robots import rpr
-    >>> layers = frames_on_links(rpr(), np.array([0, 0.5, 0]), {"2": rpr().link_poses([0, 0.5, 0])[1]})
-    >>> np.reshape(layers["frame 2"][0]["pose"], (4, 4))[:3, 3] - rpr().joint_points[1]      # at home, where joint 2 is 0
-    array([0., 0., 0.])
     """
     moved = body_motions(chain, q)
     layers: dict[str, Any] = {}

@@ -90,9 +90,6 @@ def frame_arm(T: Any, screws: Sequence[Any] = (), first: int = 0) -> dict[str, A
     """Return a frame that starts at the pose T and is moved by screws (n, 6), as an arm without links.
 
     first  the column of q that moves its first joint
-
-    >>> frame_arm(np.eye(4))["joints"]
-    []
     """
     joints = [{"screw": np.asarray(screw).tolist(), "point": [0.0, 0.0, 0.0]} for screw in screws]
     columns = [first + i for i in range(len(joints))]

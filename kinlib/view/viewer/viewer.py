@@ -4,6 +4,7 @@ Python describes the robot once, as data (kinlib.view.viewer.scene). The page mo
 its scene graph, so a slider needs no answer from Python. Both sides share the traits below, and either side can set them.
 """
 
+import base64
 import html
 import json
 from collections.abc import Collection, Mapping, Sequence
@@ -22,8 +23,9 @@ from kinlib.chains.chain import Chain
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.picture import Picture, is_without_kernel, page, save
 from kinlib.view.figures.arm import ARM_LAYERS, body_motions, describe_arm, draw_arm
-from kinlib.view.figures.tree import MAX_NAMED_TIPS, describe_tree, draw_tree
+from kinlib.view.figures.tree import MAX_NAMED_TIPS, branches, describe_tree, draw_tree, joint_share
 from kinlib.view.viewer.cell_memory import keep_in_cell
+from kinlib.view.viewer.meshes import Meshes, Packages, read_meshes
 from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, scene
 
 STATIC = Path(__file__).parents[1] / "static"
@@ -44,17 +46,6 @@ class Covered(anywidget.AnyWidget):
 
     made_of is the data of which the widget is made: if the cell is run again with the same, the widget is shown as the reader has
     left it.
-
-    >>> from traitlets import Bool, HasTraits
-    >>> class Question(HasTraits):
-    ...     committed = Bool(False)
-    >>> from kinlib.chains.robots import rpr
-    >>> arm = explore(rpr(), after=(question := Question()))
-    >>> arm.on_page("viewer", {}, "<svg></svg>")[-107:]
-    '<div data-kinlib-drawing><p>Commit to your prediction first; then the picture appears here.</p></div></div>'
-    >>> question.committed = True
-    >>> arm.covered, arm.html()[:25]
-    (False, '<div data-kinlib-viewer><')
     """
 
     # The bundle defines one global object, so that a page without modules can run it too; a widget needs a default export.
@@ -78,7 +69,7 @@ class Covered(anywidget.AnyWidget):
         """The text alternative of what is shown."""
         raise NotImplementedError
 
-    def html(self) -> str:
+    def html(self, whole: bool = True) -> str:
         """Return the widget for a page without a kernel."""
         raise NotImplementedError
 
@@ -94,7 +85,8 @@ class Covered(anywidget.AnyWidget):
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         data, metadata = super()._repr_mimebundle_(**options) or ({}, {})
-        return {**data, "text/plain": self.alt, "text/html": self.html()}, metadata
+        # A notebook with a kernel need not save the megabytes of meshes as HTML too.
+        return {**data, "text/plain": self.alt, "text/html": self.html(whole=is_without_kernel())}, metadata
 
 
 class ViewerBase(Covered):
@@ -106,13 +98,10 @@ class ViewerBase(Covered):
     readout  whether the pose of the end-effector is shown beside the picture
     mode     {"kind", ...}: the data of a mode in kinlib/view/js/modes; empty for a robot with sliders
     flat     whether the page has no WebGL and asks for `drawing`, the current picture as HTML
+    meshes   the bytes of files of meshes by name, and `loaders` the script that reads them, if there are some
+    notes    what is not shown, in sentences
 
     It is made of a scene, the joint values at the start, and further traits.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> explore(rpr()).save("arm.jpg")
-    Traceback (most recent call last):
-    ValueError: path must end in .svg, .html or .png; got 'arm.jpg'.
     """
 
     scene = traitlets.Dict().tag(sync=True)
@@ -123,6 +112,9 @@ class ViewerBase(Covered):
     mode = traitlets.Dict().tag(sync=True)
     flat = traitlets.Bool(False).tag(sync=True)
     drawing = traitlets.Unicode().tag(sync=True)
+    meshes = traitlets.Dict().tag(sync=True)
+    loaders = traitlets.Unicode().tag(sync=True)
+    notes = traitlets.List(traitlets.Unicode()).tag(sync=True)
     set_by_reader: Sequence[str] = ("q", "shown")
 
     def __init__(self, scene: dict[str, Any], start: ArrayLike = (), *, after: Any = None, **traits: Any) -> None:
@@ -178,10 +170,15 @@ class ViewerBase(Covered):
 
         save(path, {**self.picture().contents(), "html": whole_page})
 
-    def html(self) -> str:
-        """Return the viewer for a page without a kernel: its state as JSON, and a drawing that loader.js replaces."""
+    def html(self, whole: bool = True) -> str:
+        """Return the viewer for a page without a kernel: its state as JSON, and a drawing that loader.js replaces.
+
+        whole  whether meshes are part of it
+        """
         # The page does not need what anywidget and ipywidgets synchronize for themselves.
         theirs = {*anywidget.AnyWidget.class_trait_names(sync=True), "flat", "drawing"}
+        if not whole:
+            theirs |= {"meshes", "loaders"}
         own = [name for name in self.trait_names(sync=True) if name not in theirs and not name.startswith("_")]
         return self.on_page("viewer", self.get_state(sorted(own)), self.picture().html())
 
@@ -193,8 +190,12 @@ def as_script(state: Mapping[str, Any]) -> str:
     '<script type="application/json">{"text":"\\u003cb>"}</script>'
     """
     # A "<" could end the script or begin another one; JSON allows this escape for it.
-    data = json.dumps(state, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
+    data = json.dumps(state, separators=(",", ":"), allow_nan=False, default=_base64).replace("<", "\\u003c")
     return f'<script type="application/json">{data}</script>'
+
+
+def _base64(content: bytes) -> str:
+    return base64.b64encode(content).decode()
 
 
 class Viewer(ViewerBase):
@@ -231,30 +232,44 @@ class Viewer(ViewerBase):
         return {frame["name"]: moved[frame["body"]] @ np.reshape(frame["pose"], (4, 4)) for frame in single}
 
 
+def _opening(robot: Chain | Tree) -> Array:
+    """Return 0 for each joint of a robot; in a tree, the middle of its limits if 0 is outside of them."""
+    if isinstance(robot, Chain):
+        return np.zeros(robot.n)
+    low, high = robot.limits.T
+    q, bounded = np.clip(0.0, low, high), np.isfinite(low) & np.isfinite(high)
+    middle: Array = np.where((q != 0) & bounded, (np.nan_to_num(low) + np.nan_to_num(high)) / 2, q)
+    return middle
+
+
 def explore(
     robot: Chain | Tree,
     joints: Sequence[int] | None = None,
     *,
-    show: Collection[str] = ("axes", "base", "tool"),
+    show: Collection[str] | None = None,
     after: Any = None,
     start: JointValues | None = None,
     span: tuple[float, float] | None = None,
     frames: Mapping[str, ArrayLike] | None = None,
     readout: bool | None = None,
+    packages: Packages = (),
 ) -> Viewer:
     """Show a robot in three dimensions, with sliders for its joints and, for an arm, the pose of its end-effector.
 
     robot    an arm, or a tree, which has a slider for each independent joint
     joints   the joints that get a slider, counted from 1; all by default, but better only those that matter
-    show     the layers that are drawn at first, any of kinlib.view.viewer.scene.LAYERS; the reader can switch them
+    show     the layers that are drawn at first, any of kinlib.view.viewer.scene.LAYERS; the reader can switch them. By default
+             screw axes, {s} and {b}, or less if there are so many that they would hide the robot
     after    a question; the robot stays covered until a prediction is committed
-    start    (n,) the first joint values, or a mapping from joint names to values; by default home. Afterwards `q` is
-             synchronized with the page
+    start    (n,) the first joint values, or a mapping from joint names to values; by default home, or within the limits of a
+             tree. Afterwards `q` is synchronized with the page
     span     the range of the sliders, in radians or metres; by default the limits of the joints
     frames   {"0": T_00, "1": T_01, ...} frames on the links of an arm, which the reader switches on one by one; poses (4, 4) in {s}
              at `start`. Frame i is fixed to link i and moves with it; frames beyond the last link are fixed to that one. They
              replace {s}, {b} and the DH frames. The first one is shown at the beginning, or those in show: "frame 1"
     readout  whether the pose of the end-effector is shown beside the picture; by default that of an arm
+    packages folders of packages, or {name: folder}, in which the meshes of a tree are looked for; its own package and those of the
+             environment variable ROS_PACKAGE_PATH are found without it. What is not found is said, and drawn by rule
 
     Raises ValueError if the robot does not have one of the joints, values do not have shape (n,) or contain NaN, span does not
     contain the start, a layer is unknown, a frame is not a pose or is not named by its link, or no joint moves by one value.
@@ -274,13 +289,19 @@ def explore(
     ['axes', 'frame 0', 'frame 1']
     """
     validation.instance(robot, "robot", Chain, Tree)
-    home = np.zeros(robot.n) if start is None else validation.single(robot.in_order(start), "q")
-    layers = list(show)
+    home = _opening(robot) if start is None else validation.single(robot.in_order(start), "q")
+    found = branches(robot)
+    few_joints, few_tips = joint_share(found) == 1, len(found) <= MAX_NAMED_TIPS
+    layers = [*["axes"] * few_joints, "base", *["tool"] * few_tips] if show is None else list(show)
     if frames:
-        layers = [layer for layer in show if layer not in FRAME_LAYERS]
-        layers += [] if any(f"frame {name}" in show for name in frames) else [f"frame {next(iter(frames))}"]
+        layers = [layer for layer in layers if layer not in FRAME_LAYERS]
+        named = any(f"frame {name}" in layers for name in frames)
+        layers += [] if named else [f"frame {next(iter(frames))}"]
     whole = scene(robot, home, joints=joints, span=span, frames=frames)
-    if len(whole["arms"]) > MAX_NAMED_TIPS:
-        layers.remove("tool")
     shows_pose = isinstance(robot, Chain) if readout is None else readout
-    return Viewer(robot, whole, home, shown=layers, readout=shows_pose, after=after)
+    read = read_meshes(robot, found, packages) if isinstance(robot, Tree) else Meshes()
+    for arm, meshes in zip(whole["arms"], read.arms, strict=False):
+        arm["meshes"] = meshes
+    loaders = (STATIC / "meshes.js").read_text("utf-8") if read.files else ""
+    files = {"meshes": read.files, "loaders": loaders, "notes": read.notes}
+    return Viewer(robot, whole, home, shown=layers, readout=shows_pose, after=after, **files)

@@ -109,7 +109,8 @@ def test_a_name_cannot_end_the_script_that_contains_it():
     assert arm.html().count("</script>") == 1
 
 
-def test_the_bundle_is_small_and_requests_nothing_from_other_hosts():
-    bundle = (STATIC / "viewer.js").read_bytes()
+@pytest.mark.parametrize("name", ["viewer.js", "meshes.js"])
+def test_a_bundle_is_small_and_requests_nothing_from_other_hosts(name):
+    bundle = (STATIC / name).read_bytes()
     assert len(gzip.compress(bundle, 9)) <= 200_000
     assert not re.search(rb"fetch\(\s*[\"'`]https?:|import\(\s*[\"'`]https?:|\.src\s*=\s*[\"'`]https?:", bundle)

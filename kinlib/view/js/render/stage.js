@@ -6,6 +6,7 @@ import {
   Color,
   CylinderGeometry,
   DirectionalLight,
+  DoubleSide,
   Float32BufferAttribute,
   GreaterDepth,
   HemisphereLight,
@@ -24,9 +25,12 @@ import {
 } from 'three';
 import { KinematicTree } from '../scene/kinematic-tree.js';
 import { drawLabels, fontOf } from '../scene/labels.js';
+import { mergeMeshes } from '../scene/meshes.js';
 import { mergeParts } from '../scene/shapes.js';
 import { Camera } from './camera.js';
 import { hasWebGL, prepareScene, renderScene } from './webgl.js';
+
+const MAX_SHADED_CORNERS = 300_000; // without a graphics card, the shadow of more takes too long
 
 export class Stage {
   /** @param data the scene, see kinlib/view/viewer/scene.py; @param canvas the 2-D canvas of the picture */
@@ -45,6 +49,10 @@ export class Stage {
     this.solid = new MeshLambertMaterial({ vertexColors: true });
     /** the materials of bodies: as they are, chosen, and faded because another link is chosen */
     this.casts = ['plain', 'chosen', 'faded'].map(() => castMaterial());
+    this.meshCasts = this.casts.map(({ uniforms }) => Object.assign(castMaterial(uniforms, 0.5), { side: DoubleSide }));
+    /** the bodies whose meshes have been read, see scene/meshes.js */
+    this.meshes = [];
+    this.ground = { value: data.floor };
     this.hidden = new MeshBasicMaterial({
       vertexColors: true,
       transparent: true,
@@ -73,7 +81,7 @@ export class Stage {
     });
     this.shade.userData.order = -2;
     this.shade.onBeforeCompile = (shader) => {
-      shader.uniforms.ground = { value: data.floor };
+      shader.uniforms.ground = this.ground;
       shader.vertexShader = shader.vertexShader
         .replace('#include <common>', '#include <common>\nuniform float ground;')
         .replace(
@@ -192,6 +200,28 @@ export class Stage {
     this.draw();
   }
 
+  /** Move the floor to a height. */
+  setFloor(height) {
+    this.ground.value = height;
+    this.grid.position.z = height - this.data.floor;
+  }
+
+  /** Set the layer of the meshes that have been read, in the colours of the theme. Their own edges are enough. */
+  buildMeshes() {
+    this.removeLayer('meshes');
+    const corners = this.meshes.flatMap(({ pieces }) => pieces).reduce((sum, { index }) => sum + index.length, 0);
+    this.shade.visible = corners <= MAX_SHADED_CORNERS;
+    const meshes = this.meshes.flatMap(({ arm, body, pieces }) => {
+      const geometry = mergeMeshes(pieces, this.theme);
+      const shadow = new Mesh(geometry, this.shade);
+      Object.assign(shadow, { renderOrder: this.shade.userData.order, frustumCulled: false });
+      const drawn = [new Mesh(geometry, this.meshCasts[0]), shadow];
+      this.tree.body(arm, body).add(...drawn);
+      return drawn;
+    });
+    this.layers.set('meshes', { meshes, labels: [], shown: true });
+  }
+
   /** Set a layer of rods of prismatic joints: one mesh each, as long as the joint's translation. */
   setRods(name, rods) {
     this.removeLayer(name);
@@ -216,10 +246,14 @@ export class Stage {
   /** Show a link of the first arm in one colour and the others faded; none if it is null. */
   choose(link) {
     const chosen = link === null ? null : this.tree.body(0, link);
-    for (const mesh of this.layers.get('arm')?.meshes ?? []) {
-      const other = chosen === mesh.parent ? this.casts[1] : this.casts[2];
-      if (this.casts.includes(mesh.material)) mesh.material = chosen ? other : this.casts[0];
-    }
+    for (const [name, casts] of [
+      ['arm', this.casts],
+      ['meshes', this.meshCasts],
+    ])
+      for (const mesh of this.layers.get(name)?.meshes ?? []) {
+        const other = chosen === mesh.parent ? casts[1] : casts[2];
+        if (casts.includes(mesh.material)) mesh.material = chosen ? other : casts[0];
+      }
     this.draw();
   }
 
@@ -323,7 +357,8 @@ export class Stage {
       this.grid.geometry,
       this.grid.material,
       this.solid,
-      this.cast,
+      ...this.casts,
+      ...this.meshCasts,
       this.hidden,
       this.edge,
       this.shade,
@@ -334,10 +369,10 @@ export class Stage {
 }
 
 /** The material of bodies: half-Lambert light from the upper left of the picture, as in kinlib/view/drawing/shades.py. */
-function castMaterial() {
+function castMaterial(uniforms, rim = 0) {
   return new ShaderMaterial({
     vertexColors: true,
-    uniforms: {
+    uniforms: uniforms ?? {
       dark: { value: 0 },
       tint: { value: new Vector4() },
       light: { value: new Vector3(-0.42, 0.78, 0.52).normalize() },
@@ -357,6 +392,7 @@ function castMaterial() {
         float k = dot(normalize(n), light) * 0.5 + 0.5;
         vec3 cool = base * mix(vec3(0.50, 0.56, 0.66), vec3(0.34, 0.38, 0.46), dark);
         vec3 lit = mix(cool, base, smoothstep(0.15, 0.75, k));
+        lit *= 1.0 - ${rim.toFixed(1)} * pow(1.0 - abs(normalize(n).z), 3.0) * (1.0 - dark); // in place of an outline
         gl_FragColor = vec4(lit + (1.0 - lit) * 0.45 * smoothstep(0.85, 1.0, k), 1.0);
       }`,
   });

@@ -69,9 +69,14 @@ export function buildLayers(stage, shown) {
   const each = (make) =>
     data.arms.flatMap((arm, k) => (arm.links ? make(arm).map((part) => ({ ...part, arm: k })) : []));
   const limbs = (arm) => [...parts.links(arm, size, theme), ...parts.joints(arm, size, theme)];
-  const solid = each((arm) => (arm.body ? parts.body(arm, theme) : limbs(arm)));
+  // where the meshes of a body have been read, they are shown in place of its body by rule
+  const isRead = (part) => stage.meshes.some(({ arm, body }) => arm === part.arm && body === part.body);
+  const solid = each((arm) => (arm.body ? parts.body(arm, theme) : limbs(arm))).filter(
+    (part) => !(data.arms[part.arm].rule?.[part.body] && isRead(part)),
+  );
   const foot = data.arms[0].body ? [] : parts.pedestal(data, size, theme);
   stage.setLayer('arm', [...foot, ...solid, ...parts.pieces(data, size, theme)], { outlined: true });
+  if (stage.meshes.length) stage.buildMeshes();
   stage.tree.rodUpdates.length = 0;
   stage.setRods(
     'rods',
