@@ -52,7 +52,7 @@ def opening() -> Film:
         draw,
         [
             (2.0, "A twist gives each point of space a velocity: the arrow at that point."),
-            (1.0, "Here is a plate. Each of its points wants to follow the arrow where it is."),
+            (1.0, "Here is a plate. Each of its points moves with the velocity of the arrow at its place."),
             (
                 6.5,
                 "The plate moves, and the velocities of its points change. The twist does not. How do you get the pose from it?",

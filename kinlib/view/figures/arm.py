@@ -98,7 +98,7 @@ def draw_joints(chain: Chain, tool: bool = False) -> Picture:
     """Draw an arm at home so that its screw axes can be read off: each joint with its number and its positive direction.
 
     The grid has numbers. A dotted line runs from each joint's point down to the floor; its foot is labelled with x and y, and
-    the line with the height. If tool is true, the frame {b} is drawn and its origin is labelled in the same way.
+    the line with the height. If tool is true, the links are drawn and the frame {b}, whose origin is labelled in the same way.
 
     >>> from kinlib.chains.robots import rpr
     >>> "joint 2 prismatic along z" in draw_joints(rpr()).alt
@@ -110,6 +110,8 @@ def draw_joints(chain: Chain, tool: bool = False) -> Picture:
     canvas = Canvas(seen)
     canvas.floor(seen, numbers=True)
     canvas.measure(measured, ORANGE)
+    if tool:
+        canvas.line(stations(chain), LINK_GREY, 5.0)
     draw_joint_bodies(canvas, chain, chain.link_poses(home))
     _draw_axes(canvas, chain, chain.link_poses(home), "", VIOLET)
     canvas.triad(np.eye(4), "s", 0.16 * canvas.size)
