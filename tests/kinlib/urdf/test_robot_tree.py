@@ -70,32 +70,11 @@ def test_pose_and_chain_agree_with_pinocchio_between_any_two_links(drawn):
     np.testing.assert_allclose(chain.fk(q[:, columns]), expected, rtol=0, atol=CLOSE)
 
 
-@given(trees(mimic=True))
-def test_the_jacobian_of_any_link_is_that_of_pinocchio(drawn):
-    """Pinocchio's has a column for each joint that moves, (v, omega); the coupling matrix adds those of mimic joints."""
-    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
-    text, _, link = drawn
-    tree = Tree.from_urdf(text)
-    q = np.random.default_rng(4).uniform(-3, 3, (2, tree.n))
-    model = pin.buildModelFromXML(text)
-    joints = [model.joints[model.getJointId(name)] for name in tree.moving_joint_names]
-    for row, J in zip(q, tree.jacobian(q, link), strict=True):
-        at = np.zeros(model.nq)
-        for joint, value in zip(joints, tree.joint_values(row), strict=True):
-            at[joint.idx_q : joint.idx_q + joint.nq] = value if joint.nq == 1 else [np.cos(value), np.sin(value)]
-        data = model.createData()
-        frame = model.getFrameId(link, pin.FrameType.BODY)
-        theirs = pin.computeFrameJacobian(model, data, at, frame, pin.ReferenceFrame.WORLD).reshape(6, model.nv)
-        theirs = np.roll(theirs, 3, axis=0)
-        expected = theirs[:, [joint.idx_v for joint in joints]] @ tree.coupling
-        np.testing.assert_allclose(J, expected, rtol=0, atol=CLOSE)
-
-
 def test_joint_values_may_be_given_by_name():
     tree = Tree.from_urdf(urdf_text("Franka Panda with hand"))
     q = np.random.default_rng(5).uniform(-1, 1, (3, tree.n))
     named = dict(zip(reversed(tree.joint_names), q[:, ::-1].T, strict=True))
-    for call in (tree.poses, tree.joint_values, lambda q: tree.jacobian(q, "panda_hand")):
+    for call in (tree.poses, tree.joint_values):
         np.testing.assert_equal(call(named), call(q))
     np.testing.assert_equal(tree.pose("panda_link1", "panda_hand", named), tree.pose("panda_link1", "panda_hand", q))
     still = named | {"panda_joint1": 0.0}
