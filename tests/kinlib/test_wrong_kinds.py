@@ -23,10 +23,7 @@ LINKAGE = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
         (lambda: kl.assign_frames(TABLE, "standard"), r"chain must be a Chain; got DHTable.*table\.to_chain"),
         (lambda: kl.assign_frames(kl.robots.rpr, "standard"), r"chain must be a Chain; got function.*call it, rpr\(\)"),
         (lambda: kl.DHTable("a|alpha|d|theta\n0.4|0|0|t2", "standard"), "got 't2'. .*write q2"),
-        (
-            lambda: kl.DHTable("a|alpha|d|theta\n0.4|-1e308|0|q1", "standard"),
-            "must be at most a full turn.*got -1e\\+308",
-        ),
+        (lambda: kl.DHTable("a|alpha|d|theta\n0.4|-1e308|0|q1", "standard"), "must be at most a full turn.*got"),
         (lambda: kl.DHTable(f"{TABLE}\ntool = [[1]", "standard"), r"tool must be a pose.*got '\[\[1\]'.*tool="),
         (lambda: kl.DHTable(f"{TABLE}\nbase = []", "standard", base=kl.exp([0] * 5 + [1])), "base must be given once"),
         (lambda: kl.to_urdf(TABLE), r"robot must be a Chain or a Tree; got DHTable.*table\.to_chain"),

@@ -214,14 +214,8 @@ def test_a_table_may_be_laid_out_in_any_of_these_ways(text):
 
 HEAD = "a|alpha|d|theta\n"
 REFUSED = {
-    "degrees": (
-        HEAD + "0|-90|0|q1",
-        r"^Row 1, alpha: an angle must be .*; got -90 rad\. If the number is in degrees, write -90°;",
-    ),
-    "degrees beside a variable": (
-        HEAD + "0|0|0|q1 - 90",
-        r"Row 1, theta: .*; got -90 rad\. If the number is in degrees, write -90°",
-    ),
+    "degrees": (HEAD + "0|-90|0|q1", r"^Row 1, alpha: an angle must be .*; got -90 rad\. If the number is in"),
+    "degrees beside a variable": (HEAD + "0|0|0|q1 - 90", r"Row 1, theta: .*; got -90 rad\. If the number is in"),
     "a row too many numbers": (HEAD + "0|0|0|q1\n3|0|0|0|q2", "Row 2 must have 4 entries, one per heading; got 5: '3"),
     "a missing column": ("a|alpha|d\n0|0|0", "The heading must name the columns a, alpha, d, theta, each once"),
     "a nameless row": ([{"a": 0, "alpha": 0, "d": 0, "theta": "q"}, None], "Row 2 has no a; it is NoneType"),
@@ -231,19 +225,10 @@ REFUSED = {
     "a product of variables": (HEAD + "0|0|0|q1*q1", "Row 1, theta: an entry must be a number"),
     "two joints in an angle": (HEAD + "1|0|0|q1\n1|0|0|q1+q2", "Row 2, theta: .* that of its own joint; got q1 and q2"),
     "an angle in a length": (HEAD + "0|0|30°|q1", "d is a length. Are two columns swapped"),
-    "millimetres in the heading": (
-        "a (mm)|alpha|d|theta\n400|0|0|q1",
-        r"in metres, but the heading 'a \(mm\)' says mm",
-    ),
+    "millimetres in the heading": ("a (mm)|alpha|d|theta\n400|0|0|q1", r"in metres, but the heading 'a \(mm\)' says"),
     "a decimal comma": (HEAD + "0,4|0|0|q1", r"Row 1, a: .*; got '0,4'\. The decimal sign is a point: write 0\.4\.$"),
-    "swapped labels": (
-        HEAD + "1|0|0|q2\n1|0|0|q1",
-        r"^The joint variables must be numbered 1, 2, .*; got q2, q1\. Give the",
-    ),
-    "rows in another order": (
-        "i|a|alpha|d|theta\n2|1|0|0|q\n1|1|0|0|q",
-        "in the order of their numbers, .*; got 2, 1. Sort",
-    ),
+    "swapped labels": (HEAD + "1|0|0|q2\n1|0|0|q1", r"^The joint variables must be numbered 1, 2, .*; got q2, q1\."),
+    "rows in another order": ("i|a|alpha|d|theta\n2|1|0|0|q\n1|1|0|0|q", "in the order of their numbers, .*; got 2,"),
     "infinity": (HEAD + "1e400|0|0|q1", "Row 1, a: an entry must be a finite number; got '1e400'"),
     "a transposed table": (np.zeros((4, 6)), r"rows must have shape \(..., 4\); got \(4, 6\).*rows.T"),
     "an entry without end": (HEAD + "-" * 5000 + "1|0|0|q1", r"at most 200 characters; '-{20}'\.\.\. has 5001"),

@@ -108,29 +108,17 @@ ARM = DHTable(ROWS, convention="standard", joints="RRPRR")
     [
         (with_entries(ARM, (2, "alpha", 1.1)), "Row 2: alpha has the wrong sign."),
         (with_entries(ARM, (4, "d", -0.19)), "Row 4: d has the wrong sign."),
-        (
-            with_entries(ARM, (1, "a", 0.12), (1, "d", 0.31)),
-            "Row 1: a and d are swapped. a is measured along x, d along z.",
-        ),
+        (with_entries(ARM, (1, "a", 0.12), (1, "d", 0.31)), "Row 1: a and d are swapped."),
         (with_entries(ARM, (2, "a", 0.3)), "Row 2: a should be 0.23; the table has 0.3."),
-        (
-            ARM.changed(joints="RRRRR"),
-            "Row 3: the joint variable belongs in d, because this joint is prismatic.",
-        ),
-        (
-            ARM.changed(rows=np.roll(ARM.rows, 1, axis=0), joints="RRRPR"),
-            "Rows 3 and 4 are swapped.",
-        ),
+        (ARM.changed(joints="RRRRR"), "Row 3: the joint variable belongs in d, because this joint is prismatic."),
+        (ARM.changed(rows=ARM.rows[[0, 1, 3, 2, 4]], joints="RRRPR"), "Rows 3 and 4 are swapped."),
         (ARM.changed(convention="modified"), "The table is in the standard convention, but was read as modified."),
         (ARM.changed(rows=ARM.rows * (1000, 1, 1000, 1)), "The lengths are in millimetres, but were read as metres."),
     ],
 )
 def test_a_mistake_is_told_with_its_place(wrong, text):
-    if "Rows 3" in text:
-        rows = ARM.rows[[0, 1, 3, 2, 4]]
-        wrong = ARM.changed(rows=rows, joints="RRRPR")
     found = diagnose(wrong, ARM, in_pairs=False)
-    assert text in [fault.text for each in found.explanations for fault in each.faults]
+    assert any(fault.text.startswith(text) for each in found.explanations for fault in each.faults)
     assert equivalent(found.corrected, ARM)
 
 

@@ -237,14 +237,8 @@ def test_the_ring_of_ten_links_has_mobility_8_in_every_configuration():
 @pytest.mark.parametrize(
     ("build", "message"),
     [
-        (
-            lambda: linkages.four_bar(4, -1, 3, 3),
-            r"crank must be a positive length in metres; got -1\. Lengths have no sign",
-        ),
-        (
-            lambda: linkages.bennett(0.5, 1.5, 0.6),
-            r"b sin\(alpha\) / a, must be at most 1; got 1\.2\. Try a smaller b\.",
-        ),
+        (lambda: linkages.four_bar(4, -1, 3, 3), r"crank must be a positive length in metres; got -1\. Lengths have"),
+        (lambda: linkages.bennett(0.5, 1.5, 0.6), r"b sin\(alpha\) / a, must be at most 1; got 1\.2\. Try a smaller"),
     ],
 )
 def test_invalid_dimensions_are_refused(build, message):

@@ -191,10 +191,7 @@ def bars(*bodies):
     ("build", "message"),
     [
         (lambda: Mechanism(bars("ab", "bc")), r"must have a loop; the 2 joints of linkage form a tree\. Use kl\.Chain"),
-        (
-            lambda: Mechanism(bars("ab", "ab", "cd")),
-            r"must connect every body with a; got none to c, d\. Is a joint missing\?",
-        ),
+        (lambda: Mechanism(bars("ab", "ab", "cd")), r"must connect every body with a; got none to c, d\. Is a joint"),
         (lambda: Mechanism(bars("ab", "ab")[:1] * 2), r"names of the joints must be different; got J0 more than once"),
         (lambda: Joint("J", ("a", "a"), screw(Z)), r"Joint J must join two different bodies; got tuple \('a', 'a'\)"),
         (lambda: Mechanism.from_branches(robots.rpr()), r"at least two branches to join; got 1"),
