@@ -11,7 +11,9 @@ from kincourse.your_robot import KNOWN
 TABLE = str(KNOWN["UR5e"][0])
 
 
-def test_a_table_with_a_wrong_sign_is_explained_and_corrected(chromium_without_webgl, site_folder, site_address, tmp_path):
+def test_a_table_with_a_wrong_sign_is_explained_and_corrected(
+    chromium_without_webgl, site_folder, site_address, tmp_path
+):
     if not (site_folder / "lab").exists():
         pytest.skip("NO LAB WAS BUILT: its files could not be downloaded.")
     file = tmp_path / "arm.urdf"

@@ -20,9 +20,6 @@ def test_every_robot_knows_its_source_and_has_a_name_of_its_own(family):
     assert [other.name for other in ROBOTS].count(robot.name) == 1
 
 
-# --- against the tables, by roboticstoolbox ---
-
-
 def standard(*rows):
     """Rows of (offset, d, a, alpha), angles in degrees."""
     rtb = pytest.importorskip("roboticstoolbox")
@@ -50,9 +47,6 @@ def test_the_arms_of_makers_move_as_their_tables_do():
         robot = make()
         for q in configurations(robot, 5):
             close(robot.fk(q), table.fkine(q).A)
-
-
-# --- as they are drawn, step by step, by spatialmath ---
 
 
 def drawn_robots():

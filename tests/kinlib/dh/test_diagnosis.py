@@ -48,9 +48,6 @@ def differ(one, two):
     return np.abs(one.fk(q) - two.fk(q)).max() > 1e-6
 
 
-# --- right tables ---
-
-
 @pytest.mark.parametrize("table", [STANDARD, STANDARD.converted("modified")])
 def test_a_right_table_is_right(table):
     found = diagnose(table, PUMA)
@@ -83,9 +80,6 @@ def test_with_fixed_choices_these_are_the_corrections_with_their_numbers():
         "The tool transform is missing: it should be translated by (0, 0, 0.1) m.",
     ]
     assert "choices that are fixed here" in str(found)
-
-
-# --- wrong tables ---
 
 
 @pytest.mark.parametrize("right", [UR5, KR16, STANFORD, STANDARD.converted("modified")], ids=["UR5", "KR16", "S", "P"])
@@ -160,9 +154,6 @@ def test_what_cannot_be_compared_is_refused():
     assert found.difference == "The joint types differ: RR in the table, HR in the arm."
 
 
-# --- rounding and noise ---
-
-
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_no_assigned_table_is_accused_at_any_angle_and_with_any_number_of_digits(convention):
     rng = np.random.default_rng(29)
@@ -208,9 +199,6 @@ def test_rounded_numbers_are_right_to_their_digits_and_a_mistake_is_found_throug
 def test_millimetres_with_a_typed_pi_are_millimetres():
     found = diagnose(UR5.changed(rows=TYPED_PI * (1000, 1, 1000, 1)), UR5)
     assert str(found) == "The lengths are in millimetres, but were read as metres."
-
-
-# --- the table of slips ---
 
 
 def test_every_slip_of_rows_is_undone_by_its_correction():

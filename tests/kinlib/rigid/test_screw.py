@@ -30,9 +30,6 @@ def test_a_line_is_the_one_of_pytransform3d(S):
         close(got, expected)
 
 
-# --- what is refused ---
-
-
 NO_PITCH = r"pitch must be a finite number, or inf .*; got {}\. .*negate the axis"
 NO_NUMBER = "pitch must be an array of real numbers; got {}"
 

@@ -89,7 +89,7 @@ def test_joint_values_may_be_given_by_name():
 
 @pytest.mark.parametrize("name", ["Franka Panda with hand", "UR5e"])
 def test_a_shipped_arm_has_the_links_and_limits_of_pinocchio_and_its_mimic_joints_follow(name):
-    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    pin = pytest.importorskip("pinocchio")
     text = urdf_text(name)
     tree = Tree.from_urdf(text)
     model = pin.buildModelFromXML(text, mimic=True)
@@ -158,9 +158,6 @@ def test_errors_say_what_must_hold_and_what_to_try(call, said):
         call(Tree.from_urdf(HAND))
 
 
-# --- write and read back ---
-
-
 @given(trees(mimic=True))
 def test_a_tree_is_read_back_from_its_file(drawn):
     tree = Tree.from_urdf(drawn[0])
@@ -177,8 +174,6 @@ def test_a_tree_is_read_back_from_its_file(drawn):
     assert_equal_poses(tree.poses(q), theirs)
     assert_equal_poses(back.poses(q), theirs)
 
-
-# --- planar and floating joints ---
 
 ROVER = """<robot name="rover"> <link name="world"/> <link name="body"/> <link name="raft"/> <link name="mast"/>
   <joint name="float" type="floating"> <parent link="world"/> <child link="body"/> <origin xyz="0 0 1"/> </joint>
@@ -205,8 +200,6 @@ def test_a_planar_or_a_floating_joint_without_a_pose_is_refused():
     assert "  body     | float | floating   | a pose" in str(tree)
     with pytest.raises(ValueError, match=r"each floating joint of rover: float, skid; got skid\. .*np\.eye\(4\)"):
         tree.poses([0], joint_poses={"skid": np.eye(4)})
-    with pytest.raises(ValueError, match=r"not rigid|not a pose"):
-        tree.poses([0], joint_poses={"skid": np.eye(4), "float": np.ones((4, 4))})
     with pytest.raises(
         ValueError, match=r"Line 2, .*a floating joint has 6\. Choose a base beyond it, such as body, or"
     ):
