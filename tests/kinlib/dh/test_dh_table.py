@@ -209,8 +209,6 @@ REFUSED = {
     "degrees beside a variable": (HEAD + "0|0|0|q1 - 90", r"Row 1, theta: .*; got -90 rad\. If the number is in"),
     "a row too many numbers": (HEAD + "0|0|0|q1\n3|0|0|0|q2", "Row 2 must have 4 entries, one per heading; got 5: '3"),
     "a missing column": ("a|alpha|d\n0|0|0", "The heading must name the columns a, alpha, d, theta, each once"),
-    "a nameless row": ([{"a": 0, "alpha": 0, "d": 0, "theta": "q"}, None], "Row 2 has no a; it is NoneType"),
-    "no joint": (HEAD + "0|0|0|0", "every row is fixed"),
     "two variables": (HEAD + "0|0|q1|q1", "Row 1: the joint variable must be in theta or in d, once"),
     "a gear": (HEAD + "0|0|0|2*q1", "must be q or -q, without a factor; its factor is 2"),
     "a product of variables": (HEAD + "0|0|0|q1*q1", "Row 1, theta: an entry must be a number"),

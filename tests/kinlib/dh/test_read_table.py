@@ -98,7 +98,6 @@ def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
         ("a alpha d theta\n0 90° 0.1 q1*q2\n0 0 0 q2", r"Line 2, .* cannot be read"),
         ("a = [0, 1]\nalpha = [0, 0]\nd = [1]", r"The lists must have the same length, 2; d \(1\) has another"),
         ("x" * 200_000, "must have at most 100000 characters; got 200000"),
-        ("0 0 0 1\n" * 100, "A table must have at most 60 rows; got 100"),
     ],
 )
 def test_what_is_no_table_is_refused_with_its_line(text, words):

@@ -197,7 +197,6 @@ def test_invalid_mechanisms_are_refused(build, message):
         (lambda m: m.assemble(np.zeros(4), hold=dict.fromkeys("ABCD", 0)), r"must not be held; all are held\."),
         (lambda m: m.assembly_modes(), r"no degree of freedom may be left; 1 left\. Hold as many"),
         (lambda m: m.mobility(np.zeros(4)), r"must be closed at q; the residual is 2\.5\. Assemble the linkage first"),
-        (lambda m: m.trace(np.zeros(4), points=1), r"at least two points; got points=1"),
     ],
 )
 def test_invalid_arguments_are_refused(ask, message):
