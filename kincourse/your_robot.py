@@ -203,7 +203,9 @@ class Examination:
             items += [f"{each.text} If not, pass {each.argument} ({', '.join(each.options)})." for each in asked]
             yield f"<p>What was assumed:</p><ul>{''.join(f'<li>{escape(item)}</li>' for item in items)}</ul>"
         for text in self.readings:
-            yield f"<p>{'<br>'.join(escape(line) for line in text.splitlines())}</p>"
+            head, *changes = map(escape, text.splitlines())
+            items = "".join(f"<li>{change}</li>" for change in changes)
+            yield f"<p>{head}</p>" + f"<ul>{items}</ul>" * bool(changes)
         if self.table:
             yield self._side_by_side()
         if self.arm and not self.table:

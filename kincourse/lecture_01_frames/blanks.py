@@ -132,4 +132,41 @@ def misprinted_row(_draw: ArmSampler) -> Problem:
     )
 
 
-BLANKS = [one_more_link, look_back, tool_from_link_3, misprinted_row]
+@problem("01.e", "A pose for the gripper", points=1, lecture="01_frames#A pose for the gripper")
+def grasp(_draw: ArmSampler) -> Problem:
+    approach, bolt = np.array([0.6, 0.8, 0.0]), np.array([0.3, 0.7, 0.2])
+    across = np.cross(approach, Z)
+    T_sg = frame((Z, across, approach), bolt - 0.1 * approach)
+    return Problem(
+        statement="Give $T_{sg}$, the pose in which the gripper holds the bolt.",
+        answer=PoseAnswer(T_sg),
+        solution=pose("T_{sg}", T_sg).mistaken_for(
+            (
+                "origin at the bolt",
+                "put the origin of {g} at the bolt",
+                with_position(T_sg, bolt),
+                "The fingertips are at the bolt, and the origin of {g} is 0.1 m before them.",
+            ),
+            (
+                "beyond the bolt",
+                "put the origin of {g} 0.1 m beyond the bolt",
+                with_position(T_sg, bolt + 0.1 * approach),
+                "The $z$ axis of {g} points from its origin to the bolt, so the origin comes before the bolt.",
+            ),
+            (
+                "away from the bolt",
+                "let the $z$ axis of {g} point away from the bolt",
+                frame((Z, -across, -approach), bolt - 0.1 * approach),
+                "The $z$ axis of {g} points out of the gripper, towards the bolt.",
+            ),
+            (
+                "half a turn",
+                "let the $x$ axis of {g} point down",
+                frame((-Z, -across, approach), bolt - 0.1 * approach),
+                "This grasp holds the bolt too, but here the $x$ axis of {g} points to the head of the bolt.",
+            ),
+        ),
+    )
+
+
+BLANKS = [one_more_link, look_back, tool_from_link_3, misprinted_row, grasp]

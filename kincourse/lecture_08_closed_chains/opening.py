@@ -8,7 +8,7 @@ from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.linkage import draw_linkage
 from kinlib.view.viewer.film import Film, film, share
 
-GROUND, CRANK, COUPLER, ROCKER = 0.4, 0.3, 0.2, 0.25
+GROUND, CRANK, COUPLER, ROCKER = 0.5, 0.3, 0.3, 0.3
 
 
 def opening() -> Film:

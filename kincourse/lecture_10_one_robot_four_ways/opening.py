@@ -3,7 +3,9 @@
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from kinlib.chains.robots import angled_arm, plain_arm
+from kinlib.chains.chain import Chain
+from kinlib.chains.robots import plain_arm
+from kinlib.rigid.screw import screw
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GHOST_GREY, INK, LINK_GREY, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
@@ -13,36 +15,30 @@ from kinlib.view.viewer.film import Film, film, share
 END = np.array([1.3, 0.8, 0.15, -1.2])
 
 
+AROUND = np.array([(-0.4, -0.4, 0), (0.9, 0.9, 1.2)])
+
+
+def described_arm() -> Chain:
+    """The description of the film: the plain arm with the axis of joint 2 tilted by 14 degrees, and no other fault.
+
+    >>> np.flatnonzero(np.any(described_arm().screws != plain_arm().screws, axis=1))
+    array([1])
+    """
+    real, tilt = plain_arm(), np.radians(14)
+    screws, points = real.screws.copy(), real.joint_points
+    screws[1] = screw((0, -np.cos(tilt), np.sin(tilt)), points[1])
+    return Chain(screws, real.home, points, name="described arm")
+
+
 def opening() -> Film:
     """Play an arm, the places where its tool was measured, and where a description with a fault puts it.
 
     >>> opening().alt[:40]
     'This arm is being measured: a tracker se'
     """
-    real, described = plain_arm(), angled_arm(tilt=np.radians(14))
-    around = np.array([(-0.4, -0.4, 0), (0.9, 0.9, 1.2)])
-
-    def at(t: float) -> Array:
-        q: Array = END * share(t, 1, 6)
-        return q
 
     def draw(t: float) -> Picture:
-        q = at(t)
-        canvas = Canvas(around)
-        canvas.floor(around)
-        if t > 6.5:
-            canvas.line(stations(described, q), GHOST_GREY, 6)
-            said = np.array([described.fk(at(s))[:3, 3] for s in np.linspace(0, 6, 40)])
-            canvas.line(said, ORANGE, 1.8, "--")
-            canvas.label(said[-1], "described", ORANGE)
-        canvas.line(stations(real, q), LINK_GREY, 6)
-        for s in np.arange(1, min(t, 6) + 0.01, 0.5):
-            canvas.dot(real.fk(at(s))[:3, 3], INK, 7)
-        tip = real.fk(q)[:3, 3]
-        canvas.label(tip, "measured", INK)
-        apart = np.linalg.norm(described.fk(q)[:3, 3] - tip)
-        other = f" The description puts it {1000 * apart:.0f} mm away." if t > 6.5 else ""
-        return canvas.picture(f"The tool was last measured at {vector_text(tip)}.{other}")
+        return draw_measured(END * share(t, 1, 6), dots=int(max(0.0, 2 * (min(t, 6) - 1)) + 1), described=t > 6.5)
 
     return film(
         draw,
@@ -57,3 +53,27 @@ def opening() -> Film:
             ),
         ],
     )
+
+
+def draw_measured(q: Array, *, dots: int = 11, described: bool = True) -> Picture:
+    """Draw the plain arm at q (4,), the first places of its tool on the way to END, and in grey the arm of the description.
+
+    >>> draw_measured(END).alt[-36:]
+    'The description puts it 166 mm away.'
+    """
+    real, other = plain_arm(), described_arm()
+    canvas = Canvas(AROUND)
+    canvas.floor(AROUND)
+    if described:
+        canvas.line(stations(other, q), GHOST_GREY, 6)
+        said = np.array([other.fk(END * s)[:3, 3] for s in np.linspace(0, 1, 40)])
+        canvas.line(said, ORANGE, 1.8, "--")
+        canvas.label(said[-1], "described", ORANGE)
+    canvas.line(stations(real, q), LINK_GREY, 6)
+    for s in np.linspace(0, 1, 11)[:dots]:
+        canvas.dot(real.fk(END * s)[:3, 3], INK, 7)
+    tip = real.fk(q)[:3, 3]
+    canvas.label(tip, "measured", INK)
+    apart = np.linalg.norm(other.fk(q)[:3, 3] - tip)
+    off = f" The description puts it {1000 * apart:.0f} mm away." if described else ""
+    return canvas.picture(f"The tool was last measured at {vector_text(tip)}.{off}")

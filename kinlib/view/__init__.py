@@ -6,7 +6,7 @@ There are three renderers, because no single one does all three of these:
   sharp in print; no plotting library places labels beside joints, or draws an arm fast enough for a slider.
 - matplotlib (`drawing.plot`), for curves over a numeric axis: ticks, logarithmic scales and legends are not worth writing anew.
   It is imported only when a curve is plotted, because that takes one second, and three in the browser.
-  SVG and plots are images that contain the colours of a light and of a dark page (`drawing.dark_theme`).
+  SVG and plots are images that contain the colours of a light and of a dark page (`drawing.figure_colours`).
 - three.js (`js`, bundled into `static/viewer.js`), for what a reader rotates in three dimensions (`viewer`). It runs in the page,
   so it needs no kernel, and it follows the light and the dark theme. Before it starts, and in print, its SVG drawing is shown.
 """
@@ -16,10 +16,9 @@ from typing import TYPE_CHECKING, Any
 
 from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.drawing.plot import plot
-from kinlib.view.figures.arm import draw_arm, draw_joints
+from kinlib.view.figures.arm import draw_arm, draw_joints, draw_lettered_chain
 from kinlib.view.figures.axis_relations import draw_axis_relation, draw_axis_relations
 from kinlib.view.figures.frames import draw_frames
-from kinlib.view.figures.lettered_chain import draw_lettered_chain
 from kinlib.view.figures.linkage import draw_linkage
 from kinlib.view.figures.point_velocity import draw_moment, draw_point_velocity
 

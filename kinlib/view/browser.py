@@ -18,7 +18,6 @@ from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.figures.bodies import body_of
 from kinlib.view.figures.linkage import draw_linkage
-from kinlib.view.viewer.tree_viewer import explore_tree
 from kinlib.view.viewer.viewer import ViewerBase, explore
 
 
@@ -59,7 +58,7 @@ def show(
     elif isinstance(shown, Chain):
         shown = explore(shown, start=body_of(shown).pose if q is None else q)
     elif isinstance(shown, Tree):
-        shown = explore_tree(shown, q)
+        shown = explore(shown, start=q)
     elif isinstance(shown, Mechanism):
         if q is None:
             raise ValueError(

@@ -1,6 +1,6 @@
 """Whether notebooks are being executed for a static page, on which no Python runs afterwards.
 
-kinlib/view/drawing/static_page.py reads the same variable, because the two packages are installed independently of each other.
+kinlib/view/drawing/picture.py reads the same variable, because the two packages are installed independently of each other.
 """
 
 import os

@@ -23,7 +23,7 @@ from nbclient.exceptions import CellExecutionError
 from nbformat import NotebookNode
 from tqdm import tqdm
 
-from kinlib.view.drawing.static_page import ENVIRONMENT_VARIABLE
+from kinlib.view.drawing.picture import ENVIRONMENT_VARIABLE
 
 ROOT = Path(__file__).resolve().parents[2]
 CACHE = ROOT / "build" / "executed"

@@ -27,7 +27,6 @@ from urdf_files import TWO_FINGERS
 import kinlib as kl
 from kinlib.mechanisms.linkages import four_bar
 from kinlib.view import assign, draw_arm, drive, explore, play_row, play_walk, slide_frames
-from kinlib.view.viewer.tree_viewer import explore_tree
 
 DEGREE = np.pi / 180
 YOUBOT, RPR = kl.robots.youbot(), kl.robots.rpr()
@@ -352,7 +351,7 @@ def frames_at(degrees):
 
 SAID = {
     "arm": (lambda: explore(kl.robots.hrr()), {"q": [0.4, -1.2, 1.7]}),
-    "tree": (lambda: explore_tree(TREE), {"q": [0.4, 0.02]}),
+    "tree": (lambda: explore(TREE), {"q": [0.4, 0.02]}),
     "linkage": (four_bar_viewer, {"at": 80}),
     "frames on links": (lambda: explore(RPR, frames={"2": RPR.home}), {"q": [1, 0, 2], "shown": ["axes", "frame 2"]}),
     "moving frames": (lambda: slide_frames(frames_at, "angle", [0, 30, 60]), {"at": 2}),
@@ -382,7 +381,7 @@ def test_the_page_says_what_python_says_of_what_is_drawn(show, kind):
 
 
 def test_every_branch_of_a_tree_ends_where_tree_poses_has_its_tip(show):
-    page, q = show(explore_tree(TREE)), [0.4, 0.02]
+    page, q = show(explore(TREE)), [0.4, 0.02]
     assert sliders(page).count() == TREE.n
     set_q(page, q)
     ends = page.evaluate("[0, 1, 2].map((k) => document.querySelector('.kv').viewer.stage.tree.pose(k))")

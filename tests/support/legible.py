@@ -8,9 +8,15 @@ from xml.etree import ElementTree as ET
 import numpy as np
 from browser import contrast
 
-from kinlib.view.drawing.dark_theme import COLOUR, DARK_COLOURS, dark_colour
-from kinlib.view.drawing.figure_colours import GHOST_GREY, LIGHT_AND_DARK, PALE_GREY
-from kinlib.view.drawing.shades import SHADES
+from kinlib.view.drawing.figure_colours import (
+    COLOUR,
+    DARK_COLOURS,
+    GHOST_GREY,
+    LIGHT_AND_DARK,
+    PALE_GREY,
+    SHADES,
+    dark_colour,
+)
 
 PAPER = DARK_COLOURS["#ffffff"]
 QUIET = {"white", "#ffffff", PALE_GREY, *SHADES, *(LIGHT_AND_DARK[name][0] for name in ("edge", "shadow"))}

@@ -7,11 +7,11 @@ from urdf_files import TWO_FINGERS
 import kinlib as kl
 from kinlib import view
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
+from kinlib.view.figures.arm import draw_lettered_chain
 from kinlib.view.figures.axis_relations import draw_moving_normal
 from kinlib.view.figures.dh_table import draw_row, draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
-from kinlib.view.figures.lettered_chain import draw_lettered_chain
-from kinlib.view.viewer.tree_viewer import draw_tree
+from kinlib.view.figures.tree import draw_tree
 
 PUMA, YOUBOT, RPPR = kl.robots.puma560(), kl.robots.youbot(), kl.robots.rppr()
 ASSIGNED = kl.assign_frames(PUMA, convention="standard")

@@ -6,12 +6,11 @@ from numpy.typing import ArrayLike
 from kincourse.lecture_02_matrix_exponential.drawings.screw_motions import motion_path
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
-from kinlib.rigid.lie import exp, hat
+from kinlib.rigid.lie import hat
 from kinlib.rigid.screw import axes, line
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.drawing.plot import plot
 
 
 def partial_sums(S: ArrayLike, q: float, point: ArrayLike, terms: int) -> Array:
@@ -80,34 +79,6 @@ def draw_series(
     )
     caption = f"{terms} term{'s' * (terms > 1)}: the sum is {distance}, {_metres(abs(off))} off the circle"
     return canvas.picture(alt, caption)
-
-
-def plot_series(S: ArrayLike, q: float, point: ArrayLike, terms: int = 260) -> Picture:
-    """Plot how far the first 1, 2, ... terms of e^[S]q take a point from its goal, and the largest entry of the next term.
-
-    S  (6,) a screw axis;  q  the joint value, in radians for a revolute joint
-
-    >>> from kinlib.chains.robots import rpr
-    >>> plot_series(rpr().screws[0], 2 * np.pi, (0, 0, 1), 15).caption
-    'Joint value 6.28: the largest entry of a term is 342, and the error after 15 terms is 2e+00 m.'
-    """
-    S = axes(S, "S")
-    step, term, sizes = hat(S * q), np.eye(4), []
-    for k in range(1, terms + 1):
-        term = term @ step / k
-        sizes.append(float(np.abs(term).max()))
-    goal = (exp(S * q) @ np.append(validation.vectors(point, "point", 3), 1.0))[:3]
-    errors = np.abs(partial_sums(S, q, point, terms) - goal).max(axis=1)
-    caption = (
-        f"Joint value {q:.3g}: the largest entry of a term is {max(sizes):.3g}, "
-        f"and the error after {terms} terms is {errors[-1]:.0e} m."
-    )
-    floor = 1e-18  # a logarithmic scale cannot show 0
-    curves = {
-        "error of the sum (m)": np.maximum(errors, floor),
-        "largest entry of the next term": np.where(np.array(sizes) < floor, np.nan, sizes),
-    }
-    return plot(np.arange(1, terms + 1), curves, xlabel="terms", ylabel="", log="y", alt=caption, caption=caption)
 
 
 def _metres(x: float) -> str:

@@ -1,11 +1,10 @@
-"""A canvas for drawings of robots: an orthographic projection of space onto a sheet.
+"""A canvas for drawings of robots: an orthographic projection of space onto a sheet, in which parallel lines stay parallel.
 
-In an orthographic projection parallel lines stay parallel, and lengths along one direction can be compared, as in the
-drawings of a textbook. Each mark has a level, and higher levels are drawn later. Labels are placed last, where they cover
-least.
+Each mark has a level, and higher levels are drawn later. Labels are placed last, where they cover least.
 """
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -45,10 +44,6 @@ def view_axes(view: str) -> tuple[Array, Array]:
     """Return the unit vector towards the viewer, (3,), and those that point right and up on the sheet, (2, 3).
 
     Raises ValueError if the view is not one of VIEWS.
-
-    >>> view_axes("front")[1].round(3) + 0.0
-    array([[1., 0., 0.],
-           [0., 0., 1.]])
     """
     if view not in VIEWS:
         raise ValueError(f"view must be one of {', '.join(VIEWS)}; got {view!r}.")
@@ -72,16 +67,10 @@ class Canvas:
     sizes   points (..., 3) whose extent sets the size of joints, frames and arrows; by default those of around
     view    one of VIEWS
     size    width and largest height in pixels; a flat drawing is less high
-
-    Raises ValueError if the view is not one of VIEWS.
     """
 
     def __init__(
-        self,
-        around: ArrayLike,
-        view: str = "default",
-        size: tuple[float, float] = (640, 440),
-        sizes: ArrayLike | None = None,
+        self, around: ArrayLike, view: str = "default", size: tuple[float, float] = (640, 440), sizes: Any = None
     ) -> None:
         self.eye, self.sheet_axes = view_axes(view)
         around = np.reshape(np.asarray(around, dtype=float), (-1, 3))
@@ -92,9 +81,8 @@ class Canvas:
         """The longest side of what is shown, in metres: the unit of length of everything that is not drawn to scale."""
         self._sheet = np.array(size, dtype=float)
         flat = self.project(around)
-        tiles = self.project(
-            np.array([(x, y, 0.0) for x in self._tiles(around, 0, 0.5) for y in self._tiles(around, 1, 0.5)])
-        )
+        lines = [self._tiles(around, side, 0.5) for side in (0, 1)]
+        tiles = self.project([(x, y, 0.0) for x in lines[0] for y in lines[1]])
         low = np.minimum(flat.min(axis=0) - MARGIN_SHARE * self.size, tiles.min(axis=0))
         high = np.maximum(flat.max(axis=0) + MARGIN_SHARE * self.size, tiles.max(axis=0))
         # The same scale in both directions, so that a circle stays a circle.
@@ -108,8 +96,7 @@ class Canvas:
 
     def project(self, points: ArrayLike) -> Array:
         """Project points (..., 3) onto the plane of the sheet, (..., 2), in metres."""
-        projected: Array = np.asarray(points, dtype=float) @ self.sheet_axes.T
-        return projected
+        return np.asarray(np.asarray(points, dtype=float) @ self.sheet_axes.T)
 
     def to_pixels(self, points: ArrayLike) -> Array:
         """Project points (..., 3) to pixels (..., 2), measured from the upper left corner of the sheet."""
@@ -151,14 +138,14 @@ class Canvas:
         width: float = 1.5,
         *,
         style: str = "-",
-        level: float = 4.0,
+        level: float = 4,
     ) -> None:
         """Draw an arrow. One that points at the viewer is a ring with a dot, one that points away a ring with a cross."""
         tail, tip = self.to_pixels(start), self.to_pixels(end)
         true = self._scale * float(np.linalg.norm(np.subtract(end, start)))
         seen = float(np.linalg.norm(tip - tail))
         if seen < 0.03 * true:
-            self._end_on(tip, towards=float(self.eye @ np.subtract(end, start)) > 0, colour=colour, level=level)
+            self._end_on(tip, max(6.0, 2.3 * width), float(self.eye @ np.subtract(end, start)) > 0, colour, level)
             return
         along = (tip - tail) / max(seen, 1e-9)
         head = (6 + 1.5 * width) * min(1.0, 2 * seen / max(true, 1e-9))  # foreshortened, but not as soon as its stem
@@ -207,7 +194,7 @@ class Canvas:
         text: str,
         colour: str = INK,
         offsets: Sequence[Offset] = LABEL_OFFSETS,
-        size: float = 11.0,
+        size: float = 11,
     ) -> None:
         """Label a point, at that one of the offsets where the text covers least; of equal ones the first is taken."""
         self._labels.append(Label(self.to_pixels(point), text, colour, offsets, 1.25 * size))
@@ -234,13 +221,8 @@ class Canvas:
         for y in ys:
             self.line([(xs[0], y, height), (xs[-1], y, height)], PALE_GREY, 1.0, level=0)
         if not numbers:
-            self.label(
-                (xs[-1], ys[0], height),
-                f"grid {xs[1] - xs[0]:.3g} m",
-                GREY,
-                [(0, -12), (36, -8), (-40, -12), (36, 8)],
-                8,
-            )
+            places = [(0, -12), (36, -8), (-40, -12), (36, 8)]
+            self.label((xs[-1], ys[0], height), f"grid {xs[1] - xs[0]:.3g} m", GREY, places, 8)
             return
         for x in xs[:-1]:
             self.label((x, ys[0], 0), format_number(x, 3), AXIS_COLOURS[0], [(-3, -10)], 8)
@@ -278,10 +260,7 @@ class Canvas:
         """
         marks = [mark for _, mark in sorted(self._marks, key=lambda mark: mark[0])]
         nothing = np.zeros((0, 2, 2))
-        strokes, bodies = (
-            np.concatenate([nothing, *self._strokes]),
-            np.array([*nothing, *self._bodies]).reshape(-1, 2, 2),
-        )
+        strokes, bodies = np.concatenate([nothing, *self._strokes]), np.reshape([*nothing, *self._bodies], (-1, 2, 2))
         for label, centre in place_labels(self._labels, strokes, bodies, self._sheet):
             marks.append(svg.text(centre, label.text, label.colour, label.size))
         picture = Picture(svg.document(marks, *self._sheet), alt, caption)
@@ -300,14 +279,15 @@ class Canvas:
         lines: Array = np.arange(low, high + 0.5) * step
         return lines
 
-    def _end_on(self, centre: Array, towards: bool, colour: str, level: float) -> None:
+    def _end_on(self, centre: Array, radius: float, towards: bool, colour: str, level: float) -> None:
         """Draw an arrow that points towards the viewer or away."""
-        self._marks.append((level, svg.circle(centre, 6, "white", edge=colour)))
+        self._marks.append((level, svg.circle(centre, radius, "white", edge=colour)))
         if towards:
-            self._marks.append((level, svg.circle(centre, 2, colour)))
+            self._marks.append((level, svg.circle(centre, radius / 3, colour)))
             return
-        for end in ((4, 4), (4, -4)):
-            self._marks.append((level, svg.polyline(np.array([centre - end, centre + end]), colour, 1.3)))
+        for x, y in ((radius, radius), (radius, -radius)):
+            stroke = np.array([x, y]) * 2 / 3
+            self._marks.append((level, svg.polyline(np.array([centre - stroke, centre + stroke]), colour, 1.3)))
 
 
 def _step(rough: float) -> float:
@@ -317,29 +297,22 @@ def _step(rough: float) -> float:
 
 
 def moved(T: Array, points: Array) -> Array:
-    """Return points (..., 3) after the motion T.
-
-    >>> moved(np.array([[0, -1, 0, 1], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]]), np.array([1.0, 0, 0]))
-    array([1., 1., 0.])
-    """
+    """Return points (..., 3) after the motion T."""
     places: Array = points @ T[:3, :3].T + T[:3, 3]
     return places
 
 
 def convex_hull(points: Array) -> Array:
     """Return the convex hull of points in the plane, anticlockwise (Andrew's monotone chain)."""
-    order = sorted(points.tolist())
-
-    def chain(row: list[list[float]]) -> list[list[float]]:
+    order, hull = sorted(points.tolist()), []
+    for row in (order, order[::-1]):
         kept: list[list[float]] = []
-        for point in row:
-            while len(kept) > 1 and _turns_right(kept[-2], kept[-1], point):
+        for x, y in row:
+            while len(kept) > 1:
+                (a, b), (c, d) = kept[-2:]
+                if (c - a) * (y - b) > (d - b) * (x - a):  # it turns left at the last corner
+                    break
                 kept.pop()
-            kept.append(point)
-        return kept[:-1]
-
-    return np.array(chain(order) + chain(order[::-1]))
-
-
-def _turns_right(a: list[float], b: list[float], c: list[float]) -> bool:
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) <= 0
+            kept.append([x, y])
+        hull += kept[:-1]
+    return np.array(hull)

@@ -10,7 +10,7 @@ from kinlib.arrays.validation import Array
 from kinlib.view.drawing.picture import Picture
 
 BORDER_PX = 10.0
-LARGEST_PX = np.array([640.0, 440.0])
+LARGEST_PX = (640.0, 440.0)
 MAX_ENLARGEMENT = 1.3
 """A cropped drawing is enlarged to this size at most, and its letters by this factor at most."""
 
@@ -22,21 +22,15 @@ CHARACTER_WIDTH = 0.6
 """The mean width of a character, as a share of the font size."""
 
 
-def crop(pictures: Sequence[Picture]) -> list[Picture]:
-    """Cut drawings to the smallest rectangle that contains what all of them show, and enlarge them a little.
+def crop(pictures: Sequence[Picture], largest: tuple[float, float] = LARGEST_PX) -> list[Picture]:
+    """Cut drawings to the smallest rectangle that contains what all of them show, and enlarge them a little, to `largest`.
 
     Raises ValueError if a picture was not made by svg.document.
-
-    >>> from kinlib.view.drawing.canvas import Canvas
-    >>> canvas = Canvas([(0, 0, 0), (1, 0, 0)], view="front")
-    >>> canvas.line([(0, 0, 0), (1, 0, 0)])
-    >>> crop([canvas.picture("A horizontal line, one metre long.")])[0].svg.split(">")[0][-57:].strip()
-    'width="495.8" height="26" viewBox="129.3 129.3 381.4 20"'
     """
     boxes = np.array([_content(picture.svg) for picture in pictures])
     low, high = boxes[:, 0].min(axis=0) - BORDER_PX, boxes[:, 1].max(axis=0) + BORDER_PX
     size = high - low
-    scale = min(MAX_ENLARGEMENT, float((LARGEST_PX / size).min()))
+    scale = min(MAX_ENLARGEMENT, float((largest / size).min()))
     place = " ".join(f"{x:.5g}" for x in (*low, *size))
     paper = 'x="{:.5g}" y="{:.5g}" width="{:.5g}" height="{:.5g}"'.format(*low, *size)
     head = (

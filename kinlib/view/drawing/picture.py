@@ -1,8 +1,9 @@
-"""Pictures: a drawing together with its text alternative."""
+"""Pictures: a drawing together with its text alternative, as an element of HTML and as a file."""
 
 import base64
 import html
 import io
+import os
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -14,11 +15,15 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.tolerances import TYPED_PI_ERROR
-from kinlib.view.drawing.dark_theme import THEME_CSS, follow_theme
+from kinlib.view.drawing.figure_colours import THEME_CSS, follow_theme
 from kinlib.view.drawing.png import png_bytes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+ENVIRONMENT_VARIABLE = "NOTEBOOK_STATIC_PAGE"
+"""Set while notebooks are executed for a static page, on which no Python runs afterwards. Then sliders include a picture for each
+value. misstep/display/static_output.py reads the same variable, because the two packages are installed independently."""
 
 MIN_ALT_CHARACTERS = 20
 """A shorter text alternative can name a figure, but cannot say what it shows."""
@@ -59,8 +64,7 @@ class Picture:
     def html(self) -> str:
         """Return the drawing as an HTML image with its text alternative, in the colours of the page's theme."""
         data = base64.b64encode(follow_theme(self.svg).encode()).decode()
-        style = "max-width:100%"
-        image = f'<img alt="{html.escape(self.alt)}" style="{style}" src="data:image/svg+xml;base64,{data}">'
+        image = f'<img alt="{html.escape(self.alt)}" style="max-width:100%" src="data:image/svg+xml;base64,{data}">'
         caption = f"<figcaption>{html.escape(self.caption)}</figcaption>" if self.caption else ""
         return f'<figure class="kinlib-figure" style="margin:0"><style>{THEME_CSS}</style>{image}{caption}</figure>'
 
@@ -94,10 +98,7 @@ class Picture:
 class Gallery:
     """Several small pictures side by side, in as many rows as the page needs.
 
-    >>> gallery = Gallery((Picture("<svg></svg>", "A drawing with nothing in it."),))
-    >>> gallery.html().count("<figure")
-    1
-    >>> gallery.save("nothing.svg")
+    >>> Gallery((Picture("<svg></svg>", "A drawing with nothing in it."),)).save("nothing.svg")
     Traceback (most recent call last):
     ValueError: path must end in .html; got 'nothing.svg'. One of its `pictures` can be saved as an image.
     """
@@ -111,10 +112,7 @@ class Gallery:
         return f'<div style="display:grid;{columns};gap:.8em;align-items:end;max-width:50em">{pictures}</div>'
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Save the pictures with their text alternatives as a page, .html.
-
-        Raises ValueError for another ending.
-        """
+        """Save the pictures with their text alternatives as a page, .html."""
         alt = " ".join(picture.alt for picture in self.pictures)
         save(path, {"html": lambda: page(alt, self.html())}, "One of its `pictures` can be saved as an image.")
 
@@ -123,15 +121,7 @@ class Gallery:
 
 
 def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Picture:
-    """Convert a matplotlib figure to a picture. Make the figure without pyplot, so that none is left open.
-
-    Raises ValueError if the text alternative is shorter than MIN_ALT_CHARACTERS.
-
-    >>> from matplotlib.figure import Figure
-    >>> figure = Figure(figsize=(2, 1))
-    >>> picture_from_figure(figure, "An empty figure, two inches wide.").alt
-    'An empty figure, two inches wide.'
-    """
+    """Convert a matplotlib figure to a picture. Make the figure without pyplot, so that none is left open."""
     from matplotlib import rc_context
 
     buffer = io.StringIO()
@@ -141,12 +131,13 @@ def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Pictur
     return Picture(buffer.getvalue(), alt, caption, figure)
 
 
-def vector_text(values: ArrayLike) -> str:
-    """Write a vector for a text alternative: three significant digits, and 0 for rounding errors.
+def is_without_kernel() -> bool:
+    """Whether outputs must work without a kernel."""
+    return os.environ.get(ENVIRONMENT_VARIABLE, "") not in ("", "live")
 
-    >>> vector_text([0.5, -1e-17, 3])
-    '(0.5, 0, 3)'
-    """
+
+def vector_text(values: ArrayLike) -> str:
+    """Write a vector for a text alternative: three significant digits, and 0 for rounding errors."""
     return format_vector(values, 3, zero=TYPED_PI_ERROR)
 
 
@@ -154,10 +145,6 @@ def save(path: str | PathLike[str], contents: Mapping[str, Callable[[], str | by
     """Write a file of the kind that its ending names; contents gives the text or the bytes of each kind.
 
     Raises ValueError for any other ending, with the advice, and for a folder that does not exist.
-
-    >>> save("arm.jpg", {"svg": lambda: "<svg></svg>", "png": lambda: b""})
-    Traceback (most recent call last):
-    ValueError: path must end in .svg or .png; got 'arm.jpg'.
     """
     kind = Path(path).suffix.lower().removeprefix(".")
     if kind not in contents:
@@ -171,20 +158,12 @@ def save(path: str | PathLike[str], contents: Mapping[str, Callable[[], str | by
 
 
 def page(alt: str, body: str) -> str:
-    """Return a stand-alone HTML page, whose title is the first sentence of a text alternative.
-
-    >>> page("A drawing of an arm. It is at home.", "<p>The arm</p>")
-    '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8">...<title>A drawing of an arm.</title>...<p>The arm</p></body></html>'
-    """
+    """Return a stand-alone HTML page, whose title is the first sentence of a text alternative."""
     head = f'<meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>{html.escape(first_sentence(alt))}</title>'
     style = "<style>body{font-family:system-ui,sans-serif;max-width:60em;margin:1em auto;padding:0 1em}</style>"
     return f'<!DOCTYPE html><html lang="en"><head>{head}{style}</head><body>{body}</body></html>'
 
 
 def first_sentence(text: str) -> str:
-    """Return the first sentence of a text alternative.
-
-    >>> first_sentence("The arm is 0.5 m long. It is at home.")
-    'The arm is 0.5 m long.'
-    """
+    """Return the first sentence of a text alternative."""
     return re.split(r"(?<=\.)\s", text, maxsplit=1)[0]

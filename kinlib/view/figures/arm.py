@@ -1,6 +1,6 @@
 """Drawings of arms in any configuration: links, joints, screw axes and frames, and the text alternative of such a drawing."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,7 +10,7 @@ from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import inverse
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, ORANGE, VIOLET
+from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, INK, LINK_GREY, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.bodies import body_of
 from kinlib.view.figures.body_drawing import draw_body
@@ -59,13 +59,8 @@ def draw_arm(
     q = home if q is None else validation.single(chain.in_order(q), "q")
     ghost = None if ghost is None else validation.single(chain.in_order(ghost), "ghost")
     path, shadow = stations(chain, q), stations(chain, q if ghost is None else ghost)
-    body, links = body_of(chain), chain.link_poses(q)
-    moved = np.concatenate([np.eye(4)[None], links @ inverse(chain.link_poses(home))])
-    seen = (
-        np.concatenate([path, shadow, body.extent(moved)])
-        if around is None
-        else np.asarray(around, dtype=float).reshape(-1, 3)
-    )
+    body, links, moved = body_of(chain), chain.link_poses(q), body_motions(chain, q)
+    seen = np.concatenate([path, shadow, body.extent(moved)]) if around is None else np.reshape(around, (-1, 3))
     canvas = Canvas(seen, view, sizes=stations(chain))
     canvas.floor(seen, height=body.lowest)
     if ghost is not None:
@@ -86,6 +81,17 @@ def draw_arm(
         canvas.triad(validation.poses(T, f"frame {name}"), name, 0.17 * canvas.size)
     text = describe_arm(chain, q, ghost=ghost, home_axes="home axes" in show, frames=frames)
     return canvas.picture(text, caption, cropped=around is None)
+
+
+def body_motions(chain: Chain, q: Array) -> Array:
+    """Return the motion of each body from home to q, (n + 1, 4, 4): body 0 is the base, body i is what joint i moves.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> body_motions(rpr(), np.array([0, 0.5, 0]))[2, :3, 3]
+    array([0. , 0. , 0.5])
+    """
+    moved = chain.link_poses(q) @ inverse(chain.link_poses(np.zeros(chain.n)))
+    return np.concatenate([np.eye(4)[None], moved])
 
 
 def draw_joints(chain: Chain, tool: bool = False) -> Picture:
@@ -110,6 +116,63 @@ def draw_joints(chain: Chain, tool: bool = False) -> Picture:
     if tool:
         canvas.triad(chain.home, "b", 0.16 * canvas.size)
     return canvas.picture(describe_arm(chain, home, frames={"b": chain.home} if tool else None), cropped=True)
+
+
+def draw_lettered_chain(chain: Chain, letters: Sequence[str], home: bool = True) -> Picture:
+    """Draw a chain at home with a letter beside each link, an arrow S_i for each axis, and the frames {s} and {b}.
+
+    letters  (n + 1,) the lengths, "L_1" and so on: from the origin of {s} to joint 1, from joint to joint, and to {b}; "" for
+             points that coincide
+    home     whether to draw M as a dashed arrow from {s} to {b}
+
+    Raises ValueError unless just the links that have a length have a letter.
+
+    >>> from kinlib.chains.robots import plain_arm
+    >>> print(draw_lettered_chain(plain_arm(), ["", "L_1", "", "L_2", "L_3"]).alt)      # doctest: +NORMALIZE_WHITESPACE
+    An arm with 4 joints (RRPR) at home. From the origin of {s}: there joint 1 (revolute, axis along z);
+    L_1 along z to joint 2 (revolute, axis along -y); there joint 3 (prismatic, axis along x);
+    L_2 along x to joint 4 (revolute, axis along x); L_3 along x to the origin of {b}.
+    In {s}, the axes of {b} are x = (1, 0, 0), y = (0, 1, 0), z = (0, 0, 1).
+    """
+    path = stations(chain)
+    steps = np.diff(path, axis=0)
+    if [bool(letter) for letter in letters] != (np.linalg.norm(steps, axis=-1) > 1e-9).tolist():
+        raise ValueError(
+            f"letters must have {len(steps)} entries, one for each link, with '' where two points coincide; got {list(letters)}."
+        )
+    canvas = Canvas(path)
+    canvas.line(path, LINK_GREY, 5.0)
+    draw_joint_bodies(canvas, chain, chain.link_poses(np.zeros(chain.n)))
+    for i, (axis, point) in enumerate(zip(chain.lines.axis, chain.joint_points, strict=True), start=1):
+        ends = point - 0.13 * canvas.size * axis, point + 0.27 * canvas.size * axis
+        canvas.axis(*ends, f"$S_{i}$", width=1.6, size=12)
+    if home:
+        canvas.arrow(path[0], path[-1], GREY, 1.4, style="--", level=1)
+        canvas.label(path[[0, -1]].mean(axis=0), "$M$", INK, size=12)
+    canvas.triad(np.eye(4), "s", 0.17 * canvas.size)
+    canvas.triad(chain.home, "b", 0.17 * canvas.size)
+    for letter, start, end in zip(letters, path[:-1], path[1:], strict=True):
+        if letter:
+            canvas.label((start + end) / 2, f"${letter}$", ORANGE, size=12)
+    return canvas.picture(_describe_lettered(chain, letters, steps), cropped=True)
+
+
+def _describe_lettered(chain: Chain, letters: Sequence[str], steps: Array) -> str:
+    joints = [
+        f"joint {i} ({JOINT_KINDS[kind]}, axis along {direction_text(axis)})"
+        for i, (kind, axis) in enumerate(zip(chain.joint_types, chain.lines.axis, strict=True), start=1)
+    ]
+    walk = "; ".join(
+        f"{letter} along {direction_text(step / np.linalg.norm(step))} to {there}" if letter else f"there {there}"
+        for letter, step, there in zip(letters, steps, [*joints, "the origin of {b}"], strict=True)
+    )
+    axes = ", ".join(
+        f"{name} = {vector_text(axis)}" for name, axis in zip("xyz", chain.home[:3, :3].T.round(6), strict=True)
+    )
+    return (
+        f"An arm with {chain.n} joints ({chain.joint_types}) at home. From the origin of {{s}}: {walk}. In {{s}}, the axes of "
+        f"{{b}} are {axes}."
+    )
 
 
 def describe_arm(
@@ -157,11 +220,7 @@ def describe_arm(
 
 
 def frame_text(frame: tuple[str, ArrayLike]) -> str:
-    """Return a sentence about a frame: its name, its origin and the directions of its axes.
-
-    >>> frame_text(("1", np.eye(4)))
-    'Frame {1} at (0, 0, 0), x along x, y along y, z along z.'
-    """
+    """Return a sentence about a frame: its name, its origin and the directions of its axes."""
     name, T = frame[0], np.asarray(frame[1], dtype=float)
     axes = ", ".join(f"{letter} along {direction_text(axis)}" for letter, axis in zip("xyz", T[:3, :3].T, strict=True))
     return f"Frame {{{name}}} at {vector_text(T[:3, 3])}, {axes}."
@@ -178,11 +237,7 @@ def _draw_axes(canvas: Canvas, chain: Chain, frames: Array, name: str, colour: s
 
 
 def pose_text(T: Array) -> str:
-    """Write where a DH frame is: its origin, and the directions of x and z, from which y follows.
-
-    >>> pose_text(np.eye(4))
-    'at (0, 0, 0), x along (1, 0, 0), z along (0, 0, 1)'
-    """
+    """Write where a DH frame is: its origin, and the directions of x and z, from which y follows."""
     return f"at {vector_text(T[:3, 3])}, x along {vector_text(T[:3, 0])}, z along {vector_text(T[:3, 2])}"
 
 
@@ -199,9 +254,5 @@ def direction_text(axis: Array) -> str:
 
 
 def configuration_text(q: ArrayLike) -> str:
-    """Write a configuration as "at home" or by its values.
-
-    >>> configuration_text([0, 0]), configuration_text([0, 1.5])
-    ('at home', 'at q = (0, 1.5)')
-    """
+    """Write a configuration as "at home" or by its values."""
     return f"at q = {vector_text(q)}" if np.abs(q).max() > tolerances.TYPED_PI_ERROR else "at home"

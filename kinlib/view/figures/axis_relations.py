@@ -14,6 +14,9 @@ from kinlib.view.figures.joint_bodies import draw_joint_body
 
 X, Y, Z = np.eye(3)
 
+FARTHEST_FOOT_M = 1.9
+"""How far from the middle of the picture the foot of a common normal is still drawn."""
+
 RELATIONS: dict[Case, str] = {
     "skew": "skew: one common normal",
     "intersecting": "intersecting: one common normal, of length 0",
@@ -92,10 +95,6 @@ def _describe(normal: CommonNormal, first: tuple[Array, Array], second: tuple[Ar
         f"that is drawn leads from {vector_text(normal.start)} to {vector_text(normal.end)}, its length is {length} m, and its x "
         f"points along {direction_text(normal.x)}."
     )
-
-
-FARTHEST_FOOT_M = 1.9
-"""How far from the middle of the picture the foot of a common normal is still drawn."""
 
 
 def draw_moving_normal(tilt: float, side: float) -> Picture:

@@ -47,8 +47,8 @@ class Primitive(NamedTuple):
     kind: str
     points: Array
     sizes: Array
-    colour: str
-    axes: Array
+    colour: str = "body"
+    axes: Array = np.eye(3)
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,28 +72,19 @@ class Body:
 
     def extent(self, moved: Array) -> Array:
         """Return the ends and centres of all primitives after motions of the links (n + 1, 4, 4), (m, 3), and their feet."""
-        found = [
-            solid.points @ moved[k, :3, :3].T + moved[k, :3, 3] for k, link in enumerate(self.links) for solid in link
-        ]
-        points = np.concatenate(found)
+        solids = [(solid, T) for link, T in zip(self.links, moved, strict=True) for solid in link]
+        points = np.concatenate([solid.points @ T[:3, :3].T + T[:3, 3] for solid, T in solids])
         return np.concatenate([points, points * (1, 1, 0) + (0, 0, self.lowest)])
 
 
 def solid_data(links: Sequence[Sequence[Primitive]]) -> list[list[dict[str, Any]]]:
     """Return the primitives of links as data for the page."""
-    return [
-        [
-            {
-                "kind": solid.kind,
-                "points": solid.points.round(6).tolist(),
-                "sizes": solid.sizes.round(6).tolist(),
-                "colour": solid.colour,
-                "axes": solid.axes.T.round(6).tolist(),
-            }
-            for solid in link
-        ]
-        for link in links
-    ]
+
+    def data(solid: Primitive) -> dict[str, Any]:
+        numbers = {"points": solid.points, "sizes": solid.sizes, "axes": solid.axes.T}
+        return {"kind": solid.kind, "colour": solid.colour} | {k: v.round(6).tolist() for k, v in numbers.items()}
+
+    return [[data(solid) for solid in link] for link in links]
 
 
 def visual_solids(link: Element, T: Array) -> list[Primitive]:
@@ -150,17 +141,15 @@ def body_of(chain: Chain, *, hand: bool = True) -> Body:
     """
     for known, described in _known_robots():
         if known.shape == chain.screws.shape and np.allclose(known, chain.screws, atol=SAME_AXES_TOL_M):
-            names = {"cap": "blue", **described.get("colours", {})}
-            links = tuple(
-                tuple(
-                    solid._replace(colour=names.get(solid.colour, solid.colour))
-                    for row in rows
-                    for solid in _solids(row)
-                )
-                for rows in described["links"]
-            )
-            return Body(links, np.array(described["pose"], dtype=float), described["source"])
+            links = [[solid for row in rows for solid in _solids(row)] for rows in described["links"]]
+            pose = np.array(described["pose"], dtype=float)
+            return Body(_coloured(links, described.get("colours", {})), pose, described["source"])
     return _Builder(chain).body(hand)
+
+
+def _coloured(links: Sequence[Sequence[Primitive]], names: dict[str, str]) -> tuple[tuple[Primitive, ...], ...]:
+    own = {"cap": "blue", **names}
+    return tuple(tuple(solid._replace(colour=own.get(solid.colour, solid.colour)) for solid in link) for link in links)
 
 
 def rim_points(solid: Primitive, eye: Array, count: int = 24) -> Array:
@@ -206,19 +195,19 @@ def drum(axis: ArrayLike, point: ArrayLike, radius: float, *ends: float, colour:
     """Return a cylinder along an axis through a point; its ends are measured from there."""
     z, p = np.asarray(axis, dtype=float), np.asarray(point, dtype=float)
     low, high = sorted(ends)
-    return Primitive("drum", np.array([p + low * z, p + high * z]), np.array([radius, radius]), colour, np.eye(3))
+    return Primitive("drum", np.array([p + low * z, p + high * z]), np.array([radius, radius]), colour)
 
 
 def tube(*balls: Sequence[float], colour: str = "body") -> Primitive:
     """Return a tapered tube through balls (x, y, z, radius)."""
     rows = np.array(balls, dtype=float)
-    return Primitive("tube", rows[:, :3], rows[:, 3], colour, np.eye(3))
+    return Primitive("tube", rows[:, :3], rows[:, 3], colour)
 
 
 def box(centre: ArrayLike, half: ArrayLike, colour: str = "body", axes: Array | None = None) -> Primitive:
     """Return a box with half sides along the columns of axes."""
-    at, sides = np.array([centre], dtype=float), np.array(half, dtype=float)
-    return Primitive("box", at, sides, colour, np.eye(3) if axes is None else axes)
+    own = np.eye(3) if axes is None else axes
+    return Primitive("box", np.array([centre], dtype=float), np.array(half, dtype=float), colour, own)
 
 
 def gripper(point: Array, direction: ArrayLike, opening: ArrayLike, size: float) -> list[Primitive]:
@@ -242,14 +231,10 @@ def _solids(row: list[Any]) -> list[Primitive]:
     """Return the primitives of a row of bodies.json."""
     kind, *rest = row
     if kind == "drum":
-        return [drum(_axis(rest[0]), *rest[1:5], colour=rest[5] if len(rest) > 5 else "body")]
+        return [drum(_axis(rest[0]), *rest[1:5], colour=(*rest, "body")[5])]
     if kind == "tube":
-        return [
-            tube(
-                *[ball for ball in rest if not isinstance(ball, str)],
-                colour=next((c for c in rest if isinstance(c, str)), "body"),
-            )
-        ]
+        balls = [ball for ball in rest if not isinstance(ball, str)]
+        return [tube(*balls, colour=(*rest, "body")[len(balls)])]
     if kind == "box":
         return [box(*rest)]
     point, direction, opening, size = rest
@@ -258,12 +243,11 @@ def _solids(row: list[Any]) -> list[Primitive]:
 
 @cache
 def _known_robots() -> list[tuple[Array, dict[str, Any]]]:
-    found = []
-    for described in DATA.values():
-        axes = described["axes"]
+    def screws(axes: list[Any]) -> Array:
         pitch = [np.inf if len(axis) > 2 else 0.0 for axis in axes]
-        found.append((screw([_axis(axis[0]) for axis in axes], [axis[1] for axis in axes], pitch), described))
-    return found
+        return screw([_axis(axis[0]) for axis in axes], [axis[1] for axis in axes], pitch)
+
+    return [(screws(described["axes"]), described) for described in DATA.values()]
 
 
 class _Builder:
@@ -293,20 +277,17 @@ class _Builder:
         if hand:
             self._hand()
         self._foot()
-        links = tuple(
-            tuple(solid._replace(colour=solid.colour.replace("cap", "blue")) for solid in link) for link in self.links
-        )
-        return Body(links, self._shown(), "By rule, from the screw axes and the joint points.")
+        source = "By rule, from the screw axes and the joint points."
+        return Body(_coloured(self.links, {}), self._shown(), source)
 
     def _shown(self) -> Array:
         """Return a configuration within the limits that is not stretched out."""
-        q = np.array(
-            [0.25 * self.sleeve if slides else (0.35, -0.5, 0.6)[i % 3] for i, slides in enumerate(self.slides)]
-        )
+        angles = [(0.35, -0.5, 0.6)[i % 3] for i in range(self.chain.n)]
+        q = np.where(self.slides, 0.25 * self.sleeve, angles)
         if self.chain.limits is None:
             return q
         low, high = np.asarray(self.chain.limits, dtype=float).T
-        return np.asarray(np.clip(q, low, high))
+        return np.clip(q, low, high)
 
     def _separate(self) -> None:
         """Move drums along their axes, and sleeves anywhere, so that joints that share a point are apart: from the tool back."""

@@ -10,8 +10,7 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from kinlib.view.drawing.canvas import Canvas, convex_hull
-from kinlib.view.drawing.figure_colours import LIGHT_AND_DARK
-from kinlib.view.drawing.shades import lit
+from kinlib.view.drawing.figure_colours import LIGHT_AND_DARK, lit
 from kinlib.view.figures.bodies import EDGE_SHARE, Body, Primitive, circle, rim_points
 
 BANDS = 6

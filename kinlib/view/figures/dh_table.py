@@ -156,8 +156,7 @@ def _corners(table: DHTable, frames: Array) -> Array:
     """Return the point between two frames at which the translation along one axis ends and the other begins, (m, 3)."""
     first = frames[:-1, :3, 2 if table.convention == "standard" else 0]
     steps = np.diff(frames[:, :3, 3], axis=0)
-    corners: Array = frames[:-1, :3, 3] + (steps * first).sum(axis=1, keepdims=True) * first
-    return corners
+    return np.asarray(frames[:-1, :3, 3] + (steps * first).sum(axis=1, keepdims=True) * first)
 
 
 def _describe(table: DHTable, frames: Array) -> str:

@@ -102,7 +102,7 @@ def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
             parts.append(line_part(*ends, "normal", name=name * strong, width=width, dashed=True, strong=strong))
             marks += [_mark(*ends)] if strong and not finished else []
     if step.kind == "row" and i is not None:
-        for name, start, end in row_segments(assignment, i):
+        for name, start, end in _row_segments(assignment, i):
             parts.append(line_part(start, end, "axis" if name[0] == "d" else "normal", name=name, width=4))
             marks.append(_mark(start, end))
     origins: list[Array] = []
@@ -129,14 +129,8 @@ def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
     }
 
 
-def row_segments(assignment: FrameAssignment, row: int) -> list[tuple[str, Array, Array]]:
-    """Return the translations of a row, counted from 1, as segments (name, start, end): d along z, a along x; none of length zero.
-
-    >>> from kinlib.dh.assignment import assign_frames
-    >>> from kinlib.chains.robots import youbot
-    >>> [name for name, *_ in row_segments(assign_frames(youbot(), convention="standard"), 1)]
-    ['d_1', 'a_1']
-    """
+def _row_segments(assignment: FrameAssignment, row: int) -> list[tuple[str, Array, Array]]:
+    """Return the translations of a row, counted from 1, as segments (name, start, end): d along z, a along x; none of length zero."""
     before, after = assignment.frames[row - 1 : row + 1]
     a, _, d, _ = assignment.table.rows[row - 1]
     standard = assignment.table.convention == "standard"
@@ -163,11 +157,7 @@ def arm_size(chain: Chain) -> float:
 
 
 def span_on_axis(z: Array, point: Array, places: ArrayLike) -> tuple[float, float]:
-    """Return from where to where an axis must be drawn, measured from its point, to contain those of the places that are on it.
-
-    >>> span_on_axis(np.array([0.0, 0, 1]), np.zeros(3), [(0, 0, 2), (1, 0, 5)])
-    (0.0, 2.0)
-    """
+    """Return from where to where an axis must be drawn, measured from its point, to contain those of the places that are on it."""
     off = np.reshape(places, (-1, 3)) - point
     along = [0.0, *(off[np.linalg.norm(np.cross(z, off), axis=-1) < 1e-9] @ z).tolist()]
     return min(along), max(along)

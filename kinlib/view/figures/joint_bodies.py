@@ -47,30 +47,21 @@ def draw_joint_body(canvas: Canvas, letter: str, z: Array, centre: Array) -> Non
 
 
 def stations(chain: Chain, q: ArrayLike | None = None) -> Array:
-    """Return the points (n + 2, 3) through which an arm runs: the base, every joint, the tool; at home by default.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> stations(rpr())[-1] + 0.0
-    array([0., 0., 1.])
-    """
+    """Return the points (n + 2, 3) through which an arm runs: the base, every joint, the tool; at home by default."""
     if q is None:
-        joints, tool = chain.joint_points, chain.home
-    else:
-        joints, tool = chain.link_poses(q)[:, :3, 3], chain.fk(q)
-    return np.concatenate([np.zeros((1, 3)), joints, tool[None, :3, 3]])
+        return np.array([np.zeros(3), *chain.joint_points, chain.home[:3, 3]])
+    return np.array([np.zeros(3), *chain.link_poses(q)[:, :3, 3], chain.fk(q)[:3, 3]])
 
 
 def carried_axes(chain: Chain, frames: Array) -> Array:
     """Return the direction of each joint's axis in the current configuration, (n, 3)."""
-    carried: Array = (frames[:, :3, :3] @ chain.lines.axis[:, :, None])[..., 0]
-    return carried
+    return np.asarray((frames[:, :3, :3] @ chain.lines.axis[:, :, None])[..., 0])
 
 
 def _around(z: Array, radius: float, angles: Array) -> Array:
     """Return points (m, 3) on a circle about the origin, perpendicular to z."""
     x = perpendicular(z)
-    points: Array = radius * (np.cos(angles)[:, None] * x + np.sin(angles)[:, None] * np.cross(z, x))
-    return points
+    return np.asarray(radius * (np.cos(angles)[:, None] * x + np.sin(angles)[:, None] * np.cross(z, x)))
 
 
 def axial_offsets(axes: Array, points: Array) -> Array:
@@ -78,10 +69,6 @@ def axial_offsets(axes: Array, points: Array) -> Array:
 
     Joints with the same point and axis would hide each other. A joint may be drawn anywhere on its axis, because its screw and
     therefore its motion stay the same.
-
-    >>> z = np.array([0.0, 0, 1])
-    >>> axial_offsets(np.array([z, z]), np.zeros((2, 3)))
-    array([-0.5,  0.5])
     """
     shift = np.zeros(len(axes))
     for i in range(len(axes)):

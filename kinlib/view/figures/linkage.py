@@ -51,17 +51,11 @@ class LinkageGeometry:
     @property
     def gap(self) -> Array:
         """The distance between the two halves of each joint, (j,)."""
-        distance: Array = np.linalg.norm(self.first - self.second, axis=1)
-        return distance
+        return np.asarray(np.linalg.norm(self.first - self.second, axis=1))
 
 
 def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None = None) -> LinkageGeometry:
-    """Compute where joints, bodies and named points are in a configuration, in which the loops need not be closed.
-
-    q       (n,) joint values
-    points  {"P": ("coupler", (x, y, z))}: points of bodies, in the coordinates in which the joints are given
-
-    Raises ValueError if q does not have n values or contains NaN, or if the linkage has no body of a given name.
+    """Compute where joints, bodies and named points are in a configuration; the arguments are those of `draw_linkage`.
 
     >>> from kinlib.mechanisms.linkages import four_bar
     >>> linkage_geometry(four_bar(4, 1, 3.5, 3), [np.pi / 2, 0, 0, 0]).gap.round(3)      # at q = 0 it is drawn open
@@ -76,7 +70,8 @@ def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None
         name: moved(poses[body], validation.vectors(p, f"point {name}", 3))
         for name, (body, p) in (points or {}).items()
     }
-    corners: dict[str, list[Array]] = {body: [] for body in poses}
+    home = body_points(mechanism)
+    corners = {body: moved(T, home[body]) for body, T in poses.items()}
     first, second, axes = [], [], []
     own_values = np.split(values, np.cumsum([joint.dof for joint in mechanism.joints])[:-1])
     for joint, own in zip(mechanism.joints, own_values, strict=True):
@@ -86,12 +81,18 @@ def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None
         first.append(moved(carried, joint.position))
         second.append(moved(there @ inverse(joint.closing_offset), joint.position))
         axes.append(here[:3, :3] @ line(joint.screws[0]).axis)
-        corners[joint.bodies[0]].append(moved(here, joint.position))
-        corners[joint.bodies[1]].append(second[-1])
     for name, (body, _) in (points or {}).items():
-        corners[body].append(named[name])
-    shapes = {body: np.array(places) for body, places in corners.items()}
-    return LinkageGeometry(np.array(first), np.array(second), np.array(axes), shapes, named)
+        corners[body] = np.concatenate([corners[body], named[name][None]])
+    return LinkageGeometry(np.array(first), np.array(second), np.array(axes), corners, named)
+
+
+def body_points(mechanism: Mechanism) -> dict[str, Array]:
+    """Return for each body the points of its joints, (k, 3), which move with it."""
+    found: dict[str, list[Array]] = {body: [] for body in mechanism.bodies}
+    for joint in mechanism.joints:
+        found[joint.bodies[0]].append(joint.position)
+        found[joint.bodies[1]].append(moved(inverse(joint.closing_offset), joint.position))
+    return {body: np.array(places) for body, places in found.items()}
 
 
 def draw_linkage(
@@ -158,10 +159,6 @@ def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry, ghost: Lin
     """Return the text alternative of a drawing of a linkage: its bodies, where its joints are, and whether it is closed.
 
     ghost  the configuration that is drawn in grey
-
-    >>> from kinlib.mechanisms.linkages import triangle
-    >>> describe_linkage(triangle(), linkage_geometry(triangle(), [0, 0, 0]))[-36:]
-    'All lengths in metres. It is closed.'
     """
     shown = slice(2) if is_planar(mechanism) else slice(3)
     joints = [
@@ -170,11 +167,9 @@ def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry, ghost: Lin
     ]
     named = "".join(f" {name} is at {vector_text(point[shown])}." for name, point in geometry.points.items())
     widest = int(np.argmax(geometry.gap))
-    closed = (
-        "It is closed."
-        if geometry.gap[widest] <= GAP_TOL_M
-        else f"It is open: at {mechanism.joints[widest].name} a gap of {geometry.gap[widest]:.2g} is left."
-    )
+    closed = "It is closed."
+    if geometry.gap[widest] > GAP_TOL_M:
+        closed = f"It is open: at {mechanism.joints[widest].name} a gap of {geometry.gap[widest]:.2g} is left."
     bodies = ", ".join(mechanism.bodies)
     if ghost is not None:
         places = zip(mechanism.joints, ghost.first, strict=True)
@@ -183,12 +178,7 @@ def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry, ghost: Lin
 
 
 def is_planar(mechanism: Mechanism) -> bool:
-    """Whether a linkage moves in the x-y plane only: all rotations are about z, and all translations perpendicular to z.
-
-    >>> from kinlib.mechanisms.linkages import sarrus, slider_crank
-    >>> is_planar(slider_crank(1, 3)), is_planar(sarrus())
-    (True, False)
-    """
+    """Whether a linkage moves in the x-y plane only: all rotations are about z, and all translations perpendicular to z."""
     screws = np.concatenate([joint.screws for joint in mechanism.joints])
     return bool(np.allclose(screws[:, [0, 1, 5]], 0))
 

@@ -33,11 +33,7 @@ def line_part(
     tip: bool = False,
     strong: bool = True,
 ) -> Part:
-    """Return a line from one point to another, as an arrow if it has a tip; its name is at the tip, or else in the middle.
-
-    >>> line_part((0, 0, 0), (1, 0, 0), "axis")["to"]
-    [1.0, 0.0, 0.0]
-    """
+    """Return a line from one point to another, as an arrow if it has a tip; its name is at the tip, or else in the middle."""
     ends = (np.asarray([start, end], dtype=float).round(6) + 0.0).tolist()
     looks = {"name": name, "width": width, "dashed": dashed, "tip": tip, "strong": strong}
     return {"kind": "line", "from": ends[0], "to": ends[1], "colour": colour, **looks}
@@ -51,9 +47,6 @@ def frame_part(
     sub, name  the index of its letters, and its name, in braces at its origin
     length     of its axes, as a share of the size of the scene
     rank       how many frames with the same origin were drawn before: each has longer axes than the last, so that none is hidden
-
-    >>> frame_part(np.eye(4), "Oz")["letters"]
-    'Oz'
     """
     pose = (np.asarray(T).round(6) + 0.0).ravel().tolist()
     looks = {"sub": sub, "name": name, "length": length + 0.07 * rank, "strong": strong}

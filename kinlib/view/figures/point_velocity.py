@@ -24,11 +24,8 @@ def draw_point_velocity(omega: ArrayLike, p: ArrayLike) -> Picture:
     arrows.'
     """
     w, point = (validation.vectors(x, name, 3) for x, name in ((omega, "omega"), (p, "p")))
-    canvas, foot = _rotating(w, np.zeros(3), point)
     velocity = np.cross(w, point)
-    _arrow(canvas, np.zeros(3), point, ORANGE, "$p$")
-    _arrow(canvas, point, point + _shown(w) * velocity, INK, "$\\omega$ × $p$")
-    canvas.dot(point, INK, 7)
+    canvas, foot = _rotating(w, np.zeros(3), point, p=point, velocity=velocity, name="$\\omega$ × $p$")
     return canvas.picture(
         f"A body rotates about the axis through the origin with omega = {vector_text(w)}. The arrow p leads from the origin to the "
         f"point {vector_text(point)}, which moves on a circle of radius {np.linalg.norm(point - foot):.3g} about the axis. Its "
@@ -50,11 +47,8 @@ def draw_moment(omega: ArrayLike, p: ArrayLike) -> Picture:
     v = -omega x p = (0, -2, 0), perpendicular to omega and p.'
     """
     w, point = (validation.vectors(x, name, 3) for x, name in ((omega, "omega"), (p, "p")))
-    canvas, foot = _rotating(w, point, np.zeros(3))
     v = -np.cross(w, point)
-    _arrow(canvas, np.zeros(3), point, ORANGE, "$p$")
-    _arrow(canvas, np.zeros(3), _shown(w) * v, INK, "$v$ = −$\\omega$ × $p$")
-    canvas.dot(point, INK, 7)
+    canvas, foot = _rotating(w, point, np.zeros(3), p=point, velocity=v, name="$v$ = −$\\omega$ × $p$")
     return canvas.picture(
         f"A body rotates about the axis with direction omega = {vector_text(w)} through p = {vector_text(point)}. The arrow p leads "
         f"from the origin of {{s}} to the axis. The point of the body at the origin moves on a circle of radius "
@@ -64,8 +58,11 @@ def draw_moment(omega: ArrayLike, p: ArrayLike) -> Picture:
     )
 
 
-def _rotating(w: Array, through: Array, at: Array) -> tuple[Canvas, Array]:
-    """Draw {s}, an axis w through a point, and the circle of a point `at` about it; return the canvas and the centre."""
+def _rotating(w: Array, through: Array, at: Array, *, p: Array, velocity: Array, name: str) -> tuple[Canvas, Array]:
+    """Draw {s}, an axis w through a point, the circle of a point `at` about it with its velocity, and p.
+
+    The velocity is drawn 0.8 times as long as the radius. Returns the canvas and the centre of the circle.
+    """
     axis = w / np.linalg.norm(w)
     centre = through + axis @ (at - through) * axis
     radius = float(np.linalg.norm(at - centre))
@@ -83,14 +80,10 @@ def _rotating(w: Array, through: Array, at: Array) -> tuple[Canvas, Array]:
     canvas.line([centre, at], GREY, 1.4, ":", level=1)
     canvas.axis(low, high, "$\\omega$", width=1.8, level=2, size=14)
     canvas.triad(np.eye(4), "s", 0.17 * canvas.size)
+    canvas.arrow(np.zeros(3), p, ORANGE, 2.6, level=6)
+    canvas.label(p / 2, "$p$", ORANGE, size=14)
+    tip = at + 0.8 / np.linalg.norm(w) * velocity
+    canvas.arrow(at, tip, INK, 2.6, level=6)
+    canvas.label(tip, name, INK, size=14)
+    canvas.dot(p, INK, 7)
     return canvas, centre
-
-
-def _arrow(canvas: Canvas, start: Array, end: Array, colour: str, name: str) -> None:
-    canvas.arrow(start, end, colour, 2.6, level=6)
-    canvas.label((start + end) / 2 if name == "$p$" else end, name, colour, size=14)
-
-
-def _shown(w: Array) -> float:
-    """The time for which the velocity is drawn: with it, the arrow is 0.8 times as long as the radius."""
-    return float(0.8 / np.linalg.norm(w))

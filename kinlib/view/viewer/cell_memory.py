@@ -18,10 +18,7 @@ _made: dict[str, list[Any]] = {}
 def keep_in_cell(widget: traitlets.HasTraits, names: Sequence[str], made_of: Any) -> None:
     """Set the traits as the reader has left them when the cell was last run, and keep their changes from now on.
 
-    names    the traits that a reader changes
-    made_of  what the widget is made of: if this has changed, nothing is restored
-
-    Outside of a notebook that names its cells, nothing is kept.
+    If what the widget is made of has changed, nothing is restored; outside of a notebook that names its cells, nothing is kept.
     """
     place = _place()
     if place is None:

@@ -5,8 +5,7 @@ the scene graph that moves a robot also plays a row, in the order of its convent
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any, get_args
+from typing import Any, NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -26,7 +25,7 @@ from kinlib.view.figures.frame_assignment import assignment_stop, axis_ends, dra
 from kinlib.view.figures.joint_bodies import stations
 from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, name_part
 from kinlib.view.viewer.scene import bare_scene, still_room
-from kinlib.view.viewer.steps import Steps, Stop, frame_arm, motion_scene
+from kinlib.view.viewer.steps import Steps, Stop, frame_arm
 
 CONVENTIONS: tuple[Convention, ...] = get_args(Convention)
 
@@ -61,8 +60,7 @@ VIEW_RADIUS_SHARE = {0: 0.84, 1: 0.94, 2: 0.79}
 AT_THE_START = "No motion is complete yet: the frame is at its start."
 
 
-@dataclass(frozen=True, eq=False)
-class Motion:
+class Motion(NamedTuple):
     """A motion of a frame about and along its own x or z, by an angle in radians and a distance in metres."""
 
     axis: str
@@ -84,8 +82,7 @@ class Motion:
         return np.asarray(adjoint(T) @ np.concatenate([own[0] * unit, own[1] * unit]))
 
 
-@dataclass(frozen=True, eq=False)
-class Track:
+class Track(NamedTuple):
     """Motions one after the other: the poses (m + 1, 4, 4) before and after them, the axes drawn, and the frames that stay.
 
     names  for each number of motions done, the index and the name of the frame that is then reached
@@ -98,47 +95,7 @@ class Track:
     names: dict[int, tuple[str, str]]
 
 
-class Motions(Steps):
-    """Motions on the page. Make one with `play_row` or `play_walk`; `at` is the number of motions that are done."""
-
-    def picture(self) -> Picture:
-        """Draw the motions that are done."""
-        stop, size = self.stop, self.scene["size"]
-        origins = np.array([np.reshape(T, (4, 4))[:3, 3] for T in self.mode["all_poses"]])
-        middle = (origins.min(axis=0) + origins.max(axis=0)) / 2
-        canvas = Canvas(middle + 0.72 * (origins - middle))  # no frame extends far beyond the origins
-        ways = [way for passed in self.stops[: self.stops.index(stop)] for way in passed["ways"]]
-        moving = (
-            []
-            if stop["reached"]
-            else [frame_part(np.reshape(T, (4, 4)), "Oxyz", length=FRAME_LENGTH) for T in stop["poses"]]
-        )
-        draw_parts(canvas, [*self.mode["still"], *ways, *stop["parts"], *moving], size)
-        return canvas.picture(self.alt, cropped=True)
-
-
-class AssignmentPlayer(Steps):
-    """A frame assignment on the page. Make one with `play_assignment`; the variant is the convention."""
-
-    def __init__(self, chain: Chain, rows: int | None, convention: Convention, after: Any) -> None:
-        self.assignments: dict[str, FrameAssignment] = {
-            name: assign_frames(chain, convention=name) for name in CONVENTIONS
-        }
-        points = [stations(chain)]
-        for one in self.assignments.values():
-            near, feet = visible_features(one)
-            points += [one.frames[near, :3, 3], np.reshape(axis_ends(chain, feet), (-1, 3))]
-        variants = {name: _assignment_variant(one, rows) for name, one in self.assignments.items()}
-        mode = {"variants": variants, "name": "step", "choice": "convention"}
-        scene = bare_scene(chain, np.concatenate(points), VIEW_RADIUS_SHARE[0])
-        super().__init__(scene, mode, variant=convention, after=after, start=np.zeros(chain.n))
-
-    def picture(self) -> Picture:
-        """Draw the assignment after the current step."""
-        return crop([draw_assignment(self.assignments[self.variant], int(self.at))])[0]
-
-
-def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any = None) -> Motions:
+def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any = None) -> Steps:
     """Play the four motions of a DH row in the order of one convention, or of both side by side.
 
     row         (4,) a, alpha, d, theta, in metres and radians
@@ -162,7 +119,7 @@ def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any
     return _player([_row_track(values, name, k * apart, size) for k, name in enumerate(shown)], size, after)
 
 
-def play_walk(rows: ArrayLike, *, after: Any = None) -> Motions:
+def play_walk(rows: ArrayLike, *, after: Any = None) -> Steps:
     """Play the product Z_1 X_1 Z_2 X_2 ... along an arm, with the frames of both conventions.
 
     rows   (m, 4) standard rows a, alpha, d, theta; each is two factors, and each factor is one screw motion
@@ -193,9 +150,7 @@ def play_walk(rows: ArrayLike, *, after: Any = None) -> Motions:
     return _player([Track("", motions, np.array(poses), axes, names)], size, after)
 
 
-def play_assignment(
-    chain: Chain, *, convention: Convention, rows: int | None = None, after: Any = None
-) -> AssignmentPlayer:
+def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = None, after: Any = None) -> Steps:
     """Show the assignment of DH frames to an arm step by step, forwards and back.
 
     rows   how many rows of the table are read; the reader finds the others. By default all of them
@@ -212,7 +167,24 @@ def play_assignment(
     validation.instance(chain, "chain", Chain)
     if rows is not None and rows not in range(chain.n + 1):
         raise ValueError(f"rows must be the number of rows to show, 0 to {chain.n}; got {rows!r}.")
-    return AssignmentPlayer(chain, rows, validate_convention(convention), after)
+    validate_convention(convention)
+    assignments: dict[str, FrameAssignment] = {name: assign_frames(chain, convention=name) for name in CONVENTIONS}
+    points, variants = [stations(chain)], {}
+    for name, one in assignments.items():
+        near, feet = visible_features(one)
+        points += [one.frames[near, :3, 3], np.reshape(axis_ends(chain, feet), (-1, 3))]
+        count = len(one.steps)
+        if rows is not None:  # then the accuracy of the table is left out too
+            count = next(k for k, step in enumerate(one.steps) if step.kind == "row") + rows
+        table = {"convention": name, "rows": table_cells(one.table)[:rows]}
+        variants[name] = {"stops": [assignment_stop(one, k) for k in range(count)], "table": table}
+
+    def draw(player: Steps) -> Picture:
+        return crop([draw_assignment(assignments[player.variant], int(player.at))])[0]
+
+    scene = bare_scene(chain, np.concatenate(points), VIEW_RADIUS_SHARE[0])
+    mode = {"variants": variants, "name": "step", "choice": "convention"}
+    return Steps(scene, mode, draw, variant=convention, after=after, start=np.zeros(chain.n))
 
 
 def table_cells(table: DHTable) -> list[list[str]]:
@@ -223,15 +195,6 @@ def table_cells(table: DHTable) -> list[list[str]]:
     ['0', '90°', '0', 'q_4 + 90°']
     """
     return [[cell.replace("-", "−") for cell in row] for row in format_rows(table, variable="q_{}".format)]
-
-
-def _assignment_variant(assignment: FrameAssignment, rows: int | None) -> dict[str, Any]:
-    """Return the stops of an assignment; if only some rows are read, the accuracy of the table is left out too."""
-    count = len(assignment.steps)
-    if rows is not None:
-        count = next(k for k, step in enumerate(assignment.steps) if step.kind == "row") + rows
-    table = {"convention": assignment.table.convention, "rows": table_cells(assignment.table)[:rows]}
-    return {"stops": [assignment_stop(assignment, k) for k in range(count)], "table": table}
 
 
 def _row_track(row: Array, convention: Convention, place: Array, size: float) -> Track:
@@ -259,7 +222,7 @@ def _axis(one: Array, other: Array, name: str, size: float, *, strong: bool = Tr
     return line_part(low, high, "axis", name=name, dashed=True, tip=True, strong=strong)
 
 
-def _player(tracks: Sequence[Track], size: float, after: Any) -> Motions:
+def _player(tracks: Sequence[Track], size: float, after: Any) -> Steps:
     """Return the player of tracks: the moving frame of each, the ways it has made, and the frames it has reached."""
     count = len(tracks[0].motions)
     values = np.array([[motion.value for motion in track.motions] for track in tracks])
@@ -268,23 +231,26 @@ def _player(tracks: Sequence[Track], size: float, after: Any) -> Motions:
         still += [*track.axes, frame_part(track.poses[-1], "Oxyz", length=0.9 * FRAME_LENGTH, strong=False)]
         if track.title:
             still.append(name_part(track.poses[0, :3, 3] - (0, 0, 0.5 * size), track.title))
-    stops = [
-        _motion_stop(tracks, k) | {"q": np.where(np.arange(count) < k, values, 0.0).ravel().tolist()}
-        for k in range(count + 1)
+    stops = []
+    for k in range(count + 1):
+        merged = [_track_stop(track, k) for track in tracks]
+        stop: Stop = {
+            key: [x for one in merged for x in one[key]] for key in ("texts", "poses", "parts", "ways", "turns")
+        }
+        stop["alt"] = f"Motions that move a frame: {k} of {count} done. {' '.join(one['alt'] for one in merged)}"
+        stop["q"] = np.where(np.arange(count) < k, values, 0.0).ravel().tolist()
+        stops.append(stop | {"reached": k in tracks[0].names})
+    arms = [
+        frame_arm(track.poses[0], [motion.screw(track.poses[0]) for motion in track.motions], k * count)
+        for k, track in enumerate(tracks)
     ]
-    arms = []
-    for k, track in enumerate(tracks):
-        arm = frame_arm(track.poses[0], [motion.screw(track.poses[0]) for motion in track.motions])
-        arms.append(arm | {"columns": list(range(k * count, (k + 1) * count))})
-    ends = [end for track in tracks for line in track.axes for end in (line["from"], line["to"])]
-    points = np.array([*ends, *(T[:3, 3] for track in tracks for T in track.poses)])
-    scene = motion_scene(
-        "a row of a DH table",
-        arms,
-        still_room(points, VIEW_RADIUS_SHARE[len(tracks)]),
-        float(points[:, 2].min()) - 0.1 * size,
-        size,
+    origins = np.concatenate([track.poses[:, :3, 3] for track in tracks])
+    points = np.array(
+        [*(end for track in tracks for line in track.axes for end in (line["from"], line["to"])), *origins]
     )
+    room, floor = still_room(points, VIEW_RADIUS_SHARE[len(tracks)]), float(points[:, 2].min()) - 0.1 * size
+    name = "a row of a DH table"
+    scene = {"name": name, "size": size, "arms": arms, "room": room, "floor": floor, "offered": []}
     mode = {
         "variants": {"": {"stops": stops}},
         "name": "motion",
@@ -299,54 +265,48 @@ def _player(tracks: Sequence[Track], size: float, after: Any) -> Motions:
             }
             for track in tracks
         ],
-        "all_poses": [T.ravel().tolist() for track in tracks for T in track.poses],
     }
-    return Motions(scene, mode, after=after)
+
+    def draw(player: Steps) -> Picture:
+        middle = (origins.min(axis=0) + origins.max(axis=0)) / 2
+        canvas = Canvas(middle + 0.72 * (origins - middle))  # no frame extends far beyond the origins
+        stop, k = player.stop, player.stops.index(player.stop)
+        ways = [way for passed in player.stops[:k] for way in passed["ways"]]
+        moving = [] if stop["reached"] else [frame_part(one.poses[k], "Oxyz", length=FRAME_LENGTH) for one in tracks]
+        draw_parts(canvas, [*still, *ways, *stop["parts"], *moving], size)
+        return canvas.picture(player.alt, cropped=True)
+
+    return Steps(scene, mode, draw, after=after)
 
 
-def _motion_stop(tracks: Sequence[Track], k: int) -> Stop:
-    """Return the stop after k motions; its ways and turns are those of the motion that follows."""
-    ways, turns, parts, sentences = [], [], [], []
-    for track in tracks:
-        reached = {name or sub: track.poses[after] for after, (sub, name) in track.names.items() if after <= k}
-        for after, (sub, name) in track.names.items():
-            if after <= k:
-                length = FRAME_LENGTH * (1 if after else 0.9)
-                parts.append(
-                    frame_part(
-                        track.poses[after],
-                        "Oxz",
-                        sub=sub,
-                        name=name if " " in name else "",
-                        length=length,
-                        strong=after == k,
-                    )
-                )
-        if k < len(track.motions):
-            motion, (here, there) = track.motions[k], track.poses[k : k + 2]
-            if motion.distance:
-                colour, name = ("axis", "d") if motion.axis == "z" else ("normal", "a")
-                ways.append(
-                    line_part(
-                        here[:3, 3], there[:3, 3], colour, name=name if motion.name in "da" else motion.name, width=4
-                    )
-                )
-            if abs(motion.angle) > 0.01:
-                pose, name = here.ravel().tolist(), motion.name if not motion.distance else ""
-                turns.append(
-                    {"pose": pose, "axis": motion.axis, "angle": motion.angle, "rise": motion.distance, "name": name}
-                )
-        start = track.poses[0, :3, 3]
-        of = f", {track.title} convention," if track.title else ""
-        moving = frame_text(("", homogeneous(track.poses[k, :3, :3], track.poses[k, :3, 3] - start)))
-        places = "; ".join(f"{{{name}}} at {vector_text(T[:3, 3] - start)}" for name, T in reached.items())
-        sentences.append(f"{moving.replace('Frame {}', f'The moving frame{of} is')} Reached: {places}.")
+def _track_stop(track: Track, k: int) -> Stop:
+    """Return what a track shows after k motions; its ways and turns are those of the motion that follows."""
+    start, here = track.poses[0, :3, 3], track.poses[k]
+    parts, places = [], []
+    for reached, (sub, name) in track.names.items():
+        if reached > k:
+            continue
+        T, length = track.poses[reached], FRAME_LENGTH * (1 if reached else 0.9)
+        shown = name if " " in name else ""
+        parts.append(frame_part(T, "Oxz", sub=sub, name=shown, length=length, strong=reached == k))
+        places.append(f"{{{name or sub}}} at {vector_text(T[:3, 3] - start)}")
+    ways, turns = [], []
+    if k < len(track.motions):
+        motion = track.motions[k]
+        if motion.distance:
+            colour, name = ("axis", "d") if motion.axis == "z" else ("normal", "a")
+            name = name if motion.name in "da" else motion.name
+            ways.append(line_part(here[:3, 3], track.poses[k + 1, :3, 3], colour, name=name, width=4))
+        if abs(motion.angle) > 0.01:
+            turn = {"pose": here.ravel().tolist(), "axis": motion.axis, "angle": motion.angle, "rise": motion.distance}
+            turns.append(turn | {"name": motion.name if not motion.distance else ""})
+    of = f", {track.title} convention," if track.title else ""
+    moving = frame_text(("", homogeneous(here[:3, :3], here[:3, 3] - start)))
     return {
-        "texts": [track.motions[k - 1].text if k else AT_THE_START for track in tracks],
-        "alt": f"Motions that move a frame: {k} of {len(tracks[0].motions)} done. {' '.join(sentences)}",
-        "poses": [track.poses[k].ravel().tolist() for track in tracks],
+        "texts": [track.motions[k - 1].text if k else AT_THE_START],
+        "poses": [here.ravel().tolist()],
         "parts": parts,
         "ways": ways,
         "turns": turns,
-        "reached": k in tracks[0].names,
+        "alt": f"{moving.replace('Frame {}', f'The moving frame{of} is')} Reached: {'; '.join(places)}.",
     }

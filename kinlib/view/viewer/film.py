@@ -1,8 +1,7 @@
 """Films: a short motion as drawings that a reader plays, stops and leafs through, in a notebook and on a page without a kernel.
 
-A film is a function from the time to a Picture, and scenes with a caption each. Each scene has a key frame, its last one. The key
-frames are what is printed, what a page without a script shows, and what Play steps through for readers who prefer reduced
-motion; their text alternatives together tell the film. It never begins by itself.
+Each scene has a key frame, its last one. The key frames are what is printed, what a page without a script shows, and what Play steps
+through for readers who prefer reduced motion; their text alternatives together tell the film. It never begins by itself.
 """
 
 from collections.abc import Callable, Sequence
@@ -10,7 +9,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from kinlib.view.drawing.crop import crop
-from kinlib.view.drawing.dark_theme import follow_theme
+from kinlib.view.drawing.figure_colours import follow_theme
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.viewer.pictures import Pictures
 
@@ -26,9 +25,7 @@ def film(draw: Callable[[float], Picture], scenes: Sequence[tuple[float, str]]) 
     """Make a film of drawings.
 
     draw    a function from the time in seconds to a Picture, all of the same canvas
-    scenes  (duration in seconds, caption) of each scene, in order
-
-    The text alternative of a scene is its caption and the alt of the picture at its end.
+    scenes  (duration in seconds, caption) of each scene, in order; its text alternative is this caption and that of its last picture
 
     Raises ValueError if there is no scene, if a scene takes no time, or if all of them take more than a minute.
 
@@ -55,17 +52,11 @@ def film(draw: Callable[[float], Picture], scenes: Sequence[tuple[float, str]]) 
     shown = [keys[int(np.searchsorted(ends, k))] for k in range(len(pictures))]
     # Where nothing moves, the same drawing is shown again.
     drawn = list(dict.fromkeys(picture.svg for picture in pictures))
-    return Film(
-        keys,
-        pictures.__getitem__,
-        [
-            {"caption": key.caption, "alt": key.alt, "label": f"{k / FRAMES_PER_SECOND:.0f} of {durations.sum():.0f} s"}
-            for k, key in enumerate(shown)
-        ],
-        frames=list(map(follow_theme, drawn)),
-        order=[drawn.index(picture.svg) for picture in pictures],
-        looks={"label": "Time", "rate": FRAMES_PER_SECOND, "ends": ends},
-    )
+    times = [f"{k / FRAMES_PER_SECOND:.0f} of {durations.sum():.0f} s" for k in range(len(pictures))]
+    texts = [{"caption": k.caption, "alt": k.alt, "label": time} for k, time in zip(shown, times, strict=True)]
+    frames, order = list(map(follow_theme, drawn)), [drawn.index(picture.svg) for picture in pictures]
+    looks = {"label": "Time", "rate": FRAMES_PER_SECOND, "ends": ends}
+    return Film(keys, pictures.__getitem__, texts, frames=frames, order=order, looks=looks)
 
 
 def share(t: float, start: float, end: float) -> float:

@@ -16,6 +16,7 @@ from kinlib.rigid.lie import perpendicular
 from kinlib.view.drawing.picture import vector_text
 from kinlib.view.figures.frame_assignment import span_on_axis
 from kinlib.view.figures.joint_bodies import stations
+from kinlib.view.figures.tree import branches
 from kinlib.view.viewer.scene import extent
 
 COINCIDENT_TOL = 1e-9
@@ -34,7 +35,7 @@ def frame_candidates(chain: Chain) -> dict[str, Any]:
     >>> frame_candidates(rpr())["points"][0]["text"]
     'joint 1; joint 2; intersection of axes 1 and 2; foot of normal 2–3 on axis 2'
     """
-    size, points = extent(chain), _origins(chain)
+    size, points = extent(*branches(chain)), _origins(chain)
     lines = []
     for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
         low, high = span_on_axis(z, point, [at for at, _ in points])
@@ -49,18 +50,13 @@ def frame_candidates(chain: Chain) -> dict[str, Any]:
 
 
 def _z_directions(chain: Chain, lines: list[dict[str, Any]], size: float) -> Iterator[dict[str, Any]]:
-    for i, line in enumerate(lines):
-        z = np.array(line["along"])
-        yield {"axis": i, "at": line["to"], "along": _list(z), "text": f"along axis {i + 1}"}
-        yield {"axis": i, "at": line["from"], "along": _list(-z), "text": f"opposite to axis {i + 1}"}
     tool, z = chain.home[:3, 3], chain.home[:3, 2]
-    for sign, word in ((1, "along"), (-1, "opposite to")):
-        yield {
-            "axis": None,
-            "at": _list(tool + sign * 0.3 * size * z),
-            "along": _list(sign * z),
-            "text": f"{word} z of {{b}}",
-        }
+    ends = {"to": _list(tool + 0.3 * size * z), "from": _list(tool - 0.3 * size * z), "along": _list(z)}
+    for axis, line in [*enumerate(lines), (None, ends)]:
+        name = "z of {b}" if axis is None else f"axis {axis + 1}"
+        for sign, end, word in ((1, "to", "along"), (-1, "from", "opposite to")):
+            along = _list(sign * np.array(line["along"]))
+            yield {"axis": axis, "at": line[end], "along": along, "text": f"{word} {name}"}
 
 
 def _origins(chain: Chain) -> list[tuple[Array, str]]:
@@ -104,11 +100,11 @@ def _lines_for_x(chain: Chain) -> Iterator[tuple[Array, str, str]]:
         z, off = chain.lines.axis[i], there - chain.joint_points[i]
         across = off - z * (z @ off)
         if (length := float(np.linalg.norm(across))) > COINCIDENT_TOL:
-            text, opposite = (
+            yield (
+                across / length,
                 f"from axis {i + 1} perpendicularly to {name}",
                 f"from {name} perpendicularly to axis {i + 1}",
             )
-            yield across / length, text, opposite
     names = [*(f"joint {i + 1}" for i in range(chain.n)), "{b}"]
     for (start, end), link in zip(pairwise(names), np.diff(stations(chain)[1:], axis=0), strict=True):
         if (length := float(np.linalg.norm(link))) > COINCIDENT_TOL:
@@ -138,6 +134,5 @@ def _merge(candidates: list[tuple[Array, str]]) -> list[tuple[Array, str]]:
     return [(at, "; ".join(names)) for at, names in places]
 
 
-def _list(values: Array) -> list[float]:
-    numbers: list[float] = (np.asarray(values) + 0.0).tolist()
-    return numbers
+def _list(values: Array) -> Any:
+    return (np.asarray(values) + 0.0).tolist()

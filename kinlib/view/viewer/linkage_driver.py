@@ -19,8 +19,7 @@ from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import inverse
 from kinlib.rigid.screw import line
 from kinlib.view.drawing.canvas import moved
-from kinlib.view.drawing.picture import Picture
-from kinlib.view.figures.linkage import describe_linkage, draw_linkage, is_planar, linkage_geometry
+from kinlib.view.figures.linkage import body_points, draw_linkage, is_planar, linkage_geometry
 from kinlib.view.viewer.scene import half_height
 from kinlib.view.viewer.steps import Steps
 
@@ -40,32 +39,6 @@ PLANAR_VIEW_DEG, SPATIAL_VIEW_DEG = [-90.0, 52.0], [-60.0, 22.0]
 """The initial viewing direction, as azimuth and elevation: from above for a planar linkage, from the front for any other."""
 
 
-class Drive(Steps):
-    """A linkage on the page. Make one with `drive`; q is a configuration on one of its curves."""
-
-    def __init__(self, mechanism: Mechanism, scene: dict[str, Any], mode: dict[str, Any], **settings: Any) -> None:
-        self.mechanism = mechanism
-        super().__init__(scene, mode, **settings)
-        self.observe(self._move, ["at", "variant"])
-        self._move(None)
-
-    def check(self, values: list[float]) -> None:
-        """Raise ValueError if the mechanism has another number of joint values."""
-        self.mechanism.residual(values)
-
-    def _move(self, _: Any) -> None:
-        self.q = self.stop["q"]
-
-    @property
-    def alt(self) -> str:
-        """The text alternative of the current picture."""
-        return describe_linkage(self.mechanism, linkage_geometry(self.mechanism, self.q))
-
-    def picture(self) -> Picture:
-        """Draw the linkage at q."""
-        return draw_linkage(self.mechanism, self.q)
-
-
 def drive(
     mechanism: Mechanism,
     start: JointValues,
@@ -74,7 +47,7 @@ def drive(
     curves: Sequence[ArrayLike] | None = None,
     labels: Sequence[str] = (),
     after: Any = None,
-) -> Drive:
+) -> Steps:
     """Move a closed chain of one degree of freedom along its curves, and show them in its configuration space.
 
     start   (n,) the first configuration, or a mapping from joint names to values, in which the loops are closed
@@ -121,10 +94,10 @@ def drive(
             "angles": _angles(mechanism).tolist(),
         },
     }
-    return Drive(
-        mechanism,
+    return Steps(
         _scene(mechanism, np.concatenate(traced), traced[which][at]),
         mode,
+        lambda player: draw_linkage(mechanism, player.stop["q"]),
         variant=variants[which],
         at=float(at),
         shown=[] if is_planar(mechanism) else ["axes"],
@@ -207,19 +180,17 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
 
 def _pieces(mechanism: Mechanism, names: list[str]) -> list[dict[str, Any]]:
     """Return what is drawn: bars between the joints of each body, and each joint on the first of its two bodies."""
-    corners: dict[str, list[Array]] = {body: [] for body in [mechanism.ground, *names]}
     pieces = []
     for joint in mechanism.joints:
         first, second = joint.bodies
-        corners[first].append(joint.position)
-        corners[second].append(moved(inverse(joint.closing_offset), joint.position))
         axis = line(joint.screws[0]).axis
         kind = "ball" if joint.dof > 1 else "box" if not joint.screws[0, :3].any() else "cylinder"
         drawn = {"name": joint.name, "joins": list(joint.bodies), "foot": first == mechanism.ground}
         pieces.append(_piece(names, first, kind, joint.position, axis, **drawn))
         if kind == "box":  # the slider is as wide as its sleeve, so that its translation is visible
-            pieces.append(_piece(names, second, "slider", corners[second][-1], axis))
-    for body, points in corners.items():
+            at = moved(inverse(joint.closing_offset), joint.position)
+            pieces.append(_piece(names, second, "slider", at, axis))
+    for body, points in body_points(mechanism).items():
         if body != mechanism.ground:
             ends = [*points, points[0]] if len(points) > 2 else points
             pieces += [_piece(names, body, "bar", a, b - a) for a, b in pairwise(ends) if np.linalg.norm(b - a)]

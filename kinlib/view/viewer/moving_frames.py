@@ -8,35 +8,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
-from kinlib.arrays.validation import Array
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import frame_text
 from kinlib.view.figures.frames import draw_frames
 from kinlib.view.figures.parts import line_part
 from kinlib.view.viewer.scene import half_height
-from kinlib.view.viewer.steps import Steps, frame_arm, motion_scene
+from kinlib.view.viewer.steps import Steps, frame_arm
 
 V = TypeVar("V")
 
 AXIS_SHARE, SMALLEST_M = 0.3, 0.3
 """The length of the axes as a share of the extent of the origins, and the least extent, if the frames share an origin."""
-
-
-class MovingFrames(Steps):
-    """Frames on the page. Make one with `slide_frames`."""
-
-    @property
-    def poses(self) -> dict[str, Array]:
-        """The frames that are shown, by name."""
-        return dict(zip(self.mode["movers"], np.reshape(self.stop["poses"], (-1, 4, 4)), strict=True))
-
-    def picture(self) -> Picture:
-        """Draw the frames that are shown."""
-        length = self.mode["length"] * self.scene["size"]
-        caption = self.stop["texts"][0]
-        return draw_frames(
-            self.poses, arrows=bool(self.stop["parts"]), axis_length=length, alt=self.alt, caption=caption
-        )
 
 
 def slide_frames(
@@ -47,7 +29,7 @@ def slide_frames(
     caption: Callable[[V], str] | None = None,
     arrows: bool = False,
     after: Any = None,
-) -> MovingFrames:
+) -> Steps:
     """Show frames in three dimensions, with one slider that moves them.
 
     frames_at  a function from a value to {"s": T_ss, "b": T_sb, ...}, poses (4, 4) in one common frame; always the same names
@@ -77,26 +59,30 @@ def slide_frames(
     tips = (poses[..., :3, 3, None] + AXIS_SHARE * extent * poses[..., :3, :3]).swapaxes(-1, -2).reshape(-1, 3)
     points = np.concatenate([origins, tips])
     low, high = points.min(axis=0), points.max(axis=0)
-    middle = (low + high) / 2
-    radius = half_height(points - middle) + 0.12 * extent
+    radius = half_height(points - (low + high) / 2) + 0.12 * extent
     stops = []
     for value, shown in zip(values, poses, strict=True):
         said = caption(value) if caption else ""
-        ends = [T[:3, 3] for T in shown]
-        stops.append(
-            {
-                "title": f"{value:.4g}" if isinstance(value, float) else str(value),
-                "texts": [said],
-                "alt": " ".join([said, *map(frame_text, zip(names, shown, strict=True))]).strip(),
-                "poses": shown.reshape(-1, 16).tolist(),
-                "parts": [
-                    line_part(a, b, "quiet", tip=True)
-                    for a, b in pairwise(ends if arrows else [])
-                    if np.linalg.norm(b - a) > 1e-6 * radius
-                ],
-            }
-        )
-    room = {"centre": middle.tolist(), "radius": radius, "constant": True}
-    scene = motion_scene("frames", [frame_arm(T) for T in poses[0]], room, float(low[2]) - 0.1 * extent, radius)
+        ends = pairwise([T[:3, 3] for T in shown] if arrows else [])
+        lines = [line_part(a, b, "quiet", tip=True) for a, b in ends if np.linalg.norm(b - a) > 1e-6 * radius]
+        alt = " ".join([said, *map(frame_text, zip(names, shown, strict=True))]).strip()
+        title = f"{value:.4g}" if isinstance(value, float) else str(value)
+        stop = {"title": title, "texts": [said], "alt": alt, "poses": shown.reshape(-1, 16).tolist(), "parts": lines}
+        stops.append(stop)
+
+    def draw(player: Steps) -> Picture:
+        stop = player.stop
+        shown = dict(zip(names, np.reshape(stop["poses"], (-1, 4, 4)), strict=True))
+        lines, length = bool(stop["parts"]), AXIS_SHARE * extent
+        return draw_frames(shown, arrows=lines, axis_length=length, alt=player.alt, caption=stop["texts"][0])
+
+    scene = {
+        "name": "frames",
+        "size": radius,
+        "arms": [frame_arm(T) for T in poses[0]],
+        "room": {"centre": ((low + high) / 2).tolist(), "radius": radius, "constant": True},
+        "floor": float(low[2]) - 0.1 * extent,
+        "offered": [],
+    }
     mode = {"variants": {"": {"stops": stops}}, "label": label, "movers": names, "length": AXIS_SHARE * extent / radius}
-    return MovingFrames(scene, mode, after=after)
+    return Steps(scene, mode, draw, after=after)

@@ -6,10 +6,9 @@ from typing import Any, TypeVar
 import traitlets
 
 from kinlib.view.drawing.crop import crop, is_croppable
-from kinlib.view.drawing.dark_theme import follow_theme
-from kinlib.view.drawing.picture import Gallery, Picture
-from kinlib.view.drawing.static_page import is_without_kernel
-from kinlib.view.viewer.viewer import Covered, as_script
+from kinlib.view.drawing.figure_colours import follow_theme
+from kinlib.view.drawing.picture import Gallery, Picture, is_without_kernel
+from kinlib.view.viewer.viewer import Covered
 
 ONE_PICTURE_ON_SCREEN = (
     "<style>@media screen and (scripting:enabled){.kinlib-film-frames figure:not(:first-child){display:none}"
@@ -26,16 +25,9 @@ class Pictures(Covered):
     texts    the caption, the text alternative and the label of each stop
     looks    "label" of the slider, "rate" in stops per second of a film, "ends" of its scenes
     at       the stop that is shown; the page and Python can both set it
-
     still    the pictures for print, and for a page without a script
 
-    Use `film` or `slide`:
-
-    >>> from kinlib.view.drawing.canvas import Canvas
-    >>> dot = Canvas([(0, 0, 0), (2, 0, 0)], view="front").picture("A point at x = 1 m on a line.")
-    >>> shown = Pictures([dot], lambda index: dot, [{"caption": "", "alt": dot.alt, "label": "1"}], order=[0], frames=[""])
-    >>> shown.alt
-    'A point at x = 1 m on a line.'
+    Make them with `film` or `slide`.
     """
 
     frames = traitlets.List(traitlets.Unicode()).tag(sync=True)
@@ -78,7 +70,7 @@ class Pictures(Covered):
         """Return the pictures for a page without a kernel: as JSON, and the still ones, of which a script makes a player."""
         names = ["frames", "order", "texts", "looks", "at", "covered"]
         still = f'<div class="kinlib-film-frames">{ONE_PICTURE_ON_SCREEN}{Gallery(self.still).html()}</div>'
-        return self.on_page("film", as_script(self.get_state(names)), still)
+        return self.on_page("film", self.get_state(names), still)
 
     def save(self, path: Any) -> None:
         """Save the still pictures with their text alternatives as a page, .html.
@@ -121,14 +113,13 @@ def slide(
     if is_croppable(drawn[start]) or is_without_kernel():
         pictures = [drawn[start] if index == start else at(index) for index in range(len(values))]
         drawn = dict(enumerate(crop(pictures) if all(map(is_croppable, pictures)) else pictures))
-    labels = [f"{value:.4g}" if isinstance(value, float) else str(value) for value in values]
+    texts = [{"label": f"{value:.4g}" if isinstance(value, float) else str(value)} for value in values]
+    for k, picture in drawn.items():
+        texts[k] |= {"caption": picture.caption, "alt": picture.alt}
     return Pictures(
         [drawn[start]],
         at,
-        [
-            {"label": text, "caption": drawn[k].caption, "alt": drawn[k].alt} if k in drawn else {"label": text}
-            for k, text in enumerate(labels)
-        ],
+        texts,
         frames=[follow_theme(drawn[k].svg) if k in drawn else "" for k in range(len(values))],
         order=list(range(len(values))),
         looks={"label": label},

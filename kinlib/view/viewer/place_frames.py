@@ -20,7 +20,7 @@ from kinlib.view.figures.arm import describe_arm, draw_joints, frame_text
 from kinlib.view.viewer.dh_players import table_cells
 from kinlib.view.viewer.frame_candidates import frame_candidates
 from kinlib.view.viewer.scene import bare_scene
-from kinlib.view.viewer.viewer import Viewer
+from kinlib.view.viewer.viewer import ViewerBase
 
 VIEW_RADIUS_SHARE = 0.84
 """The radius in view, as a share of the sphere around all that is drawn: in the initial view no arm fills that sphere."""
@@ -53,7 +53,7 @@ def _from_page(poses: Any, _: Any = None) -> Array:
         ) from error
 
 
-class ByHand(Viewer):
+class ByHand(ViewerBase):
     """Frames that are placed on the page. Make one with `assign`.
 
     frames   (n + 1, 4, 4) frames 0 to n in {s} at home; NaN for what is not placed yet. The page and Python can both set it
@@ -74,8 +74,8 @@ class ByHand(Viewer):
         arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would reveal the answer
         arm["normals"] = []
         self.convention = convention
+        self.chain = chain
         super().__init__(
-            chain,
             {**scene, "offered": ["base", "tool"]},
             np.zeros(chain.n),
             shown=["base", "tool"],
@@ -94,7 +94,7 @@ class ByHand(Viewer):
         """The table of the frames, or None until all are placed and no rule is broken. Its joint variables are about the frames' own z."""
         if np.isnan(self.frames).any() or self.breaches:
             return None
-        return table_from_frames(self.chain, self.frames, self.convention)
+        return _table(self.chain, self.frames, self.convention)
 
     @property
     def alt(self) -> str:
@@ -112,6 +112,10 @@ class ByHand(Viewer):
             )
         return frames
 
+    def check(self, values: list[float]) -> None:
+        """Raise ValueError if the arm has another number of joints."""
+        self.chain.in_order(values)
+
     def picture(self) -> Picture:
         """Draw the joints of the arm, without the frames."""
         return draw_joints(self.chain)
@@ -119,7 +123,8 @@ class ByHand(Viewer):
     def _judge(self, _: Any) -> None:
         table = self.table
         if table is not None:
-            table = table.changed(signs=joint_signs(self.chain, self.frames, self.convention))
+            z = (self.frames[:-1] if self.convention == "standard" else self.frames[1:])[:, :3, 2]
+            table = table.changed(signs=np.where((z * self.chain.lines.axis).sum(axis=1) < 0, -1.0, 1.0))
         breaches = [
             {"frame": b.frame, "rule": b.rule, "text": b.text, "joint": _joint(b, self.convention, self.chain.n)}
             for b in self.breaches
@@ -152,12 +157,7 @@ def assign(chain: Chain, convention: Convention) -> ByHand:
 
 
 def check_placed_frames(chain: Chain, frames: Array, convention: Convention) -> list[Breach]:
-    """Check the frames that are completely placed; rules about an incomplete frame are not checked yet.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> check_placed_frames(rpr(), np.full((4, 4, 4), np.nan), "standard")
-    []
-    """
+    """Check the frames that are completely placed; rules about an incomplete frame are not checked yet."""
     whole = np.isfinite(frames.sum(axis=(1, 2)))
     other = -1 if convention == "standard" else 1
     filled = np.where(whole[:, None, None], frames, np.eye(4))
@@ -168,7 +168,7 @@ def check_placed_frames(chain: Chain, frames: Array, convention: Convention) -> 
     ]
 
 
-def table_from_frames(chain: Chain, frames: Array, convention: Convention) -> DHTable:
+def _table(chain: Chain, frames: Array, convention: Convention) -> DHTable:
     """Compute the table of frames that satisfy the rules. Frame 0 is its base, and what follows frame n its tool."""
     T = inverse(frames[:-1]) @ frames[1:]
     if convention == "standard":
@@ -180,13 +180,6 @@ def table_from_frames(chain: Chain, frames: Array, convention: Convention) -> DH
     rows = np.stack([a, alpha, d, theta], axis=1)
     tool = inverse(frames[-1]) @ chain.home
     return DHTable(rows, convention=convention, joints=chain.joint_types, base=frames[0], tool=tool, name=chain.name)
-
-
-def joint_signs(chain: Chain, frames: Array, convention: Convention) -> Array:
-    """Return the sign of each joint variable, (n,): -1 if z points opposite to the joint axis, 1 otherwise."""
-    z = frames[:-1, :3, 2] if convention == "standard" else frames[1:, :3, 2]
-    signs: Array = np.where((z * chain.lines.axis).sum(axis=1) < 0, -1.0, 1.0)
-    return signs
 
 
 def _joint(breach: Breach, convention: Convention, n: int) -> int:

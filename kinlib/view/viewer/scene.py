@@ -1,6 +1,7 @@
-"""An arm as data for the viewer: its geometry at home, which the page moves by the exponentials of the screws.
+"""A robot as data for the viewer: its geometry at home, which the page moves by the exponentials of the screws.
 
-Every part is fixed to a body: body 0 is the base, body i is what joint i moves. Parts are given at home, in {s}.
+Each branch of a robot is an arm on the page; most robots have one. Every part is fixed to a body of its arm: body 0 is the base,
+body i is what joint i moves. Parts are given at home, in {s}.
 """
 
 from collections.abc import Mapping, Sequence
@@ -14,12 +15,15 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.common_normal import common_normal
+from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.rigid.lie import homogeneous, inverse, perpendicular
+from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.canvas import VIEWS, axes_of_view
-from kinlib.view.figures.bodies import body_of, solid_data
+from kinlib.view.figures.arm import body_motions
+from kinlib.view.figures.bodies import solid_data
 from kinlib.view.figures.frame_assignment import MAX_DISTANCE_IN_ARM_SIZES
 from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes, stations
+from kinlib.view.figures.tree import Branch, branches, joint_share, robot_body
 
 MAX_DETOUR_RATIO = 2.5
 """The lengths of a link are along its axes and their common normal, unless that is longer than the straight line by this factor."""
@@ -30,9 +34,7 @@ MIN_SIZE_IN_ROOM_RADII = 0.95
 HEIGHT_PER_WIDTH = 0.78
 """The shape of the picture on the page, as in js/viewer.js."""
 
-Z = np.eye(3)[2]
 COINCIDENT_TOL_M = 1e-9
-
 
 FRAME_LAYERS = ("base", "tool", "links", "standard", "modified")
 LAYERS = (*("axes", "body axes", "home axes"), *FRAME_LAYERS, *("normals", "dimensions", "trail"))
@@ -43,54 +45,65 @@ DEFAULT_ANGLE_RAD, DEFAULT_TRAVEL_M = np.pi, 1.0
 
 
 def scene(
-    chain: Chain,
+    robot: Chain | Tree,
     start: Array,
     *,
     joints: Sequence[int] | None = None,
     span: tuple[float, float] | None = None,
     frames: Mapping[str, ArrayLike] | None = None,
 ) -> dict[str, Any]:
-    """Return all that the page needs of an arm: its geometry, its sliders, and the region in view.
+    """Return all that the page needs of a robot: its geometry, its sliders, and the region in view.
 
-    start   (n,) the first joint values
+    start   (n,) the first values of the (independent) joints
     joints  the joints that get a slider, counted from 1
     span    the range of the sliders; by default the limits of each joint, or 180 degrees or one metre if it has none
-    frames  {"0": T, "1": T, ...} poses (4, 4) at start of frames that replace those of the arm; each is a layer "frame i"
+    frames  {"0": T, "1": T, ...} poses (4, 4) at start of frames that replace those of an arm; each is a layer "frame i"
 
-    Raises ValueError if the arm does not have one of the joints, start does not have n values, span does not contain them, or
-    a frame is not a pose or is named otherwise than by its link.
+    Raises ValueError if the robot does not have one of the joints, span does not contain the start, or a frame is not a pose or is
+    named otherwise than by its link.
 
     >>> from kinlib.chains.robots import rpr
     >>> scene(rpr(), np.zeros(3), joints=[2])["sliders"][0]["unit"]
     'm'
     """
-    joints = list(range(1, chain.n + 1)) if joints is None else list(joints)
-    if wrong := [joint for joint in joints if joint not in range(1, chain.n + 1)]:
-        raise ValueError(f"{chain.name} has joints 1 to {chain.n}; got {wrong[0]!r}.")
-    chain.fk(start)  # raises ValueError if start has another size
-    limits = [(-np.inf, np.inf)] * chain.n if chain.limits is None else chain.limits
-    titles = chain.joint_names or [""] * chain.n
-    sliders = [
-        joint_slider(i, chain.joint_types[i] == "P", limits[i], float(start[i]), title=titles[i], span=span)
-        for i in (joint - 1 for joint in joints)
-    ]
-    body = body_of(chain)
-    moved = body_motions(chain, np.asarray(start))
-    configurations = np.concatenate([stations(chain), stations(chain, start), body.extent(moved)])
-    view = room(configurations, _tips(chain, start), extent(chain))
-    arm = arm_data(chain) | {"body": solid_data(body.links)}
-    if frames:
-        arm["frames"] = frames_on_links(chain, start, frames)
+    found = branches(robot)
+    slides = {int(k): kind == "P" for one in found for k, kind in zip(one.columns, one.chain.joint_types, strict=True)}
+    joints = [column + 1 for column in sorted(slides)] if joints is None else list(joints)
+    if wrong := [joint for joint in joints if joint not in range(1, robot.n + 1)]:
+        raise ValueError(f"{robot.name} has joints 1 to {robot.n}; got {wrong[0]!r}.")
+    limits = np.full((robot.n, 2), (-np.inf, np.inf)) if robot.limits is None else robot.limits
+    titles = robot.joint_names or [""] * robot.n
+    body, links = robot_body(robot, found)
+    size = extent(*found)
+    seen = [body.extent(np.concatenate([branch.motions(start) for branch in found])), 0.2 * size * np.eye(3)]
+    for branch in found:
+        poses, tool = (f(branch.values(start)) for f in (branch.chain.link_poses, branch.chain.fk))
+        axes = carried_axes(branch.chain, poses)
+        seen += [stations(branch.chain), branch.stations(start), poses[:, :3, 3] + 0.36 * size * axes]
+        seen.append(tool[:3, 3] + 0.2 * size * tool[:3, :3].T)
+    points = np.concatenate(seen)
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2
+    radius = half_height(points - centre) + 0.1 * size  # a margin for labels
+    arms = [arm_data(branch) | {"body": solid_data(own)} for branch, own in zip(found, links, strict=True)]
+    if frames and isinstance(robot, Chain):
+        arms[0]["frames"] = frames_on_links(robot, start, frames)
+    elif isinstance(robot, Tree):
+        arms[0]["frames"]["base"] = [frame_data("s", 0, np.eye(4))]
     return {
-        "name": chain.name,
+        "name": robot.name,
         # If an arm is small compared with what is in view, its marks must stay large enough to be distinguished.
-        "size": max(extent(chain), MIN_SIZE_IN_ROOM_RADII * view["radius"]),
-        "arms": [arm],
-        "sliders": sliders,
-        "limits": finite_limits(chain.limits) if chain.limits is not None else [],
-        "room": view,
+        "size": max(size, MIN_SIZE_IN_ROOM_RADII * radius) * joint_share(found),
+        "arms": arms,
+        "sliders": [
+            _slider(k, slides[k], limits[k], float(start[k]), span) | {"title": titles[k]}
+            for k in (joint - 1 for joint in joints)
+        ],
+        # JSON has no infinity
+        "limits": [] if robot.limits is None else [[_finite(end) for end in pair] for pair in limits],
+        "room": {"centre": centre.tolist(), "radius": radius},
         "floor": body.lowest,
         "foot": [0.0, 0.0, 0.0],
+        **({"offered": ["axes", "dimensions"]} if isinstance(robot, Tree) else {}),
     }
 
 
@@ -100,36 +113,33 @@ def bare_scene(chain: Chain, points: Array, share: float) -> dict[str, Any]:
     room = still_room(np.concatenate([points, stations(chain)]), share)
     data["arms"][0].pop("body")  # the axes are to be seen
     data["arms"][0]["links"] = skeleton(chain)
-    lowest = float(stations(chain)[:, 2].min())
-    floor = lowest - (0.1 if lowest > -0.05 * extent(chain) else 0.2) * extent(chain)
-    return {**data, "size": max(extent(chain), room["radius"]), "room": room, "floor": floor, "offered": ["dimensions"]}
+    size, lowest = extent(*branches(chain)), float(stations(chain)[:, 2].min())
+    floor = lowest - (0.1 if lowest > -0.05 * size else 0.2) * size
+    return {**data, "size": max(size, room["radius"]), "room": room, "floor": floor, "offered": ["dimensions"]}
 
 
-def arm_data(chain: Chain) -> dict[str, Any]:
-    """Return an arm as data: joints, links, home, frames in each convention, common normals.
+def arm_data(branch: Branch) -> dict[str, Any]:
+    """Return a branch as data: joints, links, home, frames and common normals.
 
-    >>> from kinlib.chains.robots import rpr
-    >>> [joint["kind"] for joint in arm_data(rpr())["joints"]]
-    ['R', 'P', 'R']
+    What an earlier branch shows too moves with this one, but is hidden. Only an arm has frames in each convention.
     """
-    size = extent(chain)
+    chain, is_arm = branch.chain, not branch.tip
+    size = extent(branch)
+    tool = {"tool": [frame_data(branch.tip or "b", chain.n, chain.home)]}
+    paths = _link_paths(chain) if is_arm else skeleton(chain)
     return {
-        "columns": list(range(chain.n)),
-        "joints": joint_data(chain),
-        "links": [path.tolist() for path in link_paths(chain)],
+        **({} if is_arm else {"tip": branch.tip}),
+        "columns": branch.columns.tolist(),
+        "joints": _joints(branch),
+        "links": [[] if i < branch.shared else path for i, path in enumerate(paths)],
         "home": chain.home.ravel().tolist(),
-        "frames": _frames(chain, size),
-        "normals": _normals(chain, size),
+        "frames": _frames(chain, size) if is_arm else {"base": [], **tool},
+        "normals": _normals(chain, size) if is_arm else [],
     }
 
 
 def skeleton(chain: Chain) -> list[list[list[float]]]:
-    """Return the lines of links 0 to n at home, straight from joint to joint: a bend would show a common normal.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> len(skeleton(rpr()))
-    4
-    """
+    """Return the lines of links 0 to n at home, straight from joint to joint: a bend would show a common normal."""
     return [np.array(pair).tolist() for pair in pairwise(stations(chain))]
 
 
@@ -164,78 +174,34 @@ def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> 
     return layers
 
 
-def body_motions(chain: Chain, q: Array) -> Array:
-    """Return the motion of each body from home to q, (n + 1, 4, 4): body 0 is the base, body i is what joint i moves.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> body_motions(rpr(), np.array([0, 0.5, 0]))[2, :3, 3]
-    array([0. , 0. , 0.5])
-    """
-    moved = chain.link_poses(q) @ inverse(chain.link_poses(np.zeros(chain.n)))
-    return np.concatenate([np.eye(4)[None], moved])
-
-
-def extent(chain: Chain) -> float:
-    """Return the longest side of an arm at home, in metres: the unit of length of what is not drawn to scale.
-
-    An arm of zero length has the extent 1.
-
-    >>> from kinlib.chains.robots import youbot
-    >>> extent(youbot())
-    0.5405
-    """
-    side = float(np.ptp(stations(chain), axis=0).max())
+def extent(*arms: Branch) -> float:
+    """Return the longest side of a robot at home, in metres: the unit of length of what is not drawn to scale; 1 if it is 0."""
+    side = float(np.ptp(np.concatenate([stations(branch.chain) for branch in arms]), axis=0).max())
     return side if side > COINCIDENT_TOL_M else 1.0
 
 
 def half_height(points: Array, look: Sequence[float] = VIEWS["default"]) -> float:
-    """Return half the height of a picture in which points (m, 3) about its centre are in view, from `look` and in all named views.
-
-    >>> half_height(np.array([[0.0, 0, 2], [0, 0, -2]]))
-    2.0
-    """
+    """Return half the height of a picture in which points (m, 3) about its centre are in view, from `look` and in all named views."""
     views = [look, *VIEWS.values()]
     seen = [np.abs(points @ axes_of_view(*view)[1].T).max(axis=0) for view in views]
     return max(float(max(HEIGHT_PER_WIDTH * right, up)) for right, up in seen)
 
 
-def link_paths(chain: Chain) -> list[Array]:
-    """Return the lines (k, 3) of links 0 to n at home: along an axis, along the common normal, along the next axis.
-
-    >>> from kinlib.chains.robots import puma560
-    >>> link_paths(puma560())[3].round(4).tolist()            # the elbow: out by a3, then down by d4
-    [[0.4318, 0.15, 0.0], [0.4521, 0.15, 0.0], [0.4521, 0.15, -0.4318]]
-    """
-    tool = chain.home[:3, 3]
-    axes = [Z, *chain.lines.axis]
-    points = [np.zeros(3), *chain.joint_points]
-    paths = []
-    for i in range(chain.n):
-        normal = common_normal(
-            (axes[i], points[i]), (axes[i + 1], points[i + 1]), perpendicular(axes[i]), at_other_point=True
-        )
-        paths.append(_path([points[i], normal.start, normal.end, points[i + 1]]))
-    z, last = axes[-1], points[-1]
-    paths.append(_path([last, last + z * (z @ (tool - last)), tool]))
-    return paths
+def still_room(points: Array, share: float) -> dict[str, Any]:
+    """Return the region in view of what does not leave its place: a share of the sphere around points (m, 3)."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    radius = share * float(np.linalg.norm(high - low)) / 2
+    return {"centre": ((low + high) / 2).tolist(), "radius": radius, "constant": True}
 
 
-def joint_slider(
-    column: int,
-    is_prismatic: bool,
-    limits: ArrayLike,
-    value: float,
-    *,
-    title: str = "",
-    span: tuple[float, float] | None = None,
+def frame_data(name: str, body: int, pose: Array) -> dict[str, Any]:
+    """Return a frame on a body as data: its pose (4, 4) at home."""
+    return {"name": name, "body": body, "pose": (np.asarray(pose) + 0.0).ravel().tolist()}
+
+
+def _slider(
+    column: int, is_prismatic: bool, limits: Array, value: float, span: tuple[float, float] | None
 ) -> dict[str, Any]:
-    """Return the slider of the joint value in a column of q, from 0; its range is span, or its limits where it has them.
-
-    Raises ValueError if span does not contain the value.
-
-    >>> joint_slider(0, True, (0, np.inf), 0.5)
-    {'column': 0, 'name': 'q_1', 'title': '', 'unit': 'm', 'low': 0.0, 'high': 1.0}
-    """
     far = DEFAULT_TRAVEL_M if is_prismatic else DEFAULT_ANGLE_RAD
     least, most = np.asarray(limits, dtype=float)
     low, high = span or (
@@ -248,55 +214,25 @@ def joint_slider(
             "Is one of them in degrees?"
         )
     unit = "m" if is_prismatic else "rad"
-    return {
-        "column": column,
-        "name": f"q_{column + 1}",
-        "title": title,
-        "unit": unit,
-        "low": float(low),
-        "high": float(high),
-    }
+    ends = {"low": float(low), "high": float(high)}
+    return {"column": column, "name": f"q_{column + 1}", "unit": unit, **ends}
 
 
-def finite_limits(limits: Array) -> list[list[float | None]]:
-    """Return limits (n, 2) for JSON, which has no infinity.
-
-    >>> finite_limits(np.array([[0, np.inf]]))
-    [[0.0, None]]
-    """
-    return [[float(end) if np.isfinite(end) else None for end in pair] for pair in limits]
+def _finite(end: float) -> float | None:
+    return float(end) if np.isfinite(end) else None
 
 
-def _tips(chain: Chain, q: Array) -> Array:
-    """Return the tips of the arrows along the joint axes, and of the axes of {s} and {b}."""
-    links, tool, size = chain.link_poses(q), chain.fk(q), extent(chain)
-    axes = links[:, :3, 3] + 0.36 * size * carried_axes(chain, links)
-    return np.concatenate([axes, 0.2 * size * np.eye(3), tool[:3, 3] + 0.2 * size * tool[:3, :3].T])
-
-
-def room(configurations: Array, tips: Array, size: float) -> dict[str, Any]:
-    """Return the region that must be in view.
-
-    The configurations shown (m, 3) and the tips of their arrows (k, 3) fill the picture, with a margin for labels. If the arm
-    moves farther, the page zooms out.
-
-    >>> room(np.eye(3), np.zeros((1, 3)), size=1.0)["centre"]
-    [0.5, 0.5, 0.5]
-    """
-    seen = np.concatenate([configurations, tips])
-    centre = (seen.min(axis=0) + seen.max(axis=0)) / 2
-    return {"centre": centre.tolist(), "radius": half_height(seen - centre) + 0.1 * size}
-
-
-def still_room(points: Array, share: float) -> dict[str, Any]:
-    """Return the region in view of what does not leave its place: a share of the sphere around points (m, 3).
-
-    >>> still_room(np.array([[0, 0, 0], [0, 0, 2.0]]), 0.5)
-    {'centre': [0.0, 0.0, 1.0], 'radius': 0.5, 'constant': True}
-    """
-    low, high = points.min(axis=0), points.max(axis=0)
-    radius = share * float(np.linalg.norm(high - low)) / 2
-    return {"centre": ((low + high) / 2).tolist(), "radius": radius, "constant": True}
+def _link_paths(chain: Chain) -> list[list[list[float]]]:
+    """Return the lines of links 0 to n at home: along an axis, along the common normal, along the next axis."""
+    z, last, tool = chain.lines.axis[-1], chain.joint_points[-1], chain.home[:3, 3]
+    first = _normal((np.eye(3)[2], np.zeros(3)), (chain.lines.axis[0], chain.joint_points[0]))
+    paths = [
+        [start, normal.start, normal.end, end]
+        for (start, end), normal in zip(
+            pairwise([np.zeros(3), *chain.joint_points]), [first, *_consecutive(chain)], strict=True
+        )
+    ]
+    return [_path(path).tolist() for path in [*paths, [last, last + z * (z @ (tool - last)), tool]]]
 
 
 def _path(points: list[Array]) -> Array:
@@ -312,49 +248,39 @@ def _path(points: list[Array]) -> Array:
     return path + 0.0
 
 
-def joint_data(chain: Chain) -> list[dict[str, Any]]:
-    """Return the joints of an arm as data: their screws, and where and how they are drawn.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> [joint["travel"] for joint in joint_data(rpr())]
-    [0.0, 1.0, 0.0]
-    """
+def _joints(branch: Branch) -> list[dict[str, Any]]:
+    """Return the joints of a branch: their screws for the values that move them, and where and how they are drawn."""
+    chain = branch.chain
     axis, _, pitch = chain.lines
+    shifts = axial_offsets(axis, chain.joint_points)
     return [
         {
             "kind": letter,
-            "screw": screw.tolist(),
-            "axis": z.tolist(),
-            "point": point.tolist(),
-            "shift": float(shift),
+            "screw": (branch.multipliers[i] * chain.screws[i]).tolist(),
+            "axis": axis[i].tolist(),
+            "point": chain.joint_points[i].tolist(),
+            "shift": float(shifts[i]),
             # JSON has no infinity; a prismatic joint translates by 1 for each unit of its value
-            "travel": 1.0 if letter == "P" else float(h) if letter == "H" else 0.0,
+            "travel": float(branch.multipliers[i]) * {"P": 1.0, "R": 0.0}.get(letter, float(pitch[i])),
+            **(
+                {"number": int(branch.columns[i]) + 1, "name": branch.names[i], "hidden": i < branch.shared}
+                if branch.tip
+                else {}
+            ),
         }
-        for letter, screw, z, point, h, shift in zip(
-            chain.joint_types,
-            chain.screws,
-            axis,
-            chain.joint_points,
-            pitch,
-            axial_offsets(axis, chain.joint_points),
-            strict=True,
-        )
+        for i, letter in enumerate(chain.joint_types)
     ]
 
 
 def _frames(chain: Chain, size: float) -> dict[str, Any]:
-    """Return the frames that can be shown, each with its name, its body and its pose at home."""
+    """Return the frames of an arm that can be shown, each with its name, its body and its pose at home."""
     n = chain.n
     ends = {"s": frame_data("s", 0, np.eye(4)), "b": frame_data("b", n, chain.home)}
     on_links = homogeneous(np.eye(3), chain.joint_points)
-    shown: dict[str, Any] = {
-        "base": [ends["s"]],
-        "tool": [ends["b"]],
-        "links": [frame_data(str(i + 1), i + 1, T) for i, T in enumerate(on_links)],
-    }
-    if "H" in chain.joint_types:
-        return shown  # a DH row has one variable, and a helical joint would need two
-    for convention in ("standard", "modified"):
+    links = [frame_data(str(i + 1), i + 1, T) for i, T in enumerate(on_links)]
+    shown: dict[str, Any] = {"base": [ends["s"]], "tool": [ends["b"]], "links": links}
+    # A DH row has one variable, and a helical joint would need two.
+    for convention in () if "H" in chain.joint_types else ("standard", "modified"):
         frames = assign_frames(chain, convention=convention).frames
         drawable = [frame_data(str(i), i, T) for i, T in enumerate(frames) if _near(T[:3, 3], size)]
         drawable += [ends["s"]] * (not np.allclose(frames[0], np.eye(4)))
@@ -363,28 +289,21 @@ def _frames(chain: Chain, size: float) -> dict[str, Any]:
     return shown
 
 
-def frame_data(name: str, body: int, pose: Array) -> dict[str, Any]:
-    """Return a frame on a body as data: its pose (4, 4) at home.
-
-    >>> frame_data("b", 3, np.eye(4))["name"]
-    'b'
-    """
-    return {"name": name, "body": body, "pose": (np.asarray(pose) + 0.0).ravel().tolist()}
-
-
 def _normals(chain: Chain, size: float) -> list[dict[str, Any]]:
     """Return the common normals of consecutive axes; the one from axis i to axis i + 1 is fixed to body i."""
-    axes, points = chain.lines.axis, chain.joint_points
-    normals = []
-    for i in range(chain.n - 1):
-        normal = common_normal(
-            (axes[i], points[i]), (axes[i + 1], points[i + 1]), perpendicular(axes[i]), at_other_point=True
-        )
-        if _near(normal.start, size) and _near(normal.end, size):
-            normals.append(
-                {"body": i + 1, "from": normal.start.tolist(), "to": normal.end.tolist(), "along": normal.x.tolist()}
-            )
-    return normals
+    return [
+        {"body": i, "from": normal.start.tolist(), "to": normal.end.tolist(), "along": normal.x.tolist()}
+        for i, normal in enumerate(_consecutive(chain), start=1)
+        if _near(normal.start, size) and _near(normal.end, size)
+    ]
+
+
+def _consecutive(chain: Chain) -> list[CommonNormal]:
+    return [_normal(*pair) for pair in pairwise(zip(chain.lines.axis, chain.joint_points, strict=True))]
+
+
+def _normal(first: tuple[Array, Array], second: tuple[Array, Array]) -> CommonNormal:
+    return common_normal(first, second, perpendicular(first[0]), at_other_point=True)
 
 
 def _near(point: Array, size: float) -> bool:

@@ -4,12 +4,13 @@ A stop is {"texts", "alt", "parts", ...}: what it says, and what is drawn there 
 the page interpolates between them; where they have "poses", the frames jump. All stops are sent at once, so the page needs no Python.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 import traitlets
 
+from kinlib.view.drawing.picture import Picture
 from kinlib.view.viewer.viewer import ViewerBase
 
 Stop = dict[str, Any]
@@ -20,21 +21,41 @@ class Steps(ViewerBase):
 
     at       the stop that is shown, from 0; a fraction is the share of the way to the next one
     variant  which of several lists of stops is shown, such as a convention
+    q        the joint values of that stop, if it has some
 
     The mode has "variants", {name: {"stops": [stop, ...], ...}}, with as many stops each, and what all stops share: "kind",
-    "name" of a stop, "pace" in milliseconds from one to the next, and further data of its player.
+    "name" of a stop, "pace" in milliseconds from one to the next, and further data of its player. `draw` makes the picture of the
+    stop that is shown; it also has the text alternative of a stop that has none.
     """
 
     at = traitlets.Float(0.0).tag(sync=True)
     variant = traitlets.Unicode("").tag(sync=True)
     set_by_reader = ("at", "variant")
 
-    def __init__(self, scene: dict[str, Any], mode: Mapping[str, Any], *, variant: str = "", **settings: Any) -> None:
+    def __init__(
+        self,
+        scene: dict[str, Any],
+        mode: Mapping[str, Any],
+        draw: Callable[["Steps"], Picture],
+        *,
+        variant: str = "",
+        **settings: Any,
+    ) -> None:
         mode = {"kind": "steps", "pace": 0, **mode}
         self._variants: dict[str, Any] = mode["variants"]
+        self._draw = draw
         variant = variant or next(iter(self._variants))
         start = self._variants[variant]["stops"][0].get("q", [0.0])
         super().__init__(scene, settings.pop("start", start), mode=mode, variant=variant, **settings)
+        self.observe(self._follow, ["at", "variant"])
+        self._follow(None)
+
+    def _follow(self, _: Any) -> None:
+        self.q = self.stop.get("q", self.q)
+
+    def picture(self) -> Picture:
+        """Draw the stop that is shown."""
+        return self._draw(self)
 
     @property
     def stops(self) -> list[Stop]:
@@ -51,7 +72,8 @@ class Steps(ViewerBase):
     def alt(self) -> str:
         """The text alternative of the current picture."""
         passed = self.at > int(self.at + 1e-9) + 1e-9
-        return f"{'On the way to the next stop. ' if passed else ''}{self.stop['alt']}"
+        said: str = self.stop["alt"] if "alt" in self.stop else self.picture().alt
+        return f"{'On the way to the next stop. ' if passed else ''}{said}"
 
     @traitlets.validate("at", "variant")
     def _validate_stop(self, proposal: Any) -> Any:
@@ -64,18 +86,14 @@ class Steps(ViewerBase):
         return value
 
 
-def motion_scene(
-    name: str, arms: list[dict[str, Any]], room: dict[str, Any], floor: float, size: float
-) -> dict[str, Any]:
-    """Return a scene of frames that move: for each an arm, whose tool it is, with the joints that move it."""
-    return {"name": name, "size": size, "arms": arms, "room": room, "floor": floor, "offered": []}
-
-
-def frame_arm(T: Any, screws: Sequence[Any] = ()) -> dict[str, Any]:
+def frame_arm(T: Any, screws: Sequence[Any] = (), first: int = 0) -> dict[str, Any]:
     """Return a frame that starts at the pose T and is moved by screws (n, 6), as an arm without links.
+
+    first  the column of q that moves its first joint
 
     >>> frame_arm(np.eye(4))["joints"]
     []
     """
     joints = [{"screw": np.asarray(screw).tolist(), "point": [0.0, 0.0, 0.0]} for screw in screws]
-    return {"columns": list(range(len(joints))), "joints": joints, "home": (np.asarray(T) + 0.0).ravel().tolist()}
+    columns = [first + i for i in range(len(joints))]
+    return {"columns": columns, "joints": joints, "home": (np.asarray(T) + 0.0).ravel().tolist()}

@@ -1,6 +1,6 @@
-"""The 3-D viewer: an arm that moves in the page, in JupyterLab, in the browser lab and on a page without a kernel.
+"""The 3-D viewer: a robot that moves in the page, in JupyterLab, in the browser lab and on a page without a kernel.
 
-Python describes the arm once, as data (kinlib.view.viewer.scene). The page moves it by its screws and computes the pose from
+Python describes the robot once, as data (kinlib.view.viewer.scene). The page moves it by its screws and computes the pose from
 its scene graph, so a slider needs no answer from Python. Both sides share the traits below, and either side can set them.
 """
 
@@ -19,11 +19,12 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
-from kinlib.view.drawing.picture import Picture, page, save
-from kinlib.view.drawing.static_page import is_without_kernel
-from kinlib.view.figures.arm import ARM_LAYERS, describe_arm, draw_arm
+from kinlib.urdf.robot_tree import Tree
+from kinlib.view.drawing.picture import Picture, is_without_kernel, page, save
+from kinlib.view.figures.arm import ARM_LAYERS, body_motions, describe_arm, draw_arm
+from kinlib.view.figures.tree import MAX_NAMED_TIPS, describe_tree, draw_tree
 from kinlib.view.viewer.cell_memory import keep_in_cell
-from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, body_motions, scene
+from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, scene
 
 STATIC = Path(__file__).parents[1] / "static"
 """The bundle viewer.js, built from kinlib/view/js by `npm run build`, and loader.js, which loads it if a page has a viewer."""
@@ -49,8 +50,8 @@ class Covered(anywidget.AnyWidget):
     ...     committed = Bool(False)
     >>> from kinlib.chains.robots import rpr
     >>> arm = explore(rpr(), after=(question := Question()))
-    >>> arm.on_page("viewer", "", "<svg></svg>")[23:]
-    '><div data-kinlib-drawing><p>Commit to your prediction first; then the picture appears here.</p></div></div>'
+    >>> arm.on_page("viewer", {}, "<svg></svg>")[-107:]
+    '<div data-kinlib-drawing><p>Commit to your prediction first; then the picture appears here.</p></div></div>'
     >>> question.committed = True
     >>> arm.covered, arm.html()[:25]
     (False, '<div data-kinlib-viewer><')
@@ -81,15 +82,15 @@ class Covered(anywidget.AnyWidget):
         """Return the widget for a page without a kernel."""
         raise NotImplementedError
 
-    def on_page(self, kind: str, state: str, drawing: str) -> str:
-        """Return the element of a viewer or a film: its state, and the drawing that loader.js replaces, or what covers it."""
+    def on_page(self, kind: str, state: Mapping[str, Any], drawing: str) -> str:
+        """Return the element of a viewer or a film: its state as JSON, and the drawing that loader.js replaces, or its cover."""
         text = "Commit to your prediction first; then the picture appears here."
         if self.covered and is_without_kernel():  # a click opens it
             drawing = f"<details><summary>{text}</summary>{drawing}</details>"
         elif self.covered:
             drawing = f"<p>{text}</p>"
         after = f' data-kinlib-after="{html.escape(self._after)}"' if self._after else ""
-        return f"<div data-kinlib-{kind}{after}>{state}<div data-kinlib-drawing>{drawing}</div></div>"
+        return f"<div data-kinlib-{kind}{after}>{as_script(state)}<div data-kinlib-drawing>{drawing}</div></div>"
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         data, metadata = super()._repr_mimebundle_(**options) or ({}, {})
@@ -103,20 +104,12 @@ class ViewerBase(Covered):
     start    (n,) the joint values that the button "Reset" restores
     shown    the layers that are drawn, any of kinlib.view.viewer.scene.LAYERS
     readout  whether the pose of the end-effector is shown beside the picture
-    mode     {"kind", ...}: the data of a mode in kinlib/view/js/modes; empty for an arm with sliders
+    mode     {"kind", ...}: the data of a mode in kinlib/view/js/modes; empty for a robot with sliders
     flat     whether the page has no WebGL and asks for `drawing`, the current picture as HTML
 
     It is made of a scene, the joint values at the start, and further traits.
 
     >>> from kinlib.chains.robots import rpr
-    >>> explore(rpr()).html()[:25]
-    '<div data-kinlib-viewer><'
-    >>> arm = explore(rpr(), frames={"1": np.eye(4)})
-    >>> arm.own_frames(), arm.picture().alt[:3]
-    (['frame 1'], 'RPR')
-    >>> arm.check([1, 2])
-    Traceback (most recent call last):
-    ValueError: RPR has 3 joints (RPR), so q must have shape (..., 3); got (2,). Pass one value per joint.
     >>> explore(rpr()).save("arm.jpg")
     Traceback (most recent call last):
     ValueError: path must end in .svg, .html or .png; got 'arm.jpg'.
@@ -188,13 +181,9 @@ class ViewerBase(Covered):
     def html(self) -> str:
         """Return the viewer for a page without a kernel: its state as JSON, and a drawing that loader.js replaces."""
         # The page does not need what anywidget and ipywidgets synchronize for themselves.
-        own = (
-            set(self.trait_names(sync=True))
-            - set(anywidget.AnyWidget.class_trait_names(sync=True))
-            - {"flat", "drawing"}
-        )
-        state = self.get_state(sorted(name for name in own if not name.startswith("_")))
-        return self.on_page("viewer", as_script(state), self.picture().html())
+        theirs = {*anywidget.AnyWidget.class_trait_names(sync=True), "flat", "drawing"}
+        own = [name for name in self.trait_names(sync=True) if name not in theirs and not name.startswith("_")]
+        return self.on_page("viewer", self.get_state(sorted(own)), self.picture().html())
 
 
 def as_script(state: Mapping[str, Any]) -> str:
@@ -209,43 +198,41 @@ def as_script(state: Mapping[str, Any]) -> str:
 
 
 class Viewer(ViewerBase):
-    """An arm on the page. Make one with `explore`.
+    """A robot on the page, an arm or a tree. Make one with `explore`."""
 
-    >>> from kinlib.chains.robots import rpr
-    >>> arm = explore(rpr())
-    >>> arm.check([0, 0.5, 0])
-    >>> arm.picture().alt[:13]
-    'RPR, 3 joints'
-    """
-
-    def __init__(self, chain: Chain, scene: dict[str, Any], start: ArrayLike, **traits: Any) -> None:
-        self.chain = chain
+    def __init__(self, robot: Chain | Tree, scene: dict[str, Any], start: ArrayLike, **traits: Any) -> None:
+        self.robot = robot
         super().__init__(scene, start, **traits)
 
     @property
     def alt(self) -> str:
         """The text alternative of the current picture."""
-        return describe_arm(self.chain, self.q, home_axes="home axes" in self.shown, frames=self._shown_frames())
+        if isinstance(self.robot, Tree):
+            return describe_tree(self.robot, self.q)
+        return describe_arm(self.robot, self.q, home_axes="home axes" in self.shown, frames=self._frames())
 
     def check(self, values: list[float]) -> None:
-        """Raise ValueError if the arm has another number of joints."""
-        self.chain.fk(values)
+        """Raise ValueError if the robot has another number of (independent) joints."""
+        self.robot.in_order(values)
 
     def picture(self) -> Picture:
-        """Draw the arm with the layers that are shown."""
+        """Draw the robot with the layers that are shown."""
+        if isinstance(self.robot, Tree):
+            return draw_tree(self.robot, self.q)
         drawn = [name for name in self.shown if name in ARM_LAYERS]
-        return draw_arm(self.chain, self.q, show=drawn, frames=self._shown_frames())
+        return draw_arm(self.robot, self.q, show=drawn, frames=self._frames())
 
-    def _shown_frames(self) -> dict[str, Array]:
+    def _frames(self) -> dict[str, Array]:
         """Return the poses at q of those frames given to `explore` that are switched on."""
-        arm = self.scene["arms"][0]
-        single = [arm["frames"][layer][0] for layer in self.own_frames() if layer in self.shown]
-        moved = body_motions(self.chain, np.array(self.q))
+        if isinstance(self.robot, Tree):
+            return {}
+        moved, layers = body_motions(self.robot, np.array(self.q)), self.scene["arms"][0]["frames"]
+        single = [layers[layer][0] for layer in self.own_frames() if layer in self.shown]
         return {frame["name"]: moved[frame["body"]] @ np.reshape(frame["pose"], (4, 4)) for frame in single}
 
 
 def explore(
-    chain: Chain,
+    robot: Chain | Tree,
     joints: Sequence[int] | None = None,
     *,
     show: Collection[str] = ("axes", "base", "tool"),
@@ -253,23 +240,24 @@ def explore(
     start: JointValues | None = None,
     span: tuple[float, float] | None = None,
     frames: Mapping[str, ArrayLike] | None = None,
-    readout: bool = True,
+    readout: bool | None = None,
 ) -> Viewer:
-    """Show an arm in three dimensions, with sliders for its joints and the pose of its end-effector.
+    """Show a robot in three dimensions, with sliders for its joints and, for an arm, the pose of its end-effector.
 
+    robot    an arm, or a tree, which has a slider for each independent joint
     joints   the joints that get a slider, counted from 1; all by default, but better only those that matter
     show     the layers that are drawn at first, any of kinlib.view.viewer.scene.LAYERS; the reader can switch them
-    after    a question; the arm stays covered until a prediction is committed
+    after    a question; the robot stays covered until a prediction is committed
     start    (n,) the first joint values, or a mapping from joint names to values; by default home. Afterwards `q` is
              synchronized with the page
     span     the range of the sliders, in radians or metres; by default the limits of the joints
-    frames   {"0": T_00, "1": T_01, ...} frames on the links, which the reader switches on one by one; poses (4, 4) in {s} at
-             `start`. Frame i is fixed to link i and moves with it; frames beyond the last link are fixed to that one. They
+    frames   {"0": T_00, "1": T_01, ...} frames on the links of an arm, which the reader switches on one by one; poses (4, 4) in {s}
+             at `start`. Frame i is fixed to link i and moves with it; frames beyond the last link are fixed to that one. They
              replace {s}, {b} and the DH frames. The first one is shown at the beginning, or those in show: "frame 1"
-    readout  whether the pose of the end-effector is shown beside the picture
+    readout  whether the pose of the end-effector is shown beside the picture; by default that of an arm
 
-    Raises ValueError if the arm does not have one of the joints, values do not have shape (n,) or contain NaN, span does not
-    contain the start, a layer is unknown, or a frame is not a pose or is not named by its link.
+    Raises ValueError if the robot does not have one of the joints, values do not have shape (n,) or contain NaN, span does not
+    contain the start, a layer is unknown, a frame is not a pose or is not named by its link, or no joint moves by one value.
 
     >>> from kinlib.chains.robots import youbot
     >>> arm = explore(youbot(), joints=[3])
@@ -285,11 +273,14 @@ def explore(
     >>> arm.shown
     ['axes', 'frame 0', 'frame 1']
     """
-    validation.instance(chain, "chain", Chain)
-    home = np.zeros(chain.n) if start is None else validation.single(chain.in_order(start), "q")
+    validation.instance(robot, "robot", Chain, Tree)
+    home = np.zeros(robot.n) if start is None else validation.single(robot.in_order(start), "q")
     layers = list(show)
     if frames:
         layers = [layer for layer in show if layer not in FRAME_LAYERS]
         layers += [] if any(f"frame {name}" in show for name in frames) else [f"frame {next(iter(frames))}"]
-    whole = scene(chain, home, joints=joints, span=span, frames=frames)
-    return Viewer(chain, whole, home, shown=layers, readout=readout, after=after)
+    whole = scene(robot, home, joints=joints, span=span, frames=frames)
+    if len(whole["arms"]) > MAX_NAMED_TIPS:
+        layers.remove("tool")
+    shows_pose = isinstance(robot, Chain) if readout is None else readout
+    return Viewer(robot, whole, home, shown=layers, readout=shows_pose, after=after)

@@ -20,7 +20,7 @@ from kinlib.dh.formatting import headings, in_latex, markdown_table
 from kinlib.dh.table import Convention, format_rows
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.view import drive, explore
-from kinlib.view.drawing.dark_theme import follow_theme
+from kinlib.view.drawing.figure_colours import follow_theme
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.drawing.svg import GREEK
 from kinlib.view.figures.arm import draw_arm

@@ -15,7 +15,7 @@ from kinsite.execute import ROOT, cache_outputs, code_cells, is_clean
 from nbclient import NotebookClient
 from nbval.plugin import IPyNbCell, IPyNbFile
 
-from kinlib.view.drawing.static_page import ENVIRONMENT_VARIABLE
+from kinlib.view.drawing.picture import ENVIRONMENT_VARIABLE
 
 MESSAGES: dict[Path, list[list[dict]]] = {}
 """What the kernel of each notebook has sent so far, cell by cell."""

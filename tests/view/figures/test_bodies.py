@@ -10,10 +10,9 @@ from strategies import ROBOTS, chains
 import kinlib as kl
 from kinlib.view import draw_arm, explore
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.shades import SHADES
+from kinlib.view.drawing.figure_colours import SHADES
 from kinlib.view.figures.bodies import Body, body_of, box, rim_points, solid_data
 from kinlib.view.figures.body_drawing import draw_body
-from kinlib.view.viewer.tree_viewer import explore_tree
 
 X, Y, Z = np.eye(3)
 SLIDE = np.inf
@@ -108,11 +107,11 @@ SHOWN = """<robot name="crane">
 
 def test_a_tree_shows_the_boxes_cylinders_and_spheres_of_its_file_and_opens_no_other():
     tree = kl.Tree.from_urdf(SHOWN)
-    (arm,) = explore_tree(tree).scene["arms"]
+    (arm,) = explore(tree).scene["arms"]
     base, boom = arm["body"]
     assert [solid["kind"] for solid in base] == ["drum"]
     assert [solid["kind"] for solid in boom] == ["box", "tube"]  # the hook is fixed to the boom
     assert boom[0]["points"] == [[0.5, 0, 0.3]]
     assert boom[0]["sizes"] == [0.5, 0.05, 0.1]
     np.testing.assert_allclose(boom[1]["points"][0], [1, 0, 0.3], atol=1e-4)
-    assert "nan" not in explore_tree(tree, [0.5]).picture().svg
+    assert "nan" not in explore(tree, start=[0.5]).picture().svg

@@ -151,7 +151,7 @@ def test_show_displays_in_a_notebook(opened, monkeypatch):
     monkeypatch.setitem(sys.modules, "IPython", kernel)
     monkeypatch.setitem(sys.modules, "IPython.display", kernel.display)
     kl.show(kl.robots.rpr())
-    assert [viewer.chain.name for viewer in displayed] == ["RPR"]
+    assert [viewer.robot.name for viewer in displayed] == ["RPR"]
     assert not opened
 
 

@@ -50,13 +50,11 @@ def test_the_first_configuration_is_the_start(crank_rocker):
     assert crank_rocker.q == crank_rocker.stops[int(crank_rocker.at)]["q"]
 
 
-def test_what_is_no_configuration_of_the_linkage_is_refused(crank_rocker):
+def test_what_is_no_configuration_of_the_linkage_is_refused():
     with pytest.raises(ValueError, match=r"four-bar has joint values A, B, D, C; got 'E'"):
         drive(GRASHOF, START, across=("A", "E"))
     with pytest.raises(ValueError, match="Assemble the linkage first"):
         drive(GRASHOF, [1.0, 0, 0, 0])
-    with pytest.raises(ValueError, match=r"shape \(\.\.\., 4\); got \(3,\)\. Pass one value for each of A, B, D, C"):
-        crank_rocker.q = [0.0, 0, 0]
 
 
 def test_curves_can_be_given_with_labels():

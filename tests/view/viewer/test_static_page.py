@@ -8,7 +8,7 @@ from kincourse import COURSE, ask, explain
 from kincourse import find_question as find
 from kinlib.chains.robots import rpr
 from kinlib.view import explore, plot, slide
-from kinlib.view.drawing.static_page import ENVIRONMENT_VARIABLE
+from kinlib.view.drawing.picture import ENVIRONMENT_VARIABLE
 
 ALL = [f"{lecture}/{key}" for lecture, items in COURSE.questions().items() for key in items]
 VOID = {"br", "img", "input"}
@@ -89,7 +89,7 @@ def test_what_is_covered_names_its_question(page):
 
 
 def test_both_packages_use_the_same_environment_variable():
-    from kinlib.view.drawing import static_page
+    from kinlib.view.drawing import picture
     from misstep.display import static_output
 
-    assert static_page.ENVIRONMENT_VARIABLE == static_output.ENVIRONMENT_VARIABLE
+    assert picture.ENVIRONMENT_VARIABLE == static_output.ENVIRONMENT_VARIABLE

@@ -7,10 +7,8 @@ from hypothesis import strategies as st
 from urdf_files import trees
 
 import kinlib as kl
-from kinlib.view.viewer.tree_viewer import (
-    branches,
-    explore_tree,
-)
+from kinlib.view import explore
+from kinlib.view.figures.tree import branches
 
 
 @given(trees(mimic=True), st.integers(0, 2**32 - 1))
@@ -26,6 +24,6 @@ def test_every_branch_ends_at_its_tip_and_every_joint_is_drawn_once(drawn, seed)
     for branch in found:
         np.testing.assert_allclose(branch.chain.fk(branch.values(q)), poses[branch.tip], atol=1e-9)
         np.testing.assert_allclose(branch.stations(q)[-1], poses[branch.tip][:3, 3], atol=1e-9)
-    arms = explore_tree(tree, q).scene["arms"]
+    arms = explore(tree, start=q).scene["arms"]
     shown = [joint["name"] for arm in arms for joint in arm["joints"] if not joint["hidden"]]
     assert sorted(shown) == sorted({name for branch in found for name in branch.names})

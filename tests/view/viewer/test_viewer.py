@@ -13,11 +13,7 @@ from strategies import ROBOTS, configurations
 
 import kinlib as kl
 from kinlib.view import explore
-from kinlib.view.viewer.scene import (
-    LAYERS,
-    arm_data,
-    scene,
-)
+from kinlib.view.viewer.scene import LAYERS, scene
 from kinlib.view.viewer.viewer import STATIC
 
 ROOT = Path(__file__).parents[3]
@@ -32,12 +28,11 @@ each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.na
 def test_the_data_of_an_arm_has_the_forward_kinematics_of_modern_robotics(robot):
     """The page moves each body by its screw, so the data alone must give the pose of the arm's tool."""
     q = configurations(robot, 3)
-    data = scene(robot, np.zeros(robot.n))
-    for arm in (arm_data(robot), data["arms"][0]):
-        axes = np.transpose([joint["screw"] for joint in arm["joints"]])
-        for row in q:
-            found = mr.FKinSpace(np.reshape(arm["home"], (4, 4)), axes, row)
-            np.testing.assert_allclose(found, mr.FKinSpace(robot.home, robot.screws.T, row), rtol=0, atol=1e-12)
+    (arm,) = scene(robot, np.zeros(robot.n))["arms"]
+    axes = np.transpose([joint["screw"] for joint in arm["joints"]])
+    for row in q:
+        found = mr.FKinSpace(np.reshape(arm["home"], (4, 4)), axes, row)
+        np.testing.assert_allclose(found, mr.FKinSpace(robot.home, robot.screws.T, row), rtol=0, atol=1e-12)
 
 
 @each_robot
