@@ -204,8 +204,8 @@ class Examination:
             yield f"<p>What was assumed:</p><ul>{''.join(f'<li>{escape(item)}</li>' for item in items)}</ul>"
         for text in self.readings:
             head, *changes = map(escape, text.splitlines())
-            items = "".join(f"<li>{change}</li>" for change in changes)
-            yield f"<p>{head}</p>" + f"<ul>{items}</ul>" * bool(changes)
+            listed = "".join(f"<li>{change}</li>" for change in changes)
+            yield f"<p>{head}</p>" + f"<ul>{listed}</ul>" * bool(changes)
         if self.table:
             yield self._side_by_side()
         if self.arm and not self.table:
