@@ -400,16 +400,13 @@ def _improved(found: Equivalence, one: Chain, other: Chain, fixed: frozenset[str
             break
         error, J = linearized(found.base, one, found.signs * q + found.offsets, found.tool, target)
         step = np.linalg.lstsq(J * free, -error, rcond=1e-10)[0] * free
-        if free is is_free and np.abs(step).max() > LARGEST_STEP:
+        if np.abs(step).max() > LARGEST_STEP:
             break
         X, Y = exp(step[:6]) @ found.base, found.tool @ exp(step[-6:])
         moved = _measured(replace(found, base=X, tool=Y, offsets=found.offsets + step[6:-6]), one, other)
-        if moved.difference >= found.difference:
-            if free is is_free:
-                break
-            continue
-        is_slow, found = moved.difference > 0.5 * found.difference, moved
-        if is_slow and free is is_free:  # a start that is right leaves a linear problem
+        if moved.difference < found.difference:
+            found = moved
+        elif free is is_free:
             break
     return found
 
