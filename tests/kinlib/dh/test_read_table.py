@@ -45,6 +45,8 @@ FORMS = {
     "an array of C": "double dh[6][4] = { // theta, d, a, alpha\n {0, 0.089159, 0, M_PI_2},\n {0, 0, -0.425, 0},\n"
     " {0,0,-0.39225,0},\n {0, 0.10915, 0, M_PI/2},\n {0, 0.09465, 0, -M_PI_2},\n {0, 0.0823, 0, 0} };",
     "lists by column": "\n".join(f"{name} = {[row[k] for row in ROWS]}" for k, name in enumerate(("a", "alpha", "d"))),
+    "names with indices": "\n".join(f"a{i} = {a}; alpha{i} = {al}; d{i} = {d}" for i, (a, al, d, _) in enumerate(ROWS, 1)),
+    "lines by column": "\n".join(f"{n} " + " ".join(f"{row[k]}" for row in ROWS) for k, n in enumerate(("a", "alpha", "d"))),
     "dictionaries": lines("[", "{{'a': {a}, 'alpha': {alpha}, 'd': {d}, 'theta': 'q{i}'}},", "]"),
     "other names": lines("i  alfa  r  d  v", "{i} {deg} {a} {d} q{i}"),
     "without a heading, in millimetres": "0 89.159 0 90\n0 0 -425 0\n0 0 -392.25 0\n0 109.15 0 90\n0 94.65 0 -90\n0 82.3 0 0",
