@@ -52,9 +52,6 @@ DRAWN_FRAME_TOL = 1e-6
 EQUIVALENCE_TOL = 1e-8
 """How far two mechanisms may differ, in an entry of a pose, and still be the same."""
 
-INTERMEDIATE_TOL_FACTOR = 10
-"""How many times `EQUIVALENCE_TOL` an intermediate result may be off: the complete map is checked at the end."""
-
 SAME_DISTANCE_RAD = 1e-9
 """Axes at a smaller angle have the same distance everywhere, to within a micrometre along a kilometre."""
 

@@ -284,9 +284,7 @@ def _starts(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> It
     """Yield signs (n,), offsets (n,) and the rotation of the base for all signs that the axes admit, the fewest changes first."""
     invariants = AxisInvariants(other, 100 * loose)
     u, v, letters = one.lines.axis, other.lines.axis, one.joint_types
-    # The frames of nearly parallel axes are far away, so the points that are compared are those next to the tool.
-    near = one.joint_points + u * np.sum(u * (one.home[:3, 3] - one.joint_points), axis=1, keepdims=True)
-    s = invariants.sign_patterns(invariants.of(u, near))
+    s = invariants.sign_patterns(invariants.of(u, one.joint_points))
     s = s[(s > 0).all(axis=1)] if "signs" in fixed else s
     for end, joint, R, Q in (("base", 0, np.eye(3), np.eye(3)), ("tool", -1, one.home[:3, :3], other.home[:3, :3])):
         if end in fixed:
@@ -400,16 +398,13 @@ def _improved(found: Equivalence, one: Chain, other: Chain, fixed: frozenset[str
             break
         error, J = linearized(found.base, one, found.signs * q + found.offsets, found.tool, target)
         step = np.linalg.lstsq(J * free, -error, rcond=1e-10)[0] * free
-        if free is is_free and np.abs(step).max() > LARGEST_STEP:
+        if np.abs(step).max() > LARGEST_STEP:
             break
         X, Y = exp(step[:6]) @ found.base, found.tool @ exp(step[-6:])
         moved = _measured(replace(found, base=X, tool=Y, offsets=found.offsets + step[6:-6]), one, other)
-        if moved.difference >= found.difference:
-            if free is is_free:
-                break
-            continue
-        is_slow, found = moved.difference > 0.5 * found.difference, moved
-        if is_slow and free is is_free:  # a start that is right leaves a linear problem
+        if moved.difference < found.difference:
+            found = moved
+        elif free is is_free:
             break
     return found
 

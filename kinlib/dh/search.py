@@ -20,7 +20,15 @@ from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.equivalence import AxisInvariants, Booleans, Equivalence, describe_pose, equivalent, format_offset
+from kinlib.dh.equivalence import (
+    CHOICES,
+    AxisInvariants,
+    Booleans,
+    Equivalence,
+    describe_pose,
+    equivalent,
+    format_offset,
+)
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.slips import (
     NUMBERS,
@@ -178,7 +186,7 @@ class _Search:
         """Return the candidates of so many corrections that can be the arm, the cheapest first: the places of the corrections in
         the list of singles, rows and signs.
 
-        Invariants decide, and if zeros and signs are fixed, the poses of a few q. A correction of a row comes after one of the whole
+        Invariants decide, and if nothing is free, the poses of a few q. A correction of a row comes after one of the whole
         table, as the singles are sorted.
         """
         places = (
@@ -191,10 +199,10 @@ class _Search:
             for place in np.unique(column) if at else ():
                 rows[column == place] = self._singles[place].change(rows[column == place])
         agree = self._invariants.agree(self._invariants.of(*joint_axes(self.table, rows, signs)), "signs" in self.fixed)
-        if self.fixed >= {"zeros", "signs"} and agree.any():
+        if self.fixed >= {*CHOICES} and agree.any():
             q = random_configurations(self.arm.n, 4)
-            poses = table_poses(self.table, rows[agree, None], q, signs[agree, None])
-            agree[agree] = _same_motion(poses, self.arm.fk(q), self.fixed, FILTER_TOL_FACTOR * self.tolerance)
+            off = table_poses(self.table, rows[agree, None], q, signs[agree, None]) - self.arm.fk(q)
+            agree[agree] = np.abs(off).max(axis=(1, 2, 3)) <= FILTER_TOL_FACTOR * self.tolerance
         numbers, edits = self._numbers[places].sum(axis=1), self._edits[places].sum(axis=1)
         sizes = np.where(numbers > 0, np.abs(rows - self.table.rows).sum(axis=(1, 2)), 0.0)
         sizes += 1e-3 * (rows[:, :, [0, 2]] < 0).sum(axis=(1, 2))  # in most tables the lengths have one sign
@@ -251,18 +259,3 @@ class _Search:
         unchanged = np.isclose(values, own, rtol=1e-9, atol=1e-10).astype(float)
         possible = violated @ unchanged.T == 0
         return np.argwhere(np.triu(possible & possible.T, 1))[:MAX_PAIRS]
-
-
-def _same_motion(poses: Array, right: Array, fixed: frozenset[str], loose: float) -> Booleans:
-    """Return which poses (N, k, 4, 4) are the right ones (k, 4, 4) up to the frames at the ends that are free."""
-
-    def motions(T: Array) -> Array:
-        start = np.linalg.inv(T[..., :1, :, :])
-        if fixed >= {"base", "tool"}:
-            return T
-        if fixed & {"base", "tool"}:
-            return T[..., 1:, :, :] @ start if "base" in fixed else start @ T[..., 1:, :, :]
-        return np.asarray(np.trace(T[..., 1:, :3, :3] @ start[..., :3, :3], axis1=-2, axis2=-1))
-
-    same: Booleans = np.abs(motions(poses) - motions(right)).reshape(len(poses), -1).max(axis=-1) <= loose
-    return same

@@ -34,6 +34,12 @@ MOVES_TOL, DIFFERENCE_STEP = 1e-6, 1e-5
 """A body moves with a joint velocity of length 1 if its pose changes at more than the first rate, which central differences
 with the second as step find to about 1e-10."""
 
+NOT_CLOSED = (
+    "the residual is {residual:.2g}, in metres and radians together, and no small change of the joint values decreases it. Try "
+    "another guess, because this one may be singular, with links in one line; assembly_modes(hold={{...}}) tries many. If none "
+    "closes, the links are not long enough to meet."
+)
+
 WRAPPING_TOL = 1e-6
 """An angle nearer to pi than this is written as -pi."""
 
@@ -94,11 +100,7 @@ class Closure:
         steps = f"after {found.iterations} step{'s' * (found.iterations != 1)}"
         message = f"Closed to {residual:.1g} {steps}."
         if residual > self.tolerance:
-            message = (
-                f"Not closed {steps}: the residual is {residual:.2g}, in metres and radians together, and no small change "
-                "of the joint values decreases it. Try another guess, because this one may be singular, with links in one line; "
-                "assembly_modes(hold={...}) tries many. If none closes, the links are not long enough to meet."
-            )
+            message = f"Not closed {steps}: {NOT_CLOSED.format(residual=residual)}"
         return Assembly(validation.read_only_copy(q), residual, found.iterations, residual <= self.tolerance, message)
 
     def search_modes(self, poses: Callable[[Array], Array]) -> Array:
@@ -111,10 +113,7 @@ class Closure:
         # The guesses are random but the result must not be: every call draws the same ones.
         rng = np.random.default_rng(0)
         reach = self.search_range[self.free]
-        modes: list[Array] = []
-        known: list[Array] = []
-        hits: list[int] = []
-        idle_rounds = 0
+        modes, known, hits, idle_rounds = list[Array](), list[Array](), list[int](), 0
         while idle_rounds < (MAX_IDLE_ROUNDS if 1 in hits else MIN_IDLE_ROUNDS):
             idle_rounds += 1
             guesses = rng.uniform(-reach, reach, (GUESSES_PER_ROUND, len(reach)))
@@ -155,9 +154,8 @@ class Closure:
         if not directions.shape[1]:
             return 0
         x = q[self.free]
-        ahead, behind = (
-            poses(self._with_held_values(x + h * directions.T)) for h in (DIFFERENCE_STEP, -DIFFERENCE_STEP)
-        )
+        steps = (x + h * directions.T for h in (DIFFERENCE_STEP, -DIFFERENCE_STEP))
+        ahead, behind = (poses(self._with_held_values(step)) for step in steps)
         U, sizes, _ = np.linalg.svd((ahead - behind).reshape(len(ahead), -1) / (2 * DIFFERENCE_STEP))
         moves = np.count_nonzero(sizes > MOVES_TOL)
         moving, passive = directions @ U[:, :moves], directions @ U[:, moves:]

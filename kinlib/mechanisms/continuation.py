@@ -82,13 +82,10 @@ class CurveTracer:
             )
         directions, _ = null_space(found.jacobian[0])
         if (count := directions.shape[1]) != 1:
-            remedy = (
-                "Hold all degrees of freedom but one or, if curves cross here, start at another configuration of one."
-            )
-            raise ValueError(
-                f"Exactly one direction must lead away from the start of a curve; got {count}. "
-                + (remedy if count else "Nothing can move: the linkage is a structure.")
-            )
+            remedy = "Nothing can move: the linkage is a structure."
+            if count:
+                remedy = "Hold all degrees of freedom but one or, if curves cross here, start at another configuration."
+            raise ValueError(f"Exactly one direction must lead away from the start of a curve; got {count}. {remedy}")
         # Both signs of the tangent are right. Fix one, so that the same start gives the same curve on every machine.
         tangent = directions[:, 0] * np.sign(directions[np.argmax(np.abs(directions[:, 0])), 0])
         points, end = self._follow_one_way(found.x[0], tangent, step, max_steps)

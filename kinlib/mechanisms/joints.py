@@ -67,10 +67,8 @@ class Joint(validation.ReadOnly):
     def __post_init__(self) -> None:
         bodies = list(self.bodies)
         if len(bodies) != 2 or bodies[0] == bodies[1]:
-            raise ValueError(
-                f"Joint {self.name} must join two different bodies; got {validation.describe(self.bodies)}. "
-                "Pass the names of both bodies."
-            )
+            given = validation.describe(self.bodies)
+            raise ValueError(f"Joint {self.name} must join two different bodies; got {given}. Pass the names of both.")
         screws = np.atleast_2d(axes(self.screws, f"screws of {self.name}"))
         # Chain validates the offset, and its message is right for a joint as well.
         validated = {"screws": screws, "closing_offset": Chain(screws, self.closing_offset).home}

@@ -38,17 +38,14 @@ def four_bar(ground: float, crank: float, coupler: float, rocker: float) -> Mech
     ('A', 'B', 'D', 'C')
     """
     _check_lengths(ground=ground, crank=crank, coupler=coupler, rocker=rocker)
-    a, b, d, c = 0 * X, crank * X, ground * X, (ground + rocker) * X
-    return Mechanism(
-        [
-            Joint("A", ("ground", "crank"), screw(Z, a)),
-            Joint("B", ("crank", "coupler"), screw(Z, b)),
-            Joint("D", ("ground", "rocker"), screw(Z, d)),
-            Joint("C", ("rocker", "coupler"), screw(Z, c), closing_offset=_translation(c - b - coupler * X), point=c),
-        ],
-        name="four-bar",
-        source="Modern Robotics, figure 2.4(a)",
-    )
+    tip = (ground + rocker) * X
+    end = Joint("C", ("rocker", "coupler"), screw(Z, tip), _translation(tip - (crank + coupler) * X), tip)
+    joints = [
+        _pin("A", "ground", "crank", 0 * X),
+        _pin("B", "crank", "coupler", crank * X),
+        _pin("D", "ground", "rocker", ground * X),
+    ]
+    return Mechanism([*joints, end], name="four-bar", source="Modern Robotics, figure 2.4(a)")
 
 
 def slider_crank(crank: float, rod: float, offset: float = 0.0) -> Mechanism:
@@ -64,18 +61,13 @@ def slider_crank(crank: float, rod: float, offset: float = 0.0) -> Mechanism:
     """
     _check_lengths(crank=crank, rod=rod)
     pin = offset * Y
-    return Mechanism(
-        [
-            Joint("A", ("ground", "crank"), screw(Z)),
-            Joint("B", ("crank", "rod"), screw(Z, crank * X)),
-            Joint("slide", ("ground", "slider"), screw(X, pitch=PRISMATIC), point=pin),
-            Joint(
-                "C", ("slider", "rod"), screw(Z, pin), closing_offset=_translation(pin - (crank + rod) * X), point=pin
-            ),
-        ],
-        name="slider-crank",
-        source="Modern Robotics, figure 2.4(b)",
-    )
+    joints = [
+        _pin("A", "ground", "crank", 0 * X),
+        _pin("B", "crank", "rod", crank * X),
+        Joint("slide", ("ground", "slider"), screw(X, pitch=PRISMATIC), point=pin),
+        Joint("C", ("slider", "rod"), screw(Z, pin), _translation(pin - (crank + rod) * X), pin),
+    ]
+    return Mechanism(joints, name="slider-crank", source="Modern Robotics, figure 2.4(b)")
 
 
 def five_bar(ground: float, left: tuple[float, float], right: tuple[float, float]) -> Mechanism:
@@ -123,10 +115,8 @@ def parallelogram(ground: float = 0.4, crank: float = 0.2) -> Mechanism:
     _check_lengths(ground=ground, crank=crank)
     joints = []
     for i, foot in enumerate((0 * X, ground / 2 * X, ground * X), start=1):
-        joints += [
-            Joint(f"A{i}", ("ground", f"crank {i}"), screw(Z, foot), point=foot),
-            Joint(f"B{i}", (f"crank {i}", "coupler"), screw(Z, foot + crank * Y), point=foot + crank * Y),
-        ]
+        joints.append(_pin(f"A{i}", "ground", f"crank {i}", foot))
+        joints.append(_pin(f"B{i}", f"crank {i}", "coupler", foot + crank * Y))
     return Mechanism(joints, name="parallelogram with a third crank", source="Modern Robotics, example 2.6")
 
 
@@ -141,16 +131,7 @@ def triangle(side: float = 1.0) -> Mechanism:
     0
     """
     _check_lengths(side=side)
-    top = side * (X / 2 + np.sqrt(3) / 2 * Y)
-    return Mechanism(
-        [
-            Joint("A", ("ground", "left"), screw(Z)),
-            Joint("B", ("left", "right"), screw(Z, top)),
-            Joint("C", ("ground", "right"), screw(Z, side * X)),
-        ],
-        name="triangle",
-        source="Modern Robotics, (2.4)",
-    )
+    return _two_bars(side * (X / 2 + np.sqrt(3) / 2 * Y), side * X, "triangle", "Modern Robotics, (2.4)")
 
 
 def stretched_arch(left: float = 0.5, right: float = 0.5) -> Mechanism:
@@ -165,15 +146,7 @@ def stretched_arch(left: float = 0.5, right: float = 0.5) -> Mechanism:
     (1, 0)
     """
     _check_lengths(left=left, right=right)
-    return Mechanism(
-        [
-            Joint("A", ("ground", "left"), screw(Z)),
-            Joint("B", ("left", "right"), screw(Z, left * X)),
-            Joint("C", ("ground", "right"), screw(Z, (left + right) * X)),
-        ],
-        name="stretched arch",
-        source="a triangle of height 0",
-    )
+    return _two_bars(left * X, (left + right) * X, "stretched arch", "a triangle of height 0")
 
 
 def bennett(a: float = 1.0, alpha: float = np.pi / 3, b: float = 0.6) -> Mechanism:
@@ -259,6 +232,17 @@ def stewart_gough(base: float = 0.5, platform: float = 0.3, height: float = 0.6)
             Joint(f"S{leg}", (f"shaft {leg}", "plate"), spherical(head), point=head),
         ]
     return Mechanism(joints, name="Stewart-Gough platform", source="Modern Robotics, example 2.8")
+
+
+def _pin(name: str, first: str, second: str, point: Array) -> Joint:
+    """A revolute joint of a planar linkage."""
+    return Joint(name, (first, second), screw(Z, point), point=point)
+
+
+def _two_bars(top: Array, foot: Array, name: str, source: str) -> Mechanism:
+    """Two bars from the origin over a pin at the top to a foot."""
+    joints = [_pin("A", "ground", "left", 0 * X), _pin("B", "left", "right", top), _pin("C", "ground", "right", foot)]
+    return Mechanism(joints, name=name, source=source)
 
 
 def _planar_arm(foot: float, lengths: Sequence[float], names: Sequence[str]) -> Chain:

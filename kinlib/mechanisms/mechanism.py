@@ -44,7 +44,6 @@ CLOSURE_TOL = 1e-13
 """A linkage is closed if the norm of all its residuals, each expressed about the centre of its loop, is at most (1 + d) times
 this, where d is the distance in metres from the origin to its farthest joint: rounding errors grow with d."""
 
-
 JOINT_HEADINGS = ["joint", "bodies", "omega", "v"]
 
 
@@ -120,8 +119,8 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
 
     @property
     def _title(self) -> str:
-        loops = "1 loop" if len(self.loops) == 1 else f"{len(self.loops)} loops"
-        return f"{self.name}, {len(self.joints)} joints, {loops}, ground: {self.ground}"
+        count = len(self.loops)
+        return f"{self.name}, {len(self.joints)} joints, {count} loop{'s'[: count != 1]}, ground: {self.ground}"
 
     def _joint_rows(self) -> list[list[str]]:
         pairs = ((joint, S) for joint in self.joints for S in joint.screws)
@@ -181,9 +180,8 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
     @cached_property
     def names(self) -> tuple[str, ...]:
         """The name of each joint value: that of its joint, or name.1, name.2, ... if the joint has several degrees of freedom."""
-        return tuple(
-            joint.name if joint.dof == 1 else f"{joint.name}.{k + 1}" for joint in self.joints for k in range(joint.dof)
-        )
+        numbered = ((joint, f".{k}" if joint.dof > 1 else "") for joint in self.joints for k in range(1, joint.dof + 1))
+        return tuple(joint.name + number for joint, number in numbered)
 
     @property
     def bodies(self) -> tuple[str, ...]:
@@ -358,7 +356,6 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
 
     @cached_property
     def _paths(self) -> dict[str, JointPath]:
-        """The path from the ground to every body but the ground, as an open chain."""
         return {body: chain_along(self.joints, path, body) for body, path in self._tree.items() if path}
 
     @property

@@ -52,14 +52,10 @@ class Mobility:
         >>> print(stretched_arch().mobility([0, 0, 0]))
         The Gruebler-Kutzbach count is 0. The infinitesimal mobility is 1, but the finite mobility is 0: ...
         """
-        if self.finite == self.infinitesimal:
-            comparison = "and so is the finite mobility." if self.finite else "so nothing can move."
-        else:
-            cause = (
-                "perhaps branches of the motion cross here"
-                if self.finite
-                else "no infinitesimal motion continues to a finite one"
-            )
+        comparison = "and so is the finite mobility." if self.finite else "so nothing can move."
+        if self.finite != self.infinitesimal:
+            cause = "perhaps branches of the motion cross here"
+            cause = cause if self.finite else "no infinitesimal motion continues to a finite one"
             comparison = f"but the finite mobility is {self.finite}: this configuration is singular, {cause}."
         count = f"The Gruebler-Kutzbach count is {self.kutzbach}."
         return f"{count} The infinitesimal mobility is {self.infinitesimal}, {comparison}"

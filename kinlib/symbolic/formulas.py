@@ -122,8 +122,7 @@ def screw(axis: Any, point: Any = (0, 0, 0), pitch: Any = 0) -> sp.Matrix:
     Matrix([[0, 1, 0, 0, 0, a_2]])
     """
     axis, point = _matrix(axis, "axis", (3, 1)), _matrix(point, "point", (3, 1))
-    length = _length(axis)
-    if length.is_number and abs(float(length) - 1) > tolerances.UNIT_LENGTH_TOL:
+    if not _is_unit(length := _length(axis)):
         raise ValueError(f"axis must be a unit vector; its length is {length}. Divide it by its norm.")
     if pitch in (np.inf, sp.oo):
         return sp.zeros(3, 1).col_join(axis)
@@ -199,10 +198,11 @@ def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = Non
     Matrix([[a_1*c_1 + a_2*c_12, a_1*s_1 + a_2*s_12]])
     """
     base = tool = sp.eye(4)
-    rows: Iterable[Any]
     if isinstance(table, DHTable):
         convention, base, tool = table.convention, exact(table.base), exact(table.tool)
-        rows = _table_rows(table)
+        rows = [list(exact(numbers)) for numbers in table.rows]
+        for q, (row, column) in zip(joints(table.n), joint_entries(table.joints), strict=True):
+            rows[row][column] += int(table.signs[row]) * q
     else:
         validation.instance(table, "table", DHTable, Iterable)
         rows = [_matrix(row, f"row {number}", (4, 1)) for number, row in enumerate(table, start=1)]
@@ -228,13 +228,6 @@ def _screw_factors(screws: Sequence[sp.Matrix]) -> list[Factors]:
     return factors
 
 
-def _table_rows(table: DHTable) -> list[list[sp.Expr]]:
-    rows = [list(exact(numbers)) for numbers in table.rows]
-    for q, (row, column) in zip(joints(table.n), joint_entries(table.joints), strict=True):
-        rows[row][column] += int(table.signs[row]) * q
-    return rows
-
-
 def _screws_and_home(arm: Chain | Iterable[Any], home: Any) -> tuple[list[sp.Matrix], sp.Matrix]:
     if isinstance(arm, Chain):
         return [exact(S) for S in arm.screws], exact(arm.home)
@@ -254,8 +247,7 @@ def _screws_and_home(arm: Chain | Iterable[Any], home: Any) -> tuple[list[sp.Mat
 
 def _screw_axis(S: Any, name: str) -> sp.Matrix:
     S = _matrix(S, name, (6, 1))
-    size = _length(S[3:, 0] if S[:3, 0].is_zero_matrix else S[:3, 0])
-    if size.is_number and abs(float(size) - 1) > tolerances.UNIT_LENGTH_TOL:
+    if not _is_unit(size := _length(S[3:, 0] if S[:3, 0].is_zero_matrix else S[:3, 0])):
         raise ValueError(
             f"{name} must have |omega| = 1, or omega = 0 and |v| = 1; this length is {size}. Divide it by its length."
         )
@@ -269,6 +261,10 @@ def _length(vector: sp.Matrix) -> sp.Expr:
     """The length of a vector, with q for the square root of q^2: every use of it here is an even function of q."""
     root = sp.powdenest(sp.sqrt(sp.factor(sp.trigsimp(vector.dot(vector)))), force=True)
     return root.replace(sp.Abs, lambda inside: inside)
+
+
+def _is_unit(length: sp.Expr) -> bool:
+    return not length.is_number or abs(float(length) - 1) <= tolerances.UNIT_LENGTH_TOL
 
 
 def _matrix(x: Any, name: str, *shapes: tuple[int, int]) -> sp.Matrix:

@@ -44,7 +44,7 @@ def multiply(factors: Iterable[AxisRotation | sp.Matrix], end: sp.Matrix) -> sp.
     >>> multiply([AxisRotation(z, a), x, AxisRotation(z, b), c * x], sp.eye(4))[:2, 3].T
     Matrix([[c*cos(a + b) + cos(a), c*sin(a + b) + sin(a)]])
     """
-    groups, constant = [RotationGroup()], sp.eye(3)
+    groups, constant = [_RotationGroup()], sp.eye(3)
     for factor in factors:
         if not isinstance(factor, AxisRotation):
             groups[-1].translate(constant * factor)
@@ -53,17 +53,17 @@ def multiply(factors: Iterable[AxisRotation | sp.Matrix], end: sp.Matrix) -> sp.
             constant = constant * rotation(*factor)
         else:
             turn = AxisRotation(constant * factor.axis, factor.angle)
-            if not groups[-1].accepts(turn):
-                groups.append(RotationGroup())
-            groups[-1].rotate(turn)
+            if not groups[-1].rotate(turn):
+                groups.append(_RotationGroup())
+                groups[-1].rotate(turn)
     T = homogeneous(constant, sp.zeros(3, 1)) * end
     for group in reversed(groups):
         T = group.multiply(T)
-    return T.applyfunc(collect_signs)
+    return T.applyfunc(_collect_signs)
 
 
 @dataclass
-class RotationGroup:
+class _RotationGroup:
     """Consecutive rotations about one direction, with the translations between them.
 
     axis          the unit vector 3x1, None before the first rotation
@@ -75,15 +75,13 @@ class RotationGroup:
     angle: sp.Expr = field(default_factory=lambda: sp.S.Zero)
     translations: dict[sp.Expr, sp.Matrix] = field(default_factory=dict)
 
-    def accepts(self, turn: AxisRotation) -> bool:
-        """Whether a rotation is about the direction of this group, or about the opposite direction."""
-        return self.axis is None or turn.axis in (self.axis, -self.axis)
-
-    def rotate(self, turn: AxisRotation) -> None:
-        """Append a rotation that the group accepts: about the opposite direction, its angle is subtracted."""
-        if self.axis is None:
-            self.axis = turn.axis
+    def rotate(self, turn: AxisRotation) -> bool:
+        """Append a rotation about the direction of this group or the opposite one; False for another direction."""
+        self.axis = turn.axis if self.axis is None else self.axis
+        if turn.axis not in (self.axis, -self.axis):
+            return False
         self.angle += turn.angle if turn.axis == self.axis else -turn.angle
+        return True
 
     def translate(self, vector: sp.Matrix) -> None:
         """Append a translation, given in the frame after the rotations so far."""
@@ -130,13 +128,8 @@ def homogeneous(R: sp.Matrix, p: sp.Matrix) -> sp.Matrix:
     return R.row_join(p).col_join(sp.Matrix([[0, 0, 0, 1]]))
 
 
-def collect_signs(expression: sp.Expr) -> sp.Expr:
-    """Move minus signs out of sums, so that no factor of a product is a sum whose minus could be in front of the product.
-
-    >>> x, y, z = sp.symbols("x y z")
-    >>> collect_signs(-(x - y) * z), collect_signs((-x - y) * z)
-    (z*(-x + y), -z*(x + y))
-    """
+def _collect_signs(expression: sp.Expr) -> sp.Expr:
+    """Move minus signs out of sums, so that no factor of a product is a sum whose minus could be in front of the product."""
 
     def collect(product: sp.Expr) -> sp.Expr:
         number, factors = product.as_coeff_mul()

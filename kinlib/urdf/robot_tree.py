@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -21,7 +21,7 @@ from kinlib.arrays.formatting import aligned_table, format_number, html_table
 from kinlib.arrays.limits import TakesLimitedValues
 from kinlib.arrays.validation import Array, JointValues, suggest_name
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import adjoint, exp, inverse
+from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.screw import screw
 from kinlib.urdf.links_and_joints import (
     MOVING_TYPES,
@@ -135,10 +135,10 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
 
     def _value(self, joint: UrdfJoint) -> str:
         """The value of a joint as the file has it: a number of q, or a formula in another joint."""
+        if joint.name in self._numbers:
+            return f"q{self._numbers[joint.name] + 1}"
         if joint.mimic is None:
-            return (
-                f"q{self._numbers[joint.name] + 1}" if joint.name in self._numbers else "a pose" if joint.moves else ""
-            )
+            return "a pose" if joint.moves else ""
         other, multiplier, offset = joint.mimic
         factor = {1.0: "", -1.0: "-"}.get(multiplier, f"{format_number(multiplier)} ")
         return f"{factor}{other}" + (f" {'-' if offset < 0 else '+'} {format_number(abs(offset))}" if offset else "")
@@ -179,9 +179,8 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
 
         The limits that a file gives for a mimic joint are not used, because its value follows from the other joint.
         """
-        return validation.read_only_copy(
-            np.reshape([self._moving_joints[name].limits for name in self.joint_names], (-1, 2))
-        )
+        limits = [self._moving_joints[name].limits for name in self.joint_names]
+        return validation.read_only_copy(np.reshape(limits, (-1, 2)))
 
     @property
     def _value_names(self) -> tuple[str, ...]:
@@ -216,12 +215,6 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
     def _couplings(self) -> dict[str, Coupling]:
         # Resolved at first use, because a faulty mimic joint, for example of a hand, does not affect the chains of an arm.
         return resolve_mimic_joints(self._moving_joints)
-
-    def _values(self, q: Array, joint: UrdfJoint) -> Array:
-        """The values (...) of one joint for values (..., n) of the independent joints."""
-        driver, multiplier, offset = self._coupling(joint)
-        values: Array = multiplier * q[..., self._numbers[driver]] + offset
-        return values
 
     def _coupling(self, joint: UrdfJoint) -> Coupling:
         return self._couplings[joint.name] if joint.mimic else Coupling(joint.name, 1.0, 0.0)
@@ -267,9 +260,8 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         q = self.in_order(q)
         values = self.joint_values(q)
         origins, screws = self._origins_and_screws
-        steps = dict(
-            zip(self.moving_joint_names, np.moveaxis(origins @ exp(screws * values[..., None]), -3, 0), strict=True)
-        )
+        moved = np.moveaxis(origins @ exp(screws * values[..., None]), -3, 0)
+        steps = dict(zip(self.moving_joint_names, moved, strict=True))
         root = np.eye(4) if base is None else validation.poses(base, "base")
         free = self._validate_joint_poses(joint_poses or {})
         try:
@@ -311,37 +303,13 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         q = self.in_order(np.zeros(self.n) if q is None else q)
         T = np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4)).copy()
         for joint, sign in path:
-            step = joint.origin @ exp(joint.screw * self._values(q, joint)[..., None]) if joint.moves else joint.origin
+            step = joint.origin
+            if joint.moves:
+                driver, multiplier, offset = self._coupling(joint)
+                values = multiplier * q[..., self._numbers[driver]] + offset
+                step = step @ exp(joint.screw * values[..., None])
             T = T @ (step if sign > 0 else inverse(step))
         return T
-
-    def jacobian(self, q: JointValues, link: str) -> Array:
-        """Compute the space Jacobian of a link: column i is its twist, in the frame of the root, at unit speed of joint i.
-
-        q (..., n) of the independent joints -> (..., 6, n). The columns of joints that do not move the link are 0, and that of a
-        joint that others mimic includes their motion: J_i = sum_k C_ki Ad(T_k) A_k, with the pose T_k of joint k, its axis A_k in
-        its own frame, and the coupling matrix C.
-
-        Raises ValueError for a name that is no link, for joint values of another size, for NaN, and if a planar or a floating joint
-        is between the root and the link.
-        Source: Modern Robotics, (5.11).
-
-        >>> from kinlib.chains.robots import youbot
-        >>> from kinlib.urdf.chains import to_urdf
-        >>> tree = Tree.from_urdf(to_urdf(youbot()))
-        >>> q = [0.1, 0.2, 0.3, 0.4, 0.5]
-        >>> bool(np.allclose(tree.jacobian(q, "tool"), youbot().jacobian(q)))
-        True
-        """
-        path, q = self._single_joints(self.root, self._checked(link, "link")), self.in_order(q)
-        T, J = np.eye(4), np.zeros((*q.shape[:-1], 6, self.n))
-        for joint, _ in path:
-            T = T @ joint.origin
-            if joint.moves:
-                driver, multiplier, _ = self._coupling(joint)
-                J[..., self._numbers[driver]] += multiplier * (adjoint(T) @ joint.screw)
-                T = T @ exp(joint.screw * self._values(q, joint)[..., None])
-        return J
 
     def chain(self, base: str | None = None, tip: str | None = None) -> Chain:
         """Build a chain from the joints on the path from one link to another: up the tree, and down again.
@@ -383,35 +351,25 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         drivers = [driver for driver, _, _ in couplings]
         for joint, (driver, multiplier, _) in zip(moving, couplings, strict=True):
             if joint.mimic and (drivers.count(driver) > 1 or abs(multiplier) != 1):
-                others = [
-                    one.name for one, name in zip(moving, drivers, strict=True) if name == driver and one != joint
-                ]
+                others = [m.name for m, name in zip(moving, drivers, strict=True) if name == driver and m != joint]
                 why = f"moves with {', '.join(others)}" if others else f"has the multiplier {multiplier:g}, not 1 or -1"
                 raise joint.element.error(
                     f"the joints of a chain must move independently; joint {joint.name} mimics joint {driver}, and {why}. Compute "
                     f'with kl.Tree.from_urdf(...).pose("{base}", "{tip}", q), or pass other links as base or tip.'
                 )
-        chain = Chain(
-            np.array(screws), T, points=np.array(points), name=self.name, source=f"URDF, from {base} to {tip}"
-        )
-        signs, shifts = np.array([[multiplier, offset] for _, multiplier, offset in couplings]).T
         limits = self.limits[[self._numbers[driver] for driver in drivers]]
-        links += [tip] if links[-1] != tip else []
-        named = replace(
-            chain,
-            joint_names=tuple(drivers),
-            link_names=tuple(links),
+        chain = Chain(
+            *(np.array(screws), T, np.array(points), self.name, f"URDF, from {base} to {tip}"),
             limits=limits if np.isfinite(limits).any() else None,
+            joint_names=tuple(drivers),
+            link_names=(*links, tip)[: len(links) + (links[-1] != tip)],
         )
         if not any(joint.mimic for joint in moving):
-            return named
+            return chain
         # Where the independent joints are 0, the mimic joints have the values of their offsets: the chain is at home there.
-        return replace(
-            named,
-            screws=signs[:, None] * chain.jacobian(shifts).T,
-            home=chain.fk(shifts),
-            points=chain.link_poses(shifts)[:, :3, 3],
-        )
+        signs, shifts = np.array([[multiplier, offset] for _, multiplier, offset in couplings]).T
+        moved, at = signs[:, None] * chain.jacobian(shifts).T, chain.link_poses(shifts)[:, :3, 3]
+        return chain.changed(screws=moved, home=chain.fk(shifts), points=at)
 
     def path(self, base: str, tip: str) -> list[PathStep]:
         """Find the joints from one link to another: up to their nearest common ancestor, and down from it.

@@ -7,41 +7,27 @@ import kinlib as kl
 
 ARM = kl.robots.rpr()
 TABLE = kl.DHTable([[0.4, 0, 0, 0]], convention="standard")
-TREE = kl.Tree.from_urdf(kl.to_urdf(ARM))
 LINKAGE = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
 
 
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda: kl.Tree("<robot/>"), r"at least one link.*Tree\.from_urdf"),
         (lambda: ARM.random_configurations(2.5), "count must be .*got float 2.5. Try int"),
-        (lambda: ARM.random_configurations(3, seed="x"), "seed must be .*got str 'x'"),
-        (lambda: ARM.fk({"joint_1": 0.1}), r"q must be an array.*got dict.*changed\(joint_names="),
-        (lambda: kl.equivalent(ARM, None), "b must be a Chain or a DHTable; got NoneType"),
         (lambda: kl.equivalent("abc", ARM), r"a must be a Chain .*got str 'abc'.*load_urdf"),
         (lambda: kl.equivalent(ARM, ARM, fixed="tool"), r'fixed must be .*got \'tool\'. Try fixed=\["tool"\]'),
         (lambda: kl.assign_frames(TABLE, "standard"), r"chain must be a Chain; got DHTable.*table\.to_chain"),
         (lambda: kl.assign_frames(kl.robots.rpr, "standard"), r"chain must be a Chain; got function.*call it, rpr\(\)"),
         (lambda: kl.DHTable("a|alpha|d|theta\n0.4|0|0|t2", "standard"), "got 't2'. .*write q2"),
-        (
-            lambda: kl.DHTable("a|alpha|d|theta\n0.4|-1e308|0|q1", "standard"),
-            "must be at most a full turn.*got -1e\\+308",
-        ),
         (lambda: kl.DHTable(f"{TABLE}\ntool = [[1]", "standard"), r"tool must be a pose.*got '\[\[1\]'.*tool="),
         (lambda: kl.DHTable(f"{TABLE}\nbase = []", "standard", base=kl.exp([0] * 5 + [1])), "base must be given once"),
         (lambda: kl.to_urdf(TABLE), r"robot must be a Chain or a Tree; got DHTable.*table\.to_chain"),
-        (lambda: kl.Mechanism("x"), "each of joints must be a Joint; got str 'x'"),
         (lambda: kl.Mechanism(ARM), r"joints must be a Sequence; got Chain"),
-        (lambda: kl.Mechanism.from_branches(ARM, "x"), "branch 2 must be a Chain; got str 'x'"),
         (lambda: LINKAGE.assemble([0, 0.5, 1, 0.5], hold="A"), "hold must be a Mapping; got str 'A'. Try {'A': 1.0}"),
         (lambda: LINKAGE.trace(np.zeros((2, 4))), r"start must have shape \(4,\); got \(2, 4\).*start\[0\]"),
-        (lambda: kl.linkages.four_bar([1, 2], 2, 3, 4), r"ground must be a positive length.*got \[1, 2\]"),
         (lambda: kl.symbolic.fk(TABLE), r"arm must be a Chain .*got DHTable.*table_fk"),
         (lambda: kl.symbolic.table_fk(ARM), r"table must be a DHTable .*got Chain.*assign_frames"),
         (lambda: kl.show(ARM, np.zeros((3, 3)), path="a.png"), r"q must have shape \(3,\); got \(3, 3\).*q\[0\]"),
-        (lambda: kl.show(LINKAGE, np.zeros((2, 4)), path="a.svg"), r"q must have shape \(4,\); got \(2, 4\).*q\[0\]"),
-        (lambda: TREE.jacobian([0, 0, 0], "tooth"), "link must be the name of a link; got 'tooth'. Did you mean tool"),
         (lambda: kl.robots.pose(np.eye(3) * 2, [0, 0, 0]), "axes is not rigid"),
         (lambda: kl.robots.pose(np.eye(3), [0, 0]), r"origin must have shape \(..., 3\); got \(2,\)"),
     ],

@@ -23,27 +23,3 @@ def pinocchio_model(chain):
     tool = pin.SE3(chain.home[:3, :3], chain.home[:3, 3] - at)
     model.addFrame(pin.Frame("tool", parent, tool, pin.FrameType.OP_FRAME))
     return model
-
-
-def pinocchio_loop(model, q):
-    """Poses (N, 4, 4) of the tool for configurations (N, n), one after the other, in the fastest way that we know."""
-    import pinocchio as pin
-
-    data, tool = model.createData(), model.getFrameId("tool")
-    T = np.empty((len(q), 4, 4))
-    for i, row in enumerate(q):
-        pin.forwardKinematics(model, data, row)
-        T[i] = pin.updateFramePlacement(model, data, tool).homogeneous
-    return T
-
-
-def pinocchio_loop_by_joint(model, q):
-    """The same as its examples write it, by the pose of the last joint, `data.oMi[n]`; the tool's offset once, at the end."""
-    import pinocchio as pin
-
-    data, tool = model.createData(), model.frames[model.getFrameId("tool")]
-    T = np.empty((len(q), 4, 4))
-    for i, row in enumerate(q):
-        pin.forwardKinematics(model, data, row)
-        T[i] = data.oMi[tool.parentJoint].homogeneous
-    return T @ tool.placement.homogeneous

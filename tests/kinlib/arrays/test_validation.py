@@ -23,9 +23,6 @@ def pose(R, p=(1, 2, 3)):
     return T
 
 
-# --- arrays of numbers ---
-
-
 @pytest.mark.parametrize(
     "x",
     [
@@ -33,11 +30,7 @@ def pose(R, p=(1, 2, 3)):
         None,
         [1j, 0, 0],
         [sympy.Symbol("q1"), 0, 0],
-        [[1, 2, 3], [1, 2]],
-        {"x": 1},
         [10**400, 0, 0],
-        np.array(["2020-01-01"] * 3, dtype="datetime64[D]"),
-        print,
     ],
     ids=repr,
 )
@@ -54,11 +47,6 @@ def test_nan_and_infinity_are_refused_with_their_index(bad):
         ValueError, match=r"q contains NaN or infinity at index \[1, 0\]; every entry must be finite\. Was there a div"
     ):
         validation.array([[0, 1], [bad, 3]], "q")
-    with pytest.raises(ValueError, match=r"q contains NaN or infinity; every"):
-        validation.array(bad, "q")
-
-
-# --- vectors and unit vectors ---
 
 
 @pytest.mark.parametrize(
@@ -89,9 +77,6 @@ def test_an_axis_that_is_not_unit_is_refused_with_its_length(axis, message):
         validation.unit_vectors(axis, "axis")
 
 
-# --- rotations and poses ---
-
-
 NOISE = st.one_of(st.floats(0, 1e-8), st.floats(1e-2, 1.0))
 """Noise on which two libraries agree, whatever their tolerances: rounding errors, or a hundredth and more."""
 
@@ -118,10 +103,7 @@ NOT_RIGID = {
         f"the shape {np.shape(x)}": (x, r"home must be a rotation \(\.\.\., 3, 3\) or a pose .*; got shape")
         for x in (0.0, np.eye(2), np.zeros(16), np.zeros((3, 4)), np.zeros((4, 4, 1)))
     },
-    "a transposed pose": (
-        [np.eye(4), pose(QUARTER_TURN).T],
-        r"home is not a pose.*0 0 0 1; got \[1\. 2\. 3\. 1\.\]\. .*Try the transpose",
-    ),
+    "a transposed pose": ([np.eye(4), pose(QUARTER_TURN).T], r"home is not a pose.*0 0 0 1; got \[1\. 2\. 3\."),
     "four printed digits": ([[C, -S, 0], [S, C, 0], [0, 0, 1]], DEFECT + r"\d\.?\d?e-05\. Were its entries"),
     "a reflection": (QUARTER_TURN[:, [1, 0, 2]], r"reflection \(det R = -1\).*Are two axes swapped"),
     "one bad matrix of a batch": (
@@ -135,9 +117,6 @@ NOT_RIGID = {
 def test_a_matrix_that_is_not_rigid_is_refused_with_the_reason(x, message):
     with pytest.raises(ValueError, match=message):
         validation.rotations_or_poses(x, "home")
-
-
-# --- what holds for all ---
 
 
 @pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))])

@@ -27,18 +27,12 @@ def allowed(chain, q):
     return EXACT * max(1, (shifts.sum() + np.linalg.norm(chain.home[:3, 3])) / 10)
 
 
-# --- where the tool is ---
-
-
 @given(chains_with_values())
 def test_all_forms_are_the_product_to_40_digits_on_any_chain(drawn):
     chain, q = drawn
     T = mpmath_oracle.fk(chain, q)
     for form in (chain.fk(q), chain.fk_body(q), *(chain.fk_mid(q, k) for k in range(chain.n + 1))):
         close(form, T, allowed(chain, q))
-
-
-# --- where the links are ---
 
 
 @given(chains_with_values())
@@ -56,18 +50,12 @@ def test_links_stand_where_pinocchio_has_its_joints(drawn):
         close(link, (placed * pin.SE3(np.eye(3), point - start)).homogeneous, allowed(chain, q))
 
 
-# --- how the tool moves ---
-
-
 @given(chains_with_values())
 def test_jacobians_agree_with_modern_robotics(drawn):
     chain, q = drawn
     q = np.where(np.abs(q) < 1e-5, 0, q)  # modern_robotics takes turns below 1e-6 for none
     close(chain.jacobian(q), mr.JacobianSpace(chain.screws.T, q), allowed(chain, q))
     close(chain.body_jacobian(q), mr.JacobianBody(chain.body_screws.T, q), allowed(chain, q))
-
-
-# --- many configurations at once ---
 
 
 @pytest.mark.parametrize("shape", [(0,), (1,), (2, 0, 3), (2, 3)])
@@ -81,8 +69,6 @@ def test_a_batch_is_its_configurations_one_at_a_time(shape):
         for index in np.ndindex(shape):
             close(batch[index], f(q[index]), atol=1e-14)
 
-
-# --- what is refused ---
 
 SCREWS = robots.youbot().screws
 
@@ -105,7 +91,6 @@ def test_invalid_screws_are_refused(screws, message):
     [
         ([1, 2, 3, 4], r"youBot has 5 joints \(RRRRR\), so q must have shape \(\.\.\., 5\); got \(4,\)"),
         (np.zeros((5, 100)), r"got \(5, 100\)\. Joints go in the last dimension: try q\.T"),
-        ([0, 0, np.nan, 0, 0], r"q contains NaN or infinity at index \[2\]"),
         (sympy.symbols("q1:6"), r"q must be an array of real numbers; got tuple \(q1, q2, q3, q4, q5\).*symbol"),
         ([0, 0, 1e9, 0, 0], r"A rotation angle must be at most 1e\+08 rad.*got 1e\+09 rad"),
     ],
@@ -126,10 +111,7 @@ def test_a_k_outside_0_to_n_is_refused(k):
 @pytest.mark.parametrize(
     ("at", "message"),
     [
-        (
-            [[0, 0, 0], [0, 0, 0]],
-            r"The point of joint 2 must lie on its axis; it is 1 m away\. Is it .*another joint, or .* v = w x q instead of",
-        ),
+        ([[0, 0, 0], [0, 0, 0]], r"The point of joint 2 must lie on its axis; it is 1 m away\. Is it .*another"),
         ([[0, 0, 0]], r"points must have one row per joint, shape \(2, 3\); got \(1, 3\)"),
     ],
 )
@@ -143,7 +125,6 @@ def test_points_off_their_axes_are_refused(at, message):
     [
         ({"limits": np.zeros((2, 3))}, r"one row \(lower, upper\) per joint, shape \(3, 2\); got \(2, 3\)"),
         ({"limits": [[-1, 1], [1, -1], [0, 1]]}, r"limits of joint 2 .*got \[1.0, -1.0\]. Are they swapped\?"),
-        ({"limits": [[-1, 1], [0, 1], [np.nan, 1]]}, "limits of joint 3"),
         ({"joint_names": ("shoulder", "elbow")}, "3 different names, one per joint; got "),
     ],
 )
@@ -151,9 +132,6 @@ def test_invalid_limits_and_names_are_refused(fields, message):
     robot = robots.rpr()
     with pytest.raises(ValueError, match=message):
         Chain(robot.screws, robot.home, **fields)
-
-
-# --- names, values by name, equality ---
 
 
 def named_arm():
@@ -169,9 +147,6 @@ def test_a_chain_says_its_joints_and_equals_one_with_equal_fields():
     assert len({arm, again, robots.rpr(), robots.rprr()}) == 3
     assert arm != robots.rpr()
     assert arm != 3
-
-
-# --- limits, and storing ---
 
 
 @given(chains_with_values(), st.integers(0, 100))

@@ -86,9 +86,6 @@ def sums():
     return st.lists(numbers, min_size=1, max_size=3).map(" + ".join)
 
 
-# --- against what we did not write ---
-
-
 @each_printed
 def test_the_printed_table_is_the_arm_of_its_document(table, arm):
     q = values(arm.n)
@@ -138,9 +135,6 @@ def test_an_entry_is_what_sympy_makes_of_it(entries):
     close([table.columns[name][0] for name in exact], [float(value.evalf(30)) for value in exact.values()], atol=1e-13)
 
 
-# --- both conventions are one product ---
-
-
 @given(tables())
 def test_a_table_survives_the_other_convention_and_back(table):
     q = values(table.n, 5)
@@ -150,9 +144,6 @@ def test_a_table_survives_the_other_convention_and_back(table):
     close(there.fk(q), table.fk(q))
     close(table.to_chain().fk(q), table.fk(q))
     close(there.converted(table.convention).fk(q), table.fk(q))
-
-
-# --- as people type them ---
 
 
 @pytest.mark.parametrize(
@@ -214,36 +205,19 @@ def test_a_table_may_be_laid_out_in_any_of_these_ways(text):
 
 HEAD = "a|alpha|d|theta\n"
 REFUSED = {
-    "degrees": (
-        HEAD + "0|-90|0|q1",
-        r"^Row 1, alpha: an angle must be .*; got -90 rad\. If the number is in degrees, write -90°;",
-    ),
-    "degrees beside a variable": (
-        HEAD + "0|0|0|q1 - 90",
-        r"Row 1, theta: .*; got -90 rad\. If the number is in degrees, write -90°",
-    ),
+    "degrees": (HEAD + "0|-90|0|q1", r"^Row 1, alpha: an angle must be .*; got -90 rad\. If the number is in"),
+    "degrees beside a variable": (HEAD + "0|0|0|q1 - 90", r"Row 1, theta: .*; got -90 rad\. If the number is in"),
     "a row too many numbers": (HEAD + "0|0|0|q1\n3|0|0|0|q2", "Row 2 must have 4 entries, one per heading; got 5: '3"),
     "a missing column": ("a|alpha|d\n0|0|0", "The heading must name the columns a, alpha, d, theta, each once"),
-    "a nameless row": ([{"a": 0, "alpha": 0, "d": 0, "theta": "q"}, None], "Row 2 has no a; it is NoneType"),
-    "no joint": (HEAD + "0|0|0|0", "every row is fixed"),
     "two variables": (HEAD + "0|0|q1|q1", "Row 1: the joint variable must be in theta or in d, once"),
     "a gear": (HEAD + "0|0|0|2*q1", "must be q or -q, without a factor; its factor is 2"),
     "a product of variables": (HEAD + "0|0|0|q1*q1", "Row 1, theta: an entry must be a number"),
     "two joints in an angle": (HEAD + "1|0|0|q1\n1|0|0|q1+q2", "Row 2, theta: .* that of its own joint; got q1 and q2"),
     "an angle in a length": (HEAD + "0|0|30°|q1", "d is a length. Are two columns swapped"),
-    "millimetres in the heading": (
-        "a (mm)|alpha|d|theta\n400|0|0|q1",
-        r"in metres, but the heading 'a \(mm\)' says mm",
-    ),
+    "millimetres in the heading": ("a (mm)|alpha|d|theta\n400|0|0|q1", r"in metres, but the heading 'a \(mm\)' says"),
     "a decimal comma": (HEAD + "0,4|0|0|q1", r"Row 1, a: .*; got '0,4'\. The decimal sign is a point: write 0\.4\.$"),
-    "swapped labels": (
-        HEAD + "1|0|0|q2\n1|0|0|q1",
-        r"^The joint variables must be numbered 1, 2, .*; got q2, q1\. Give the",
-    ),
-    "rows in another order": (
-        "i|a|alpha|d|theta\n2|1|0|0|q\n1|1|0|0|q",
-        "in the order of their numbers, .*; got 2, 1. Sort",
-    ),
+    "swapped labels": (HEAD + "1|0|0|q2\n1|0|0|q1", r"^The joint variables must be numbered 1, 2, .*; got q2, q1\."),
+    "rows in another order": ("i|a|alpha|d|theta\n2|1|0|0|q\n1|1|0|0|q", "in the order of their numbers, .*; got 2,"),
     "infinity": (HEAD + "1e400|0|0|q1", "Row 1, a: an entry must be a finite number; got '1e400'"),
     "a transposed table": (np.zeros((4, 6)), r"rows must have shape \(..., 4\); got \(4, 6\).*rows.T"),
     "an entry without end": (HEAD + "-" * 5000 + "1|0|0|q1", r"at most 200 characters; '-{20}'\.\.\. has 5001"),
@@ -283,8 +257,6 @@ def test_a_table_means_nothing_without_its_convention():
         DHTable([[0, 0, 0, 0]])
     with pytest.raises(ValueError, match=r"must be 'standard' or 'modified'; got 'craig'. Is z_i on"):
         DHTable([[0, 0, 0, 0]], convention="craig")
-    with pytest.raises(ValueError, match=r"must be 'standard' or 'modified'; got array\(\[0., 0.\]\)"):
-        DHTable([[0, 0, 0, 0]], convention=np.zeros(2))
 
 
 @pytest.mark.parametrize(
@@ -316,9 +288,6 @@ def test_a_row_that_is_no_number_is_refused_and_a_table_cannot_be_written_to():
             array[0] = 1
 
 
-# --- signs ---
-
-
 def test_signs_are_read_from_the_variables_or_given_with_numbers():
     typed = DHTable("a | alpha | d | theta\n0.4 | 0 | 0 | 0.5 - q1\n0.3 | 0 | q2 | 0", convention="standard")
     given = DHTable([[0.4, 0, 0, 0.5], [0.3, 0, 0, 0]], convention="standard", joints="RP", signs=[-1, 1])
@@ -341,9 +310,6 @@ def test_signs_that_are_none_are_refused(rows, signs, message):
         DHTable(rows, convention="standard", signs=signs)
 
 
-# --- as data ---
-
-
 @given(tables(), st.data())
 def test_a_table_survives_json(table, data):
     table = table.changed(
@@ -353,9 +319,6 @@ def test_a_table_survives_json(table, data):
     assert back.to_dict() == table.to_dict()
     q = np.linspace(-1, 1, table.n)
     np.testing.assert_array_equal(back.fk(q), table.fk(q))
-
-
-# --- as text ---
 
 
 @pytest.mark.parametrize("convention", ["standard", "modified"])

@@ -48,9 +48,6 @@ def differ(one, two):
     return np.abs(one.fk(q) - two.fk(q)).max() > 1e-6
 
 
-# --- right tables ---
-
-
 @pytest.mark.parametrize("table", [STANDARD, STANDARD.converted("modified")])
 def test_a_right_table_is_right(table):
     found = diagnose(table, PUMA)
@@ -85,9 +82,6 @@ def test_with_fixed_choices_these_are_the_corrections_with_their_numbers():
     assert "choices that are fixed here" in str(found)
 
 
-# --- wrong tables ---
-
-
 @pytest.mark.parametrize("right", [UR5, KR16, STANFORD, STANDARD.converted("modified")], ids=["UR5", "KR16", "S", "P"])
 def test_slips_are_mended(right):
     """Every ninth slip in every place, of a published table: as a rule the numbers come back, and always the poses."""
@@ -108,29 +102,17 @@ ARM = DHTable(ROWS, convention="standard", joints="RRPRR")
     [
         (with_entries(ARM, (2, "alpha", 1.1)), "Row 2: alpha has the wrong sign."),
         (with_entries(ARM, (4, "d", -0.19)), "Row 4: d has the wrong sign."),
-        (
-            with_entries(ARM, (1, "a", 0.12), (1, "d", 0.31)),
-            "Row 1: a and d are swapped. a is measured along x, d along z.",
-        ),
+        (with_entries(ARM, (1, "a", 0.12), (1, "d", 0.31)), "Row 1: a and d are swapped."),
         (with_entries(ARM, (2, "a", 0.3)), "Row 2: a should be 0.23; the table has 0.3."),
-        (
-            ARM.changed(joints="RRRRR"),
-            "Row 3: the joint variable belongs in d, because this joint is prismatic.",
-        ),
-        (
-            ARM.changed(rows=np.roll(ARM.rows, 1, axis=0), joints="RRRPR"),
-            "Rows 3 and 4 are swapped.",
-        ),
+        (ARM.changed(joints="RRRRR"), "Row 3: the joint variable belongs in d, because this joint is prismatic."),
+        (ARM.changed(rows=ARM.rows[[0, 1, 3, 2, 4]], joints="RRRPR"), "Rows 3 and 4 are swapped."),
         (ARM.changed(convention="modified"), "The table is in the standard convention, but was read as modified."),
         (ARM.changed(rows=ARM.rows * (1000, 1, 1000, 1)), "The lengths are in millimetres, but were read as metres."),
     ],
 )
 def test_a_mistake_is_told_with_its_place(wrong, text):
-    if "Rows 3" in text:
-        rows = ARM.rows[[0, 1, 3, 2, 4]]
-        wrong = ARM.changed(rows=rows, joints="RRRPR")
     found = diagnose(wrong, ARM, in_pairs=False)
-    assert text in [fault.text for each in found.explanations for fault in each.faults]
+    assert any(fault.text.startswith(text) for each in found.explanations for fault in each.faults)
     assert equivalent(found.corrected, ARM)
 
 
@@ -170,9 +152,6 @@ def test_what_cannot_be_compared_is_refused():
     helical = kl.Chain([kl.screw((0, 0, 1), (0, 0, 0), 0.1), kl.screw((0, 1, 0), (1, 0, 0))], np.eye(4))
     found = diagnose(DHTable([[1, 0.5, 0, 0], [0.3, 0.2, 0.1, 0]], convention="standard"), helical)
     assert found.difference == "The joint types differ: RR in the table, HR in the arm."
-
-
-# --- rounding and noise ---
 
 
 @pytest.mark.parametrize("convention", ["standard", "modified"])
@@ -220,9 +199,6 @@ def test_rounded_numbers_are_right_to_their_digits_and_a_mistake_is_found_throug
 def test_millimetres_with_a_typed_pi_are_millimetres():
     found = diagnose(UR5.changed(rows=TYPED_PI * (1000, 1, 1000, 1)), UR5)
     assert str(found) == "The lengths are in millimetres, but were read as metres."
-
-
-# --- the table of slips ---
 
 
 def test_every_slip_of_rows_is_undone_by_its_correction():

@@ -78,9 +78,10 @@ def test_the_largest_difference_is_told_with_digits_that_show_it():
         changed[0, 0] += 1e-6
         one, other = (DHTable(table, convention="standard") for table in (rows, changed))
         assert equivalent(one, other).reason.startswith(words[:40])
-    parallel = np.array([[0.4, 0, 0, 0], [0.3, 0, 0, 0], [0, 0, 0, 0]])
-    moved = np.array([[0.4003, 0, 0, 0], [0.3001, 0, 0, 0], [0, 0, 0, 0]])
-    reason = equivalent(DHTable(parallel, "standard"), DHTable(moved, "standard")).reason
+    parallel, moved = (
+        DHTable(np.outer(lengths, [1, 0, 0, 0]), "standard") for lengths in ([0.4, 0.3, 0], [0.4003, 0.3001, 0])
+    )
+    reason = equivalent(parallel, moved).reason
     assert reason.startswith("Axes 1 and 2 are 0.4 m apart in the first, and 0.4003 m in the second.")
     assert equivalent(kl.robots.rpr(), kl.robots.rppr()).reason.startswith("The joint types differ: RPR in the first")
 
@@ -94,9 +95,6 @@ def test_the_simplest_map_is_given():
     slide = DHTable([[0, 0.7, 0, 0], [0.25, 1.1, 0.35, 0], [0.4, 0, 0.15, 0]], convention="standard", joints="PRR")
     found = equivalent(slide, slide.changed(base=kl.exp([0, 0, 0, 0, 0, 0.6])))
     np.testing.assert_allclose(found.offsets, [0.6, 0, 0], atol=1e-12)
-
-
-# --- choices that are fixed ---
 
 
 def with_choices(rng, chain, free):
@@ -142,9 +140,6 @@ def test_what_is_no_choice_and_no_tolerance_is_refused():
         equivalent(kl.robots.rpr(), kl.robots.rpr(), tolerance=0)
 
 
-# --- nearly parallel axes: three answers ---
-
-
 @pytest.mark.parametrize("angle", [1e-8, 1e-6, 1e-4])
 def test_other_choices_of_a_nearly_parallel_arm_are_not_called_different(angle):
     rng = np.random.default_rng(3)
@@ -162,9 +157,6 @@ def test_what_is_undecided_is_neither_true_nor_false():
     assert "nearly parallel" in found.reason
     with pytest.raises(ValueError, match=r"must be decided to be used as True or False\. The poses differ by"):
         bool(found)
-
-
-# --- what the map is made of ---
 
 
 def test_small_errors_are_linear_and_poses_are_told():

@@ -45,6 +45,8 @@ FORMS = {
     "an array of C": "double dh[6][4] = { // theta, d, a, alpha\n {0, 0.089159, 0, M_PI_2},\n {0, 0, -0.425, 0},\n"
     " {0,0,-0.39225,0},\n {0, 0.10915, 0, M_PI/2},\n {0, 0.09465, 0, -M_PI_2},\n {0, 0.0823, 0, 0} };",
     "lists by column": "\n".join(f"{name} = {[row[k] for row in ROWS]}" for k, name in enumerate(("a", "alpha", "d"))),
+    "names with indices": "\n".join(f"a{i} = {a}; alpha{i} = {al}; d{i} = {d}" for i, (a, al, d, _) in enumerate(ROWS, 1)),
+    "lines by column": "\n".join(f"{n} " + " ".join(f"{row[k]}" for row in ROWS) for k, n in enumerate(("a", "alpha", "d"))),
     "dictionaries": lines("[", "{{'a': {a}, 'alpha': {alpha}, 'd': {d}, 'theta': 'q{i}'}},", "]"),
     "other names": lines("i  alfa  r  d  v", "{i} {deg} {a} {d} q{i}"),
     "without a heading, in millimetres": "0 89.159 0 90\n0 0 -425 0\n0 0 -392.25 0\n0 109.15 0 90\n0 94.65 0 -90\n0 82.3 0 0",
@@ -94,14 +96,10 @@ def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
     ("text", "words"),
     [
         ("", "No table was found: no line has four numbers"),
-        (
-            "a alpha d theta\n0 90° 0.1 q1\n0 0 abc 0 0 1 2",
-            r"Line 3, .* cannot be read: it has another number of cells",
-        ),
+        ("a alpha d theta\n0 90° 0.1 q1\n0 0 abc 0 0 1 2", r"Line 3, .* cannot be read: it has another number of"),
         ("a alpha d theta\n0 90° 0.1 q1*q2\n0 0 0 q2", r"Line 2, .* cannot be read"),
         ("a = [0, 1]\nalpha = [0, 0]\nd = [1]", r"The lists must have the same length, 2; d \(1\) has another"),
         ("x" * 200_000, "must have at most 100000 characters; got 200000"),
-        ("0 0 0 1\n" * 100, "A table must have at most 60 rows; got 100"),
     ],
 )
 def test_what_is_no_table_is_refused_with_its_line(text, words):

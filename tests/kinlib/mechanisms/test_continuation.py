@@ -7,7 +7,6 @@ import pytest
 from kinlib.mechanisms.continuation import CurveTracer
 
 EXACT = 1e-12
-ROUNDED = 1e-15
 STEPS = [0.3, 0.03]
 
 
@@ -59,9 +58,6 @@ def straightened(path, curve):
     return path.resample(curve, 4001).length[-1]
 
 
-# --- branches that cross, and branches that almost do ---
-
-
 @pytest.mark.parametrize("step", STEPS)
 def test_tracing_continues_straight_through_a_crossing(step):
     """The lemniscate of Bernoulli, b = 1, through its double point: as long as both leaves, 2 sqrt(2) lemniscate constants."""
@@ -82,9 +78,6 @@ def test_tracing_stays_on_its_branch_where_two_almost_meet(near, step):
         assert on_both_sides(curve) == (b > 1)
         if near >= 1e-2:
             close(straightened(cassini(b), curve), cassini_length(b), atol=1e-4)
-
-
-# --- errors ---
 
 
 def test_a_start_that_is_not_a_solution_is_refused():

@@ -45,9 +45,6 @@ def test_joints_generate_the_group_of_herve_s_list(name):
     assert group_dimension(screws) == dimension
 
 
-# --- sets of solutions whose dimension is known ---
-
-
 def polynomial(value, slopes):
     """Equations for many points from the value and the gradient at one."""
 

@@ -41,9 +41,6 @@ def close(got, expected, atol=EXACT):
     np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
 
 
-# --- against 40 digits ---
-
-
 @pytest.mark.parametrize("angle", ANGLES)
 def test_exp_and_log_are_right_to_1e_13_at_every_angle(angle):
     x = twists_of_angle(angle)
@@ -72,9 +69,6 @@ def test_log_of_an_exact_half_turn_has_angle_pi_and_the_positive_axis():
         close(np.abs(omega @ a), np.pi)
 
 
-# --- against libraries that we did not write ---
-
-
 @given(twists())
 def test_hat_and_vee_agree_with_modern_robotics(x):
     close(hat(x), mr.VecTose3(x), atol=0)
@@ -86,9 +80,6 @@ def test_hat_and_vee_agree_with_modern_robotics(x):
 def test_inverse_and_adjoint_agree_with_modern_robotics(T):
     close(inverse(T), mr.TransInv(T))
     close(adjoint(T), mr.Adjoint(T))
-
-
-# --- batches ---
 
 
 @pytest.mark.parametrize("shape", [(0,), (1,), (2, 0, 3), (3, 4)])
@@ -110,8 +101,6 @@ def test_a_batch_is_its_elements_one_at_a_time(shape, size):
             close(batch[index], f(argument[index]), atol=2e-15)
 
 
-# --- what is refused ---
-
 NO_VECTOR = r"x must be a rotation vector .* or a twist \(\.\.\., 6\); got shape "
 REFUSED = [
     *(
@@ -119,7 +108,6 @@ REFUSED = [
         for shape, advice in (((6, 2), r".*Try x\.T"), ((), ".*six num"))
     ),
     (np.full(6, np.nan), r"^x contains NaN or infinity at index \[0\]", (hat, exp)),
-    (np.full((3, 3), np.nan), r"^X contains NaN or infinity at index \[0, 0\]", (vee, log, inverse, adjoint)),
     (np.zeros(6), r"^X must .*\(\.\.\., 3, 3\) or .*\(\.\.\., 4, 4\); got .*\(6,\)", (vee, log, inverse, adjoint)),
     (
         2 * np.eye(3),
@@ -138,9 +126,6 @@ def test_an_invalid_argument_is_refused_with_the_remedy(argument, message, funct
     for function in functions:
         with pytest.raises(ValueError, match=message):
             function(argument)
-
-
-# --- repairing a rounded rotation ---
 
 
 @given(rotations(), st.integers(1, 4))

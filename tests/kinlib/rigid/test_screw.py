@@ -30,9 +30,6 @@ def test_a_line_is_the_one_of_pytransform3d(S):
         close(got, expected)
 
 
-# --- what is refused ---
-
-
 NO_PITCH = r"pitch must be a finite number, or inf .*; got {}\. .*negate the axis"
 NO_NUMBER = "pitch must be an array of real numbers; got {}"
 
@@ -54,10 +51,7 @@ def test_an_invalid_direction_point_or_pitch_is_refused(arguments, message):
     ("S", "message"),
     [
         ([[0, 0, 1, 0, 0, 0], [0, 0, 0, 0, 3, 4]], r"In S\[1\] the length of v \(omega is zero.*\) is 5\. "),
-        (
-            np.zeros(6),
-            r"In S the length of v .* is 0\. A revolute joint needs an axis, and a prismatic joint needs a dir",
-        ),
+        (np.zeros(6), r"In S the length of v .* is 0\. A revolute joint needs an axis, and a prismatic joint needs"),
         ([1e-17, 0, 0, 0, 0, 1], r"length of omega is 1e-17\. Is it a prismatic joint with a rounding error in omega"),
     ],
 )

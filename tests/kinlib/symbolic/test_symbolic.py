@@ -33,9 +33,6 @@ def close(got, expected, atol=AGREES):
     np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
 
 
-# --- against the numeric library ---
-
-
 @robots
 def test_every_robot_of_the_course_moves_as_its_numbers_do(robot):
     tables = []
@@ -61,9 +58,6 @@ def test_hat_exp_inverse_and_adjoint_are_those_of_modern_robotics(x, T):
     close(numbers(symbolic.adjoint(T[:3, :3])), kl.adjoint(T[:3, :3]))
 
 
-# --- against SymPy's own mechanics ---
-
-
 def test_puma_with_symbolic_lengths_agrees_with_sympy_mechanics():
     world = frame = ReferenceFrame("s")
     links = []
@@ -77,9 +71,6 @@ def test_puma_with_symbolic_lengths_agrees_with_sympy_mechanics():
     values = dict(zip([*joints(6), a_2, a_3, d_3, d_4], np.linspace(-2, 2.3, 10), strict=True))
     oracle = world.dcm(tool).row_join(wrist.pos_from(base).to_matrix(world)).subs(values)
     close(np.array(symbolic.fk(*puma()).subs(values), dtype=float)[:3], np.array(oracle, dtype=float))
-
-
-# --- short results ---
 
 
 def puma():
@@ -103,9 +94,6 @@ def test_parallel_joints_give_sums_and_antiparallel_joints_differences_of_angles
     assert symbolic.fk(S, sp.eye(4))[0, 0] == sp.cos(q_1 - q_2)
 
 
-# --- numbers ---
-
-
 @pytest.mark.parametrize(
     ("x", "expected"),
     [
@@ -119,9 +107,6 @@ def test_a_float_is_read_as_the_exact_number_that_it_means(x, expected):
     assert exact(x) == expected
 
 
-# --- shorthand ---
-
-
 def test_shorthand_abbreviates_sums_of_numbered_angles():
     assert joints(3) == sp.symbols("q_1:4", real=True)
     theta = sp.symbols("theta_1:3")
@@ -129,20 +114,14 @@ def test_shorthand_abbreviates_sums_of_numbered_angles():
     assert sp.latex(shorthand(sp.Matrix([sp.sin(theta[0] + theta[1]) ** 2]))[0]) == "s_{12}^{2}"
 
 
-# --- errors ---
-
-
 @pytest.mark.parametrize(
     ("call", "words"),
     [
         (lambda: exact(sp.zoo), "division by zero"),
-        (lambda: exact(np.zeros((2, 2, 2))), r"array of shape \(2, 2, 2\)"),
         (lambda: symbolic.inverse(sp.diag(1, 1, 1, 2)), "must be a pose with last row 0 0 0 1"),
         (lambda: symbolic.screw((1, 1, 0)), r"axis must be a unit vector; its length is sqrt\(2\)"),
         (lambda: symbolic.fk([[0, 0, 2, 0, 0, 0]], sp.eye(4)), "screw 1 must have"),
-        (lambda: symbolic.fk([[0, 0, 1, 0, 0, 0]]), "must be given with the home pose"),
         (lambda: symbolic.table_fk([(0, 10, 0, q)], "standard"), "got 10 rad. If it is in degrees, write"),
-        (lambda: symbolic.table_fk([(0, 0, 0, q)]), "convention must be 'standard' or 'modified'; got None"),
     ],
 )
 def test_invalid_arguments_are_refused_with_a_remedy(call, words):

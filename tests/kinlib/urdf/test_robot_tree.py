@@ -70,32 +70,11 @@ def test_pose_and_chain_agree_with_pinocchio_between_any_two_links(drawn):
     np.testing.assert_allclose(chain.fk(q[:, columns]), expected, rtol=0, atol=CLOSE)
 
 
-@given(trees(mimic=True))
-def test_the_jacobian_of_any_link_is_that_of_pinocchio(drawn):
-    """Pinocchio's has a column for each joint that moves, (v, omega); the coupling matrix adds those of mimic joints."""
-    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
-    text, _, link = drawn
-    tree = Tree.from_urdf(text)
-    q = np.random.default_rng(4).uniform(-3, 3, (2, tree.n))
-    model = pin.buildModelFromXML(text)
-    joints = [model.joints[model.getJointId(name)] for name in tree.moving_joint_names]
-    for row, J in zip(q, tree.jacobian(q, link), strict=True):
-        at = np.zeros(model.nq)
-        for joint, value in zip(joints, tree.joint_values(row), strict=True):
-            at[joint.idx_q : joint.idx_q + joint.nq] = value if joint.nq == 1 else [np.cos(value), np.sin(value)]
-        data = model.createData()
-        frame = model.getFrameId(link, pin.FrameType.BODY)
-        theirs = pin.computeFrameJacobian(model, data, at, frame, pin.ReferenceFrame.WORLD).reshape(6, model.nv)
-        theirs = np.roll(theirs, 3, axis=0)
-        expected = theirs[:, [joint.idx_v for joint in joints]] @ tree.coupling
-        np.testing.assert_allclose(J, expected, rtol=0, atol=CLOSE)
-
-
 def test_joint_values_may_be_given_by_name():
     tree = Tree.from_urdf(urdf_text("Franka Panda with hand"))
     q = np.random.default_rng(5).uniform(-1, 1, (3, tree.n))
     named = dict(zip(reversed(tree.joint_names), q[:, ::-1].T, strict=True))
-    for call in (tree.poses, tree.joint_values, lambda q: tree.jacobian(q, "panda_hand")):
+    for call in (tree.poses, tree.joint_values):
         np.testing.assert_equal(call(named), call(q))
     np.testing.assert_equal(tree.pose("panda_link1", "panda_hand", named), tree.pose("panda_link1", "panda_hand", q))
     still = named | {"panda_joint1": 0.0}
@@ -110,7 +89,7 @@ def test_joint_values_may_be_given_by_name():
 
 @pytest.mark.parametrize("name", ["Franka Panda with hand", "UR5e"])
 def test_a_shipped_arm_has_the_links_and_limits_of_pinocchio_and_its_mimic_joints_follow(name):
-    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    pin = pytest.importorskip("pinocchio")
     text = urdf_text(name)
     tree = Tree.from_urdf(text)
     model = pin.buildModelFromXML(text, mimic=True)
@@ -179,9 +158,6 @@ def test_errors_say_what_must_hold_and_what_to_try(call, said):
         call(Tree.from_urdf(HAND))
 
 
-# --- write and read back ---
-
-
 @given(trees(mimic=True))
 def test_a_tree_is_read_back_from_its_file(drawn):
     tree = Tree.from_urdf(drawn[0])
@@ -198,8 +174,6 @@ def test_a_tree_is_read_back_from_its_file(drawn):
     assert_equal_poses(tree.poses(q), theirs)
     assert_equal_poses(back.poses(q), theirs)
 
-
-# --- planar and floating joints ---
 
 ROVER = """<robot name="rover"> <link name="world"/> <link name="body"/> <link name="raft"/> <link name="mast"/>
   <joint name="float" type="floating"> <parent link="world"/> <child link="body"/> <origin xyz="0 0 1"/> </joint>
@@ -226,8 +200,6 @@ def test_a_planar_or_a_floating_joint_without_a_pose_is_refused():
     assert "  body     | float | floating   | a pose" in str(tree)
     with pytest.raises(ValueError, match=r"each floating joint of rover: float, skid; got skid\. .*np\.eye\(4\)"):
         tree.poses([0], joint_poses={"skid": np.eye(4)})
-    with pytest.raises(ValueError, match=r"not rigid|not a pose"):
-        tree.poses([0], joint_poses={"skid": np.eye(4), "float": np.ones((4, 4))})
     with pytest.raises(
         ValueError, match=r"Line 2, .*a floating joint has 6\. Choose a base beyond it, such as body, or"
     ):

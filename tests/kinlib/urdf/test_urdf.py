@@ -16,9 +16,6 @@ from kinlib.urdf.xml_elements import MAX_BYTES, MAX_DEPTH
 CLOSE = 1e-9
 
 
-# --- random trees ---
-
-
 @given(points(7))
 def test_origin_turns_about_fixed_axes_as_scipy_says(rpy):
     expected = Rotation.from_euler("xyz", rpy).as_matrix()  # lower case: fixed axes
@@ -29,9 +26,6 @@ def test_origin_turns_about_fixed_axes_as_scipy_says(rpy):
 def test_roll_pitch_yaw_is_right_near_a_pitch_of_90_degrees(pitch):
     R = origin(rpy=(0.3, pitch, -1.2))[:3, :3]
     np.testing.assert_allclose(origin(rpy=roll_pitch_yaw(R))[:3, :3], R, rtol=0, atol=1e-15)
-
-
-# --- write and read back ---
 
 
 def assert_same(back, chain):
@@ -99,8 +93,6 @@ def test_equal_and_unprintable_names_are_refused(names, said):
         to_urdf(kl.Chain(arm.screws, arm.home, joint_names=names))
 
 
-# --- what the parts of a file mean ---
-
 ONE_JOINT = """<robot name="one">
 <link name="a"/>
 <link name="b"/>
@@ -131,22 +123,15 @@ def test_a_limit_that_is_not_given_is_0_and_a_joint_may_be_locked(said, limits):
     assert load_urdf(one_joint(f"<limit {said}/>", "revolute")).limits.tolist() == [limits]
 
 
-# --- files with errors: the message has the element, the line and the reason ---
-
-
 @pytest.mark.parametrize(
     ("parts", "said"),
     [
         ('<axis xyz="0 0 0"/>', 'Line 5, <axis> in <joint name="j">: xyz must be a direction; got zero'),
         ('<axis xyz="0, 0, 1"/>', 'got "0,".*Separate numbers by spaces'),
         ('\n\n<axis xyz="nan 0 1"/>', 'Line 7, .*must consist of finite numbers; got "nan"'),
-        (f'<axis xyz="{"1" * 5000} 0 0"/>', r'xyz must have at most 1000 characters; got 5004, "1{20}\.\.\."\.$'),
         ('<axis xyz="0 0 1"/>\n<axis xyz="0 0 1"/>', "at most one <axis>; got two, in lines 5 and 6"),
         ('<origin rpy="0 0 90"/>', r"rpy must be .*; got 90 rad\. Is it in degrees\? URDF uses radians"),
-        (
-            '<origin xyz="0 0 1e7"/>',
-            r"between -1e\+06 and 1e\+06 m; got 1e\+07 m\. Is it in another unit than metres\?$",
-        ),
+        ('<origin xyz="0 0 1e7"/>', r"between -1e\+06 and 1e\+06 m; got 1e\+07 m\. Is it in another unit than"),
         ('<origin xyz="${length} 0 0"/>', 'xyz="[$]{length} 0 0" must be evaluated by xacro first. Expand the file'),
     ],
 )
@@ -159,12 +144,7 @@ def test_an_invalid_joint_is_refused_with_its_line(parts, said):
     ("kind", "parts", "said"),
     [
         ("revolute", "", 'Line 4, <joint name="j">: a revolute joint must have a <limit .*continuous'),
-        ("prismatic", "", "a prismatic joint must have a <limit .*How far does it move"),
-        (
-            "revolute",
-            '<limit lower="2" upper="1"/>',
-            "Line 5, <limit> .*got lower 2 and upper 1. Are they interchanged",
-        ),
+        ("revolute", '<limit lower="2" upper="1"/>', "Line 5, <limit> .*got lower 2 and upper 1. Are they"),
         ("revolut", "", 'type must be one of revolute, continuous.*; got "revolut"'),
     ],
 )
@@ -185,32 +165,12 @@ def linked(links, *joints):
     ("text", "said"),
     [
         (linked("abb", "ab"), 'Line 4, <link name="b">: the names of links must be different; the link in line 3 has'),
-        (
-            linked("abc", "ab", "bc").replace("j1", "j0"),
-            'Line 6, <joint name="j0">: the names of joints must be different; the joint in line 5 has',
-        ),
-        (
-            linked("ab", "aβ"),
-            'Line 4, <child> in <joint name="j0">: joint j0 must join links of this file; there is no link "β"',
-        ),
-        (linked(["base", "arm"], ["bsae", "arm"]), "Did you mean base"),
-        (
-            linked("abcd", "ab", "bc", "cd", "db"),
-            "Line 9, <child> in <joint .*link b is already the child of joint j0 in line 6.*cannot describe loops",
-        ),
-        (
-            linked("abc", "ab"),
-            r'Line 4, <link name="c">: a tree must have one root.*there are others, such as a\. Which',
-        ),
-        (
-            linked("abc", "ab", "ac"),
-            r'Line 2, <link name="a">: exactly one end .*; got 2\. Pass tip=.*, one of b \(1 joint\), c \(1 joint\)',
-        ),
-        (linked(["a", "${prefix}b"]), "Line 3, .*by xacro"),
-        (
-            '<robot name="r">\n<xacro:macro name="arm"/></robot>',
-            'Line 2, <xacro:macro name="arm">: a macro must be evaluated by xacro',
-        ),
+        (linked("abc", "ab", "bc").replace("j1", "j0"), 'Line 6, <joint name="j0">: the names of joints must be'),
+        (linked("ab", "aβ"), 'Line 4, <child> in <joint name="j0">: joint j0 must join links of this file; there is'),
+        (linked("abcd", "ab", "bc", "cd", "db"), "Line 9, <child> in <joint .*link b is already the child of joint"),
+        (linked("abc", "ab"), r'Line 4, <link name="c">: a tree must have one root.*there are others, such as a\.'),
+        (linked("abc", "ab", "ac"), r'Line 2, <link name="a">: exactly one end .*; got 2\. Pass tip=.*, one of b'),
+        ('<robot name="r">\n<xacro:macro name="arm"/></robot>', 'Line 2, <xacro:macro name="arm">: a macro must be'),
     ],
 )
 def test_links_that_do_not_form_a_tree_are_refused(text, said):
@@ -236,7 +196,6 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
     [
         ("", "must begin with <robot name=...>; got an empty text"),
         ("<robot>\n<link>\n</robot>", "Line 3: the file must be XML; mismatched tag. An element opened above"),
-        ("\n<robot>\n<link name=a/>", "Line 3: the file must be XML; not well-formed .*Is a quote missing"),
         ("\n<sdf/>", "Line 2, <sdf>: the first element of a URDF must be <robot>; this is an SDF file"),
         ("\n" + BOMB + "]>\n<robot name='&j;'/>", "Line 2, <!DOCTYPE>: a URDF must have no document type"),
         (
@@ -247,9 +206,7 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
         ("robot.urdf", "There is no file 'robot.urdf'. Pass the path of a URDF, or its text"),
         (None, "must be the path or the text of a URDF; got NoneType None"),
     ],
-    ids=lambda value: repr(value)[:40].replace(
-        "\\", "/"
-    ),  # a test id with a backslash cannot be typed on a command line
+    ids=lambda value: repr(value)[:40].replace("\\", "/"),  # a backslash cannot be typed on a command line
 )
 def test_texts_that_are_not_a_urdf_are_refused(text, said):
     with pytest.raises(ValueError, match=said):
