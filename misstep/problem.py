@@ -16,6 +16,7 @@ from typing import Any, TypeVar
 
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Answer, Unreadable, seen_at_sight
+from misstep.answers.choice import Choice, ReasonedChoice
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
 from misstep.mutants.mutants import MutableSolution, mutant, value_of
@@ -153,6 +154,25 @@ class Problem:
             ):
                 kept.append(wrong)
         return replace(self, mistakes=kept)
+
+    def with_reason(self, reason: Answer) -> "Problem":
+        """Return the same problem, whose choice earns points only with a reason; its mistakes are those of the choice.
+
+        Raises ValueError if the answer is no Choice.
+
+        >>> import numpy as np
+        >>> from misstep.answers.number import Numbers
+        >>> from misstep.mistakes import mistake
+        >>> side = Problem("Which?", Choice("b", {"a": "left", "b": "right"}), [mistake("left", "a", "Look again.")])
+        >>> side.with_reason(Numbers(np.array(0.5))).mistakes[0].value
+        ('a', array(0.5))
+        """
+        if not isinstance(self.answer, Choice):
+            raise ValueError(
+                f"The answer must be a Choice; got {type(self.answer).__name__}. Only a choice needs a reason."
+            )
+        wrong = [replace(one, value=(one.value, reason.value), part=one.part or one.message) for one in self.mistakes]
+        return replace(self, answer=ReasonedChoice(self.answer, reason), mistakes=wrong)
 
     def _hidden_mutants(self) -> Iterator[Mistake]:
         tolerance = SEPARATION_TOLERANCES * TOLERANCE

@@ -5,13 +5,12 @@ from typing import Any
 
 import numpy as np
 
-from misstep.answers.choice import Choice
+from misstep.answers.choice import Choice, ReasonedChoice
 from misstep.display.text import matrix, number, vector
 from misstep.judge import Judgement
 from misstep.mutants.expression import Expression
 from misstep.mutants.operations import radians
 from misstep.problem import Problem
-from misstep.reasoned_choice import ReasonedChoice
 
 MAX_GIVEN, MAX_STEPS, MAX_ENTRIES = 6, 8, 36
 """How many given values and steps are written, and the entries of the largest array."""

@@ -37,7 +37,6 @@ from misstep.mistakes import mistake
 from misstep.mutants.expression import given
 from misstep.mutants.operations import ANGLE, VECTOR, function, radians, stack
 from misstep.problem import Problem
-from misstep.reasoned_choice import with_reason
 from misstep.sheet import Sheet
 
 SUBSCRIPTS_CANCEL = "Only in $T_{ts}\\,T_{sc}\\,T_{co}$ do all adjacent subscripts cancel: s with s, and c with c."
@@ -456,7 +455,7 @@ def rigid_or_not(sampler: ArmSampler) -> Problem:
         answer=Choice(right, FLAWS),
         mistakes=[mistake(f"flaw {wrong}", wrong, FLAWS_REFUTED[wrong]) for wrong in FLAWS if wrong != right],
     )
-    return with_reason(problem, Numbers(np.array(float(shows))))
+    return problem.with_reason(Numbers(np.array(float(shows))))
 
 
 def _rotation(k: int, degrees: float) -> Array:

@@ -33,7 +33,6 @@ from misstep.display.text import degrees, matrix, number, vector
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import ANGLE, radians, sqrt, square, stack
 from misstep.problem import Problem
-from misstep.reasoned_choice import with_reason
 from misstep.sheet import Sheet
 
 RIGHT_ANGLE_RAD = np.pi / 2
@@ -304,7 +303,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
         answer=Choice(answer, entry_names(3)),
         mistakes=other_entries(answer, 3, "standard"),
     )
-    return with_reason(problem, Numbers(np.array(rows[i, k])))
+    return problem.with_reason(Numbers(np.array(rows[i, k])))
 
 
 @problem(

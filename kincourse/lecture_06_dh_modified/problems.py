@@ -47,7 +47,6 @@ from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import stack
 from misstep.problem import Problem
-from misstep.reasoned_choice import with_reason
 from misstep.sheet import Sheet
 
 RIGHT_ANGLE_RAD = np.pi / 2
@@ -458,7 +457,7 @@ def which_convention(sampler: ArmSampler) -> Problem:
         answer=Choice(truth, options),
         mistakes=[mistake(options[letter], letter, why[letter]) for letter in options if letter != truth],
     )
-    return with_reason(problem, Numbers(np.array([pose[0, 3] for pose in poses.values()]), unit="m"))
+    return problem.with_reason(Numbers(np.array([pose[0, 3] for pose in poses.values()]), unit="m"))
 
 
 @problem(

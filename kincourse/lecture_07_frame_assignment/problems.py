@@ -32,7 +32,6 @@ from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import given
 from misstep.mutants.operations import stack
 from misstep.problem import Problem
-from misstep.reasoned_choice import with_reason
 from misstep.sheet import Sheet
 
 RIGHT_ANGLE_RAD = np.pi / 2
@@ -73,7 +72,7 @@ def the_case(sampler: ArmSampler) -> Problem:
         answer=Choice(right, CASES),
         mistakes=[mistake(CASES[wrong], wrong, _case_message(wrong, right)) for wrong in CASES if wrong != right],
     )
-    return with_reason(problem, Numbers(place + other * ((point - place) @ other), unit="m"))
+    return problem.with_reason(Numbers(place + other * ((point - place) @ other), unit="m"))
 
 
 def _case_message(wrong: str, right: str) -> str:
@@ -286,7 +285,7 @@ def which_rule(sampler: ArmSampler) -> Problem:
         answer=Choice(right, RULES),
         mistakes=[_rule_mistake(wrong, right) for wrong in RULES if wrong != right],
     )
-    return with_reason(problem, Numbers(np.array(float(shows))))
+    return problem.with_reason(Numbers(np.array(float(shows))))
 
 
 def _rule_mistake(wrong: str, right: str) -> Mistake:
@@ -445,7 +444,7 @@ def same_arm(sampler: ArmSampler) -> Problem:
         answer=Choice(right, dict.fromkeys("abcd", "a table")),
         mistakes=[mistake(name, letter, why[name]) for letter, name in letters.items() if name != "legal"],
     )
-    return with_reason(problem, Choice("d4", entry_names(5)))
+    return problem.with_reason(Choice("d4", entry_names(5)))
 
 
 def _tables_to_compare(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]]:

@@ -49,7 +49,6 @@ from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given
 from misstep.mutants.operations import ANGLE, LENGTH, radians
 from misstep.problem import Problem
-from misstep.reasoned_choice import with_reason
 from misstep.sheet import Sheet
 
 ANGLES_NOTE = (
@@ -356,7 +355,7 @@ def which_mode(sampler: ArmSampler) -> Problem:
         ),
         mistakes=[mistake(name, letter, why[name]) for letter, name in letters.items() if name != "right"],
     )
-    return with_reason(problem, Numbers(four_bar.crank * np.array([np.cos(A), np.sin(A)]), unit="m"))
+    return problem.with_reason(Numbers(four_bar.crank * np.array([np.cos(A), np.sin(A)]), unit="m"))
 
 
 def _distinct_modes(sampler: ArmSampler) -> tuple[FourBar, int, int, dict[str, Array]]:
@@ -403,7 +402,7 @@ def which_kind(sampler: ArmSampler) -> Problem:
         answer=Choice(right, KINDS),
         mistakes=[mistake(f"kind {wrong}", wrong, _kind_message(wrong, right)) for wrong in KINDS if wrong != right],
     )
-    return with_reason(problem, Numbers(np.array(min(four_bar) + max(four_bar)), unit="m"))
+    return problem.with_reason(Numbers(np.array(min(four_bar) + max(four_bar)), unit="m"))
 
 
 def _kind_message(wrong: str, right: str) -> str:

@@ -45,7 +45,6 @@ from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import ANGLE, LENGTH, SLIDE, cos, radians, sin, stack
 from misstep.problem import Problem
-from misstep.reasoned_choice import with_reason
 from misstep.sheet import Sheet
 
 RIGHT_ANGLE_RAD = np.pi / 2
@@ -182,7 +181,7 @@ def one_of_four(sampler: ArmSampler) -> Problem:
             if letter != wrong
         ],
     )
-    return with_reason(problem, Numbers(np.array(np.linalg.norm((right - fault)[:3, 3])), unit="m"))
+    return problem.with_reason(Numbers(np.array(np.linalg.norm((right - fault)[:3, 3])), unit="m"))
 
 
 @problem(

@@ -33,7 +33,6 @@ from misstep.diagnosis.explanation import explain
 from misstep.display.text import matrix
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
-from misstep.reasoned_choice import with_reason
 
 LECTURE = "10_one_robot_four_ways#"
 
@@ -215,7 +214,7 @@ def wrong_joint(sampler: ArmSampler) -> Problem:
             if number != right
         ],
     )
-    return with_reason(problem, Numbers(np.array(off.max())))
+    return problem.with_reason(Numbers(np.array(off.max())))
 
 
 @problem(
@@ -310,7 +309,7 @@ def which_path_writes(sampler: ArmSampler) -> Problem:
             if effect != "writes"
         ],
     )
-    return with_reason(problem, Numbers(chain.fk(paths[right].q[-1])[:3, 3], unit="m"))
+    return problem.with_reason(Numbers(chain.fk(paths[right].q[-1])[:3, 3], unit="m"))
 
 
 PROJECT_PROBLEMS = [

@@ -23,7 +23,6 @@ from misstep.display.text import matrix, number, vector
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given
 from misstep.problem import Problem
-from misstep.reasoned_choice import with_reason
 
 MISTAKE_DESCRIPTIONS = {
     "reversed": "multiplied the exponentials from the last joint to the first",
@@ -160,7 +159,7 @@ def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
             if letter != right
         ],
     )
-    return with_reason(problem, Numbers(right_pose[:3, 3], unit="m"))
+    return problem.with_reason(Numbers(right_pose[:3, 3], unit="m"))
 
 
 @task(*("The body form", 3, "04_poe_body#The body form"), *("pose", f"{POSE_NOTE} {VALUES_NOTE}", BODY_FORM_SOLUTION))

@@ -33,7 +33,6 @@ from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.display.text import number
 from misstep.problem import Problem
-from misstep.reasoned_choice import with_reason
 
 MAX_ROWS = 7
 """The maximum number of rows of a table. A robot with more joints is cut off after this joint."""
@@ -112,7 +111,7 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
         answer=Choice(answer, entry_names(table.n)),
         mistakes=other_entries(answer, table.n, table.convention),
     )
-    return with_reason(problem, Numbers(np.array(table.rows[i, k])))
+    return problem.with_reason(Numbers(np.array(table.rows[i, k])))
 
 
 def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem:

@@ -24,12 +24,11 @@ from uuid import NAMESPACE_URL, uuid5
 import numpy as np
 
 from misstep.answers.base import Answer, Unreadable
-from misstep.answers.choice import Choice
+from misstep.answers.choice import Choice, ReasonedChoice
 from misstep.answers.groups.ordering import Ordering
 from misstep.catalog import Course, add_course_argument, find_course
 from misstep.judge import judge
 from misstep.problem import Problem, Template
-from misstep.reasoned_choice import ReasonedChoice
 from misstep.storage.serialize import to_data
 from misstep.verdict import Verdict
 

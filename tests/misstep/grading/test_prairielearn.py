@@ -11,12 +11,11 @@ import numpy as np
 import pytest
 
 from kincourse import COURSE, find_sheet
-from misstep.answers.choice import Choice
+from misstep.answers.choice import Choice, ReasonedChoice
 from misstep.answers.groups.ordering import Ordering
 from misstep.cli import main
 from misstep.grading.prairielearn import export
 from misstep.problem import Problem
-from misstep.reasoned_choice import ReasonedChoice
 from misstep.storage.serialize import to_data
 
 LEFT_OUT = ["03.7", "03.11"]
