@@ -1,4 +1,4 @@
-"""The index of the search: an entry for each section, mistake, term of the glossary and function, with its own address.
+"""The index of the search: an entry for each section, term of the glossary and function, with its own address.
 
 A word in German or of another book is found because pages/glossary.md has it. MiniSearch, which the page of the search loads
 (static/search.js), ranks the entries by the kinds of `KINDS`; other words for a query are its `SYNONYMS`.
@@ -33,11 +33,8 @@ KINDS = {
     "guides": "contributing",
 }
 """The kinds of pages, by their folder. A page in no folder is a kind of its own."""
-DEFINED = {"mistakes": "mistake", "glossary": "term"}
-"""The kinds of definitions that are entries of their own, by their page or its folder."""
-
-LONGEST = 160
-"""Characters of a mistake's message that are searched: there are thousands of them, and the page must load on a phone."""
+DEFINED = {"glossary": "term"}
+"""The kinds of definitions that are entries of their own, by their page."""
 
 TAG = re.compile(r"<(script|style|svg|math)\b.*?</\1>|<[^>]+>", re.DOTALL)
 LATEX = re.compile(r"\\(?:mathrm|mathcal|text|begin|end|frac|tag)\b|[\\{}$^&]|\$")
@@ -80,7 +77,7 @@ def page_entries(page: str, tree: nodes.document) -> Iterator[tuple[str, str, st
         if folder in DEFINED and (ids := anchors(item)):
             term, *definition = item.children
             text = " ".join(clean(part, own=True) for part in definition)
-            yield clean(term).strip(), f"#{ids[0]}", DEFINED[folder], text[: LONGEST if folder == "mistakes" else None]
+            yield clean(term).strip(), f"#{ids[0]}", DEFINED[folder], text
     for described in tree.findall(addnodes.desc):
         signature = next(iter(described.findall(addnodes.desc_signature)))
         if signature["ids"]:

@@ -1,22 +1,30 @@
-"""The index of mistakes: the mistakes that each sheet recognises, and the message for each.
+"""The page of mistakes: for each sheet the ten that it recognises in the most problems, each with an example; all of them as data.
 
 A message may contain numbers of the student who reads it. So each problem is drawn for several students, and what differs
-between their messages is left out. Therefore the pages contain no student's numbers, and no right answer.
+between their messages is left out. The examples have the numbers of a reader of the site, and no student's.
 """
 
+import json
 import re
 from collections.abc import Iterator, Sequence
-from html import escape
+from typing import Any
 
-from docutils.nodes import make_id
+import numpy as np
 from myst_parser.slugs import github_slugify
 
 from kincourse import find_sheet, sheets
+from kinlib.arrays.validation import Array
+from kinlib.view import draw_frames
+from misstep.display.text import number
 from misstep.problem import Template
 from misstep.sheet import Sheet
 
 STUDENTS = tuple(f"a reader of the site, {letter}" for letter in "abcdefgh")
 """Ids for which the problems are drawn: enough of them that every number that can differ does differ."""
+
+MAX_SHOWN = 10
+MAX_ENTRIES = 24
+"""The entries of the largest array that is shown as an example."""
 
 GAP = "…"
 TOKEN = re.compile(r"\$[^$]*\$|`[^`]*`|[^\s$`]+|\s+")
@@ -27,34 +35,22 @@ DECIMAL = re.compile(r"(?<![\w.^_{])-?\d+\.\d+")
 
 
 def pages() -> Iterator[tuple[str, str]]:
-    """Yield one page for each sheet, and an overview."""
-    named_sheets = [(name, find_sheet(name)) for name in sheets()]
-    for name, sheet in named_sheets:
-        yield f"mistakes/{name}.md", page(name, sheet)
-    yield "mistakes/index.md", overview(named_sheets)
+    """Yield one page for each sheet, an overview, and the messages of all mistakes as JSON, by problem and name."""
+    everything: dict[str, dict[str, str]] = {}
+    for name in sheets():
+        sheet = find_sheet(name)
+        found = {template.number: messages(template) for template in sheet.problems}
+        everything |= found
+        yield f"mistakes/{name}.md", page(name, sheet, found)
+    yield "files/mistakes.json", json.dumps(everything, ensure_ascii=False, indent=1)
+    names = "\n".join(sheets())
+    yield (
+        "mistakes/index.md",
+        f"""\
+# Common mistakes
 
-
-def overview(named_sheets: Sequence[tuple[str, Sheet]]) -> str:
-    """Write the page that lists the pages of the sheets, and all mistakes by their names."""
-    names = "\n".join(name for name, _ in named_sheets)
-    places: dict[str, list[str]] = {}
-    for name, sheet in named_sheets:
-        for template in sheet.problems:
-            for mistake in messages(template):
-                link = f'<a href="{name}.html#{anchor(template.number, mistake)}">{template.number}</a>'
-                places.setdefault(mistake, []).append(link)
-    listed = "\n".join(f"<li>{escape(mistake)}: {', '.join(places[mistake])}</li>" for mistake in sorted(places))
-    count = sum(map(len, places.values()))
-    return f"""\
-# Index of mistakes
-
-The sheets recognise {count} mistakes by name. If your wrong answer is one of them, the card says which step went wrong,
-in the words of these pages.
-
-Read them before you hand in. If you recognise your own mistake, you are in good company: each of them has been made
-before, in a lecture hall, in a book or in a widely used library.
-
-Where a message contains your own numbers, these pages show {GAP} instead.
+For each sheet, the mistakes that can be made in the most of its problems: what was done, what is true instead, and what it looks
+like. If your wrong answer comes from one of them, the card of the problem names it.
 
 ```{{toctree}}
 :maxdepth: 1
@@ -62,45 +58,68 @@ Where a message contains your own numbers, these pages show {GAP} instead.
 {names}
 ```
 
-## All mistakes by name
-
-The numbers are those of the problems. Each mistake has an address, which you can link to.
-
-```{{raw}} html
-<ul class="kinlib-names">
-{listed}
-</ul>
-```
-"""
+The sheets recognise {sum(len(named) for named in everything.values())} mistakes, counted for each problem. <a href="../files/mistakes.json">All of
+them as data</a>: by problem and name, with the message; {GAP} replaces a student's own numbers.
+""",
+    )
 
 
-def anchor(problem: str, mistake: str) -> str:
-    """Name the id of a mistake on the page of its sheet.
-
-    >>> anchor("05.3", "sign of alpha")
-    'mistake-05-3-sign-of-alpha'
-    """
-    return str(make_id(f"mistake-{problem}-{mistake}"))
-
-
-def page(name: str, sheet: Sheet) -> str:
-    """Write the page with the mistakes of one sheet, problem by problem."""
-    number = name.partition("_")[0]
-    parts = [
-        f"# Mistakes of sheet {number}: {sheet.title}",
-        f"The mistakes that [sheet {number}](../sheets/{name}.ipynb) recognises, and the message for each.",
-    ]
+def page(name: str, sheet: Sheet, found: dict[str, dict[str, str]]) -> str:
+    """Write the page with the most frequent mistakes of one sheet."""
+    places: dict[str, list[Template]] = {}
     for template in sheet.problems:
-        lecture, _, heading = template.lecture.partition("#")
+        for mistake in found[template.number]:
+            places.setdefault(mistake, []).append(template)
+    parts = [f"# Mistakes of sheet {name.partition('_')[0]}: {sheet.title}", f"[The sheet](../sheets/{name}.ipynb)"]
+    for mistake in sorted(places, key=lambda mistake: -len(places[mistake]))[:MAX_SHOWN]:
+        first, *others = places[mistake]
+        lecture, _, heading = first.lecture.partition("#")
+        link = f"../lectures/{lecture}.ipynb{'#' + github_slugify(heading) if heading else ''}"
+        also = f" Also in {', '.join(template.number for template in others)}." if others else ""
         parts += [
-            f"## {template.number} {template.title}",
-            f"Re-read: [{heading or 'the lecture'}](../lectures/{lecture}.ipynb{'#' + github_slugify(heading) if heading else ''}).",
-            *(
-                f"[`{mistake}`]{{#{anchor(template.number, mistake)}}}\n: {message}"
-                for mistake, message in messages(template).items()
-            ),
+            f"## {mistake[:1].upper()}{mistake[1:]}",
+            f"In {first.number}, {first.title}: {found[first.number][mistake]}{also}",
+            *example(places[mistake], mistake),
+            f"Read again: [{heading or 'the lecture'}]({link}).",
         ]
     return "\n\n".join(parts) + "\n"
+
+
+def example(templates: Sequence[Template], mistake: str) -> Iterator[str]:
+    """Yield an answer as it is beside what is typed by this mistake, and for poses both frames as a drawing."""
+    for template in templates:
+        problem = template.variant(STUDENTS[0])
+        typed = next((entries(one.value) for one in problem.known_mistakes if one.name == mistake), None)
+        right = entries(problem.answer.value)
+        if right is None or typed is None or right.shape != typed.shape:
+            continue
+        yield f"| as it is, in {template.number} | as typed |\n| --- | --- |\n| ${marked(right, typed)}$ | ${marked(typed, right)}$ |"
+        if right.shape == (4, 4) and all(np.allclose(T[3], (0, 0, 0, 1)) for T in (right, typed)):
+            yield f"```{{raw}} html\n{draw_frames({'as it is': right, 'as typed': typed}, arrows=False).html()}\n```"
+        return
+
+
+def entries(value: Any) -> Array | None:
+    """Return a value as a matrix of numbers, or None if it is none or has too many of them."""
+    try:
+        array = np.atleast_2d(np.asarray(getattr(value, "rows", value), dtype=float))
+    except (TypeError, ValueError):
+        return None
+    return array if array.ndim == 2 and array.size <= MAX_ENTRIES else None
+
+
+def marked(one: Array, other: Array) -> str:
+    r"""Write a matrix in LaTeX, with a box around each entry that differs from another matrix.
+
+    >>> marked(np.array([[0.5, 0.0]]), np.array([[-0.5, 0.0]]))
+    '\\begin{pmatrix} \\boxed{0.5} & 0 \\end{pmatrix}'
+    """
+    differs = ~np.isclose(one, other, atol=1e-6)
+    rows = r" \\ ".join(
+        " & ".join(rf"\boxed{{{number(x)}}}" if boxed else number(x) for x, boxed in zip(*row, strict=True))
+        for row in zip(one.tolist(), differs.tolist(), strict=True)
+    )
+    return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
 
 
 def messages(template: Template) -> dict[str, str]:
