@@ -58,8 +58,8 @@ like. If your wrong answer comes from one of them, the card of the problem names
 {names}
 ```
 
-The sheets recognise {sum(len(named) for named in everything.values())} mistakes, counted for each problem. <a href="../files/mistakes.json">All of
-them as data</a>: by problem and name, with the message; {GAP} replaces a student's own numbers.
+The sheets recognise {sum(len(named) for named in everything.values())} mistakes, counted for each problem.
+<a href="../files/mistakes.json">All of them as data</a>: by problem and name, with the message; {GAP} replaces a student's own numbers.
 """,
     )
 
