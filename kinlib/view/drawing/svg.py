@@ -18,7 +18,7 @@ FONT = "font-family:Helvetica,Arial,'DejaVu Sans',sans-serif"
 
 
 def document(marks: Sequence[str], width: float, height: float) -> str:
-    """Return a complete drawing of width by height pixels, on white paper; `dark_theme` adds the colours for a dark page."""
+    """Return a complete drawing of width by height pixels, on white paper; `figure_colours` has those of a dark page."""
     head = f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}" height="{height:g}" viewBox="0 0 {width:g} {height:g}">'
     paper = f'<rect width="{width:g}" height="{height:g}" fill="white"/>'
     return "\n".join(

@@ -7,13 +7,14 @@ between their messages is left out. The examples have the numbers of a reader of
 import json
 import re
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 from myst_parser.slugs import github_slugify
 
 from kincourse import find_sheet, sheets
-from kinlib.arrays.validation import Array
+from kinlib.arrays.validation import Array, poses
 from kinlib.view import draw_frames
 from misstep.display.text import number
 from misstep.problem import Template
@@ -94,8 +95,9 @@ def example(templates: Sequence[Template], mistake: str) -> Iterator[str]:
         if right is None or typed is None or right.shape != typed.shape:
             continue
         yield f"| as it is, in {template.number} | as typed |\n| --- | --- |\n| ${marked(right, typed)}$ | ${marked(typed, right)}$ |"
-        if right.shape == (4, 4) and all(np.allclose(T[3], (0, 0, 0, 1)) for T in (right, typed)):
-            yield f"```{{raw}} html\n{draw_frames({'as it is': right, 'as typed': typed}, arrows=False).html()}\n```"
+        with suppress(ValueError):  # a mistake may lead to no rigid motion
+            frames = {"as it is": poses(right, "right"), "as typed": poses(typed, "typed")}
+            yield f"```{{raw}} html\n{draw_frames(frames, arrows=False).html()}\n```"
         return
 
 
