@@ -456,7 +456,8 @@ def path_through_a_tree(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Take the chain in this file from the base `{near}_hand` to the tip `{far}_hand`. Which joints have a value in "
         f"$q$, and in which order? Answer with a list of their names, such as `['neck', '{a}']`.\n\n{fence_urdf(text)}",
-        given={"urdf": text, "base": f"{near}_hand", "tip": f"{far}_hand"},
+        given={"urdf": text},
+        shown={"base": f"{near}_hand", "tip": f"{far}_hand"},
         answer=Ordering(paths["right"], among=[name for name, *_ in joints]),
         mistakes=[mistake(name, paths[name], why[name]) for name in why],
     )

@@ -21,7 +21,7 @@ text = 'the right factor'
 right = true
 why = 'It stands next to $M$.'
 """
-NAME = "02/turns"
+NAME = "02/rotation"
 
 
 @pytest.fixture

@@ -101,6 +101,8 @@ class Gallery:
     >>> Gallery((Picture("<svg></svg>", "A drawing with nothing in it."),)).save("nothing.svg")
     Traceback (most recent call last):
     ValueError: path must end in .html; got 'nothing.svg'. One of its `pictures` can be saved as an image.
+    >>> Gallery((Picture("<svg></svg>", "A drawing with nothing in it."),)).html().count("<figure")
+    1
     """
 
     pictures: tuple[Picture, ...]
@@ -121,7 +123,12 @@ class Gallery:
 
 
 def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Picture:
-    """Convert a matplotlib figure to a picture. Make the figure without pyplot, so that none is left open."""
+    """Convert a matplotlib figure to a picture. Make the figure without pyplot, so that none is left open.
+
+    >>> from matplotlib.figure import Figure
+    >>> picture_from_figure(Figure(figsize=(2, 1)), "An empty figure, two inches wide.").alt
+    'An empty figure, two inches wide.'
+    """
     from matplotlib import rc_context
 
     buffer = io.StringIO()
@@ -132,12 +139,20 @@ def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Pictur
 
 
 def is_without_kernel() -> bool:
-    """Whether outputs must work without a kernel."""
+    """Whether outputs must work without a kernel.
+
+    >>> is_without_kernel()
+    False
+    """
     return os.environ.get(ENVIRONMENT_VARIABLE, "") not in ("", "live")
 
 
 def vector_text(values: ArrayLike) -> str:
-    """Write a vector for a text alternative: three significant digits, and 0 for rounding errors."""
+    """Write a vector for a text alternative: three significant digits, and 0 for rounding errors.
+
+    >>> vector_text([0.5, -1e-17, 3])
+    '(0.5, 0, 3)'
+    """
     return format_vector(values, 3, zero=TYPED_PI_ERROR)
 
 
@@ -145,6 +160,10 @@ def save(path: str | PathLike[str], contents: Mapping[str, Callable[[], str | by
     """Write a file of the kind that its ending names; contents gives the text or the bytes of each kind.
 
     Raises ValueError for any other ending, with the advice, and for a folder that does not exist.
+
+    >>> save("arm.jpg", {"svg": lambda: "<svg></svg>", "png": lambda: b""})
+    Traceback (most recent call last):
+    ValueError: path must end in .svg or .png; got 'arm.jpg'.
     """
     kind = Path(path).suffix.lower().removeprefix(".")
     if kind not in contents:
@@ -158,12 +177,20 @@ def save(path: str | PathLike[str], contents: Mapping[str, Callable[[], str | by
 
 
 def page(alt: str, body: str) -> str:
-    """Return a stand-alone HTML page, whose title is the first sentence of a text alternative."""
+    """Return a stand-alone HTML page, whose title is the first sentence of a text alternative.
+
+    >>> page("A drawing of an arm. It is at home.", "<p>The arm</p>")
+    '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8">...<title>A drawing of an arm.</title>...<p>The arm</p></body></html>'
+    """
     head = f'<meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>{html.escape(first_sentence(alt))}</title>'
     style = "<style>body{font-family:system-ui,sans-serif;max-width:60em;margin:1em auto;padding:0 1em}</style>"
     return f'<!DOCTYPE html><html lang="en"><head>{head}{style}</head><body>{body}</body></html>'
 
 
 def first_sentence(text: str) -> str:
-    """Return the first sentence of a text alternative."""
+    """Return the first sentence of a text alternative.
+
+    >>> first_sentence("The arm is 0.5 m long. It is at home.")
+    'The arm is 0.5 m long.'
+    """
     return re.split(r"(?<=\.)\s", text, maxsplit=1)[0]

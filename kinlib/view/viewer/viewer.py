@@ -46,6 +46,17 @@ class Covered(anywidget.AnyWidget):
 
     made_of is the data of which the widget is made: if the cell is run again with the same, the widget is shown as the reader has
     left it.
+
+    >>> from traitlets import Bool, HasTraits
+    >>> class Question(HasTraits):
+    ...     committed = Bool(False)
+    >>> from kinlib.chains.robots import rpr
+    >>> arm = explore(rpr(), after=(question := Question()))
+    >>> arm.on_page("viewer", "", "<svg></svg>")[67:]
+    '<div data-kinlib-drawing><p>Commit to your prediction first; then the picture appears here.</p></div></div>'
+    >>> question.committed = True
+    >>> arm.covered, arm.html()[:25]
+    (False, '<div data-kinlib-viewer><')
     """
 
     # The bundle defines one global object, so that a page without modules can run it too; a widget needs a default export.
@@ -102,6 +113,17 @@ class ViewerBase(Covered):
     notes    what is not shown, in sentences
 
     It is made of a scene, the joint values at the start, and further traits.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> arm = explore(rpr(), frames={"1": np.eye(4)})
+    >>> arm.html()[:25], arm.own_frames(), arm.picture().alt[:3]
+    ('<div data-kinlib-viewer><', ['frame 1'], 'RPR')
+    >>> arm.check([1, 2])
+    Traceback (most recent call last):
+    ValueError: RPR has 3 joints (RPR), so q must have shape (..., 3); got (2,). Pass one value per joint.
+    >>> arm.save("arm.jpg")
+    Traceback (most recent call last):
+    ValueError: path must end in .svg, .html or .png; got 'arm.jpg'.
     """
 
     scene = traitlets.Dict().tag(sync=True)
@@ -199,7 +221,14 @@ def _base64(content: bytes) -> str:
 
 
 class Viewer(ViewerBase):
-    """A robot on the page, an arm or a tree. Make one with `explore`."""
+    """A robot on the page, an arm or a tree. Make one with `explore`.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> arm = explore(rpr())
+    >>> arm.check([0, 0.5, 0])
+    >>> arm.picture().alt[:13]
+    'RPR, 3 joints'
+    """
 
     def __init__(self, robot: Chain | Tree, scene: dict[str, Any], start: ArrayLike, **traits: Any) -> None:
         self.robot = robot
