@@ -52,7 +52,7 @@ class Covered(anywidget.AnyWidget):
     ...     committed = Bool(False)
     >>> from kinlib.chains.robots import rpr
     >>> arm = explore(rpr(), after=(question := Question()))
-    >>> arm.on_page("viewer", "", "<svg></svg>")[67:]
+    >>> arm.on_page("viewer", {}, "<svg></svg>")[67:]
     '<div data-kinlib-drawing><p>Commit to your prediction first; then the picture appears here.</p></div></div>'
     >>> question.committed = True
     >>> arm.covered, arm.html()[:25]
