@@ -56,9 +56,8 @@ nb_ipywidgets_js: dict[str, str] = {}
 nb_mime_priority_overrides = [
     ("html", "text/html", 10),
     ("html", "application/vnd.jupyter.widget-view+json", None),
-    ("html", "application/vnd.misstep.answer+json", None),
-    ("html", "application/vnd.misstep.solved+json", None),
 ]
+suppress_warnings = ["mystnb.unknown_mime_type"]  # answers are stored for a grader, and show nothing
 nitpicky = True
 # Types of other libraries have no page here, and the build must not depend on their sites.
 nitpick_ignore_regex = [("py:.*", r"(?!kinlib\.|misstep\.|kincourse\.).*")]
