@@ -7,14 +7,12 @@ The folder then holds the notebook with its solutions and the robot as a JSON fi
 
 import argparse
 import os
-import re
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 from kincourse import sheets
 from kincourse.robot_sheets.robot_file import dumps, validate_name
-from kincourse.robot_sheets.robot_sheet import TASKS, robot_sheet, tasks_for
+from kincourse.robot_sheets.robot_sheet import TASKS, robot_sheet, tasks_for, with_plain_name
 from kinlib.chains.chain import Chain
 from misstep.release.instructor_notebook import notebook
 
@@ -64,15 +62,14 @@ def new_sheet(
             f"The folder must be empty; {folder} is not. Choose another folder, or overwrite the sheet with --force."
         )
     chain = _load_robot(robot, base, tip)
-    robot_name = _plain_name(name or chain.name)
-    chain = replace(chain, name=robot_name)
+    chain = with_plain_name(chain.changed(name=name or chain.name))
     tasks = tasks_for(chain)
     sheet = robot_sheet(sheet_name, chain, tasks)
     entries = [TASKS[task].entry for task in tasks]
     numbered_entries = [
         entry._replace(solution=entry.solution.replace("{k}", str(k))) for k, entry in enumerate(entries, start=1)
     ]
-    intro = INTRO_TEMPLATE.format(count=len(tasks), points=sheet.points, robot=robot_name, file=f"{sheet_name}.json")
+    intro = INTRO_TEMPLATE.format(count=len(tasks), points=sheet.points, robot=chain.name, file=f"{sheet_name}.json")
     text = notebook(sheet, numbered_entries, intro, IMPORT_LINES)
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"{sheet_name}.ipynb"
@@ -92,15 +89,6 @@ def _load_robot(robot: Chain | str | os.PathLike[str], base: str | None, tip: st
         if str(robot).lstrip().startswith("<"):
             raise
         raise ValueError(f"{robot}: {fault}") from fault
-
-
-def _plain_name(name: str) -> str:
-    """The name of a robot without the characters that Markdown or LaTeX would interpret.
-
-    >>> _plain_name("ur5_robot *left*")
-    'ur5_robot left'
-    """
-    return re.sub(r"[^\w .()+-]", "", name)[:60].strip() or "the robot"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

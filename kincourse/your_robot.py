@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.robot_sheets.robot_sheet import robot_sheet, tasks_for
+from kincourse.robot_sheets.robot_sheet import robot_sheet, tasks_for, with_plain_name
 from kinlib.arrays.formatting import format_degrees, format_number, html_table
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import youbot
@@ -334,7 +334,8 @@ def practise(arm: str | Chain | DHTable | Examination, student: str, *, base: st
             raise ValueError(f"An exercise sheet needs a robot. {arm.sentence}")
     else:
         chain, _ = _read_arm(arm, base, tip)
-    return OpenSheet(robot_sheet("your_robot", chain, tasks_for(chain)), student)
+    robot = with_plain_name(chain)
+    return OpenSheet(robot_sheet("your_robot", robot, tasks_for(robot)), student)
 
 
 def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, list[str]]:

@@ -5,6 +5,7 @@ confused with radians. So each task is tried on the robot first, and a task in w
 replaced by another one.
 """
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
@@ -97,6 +98,16 @@ def _clearest_problem(task: RobotTask, robot: Chain, sampler: ArmSampler) -> Pro
             return problems[-1]
     clearest = max(problems, key=lambda problem: (-len(problem.hidden), _mistake_count(problem)))
     return replace(clearest, invisible=clearest.hidden)
+
+
+def with_plain_name(robot: Chain) -> Chain:
+    """Return a robot whose name has no characters that Markdown, HTML or LaTeX would interpret, for its statements.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> with_plain_name(rpr().changed(name="ur5_robot *left*")).name
+    'ur5_robot left'
+    """
+    return robot.changed(name=re.sub(r"[^\w .()+-]", "", robot.name)[:60].strip() or "the robot")
 
 
 def robot_sheet(name: str, robot: Chain, tasks: Sequence[str]) -> Sheet:

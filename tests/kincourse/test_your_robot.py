@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import kinlib as kl
-from kincourse.your_robot import KNOWN, examine, formats
+from kincourse.your_robot import KNOWN, examine, formats, practise
 
 
 def poses(table, q):
@@ -97,6 +97,10 @@ def test_what_is_given_is_escaped_and_what_cannot_be_read_is_said():
         found = examine(arm, table)
         assert found.unread
         assert "<script>" not in found._repr_html_()
+    named = kl.robots.puma560().changed(name="<script>alert(1)</script> $x$")
+    statements = [practise(named, "ada").problem(k).statement for k in range(1, 9)]
+    assert any("scriptalert(1)script x" in text for text in statements)
+    assert not any("<script>" in text for text in statements)
     loop = '<robot name="r"><link name="a"/><link name="b"/>' + "".join(
         f'<joint name="{one}{two}" type="fixed"><parent link="{one}"/><child link="{two}"/></joint>'
         for one, two in ("ab", "ba")
