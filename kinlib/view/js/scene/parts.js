@@ -111,13 +111,13 @@ export function axes(arm, size, letter, colour, onBody = (i) => i) {
 /** Frames; those that share an origin get axes of different length. DH frames are named by their indices. */
 export function triads(frames, size, length, numbered) {
   const ranks = new Map();
-  return frames.map(({ name, body, pose, rank: given }) => {
+  return frames.map(({ name, body, pose, rank: given, grey }) => {
     const key = [pose[3], pose[7], pose[11]].map((value) => (value / size).toFixed(4)).join();
     const rank = given ?? ranks.get(key) ?? 0;
     ranks.set(key, rank + 1);
-    const own = numbered && /^\d+$/.test(name);
+    const own = numbered && /^\d+'?$/.test(name);
     const names = { sub: own ? name : '', name: own ? '' : name };
-    return { kind: 'frame', body, pose, letters: 'Oxyz', thin: true, length: length + 0.055 * rank, ...names };
+    return { kind: 'frame', body, pose, letters: 'Oxyz', thin: true, length: length + 0.055 * rank, ...names, grey };
   });
 }
 
