@@ -57,10 +57,12 @@ REPLACEMENTS = [
     (r"\\(?:begin|end)\{\w+\*?\}(?:\{[^}]*\})?|\\(?:hline|(?:top|mid|bottom)rule|cline\{[^}]*\})", "\n"),
     (r"\\(?:text|mathrm|textbf|mathbf|mathit)\{([^{}]*)\}", r"\1"), (r"\^\{?\s*\\circ\s*\}?|\\degree", "°"),
     (r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))"), (r"\\\\(?:\[[^]]*\])?", "\n"), (r"\\,|\$", ""),
+    (r"(?m)^\s*(?:\{\|.*|\|[-}]\s*)$", ""), (r"!!|\|\|", "|"), (r"(?m)^\s*!", "|"),  # of a wiki
     (r"\\(?:cdot|times)\b", "*"), (r"\\(alpha|theta|pi)\b", r"\1"), ("&", " | "),
     ("⍺", "alpha"), ("ⱼ", "_j"), ("ₙ", "_n"), ("’", "'"), ("\xa0", " "), ("½", "1/2"), ("[┃│║]", "|"), ("[\u2500-\u257f]+", ""),
     (r"\b(?:M_PI|PI)_([24])\b", r"pi/\1"), (r"\b(?:M_PI|(?:np|numpy|math|Math|sp|sympy)\.(?:pi|PI)|PI)\b", "pi"),
     (r"\b(?:(?:np|numpy|math)\.)?(?:deg2rad|radians)\(([^()]*)\)", r"\1°"),
+    (r"\b((?:theta|q|d)_?\{?\d+\}?)\*(?![\w(])", r"\1"),  # the sign of a variable
 ]  # fmt: skip
 """What terminals, HTML, LaTeX and code write for signs and separators, and what a keyboard has for them."""
 
@@ -74,7 +76,7 @@ PAIR = re.compile(
     r"(?:\b([a-zA-Z]\w*)\s*[:=]|['\"](\w+)['\"]\s*(?:[:=]|,(?=\s*[^\s'\"])))\s*['\"]?([^,=\[\]{}'\"\n;]+)"
 )
 
-LIST = re.compile(r"['\"]?\b([a-zA-Z][\w.]*)['\"]?\]?\s*[=:]\s*(?:\w+\.\w+\()?[\[({]([^\[\](){}]*)[\])}]")
+LIST = re.compile(r"['\"]?\b([a-zA-Z][\w.]*)['\"]?(?:\[?\d*\])?\s*[=:]\s*(?:\w+\.\w+\()?[\[({]([^\[\](){}]*)[\])}]")
 
 
 class Assumption(NamedTuple):
@@ -169,6 +171,8 @@ def read_table(
     elif convention is None:
         words = "The text does not say which convention: standard was taken."
         grid.assume(words, "convention", ("standard", "modified"))
+    if not numbers[:, :3].any():
+        raise ValueError("No row has a length or a twist: every a, alpha and d was read as 0. Name the columns in a heading.")
     table = DHTable(numbers, convention or said or "standard", joints=letters, signs=signs or (), name=name, **ends)
     return Reading(table, grid.assumed)
 
@@ -247,11 +251,13 @@ def _from_columns(text: str) -> _Grid | None:
             indices = sorted({k for cells in by_index.values() for k in cells})
             lists = {column: [cells.get(k, "") for k in indices] for column, cells in by_index.items()}
     if not lists:
-        lines = [cells for line in text.splitlines()[:MAX_LINES] for cells in _splits(line.strip())[-1:]]
-        named = {_column(line[0]): line[1:] for line in lines if len(line) > 2 and _is_entry(line[1])}
+        lines = [cells for line in text.splitlines()[:MAX_LINES] for cells in _splits(line.strip())[::-1]]
+        heads = [(parse_heading(line[0]), line[1:]) for line in lines if len(line) > 2 and all(map(_is_entry, line[1:]))]
+        named = {head.name: cells for head, cells in heads if head.name in ALL_COLUMNS}
         if not {*named} >= NEEDED or len({len(named[column]) for column in NEEDED}) > 1:
             return None
-        lists = {name: cells for name, cells in named.items() if name and len(cells) == len(named["a"])}
+        lists = {name: cells for name, cells in named.items() if len(cells) == len(named["a"])}
+        grid.units = {head.name: head.unit for head, _ in heads if head.unit}
         grid.assume("Each row is a column of the text.")
     count = max(map(len, lists.values()))
     if short := [f"{column} ({len(cells)})" for column, cells in lists.items() if len(cells) != count]:
@@ -270,7 +276,7 @@ def _from_lines(text: str) -> _Grid | None:
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
     grid, heads, is_after_gap, widths = _Grid(), list[str](), False, set[int]()
     for number, raw in enumerate(text.splitlines()[:MAX_LINES], start=1):
-        line = LABEL.sub(r"\1\2", re.sub(r"^\s*(?:#+|%+|//+|/?\*+|>+)\s*", "", raw)).strip().rstrip(",")
+        line = LABEL.sub(r"\1\2", re.sub(r"^\s*(?:#+|%+|//+|/?\*+|>+)\s*", "", raw)).strip(" \r").rstrip(",")
         line = re.sub(r"\s+(?=[\[(](?:mm?|cm|rad|deg\w*|°|i|i-1)[\])])", "", line)
         if not re.sub(r"[|\s:+=-]", "", line):
             is_after_gap = True
@@ -279,6 +285,8 @@ def _from_lines(text: str) -> _Grid | None:
         if is_after_gap and widths:  # another table may follow
             splits = [cells for cells in splits if len(cells) in widths]
         numbers = len(re.findall(rf"(?<![\w.])-?{NUMBER}", line))
+        if heads and "\t" in line:  # a spreadsheet drops empty cells at the end
+            splits[0] += [""] * (len(heads) - len(splits[0]))
         read = [(cells, row) for cells in splits if (row := _row(cells, heads))] if heads else []
         plain = [] if heads else [entries for cells in splits if len(entries := _entries(cells)) >= 4]
         if not grid.rows and (named := next(filter(None, (_heading(cells, grid) for cells in splits)), None)):
@@ -290,6 +298,8 @@ def _from_lines(text: str) -> _Grid | None:
         elif plain:
             grid.cells.append(plain[0])
             grid.places.append(place)
+        elif grid.rows and any(cells[0].rstrip(".") == str(len(grid.rows) + 1) for cells in splits):
+            raise ValueError(f"{place} cannot be read: a cell is no number and no variable. Correct it, or write 0.")
         elif (grid.rows or grid.cells) and (is_after_gap or (numbers and ("=" in line or numbers < 3))):
             grid.assume(f"What follows the table was not read, from line {number}: {raw.strip()!r:.60}.")
             break
@@ -371,9 +381,9 @@ def _entry(cell: str, column: str, lengths: Mapping[str, float]) -> Entry:
 
 def _is_entry(cell: str) -> bool:
     """Whether a cell can be an entry, with whatever values its names have."""
-    names = dict.fromkeys(re.findall(r"\b[a-zA-Z]_?\{?\d+\}?", cell), 1.0)
+    names = {name for name in re.findall(r"\b[a-zA-Z]_?\{?\d+\}?", cell) if name[0] not in "qt"}
     try:
-        _entry(cell, "theta", {re.sub("[{}]", "", name): value for name, value in names.items() if name[0] not in "qt"})
+        _entry(cell, "theta", {re.sub(left_out, "", name): 1.0 for name in names for left_out in ("[{}]", "[_{}]")})
     except ValueError:
         return False
     return bool(cell.strip())
