@@ -229,10 +229,17 @@ def _from_groups(text: str) -> _Grid | None:
             note = f"{kind.rpartition(':')[2]}(...) was read as ({', '.join(columns)})."
         elif kind:
             continue
-        if re.search("revolute", kind, re.IGNORECASE):
+        before = text[text.rfind("\n", 0, found.start()) + 1 : found.start()]  # Joint(Joint::TransZ) of KDL
+        is_link = kind.endswith("Link") and bool(named)  # of MATLAB: what is not given is the variable
+        if re.search(r"revolute|\bRot", before + kind, re.IGNORECASE) or (is_link and "theta" not in dict(named)):
             row |= {"type": "R"}
-        elif re.search("prismatic", kind, re.IGNORECASE):
-            row |= {"type": "P", "d": row["offset"] if row.get("offset", "0") != "0" else row["d"], "offset": "0"}
+        elif re.search(r"\bNone\b|\bFixed\b", before):
+            row |= {"type": "F"}
+        elif re.search(r"prismatic|\bTrans", before + kind, re.IGNORECASE) or (is_link and "d" not in dict(named)):
+            offset = row.get("offset", "0")
+            row |= {"type": "P", "d": offset if offset != "0" else row["d"]} | {
+                key: "0" for key in row if key == "offset"
+            }
         grid.rows.append(row)
         grid.places.append(f"{'Call' if kind else 'Row'} {len(grid.rows)}, {found[0].strip():.60}")
         if re.search("MDH|Craig|modified", kind):
@@ -464,7 +471,7 @@ def _evaluate(grid: _Grid, lengths: Mapping[str, float]) -> list[dict[str, Entry
         variables, unit = [*theta.variables, *offset.variables], theta.unit or offset.unit
         entries.append(read | {"theta": Entry(theta.value + offset.value, variables, unit)})
     if empty and not any("There is no column" in each.text for each in grid.assumed):
-        grid.assume(f"{empty} empty cells were read as 0.")
+        grid.assume(f"{empty} empty cells were read as 0." if empty > 1 else "An empty cell was read as 0.")
     return entries
 
 
@@ -476,7 +483,8 @@ def _joints(grid: _Grid, entries: list[dict[str, Entry]]) -> tuple[str, list[flo
         kind = {"r": "R", "0": "R", "p": "P", "1": "P", "f": "F"}.get(cells.get("type", "").strip().lower()[:1], "?")
         letters, signs = letters + (letter if variable else kind), [*signs, sign]
     if "?" in letters and set(letters) <= {"?", "P"}:
-        words = "theta has no variable: each row is a revolute joint, with the number as its offset."
+        others = "each row" if "P" not in letters else "each row that is not prismatic"
+        words = f"theta has no variable: {others} is a revolute joint, with the number as its offset."
         fixed = [k for k, row in enumerate(grid.rows) if TOOL_WORDS.search(row.get("label", "")) and k]
         letters = "".join("F" if k in fixed else letter.replace("?", "R") for k, letter in enumerate(letters))
         if fixed:

@@ -102,6 +102,18 @@ def test_joints_are_those_of_the_variables_the_types_or_the_names_of_the_rows():
     assert (named.rows[0, 2], named.rows[1, 0], named.signs.tolist()) == (0.3, 0.25, [1, -1])
 
 
+def test_the_kinds_of_joints_that_code_names_are_read():
+    kdl = "\n".join(
+        f"chain.addSegment(Segment(Joint(Joint::{kind}), Frame::DH(0.1, M_PI/2, {d}, 0)));"
+        for kind, d in (("RotZ", 0), ("TransZ", 0.3), ("None", 0.05))
+    )
+    assert read_table(kdl).table.joints == "RPF"
+    matlab = (
+        "L(1) = Link('d', 0.3, 'a', 0, 'alpha', pi/2);\nL(2) = Link('theta', 0, 'a', 0.1, 'alpha', 0, 'offset', 0.2);"
+    )
+    assert (read_table(matlab).table.joints, read_table(matlab).table.rows[1, 2]) == ("RP", 0.2)
+
+
 def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
     text = "0 89.159 0 90\n0 0 -425 0\n0 0 -392.25 0"
     asked = {each.argument for each in read_table(text).assumed if each.options}
