@@ -285,6 +285,8 @@ def explore(
 ) -> Viewer:
     """Show a robot in three dimensions, with sliders for its joints and, for an arm, the pose of its end-effector.
 
+    A reader can also drag a link: its own joint follows the pointer, or the nearest one before it that has a slider.
+
     robot    an arm, or a tree, which has a slider for each independent joint
     joints   the joints that get a slider, counted from 1; all by default, but better only those that matter
     show     the layers that are drawn at first, any of kinlib.view.viewer.scene.LAYERS; the reader can switch them. By default
