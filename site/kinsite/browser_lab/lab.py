@@ -294,8 +294,9 @@ def copy_to_site(built: Path | None, target: Path) -> None:
 
 
 def contents() -> Iterable[Path]:
-    """List the files in the lab: lectures, released sheets and what they link to, each with its path in the repository."""
+    """List the files in the lab: lectures, their pictures, released sheets and what they link to."""
     yield from sorted((ROOT / "notebooks").glob("*.ipynb"))
+    yield from sorted((ROOT / "notebooks" / "pictures").glob("*.svg"))
     yield from sorted(path for path in (ROOT / "exercises").glob("*/*") if path.suffix in (".ipynb", ".json"))
     yield ROOT / "NOTATION.md"
 
