@@ -430,7 +430,7 @@
     const course = bar.textContent;
     const heading = (element) => {
       const copy = element.cloneNode(true);
-      for (const extra of all('.katex-html, annotation, kinlib-formula, .headerlink', copy)) extra.remove();
+      for (const extra of all('.katex-html, annotation, .headerlink', copy)) extra.remove();
       return copy.textContent.trim();
     };
     const sections = all('article h2');
@@ -564,6 +564,5 @@
   openFolds();
   addEventListener('hashchange', openFolds);
   addEventListener('resize', makeWideContentFocusable);
-  document.addEventListener('kinlib-drawn', makeWideContentFocusable); // formulas.js has drawn some
   document.addEventListener('toggle', makeWideContentFocusable, true);
 })();
