@@ -5,16 +5,16 @@ once, so the pages leave the picture out (site/kinsite/sphinx_source.py).
 """
 
 import importlib
-import importlib.util
 import json
 import re
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from kincourse.catalog import COURSE
-from kincourse.lecture_00_start_here.planar_arm import PlanarArm
 from kinlib.view.drawing.picture import Picture
 
+HANDS_ON = {"00_start_here": "drag", "03_poe_space": "space"}
+"""Lectures that begin with an arm instead of a film, each with the scene of this arm."""
 IMAGE = re.compile(r"!\[[^\n]*\]\(pictures/\w+\.svg\)\n\n")
 
 
@@ -41,11 +41,12 @@ def run(options: Namespace) -> int:
 
 def first_picture(lecture: str) -> Picture:
     """Draw the still form of what a lecture begins with."""
-    opening = f"kincourse.lecture_{lecture}.opening"
-    if importlib.util.find_spec(opening):
-        picture: Picture = importlib.import_module(opening).opening().still[-1]
-        return picture
-    return PlanarArm("drag" if lecture.startswith("00") else "space").picture()
+    if lecture in HANDS_ON:
+        arm = importlib.import_module("kincourse.lecture_00_start_here.planar_arm")
+        picture: Picture = arm.PlanarArm(HANDS_ON[lecture]).picture()
+    else:
+        picture = importlib.import_module(f"kincourse.lecture_{lecture}.opening").opening().still[-1]
+    return picture
 
 
 def on_paper(picture: Picture) -> str:

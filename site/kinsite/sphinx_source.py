@@ -14,7 +14,7 @@ from nbformat import NotebookNode
 
 from kincourse.still_pictures import IMAGE
 from kincourse.table_of_lectures import fill_home_page
-from kinsite.execute import ROOT, cached_pages, execute_all
+from kinsite.execute import ROOT, execute_all
 from kinsite.generated import gallery, mistakes, progress, reference
 
 SITE = ROOT / "site"
@@ -64,7 +64,7 @@ def all_pages() -> Iterator[tuple[str, str]]:
     yield from progress.pages(*({path: executed[path] for path in paths} for paths in (LECTURES, SHEETS)))
     yield from gallery.pages()
     yield from reference.pages()
-    yield from cached_pages("mistakes", mistakes.pages, Path(mistakes.__file__).read_text("utf-8")).items()
+    yield from mistakes.pages()
 
 
 def handwritten_pages() -> Iterator[tuple[str, str]]:
