@@ -125,9 +125,8 @@ def adapt(body: str) -> str:
         fold.attrib.pop("aria-label", None)  # it is called what it shows
     for part in page.xpath(".//dl[contains(@class, 'glossary')] | .//dl[contains(@class, 'glossary')]/*"):
         part.tag = {"dt": "h2"}.get(part.tag, "div")  # a heading is a place that the search finds
-    for section in page.iter("section"):
-        if "id" in section.attrib and len(section) and "id" not in section[0].attrib:
-            section[0].set("id", section.attrib.pop("id"))  # likewise
+    for heading in page.xpath(".//section/*[1][self::h2 or self::h3 or self::h4][not(@id)]"):
+        heading.set("id", heading.getparent().attrib.pop("id"))  # likewise
     for name in page.xpath(".//*[contains(@class, 'sig-name')]"):
         name.set("data-pagefind-weight", "5")
     return inner_html(page)

@@ -399,25 +399,13 @@
   function holdInPlace(target) {
     release();
     const listening = new AbortController();
-    let [top, position, height] = [0, 0, 0];
-    const heights = new ResizeObserver(() => {
-      target.scrollIntoView({ behavior: 'instant' });
-      [top, position, height] = [target.getBoundingClientRect().top, scrollY, document.body.offsetHeight];
-    });
+    const heights = new ResizeObserver(() => target.scrollIntoView({ behavior: 'instant' }));
     release = () => {
       heights.disconnect();
       listening.abort();
     };
-    // What grows above changes one of the two, as the browser anchors the page or not; only the reader changes both. While the
-    // page is growing, a slow browser may have done a part of each, so then only wheel, finger and keys tell that it is the reader.
-    const onScroll = () => {
-      const moved = Math.abs(target.getBoundingClientRect().top - top);
-      const isGrowing = document.body.offsetHeight !== height;
-      if (!isGrowing && Math.min(moved, Math.abs(scrollY - position)) > 2) release();
-    };
     const options = { passive: true, signal: listening.signal };
-    addEventListener('scroll', onScroll, options);
-    for (const kind of ['wheel', 'touchmove', 'keydown']) addEventListener(kind, () => release(), options);
+    for (const kind of ['wheel', 'touchmove', 'keydown', 'pointerdown']) addEventListener(kind, () => release(), options);
     heights.observe(document.body);
   }
 
