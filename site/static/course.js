@@ -406,7 +406,7 @@
     };
     const options = { passive: true, signal: listening.signal };
     for (const kind of ['wheel', 'touchmove', 'keydown', 'pointerdown']) addEventListener(kind, () => release(), options);
-    heights.observe(document.body);
+    heights.observe(document.querySelector('article')); // furo's body has the height of the window
   }
 
   // --- the bar of a phone: the page and the section that is read ---
