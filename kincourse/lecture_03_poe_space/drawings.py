@@ -1,11 +1,15 @@
-"""Drawings of lecture 03: a body that slides along either of two parallel rails, and the workspace of an arm."""
+"""Drawings of lecture 03: a body on either of two parallel rails, an arm at a wall, and the workspace of an arm."""
 
 import numpy as np
 
 from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, JOINT_FILL, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, picture_from_figure
+from kinlib.view.figures.arm import body_motions
+from kinlib.view.figures.bodies import body_of
+from kinlib.view.figures.body_drawing import draw_body
 
 
 def draw_two_rails(travel: float = 0.6) -> Picture:
@@ -52,3 +56,26 @@ def draw_workspace(positions: Array) -> Picture:
         f"and {height.min():.2f} to {height.max():.2f} m high."
     )
     return picture_from_figure(figure, alt)
+
+
+def draw_wall(arm: Chain, q: Array, wall: float, *, elbow: Array) -> Picture:
+    """Draw an arm from the side, whose elbow has passed a wall at x = wall.
+
+    elbow  (3,) its position
+
+    >>> from kinlib.chains.robots import ur5e
+    >>> draw_wall(ur5e(), np.zeros(6), 0.3, elbow=np.array([0.4, 0, 0.2])).alt[-76:]
+    'A wall is at x = 0.3 m. The elbow is at x = 0.4 m, the tool at x = -0.817 m.'
+    """
+    canvas = Canvas(np.array([(-0.7, -0.4, 0), (0.6, 0.3, 0.9)]), "front")
+    body, moved = body_of(arm), body_motions(arm, q)
+    draw_body(canvas, body, moved)
+    canvas.body(np.array([(wall + w, y, z) for w in (0, 0.02) for y in (-0.4, 0.3) for z in (0, 0.85)]), PALE_GREY, 4.0)
+    canvas.line([(wall, -0.4, 0), (wall, -0.4, 0.85)], INK, 2.0, level=4.5)
+    canvas.label(np.array([wall, -0.4, 0.85]), "wall", INK)
+    canvas.dot(elbow, VIOLET, 8)
+    canvas.label(elbow, "elbow", VIOLET)
+    canvas.triad(arm.fk(q), "b", 0.12)
+    where = f"The elbow is at x = {elbow[0]:.3g} m, the tool at x = {arm.fk(q)[0, 3]:.3g} m."
+    text = f"{arm.name}, from the side. A wall is at x = {wall:.3g} m. {where}"
+    return canvas.picture(text, where, cropped=True)

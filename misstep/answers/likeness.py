@@ -97,7 +97,7 @@ class Likeness:
     def _mostly_zeros(self) -> Named | None:
         filled, seen = (np.count_nonzero(x) for x in (self.mine.any(axis=-1), self._is_seen(self.right).any(axis=-1)))
         if filled == 1 < seen and not self._equal(self.mine, self.right)[self.mine.any(axis=-1)].any():
-            return "zeros", "All but one of your numbers are 0, but more of the right ones are not."
+            return "zeros", "Only one of your numbers is not 0; more of the right ones are not 0."
         return None
 
     @property

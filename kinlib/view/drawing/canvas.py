@@ -32,6 +32,9 @@ MARGIN_SHARE = 0.33
 BORDER_PX = 20.0
 """Border in pixels for the labels at the tips of arrows."""
 
+FAR_LABEL_PX = 24.0
+"""A label farther from what it names gets a thin line that leads to it."""
+
 HEIGHT_LABEL_OFFSETS = [(20, 0), (-20, 0), (20, 12), (-20, -12)]
 FOOT_LABEL_OFFSETS = [
     *((0, -14), (38, -6), (-38, -6), (0, 14), (0, -28)),
@@ -262,6 +265,9 @@ class Canvas:
         nothing = np.zeros((0, 2, 2))
         strokes, bodies = np.concatenate([nothing, *self._strokes]), np.reshape([*nothing, *self._bodies], (-1, 2, 2))
         for label, centre in place_labels(self._labels, strokes, bodies, self._sheet):
+            way = centre - label.anchor
+            if (far := float(np.linalg.norm(way))) > FAR_LABEL_PX:  # a thin line leads to what it names
+                marks.append(svg.polyline(np.array([label.anchor, centre - way / far * label.size]), GREY, 0.8))
             marks.append(svg.text(centre, label.text, label.colour, label.size))
         picture = Picture(svg.document(marks, *self._sheet), alt, caption)
         return crop([picture])[0] if cropped else picture

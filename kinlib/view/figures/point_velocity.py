@@ -61,7 +61,7 @@ def draw_moment(omega: ArrayLike, p: ArrayLike) -> Picture:
 def _rotating(w: Array, through: Array, at: Array, *, p: Array, velocity: Array, name: str) -> tuple[Canvas, Array]:
     """Draw {s}, an axis w through a point, the circle of a point `at` about it with its velocity, and p.
 
-    The velocity is drawn 0.8 times as long as the radius. Returns the canvas and the centre of the circle.
+    The velocity is drawn as long as the radius. Returns the canvas and the centre of the circle.
     """
     axis = w / np.linalg.norm(w)
     centre = through + axis @ (at - through) * axis
@@ -82,7 +82,7 @@ def _rotating(w: Array, through: Array, at: Array, *, p: Array, velocity: Array,
     canvas.triad(np.eye(4), "s", 0.17 * canvas.size)
     canvas.arrow(np.zeros(3), p, ORANGE, 2.6, level=6)
     canvas.label(p / 2, "$p$", ORANGE, size=14)
-    tip = at + 0.8 / np.linalg.norm(w) * velocity
+    tip = at + velocity / np.linalg.norm(w)
     canvas.arrow(at, tip, INK, 2.6, level=6)
     canvas.label(tip, name, INK, size=14)
     canvas.dot(p, INK, 7)
