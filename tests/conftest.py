@@ -16,7 +16,7 @@ mpl.use("agg")
 
 # Deadlines measure the machine, not the code. In CI, the same commit draws the same examples; elsewhere each run draws new ones.
 hypothesis.settings.register_profile(
-    "kinlib", deadline=None, derandomize="CI" in os.environ, print_blob=True, max_examples=25
+    "kinlib", deadline=None, derandomize="CI" in os.environ, print_blob=True, max_examples=12
 )
 hypothesis.settings.load_profile("kinlib")
 

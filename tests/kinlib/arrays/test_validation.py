@@ -23,58 +23,36 @@ def pose(R, p=(1, 2, 3)):
     return T
 
 
-@pytest.mark.parametrize(
-    "x",
-    [
-        ["1", "2", "3"],
-        None,
-        [1j, 0, 0],
-        [sympy.Symbol("q1"), 0, 0],
-        [10**400, 0, 0],
-    ],
-    ids=repr,
-)
-def test_anything_but_an_array_of_numbers_is_refused_by_name(x):
-    with pytest.raises(
-        ValueError, match=r"point must be an array of real numbers; got \w+ .*Does it contain None, a symbol, a str"
-    ):
-        validation.vectors(x, "point", 3)
+PRINTED_AXIS = np.array([0.577350269] * 3).round(6)
+NO_NUMBERS = r"x must be an array of real numbers; got \w+ .*Does it contain None, a symbol, a str"
+REFUSED = [
+    *(
+        (validation.vectors, x, NO_NUMBERS)
+        for x in (["1", "2", "3"], None, [1j, 0, 0], [sympy.Symbol("q1"), 0, 0], [10**400, 0, 0])
+    ),
+    *(
+        (validation.array, [[0, 1], [bad, 3]], r"x contains NaN or infinity at index \[1, 0\]; .* Was there a div")
+        for bad in (np.nan, -np.inf)
+    ),
+    (validation.vectors, np.zeros((3, 5)), r"got \(3, 5\)\. Components go in the last dimension: try x\.T"),
+    *(
+        (validation.vectors, x, r"must have shape \(\.\.\., 3\); got .* One vector has 3 components")
+        for x in (0.0, [], np.zeros((5, 4)))
+    ),
+    (
+        validation.unit_vectors,
+        [[0, 0, 1], [1, 1, 0]],
+        r"x must be a unit vector; its length is 1\.414213562\. Divide it",
+    ),
+    (validation.unit_vectors, [0, 0, 0], r"its length is 0\. The zero vector has no direction"),
+    (validation.unit_vectors, PRINTED_AXIS, r"its length is 0\.99999953"),
+]
 
 
-@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
-def test_nan_and_infinity_are_refused_with_their_index(bad):
-    with pytest.raises(
-        ValueError, match=r"q contains NaN or infinity at index \[1, 0\]; every entry must be finite\. Was there a div"
-    ):
-        validation.array([[0, 1], [bad, 3]], "q")
-
-
-@pytest.mark.parametrize(
-    ("x", "message"),
-    [
-        (np.zeros((3, 5)), r"got \(3, 5\)\. Components go in the last dimension: try axes\.T"),
-        *((x, r"got .* One vector has 3 components") for x in (0.0, [], [1, 2], np.zeros((5, 4)))),
-    ],
-)
-def test_vectors_of_another_size_are_refused(x, message):
-    with pytest.raises(ValueError, match=rf"axes must have shape \(\.\.\., 3\); {message}"):
-        validation.vectors(x, "axes", 3)
-
-
-PRINTED_AXIS = np.array([0.577350269] * 3)
-
-
-@pytest.mark.parametrize(
-    ("axis", "message"),
-    [
-        ([[0, 0, 1], [1, 1, 0]], r"1\.414213562\. Divide it"),
-        ([0, 0, 0], r"0\. The zero vector has no direction"),
-        (PRINTED_AXIS.round(6), r"0\.99999953"),
-    ],
-)
-def test_an_axis_that_is_not_unit_is_refused_with_its_length(axis, message):
-    with pytest.raises(ValueError, match=rf"axis must be a unit vector; its length is {message}"):
-        validation.unit_vectors(axis, "axis")
+@pytest.mark.parametrize(("read", "x", "message"), REFUSED)
+def test_what_is_no_array_no_vector_and_no_direction_is_refused_with_the_reason(read, x, message):
+    with pytest.raises(ValueError, match=message):
+        read(x, "x", *([3] if read is validation.vectors else []))
 
 
 NOISE = st.one_of(st.floats(0, 1e-8), st.floats(1e-2, 1.0))

@@ -32,7 +32,7 @@ DIRECTIONS /= np.linalg.norm(DIRECTIONS, axis=-1, keepdims=True)
 
 
 def twists_of_angle(angle):
-    """One twist a direction, with a v of size about 1 that is neither along omega nor square to it."""
+    """One twist a direction, with a v of size about 1 that is neither parallel nor perpendicular to omega."""
     v = np.random.default_rng(5).normal(size=DIRECTIONS.shape)
     return np.concatenate([angle * DIRECTIONS, v / np.linalg.norm(v, axis=-1, keepdims=True)], axis=-1)
 
