@@ -133,13 +133,11 @@ def roster(path, text, column=None):
 MOODLE_LANGUAGES = {
     "English": ("Participant ", "Identifier,Full name,Email address,Status,Grade,Maximum grade,Grade can be changed"),
     "German": ("Teilnehmer/in", "ID,Vollständiger Name,E-Mail-Adresse,Status,Bewertung,Bestwertung,Bewertung änderbar"),
-    "Japanese": ("参加者", "ID,姓名,メールアドレス,ステータス,評点,最大評点,評点変更可"),
     "Arabic": ("مشارك", "المعرف,الاسم الكامل,البريد,الحالة,الدرجة,الدرجة العظمى,يمكن تغيير الدرجة"),
 }
 
 
-@pytest.mark.parametrize("language", MOODLE_LANGUAGES)
-@pytest.mark.parametrize("with_numbers", [False, True])
+@pytest.mark.parametrize(("language", "with_numbers"), [("English", False), ("German", True), ("Arabic", False)])
 def test_a_worksheet_of_moodle_is_known_in_every_language_and_filled_in(tmp_path, language, with_numbers):
     word, header = MOODLE_LANGUAGES[language]
     titles = [*header.split(","), "..."]
@@ -164,14 +162,13 @@ def test_a_worksheet_of_moodle_is_known_in_every_language_and_filled_in(tmp_path
 
 
 @pytest.mark.parametrize(
-    "header",
+    ("header", "delimiter"),
     [
-        "Student,ID,SIS User ID,SIS Login ID,Section,Old (1)",
-        "LastName,FirstName,ID,SIS Login ID,Section,Old (1)",
-        "学生,ID,SIS 用户 ID,SIS 登录 ID,班级,Old (1)",
+        ("Student,ID,SIS User ID,SIS Login ID,Section,Old (1)", ","),
+        ("LastName,FirstName,ID,SIS Login ID,Section,Old (1)", ";"),
+        ("学生,ID,SIS 用户 ID,SIS 登录 ID,班级,Old (1)", ","),
     ],
 )
-@pytest.mark.parametrize("delimiter", [",", ";"])
 def test_a_gradebook_of_canvas_is_known_and_its_test_student_is_none(tmp_path, header, delimiter):
     titles = header.split(",")
     rows = [["    Points Possible", *[""] * (len(titles) - 2), "10"]]

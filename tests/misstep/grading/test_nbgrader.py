@@ -44,17 +44,8 @@ def scores(course):
 
 
 def grade(course):
-    command = [
-        "grade",
-        str(course / "submitted"),
-        "--sheet",
-        "01",
-        "--out",
-        str(course / "out"),
-        "--gradebook",
-        str(course),
-    ]
-    return main(command)
+    out, submitted = str(course / "out"), str(course / "submitted")
+    return main(["grade", submitted, "--sheet", "01", "--out", out, "--workers", "1", "--gradebook", str(course)])
 
 
 def test_points_are_in_the_gradebook_and_a_grade_by_hand_stays(course):
