@@ -291,7 +291,7 @@ def test_python_checks_placed_frames_the_sheet_accepts_them_and_a_player_handles
     page.keyboard.press("ArrowRight")
     page.keyboard.press("ArrowRight")
     player.get_by_text("step 4 of").wait_for()
-    for _ in range(20):  # the page sends a new value only when the kernel has answered the one before
+    for _ in range(600):  # the page sends a new value only when the kernel has answered the one before
         run_cell(page, 5)
         if printed(page, 5) == "3":
             break

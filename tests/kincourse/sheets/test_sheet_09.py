@@ -23,7 +23,7 @@ LECTURE = json.loads((ROOT / "notebooks" / "09_urdf.ipynb").read_text("utf-8"))[
 SPINDLE = re.search(
     "<robot name=.spindle.*?</robot>", "\n".join("".join(cell["source"]) for cell in LECTURE), re.DOTALL
 )[0]
-STUDENTS = [f"student {i}" for i in range(40)]
+STUDENTS = [f"student {i}" for i in range(16)]
 POSITION_ATOL_M = 1e-4
 """The sheet prints a right angle as 1.5708, with an error of 4e-6 rad, and its arms are about ten metres long."""
 
@@ -32,7 +32,7 @@ def agree(one, other, atol=POSITION_ATOL_M):
     np.testing.assert_allclose(one, other, rtol=0, atol=atol)
 
 
-@pytest.mark.parametrize("student", STUDENTS[:4])
+@pytest.mark.parametrize("student", STUDENTS[:2])
 def test_the_urdf_reader_gives_the_answers_of_the_sheet(student):
     sheet = open_sheet("09_urdf", student)
     answer = {k: sheet.problem(k).answer.value for k in range(1, 12)}
@@ -83,7 +83,7 @@ def lines_that_can_be_wrong(given):
     return found
 
 
-@pytest.mark.parametrize("student", STUDENTS[:4])
+@pytest.mark.parametrize("student", STUDENTS[:2])
 def test_pinocchio_reads_every_file_of_the_sheet_and_gives_its_answers(student):
     pin = pytest.importorskip("pinocchio")
     sheet = open_sheet("09_urdf", student)
@@ -153,7 +153,7 @@ def axes_of_moving_joints(text):
 
 
 def test_every_right_answer_is_right():
-    for student in [*STUDENTS[:20], "probe 2"]:  # for "probe 2" the order in the file was once the right one
+    for student in [*STUDENTS[:8], "probe 2"]:  # for "probe 2" the order in the file was once the right one
         sheet = open_sheet("09_urdf", student)
         asked = sheet.problem(2)
         agree(kl.load_urdf(joint_of(asked.statement)).lines.axis[0], asked.answer.value)

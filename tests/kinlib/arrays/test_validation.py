@@ -75,23 +75,16 @@ def test_a_matrix_is_accepted_if_and_only_if_modern_robotics_accepts_it(T, size,
 
 
 C, S = np.cos(0.7).round(4), np.sin(0.7).round(4)
-DEFECT = r"home is not rigid: R\^T R differs from the identity by "
-NOT_RIGID = {
-    **{
-        f"the shape {np.shape(x)}": (x, r"home must be a rotation \(\.\.\., 3, 3\) or a pose .*; got shape")
-        for x in (0.0, np.eye(2), np.zeros(16), np.zeros((3, 4)), np.zeros((4, 4, 1)))
-    },
-    "a transposed pose": ([np.eye(4), pose(QUARTER_TURN).T], r"home is not a pose.*0 0 0 1; got \[1\. 2\. 3\."),
-    "four printed digits": ([[C, -S, 0], [S, C, 0], [0, 0, 1]], DEFECT + r"\d\.?\d?e-05\. Were its entries"),
-    "a reflection": (QUARTER_TURN[:, [1, 0, 2]], r"reflection \(det R = -1\).*Are two axes swapped"),
-    "one bad matrix of a batch": (
-        np.stack([np.eye(3)] * 9 + [1.1 * np.eye(3)]).reshape(2, 5, 3, 3),
-        r"home is not rigid at index \[1, 4\]: R\^T R differs from the identity by 0\.21\.",
-    ),
-}
+NOT_RIGID = [
+    (np.zeros((3, 4)), r"home must be a rotation \(\.\.\., 3, 3\) or a pose .*; got shape"),
+    (pose(QUARTER_TURN).T, r"home is not a pose.*0 0 0 1; got \[1\. 2\. 3\."),
+    ([[C, -S, 0], [S, C, 0], [0, 0, 1]], r"R\^T R differs from the identity by \d\.?\d?e-05\. Were its entries"),
+    (QUARTER_TURN[:, [1, 0, 2]], r"reflection \(det R = -1\).*Are two axes swapped"),
+    (np.stack([np.eye(3), 1.1 * np.eye(3)]), r"home is not rigid at index \[1\]: .* by 0\.21\."),
+]
 
 
-@pytest.mark.parametrize(("x", "message"), NOT_RIGID.values(), ids=NOT_RIGID)
+@pytest.mark.parametrize(("x", "message"), NOT_RIGID)
 def test_a_matrix_that_is_not_rigid_is_refused_with_the_reason(x, message):
     with pytest.raises(ValueError, match=message):
         validation.rotations_or_poses(x, "home")
@@ -118,14 +111,8 @@ def test_copies_are_read_only_and_equal_and_bring_no_cache(copied):
     assert "lines" not in vars(copied(robot))
 
 
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        (np.ma.masked_array([1.0, 2, 3], mask=[False, True, False]), "got a MaskedArray.*compressed"),
-        (np.ones((1, 3)).view(np.matrix), "got a matrix.*asarray"),
-    ],
-)
-def test_arrays_of_other_kinds_are_refused_by_name(given, words):
-    for function in (kl.exp, kl.robots.rpr().fk, kl.hat):
-        with pytest.raises(ValueError, match=f"must be a plain array; {words}"):
-            function(given)
+def test_arrays_of_other_kinds_are_refused_by_name():
+    with pytest.raises(ValueError, match=r"must be a plain array; got a MaskedArray.*compressed"):
+        kl.exp(np.ma.masked_array([1.0, 2, 3], mask=[False, True, False]))
+    with pytest.raises(ValueError, match=r"must be a plain array; got a matrix.*asarray"):
+        kl.robots.rpr().fk(np.ones((1, 3)).view(np.matrix))

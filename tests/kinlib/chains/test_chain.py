@@ -107,21 +107,6 @@ def test_invalid_joint_values_are_refused_by_every_method(q, message):
             method(q)
 
 
-def named_arm():
-    arm = robots.rpr()
-    return Chain(arm.screws, arm.home, arm.points, joint_names=["lift", "slide", "tilt"])
-
-
-def test_a_chain_says_its_joints_and_equals_one_with_equal_fields():
-    arm = named_arm()
-    assert repr(arm) == "Chain('arm', 3 joints: RPR)"
-    again = Chain(arm.screws + 0.0, arm.home.tolist(), arm.points, joint_names=("lift", "slide", "tilt"))
-    assert arm == again
-    assert len({arm, again, robots.rpr(), robots.rprr()}) == 3
-    assert arm != robots.rpr()
-    assert arm != 3
-
-
 @given(chains_with_values(), st.integers(0, 100))
 def test_random_configurations_are_within_the_limits_and_limits_can_be_asked(drawn, seed):
     chain, q = drawn

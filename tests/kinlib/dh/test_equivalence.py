@@ -86,17 +86,6 @@ def test_the_largest_difference_is_told_with_digits_that_show_it():
     assert equivalent(kl.robots.rpr(), kl.robots.rppr()).reason.startswith("The joint types differ: RPR in the first")
 
 
-def test_the_simplest_map_is_given():
-    for chain in (kl.robots.youbot(), kl.robots.puma560()):
-        found = equivalent(chain, chain.changed(home=chain.home @ kl.exp([0, 0, 0, 0, 0, 0.1])))
-        assert found.signs.tolist() == [1] * chain.n
-        np.testing.assert_allclose(found.offsets, 0, atol=1e-12)
-        np.testing.assert_allclose(found.base, np.eye(4), atol=1e-12)
-    slide = DHTable([[0, 0.7, 0, 0], [0.25, 1.1, 0.35, 0], [0.4, 0, 0.15, 0]], convention="standard", joints="PRR")
-    found = equivalent(slide, slide.changed(base=kl.exp([0, 0, 0, 0, 0, 0.6])))
-    np.testing.assert_allclose(found.offsets, [0.6, 0, 0], atol=1e-12)
-
-
 def with_choices(rng, chain, free):
     """The same arm with other choices of these kinds, and no others."""
     offsets = rng.uniform(-1, 1, chain.n) if "zeros" in free else np.zeros(chain.n)

@@ -79,9 +79,3 @@ def test_finite_mobility_is_the_dimension_of_the_solution_set():
         directions, _ = null_space(equations(start[None])[1][0])
         assert directions.shape[1] == infinitesimal, name
         assert finite_mobility(equations, start, directions, tolerance=1e-13) == finite, name
-
-
-def test_another_isolated_solution_nearby_does_not_count():
-    """x^2 (x - 0.3) = 0: from the double root at 0 the search goes to the other one, which is another configuration."""
-    equations = polynomial(lambda x: x * x * (x - 0.3), lambda x: [3 * x * x - 0.6 * x])
-    assert finite_mobility(equations, np.zeros(1), np.eye(1), tolerance=1e-13) == 0

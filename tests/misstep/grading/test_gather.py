@@ -9,7 +9,6 @@ from submissions import NAME, SHEET, write, zipped
 
 from misstep.grading.collect.roster import export, read_roster
 from misstep.grading.collect.submissions import gather
-from misstep.grading.command import feedback_name
 
 X = b"{}"
 
@@ -229,12 +228,6 @@ def test_a_list_that_cannot_be_the_roster_is_refused_with_the_reason(tmp_path, t
     write(tmp_path / "in", **{"ada.ipynb": X, "bob.ipynb": X})
     with pytest.raises(ValueError, match=reason):
         gather(tmp_path / "in", SHEET, roster(tmp_path, text))
-
-
-def test_pages_go_back_under_the_names_that_platforms_know(tmp_path):
-    source = write(tmp_path, **{"s.zip": zipped(CANVAS)}) / "s.zip"
-    names = [feedback_name("canvas", one.files[0].name, SHEET) for one in gather(source, SHEET).submissions]
-    assert names == ["boolegeorge_LATE_1816_502_feedback.html", "lovelaceada_1815_501_feedback.html"]
 
 
 if sys.platform == "win32":

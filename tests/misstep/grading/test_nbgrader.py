@@ -63,10 +63,3 @@ def test_autograde_gives_no_points_and_says_what_to_do(course):
     refused = run(course, "autograde", SHEET, "--student", "ada")
     assert refused.returncode != 0
     assert "misstep grade submitted --sheet NAME --out results --gradebook ." in refused.stderr + refused.stdout
-
-
-def test_an_assignment_that_was_not_generated_is_refused(course, tmp_path, capsys):
-    write(tmp_path, **{f"ada/{NAME}": answered("ada")})
-    shutil.copy(ROOT / "nbgrader_config.py", tmp_path)
-    code = main(["grade", str(tmp_path), "--sheet", "01", "--out", str(tmp_path / "o"), "--gradebook", str(tmp_path)])
-    assert (code, "nbgrader generate_assignment 01_frames --force" in capsys.readouterr().err) == (2, True)
