@@ -15,12 +15,10 @@ def chain_of(joints, home, name, limits=None):
     return replace(chain, name=name, limits=limits)
 
 
-ENDS_OF_SEVEN = np.radians([170, 120, 170, 120, 170, 120, 175])
 ENDS_OF_SCARA = [[-2.5, 2.5], [-2.6, 2.6], [0, 0.2], [-np.inf, np.inf]]
 
 ODD_ROBOTS = {
     "PUMA": kl.robots.puma560(),
-    "seven": replace(kl.robots.panda(), limits=np.stack([-ENDS_OF_SEVEN, ENDS_OF_SEVEN], axis=1)),
     "eight": random_arm(np.random.default_rng(10), 8)[0],
     "SCARA": replace(kl.robots.scara(), limits=ENDS_OF_SCARA),
     "one turn": chain_of([(Z, (0, 0, 0))], np.eye(4), "wheel"),
