@@ -56,6 +56,12 @@ def pytest_xdist_make_scheduler(config, log):
     return GroupScheduling(config, log) if config.getvalue("dist") == "loadscope" else None
 
 
+def pytest_runtest_setup(item):
+    """Close the browsers before another test, which may call asyncio.run."""
+    if "browser" in sys.modules and not item.nodeid.startswith(BROWSER):
+        sys.modules["browser"].close_browsers()
+
+
 def fail_if_skipped(report):
     """Turn the report of a skipped test or module into a failure, in CI on Linux. Expected failures (xfail) stay.
 

@@ -9,7 +9,8 @@ import shutil
 import socket
 import subprocess
 import sys
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -34,25 +35,34 @@ TIMEOUT_MS = 300_000
 """How long to wait for anything: every wait ends, but only after what a machine takes that is ten times as slow."""
 
 
-@contextmanager
-def browsers():
-    """Yield a function that starts a browser, with WebGL or without. Skip the test if there is no browser."""
-    if CHROMIUM is None:
-        pytest.skip(NO_CHROMIUM)
+OPENED = ExitStack()
+"""Closes Playwright and the browsers that are running."""
+
+
+@cache
+def playwright():
     from playwright.sync_api import expect, sync_playwright
 
     expect.set_options(timeout=TIMEOUT_MS)
-    with sync_playwright() as playwright:
-        started = []
+    return OPENED.enter_context(sync_playwright())
 
-        def start(webgl=True):
-            arguments = ["--no-sandbox", *LOCAL, *(WEBGL if webgl else NO_WEBGL)]
-            started.append(playwright.chromium.launch(executable_path=CHROMIUM, args=arguments))
-            return started[-1]
 
-        yield start
-        for browser in started:
-            browser.close()
+@cache
+def running_browser(webgl):
+    """Return the browser with WebGL, or the one without, which starts once. Skip the test if there is no browser."""
+    if CHROMIUM is None:
+        pytest.skip(NO_CHROMIUM)
+    arguments = ["--no-sandbox", *LOCAL, *(WEBGL if webgl else NO_WEBGL)]
+    browser = playwright().chromium.launch(executable_path=CHROMIUM, args=arguments)
+    OPENED.callback(browser.close)
+    return browser
+
+
+def close_browsers():
+    """Close them, because asyncio.run fails while Playwright runs. The next test that needs a browser starts it again."""
+    OPENED.close()
+    running_browser.cache_clear()
+    playwright.cache_clear()
 
 
 KNOWN_ERRORS = ("Shared module @jupyterlite/services doesn't exist", "Ignored attempt to cancel a touchstart event")
