@@ -15,9 +15,9 @@ BROWSER = ("tests/browser/", "tests/site/")
 """The folders whose tests use one browser and one built site; one worker runs them, so that each of the two starts once."""
 
 WITHOUT_SITE = tuple(f"tests/browser/test_{name}.py" for name in ("viewer_browser", "players_browser", "jupyterlab"))
-FIRST = (*WITHOUT_SITE, "notebooks/", "exercises/", *BROWSER, "solutions/", "tests/kincourse/sheets/test_sheets.py")
+FIRST = (*WITHOUT_SITE, "notebooks/", "exercises/", *BROWSER, "tests/kincourse/sheets/")
 """What starts first, so that all workers end at about the same time: of the tests in the browser those that need no site, while
-another worker runs the notebooks, whose outputs the site takes."""
+another worker runs the notebooks, whose outputs the site takes; and then what takes longest."""
 
 
 def group(nodeid):
@@ -54,6 +54,12 @@ def pytest_xdist_make_scheduler(config, log):
             return group(nodeid)
 
     return GroupScheduling(config, log) if config.getvalue("dist") == "loadscope" else None
+
+
+def pytest_runtest_setup(item):
+    """Close the browsers before another test, which may call asyncio.run."""
+    if "browser" in sys.modules and not item.nodeid.startswith(BROWSER):
+        sys.modules["browser"].close_browsers()
 
 
 def fail_if_skipped(report):

@@ -9,6 +9,7 @@ if "PYTEST_XDIST_WORKER" in os.environ:
 import hypothesis
 import matplotlib as mpl
 import pytest
+from browser import close_browsers, running_browser
 from notebook_runs import Recorder
 
 # Not by the variable MPLBACKEND, because kernels would inherit it and draw differently than they do for a student.
@@ -16,7 +17,7 @@ mpl.use("agg")
 
 # Deadlines measure the machine, not the code. In CI, the same commit draws the same examples; elsewhere each run draws new ones.
 hypothesis.settings.register_profile(
-    "kinlib", deadline=None, derandomize="CI" in os.environ, print_blob=True, max_examples=25
+    "kinlib", deadline=None, derandomize="CI" in os.environ, print_blob=True, max_examples=12
 )
 hypothesis.settings.load_profile("kinlib")
 
@@ -27,27 +28,22 @@ def pytest_configure(config):
 
 
 # --- the browser and the site ---
-# conftest.py of the repository gives these tests to one worker. While Playwright runs, asyncio.run fails in other tests.
+# conftest.py of the repository gives these tests to one worker, one after the other, so that each browser starts once.
+
+
+def pytest_sessionfinish():
+    close_browsers()
 
 
 @pytest.fixture(scope="module")
-def start_browser():
-    """A function that starts a browser, with WebGL or without."""
-    from browser import browsers
-
-    with browsers() as start:
-        yield start
+def chromium():
+    return running_browser(webgl=True)
 
 
 @pytest.fixture(scope="module")
-def chromium(start_browser):
-    return start_browser()
-
-
-@pytest.fixture(scope="module")
-def chromium_without_webgl(start_browser):
+def chromium_without_webgl():
     """A browser without WebGL, because drawing many arms without a graphics card takes minutes."""
-    return start_browser(webgl=False)
+    return running_browser(webgl=False)
 
 
 @pytest.fixture(scope="module")

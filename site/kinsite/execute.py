@@ -116,7 +116,8 @@ def write_cache(path: Path, data: Any) -> None:
 
 def run(notebook: NotebookNode, path: Path) -> None:
     """Run a notebook in a new kernel, in which figures and viewers write their static form."""
-    client = NotebookClient(notebook, timeout=TIMEOUT_S, resources={"metadata": {"path": path.parent}})
+    place = {"metadata": {"path": path.parent}}
+    client = NotebookClient(notebook, timeout=TIMEOUT_S, startup_timeout=TIMEOUT_S, resources=place)
     try:
         # only what cells write to stderr matters, and that is among their outputs: hide what the kernel writes at its start
         client.execute(env={**os.environ, ENVIRONMENT_VARIABLE: "1"}, stderr=subprocess.DEVNULL)

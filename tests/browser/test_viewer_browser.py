@@ -15,8 +15,8 @@ from browser import (
     contrast,
     drawn_count,
     pose,
-    spoken,
     static_page,
+    until_spoken,
     wait_until_drawn,
     watched,
 )
@@ -210,32 +210,17 @@ def test_keys_move_a_joint_by_a_degree_or_a_centimetre_and_to_its_ends(show):
         assert q_of(page)[joint] == pytest.approx(value, abs=1e-12)
 
 
-def test_a_number_can_be_typed_and_letters_change_nothing(youbot):
-    page = youbot
-    field = page.get_by_label("Joint 2, radians, as a number")
-    field.fill("1.25")
-    field.press("Enter")
-    assert q_of(page)[1] == 1.25
-    field.fill("")
-    field.press("Tab")
-    assert field.input_value() == "1.250"
-    assert q_of(page)[1] == 1.25
-
-
-@pytest.mark.parametrize("typed", ["90°", "90 deg", "pi/2", "0,5 pi", "\N{MINUS SIGN}270°", "1.5707963267948966 rad"])
-def test_an_angle_is_read_as_it_is_typed(youbot, typed):
+def test_numbers_and_angles_are_typed_and_ninety_in_a_field_of_radians_asks_for_degrees(youbot):
     field = youbot.get_by_label("Joint 2, radians, as a number")
-    field.fill(typed)
-    field.press("Enter")
-    assert np.sin(q_of(youbot)[1]) == pytest.approx(1)
-
-
-def test_ninety_in_a_field_of_radians_asks_for_degrees(youbot):
+    for typed in ("1.5707963267948966", "90°", "0,5 pi", "\N{MINUS SIGN}270 deg"):
+        field.fill(typed)
+        field.press("Enter")
+        assert np.sin(q_of(youbot)[1]) == pytest.approx(1), typed
     before = q_of(youbot)
-    field = youbot.get_by_label("Joint 2, radians, as a number")
-    field.fill("90")
-    field.press("Enter")
-    assert q_of(youbot) == before
+    for typed in ("", "90"):
+        field.fill(typed)
+        field.press("Enter")
+        assert q_of(youbot) == before
     youbot.get_by_role("button", name="90°?").click()
     assert q_of(youbot)[1] == pytest.approx(np.pi / 2)
 
@@ -284,13 +269,14 @@ def test_the_view_is_rotated_panned_and_zoomed_by_mouse_and_by_keys(youbot):
 def test_with_reduced_motion_play_goes_in_steps(youbot):
     page = youbot
     page.emulate_media(reduced_motion="reduce")
+    page.evaluate(
+        """window.seen = new Set(); const { model } = document.querySelector('.kv').viewer;
+           model.on('change:q', () => seen.add(model.get('q')[0]));"""
+    )
     page.get_by_role("button", name="Play").click()
-    seen = set()
-    for _ in range(12):
-        page.wait_for_timeout(40)
-        seen.add(q_of(page)[0])
-    assert len(seen) <= 2
+    page.wait_for_function("seen.size > 1")
     page.get_by_role("button", name="Pause").click()
+    assert page.evaluate("seen.size") <= 5, "four steps a period"
 
 
 # --- layers ---
@@ -396,23 +382,14 @@ def test_the_page_says_what_python_says_of_what_is_drawn(show, kind):
     make, changes = SAID[kind]
     viewer = make()
     page = show(viewer)
-    assert spoken(page) == viewer.alt
-    before = viewer.alt
+    until_spoken(page, before := viewer.alt)
     for trait, value in changes.items():
         setattr(viewer, trait, value)
         page.evaluate(
             "([trait, value]) => document.querySelector('.kv').viewer.model.set(trait, value)", [trait, value]
         )
-    assert spoken(page) == viewer.alt != before
-
-
-def test_every_branch_of_a_tree_ends_where_tree_poses_has_its_tip(show):
-    page, q = show(explore(TREE)), [0.4, 0.02]
-    assert sliders(page).count() == TREE.n
-    set_q(page, q)
-    ends = page.evaluate("[0, 1, 2].map((k) => document.querySelector('.kv').viewer.stage.tree.pose(k))")
-    for T, tip in zip(ends, TREE.tips, strict=True):
-        np.testing.assert_allclose(T, TREE.poses(q)[tip], atol=1e-12)
+    assert viewer.alt != before
+    until_spoken(page, viewer.alt)
 
 
 def test_meshes_take_the_place_of_bodies_by_rule_and_what_cannot_be_read_is_said(show, tmp_path):
@@ -450,14 +427,6 @@ def test_meshes_take_the_place_of_bodies_by_rule_and_what_cannot_be_read_is_said
         "The mesh f.glb",
     ):
         assert said in message
-    floor = page.evaluate("document.querySelector('.kv').viewer.stage.ground.value")
-    assert floor == pytest.approx(0.05)
-    dark = "document.body.style.background = '#171b21'; document.documentElement.dataset.theme = 'dark'"
-    before = shown_pixels(page)
-    settled(page, lambda: page.evaluate(dark))
-    assert shown_pixels(page) != before
-    settled(page, lambda: sliders(page).first.press("End"))
-    assert page.evaluate("globalThis[Symbol.for('kinlib.renderers')].length") == 1
 
 
 def test_frames_on_the_links_are_switched_on_one_by_one(show):
@@ -469,16 +438,6 @@ def test_frames_on_the_links_are_switched_on_one_by_one(show):
     assert {"x0", "x2", "y2", "z2"} <= set(page.evaluate(shown))
     settled(page, page.get_by_role("button", name="Frame {0}").click)
     assert "x0" not in page.evaluate(shown)
-
-
-def test_a_slider_moves_frames(show):
-    caption = "{} degrees".format
-    page = show(slide_frames(frames_at, "angle (degrees)", [0, 30, 60], caption=caption, arrows=True))
-    before = shown_pixels(page)
-    settled(page, lambda: sliders(page).press("End"))
-    assert shown_pixels(page) != before
-    assert sliders(page).get_attribute("aria-valuetext") == "60"
-    assert page.get_by_text("60 degrees").is_visible()
 
 
 # --- closed chains ---
@@ -585,7 +544,6 @@ PAGES = {
     "lab, dark": ('data-jp-theme-light="false"', "light", "dark"),
     "site, dark": ('data-theme="dark"', "light", "dark"),
     "site, by preference": ('data-theme="auto"', "dark", "dark"),
-    "site, light": ('data-theme="light"', "dark", "light"),
     "plain page": ("", "dark", "light"),
 }
 

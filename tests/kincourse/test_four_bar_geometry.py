@@ -45,16 +45,10 @@ def test_the_pins_are_at_the_intersections_of_circles_with_30_digits(four, A):
     np.testing.assert_allclose(wrap_angle(np.array(q, dtype=float))[inside], turned[inside], rtol=0, atol=1e-11)
 
 
-@pytest.mark.parametrize("four", [(0.5, 0.3, 0.3, 0.3), (0.4, 0.3, 0.2, 0.4), (4, 2, 2.5, 3)])
+@pytest.mark.parametrize("four", [(0.5, 0.3, 0.3, 0.3), (4, 2, 2.5, 3)])
 def test_the_dead_point_is_an_angle_of_sympys_triangle(four):
     """The sides are ground, crank, and coupler plus rocker in one line; the angle at A is opposite to the last side."""
     ground, crank, coupler, rocker = map(sp.Rational, map(str, four))
     A, D, B = sp.Triangle(sss=(ground, coupler + rocker, crank)).vertices
     angle = sp.Triangle(A, D, B).angles[A]
     assert FourBar(*four).cos_crank_angle(float(coupler + rocker)) == pytest.approx(float(sp.cos(angle)), abs=1e-12)
-
-
-def test_the_grashof_excess_of_three_printed_examples():
-    assert FourBar(5, 1, 4, 3).grashof_excess == -1
-    assert FourBar(3, 2, 4, 3).grashof_excess == 0
-    assert FourBar(4, 2, 2.5, 3).grashof_excess == 0.5

@@ -8,7 +8,6 @@ a blank step is its numbers, in their order.
 import re
 from pathlib import Path
 
-import nbformat
 import numpy as np
 import pytest
 from kinsite.execute import execute
@@ -20,27 +19,8 @@ LECTURES = sorted((ROOT / "notebooks").glob("[0-9]*.ipynb"))
 MIN_WORDS = 4
 """Fewer words are often said of something else, but a number of two digits at least is enough."""
 
-COMMON = {
-    "a",
-    "and",
-    "are",
-    "as",
-    "at",
-    "be",
-    "but",
-    "by",
-    "for",
-    "from",
-    "has",
-    "in",
-    "is",
-    "it",
-    "of",
-    "on",
-    "or",
-    "so",
-}
-COMMON |= {"an", "do", "have", "its", "than", "that", "the", "then", "this", "to", "was"}
+WORDS = "a an and are as at be but by do for from has have in is it its of on or so than that the then this to was"
+COMMON = set(re.findall(r"\w+", WORDS))
 NUMBER = r"(?<![\w.:])[-\N{MINUS SIGN}]?\d+(?:\.\d+)?"
 TOKEN = re.compile(rf"{NUMBER}|[a-z_]\w+|[a-z]", re.IGNORECASE)
 
@@ -124,17 +104,3 @@ def test_nothing_above_a_question_or_a_blank_step_gives_its_answer_away(path):
     lecture = path.stem.partition("_")[0]
     questions = {f"{lecture}/{name}": only_right(item) for name, item in COURSE.questions().get(lecture, {}).items()}
     assert findings(execute(path), questions, answers_of(lecture)) == []
-
-
-PLANTED = [
-    ("The height is 0.628 m.", 'ask("x")', {"x": {"0.628"}}, {}),
-    ("Joint C is lost without a message.", 'ask("x")', {"x": {"joint", "lost", "without", "message"}}, {}),
-    ("array([[0.25, -0.6124, 0.75]])", 'attempt("02.b", R)', {}, {"02.b": [0.25, -0.61237, 0.75]}),
-]
-
-
-@pytest.mark.parametrize(("text", "source", "questions", "answers"), PLANTED)
-def test_a_giveaway_is_found_above_its_question_and_not_below(text, source, questions, answers):
-    told, asked = nbformat.v4.new_markdown_cell(text), nbformat.v4.new_code_cell(source)
-    assert findings(nbformat.v4.new_notebook(cells=[told, asked]), questions, answers)
-    assert not findings(nbformat.v4.new_notebook(cells=[asked, told]), questions, answers)

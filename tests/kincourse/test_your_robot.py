@@ -51,10 +51,7 @@ MILLIMETRES = (
 )
 PAIRS = {
     "UR5e": ("airo_models", "ur5e.urdf", "tool0", UR5E, "joint 1: add 180° to theta"),
-    "UR3e": ("airo_models", "ur3e.urdf", "tool0", page(0.15185, -0.24355, -0.2132, 0.13105, 0.08535, 0.0921), "joint 1: add 180° to theta"),
-    "UR5e, a sign": ("airo_models", "ur5e.urdf", "tool0", UR5E.replace("-0.425", "0.425"), "joint 2: add 180° to theta"),
     "KR16": ("rtbdata", "kr16_2.urdf", "", KR16, "joint 2: write -q in theta"),
-    "iiwa": ("rtbdata", "lbr_iiwa_14_r820.urdf", "", IIWA, ""),
     "iiwa 7 for 14": ("rtbdata", "lbr_iiwa_14_r820.urdf", "", IIWA.replace("0.36", "0.34").replace("0.42", "0.40"),
                       "Row 3: d should be 0.42; the table has 0.4."),
     "UR5 in millimetres": ("", "UR5", "", MILLIMETRES, ""),
@@ -97,8 +94,8 @@ def test_what_is_given_is_escaped_and_what_cannot_be_read_is_said():
         found = examine(arm, table)
         assert found.unread
         assert "<script>" not in found._repr_html_()
-    named = kl.robots.puma560().changed(name="<script>alert(1)</script> $x$")
-    statements = [practise(named, "ada").problem(k).statement for k in range(1, 9)]
+    sheet = practise(kl.robots.rpr().changed(name="<script>alert(1)</script> $x$"), "ada")
+    statements = [sheet.problem(k).statement for k in range(1, 9)]
     assert any("scriptalert(1)script x" in text for text in statements)
     assert not any("<script>" in text for text in statements)
     loop = '<robot name="r"><link name="a"/><link name="b"/>' + "".join(

@@ -33,12 +33,11 @@ def files(pattern):
     return sorted({path for path in paths if path.is_file()})
 
 
-@pytest.fixture(scope="session")
-def committed(tmp_path_factory):
+@pytest.fixture
+def committed(tmp_path):
     """The files as git stores them, so that the tests also pass if you have worked in a notebook and saved it."""
-    folder = tmp_path_factory.mktemp("committed")
-    done = run("git", "checkout-index", "--all", f"--prefix={folder.as_posix()}/")
-    return folder if done.returncode == 0 else ROOT
+    done = run("git", "checkout-index", "--all", f"--prefix={tmp_path.as_posix()}/")
+    return tmp_path if done.returncode == 0 else ROOT
 
 
 # --- imports ---
@@ -94,16 +93,15 @@ def differences(notebook):
                 yield f"cell {number} must show printed text, of at most 15 lines and 10 decimals"
 
 
-@pytest.mark.parametrize("path", files("*.ipynb"), ids=lambda path: path.relative_to(ROOT).as_posix())
-def test_a_committed_notebook_has_no_output_except_short_checked_text(path, committed):
-    in_git = committed / path.relative_to(ROOT)
-    path = in_git if in_git.exists() else path
-    notebook = json.loads(path.read_text("utf-8"))
-    assert list(differences(notebook)) == []
-    if path.parent.name == "notebooks":
-        marked = [cell for cell in notebook["cells"] if is_checked(cell)]
-        assert all(cell["outputs"] for cell in marked), f"a cell with the tag {TAG} must have an output: run it"
-    assert path.stat().st_size <= 150_000, "at most 150 kB: move large content to a file, or to kinlib"
+def test_a_committed_notebook_has_no_output_except_short_checked_text(committed):
+    for name in (path.relative_to(ROOT) for path in files("*.ipynb")):
+        path = committed / name if (committed / name).exists() else ROOT / name
+        notebook = json.loads(path.read_text("utf-8"))
+        assert list(differences(notebook)) == [], name
+        if path.parent.name == "notebooks":
+            marked = [cell for cell in notebook["cells"] if is_checked(cell)]
+            assert all(cell["outputs"] for cell in marked), f"{name}: run the cells with the tag {TAG}"
+        assert path.stat().st_size <= 150_000, f"{name}: at most 150 kB; move large content to kinlib"
 
 
 # --- dependencies and versions ---

@@ -16,24 +16,10 @@ from misstep.storage.deserialize import from_data
 from misstep.storage.serialize import to_data
 
 ARM = kl.robots.rpr()
-ODD = (
-    *(
-        "nan",
-        "1e400",
-        "-Infinity",
-        "9" * 400,
-        "0x10",
-        "1j",
-        "1,5",
-        "None",
-        "[",
-        "((((",
-        "**",
-        "q1*q1",
-        "__import__('os')",
-    ),
-    *("\x00", "\u202e", "\ud800", "\N{MINUS SIGN}", "°", "½", "</link>", '"', "&x;", "\\frac{", "{}", "lambda: 0", ""),
-)
+ODD = [
+    *re.findall(r"\S+", "nan 1e400 -Infinity 0x10 1j 1,5 None [ (((( ** q1*q1 __import__('os') ° ½ </link> &x; {}"),
+    *('"', "\\frac{", "9" * 400, "\x00", "\u202e", "\ud800", "\N{MINUS SIGN}", "lambda: 0", ""),
+]
 """Pieces that take the place of others."""
 
 READERS = {
@@ -48,7 +34,7 @@ READERS = {
 
 @pytest.mark.parametrize("kind", READERS)
 @given(st.integers(0, 2**32), st.integers(0, 4))
-@settings(max_examples=60)
+@settings(max_examples=40)
 def test_a_text_of_a_stranger_is_read_or_refused(kind, seed, changes):
     """Nearly valid texts find most faults, because noise is refused at the first character."""
     read, text = READERS[kind]

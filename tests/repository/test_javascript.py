@@ -44,7 +44,3 @@ def test_the_committed_bundle_equals_a_new_build(node_modules, tmp_path, name):
 def test_the_linter_and_the_formatter_find_nothing_to_change(node_modules):
     done = subprocess.run([NPM, "run", "--silent", "lint"], cwd=JS, capture_output=True, encoding="utf-8", check=False)
     assert done.returncode == 0, f"run: npm run format\n{done.stdout}{done.stderr}"
-
-
-def test_the_lock_file_names_no_registry():
-    assert '"resolved"' not in (JS / "package-lock.json").read_text("utf-8")

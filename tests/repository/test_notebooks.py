@@ -1,4 +1,4 @@
-"""Every notebook runs in a new kernel without warnings, and every figure has a text alternative."""
+"""Every lecture and sheet runs in a new kernel without warnings, and every figure has a text alternative."""
 
 import ast
 import re
@@ -10,7 +10,7 @@ import pytest
 from kinsite.execute import execute
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = ("notebooks", "exercises", "solutions")
+FOLDERS = ("notebooks", "exercises")
 ALL_FILES = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.ipynb"))]
 # JupyterLab keeps copies of notebooks that it has opened
 NOTEBOOKS = [path for path in ALL_FILES if ".ipynb_checkpoints" not in path.parts]

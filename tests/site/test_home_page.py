@@ -2,11 +2,9 @@
 
 import json
 import re
-import tomllib
 
 import pytest
 from browser import watched
-from built_site import SITE
 from kinsite import demonstration
 
 from kincourse import open_sheet
@@ -53,23 +51,8 @@ def known_mistakes():
     return sheet.problem(demonstration.PROBLEM).known_mistakes
 
 
-def test_an_answer_that_is_another_mistake_fails_the_build():
-    sheet = open_sheet(demonstration.SHEET, demonstration.STUDENT)
-    with pytest.raises(ValueError, match="must be the mistake 'omega x p'; the sheet names"):
-        demonstration.answer_html(sheet, "np.concatenate([axis, point])", "omega x p", first=False)
-
-
 def test_the_home_page_describes_the_course_to_search_engines(site_folder):
     html = (site_folder / "index.html").read_text("utf-8")
     course = json.loads(re.search(r'<script type="application/ld\+json">(.*?)</script>', html, re.DOTALL)[1])
     assert course["@type"] == "Course"
     assert "Sitemap: http" in (site_folder / "robots.txt").read_text("utf-8")
-
-
-def test_without_a_repository_no_page_links_to_one(site_folder):
-    settings = tomllib.loads((SITE / "settings.toml").read_text("utf-8"))
-    html = (site_folder / "index.html").read_text("utf-8")
-    assert "Cite, licences and reuse" in html
-    assert ("Report a fault" in html) == bool(settings["repository"])
-    lecture = (site_folder / "lectures" / "03_poe_space.html").read_text("utf-8")
-    assert ("colab.research" in lecture) == settings["repository"].startswith("https://github.com/")

@@ -19,7 +19,6 @@ FRAMES = {"s": np.eye(4), "b": kl.exp([0.4, -0.3, 0.8, 3, -2, 1.5])}
 ROW, WALK = [0.8, 0.6, 0.6, 1.4], [[0.6, -0.9, 0.4, 0.3], [0.5, 1.6, 0.4, 0.0]]
 FOUR_BAR, SLIDER = kl.linkages.four_bar(4, 1, 3.5, 3), kl.linkages.slider_crank(1, 3, 0.2)
 CLOSED = FOUR_BAR.assembly_modes(hold={"A": 1.0})
-BENNETT = kl.linkages.bennett()
 BRACKET = kl.DHTable(
     [[0, 0, 0, 0], [1, 2, 3, 1], [0, 0, 0.5, 0]], convention="modified", joints="RPF", base=FRAMES["b"]
 )

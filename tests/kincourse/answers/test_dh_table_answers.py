@@ -147,28 +147,6 @@ def test_a_prismatic_joint_follows_from_the_problem_or_from_the_typed_table():
         assert message == "Its joints are RPR; those of the arm are RRR. Which column holds the variable?"
 
 
-def test_a_mistake_in_a_whole_table_has_its_name():
-    rows = np.array(ROWS)
-    for wrong, name, message in [
-        (
-            rows * (1, 0, 1, 1),
-            "alpha left out",
-            "Every $\\alpha$ is 0; it is the angle about $x$ from one z axis to the next.",
-        ),
-        (
-            rows * (1, 1, 0, 1),
-            "d left out",
-            "Every $d$ is 0; it is the distance along $z$ from one x axis to the next.",
-        ),
-        (-rows, "all signs", "Every entry has the wrong sign."),
-        (rows[::-1], "rows reversed", "The rows are in the order from the tool to the base."),
-        (rows * (1000, 1, 1000, 1), "millimetres", "The lengths are in millimetres, but were read as metres."),
-    ]:
-        finding = judge_table(np.array(wrong).tolist(), anchored=True).findings[0]
-        assert finding.mistake == name
-        assert message in (None, finding.message)
-
-
 def test_a_right_table_says_how_it_differs_from_ours():
     remark = DHTableAnswer(RIGHT, anchored=True).remark
     assert remark(RIGHT) == ""
@@ -205,10 +183,7 @@ def test_an_answer_that_is_no_table_of_this_arm_is_unreadable():
     for given, words in [
         ("a|alpha|d|theta\n0|0|0|q1", r"; your table has 1 joints \(R\)\.$"),
         ("nonsense", r"\. A table as text must have a heading, .* and at least one row"),
-        ([[1, 2]], r"\. rows must have shape \(\.\.\., 4\); got \(1, 2\)"),
-        ("x" * 100_000, r"; got str 'x+\.\.\.x+', which is too long\.$"),
         ([[0.1, 0.2, 0.3, 0.4]] * 13, r"; got list \[.*\], which is too long\.$"),
-        (7, r"\. Got int 7\.$"),
         (RIGHT_TEXT.ljust(MAX_TEXT_LENGTH + 1), "too long"),
     ]:
         with pytest.raises(Unreadable, match=f"(?s){expected}.*{words}"):

@@ -154,6 +154,3 @@ def test_each_slip_of_a_kind_is_named(kind):
 def test_a_slip_in_one_screw_is_named_for_this_screw():
     judgement = judge(Problem("", ScrewsAnswer(SCREWS)), [SCREWS[0], np.roll(SCREWS[1], 3), SCREWS[2]])
     assert [(finding.parts, finding.mistake) for finding in judgement.findings] == [(["screw 2"], "halves swapped")]
-
-
-# --- what the student can check ---

@@ -38,9 +38,3 @@ def test_a_series_cut_short_has_the_number_of_terms_that_its_text_says(parts):
     for terms, count in {2: "two", 3: "three", 4: "four"}.items():
         [cut] = [one for one in mutations(right) if one.slip.did == f"stop the series after {count} terms"]
         assert np.allclose(mutate(right, cut.replaced).value, truncated(hat(omega) * theta, terms))
-
-
-def test_only_an_axis_that_is_not_of_unit_length_is_put_into_a_formula_for_unit_axes(parts):
-    omega, _, theta = parts
-    names = [one.slip.name for one in mutations(rotation_exp(given("\\omega", omega), given("q", theta)))]
-    assert ("formula for a unit axis" in names) == (not np.isclose(np.linalg.norm(omega), 1))

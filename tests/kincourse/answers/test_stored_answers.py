@@ -4,16 +4,14 @@ import json
 
 import pytest
 from hostile_answers import HOSTILE, Rude
-from typed_answers import as_typed, typable
 
 from kincourse import find_sheet, sheets
 from kinlib.dh.table import DHTable
+from misstep.answers.function import FunctionCalls
+from misstep.formulas.evaluation import Formula
 from misstep.judge import judge
 from misstep.storage.deserialize import Malformed, from_data
 from misstep.storage.serialize import to_data
-
-TEMPLATES = [template for name in sheets() for template in find_sheet(name).problems]
-ONE_OF_EACH_KIND = list({type(template.variant("ada").answer): template for template in TEMPLATES}.values())
 
 
 def sent(value, inputs=()):
@@ -21,14 +19,19 @@ def sent(value, inputs=()):
     return from_data(json.loads(json.dumps(to_data(value, inputs), allow_nan=False)))
 
 
-@pytest.mark.parametrize("template", TEMPLATES, ids=lambda template: template.number)
-def test_an_answer_is_judged_from_json_as_in_the_notebook(template):
-    problem = template.variant("ada")
-    typed = [problem.answer.value, *(wrong.value for wrong in typable(problem)[:4])]
-    hostile = [*HOSTILE.values(), Rude()] if template in ONE_OF_EACH_KIND else []
-    for value in [*map(as_typed, typed), ..., *hostile]:
-        home, away = judge(problem, value), judge(problem, sent(value, problem.answer.inputs))
-        assert (away.state, away.fraction, away.mistakes) == (home.state, home.fraction, home.mistakes)
+def as_typed(value):
+    """What was read goes back to what was typed; mutants of functions and formulas are numbers alone, which gives None."""
+    value = value.given if isinstance(value, Formula) else value
+    return value.function if isinstance(value, FunctionCalls) else value
+
+
+def test_an_answer_of_each_kind_is_judged_from_json_as_in_the_notebook():
+    drawn = [template.variant("ada") for name in sheets() for template in find_sheet(name).problems]
+    for problem in {type(problem.answer): problem for problem in drawn}.values():
+        typed = [as_typed(one) for one in (problem.answer.value, *(wrong.value for wrong in problem.known_mistakes))]
+        for value in [*(one for one in typed if one is not None), ..., *HOSTILE.values(), Rude()]:
+            home, away = judge(problem, value), judge(problem, sent(value, problem.answer.inputs))
+            assert (away.state, away.fraction, away.mistakes) == (home.state, home.fraction, home.mistakes)
 
 
 def a_table(**odd):

@@ -3,24 +3,10 @@
 from itertools import product
 
 import numpy as np
-import pytest
 from scipy.spatial.transform import Rotation
 
-from kincourse.lecture_01_frames.drawings import draw_rotation, draw_three_readings
-from kinlib.chains.robots import X, Y, Z, pose
+from kincourse.lecture_01_frames.drawings import draw_rotation
 from kinlib.view.drawing.canvas import view_axes
-
-
-def test_what_cannot_be_drawn_is_refused():
-    for T, point in [
-        (pose((X, -Z, Y), (1, 0, 0)), [1, 0, 0]),
-        (pose((X, Y, Z), (0, 0, 1)), [1, 0, 0]),
-        (np.eye(4), [0, 0, 1]),
-    ]:
-        with pytest.raises(ValueError, match="rotation about z"):
-            draw_three_readings(T, point)
-    with pytest.raises(ValueError, match="0, 1 or 2, for x, y or z; got 3"):
-        draw_rotation(3, 20)
 
 
 def test_the_text_alternative_gives_the_rotation_that_scipy_computes_and_where_the_axis_points():

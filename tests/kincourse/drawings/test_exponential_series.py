@@ -3,12 +3,11 @@
 import mpmath
 import mpmath_oracle
 import numpy as np
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from strategies import points, screws
 
-from kincourse.lecture_02_matrix_exponential.drawings import draw_motions, draw_series
+from kincourse.lecture_02_matrix_exponential.drawings import draw_series
 from kincourse.lecture_02_matrix_exponential.drawings.exponential_series import partial_sums
 
 
@@ -16,16 +15,6 @@ def test_four_terms_are_on_the_circle_at_the_root_of_three_and_not_at_the_goal()
     """|1 + i t - t^2/2 - i t^3/6| = 1 at t = sqrt(3), so the sum is a rotation, but the wrong one."""
     picture = draw_series((0, 0, 1, 0, 0, 0), np.sqrt(3), (1, 0, 0), 4)
     assert picture.caption == "4 terms: the sum is 0.36 m from its goal, less than 1e-12 m off the circle"
-
-
-def test_what_cannot_be_drawn_is_refused():
-    turn = (0, 0, 1, 0, 0, 0)
-    for draw, says in [
-        (lambda: draw_motions(np.eye(4), {}), "motions must contain 1 to 4 twists"),
-        (lambda: draw_motions(np.eye(4), dict.fromkeys("abcde", turn)), "motions must contain 1 to 4 twists"),
-    ]:
-        with pytest.raises(ValueError, match=says):
-            draw()
 
 
 @given(screws(), st.floats(-3, 3), points())

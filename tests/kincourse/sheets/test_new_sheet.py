@@ -11,9 +11,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from nbclient import NotebookClient
 from odd_robots import ODD_ROBOTS
-from urdf_files import ARMS, urdf_text
+from urdf_files import ur5e_urdf
 
 import kinlib as kl
 from kincourse import find_sheet, open_sheet
@@ -26,9 +25,18 @@ from kincourse.sampling.arms import ArmSampler
 from misstep.cli import main as release
 from misstep.judge import judge
 
-STUDENTS = [f"student {i}" for i in range(4)]
+STUDENTS = [f"student {i}" for i in range(2)]
 
-each_robot = pytest.mark.parametrize("key", ODD_ROBOTS)
+UNUSUAL = (
+    "one turn",
+    "one slide",
+    "turn and slide on one axis",
+    "all on one axis",
+    "helical",
+    "in millimetres",
+    "narrow",
+)
+each_robot = pytest.mark.parametrize("key", UNUSUAL)
 
 
 @cache
@@ -63,18 +71,13 @@ def test_every_robot_gets_eight_problems_that_suit_it_and_whose_mistakes_can_be_
                 assert judge(problem, wrong.value).mistakes == [wrong.name]
 
 
-@pytest.mark.parametrize("name", [name for name in ARMS if ARMS[name][0] == "airo"] + ["PUMA 560", "KUKA KR16"])
-def test_an_arm_of_another_package_gets_the_first_eight_tasks(name):
-    assert tasks_for(kl.load_urdf(urdf_text(name), tip=ARMS[name][2])) == list(TASK_ORDER[:PROBLEMS_PER_SHEET])
-
-
 def joint_values(problem):
     slides = ~problem.given["screws" if "screws" in problem.given else "body_screws"][:, :3].any(axis=1)
     typed = problem.given["values"]
     return np.where(slides, typed, np.radians(typed))
 
 
-@pytest.mark.parametrize("key", ["PUMA", "ten", "SCARA", "gantry", "helical", "one slide"])
+@pytest.mark.parametrize("key", ["PUMA", "eight", "gantry", "helical"])
 def test_poses_agree_with_modern_robotics(key):
     """FKinSpace, FKinBody and Adjoint of the book's own code, computed from the given values."""
     for problem in variants(key, "where_is_the_tool"):
@@ -88,10 +91,10 @@ def test_poses_agree_with_modern_robotics(key):
         np.testing.assert_allclose(problem.answer.value, expected, atol=1e-9)
 
 
-@pytest.mark.parametrize("key", ["PUMA", "seven", "ten", "SCARA", "gantry"])
+@pytest.mark.parametrize("key", ["PUMA", "SCARA", "gantry"])
 @pytest.mark.parametrize("task", ["standard_table", "modified_table"])
 def test_a_right_table_has_the_given_end_frames_and_the_drawn_zero_configuration(key, task):
-    for problem in variants(key, task, STUDENTS[:2]):
+    for problem in variants(key, task, STUDENTS[:1]):
         table, given = problem.answer.value, problem.given
         q = np.random.default_rng(1).uniform(-1, 1, table.n)
         np.testing.assert_allclose(table.fk(q), mr.FKinSpace(given["home"], given["screws"].T, q), atol=1e-6)
@@ -99,7 +102,7 @@ def test_a_right_table_has_the_given_end_frames_and_the_drawn_zero_configuration
         np.testing.assert_allclose(given[f"T_s{table.n}"] @ table.tool, given["home"], atol=1e-12)
 
 
-@pytest.mark.parametrize("key", ["PUMA", "SCARA", "ten", "two on one axis"])
+@pytest.mark.parametrize("key", ["PUMA", "SCARA", "all on one axis"])
 def test_a_faulty_table_has_one_wrong_row_and_it_is_that_of_the_answer(key):
     for problem in variants(key, "faulty_entry"):
         frames, rows, convention = (problem.given[name] for name in ("frames", "rows", "convention"))
@@ -115,9 +118,9 @@ def test_a_faulty_table_has_one_wrong_row_and_it_is_that_of_the_answer(key):
 def test_students_have_different_answers(task):
     """The first eight tasks are on the sheets of test_sheets.py."""
     answers = set()
-    for problem in variants("PUMA", task, [f"s{i}" for i in range(12)]):
+    for problem in variants("PUMA", task, [f"s{i}" for i in range(6)]):
         answers.add(np.round(problem.answer.value, 6).tobytes())
-    assert len(answers) > 8
+    assert len(answers) > 3
 
 
 angles = st.floats(-1e3, 1e3, allow_subnormal=False).filter(lambda x: abs(x) < 60 or x % 1)  # others look like degrees
@@ -163,7 +166,7 @@ def project(tmp_path, monkeypatch):
     return tmp_path
 
 
-@pytest.mark.parametrize("key", ["PUMA", "SCARA", "one slide", "all on one axis", "helical"])
+@pytest.mark.parametrize("key", ["SCARA", "one slide", "helical"])
 def test_the_instructors_copy_scores_full_points(key, project, monkeypatch):
     path = new_sheet(ODD_ROBOTS[key], project / "solutions" / "odd_robot")
     monkeypatch.chdir(path.parent)
@@ -176,7 +179,7 @@ def test_the_students_copy_runs_in_its_folder_and_contains_no_solution(project, 
     pytest.importorskip("nbgrader", reason="exercises/ is made with nbgrader")
     from misstep.release import student_notebook
 
-    (project / "ur5e.urdf").write_text(urdf_text("UR5e"), "utf-8")
+    (project / "ur5e.urdf").write_text(ur5e_urdf(), "utf-8")
     assert main(["new-sheet", "ur5e.urdf", "--out", "solutions/lab_arm", "--name", "UR5e"]) == 0
     assert release(["release"]) == 0
     assert student_notebook.find_stale(project) == []
@@ -184,19 +187,18 @@ def test_the_students_copy_runs_in_its_folder_and_contains_no_solution(project, 
     assert {path.name for path in folder.iterdir()} == {"lab_arm.ipynb", "lab_arm.json"}
     text = (folder / "lab_arm.ipynb").read_text("utf-8")
     assert "BEGIN SOLUTION" not in text
-    for task in tasks_for(kl.load_urdf("ur5e.urdf")):
+    tasks = loads((folder / "lab_arm.json").read_text("utf-8"), "here")[1]
+    assert tasks == list(TASK_ORDER[:PROBLEMS_PER_SHEET])
+    for task in tasks:
         for line in TASKS[task].entry.solution.splitlines():
             assert len(line.strip()) < 13 or line.strip() not in text
-    notebook = nbformat.reads(text, as_version=4)
-    nbformat.validate(notebook)
-    NotebookClient(notebook, timeout=1200, resources={"metadata": {"path": folder}}).execute()
-    cards = [cell.outputs[-1]["data"]["text/plain"] for cell in notebook.cells if cell.id.startswith("check-")]
-    assert len(cards) == PROBLEMS_PER_SHEET
-    assert all("Nothing here yet" in card for card in cards)
+    nbformat.validate(nbformat.reads(text, as_version=4))
+    monkeypatch.chdir(folder)
+    assert solved(folder, "ada").tally()._repr_markdown_().count("nothing here yet") == PROBLEMS_PER_SHEET
 
 
 def test_a_sheet_is_found_beside_the_notebook_and_below_the_root_and_replaces_no_other(project, monkeypatch):
-    path = new_sheet(ODD_ROBOTS["PUMA"], "solutions/lab_arm", name="**arm** $x$ | <b>")
+    path = new_sheet(ODD_ROBOTS["one slide"], "solutions/lab_arm", name="**arm** $x$ | <b>")
     assert loads(path.with_suffix(".json").read_text("utf-8"), "here")[0].name == "arm x  b", "without Markdown"
     from_root = open_sheet("lab_arm", "ada").problem(1).statement
     monkeypatch.chdir("solutions/lab_arm")
@@ -248,7 +250,7 @@ NOTHING_MOVES = """<robot name="statue"><link name="a"/><link name="b"/>
 
 @pytest.fixture
 def urdf(project):
-    Path("puma.urdf").write_text(kl.to_urdf(ODD_ROBOTS["PUMA"]), "utf-8")
+    Path("lift.urdf").write_text(kl.to_urdf(ODD_ROBOTS["one slide"]), "utf-8")
     Path("statue.urdf").write_text(NOTHING_MOVES, "utf-8")
     Path("torn.urdf").write_text(NOTHING_MOVES[:60], "utf-8")
     Path("mine").write_text("mine", "utf-8")
@@ -257,17 +259,17 @@ def urdf(project):
     return project
 
 
-def test_an_invalid_request_is_refused_in_one_sentence(urdf, capsys):
+def test_an_invalid_request_is_refused_in_one_sentence_and_force_keeps_other_files(urdf, capsys):
     for arguments, words in [
         (["nowhere.urdf", "--out", "arm"], "nowhere.urdf"),
         (["torn.urdf", "--out", "arm"], "torn.urdf"),
         (["statue.urdf", "--out", "arm"], "statue.urdf"),
-        (["puma.urdf", "--out", "arm", "--tip", "nose"], "nose"),
-        (["puma.urdf", "--out", "full"], "must be empty"),
-        (["puma.urdf", "--out", "mine"], "is a file"),
-        (["puma.urdf", "--out", "puma.urdf"], "letters, digits and _"),
-        (["puma.urdf", "--out", "my robot"], "letters, digits and _"),
-        (["puma.urdf", "--out", "1st"], "letters, digits and _"),
+        (["lift.urdf", "--out", "arm", "--tip", "nose"], "nose"),
+        (["lift.urdf", "--out", "full"], "must be empty"),
+        (["lift.urdf", "--out", "mine"], "is a file"),
+        (["lift.urdf", "--out", "lift.urdf"], "letters, digits and _"),
+        (["lift.urdf", "--out", "my robot"], "letters, digits and _"),
+        (["lift.urdf", "--out", "1st"], "letters, digits and _"),
     ]:
         assert main(["new-sheet", *arguments]) == 2
         error = capsys.readouterr().err
@@ -276,10 +278,6 @@ def test_an_invalid_request_is_refused_in_one_sentence(urdf, capsys):
         assert "Traceback" not in error
     assert not Path("arm").exists()
     assert Path("mine").read_text("utf-8") == "mine"
-
-
-def test_force_overwrites_the_sheet_and_keeps_other_files(urdf):
-    assert main(["new-sheet", "puma.urdf", "--out", "full", "--force"]) == 0
-    assert Path("full", "notes.txt").read_text("utf-8") == "mine"
+    assert main(["new-sheet", "lift.urdf", "--out", "full", "--force"]) == 0
     assert Path("full", "full.ipynb").exists()
-    assert main(["new-sheet", "puma.urdf", "--out", "full"]) == 2
+    assert Path("full", "notes.txt").read_text("utf-8") == "mine"

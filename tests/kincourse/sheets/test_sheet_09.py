@@ -1,7 +1,4 @@
-"""Sheet 09 computes its answers from the origins of joints; the URDF readers, which it does not use, must agree.
-
-Every file that is printed or asked is read by Pinocchio as well, whose parser is that of ROS, except for the faults that are asked.
-"""
+"""Sheet 09 computes its answers from the origins of joints; Pinocchio, whose parser is that of ROS, must agree on every file."""
 
 import json
 import re
@@ -12,10 +9,9 @@ import numpy as np
 import pytest
 from urdf_files import poses_by_pinocchio
 
-import kinlib as kl
 from kincourse import open_sheet
 from kincourse.lecture_09_urdf import compare_urdf_readers as readers
-from kinlib import dh_transform, load_urdf
+from kinlib import load_urdf
 from kinlib.rigid.rpy import origin
 
 ROOT = Path(__file__).parents[3]
@@ -23,7 +19,7 @@ LECTURE = json.loads((ROOT / "notebooks" / "09_urdf.ipynb").read_text("utf-8"))[
 SPINDLE = re.search(
     "<robot name=.spindle.*?</robot>", "\n".join("".join(cell["source"]) for cell in LECTURE), re.DOTALL
 )[0]
-STUDENTS = [f"student {i}" for i in range(40)]
+STUDENTS = [f"student {i}" for i in range(16)]
 POSITION_ATOL_M = 1e-4
 """The sheet prints a right angle as 1.5708, with an error of 4e-6 rad, and its arms are about ten metres long."""
 
@@ -32,58 +28,13 @@ def agree(one, other, atol=POSITION_ATOL_M):
     np.testing.assert_allclose(one, other, rtol=0, atol=atol)
 
 
-@pytest.mark.parametrize("student", STUDENTS[:4])
-def test_the_urdf_reader_gives_the_answers_of_the_sheet(student):
-    sheet = open_sheet("09_urdf", student)
-    answer = {k: sheet.problem(k).answer.value for k in range(1, 12)}
-    chain = {k: load_urdf(facts(sheet, k).urdf) for k in (3, 4, 5, 11)}
-    agree(chain[3].points[2], answer[3])
-    agree(chain[4].screws[2], answer[4])
-    agree(chain[5].home, answer[5])
-    with pytest.raises(ValueError, match=r"^Line \d") as refused:
-        load_urdf(facts(sheet, 6).urdf)
-    assert int(re.match(r"Line (\d+)", str(refused.value))[1]) == answer[6]
-    given = facts(sheet, 7)
-    names = load_urdf(given.urdf, given.base, given.tip).joint_names
-    assert answer[7] == list(names)
-    row = facts(sheet, 8)
-    agree(origin(*answer[8]), dh_transform(row.a, row.alpha, row.d, 0, convention="modified"), 1e-12)
-    given = facts(sheet, 10)
-    head, tail = given.urdf.split('name="joint_3"')
-    mended = re.sub(r'<axis xyz="[^"]*"', f'<axis xyz="{" ".join(map(str, answer[10]))}"', tail)
-    agree(load_urdf(f'{head}name="joint_3"{mended}').lines.axis[2], given.omega)
-    assert lines_that_can_be_wrong(facts(sheet, 11)) == [answer[11]]
-
-
 def facts(sheet, k):
     """What a student knows of problem k: what is given, and what stands in the statement."""
     problem = sheet.problem(k)
     return SimpleNamespace(**problem.given, **problem.shown)
 
 
-def lines_that_can_be_wrong(given):
-    """The lines of problem 11 that, changed alone, could make the file agree with its data sheet.
-
-    An `axis` can if all else agrees. An `origin` can if all before it agrees, and all behind it differs by one rotation about it.
-    """
-    chain, lines = load_urdf(given.urdf), given.urdf.splitlines()
-    points = np.vstack([chain.points, chain.home[:3, 3]]), np.array(given.origins)
-    axes = chain.lines.axis, np.array(given.axes)
-    places = {mark: [i for i, line in enumerate(lines, 1) if mark in line] for mark in ("<origin", "<axis")}
-    found = []
-    for k in range(4):
-        before = [np.vstack([p[: k + 1], a[:k]]) for p, a in zip(points, axes, strict=True)]
-        behind = [np.vstack([p[k + 1 :] - p[k], a[k:]]) for p, a in zip(points, axes, strict=True)]
-        grams = [v @ v.T for v in behind]
-        if np.allclose(*before, atol=POSITION_ATOL_M) and np.allclose(*grams, atol=1e-2):
-            found.append(places["<origin"][k])
-        others = [np.vstack([p, np.delete(a, k, axis=0)]) for p, a in zip(points, axes, strict=True)] if k < 3 else None
-        if others and np.allclose(*others, atol=POSITION_ATOL_M):
-            found.append(places["<axis"][k])
-    return found
-
-
-@pytest.mark.parametrize("student", STUDENTS[:4])
+@pytest.mark.parametrize("student", STUDENTS[:2])
 def test_pinocchio_reads_every_file_of_the_sheet_and_gives_its_answers(student):
     pin = pytest.importorskip("pinocchio")
     sheet = open_sheet("09_urdf", student)
@@ -150,17 +101,6 @@ def axes_of_moving_joints(text):
     joints = [joint for joint in re.findall(r"<joint.*?</joint>", text, re.DOTALL) if 'type="fixed"' not in joint]
     found = [re.search(r'<axis xyz="([^"]*)"', joint) for joint in joints]
     return [np.array(axis[1].split(), dtype=float) for axis in found if axis]
-
-
-def test_every_right_answer_is_right():
-    for student in [*STUDENTS[:20], "probe 2"]:  # for "probe 2" the order in the file was once the right one
-        sheet = open_sheet("09_urdf", student)
-        asked = sheet.problem(2)
-        agree(kl.load_urdf(joint_of(asked.statement)).lines.axis[0], asked.answer.value)
-        xyz, (alpha, _, _) = sheet.problem(8).answer.value
-        for same in ((alpha + np.pi, np.pi, np.pi), (alpha - np.pi, -np.pi, np.pi), (alpha + 2 * np.pi, 0, 0)):
-            assert sheet.check(8, [xyz, same]).score == 3
-        assert sheet.check(8, [xyz, (0, alpha, 0)]).score == 0
 
 
 # --- what readers do with a file ---

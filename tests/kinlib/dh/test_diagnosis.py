@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from example_arms import arm, reduced_count
+from example_arms import arm
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -10,7 +10,7 @@ import kinlib as kl
 from kinlib import DHTable, assign_frames, diagnose, equivalent
 from kinlib.dh.equivalence import CHOICES
 from kinlib.dh.rounding import rounding_effect, typed_half_units
-from kinlib.dh.slips import SLIPS_OF_A_ROW, SLIPS_OF_A_TABLE, tables_with_a_slip
+from kinlib.dh.slips import tables_with_a_slip
 
 PUMA = kl.robots.puma560()
 STANDARD = assign_frames(PUMA, convention="standard").table
@@ -25,10 +25,7 @@ UR5 = published(
     *((0, 90, 0.089159, 0), (-0.425, 0, 0, 0), (-0.39225, 0, 0, 0)),
     *((0, 90, 0.10915, 0), (0, -90, 0.09465, 0), (0, 0, 0.0823, 0)),
 )
-KR16 = published(
-    *((0.26, 90, 0.675, 0), (0.68, 0, 0, 90), (-0.035, 90, 0, 0)),
-    *((0, -90, 0.67, 0), (0, 90, 0, 0), (0, 0, 0.158, 180)),
-)
+
 STANFORD = published(
     *((0, -90, 0.412, 0), (0, 90, 0.154, 0), (0, 0, 0, -90)),
     *((0, -90, 0, 0), (0, 90, 0, 0), (0, 0, 0.263, 0)),
@@ -82,10 +79,10 @@ def test_with_fixed_choices_these_are_the_corrections_with_their_numbers():
     assert "choices that are fixed here" in str(found)
 
 
-@pytest.mark.parametrize("right", [UR5, KR16, STANFORD, STANDARD.converted("modified")], ids=["UR5", "KR16", "S", "P"])
+@pytest.mark.parametrize("right", [UR5, STANFORD, STANDARD.converted("modified")], ids=["UR5", "Stanford", "PUMA"])
 def test_slips_are_mended(right):
-    """Every ninth slip in every place, of a published table: as a rule the numbers come back, and always the poses."""
-    wrong = [table for _, table in tables_with_a_slip(right) if differ(table, right)][:: reduced_count(9)]
+    """One in twelve of the slips in every place of a published table: as a rule the numbers come back, and always the poses."""
+    wrong = [table for _, table in tables_with_a_slip(right) if differ(table, right)][::12]
     found = [diagnose(table, right, CHOICES) for table in wrong]
     mended = [any(not differ(each.corrected, right) for each in one.explanations) for one in found]
     restored = [any(np.abs(e.corrected.rows - right.rows).max() < 1e-9 for e in one.explanations) for one in found]
@@ -157,7 +154,7 @@ def test_what_cannot_be_compared_is_refused():
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_no_assigned_table_is_accused_at_any_angle_and_with_any_number_of_digits(convention):
     rng = np.random.default_rng(29)
-    for angle in np.concatenate([[0.0], np.logspace(-14, -2, reduced_count(288) + 1)]):
+    for angle in np.concatenate([[0.0], np.logspace(-14, -2, 13)]):
         cases = {"cases": ()} if rng.random() < 0.5 else {}
         chain = arm(rng, int(rng.integers(2, 8)), angle=angle, slides=rng.choice([0, 0.25]), **cases)[0]
         table = assign_frames(chain, convention=convention).table
@@ -194,15 +191,3 @@ def test_rounded_numbers_are_right_to_their_digits_and_a_mistake_is_found_throug
     noise = np.random.default_rng(0).normal(size=(6, 4)) * 2e-5
     found = diagnose(with_entries(UR5, (5, "d", 0.11465)), UR5.changed(rows=UR5.rows + noise), CHOICES)
     assert (found.faults[0].row, found.faults[0].column) == (5, "d")
-
-
-def test_millimetres_with_a_typed_pi_are_millimetres():
-    found = diagnose(UR5.changed(rows=TYPED_PI * (1000, 1, 1000, 1)), UR5)
-    assert str(found) == "The lengths are in millimetres, but were read as metres."
-
-
-def test_every_slip_of_rows_is_undone_by_its_correction():
-    rng = np.random.default_rng(0)
-    for slip in SLIPS_OF_A_TABLE + SLIPS_OF_A_ROW:
-        rows = rng.uniform(-1, 1, (1 if slip in SLIPS_OF_A_ROW else 5, 4))
-        np.testing.assert_allclose(slip.correction(slip.change(rows)), rows, atol=1e-12)

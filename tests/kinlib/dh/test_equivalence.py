@@ -5,12 +5,12 @@ from itertools import product
 import numpy as np
 import pytest
 from example_arms import arm, with_other_choices
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, equivalent
-from kinlib.dh.equivalence import CHOICES, AxisInvariants, describe_pose, linearized, measured_difference
+from kinlib.dh.equivalence import CHOICES, AxisInvariants
 
 SEEDS = st.integers(0, 2**32 - 1)
 
@@ -86,17 +86,6 @@ def test_the_largest_difference_is_told_with_digits_that_show_it():
     assert equivalent(kl.robots.rpr(), kl.robots.rppr()).reason.startswith("The joint types differ: RPR in the first")
 
 
-def test_the_simplest_map_is_given():
-    for chain in (kl.robots.youbot(), kl.robots.puma560()):
-        found = equivalent(chain, chain.changed(home=chain.home @ kl.exp([0, 0, 0, 0, 0, 0.1])))
-        assert found.signs.tolist() == [1] * chain.n
-        np.testing.assert_allclose(found.offsets, 0, atol=1e-12)
-        np.testing.assert_allclose(found.base, np.eye(4), atol=1e-12)
-    slide = DHTable([[0, 0.7, 0, 0], [0.25, 1.1, 0.35, 0], [0.4, 0, 0.15, 0]], convention="standard", joints="PRR")
-    found = equivalent(slide, slide.changed(base=kl.exp([0, 0, 0, 0, 0, 0.6])))
-    np.testing.assert_allclose(found.offsets, [0.6, 0, 0], atol=1e-12)
-
-
 def with_choices(rng, chain, free):
     """The same arm with other choices of these kinds, and no others."""
     offsets = rng.uniform(-1, 1, chain.n) if "zeros" in free else np.zeros(chain.n)
@@ -109,6 +98,7 @@ def with_choices(rng, chain, free):
 
 
 @pytest.mark.parametrize("free", [set(), *({name} for name in CHOICES), {"base", "zeros"}, {"tool", "signs"}])
+@settings(max_examples=8)
 @given(seed=SEEDS, n=st.integers(1, 8), slides=st.sampled_from([0.0, 0.3]))
 def test_what_is_fixed_does_not_differ_in_the_map(free, seed, n, slides):
     rng = np.random.default_rng(seed)
@@ -123,6 +113,7 @@ def test_what_is_fixed_does_not_differ_in_the_map(free, seed, n, slides):
 
 
 @pytest.mark.parametrize("name", CHOICES)
+@settings(max_examples=8)
 @given(seed=SEEDS, n=st.integers(3, 7))
 def test_what_is_fixed_and_differs_is_another_arm(name, seed, n):
     """The axes are skew, so that no other choice compensates for it."""
@@ -140,15 +131,6 @@ def test_what_is_no_choice_and_no_tolerance_is_refused():
         equivalent(kl.robots.rpr(), kl.robots.rpr(), tolerance=0)
 
 
-@pytest.mark.parametrize("angle", [1e-8, 1e-6, 1e-4])
-def test_other_choices_of_a_nearly_parallel_arm_are_not_called_different(angle):
-    rng = np.random.default_rng(3)
-    for _ in range(8):
-        chain = arm(rng, int(rng.integers(2, 8)), angle=angle, slides=rng.choice([0, 0.25]))[0]
-        other = with_choices(rng, chain, {"base", "tool", "zeros"})
-        assert equivalent(chain, other).verdict != "different"
-
-
 def test_what_is_undecided_is_neither_true_nor_false():
     chain = arm(np.random.default_rng(3), 4, cases=(), angle=3e-8, slides=0)[0]
     table = kl.assign_frames(chain, convention="standard").table
@@ -157,17 +139,3 @@ def test_what_is_undecided_is_neither_true_nor_false():
     assert "nearly parallel" in found.reason
     with pytest.raises(ValueError, match=r"must be decided to be used as True or False\. The poses differ by"):
         bool(found)
-
-
-def test_small_errors_are_linear_and_poses_are_told():
-    rng = np.random.default_rng(0)
-    chain = arm(rng, 5, cases=("skew",), slides=0)[0]
-    X, Y, q, step = kl.exp(rng.normal(size=6)), kl.exp(rng.normal(size=6)), rng.normal(size=(7, 5)), rng.normal(size=17)
-    target, small = X @ chain.fk(q) @ Y, 1e-6 * step
-    error, J = linearized(X, chain, q, Y, target)
-    np.testing.assert_allclose(error, 0, atol=1e-12)
-    moved = linearized(kl.exp(small[:6]) @ X, chain, q + small[6:-6], Y @ kl.exp(small[-6:]), target)[0]
-    np.testing.assert_allclose(1e6 * moved, J @ step, atol=1e-3)
-    assert describe_pose(kl.exp([0, -np.pi / 2, 0, 0, 0, 0])) == "rotated by -90° about y"
-    lifted = chain.changed(home=chain.home + np.eye(4, k=3) * 0.5)
-    np.testing.assert_allclose(measured_difference(chain, lifted), (0.5, 0), atol=1e-7)

@@ -22,7 +22,6 @@ FORMS = {
         "Kinematics\ttheta [rad]\ta [m]\td [m]\talpha [rad]\tDynamics\tMass [kg]",
         "Joint {i}\t0\t{a}\t{d}\t{alpha}\tLink {i}\t3.7",
     ),
-    "the same with blanks": lines("Kinematics theta [rad] a [m] d [m] alpha [rad]", "Joint {i} 0 {a} {d} {deg}°"),
     "a spreadsheet with decimal commas": "Gelenk;theta (deg);d (mm);a (mm);alpha (deg)\n1;0;89,159;0;90\n2;0;0;-425;0\n"
     "3;0;0;-392,25;0\n4;0;109,15;0;90\n5;0;94,65;0;-90\n6;0;82,3;0;0",
     "CSV": lines("joint,theta,d,a,alpha", "{i},0,{d},{a},{alpha}"),
@@ -40,15 +39,11 @@ FORMS = {
         "└──┘\n\n│ name │ q0 │ q1 │ q2 │ q3 │ q4 │ q5 │\n│ q │ 0° │ 0° │ 0° │ 0° │ 0° │ 0° │",
         ),
     "calls": lines("robot = DHRobot([", "    RevoluteDH(d={d}, a={a}, alpha={alpha}),", "], name='UR5')"),
-    "calls of MATLAB": lines("", "L({i}) = Link([0 {d} {a} {alpha}]);"),
     "an array with a comment": lines("# a, alpha, d, theta\nDH = np.array([", "[{a}, np.radians({deg}), {d}, 0],", "])"),
     "an array of C": "double dh[6][4] = { // theta, d, a, alpha\n {0, 0.089159, 0, M_PI_2},\n {0, 0, -0.425, 0},\n"
     " {0,0,-0.39225,0},\n {0, 0.10915, 0, M_PI/2},\n {0, 0.09465, 0, -M_PI_2},\n {0, 0.0823, 0, 0} };",
     "lists by column": "\n".join(f"{name} = {[row[k] for row in ROWS]}" for k, name in enumerate(("a", "alpha", "d"))),
-    "names with indices": "\n".join(f"a{i} = {a}; alpha{i} = {al}; d{i} = {d}" for i, (a, al, d, _) in enumerate(ROWS, 1)),
     "lines by column": "\n".join(f"{n} " + " ".join(f"{row[k]}" for row in ROWS) for k, n in enumerate(("a", "alpha", "d"))),
-    "dictionaries": lines("[", "{{'a': {a}, 'alpha': {alpha}, 'd': {d}, 'theta': 'q{i}'}},", "]"),
-    "other names": lines("i  alfa  r  d  v", "{i} {deg} {a} {d} q{i}"),
     "without a heading, in millimetres": "0 89.159 0 90\n0 0 -425 0\n0 0 -392.25 0\n0 109.15 0 90\n0 94.65 0 -90\n0 82.3 0 0",
     "empty cells": "joint\ta\talpha\td\ttheta\n1\t\t90\t0.089159\tq1\n2\t-0.425\t\t\tq2\n3\t-0.39225\t\t\tq3\n"
     "4\t\t90\t0.10915\tq4\n5\t\t-90\t0.09465\tq5\n6\t\t\t0.0823\tq6",

@@ -71,7 +71,7 @@ def test_a_non_grashof_curve_contains_both_modes_and_has_dead_points():
     close_angles(turned[:, 3], np.pi, atol=0.02)
 
 
-@settings(max_examples=6)
+@settings(max_examples=5)
 @given(st.tuples(*[st.floats(0.5, 4.0)] * 4), st.floats(0, 2 * np.pi), st.integers(0, 1))
 def test_grashof_s_condition_predicts_the_curves_of_any_four_bar(links, A, mode):
     """If s + l < p + q there are two curves, each the mirror image of the other, and otherwise one that is its own.
@@ -178,8 +178,8 @@ def test_sarrus_s_top_translates_along_a_straight_line():
 
 @pytest.mark.parametrize(
     ("linkage", "infinitesimal", "finite"),
-    [(linkages.triangle(), 0, 0), (linkages.stretched_arch(), 1, 0), (linkages.stretched_arch(0.2, 0.9), 1, 0)],
-    ids=["triangle", "arch", "uneven arch"],
+    [(linkages.triangle(), 0, 0), (linkages.stretched_arch(0.2, 0.9), 1, 0)],
+    ids=["triangle", "arch"],
 )
 def test_a_triangle_is_a_structure_and_of_height_0_it_has_an_infinitesimal_motion(linkage, infinitesimal, finite):
     mobility = linkage.mobility([0, 0, 0])
@@ -202,13 +202,8 @@ def test_the_ring_of_ten_links_has_mobility_8_in_every_configuration():
         close(tips[0], tips[1])
 
 
-@pytest.mark.parametrize(
-    ("build", "message"),
-    [
-        (lambda: linkages.four_bar(4, -1, 3, 3), r"crank must be a positive length in metres; got -1\. Lengths have"),
-        (lambda: linkages.bennett(0.5, 1.5, 0.6), r"b sin\(alpha\) / a, must be at most 1; got 1\.2\. Try a smaller"),
-    ],
-)
-def test_invalid_dimensions_are_refused(build, message):
-    with pytest.raises(ValueError, match=message):
-        build()
+def test_invalid_dimensions_are_refused():
+    with pytest.raises(ValueError, match=r"crank must be a positive length in metres; got -1\. Lengths have"):
+        linkages.four_bar(4, -1, 3, 3)
+    with pytest.raises(ValueError, match=r"b sin\(alpha\) / a, must be at most 1; got 1\.2\. Try a smaller"):
+        linkages.bennett(0.5, 1.5, 0.6)

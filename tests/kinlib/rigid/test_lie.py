@@ -32,7 +32,7 @@ DIRECTIONS /= np.linalg.norm(DIRECTIONS, axis=-1, keepdims=True)
 
 
 def twists_of_angle(angle):
-    """One twist a direction, with a v of size about 1 that is neither along omega nor square to it."""
+    """One twist a direction, with a v of size about 1 that is neither parallel nor perpendicular to omega."""
     v = np.random.default_rng(5).normal(size=DIRECTIONS.shape)
     return np.concatenate([angle * DIRECTIONS, v / np.linalg.norm(v, axis=-1, keepdims=True)], axis=-1)
 
@@ -103,10 +103,7 @@ def test_a_batch_is_its_elements_one_at_a_time(shape, size):
 
 NO_VECTOR = r"x must be a rotation vector .* or a twist \(\.\.\., 6\); got shape "
 REFUSED = [
-    *(
-        (np.zeros(shape), NO_VECTOR + advice, (hat, exp))
-        for shape, advice in (((6, 2), r".*Try x\.T"), ((), ".*six num"))
-    ),
+    (np.zeros((6, 2)), rf"{NO_VECTOR}.*Try x\.T", (hat, exp)),
     (np.full(6, np.nan), r"^x contains NaN or infinity at index \[0\]", (hat, exp)),
     (np.zeros(6), r"^X must .*\(\.\.\., 3, 3\) or .*\(\.\.\., 4, 4\); got .*\(6,\)", (vee, log, inverse, adjoint)),
     (
@@ -115,6 +112,8 @@ REFUSED = [
         (log, inverse, adjoint),
     ),
     (np.diag([1, 1, -1, 1]), "^X is a reflection", (log, inverse, adjoint)),
+    (np.diag([1, 1, -1]), "a reflection", (nearest_rotation,)),
+    (np.zeros((3, 3)), "differs by 1", (nearest_rotation,)),
     (np.eye(3), r"^The rotation block .* skew-symmetric.*Is X a rotation\? Then take its log first", (vee,)),
     (np.diag([0, 0, 0, 1]), r"^The last row of an se\(3\) matrix must be zero.*Is X a pose\? Then take", (vee,)),
     ([1e200, 0, 0], r"rotation angle must be at most 1e\+08 rad.*Did a computation diverge", (exp,)),
@@ -137,16 +136,3 @@ def test_the_nearest_rotation_is_that_of_the_polar_decomposition(R, digits):
     pose[:3, :3], pose[:3, 3] = rounded, (1, 2, 3)
     close(nearest_rotation(pose)[:3, :3], nearest_rotation(rounded))
     close(nearest_rotation(pose)[:3, 3], (1, 2, 3), 0)
-
-
-@pytest.mark.parametrize(
-    ("X", "words"),
-    [
-        (np.zeros((3, 3)), "differs by 1"),
-        (np.diag([1, 1, -1]), "a reflection"),
-        ([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 1]], "last row"),
-    ],
-)
-def test_what_is_no_rounded_rotation_is_refused(X, words):
-    with pytest.raises(ValueError, match=words):
-        nearest_rotation(X)

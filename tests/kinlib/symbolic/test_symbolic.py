@@ -10,7 +10,7 @@ from sympy.physics.vector import Point, ReferenceFrame
 
 import kinlib as kl
 from kinlib import symbolic
-from kinlib.symbolic.formulas import exact, joints, shorthand
+from kinlib.symbolic.formulas import exact, joints
 
 AGREES = 1e-12
 """Both sides carry some hundred roundings: the numeric one its own, the symbolic one those of evaluating it."""
@@ -92,26 +92,6 @@ def test_parallel_joints_give_sums_and_antiparallel_joints_differences_of_angles
     }
     S = [symbolic.screw((0, 0, 1)), symbolic.screw((0, 0, -1), point=(a_1, 0, 0))]
     assert symbolic.fk(S, sp.eye(4))[0, 0] == sp.cos(q_1 - q_2)
-
-
-@pytest.mark.parametrize(
-    ("x", "expected"),
-    [
-        (-0.0, 0),
-        (np.float32(0.5), sp.Rational(1, 2)),
-        (10**30, sp.Integer(10) ** 30),
-        (2.5 * a_1 + 0.5, sp.Rational(5, 2) * a_1 + sp.Rational(1, 2)),
-    ],
-)
-def test_a_float_is_read_as_the_exact_number_that_it_means(x, expected):
-    assert exact(x) == expected
-
-
-def test_shorthand_abbreviates_sums_of_numbered_angles():
-    assert joints(3) == sp.symbols("q_1:4", real=True)
-    theta = sp.symbols("theta_1:3")
-    assert str(shorthand(sp.cos(q_3 + q_2) + sp.sin(q_1))) == "c_23 + s_1"
-    assert sp.latex(shorthand(sp.Matrix([sp.sin(theta[0] + theta[1]) ** 2]))[0]) == "s_{12}^{2}"
 
 
 @pytest.mark.parametrize(

@@ -79,18 +79,10 @@ def test_a_helical_joint_is_refused_with_the_reason():
         to_urdf(robots.hrr())
 
 
-@pytest.mark.parametrize(
-    ("names", "said"),
-    [
-        (("a", "a", "b"), r"joint_names must have 3 different names, one per joint; got \('a', 'a', 'b'\)"),
-        (("a", "b\n", "c"), r"printable characters, .*; got str 'b\\n'\.$"),
-        (("a", "${b}", "c"), r"without \$\{ and \$\(, which begin a macro of xacro; got str '\$\{b\}'\.$"),
-    ],
-)
-def test_equal_and_unprintable_names_are_refused(names, said):
+def test_unprintable_names_are_refused():
     arm = robots.rpr()
-    with pytest.raises(ValueError, match=said):
-        to_urdf(kl.Chain(arm.screws, arm.home, joint_names=names))
+    with pytest.raises(ValueError, match=r"printable characters, .*; got str 'b\\n'\.$"):
+        to_urdf(kl.Chain(arm.screws, arm.home, joint_names=("a", "b\n", "c")))
 
 
 ONE_JOINT = """<robot name="one">
@@ -115,7 +107,6 @@ def test_without_an_axis_it_is_x_and_without_an_origin_it_is_the_parent_s():
     ("said", "limits"),
     [
         ('upper="2"', [0, 2]),
-        ('effort="1" velocity="1"', [0, 0]),
         ('lower="1" upper="1"', [1, 1]),
     ],
 )
@@ -128,8 +119,6 @@ def test_a_limit_that_is_not_given_is_0_and_a_joint_may_be_locked(said, limits):
     [
         ('<axis xyz="0 0 0"/>', 'Line 5, <axis> in <joint name="j">: xyz must be a direction; got zero'),
         ('<axis xyz="0, 0, 1"/>', 'got "0,".*Separate numbers by spaces'),
-        ('\n\n<axis xyz="nan 0 1"/>', 'Line 7, .*must consist of finite numbers; got "nan"'),
-        ('<axis xyz="0 0 1"/>\n<axis xyz="0 0 1"/>', "at most one <axis>; got two, in lines 5 and 6"),
         ('<origin rpy="0 0 90"/>', r"rpy must be .*; got 90 rad\. Is it in degrees\? URDF uses radians"),
         ('<origin xyz="0 0 1e7"/>', r"between -1e\+06 and 1e\+06 m; got 1e\+07 m\. Is it in another unit than"),
         ('<origin xyz="${length} 0 0"/>', 'xyz="[$]{length} 0 0" must be evaluated by xacro first. Expand the file'),
@@ -141,16 +130,15 @@ def test_an_invalid_joint_is_refused_with_its_line(parts, said):
 
 
 @pytest.mark.parametrize(
-    ("kind", "parts", "said"),
+    ("parts", "said"),
     [
-        ("revolute", "", 'Line 4, <joint name="j">: a revolute joint must have a <limit .*continuous'),
-        ("revolute", '<limit lower="2" upper="1"/>', "Line 5, <limit> .*got lower 2 and upper 1. Are they"),
-        ("revolut", "", 'type must be one of revolute, continuous.*; got "revolut"'),
+        ("", 'Line 4, <joint name="j">: a revolute joint must have a <limit .*continuous'),
+        ('<limit lower="2" upper="1"/>', "Line 5, <limit> .*got lower 2 and upper 1. Are they"),
     ],
 )
-def test_invalid_types_and_limits_are_refused(kind, parts, said):
+def test_invalid_limits_are_refused(parts, said):
     with pytest.raises(ValueError, match=said):
-        load_urdf(one_joint(parts, kind))
+        load_urdf(one_joint(parts, "revolute"))
 
 
 def linked(links, *joints):
@@ -165,10 +153,8 @@ def linked(links, *joints):
     ("text", "said"),
     [
         (linked("abb", "ab"), 'Line 4, <link name="b">: the names of links must be different; the link in line 3 has'),
-        (linked("abc", "ab", "bc").replace("j1", "j0"), 'Line 6, <joint name="j0">: the names of joints must be'),
         (linked("ab", "aβ"), 'Line 4, <child> in <joint name="j0">: joint j0 must join links of this file; there is'),
         (linked("abcd", "ab", "bc", "cd", "db"), "Line 9, <child> in <joint .*link b is already the child of joint"),
-        (linked("abc", "ab"), r'Line 4, <link name="c">: a tree must have one root.*there are others, such as a\.'),
         (linked("abc", "ab", "ac"), r'Line 2, <link name="a">: exactly one end .*; got 2\. Pass tip=.*, one of b'),
         ('<robot name="r">\n<xacro:macro name="arm"/></robot>', 'Line 2, <xacro:macro name="arm">: a macro must be'),
     ],
@@ -195,8 +181,6 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
     ("text", "said"),
     [
         ("", "must begin with <robot name=...>; got an empty text"),
-        ("<robot>\n<link>\n</robot>", "Line 3: the file must be XML; mismatched tag. An element opened above"),
-        ("\n<sdf/>", "Line 2, <sdf>: the first element of a URDF must be <robot>; this is an SDF file"),
         ("\n" + BOMB + "]>\n<robot name='&j;'/>", "Line 2, <!DOCTYPE>: a URDF must have no document type"),
         (
             "<robot name='r'>\n" + "<a>" * (MAX_DEPTH + 1),
@@ -204,7 +188,6 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
         ),
         ("<robot>" + " " * MAX_BYTES, "A URDF must have at most 4 MB; this text has 4.0 MB"),
         ("robot.urdf", "There is no file 'robot.urdf'. Pass the path of a URDF, or its text"),
-        (None, "must be the path or the text of a URDF; got NoneType None"),
     ],
     ids=lambda value: repr(value)[:40].replace("\\", "/"),  # a backslash cannot be typed on a command line
 )
@@ -213,16 +196,8 @@ def test_texts_that_are_not_a_urdf_are_refused(text, said):
         load_urdf(text)
 
 
-@pytest.mark.parametrize(
-    ("content", "said"),
-    [
-        (b"\n\n<robot>\n<link name=a/>\n</robot>", "Line 4: the file must be XML; .*Is a quote missing"),
-        (one_joint().replace("one", "Ä").encode("latin-1"), "Line 1: the file must be XML; .*not saved as UTF-8"),
-        (b'<?xml version="1.0" encoding="utf-16"?>\n<robot name="r"/>', "Line 1: .*encoding specified"),
-    ],
-)
-def test_files_that_are_not_a_urdf_are_refused(tmp_path, content, said):
+def test_a_file_in_another_encoding_is_refused(tmp_path):
     path = tmp_path / "arm.urdf"
-    path.write_bytes(content)
-    with pytest.raises(ValueError, match=said):
+    path.write_bytes(one_joint().replace("one", "Ä").encode("latin-1"))
+    with pytest.raises(ValueError, match=r"Line 1: the file must be XML; .*not saved as UTF-8"):
         load_urdf(path)

@@ -108,12 +108,6 @@ def test_an_angle_may_be_called_q_or_theta():
     assert is_right(ClosedForm(sp.cos(q_1 + q_2) + q_1), "cos(θ₁ + theta_2) + q1")
 
 
-def test_a_symbol_that_is_not_in_the_right_answer_may_be_declared():
-    form = ClosedForm(sp.Integer(1), symbols=[theta])
-    assert is_right(form, "sin(theta)**2 + cos(theta)**2")
-    assert is_right(form, "s_theta^2 + c_theta^2")
-
-
 # --- refused ---
 
 SHARED = q_1
@@ -139,19 +133,15 @@ UNREADABLE = (
     ("exp(exp(exp(exp(9))))", "grows beyond"),
     (sp.Integer(7) ** 3000, "grows beyond"),
     ("__import__('os').system('true')", "is not part of a formula"),
-    ("[q1 for q1 in q2]", "is not finished"),
     ("[q1, q2][0]", "Only numbers, names"),
     ("eval(q1)", "eval is none of the symbols"),
-    ("sin(*q1)", "Only numbers, names"),
     ("a3 c12", "a3 is none of the symbols here: a_2, q_1, q_2"),
     (sp.Function("f")(q_1), "f is none of the symbols"),
     ("sin q1", "Write sin with brackets"),
     ("sin^2(q1)", "must be followed by brackets"),
     ("cos(q1, q2)", "takes another number of arguments"),
     ("sin(q1", "a bracket is missing"),
-    (" ", "is not finished"),
     ("1/(q1 - q1)", "divides by zero"),
-    ("log(0)", "grows beyond"),
     (sp.zoo, "NaN or infinity"),
     (NESTED, "nested too deeply"),
     ("x" * 41, r"\. x{37}\.\.\. is none of the symbols"),
@@ -160,16 +150,13 @@ UNREADABLE = (
     ("[q1, q2]", "Yours is a vector of 2 formulas"),
     ([["q1"], ["q1", "q2"]], "rows differ in length"),
     ([], "It is empty"),
-    ([[[[[0]]]]], "more entries|Yours"),
     ("q1+" * 10_000 + "q1", "at most 10000 characters"),
-    ("(" * 900 + "q1" + ")" * 900, "is not finished"),
     (sp.Add(*(sp.sin(k * q_1) for k in range(MAX_PARTS))), f"more than {MAX_PARTS} parts"),
     (np.sin, "is not a formula"),
     (Rude([1]), "got Rude"),
     ("atan2(I, q1)", "no value"),
     (np.array("q3"), "q3 is none of the symbols"),
     ({"q1": 1}, "is not a formula"),
-    (Reader([q_1]).read("[q1, q1]"), "is not a formula"),
 )
 
 
@@ -198,6 +185,3 @@ def test_every_function_has_the_values_of_sympy():
         oracle = complex(value.subs(at).evalf(20)).real
         for form in (f"{name}(x/3)", *([value] if name != "sinc" else [])):
             assert reader.read(form).values[0] == pytest.approx(oracle, rel=1e-12), name
-
-
-# --- solutions of formulas ---

@@ -9,7 +9,6 @@ from submissions import NAME, SHEET, write, zipped
 
 from misstep.grading.collect.roster import export, read_roster
 from misstep.grading.collect.submissions import gather
-from misstep.grading.command import feedback_name
 
 X = b"{}"
 
@@ -57,10 +56,7 @@ def students(source, roster=None):
             [f"section A/ada/{NAME}", f"section A/bob/{NAME}", f"section B/cyn/{NAME}", "section A/notes.txt"],
             "ada bob cyn",
         ),
-        ([f"term/A/ada/{NAME}", f"term/B/bob/{NAME}", f"term/B/bob/old/{NAME}"], "ada bob"),
-        ([f"ada/homework/{NAME}", f"bob/homework/{NAME}", f"cyn/{NAME}"], "ada bob cyn"),
         ([f"ada/{NAME}", f"bob/week 3/{NAME}", f"cyn/{NAME}", "dan/sketch.pdf"], "ada bob cyn dan"),
-        (["ada.zip", "bob.zip"], "ada bob"),
         (["A/ada.zip", f"A/bob/{NAME}", "A/bob/data.csv", f"A/cyn/{NAME}"], "ada bob cyn"),
         ([f"ada/{SHEET}/{NAME}", "ada/05_dh/05_dh.ipynb", "bob/05_dh/05_dh.ipynb"], "ada bob"),
         ([f"ada/.ipynb_checkpoints/{NAME}", f"ada/{NAME}", f"__MACOSX/ada/{NAME}"], "ada"),
@@ -133,13 +129,11 @@ def roster(path, text, column=None):
 MOODLE_LANGUAGES = {
     "English": ("Participant ", "Identifier,Full name,Email address,Status,Grade,Maximum grade,Grade can be changed"),
     "German": ("Teilnehmer/in", "ID,Vollständiger Name,E-Mail-Adresse,Status,Bewertung,Bestwertung,Bewertung änderbar"),
-    "Japanese": ("参加者", "ID,姓名,メールアドレス,ステータス,評点,最大評点,評点変更可"),
     "Arabic": ("مشارك", "المعرف,الاسم الكامل,البريد,الحالة,الدرجة,الدرجة العظمى,يمكن تغيير الدرجة"),
 }
 
 
-@pytest.mark.parametrize("language", MOODLE_LANGUAGES)
-@pytest.mark.parametrize("with_numbers", [False, True])
+@pytest.mark.parametrize(("language", "with_numbers"), [("English", False), ("German", True), ("Arabic", False)])
 def test_a_worksheet_of_moodle_is_known_in_every_language_and_filled_in(tmp_path, language, with_numbers):
     word, header = MOODLE_LANGUAGES[language]
     titles = [*header.split(","), "..."]
@@ -164,14 +158,13 @@ def test_a_worksheet_of_moodle_is_known_in_every_language_and_filled_in(tmp_path
 
 
 @pytest.mark.parametrize(
-    "header",
+    ("header", "delimiter"),
     [
-        "Student,ID,SIS User ID,SIS Login ID,Section,Old (1)",
-        "LastName,FirstName,ID,SIS Login ID,Section,Old (1)",
-        "学生,ID,SIS 用户 ID,SIS 登录 ID,班级,Old (1)",
+        ("Student,ID,SIS User ID,SIS Login ID,Section,Old (1)", ","),
+        ("LastName,FirstName,ID,SIS Login ID,Section,Old (1)", ";"),
+        ("学生,ID,SIS 用户 ID,SIS 登录 ID,班级,Old (1)", ","),
     ],
 )
-@pytest.mark.parametrize("delimiter", [",", ";"])
 def test_a_gradebook_of_canvas_is_known_and_its_test_student_is_none(tmp_path, header, delimiter):
     titles = header.split(",")
     rows = [["    Points Possible", *[""] * (len(titles) - 2), "10"]]
@@ -220,7 +213,6 @@ def test_a_roster_names_those_without_a_file_and_spells_ids(tmp_path):
     [
         ("a,b\n1,2\n", "must be an export of Canvas"),
         ("id,name\nada,A\nADA,B\n", "repeats ada"),
-        ("id,name\n,A\n,B\n", "must have the students' ids in the column id"),
         (
             "Identifiant,Name,Nummer,Status,Note,Best\nParticipant 1,A,1,x,,gut\nParticipant 2,B,2,x,,gut\n",
             "points, not a scale",
@@ -232,12 +224,6 @@ def test_a_list_that_cannot_be_the_roster_is_refused_with_the_reason(tmp_path, t
     write(tmp_path / "in", **{"ada.ipynb": X, "bob.ipynb": X})
     with pytest.raises(ValueError, match=reason):
         gather(tmp_path / "in", SHEET, roster(tmp_path, text))
-
-
-def test_pages_go_back_under_the_names_that_platforms_know(tmp_path):
-    source = write(tmp_path, **{"s.zip": zipped(CANVAS)}) / "s.zip"
-    names = [feedback_name("canvas", one.files[0].name, SHEET) for one in gather(source, SHEET).submissions]
-    assert names == ["boolegeorge_LATE_1816_502_feedback.html", "lovelaceada_1815_501_feedback.html"]
 
 
 if sys.platform == "win32":

@@ -15,8 +15,11 @@ from misstep.grading.collect.notebook import Unreadable, choose, read_work
 from misstep.grading.collect.submissions import SourceFile, list_files
 from misstep.storage.deserialize import MIME
 
-ADA = as_bytes(answered("ada"))
 CODE = "cell_type", "code"
+
+
+def ada():
+    return as_bytes(answered("ada"))
 
 
 def without_metadata(notebook):
@@ -32,27 +35,25 @@ def with_output(data):
     return as_bytes(notebook)
 
 
-@pytest.mark.parametrize(
-    "content",
-    [
-        b"\xef\xbb\xbf" + ADA,
-        ADA.decode().encode("utf-16"),
-        ADA.replace(b"\n", b"\r\n"),
-        ADA.replace(b"Problem", b"Pr\xffblem"),
-        as_bytes(without_metadata(answered("ada"))),
-        with_output({"text/plain": str(list(range(300_000)))}),
-        with_output({"application/vnd.plotly.v1+json": {"z": [[0.5, float("nan")] * 20_000]}}),
-        with_output({"text/html": '\\"[{' * 500_000, "application/json": [list(range(200_000))] * 3}),
-    ],
-    ids=["BOM", "UTF-16", "CRLF", "latin", "Colab", "print", "Plotly", "animation"],
-)
-def test_an_editor_and_long_outputs_cost_no_answer(content):
-    work = read_work(content, SHEET)
+EDITED = {
+    "BOM": lambda: b"\xef\xbb\xbf" + ada(),
+    "UTF-16": lambda: ada().decode().encode("utf-16"),
+    "CRLF": lambda: ada().replace(b"\n", b"\r\n"),
+    "latin": lambda: ada().replace(b"Problem", b"Pr\xffblem"),
+    "Colab": lambda: as_bytes(without_metadata(answered("ada"))),
+    "Plotly": lambda: with_output({"application/vnd.plotly.v1+json": {"z": [[0.5, float("nan")] * 2000]}}),
+    "film": lambda: with_output({"text/html": '\\"[{' * 50_000, "application/json": [list(range(20_000))] * 3}),
+}
+
+
+@pytest.mark.parametrize("how", EDITED)
+def test_an_editor_and_long_outputs_cost_no_answer(how):
+    work = read_work(EDITED[how](), SHEET)
     assert (sorted(work.answers), work.ids, list(work.stale)) == (list(range(1, 10)), ["ada"], [])
 
 
 def test_long_outputs_take_little_more_memory_than_the_file():
-    content = with_output({"image/png": "A" * 20_000_000, "text/json": {"z": [list(range(1_000_000))] * 3}})
+    content = with_output({"image/png": "A" * 20_000_000, "text/json": {"z": [list(range(100_000))] * 3}})
     tracemalloc.start()
     read_work(content, SHEET)
     peak = tracemalloc.get_traced_memory()[1]
@@ -69,7 +70,7 @@ def test_long_outputs_take_little_more_memory_than_the_file():
         (b"\x1f\x8b", "a compressed archive"),
         (b"<!DOCTYPE html>", "a web page"),
         (b"print(1)", "not a notebook"),
-        (ADA[:5000], "cut off or damaged"),
+        (b'{"cells": [{"cell_type": "code", ', "cut off or damaged"),
         (b'{\n<<<<<<< HEAD\n "cells": []\n=======\n', "an unresolved merge conflict, in line 2"),
         (b'{"cells":' + b"[" * 200_000, "nested too deeply"),
         (b"[1, 2]", "JSON but not a notebook"),

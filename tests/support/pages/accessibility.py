@@ -1,5 +1,6 @@
 """axe, which finds faults of accessibility in a page, in the light and in the dark theme."""
 
+from browser import emulate_theme
 from built_site import SITE
 
 COLOUR_RULES = "['color-contrast', 'link-in-text-block']"
@@ -15,8 +16,7 @@ def violations(page):
     page.evaluate((SITE / "node_modules" / "axe-core" / "axe.min.js").read_text("utf-8"))
     found = []
     for theme, only in (("light", "undefined"), ("dark", COLOUR_RULES)):
-        page.emulate_media(color_scheme=theme)
-        page.wait_for_timeout(300)  # colours fade from one theme to the other
+        emulate_theme(page, theme)
         rules = page.evaluate(f"axe.run(document, {{ resultTypes: ['violations'], runOnly: {only} }})")["violations"]
         found += [
             (theme, rule["id"], node["html"][:200])

@@ -9,7 +9,8 @@ import shutil
 import socket
 import subprocess
 import sys
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -34,25 +35,34 @@ TIMEOUT_MS = 300_000
 """How long to wait for anything: every wait ends, but only after what a machine takes that is ten times as slow."""
 
 
-@contextmanager
-def browsers():
-    """Yield a function that starts a browser, with WebGL or without. Skip the test if there is no browser."""
-    if CHROMIUM is None:
-        pytest.skip(NO_CHROMIUM)
+OPENED = ExitStack()
+"""Closes Playwright and the browsers that are running."""
+
+
+@cache
+def playwright():
     from playwright.sync_api import expect, sync_playwright
 
     expect.set_options(timeout=TIMEOUT_MS)
-    with sync_playwright() as playwright:
-        started = []
+    return OPENED.enter_context(sync_playwright())
 
-        def start(webgl=True):
-            arguments = ["--no-sandbox", *LOCAL, *(WEBGL if webgl else NO_WEBGL)]
-            started.append(playwright.chromium.launch(executable_path=CHROMIUM, args=arguments))
-            return started[-1]
 
-        yield start
-        for browser in started:
-            browser.close()
+@cache
+def running_browser(webgl):
+    """Return the browser with WebGL, or the one without, which starts once. Skip the test if there is no browser."""
+    if CHROMIUM is None:
+        pytest.skip(NO_CHROMIUM)
+    arguments = ["--no-sandbox", *LOCAL, *(WEBGL if webgl else NO_WEBGL)]
+    browser = playwright().chromium.launch(executable_path=CHROMIUM, args=arguments)
+    OPENED.callback(browser.close)
+    return browser
+
+
+def close_browsers():
+    """Close them, because asyncio.run fails while Playwright runs. The next test that needs a browser starts it again."""
+    OPENED.close()
+    running_browser.cache_clear()
+    playwright.cache_clear()
 
 
 KNOWN_ERRORS = ("Shared module @jupyterlite/services doesn't exist", "Ignored attempt to cancel a touchstart event")
@@ -61,29 +71,27 @@ under a finger while the page still scrolls; no script of a page listens to this
 
 
 @contextmanager
-def watched(browser, **settings):
-    """Open a page, and fail if it writes an error to its console or sends a request to another host."""
-    context = browser.new_context(**{"viewport": {"width": 720, "height": 560}, **settings})
+def unwatched(browser, **settings):
+    """Open a page that may write errors to its console, because the test breaks something on purpose."""
+    context = browser.new_context(**{"viewport": {"width": 640, "height": 480}, **settings})
     context.set_default_timeout(TIMEOUT_MS)
-    page = context.new_page()
-    errors, other_hosts = [], []
-    page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
-    page.on("pageerror", lambda error: errors.append(str(error)))
-    local = ("file:", "data:", "blob:", "http://127.0.0.1", "ws://127.0.0.1")
-    page.on("request", lambda request: None if request.url.startswith(local) else other_hosts.append(request.url))
-    yield page
+    yield context.new_page()
     context.close()
-    errors = [error for error in errors if not any(known in error for known in KNOWN_ERRORS)]
-    assert not errors, f"errors on the console of the page: {errors[:3]}"
-    assert not other_hosts, f"the page sent requests to other hosts: {other_hosts[:3]}"
 
 
 @contextmanager
-def unwatched(browser, **settings):
-    """Open a page that may write errors to its console, because the test breaks something on purpose."""
-    context = browser.new_context(**settings)
-    yield context.new_page()
-    context.close()
+def watched(browser, **settings):
+    """Open a page, and fail if it writes an error to its console or sends a request to another host."""
+    errors, other_hosts = [], []
+    with unwatched(browser, **settings) as page:
+        page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        local = ("file:", "data:", "blob:", "http://127.0.0.1", "ws://127.0.0.1")
+        page.on("request", lambda request: None if request.url.startswith(local) else other_hosts.append(request.url))
+        yield page
+    errors = [error for error in errors if not any(known in error for known in KNOWN_ERRORS)]
+    assert not errors, f"errors on the console of the page: {errors[:3]}"
+    assert not other_hosts, f"the page sent requests to other hosts: {other_hosts[:3]}"
 
 
 def static_page(folder: Path, *viewers, style="background:white") -> Path:
@@ -116,10 +124,22 @@ def pose(page, which=0):
     return page.evaluate(f"document.querySelectorAll('.kv')[{which}].viewer.stage.tree.pose()")
 
 
-def spoken(page):
-    """Return the text alternative of the picture, as it is after the last change, without the help on keys."""
-    page.wait_for_timeout(800)  # the text follows when nothing has moved for a while
-    return page.locator(".kv-canvas").get_attribute("aria-label").partition(" Arrow keys")[0]
+def until_spoken(page, text):
+    """Wait until this is the text alternative of the picture, before the help on keys."""
+    page.wait_for_function(
+        "text => document.querySelector('.kv-canvas').getAttribute('aria-label')?.split(' Arrow keys')[0] === text",
+        arg=text,
+    )
+
+
+def emulate_theme(page, theme):
+    """Show a page in a theme, and wait until its colours have faded to it."""
+    page.emulate_media(color_scheme=theme)
+    page.evaluate(
+        """async () => { await new Promise(requestAnimationFrame);
+            const fades = document.getAnimations().filter((one) => one instanceof CSSTransition);
+            await Promise.all(fades.map((one) => one.finished.catch(() => {}))); }"""
+    )
 
 
 def text_colours(page):

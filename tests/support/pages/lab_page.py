@@ -1,7 +1,5 @@
 """Use a notebook of the browser lab as a student does: open it, run cells, type, read the outputs."""
 
-import re
-
 PYTHON_TIMEOUT_MS = 1_200_000
 """How long Python may take to start: the first start is slow on a busy machine."""
 
@@ -20,37 +18,11 @@ def cell(page, text):
     return page.locator(".jp-CodeCell").filter(has=page.locator(".cm-content", has_text=text)).first
 
 
-def run(page, which, done=True):
-    """Run one cell, and wait until it has run."""
-    before = prompt(which)
-    which.locator(".cm-content").click()
-    page.keyboard.press("Control+Enter")
-    if done:
-        wait_for(page, lambda: re.fullmatch(r"\[\d+\]:", prompt(which)) and prompt(which) != before, PYTHON_TIMEOUT_MS)
-
-
-def prompt(which):
-    return which.locator(".jp-InputPrompt").inner_text().strip()
-
-
 def write(page, which, text):
     """Replace the text of a cell."""
     which.locator(".cm-content").click()
     page.keyboard.press("Control+a")
     page.keyboard.insert_text(text)
-
-
-def run_all(page):
-    """Run every cell, and wait for the last. Returns the tracebacks, and what was written to stderr."""
-    page.get_by_role("menuitem", name="Run", exact=True).click()
-    page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
-    prompts = page.locator(".jp-CodeCell .jp-InputPrompt")
-    wait_for(
-        page,
-        lambda: all(re.fullmatch(r"\[\d+\]:", text.strip()) for text in prompts.all_inner_texts()),
-        PYTHON_TIMEOUT_MS,
-    )
-    return failures(page)
 
 
 def failures(page):

@@ -69,11 +69,6 @@ def test_labels_are_escaped_for_the_browser():
     assert "θ12" in said
 
 
-def test_a_robot_of_zero_length_is_drawn():
-    still = kl.Chain(np.array([[0, 0, 1, 0, 0, 0.0]]), np.eye(4), name="pivot")
-    assert "nan" not in draw_arm(still).svg + draw_joints(still).svg
-
-
 def test_what_cannot_be_drawn_is_refused():
     curve = partial(plot, [0, 1], xlabel="x", ylabel="y", alt="Curves that cannot be drawn.")
     for draw, says in [

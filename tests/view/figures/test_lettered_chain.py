@@ -15,7 +15,7 @@ def lettered(student):
     return draw_lettered_arm(ArmSampler(student, "03.9"))
 
 
-@pytest.mark.parametrize("student", ["ada", "bob", "eve", "kim"])
+@pytest.mark.parametrize("student", ["ada", "bob"])
 def test_the_arm_can_be_rebuilt_from_the_text_alternative_alone(student):
     robot = lettered(student)
     alt = draw_lettered_chain(robot.chain, robot.letters).alt

@@ -37,8 +37,3 @@ def test_an_open_linkage_shows_its_gap_and_gives_its_width():
     assert "It is open: at C a gap of 2.5 is left." in picture.alt
     assert "#b35900" in picture.svg
     assert "#b35900" not in draw_linkage(mechanism, mechanism.assemble([1, 0, 2, 0]).q).svg
-
-
-def test_a_point_of_an_unknown_body_is_refused():
-    with pytest.raises(ValueError, match="has the bodies ground, crank, rocker, coupler; got 'rod'"):
-        draw_linkage(linkages.four_bar(4, 1, 3.5, 3), np.zeros(4), points={"P": ("rod", (0, 0, 0))})

@@ -12,9 +12,9 @@ from kinlib.view import draw_arm, draw_joints, explore
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 
 
-def configurations(robot, count=5):
+def configurations(robot):
     """Return home, and random configurations."""
-    return [np.zeros(robot.n), *np.random.default_rng(5).uniform(-2.5, 2.5, (count, robot.n))]
+    return [np.zeros(robot.n), *np.random.default_rng(5).uniform(-2.5, 2.5, (2, robot.n))]
 
 
 def numbers(text):
@@ -66,7 +66,7 @@ def test_the_text_of_a_drawing_and_of_a_viewer_is_true_in_every_configuration(ro
         assert_is_true(text, robot, q)
         viewer.q = q
         assert viewer.alt == text
-    assert len(texts) == 6
+    assert len(texts) == 3
     assert_is_true(draw_joints(robot).alt, robot, np.zeros(robot.n))
 
 
@@ -106,18 +106,8 @@ def test_a_frame_beyond_the_last_link_moves_with_the_last_link():
     assert f"Frame {{4}} at ({robot.fk(q)[0, 3]:.3g}" in viewer.alt
 
 
-@pytest.mark.parametrize(
-    ("frames", "says"),
-    [
-        ({"elbow": np.eye(4)}, r"named by the number of their link, or 's' or 'b'; got 'elbow'"),
-        ({"1": np.eye(3)}, r"frame 1 must have shape \(\.\.\., 4, 4\)|frame 1"),
-    ],
-)
-def test_a_wrong_frame_is_refused(frames, says):
-    with pytest.raises(ValueError, match=says):
-        explore(kl.robots.rpr(), frames=frames)
-
-
-def test_a_frame_that_was_not_given_cannot_be_shown():
+def test_wrong_frames_are_refused():
+    with pytest.raises(ValueError, match=r"named by the number of their link, or 's' or 'b'; got 'elbow'"):
+        explore(kl.robots.rpr(), frames={"elbow": np.eye(4)})
     with pytest.raises(ValueError, match=r"show may contain .*frame 0; got 'frame 1'"):
         explore(kl.robots.rpr(), frames={"0": np.eye(4)}).shown = ["frame 1"]

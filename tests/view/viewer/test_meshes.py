@@ -19,10 +19,8 @@ PACKAGE = "package://crane_description/meshes/arm.stl"
     [
         ("meshes/arm.stl", "crane.urdf", "meshes/arm.stl", ()),
         ("../meshes/arm.stl", "own/urdf/crane.urdf", "own/meshes/arm.stl", ()),
-        (PACKAGE, "crane_description/urdf/crane.urdf", "crane_description/meshes/arm.stl", ()),
         (PACKAGE, "crane.urdf", "crane_description/meshes/arm.stl", ()),
         (PACKAGE, "crane.urdf", "src/crane_description/meshes/arm.stl", ["src"]),
-        (PACKAGE, "crane.urdf", "src/crane_description/meshes/arm.stl", ["src/crane_description"]),
         (PACKAGE, "crane.urdf", "elsewhere/meshes/arm.stl", {"crane_description": "elsewhere"}),
         (PACKAGE, "crane.urdf", "ros/crane_description/meshes/arm.stl", "ROS_PACKAGE_PATH"),
         ("../../../meshes/arm.stl", "own/a/b/c/crane.urdf", "own/meshes/arm.stl", "package.xml"),
@@ -46,29 +44,23 @@ def test_a_mesh_is_found_in_the_usual_places(tmp_path, monkeypatch, place):
 
 
 REFUSED = {
-    "package://../../secret/arm.stl": "was not found",
     "package://crane/../../secret/arm.stl": "is outside of the folder",
     "../secret/arm.stl": "is outside of the folder",
-    "meshes/../../secret/arm.stl": "is outside of the folder",
     "link/arm.stl": "is outside of the folder",
     "link.stl": "is outside of the folder",
-    "{tmp}/secret/arm.stl": "is outside of the folder",
     "file://{tmp}/secret/arm.stl": "is outside of the folder",
     "https://example.org/arm.stl": "is an address, and nothing is downloaded",
     "/etc/passwd": "must end in .stl, .obj, .dae or .glb",
-    "meshes": "must end in",
-    "folder.stl": "was not found",
     "loop.stl": "was not found",
     "huge.stl": "has 2000 MB; at most 40 MB are read",
     "missing.stl": r"was not found. Pass packages=\[...\] with the folder of its package",
-    "a" * 900 + ".stl": "cannot be opened|was not found",
     "&lt;script>alert(1)&lt;/script>.stl": "was not found",
 }
 
 
 @pytest.mark.parametrize("name", REFUSED)
 def test_nothing_is_read_outside_of_what_was_given(tmp_path, name):
-    write(tmp_path, {"secret/arm.stl": stl(), "crane/folder.stl/arm.stl": stl(), "crane/huge.stl": ""})
+    write(tmp_path, {"secret/arm.stl": stl(), "crane/huge.stl": ""})
     folder = tmp_path / "crane"
     with (folder / "huge.stl").open("r+b") as file:
         file.truncate(2_000_000_000)
@@ -117,11 +109,6 @@ def test_a_page_of_its_own_has_the_meshes_and_a_notebook_saves_them_once(tmp_pat
         assert len(state.get("meshes", {})) == count
         assert ("loaders" in state) == bool(count)
     assert viewer.get_state()["meshes"] == {"0.stl": stl()}
-
-
-def test_an_arm_or_a_text_has_no_meshes():
-    assert explore(kl.robots.rpr()).meshes == {}
-    assert explore(kl.Tree.from_urdf(crane(visual("arm.stl"), ""))).notes[0].startswith("A mesh is not shown, arm.stl")
 
 
 def test_a_tree_opens_within_its_limits():
