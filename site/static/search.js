@@ -23,6 +23,7 @@
     showSubResults: true,
     translations: { zero_results: 'Nothing contains all words of “[SEARCH_TERM]”. Try fewer words, or one from the glossary.' },
   });
+  document.querySelector('#search input').setAttribute('aria-label', 'Words to find'); // Pagefind gives it a title only
   const query = new URLSearchParams(location.search).get('q')?.trim();
   if (query) search.triggerSearch(query);
 })();

@@ -29,7 +29,7 @@ KINDS = {
     "reference": "reference/kinlib.chains.chain.html",
     "progress": "progress.html",
     "search": "search.html?q=screw",
-    "missing": "no/such/page.html",
+    "missing": "404.html",
 }
 
 
