@@ -201,7 +201,7 @@ def joint_origin(sampler: ArmSampler) -> Problem:
 )
 def offset_from_a_log(sampler: ArmSampler) -> Problem:
     robot, joint = sampler.arm("RRRR"), sampler.integer(1, 4)
-    offset = np.radians(sampler.choice((-1, 1)) * sampler.integer(20, 60) / 10)
+    offset = np.radians(sampler.choice((-1, 1)) * sampler.integer(8, 30) / 10)
     q = np.array([[sampler.integer(-12, 12) / 10 for _ in range(4)] for _ in range(5)])
     poses = robot.fk(q + offset * np.eye(4)[joint - 1])
     names = {str(i): f"joint {i}" for i in (1, 2, 3, 4)}

@@ -76,11 +76,12 @@ def offset_of_a_joint(g: Any, X: Any) -> Kinds:
     other = str(int(k) % 4 + 1)
     for label, (wrong, words) in {
         "took the other sign": (-x, SIGN), "gave degrees": (float(np.degrees(x)), DEGREES), "gave nothing": (0.0, "0|placeholder"),
-        "gave double of it": (2 * x, SIZE), "gave half of it": (x / 2, SIZE), "gave a full turn more": (x + np.pi, "half|turn|recogn"),
-        "gave a thousandth": (x / 1000, SIZE + "|unit|factor|too small|recogn"), "gave one": (1.0, "placeholder|1|recogn|degree"),
+        "gave double of it": (2 * x, SIZE), "gave half of it": (x / 2, SIZE), "gave half a turn more": (x + np.pi, "-"),
+        "gave a thousandth": (x / 1000, "-"), "gave one": (1.0, "-"),
     }.items():
         made[label] = ((k, wrong), words)
-        made[f"{label}, of another joint"] = ((other, wrong), f"joint {other}|{words}")
+        if words != "-":
+            made[f"{label}, of another joint"] = ((other, wrong), f"joint {other}|{words}")
     return made
 
 

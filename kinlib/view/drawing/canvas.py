@@ -26,16 +26,19 @@ VIEWS = {
 }
 """Named views: azimuth and elevation of the viewing direction, in degrees."""
 
+SMALLEST_TEXT_PX = 13.0
+"""The least size of a letter in a drawing."""
+
 MARGIN_SHARE = 0.33
 """Margin around what is shown, as a share of its size, because axes and frames extend a little beyond the last joint."""
 
 BORDER_PX = 20.0
 """Border in pixels for the labels at the tips of arrows."""
 
-HEIGHT_LABEL_OFFSETS = [(20, 0), (-20, 0), (20, 12), (-20, -12)]
+HEIGHT_LABEL_OFFSETS = [(20, 0), (-20, 0), (20, 12), (-20, -12), (20, 26), (-20, 26), (20, -26), (-20, -26)]
 FOOT_LABEL_OFFSETS = [
     *((0, -14), (38, -6), (-38, -6), (0, 14), (0, -28)),
-    *((46, -18), (-46, -18), (46, 10), (-46, 10), (0, 28)),
+    *((46, -18), (-46, -18), (46, 10), (-46, 10), (0, 28), (0, -42), (60, -30), (-60, -30)),
 ]
 """Where the labels of heights, and of points on the floor, may be placed: offsets in pixels to the right and up."""
 
@@ -197,7 +200,7 @@ class Canvas:
         size: float = 11,
     ) -> None:
         """Label a point, at that one of the offsets where the text covers least; of equal ones the first is taken."""
-        self._labels.append(Label(self.to_pixels(point), text, colour, offsets, 1.25 * size))
+        self._labels.append(Label(self.to_pixels(point), text, colour, offsets, max(SMALLEST_TEXT_PX, 1.25 * size)))
 
     def measure(self, points: Array, colour: str) -> None:
         """Draw a dotted line from each point down to the floor, labelled with its height and with the x and y of its foot."""
@@ -225,11 +228,13 @@ class Canvas:
             self.label((xs[-1], ys[0], height), f"grid {xs[1] - xs[0]:.3g} m", GREY, places, 8)
             return
         for x in xs[:-1]:
-            self.label((x, ys[0], 0), format_number(x, 3), AXIS_COLOURS[0], [(-3, -10)], 8)
+            self.label((x, ys[0], 0), format_number(x, 3), AXIS_COLOURS[0], [(-3, -11), (-3, -22), (-14, -20)], 8)
         for y in ys[1:]:
-            self.label((xs[-1], y, 0), format_number(y, 3), AXIS_COLOURS[1], [(11, -3)], 8)
-        self.label((xs.mean(), ys[0], 0), "x in m", AXIS_COLOURS[0], [(-8, -26)], 9)
-        self.label((xs[-1], ys.mean(), 0), "y in m", AXIS_COLOURS[1], [(40, -8)], 9)
+            self.label(
+                (xs[-1], y, 0), format_number(y, 3), AXIS_COLOURS[1], [(13, -4), (26, -2), (30, -14), (44, -4)], 8
+            )
+        self.label((xs.mean(), ys[0], 0), "x in m", AXIS_COLOURS[0], [(-8, -28), (-8, -40), (24, -40), (-40, -40)], 9)
+        self.label((xs[-1], ys.mean(), 0), "y in m", AXIS_COLOURS[1], [(42, -8), (60, -8), (48, -24), (66, -24)], 9)
 
     def triad(
         self,
