@@ -434,11 +434,12 @@ def angles_of_a_wrist(sampler: ArmSampler) -> Problem:
     further="Which of your rows would a second correct table share with yours?",
 )
 def whole_arm(sampler: ArmSampler) -> Problem:
-    places = [np.zeros(3)]
-    while not are_distinguishable(places) or min(place[2] for place in places[1:]) < MIN_HEIGHT_M:
+    places, tellable = [np.zeros(3)], 0
+    while tellable < 2 or not are_distinguishable(places) or min(place[2] for place in places[1:]) < MIN_HEIGHT_M:
         joints = sampler.choice(["RRRRR", "RRPRR", "RPRRR", "RRRRRR", "RRRPRR"])
         kinds = sampler.shuffled(["parallel", "intersecting", "skew", "skew", "intersecting"])[: len(joints) - 1]
         rows, letters = _letter_rows(sampler, kinds)
+        tellable = np.count_nonzero(np.abs(rows[:, 1]) != np.abs(rows[:, 3]))  # rows that show which angle is which
         table = DHTable(rows, convention="modified", joints=joints, name="your arm")
         robot = table.to_chain()
         places = [np.zeros(3), *robot.joint_points]

@@ -104,8 +104,6 @@ def wrist(g: Any) -> Array:
     raise AssertionError
 
 
-
-
 def moved_columns(g: Any, step: int) -> Array:
     """The rows of the other convention: a and alpha one row down (1) or up (-1), 0 in the empty row."""
     rows = np.array(g.rows, dtype=float)
@@ -194,10 +192,6 @@ def slider_x(g: Any) -> float:
     return float(g.crank * np.cos(A) + np.sqrt(g.rod**2 - (g.offset - g.crank * np.sin(A)) ** 2))
 
 
-
-
-
-
 def last_screw(g: Any) -> Array:
     """The screw axis of joint 3 of a standard table."""
     T = chain(np.asarray(g.rows)[:2], "standard")
@@ -216,11 +210,13 @@ def joint_origin(g: Any, order: str = "zyx") -> Array:
     return np.array(R.T @ (np.asarray(g.place_2) - g.xyz_1))
 
 
-
-
 def rpy_of(R: Any) -> list[float]:
     """Roll, pitch and yaw of a rotation, by turning it back: first the yaw, then the pitch."""
-    yaw = float(np.arctan2(R[1][0], R[0][0])) if np.hypot(R[0][0], R[1][0]) > 1e-6 else float(np.arctan2(-R[0][1], R[1][1]))
+    yaw = (
+        float(np.arctan2(R[1][0], R[0][0]))
+        if np.hypot(R[0][0], R[1][0]) > 1e-6
+        else float(np.arctan2(-R[0][1], R[1][1]))
+    )
     rest = turn("z", -yaw) @ R
     pitch = float(np.arctan2(-rest[2, 0], rest[0, 0]))
     rest = turn("y", -pitch) @ rest
@@ -237,7 +233,12 @@ def hinge(g: Any) -> Array:
 
 def at_sight(g: Any) -> Array:
     """The velocities of 03.2: distance times the direction that the right-hand rule gives."""
-    return np.array([w[[1, 2, 0]] * p[[2, 0, 1]] - w[[2, 0, 1]] * p[[1, 2, 0]] for w, p in zip(g.axes, -np.asarray(g.points), strict=True)])
+    return np.array(
+        [
+            w[[1, 2, 0]] * p[[2, 0, 1]] - w[[2, 0, 1]] * p[[1, 2, 0]]
+            for w, p in zip(g.axes, -np.asarray(g.points), strict=True)
+        ]
+    )
 
 
 def all_screws(g: Any) -> Array:
@@ -274,7 +275,10 @@ def offset(g: Any) -> tuple[str, float]:
             e = [exp(s, x) for s, x in zip(S, q, strict=True)]
             E = product(inv(product(np.eye(4), *e[: k + 1])), T, inv(product(np.eye(4), *e[k + 1 :], M)))
             found.append(logarithm(E) @ S[k] / (S[k] @ S[k]))
-        if all(np.allclose(poe(g, S, M, q + found[0] * np.eye(len(S))[k]), T, atol=1e-6) for q, T in zip(g.q, g.poses, strict=True)):
+        if all(
+            np.allclose(poe(g, S, M, q + found[0] * np.eye(len(S))[k]), T, atol=1e-6)
+            for q, T in zip(g.q, g.poses, strict=True)
+        ):
             return str(k + 1), float(found[0])
     raise AssertionError
 

@@ -320,5 +320,3 @@ def mimic(g: Any, X: Any) -> Kinds:
         "left fold at 0": (mimicked(g, 0.0), "0|mimic|fold|left out"),
         "negated the multiplier": (mimicked(g, -m * g.q + o), SIGN),
     }
-
-
