@@ -439,7 +439,7 @@ def whole_arm(sampler: ArmSampler) -> Problem:
         joints = sampler.choice(["RRRRR", "RRPRR", "RPRRR", "RRRRRR", "RRRPRR"])
         kinds = sampler.shuffled(["parallel", "intersecting", "skew", "skew", "intersecting"])[: len(joints) - 1]
         rows, letters = _letter_rows(sampler, kinds)
-        tellable = np.count_nonzero(np.abs(rows[:, 1]) != np.abs(rows[:, 3]))  # rows that show which angle is which
+        tellable = int((np.abs(rows[:, 1]) != np.abs(rows[:, 3])).sum())  # rows that show which angle is which
         table = DHTable(rows, convention="modified", joints=joints, name="your arm")
         robot = table.to_chain()
         places = [np.zeros(3), *robot.joint_points]

@@ -39,6 +39,7 @@ HEIGHT_LABEL_OFFSETS = [(20, 0), (-20, 0), (20, 12), (-20, -12), (20, 26), (-20,
 FOOT_LABEL_OFFSETS = [
     *((0, -14), (38, -6), (-38, -6), (0, 14), (0, -28)),
     *((46, -18), (-46, -18), (46, 10), (-46, 10), (0, 28), (0, -42), (60, -30), (-60, -30)),
+    *((22, -20), (-22, -20), (22, 16), (-22, 16), (38, 6), (-38, 6), (30, -34), (-30, -34)),
 ]
 """Where the labels of heights, and of points on the floor, may be placed: offsets in pixels to the right and up."""
 
@@ -205,13 +206,24 @@ class Canvas:
     def measure(self, points: Array, colour: str) -> None:
         """Draw a dotted line from each point down to the floor, labelled with its height and with the x and y of its foot."""
         # Joints that share a point share its labels.
-        for point in np.unique(points.round(6), axis=0) + 0.0:
+        places = np.unique(points.round(6), axis=0) + 0.0
+        for point in places:
             foot = point * (1, 1, 0)
             self.line([foot, point], colour, 1.5, ":", level=1)
             self.dot(foot, colour, 5, level=6)
             if point[2]:
                 self.label((foot + point) / 2, f"{point[2]:.4g}", colour, HEIGHT_LABEL_OFFSETS, 9)
-            self.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", colour, FOOT_LABEL_OFFSETS, 9)
+            offsets = self._nearest(foot, places * (1, 1, 0), FOOT_LABEL_OFFSETS)
+            self.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", colour, offsets, 9)
+
+    def _nearest(self, point: Array, points: Array, offsets: Sequence[Offset]) -> Sequence[Offset]:
+        """Return the offsets in another order: first those at which a label is nearer to its point than to any other one."""
+        steps = self.to_pixels(points) - self.to_pixels(point)
+        others = steps[np.abs(steps).max(axis=-1) > 1]
+        ways = np.array(offsets, dtype=float) * (1, -1)
+        own, other = np.linalg.norm(ways, axis=-1), np.linalg.norm(ways[:, None] - others, axis=-1)
+        far = own >= other.min(axis=1, initial=np.inf)
+        return [offsets[k] for k in np.argsort(far, kind="stable")]
 
     def floor(self, points: ArrayLike, numbers: bool = False, height: float = 0.0) -> None:
         """Draw a grid at a height under the points, in steps of 1, 2 or 5, with numbers along x and y if numbers is true."""
