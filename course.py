@@ -21,6 +21,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent
 VENV = ROOT / ".venv"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+SITE = ROOT / "build" / "site" / "html"
 STAMP = VENV / "stamp.txt"  # what the environment was made from; does not exist while it is being made
 
 LAB = (
@@ -34,7 +35,7 @@ PROGRAMS = {
     "open": LAB,
     "test": ("-m", "pytest", "--numprocesses=auto", "--dist=loadscope", "--no-loadscope-reorder"),
     "site": ("site/build.py",),
-    "serve": ("site/serve.py",),
+    "serve": ("-m", "http.server", "--bind=127.0.0.1", f"--directory={SITE}"),
 }
 NEEDS = {  # command: what it installs, about how many MB that is
     "open": (("--group", "lab", "-e", "."), 400),
@@ -58,6 +59,8 @@ def main(command="help", *words):
         run([sys._base_executable, ROOT / "course.py", command, *words])
     prepare(command)
     arguments = [*PROGRAMS[command], *words]
+    if command == "serve" and not SITE.exists():
+        sys.exit("The site is not built yet. Try: python course.py site")
     if command == "open" and getattr(os, "geteuid", lambda: 1)() == 0:
         print("You are root. JupyterLab refuses root unless it is told otherwise, so it is started with --allow-root.")
         arguments.append("--allow-root")

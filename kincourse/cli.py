@@ -6,6 +6,7 @@ from misstep.cli import run_command
 
 COMMANDS = {
     "new-sheet": ("kincourse.new_sheet", "write a sheet of exercises for a robot of your own"),
+    "pictures": ("kincourse.still_pictures", "draw the picture below the title of each lecture"),
 }
 
 

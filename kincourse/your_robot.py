@@ -181,16 +181,20 @@ class Examination:
         return formats(self.corrected) if self.corrected else {}
 
     def picture(self) -> Viewer | None:
-        """The arm with sliders, and on it the frames of the table, which can be switched on one by one.
+        """The arm with sliders, and on it the frames of the table and, in grey and with a prime, those of the arm.
 
-        The frames of the first wrong row are on: that of the row, and the one before it.
+        They can be switched on one by one. Those of the first wrong row are on: that of the row, and the one before it.
         """
         arm = self.arm or (self.table.to_chain() if self.table else None)
         if arm is None or not self.table or self.table.n != arm.n:
             return None if arm is None else explore(arm, show=("axes", "base", "tool", "standard DH"))
         row = self.wrong_rows[0] if self.wrong_rows else 0
         frames = table_frames(self.table, np.zeros(arm.n))
-        return explore(arm, show=("axes", f"frame {row}", f"frame {row + 1}"), frames=frames)
+        if self.corrected and self.wrong_rows:
+            right = table_frames(self.corrected, np.zeros(arm.n))
+            frames |= {f"{name}'": T for name, T in right.items() if not np.allclose(T, frames[name], atol=1e-6)}
+        shown = [f"frame {name}" for name in (row, row + 1, f"{row}'", f"{row + 1}'") if str(name) in frames]
+        return explore(arm, show=("axes", *shown), frames=frames)
 
     def _repr_html_(self) -> str:
         return "".join(self._blocks())

@@ -3,6 +3,7 @@
 The pages are written to build/site/html, or to the folder html in the folder that is given as the only argument.
 """
 
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -30,11 +31,23 @@ def build(folder: Path) -> int:
     built_lab = lab.build()
     values = (f"kinlib_lab={'lab' if built_lab else ''}", f"kinlib_python_mb={lab.megabytes(built_lab)}")
     settings = [word for value in values for word in ("-D", value)]
-    arguments = (*STRICT, "-q", "-c", HERE, "-d", folder / "doctrees", *settings, folder / "source", folder / "html")
+    arguments = (*STRICT, "-c", HERE, "-d", folder / "doctrees", *settings, folder / "source", folder / "html")
     print("Writing the pages that have changed.", flush=True)
     failed = int(sphinx(["-b", "html", *map(str, arguments)]))
+    if not failed:
+        index_words(folder / "html")
     lab.copy_to_site(built_lab, folder / "html" / "lab")
     return failed
+
+
+def index_words(html: Path) -> None:
+    """Let Pagefind write the index of the search, of the text and not of the code, and each formula once."""
+    pages = "{*,{lectures,mistakes,reference,robots,sheets}/*}.html"
+    left_out = ".cell, .headerlink, .katex-html, .katex-mathml mrow, .kinlib-bar, .kinlib-elsewhere"
+    options = ("--glob", pages, "--root-selector", "article[role=main]", "--exclude-selectors", left_out)
+    subprocess.run(
+        [sys.executable, "-m", "pagefind", "--quiet", "--keep-index-url", "--site", html, *options], check=True
+    )
 
 
 def summary(html: Path, seconds: float) -> str:

@@ -25,9 +25,7 @@ extensions = [
     "sphinxcontrib.katex",
     "sphinxext.opengraph",
     "kinsite.cell_outputs",
-    "kinsite.page_bars",
     "kinsite.page_template",
-    "kinsite.search_index",
 ]
 
 # --- reading the source ---
@@ -72,7 +70,7 @@ html_favicon = "static/favicon.svg"
 html_static_path = ["static"]
 templates_path = ["templates"]
 html_css_files = ["course.css"]
-html_js_files = [(name, {"defer": "defer"}) for name in ("formulas.js", "course.js", "loader.js")]
+html_js_files = [(name, {"defer": "defer"}) for name in ("course.js", "loader.js")]
 html_baseurl = os.environ.get("KINLIB_SITE_URL", "http://127.0.0.1:8000/").rstrip("/") + "/"
 notfound_urls_prefix = urlsplit(
     html_baseurl

@@ -48,7 +48,7 @@ NUMBER = r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
 SPELLINGS = {
     "\theta": "theta", "\alpha": "alpha", "\frac": "\\frac",  # without r in front of a text, Python reads \t, \a and \f
-    **dict.fromkeys("−–—", "-"), **dict.fromkeys("·×⋅", "*"), **dict.fromkeys(("º", "˚", r"^{\circ}", r"^\circ"), "°"),
+    **dict.fromkeys("−–—", "-"), "⁄": "/", **dict.fromkeys("·×⋅", "*"), **dict.fromkeys(("º", "˚", r"^{\circ}", r"^\circ"), "°"),
     **{subscript: str(digit) for digit, subscript in enumerate("₀₁₂₃₄₅₆₇₈₉")},
     "₋": "-", "ᵢ": "i", "π": "pi", "θ": "theta", "ϑ": "theta", "α": "alpha", "ψ": "psi",
 }  # fmt: skip

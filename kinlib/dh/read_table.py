@@ -52,29 +52,34 @@ LABEL = re.compile(r"\b(joint|link|axis|j|l|link_?joint|row|frame)[\s_-]?(\d+)\b
 
 REPLACEMENTS = [
     (r"\x1b\[[0-9;]*m|[\u200b\u200e\ufeff]", ""),
-    (r"</t[dh]>\s*<t[dh][^>]*>", " | "), (r"</?(?:tr|table|br|p)\b[^>]*>", "\n"),
+    (r"<\w+\s([^<>]*\balpha\s*=[^<>]*?)/?>", r"{\1}"), (r"</t[dh]>\s*<t[dh][^>]*>", " | "), (r"</?(?:tr|table|br|p)\b[^>]*>", "\n"),
     (r"<su[bp]>(.*?)</su[bp]>", r"_\1"), (r"<[a-zA-Z/][^>]{0,200}>", " "),
     (r"\\(?:begin|end)\{\w+\*?\}(?:\{[^}]*\})?|\\(?:hline|(?:top|mid|bottom)rule|cline\{[^}]*\})", "\n"),
     (r"\\(?:text|mathrm|textbf|mathbf|mathit)\{([^{}]*)\}", r"\1"), (r"\^\{?\s*\\circ\s*\}?|\\degree", "°"),
-    (r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))"), (r"\\\\(?:\[[^]]*\])?", "\n"), (r"\\,|\$", ""),
-    (r"\\(?:cdot|times)\b", "*"), (r"\\(alpha|theta|pi)\b", r"\1"), ("&", " | "),
+    (r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}", r"(\1)/(\2)"), (r"\\\\(?:\[[^]]*\])?", "\n"), (r"\\,|\$", ""),
+    (r"(?m)^\s*(?:\{\|.*|\|[-}]\s*)$", ""), (r"!!|\|\|", "|"), (r"(?m)^\s*!", "|"),  # of a wiki
+    (r"\\(?:cdot|times)\b", "*"), (r"\\(alpha|theta|pi)(?![a-zA-Z])", r"\1"), ("&", " | "), (r"\(\*|\*\)", "\n"),
     ("⍺", "alpha"), ("ⱼ", "_j"), ("ₙ", "_n"), ("’", "'"), ("\xa0", " "), ("½", "1/2"), ("[┃│║]", "|"), ("[\u2500-\u257f]+", ""),
-    (r"\b(?:M_PI|PI)_([24])\b", r"pi/\1"), (r"\b(?:M_PI|(?:np|numpy|math|Math|sp|sympy)\.(?:pi|PI)|PI)\b", "pi"),
-    (r"\b(?:(?:np|numpy|math)\.)?(?:deg2rad|radians)\(([^()]*)\)", r"\1°"),
+    (r"\b(?:M_PI|PI)_([24])\b", r"pi/\1"), (r"\b(?:M_PI|(?:np|numpy|math|Math|sp|sympy)\.(?:pi|PI)|PI|Pi)\b(?:\(\))?", "pi"),
+    (r"\b(?:(?:np|numpy|math)\.)?(?:deg2rad|radians|RADIANS)\(([^()]*)\)", r"\1°"),
+    (r"(?m)(^|[\t;,|])[ ]*=", r"\1"),  # of a cell in a spreadsheet
+    (r"\b((?:theta|q|d)_?\{?\d+\}?)\*(?![\w(])", r"\1"),  # the sign of a variable
 ]  # fmt: skip
 """What terminals, HTML, LaTeX and code write for signs and separators, and what a keyboard has for them."""
 
 GROUP = re.compile(
-    r"\b(?!\w*Robot)(?P<kind>(?:Frame\W+)?\w*(?:Revolute|Prismatic|Link|DH)\w*)\s*\((?P<call>(?:[^()]|\([^()]*\))*)\)"
-    r"|\{(?P<row>[^{}]*)\}|(?:^|\n)\s*-\s+(?P<item>\w+\s*:[^\n]*(?:\n\s+\w+\s*:[^\n]*)*)"
+    r"\b(?!\w*Robot)(?P<kind>(?:Frame\W+)?\w*(?:Revolute|Prismatic|Link|DH|\bdict\b)\w*)\s*\((?P<call>(?:[^()]|\([^()]*\))*)\)"
+    r"|\{(?P<row>(?:(?!dict\()[^{}])*)\}"
+    r"|(?:^|\n)\s*(?:-\s+|\[\w+\]\s*\n)(?P<item>\w+\s*[:=][^\n]*(?:\n\s*\w+\s*[:=][^\n]*)*)|(?P<line>[^\n(){}]*\balpha\s*=[^\n(){}]*)"
 )
-"""A call, a dictionary, or an item of YAML."""
+"""A call, a dictionary, an item of YAML or TOML, or a line of names with values."""
 
 PAIR = re.compile(
-    r"(?:\b([a-zA-Z]\w*)\s*[:=]|['\"](\w+)['\"]\s*(?:[:=]|,(?=\s*[^\s'\"])))\s*['\"]?([^,=\[\]{}'\"\n;]+)"
+    r"(?:\b([a-zA-Z]\w*)\s*[:=]|['\"](\w+)['\"]\s*(?:[:=]|,(?=\s*[^\s'\"])))\s*['\"]?([^,=\[\]{}'\"\n;]+?)"
+    r"(?=\s*(?:[,\[\]{}'\"\n;]|$)|\s+[a-zA-Z]\w*\s*[:=])"
 )
 
-LIST = re.compile(r"['\"]?\b([a-zA-Z][\w.]*)['\"]?\]?\s*[=:]\s*(?:\w+\.\w+\()?[\[({]([^\[\](){}]*)[\])}]")
+LIST = re.compile(r"['\"]?\b([a-zA-Z][\w.]*)['\"]?(?:\[?\d*\])?\s*[=:]\s*(?:\w+\.\w+\()?[\[({]([^\[\](){}]*)[\])}]")
 
 
 class Assumption(NamedTuple):
@@ -169,6 +174,10 @@ def read_table(
     elif convention is None:
         words = "The text does not say which convention: standard was taken."
         grid.assume(words, "convention", ("standard", "modified"))
+    if not numbers[:, :3].any():
+        raise ValueError(
+            "No row has a length or a twist: every a, alpha and d was read as 0. Name the columns in a heading."
+        )
     table = DHTable(numbers, convention or said or "standard", joints=letters, signs=signs or (), name=name, **ends)
     return Reading(table, grid.assumed)
 
@@ -182,7 +191,17 @@ def _plain(text: str) -> str:
         text = re.sub(r"\s*\n\s*", " ", text)
     for pattern, plain in REPLACEMENTS:
         text = re.sub(pattern, plain, text)
-    return text
+    return _in_rows(text)
+
+
+def _in_rows(text: str) -> str:
+    """Write a table of which each cell is in a line of its own, as copied from a PDF, with a row in each line."""
+    lines = [line.strip() for line in text.splitlines() if line.strip()]
+    heads = [parse_heading(line).name for line in lines[:8]]
+    count = next((k for k, line in enumerate(lines[:8]) if re.fullmatch(NUMBER, line)), 0)
+    if not {*heads[:count]} >= {*COLUMNS} or len(lines) % count or any("\t" in line or "|" in line for line in lines):
+        return text
+    return "\n".join("\t".join(lines[k : k + count]) for k in range(0, len(lines), count))
 
 
 def _column(name: str) -> str:
@@ -195,7 +214,7 @@ def _from_groups(text: str) -> _Grid | None:
     """Read calls, RevoluteDH(d=0.1, a=0.2) or Link([0 0.1 0.2 pi/2]), and dictionaries, {"a": 0, "alpha": pi/2, "d": 0.1}."""
     grid, note = _Grid(), ""
     for found in GROUP.finditer(text):
-        kind, inside = found["kind"] or "", found["call"] or found["row"] or found["item"] or ""
+        kind, inside = found["kind"] or "", found["call"] or found["row"] or found["item"] or found["line"] or ""
         pairs = [(_column(name or quoted), value.strip()) for name, quoted, value in PAIR.findall(inside)]
         named = [(column, value) for column, value in pairs if column]
         row, cells = dict(named), re.sub(r"[\[\]{},]", " ", inside).split()
@@ -210,10 +229,17 @@ def _from_groups(text: str) -> _Grid | None:
             note = f"{kind.rpartition(':')[2]}(...) was read as ({', '.join(columns)})."
         elif kind:
             continue
-        if re.search("revolute", kind, re.IGNORECASE):
+        before = text[text.rfind("\n", 0, found.start()) + 1 : found.start()]  # Joint(Joint::TransZ) of KDL
+        is_link = kind.endswith("Link") and bool(named)  # of MATLAB: what is not given is the variable
+        if re.search(r"revolute|\bRot", before + kind, re.IGNORECASE) or (is_link and "theta" not in dict(named)):
             row |= {"type": "R"}
-        elif re.search("prismatic", kind, re.IGNORECASE):
-            row |= {"type": "P", "d": row["offset"] if row.get("offset", "0") != "0" else row["d"], "offset": "0"}
+        elif re.search(r"\bNone\b|\bFixed\b", before):
+            row |= {"type": "F"}
+        elif re.search(r"prismatic|\bTrans", before + kind, re.IGNORECASE) or (is_link and "d" not in dict(named)):
+            offset = row.get("offset", "0")
+            row |= {"type": "P", "d": offset if offset != "0" else row["d"]} | {
+                key: "0" for key in row if key == "offset"
+            }
         grid.rows.append(row)
         grid.places.append(f"{'Call' if kind else 'Row'} {len(grid.rows)}, {found[0].strip():.60}")
         if re.search("MDH|Craig|modified", kind):
@@ -247,11 +273,15 @@ def _from_columns(text: str) -> _Grid | None:
             indices = sorted({k for cells in by_index.values() for k in cells})
             lists = {column: [cells.get(k, "") for k in indices] for column, cells in by_index.items()}
     if not lists:
-        lines = [cells for line in text.splitlines()[:MAX_LINES] for cells in _splits(line.strip())[-1:]]
-        named = {_column(line[0]): line[1:] for line in lines if len(line) > 2 and _is_entry(line[1])}
+        lines = [cells for line in text.splitlines()[:MAX_LINES] for cells in _splits(line.strip())[::-1]]
+        heads = [
+            (parse_heading(line[0]), line[1:]) for line in lines if len(line) > 2 and all(map(_is_entry, line[1:]))
+        ]
+        named = {head.name: cells for head, cells in heads if head.name in ALL_COLUMNS}
         if not {*named} >= NEEDED or len({len(named[column]) for column in NEEDED}) > 1:
             return None
-        lists = {name: cells for name, cells in named.items() if name and len(cells) == len(named["a"])}
+        lists = {name: cells for name, cells in named.items() if len(cells) == len(named["a"])}
+        grid.units = {head.name: head.unit for head, _ in heads if head.unit}
         grid.assume("Each row is a column of the text.")
     count = max(map(len, lists.values()))
     if short := [f"{column} ({len(cells)})" for column, cells in lists.items() if len(cells) != count]:
@@ -268,9 +298,13 @@ def _from_lines(text: str) -> _Grid | None:
     if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]*;", text) and not re.search(r"\[(?:mm?|cm|rad|deg|°)\]", text):
         text = re.sub(r"^[^\n#%/]*?[=(]\s*(?=[\[{])", "", text, flags=re.MULTILINE)  # the name of an array
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
-    grid, heads, is_after_gap, widths = _Grid(), list[str](), False, set[int]()
+    grid, heads, is_after_gap, is_spreadsheet, widths = _Grid(), list[str](), False, False, set[int]()
     for number, raw in enumerate(text.splitlines()[:MAX_LINES], start=1):
-        line = LABEL.sub(r"\1\2", re.sub(r"^\s*(?:#+|%+|//+|/?\*+|>+)\s*", "", raw)).strip().rstrip(",")
+        line = LABEL.sub(r"\1\2", re.sub(r"^\s*(?:#+|%+|//+|/?\*+|>+)\s*", "", raw)).strip(" \r").rstrip(",")
+        line = line.rstrip("); ") if line.count(")") > line.count("(") else line
+        line = re.sub(r"^[^()|\t]*\(((?:[^(),]*,){3}[^(),]*)\):?$", r"\1", line)  # parameters (theta, d, a, alpha):
+        line = re.sub(r"^(\w+):\s+(?=.*,)", r"\1, ", line)
+        line = re.sub(r"\s+in\s+(?=(?:mm?|cm|rad|deg\w*|°)(?!\w))", "/", line)
         line = re.sub(r"\s+(?=[\[(](?:mm?|cm|rad|deg\w*|°|i|i-1)[\])])", "", line)
         if not re.sub(r"[|\s:+=-]", "", line):
             is_after_gap = True
@@ -279,10 +313,13 @@ def _from_lines(text: str) -> _Grid | None:
         if is_after_gap and widths:  # another table may follow
             splits = [cells for cells in splits if len(cells) in widths]
         numbers = len(re.findall(rf"(?<![\w.])-?{NUMBER}", line))
+        if is_spreadsheet and "\t" in line:  # a spreadsheet drops empty cells at the end
+            splits[0] += [""] * (len(heads) - len(splits[0]))
         read = [(cells, row) for cells in splits if (row := _row(cells, heads))] if heads else []
         plain = [] if heads else [entries for cells in splits if len(entries := _entries(cells)) >= 4]
         if not grid.rows and (named := next(filter(None, (_heading(cells, grid) for cells in splits)), None)):
             heads, grid.cells, grid.places = named, [], []
+            is_spreadsheet = "\t" in line
         elif read:
             grid.rows.append(read[0][1])
             grid.places.append(place)
@@ -290,6 +327,11 @@ def _from_lines(text: str) -> _Grid | None:
         elif plain:
             grid.cells.append(plain[0])
             grid.places.append(place)
+        elif grid.rows and (
+            any(cells[0].rstrip(".") == str(len(grid.rows) + 1) for cells in splits)
+            or (not is_after_gap and re.fullmatch(rf"[+-]?{NUMBER}", line))
+        ):
+            raise ValueError(f"{place} cannot be read: a cell is no number and no variable. Correct it, or write 0.")
         elif (grid.rows or grid.cells) and (is_after_gap or (numbers and ("=" in line or numbers < 3))):
             grid.assume(f"What follows the table was not read, from line {number}: {raw.strip()!r:.60}.")
             break
@@ -317,7 +359,7 @@ def _heading(cells: list[str], grid: _Grid) -> list[str]:
 def _row(cells: list[str], heads: list[str]) -> dict[str, str] | None:
     """Return the cells of a row by column name; the label of a row may have no heading. None if the line is no row."""
     label = cells[0] if not heads[0] else ""
-    if len(cells) == len(heads) + 1 and (not _is_entry(cells[0]) or cells[0].rstrip(".").isdigit()):
+    if len(cells) == len(heads) + 1 and (not _is_entry(cells[0]) or re.fullmatch(r"[A-Za-z]*\d+\.?", cells[0])):
         label, cells = cells[0], cells[1:]
     is_short = heads[0] == "" and len(cells) >= len(heads) - 1
     row = {name: cell for name, cell in zip(heads, cells, strict=False) if name}
@@ -343,7 +385,7 @@ def _splits(line: str) -> list[list[str]]:
     has_decimal_commas = re.fullmatch(r"(?:\S*\d,\d\S*|[^,\s]+)(?:\s+(?:\S*\d,\d\S*|[^,\s]+))*", line)
     if ("," in line and not has_decimal_commas) or (line.count(",") >= 3 and " " not in line):
         found.append([_cell(cell) for cell in line.split(",")[:MAX_CELLS]])
-    spaced = re.sub(r"\s*([+*/])\s*|(?<=[\w°)])\s+(-)\s+(?=\d|pi)", lambda f: f[1] or f[2], line)
+    spaced = re.sub(r"\s+([+*/])\s+|\s*([*/])\s*|(?<=[\w°)])\s+(-)\s+(?=\d|pi)", lambda f: f[1] or f[2] or f[3], line)
     splits = (re.split(pattern, spaced)[:MAX_CELLS] for pattern in (r"\s{2,}", r"\s+"))
     return found + [[_cell(cell, decimal_comma=True) for cell in cells] for cells in splits]
 
@@ -371,9 +413,9 @@ def _entry(cell: str, column: str, lengths: Mapping[str, float]) -> Entry:
 
 def _is_entry(cell: str) -> bool:
     """Whether a cell can be an entry, with whatever values its names have."""
-    names = dict.fromkeys(re.findall(r"\b[a-zA-Z]_?\{?\d+\}?", cell), 1.0)
+    names = {name for name in re.findall(r"\b[a-zA-Z]_?\{?\d+\}?", cell) if name[0] not in "qt"}
     try:
-        _entry(cell, "theta", {re.sub("[{}]", "", name): value for name, value in names.items() if name[0] not in "qt"})
+        _entry(cell, "theta", {re.sub(left_out, "", name): 1.0 for name in names for left_out in ("[{}]", "[_{}]")})
     except ValueError:
         return False
     return bool(cell.strip())
@@ -429,7 +471,7 @@ def _evaluate(grid: _Grid, lengths: Mapping[str, float]) -> list[dict[str, Entry
         variables, unit = [*theta.variables, *offset.variables], theta.unit or offset.unit
         entries.append(read | {"theta": Entry(theta.value + offset.value, variables, unit)})
     if empty and not any("There is no column" in each.text for each in grid.assumed):
-        grid.assume(f"{empty} empty cells were read as 0.")
+        grid.assume(f"{empty} empty cells were read as 0." if empty > 1 else "An empty cell was read as 0.")
     return entries
 
 
@@ -441,7 +483,8 @@ def _joints(grid: _Grid, entries: list[dict[str, Entry]]) -> tuple[str, list[flo
         kind = {"r": "R", "0": "R", "p": "P", "1": "P", "f": "F"}.get(cells.get("type", "").strip().lower()[:1], "?")
         letters, signs = letters + (letter if variable else kind), [*signs, sign]
     if "?" in letters and set(letters) <= {"?", "P"}:
-        words = "theta has no variable: each row is a revolute joint, with the number as its offset."
+        others = "each row" if "P" not in letters else "each row that is not prismatic"
+        words = f"theta has no variable: {others} is a revolute joint, with the number as its offset."
         fixed = [k for k, row in enumerate(grid.rows) if TOOL_WORDS.search(row.get("label", "")) and k]
         letters = "".join("F" if k in fixed else letter.replace("?", "R") for k, letter in enumerate(letters))
         if fixed:
@@ -491,4 +534,5 @@ def _said_convention(text: str, grid: _Grid) -> Convention | None:
 def _definitions(text: str) -> dict[str, float]:
     """Read the values of names, l1 = 0.3 or d1 = 89.2 mm, that stand beside a table."""
     found = re.findall(rf"\b([a-zA-Z]+_?\{{?\d+\}}?)\s*=\s*(-?{NUMBER})\s*(mm|cm|m)?\b", text)
-    return {re.sub(r"[_{}]", "", name): float(value) * LENGTH_UNITS[unit or "m"] for name, value, unit in found}
+    values = {name: float(value) * LENGTH_UNITS[unit or "m"] for name, value, unit in found}
+    return {re.sub(left_out, "", name): value for name, value in values.items() for left_out in ("[{}]", "[_{}]")}

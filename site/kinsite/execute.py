@@ -8,7 +8,7 @@ import json
 import os
 import re
 import subprocess
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
 from functools import cache
@@ -101,18 +101,6 @@ def is_clean(executed: NotebookNode) -> bool:
     """Whether no cell of an executed notebook has raised or written to stderr."""
     outputs = [output for cell in code_cells(executed) for output in cell.outputs]
     return not any(output.output_type == "error" or output.get("name") == "stderr" for output in outputs)
-
-
-def cached_pages(name: str, generate: Callable[[], Iterable[tuple[str, str]]], *sources: str) -> dict[str, str]:
-    """Generate pages about the packages, or read those that were generated from the same packages and sources.
-
-    sources  texts that the pages depend on besides the packages
-    """
-    cached = CACHE / f"{name}-{input_hash(sources)}.json"
-    if not cached.exists():
-        write_cache(cached, dict(generate()))
-    pages: dict[str, str] = json.loads(cached.read_text("utf-8"))
-    return pages
 
 
 def write_cache(path: Path, data: Any) -> None:

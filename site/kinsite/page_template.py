@@ -15,7 +15,6 @@ from kincourse.table_of_lectures import sheet_of
 from kinlib import robots
 from kinlib.view import explore
 from kinlib.view.viewer.viewer import STATIC
-from kinsite import late_formulas
 from kinsite.demonstration import WrongAnswersDirective
 from kinsite.execute import ROOT, package_hash
 from kinsite.html_tree import inner_html, read_html
@@ -25,8 +24,6 @@ PLANAR_ARM = [Path(planar_arm.__file__).with_suffix(suffix) for suffix in (".js"
 """The arm of lecture 00, for the pages that have one."""
 UNCOLOURED = {"n", "nn", "p", "pm", "w"}
 """Names, punctuation and spaces have the colour of all code in both themes: without elements of their own a page is lighter."""
-FORMULAS_AT_ONCE = 48
-"""At least as many as the first screen of any page has, up to 1920 by 1200 pixels."""
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
@@ -126,7 +123,12 @@ def adapt(body: str) -> str:
         word.drop_tag()
     for fold in page.iter("summary"):
         fold.attrib.pop("aria-label", None)  # it is called what it shows
-    late_formulas.defer(page, at_once=FORMULAS_AT_ONCE)
+    for part in page.xpath(".//dl[contains(@class, 'glossary')] | .//dl[contains(@class, 'glossary')]/*"):
+        part.tag = {"dt": "h2"}.get(part.tag, "div")  # a heading is a place that the search finds
+    for heading in page.xpath(".//section/*[1][self::h2 or self::h3 or self::h4][not(@id)]"):
+        heading.set("id", heading.getparent().attrib.pop("id"))  # likewise
+    for name in page.xpath(".//*[contains(@class, 'sig-name')]"):
+        name.set("data-pagefind-weight", "5")
     return inner_html(page)
 
 

@@ -12,8 +12,9 @@ import nbformat
 from docutils.nodes import make_id
 from nbformat import NotebookNode
 
+from kincourse.still_pictures import IMAGE
 from kincourse.table_of_lectures import fill_home_page
-from kinsite.execute import ROOT, cached_pages, execute_all
+from kinsite.execute import ROOT, execute_all
 from kinsite.generated import gallery, mistakes, progress, reference
 
 SITE = ROOT / "site"
@@ -63,7 +64,7 @@ def all_pages() -> Iterator[tuple[str, str]]:
     yield from progress.pages(*({path: executed[path] for path in paths} for paths in (LECTURES, SHEETS)))
     yield from gallery.pages()
     yield from reference.pages()
-    yield from cached_pages("mistakes", mistakes.pages, Path(mistakes.__file__).read_text("utf-8")).items()
+    yield from mistakes.pages()
 
 
 def handwritten_pages() -> Iterator[tuple[str, str]]:
@@ -95,8 +96,8 @@ def link_lectures(text: str) -> str:
 def notebook_pages(executed: Mapping[Path, NotebookNode]) -> Iterator[tuple[str, str]]:
     """Yield the executed lectures, the sheets without answers, and the file of each notebook for download."""
     for path in LECTURES:
-        yield f"lectures/{path.name}", nbformat.writes(adapt(executed[path]))
-        yield f"files/lectures/{path.name}", path.read_text("utf-8")
+        yield f"lectures/{path.name}", nbformat.writes(without_image(adapt(executed[path])))
+        yield f"files/lectures/{path.name}", nbformat.writes(without_image(nbformat.read(path, as_version=4)))
     for path in SHEETS:
         yield f"sheets/{path.name}", nbformat.writes(without_cards(adapt(executed[path]), path))
         yield f"files/sheets/{path.name}", path.read_text("utf-8")
@@ -115,6 +116,12 @@ def adapt(notebook: NotebookNode) -> NotebookNode:
                     data["text/html"] = re.sub(f'href="{old}', f'href="{new}', data["text/html"])
                 data["text/html"] = OUTPUT_LINK.sub(link_to_page, data["text/html"])
     notebook.metadata.pop("widgets", None)
+    return notebook
+
+
+def without_image(notebook: NotebookNode) -> NotebookNode:
+    """Remove the picture below the title: a page shows the film at once, and the file of the picture is not downloaded."""
+    notebook.cells[0].source = IMAGE.sub("", notebook.cells[0].source)
     return notebook
 
 

@@ -399,26 +399,14 @@
   function holdInPlace(target) {
     release();
     const listening = new AbortController();
-    let [top, position, height] = [0, 0, 0];
-    const heights = new ResizeObserver(() => {
-      target.scrollIntoView({ behavior: 'instant' });
-      [top, position, height] = [target.getBoundingClientRect().top, scrollY, document.body.offsetHeight];
-    });
+    const heights = new ResizeObserver(() => target.scrollIntoView({ behavior: 'instant' }));
     release = () => {
       heights.disconnect();
       listening.abort();
     };
-    // What grows above changes one of the two, as the browser anchors the page or not; only the reader changes both. While the
-    // page is growing, a slow browser may have done a part of each, so then only wheel, finger and keys tell that it is the reader.
-    const onScroll = () => {
-      const moved = Math.abs(target.getBoundingClientRect().top - top);
-      const isGrowing = document.body.offsetHeight !== height;
-      if (!isGrowing && Math.min(moved, Math.abs(scrollY - position)) > 2) release();
-    };
     const options = { passive: true, signal: listening.signal };
-    addEventListener('scroll', onScroll, options);
-    for (const kind of ['wheel', 'touchmove', 'keydown']) addEventListener(kind, () => release(), options);
-    heights.observe(document.body);
+    for (const kind of ['wheel', 'touchmove', 'keydown', 'pointerdown']) addEventListener(kind, () => release(), options);
+    heights.observe(document.querySelector('article')); // furo's body has the height of the window
   }
 
   // --- the bar of a phone: the page and the section that is read ---
@@ -430,7 +418,7 @@
     const course = bar.textContent;
     const heading = (element) => {
       const copy = element.cloneNode(true);
-      for (const extra of all('.katex-html, annotation, kinlib-formula, .headerlink', copy)) extra.remove();
+      for (const extra of all('.katex-html, annotation, .headerlink', copy)) extra.remove();
       return copy.textContent.trim();
     };
     const sections = all('article h2');
@@ -564,6 +552,5 @@
   openFolds();
   addEventListener('hashchange', openFolds);
   addEventListener('resize', makeWideContentFocusable);
-  document.addEventListener('kinlib-drawn', makeWideContentFocusable); // formulas.js has drawn some
   document.addEventListener('toggle', makeWideContentFocusable, true);
 })();

@@ -171,6 +171,31 @@ def test_a_slider_is_dragged_with_the_mouse(youbot):
     np.testing.assert_allclose(pose(page), kl.robots.youbot().fk(q), atol=1e-12)
 
 
+def test_a_link_is_dragged_and_its_joint_follows_the_pointer(youbot):
+    x, y = youbot.evaluate(
+        """() => { const { stage } = document.querySelector('.kv').viewer;
+            const { left, top } = stage.canvas.getBoundingClientRect();
+            for (let x = stage.width; x > 0; x -= 3)
+              for (let y = 3; y < stage.height; y += 3) {
+                window.held = stage.pick(x, y);
+                if (held?.link === 3) return [x + left, y + top]; } }"""
+    )
+    youbot.mouse.move(x, y)
+    youbot.mouse.down()
+    youbot.mouse.move(x, y - 30, steps=10)
+    youbot.mouse.up()
+    q = q_of(youbot)
+    assert abs(q[2]) > 0.1
+    assert q[:2] + q[3:] == [0, 0, 0, 0]
+    height = youbot.evaluate(
+        """() => { const { stage } = document.querySelector('.kv').viewer;
+            stage.tree.root.updateMatrixWorld(true);
+            const place = stage.camera.project(held.body.localToWorld(held.point.clone()));
+            return place.y + stage.canvas.getBoundingClientRect().top; }"""
+    )
+    assert height == pytest.approx(y - 30, abs=8)
+
+
 def test_keys_move_a_joint_by_a_degree_or_a_centimetre_and_to_its_ends(show):
     page = show(explore(kl.robots.rpr(), start=[0.1, 0.2, 0.3]))
     for joint, key, value in [

@@ -118,3 +118,17 @@ def test_a_copied_table_is_the_table_in_the_robotics_toolbox_and_in_python():
         if "F" not in table.joints and np.array_equal(table.tool, np.eye(4)) and np.array_equal(table.base, np.eye(4)):
             theirs = eval(texts["Robotics Toolbox"], vars(rtb))
             np.testing.assert_allclose(theirs.fkine(q).A, table.fk(q), atol=1e-9, err_msg=name)
+
+
+def test_the_frames_of_the_arm_are_beside_those_of_a_wrong_row_and_named_with_a_prime():
+    wrong = KNOWN["UR5e"][0].changed(rows=KNOWN["UR5e"][0].rows * np.where(np.arange(24).reshape(6, 4) == 13, -1, 1))
+    picture = examine("UR5e", wrong).picture()
+    assert picture.shown == ["axes", "frame 3", "frame 4", "frame 4'"]
+    frames = picture.scene["arms"][0]["frames"]
+    assert [name for name, (frame,) in frames.items() if frame["grey"]] == ["frame 4'", "frame 5'", "frame 6'"]
+    right, arm = frames["frame 4'"][0]["pose"], examine("UR5e").arm
+    z = np.reshape(right, (4, 4))[:3, 2]
+    assert (
+        np.abs(np.cross(z, arm.lines.axis[4])).max() < 1e-9
+    )  # on the next joint axis, as the wrong one is, but along it
+    assert z @ arm.lines.axis[4] > 0

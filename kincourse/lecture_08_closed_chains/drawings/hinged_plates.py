@@ -5,6 +5,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms.mechanism import Mechanism
+from kinlib.rigid.screw import line
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK, JOINT_FILL, LINK_GREY, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Gallery, Picture, vector_text
@@ -31,7 +32,9 @@ def _draw(mechanism: Mechanism, q: Array, around: Array) -> Picture:
     geometry = linkage_geometry(mechanism, q)
     canvas = Canvas(around, "facing", (330, 330))
     hinges: dict[str, list[Array]] = {}
-    for joint, place, axis in zip(mechanism.joints, geometry.first, geometry.axes, strict=True):
+    poses = dict(zip(mechanism.bodies, geometry.poses, strict=True))
+    for joint, place in zip(mechanism.joints, geometry.first, strict=True):
+        axis = poses[joint.bodies[0]][:3, :3] @ line(joint.screws[0]).axis
         edge = np.array([place - HALF_WIDTH_M * axis, place + HALF_WIDTH_M * axis])
         for body in joint.bodies:
             hinges.setdefault(body, []).append(edge)

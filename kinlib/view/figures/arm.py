@@ -10,7 +10,7 @@ from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import inverse
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, INK, LINK_GREY, ORANGE, VIOLET
+from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GHOST_GREY, GREY, INK, LINK_GREY, ORANGE, VIOLET
 from kinlib.view.drawing.labels import LABEL_OFFSETS, Offset
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.bodies import body_of
@@ -41,7 +41,7 @@ def draw_arm(
     show    any of "axes" (the screw axes S_i as the joints have moved them), "home axes" (the same axes at home), "body axes"
             (as "axes", but named B_i), "links" (a frame on each link), "base" ({s}) and "tool" ({b})
     ghost   (n,) another configuration, drawn in grey
-    frames  {"0": T_00, "1": T_01, ...} frames to draw, poses (4, 4) in {s} at q
+    frames  {"0": T_00, "1": T_01, ...} frames to draw, poses (4, 4) in {s} at q; those with a prime, "1'", in grey
     around  points (..., 3) to keep in view, so that pictures of several configurations have the same scale
 
     The text alternative describes the axes and the end-effector at q, as they are drawn.
@@ -82,7 +82,8 @@ def draw_arm(
     if "tool" in show:
         canvas.triad(chain.fk(q), "b", 0.2 * canvas.size)
     for name, T in (frames or {}).items():
-        canvas.triad(validation.poses(T, f"frame {name}"), name, 0.17 * canvas.size)
+        colours = [GREY] * 3 if name.endswith("'") else AXIS_COLOURS
+        canvas.triad(validation.poses(T, f"frame {name}"), name, 0.17 * canvas.size, colours)
     text = describe_arm(chain, q, ghost=ghost, home_axes="home axes" in show, frames=frames)
     return canvas.picture(text, caption, cropped=around is None)
 

@@ -121,7 +121,7 @@ def _visual_solid(shape: Element, T: Array) -> list[Primitive]:
         return [drum(z, at, radius, -length / 2, length / 2)]
     if shape.tag == "sphere":
         (radius,) = shape.numbers("radius", 1)
-        return [tube([*(at - 1e-4 * radius * z), radius], [*(at + 1e-4 * radius * z), radius])]
+        return [ball(at, radius)]
     return []
 
 
@@ -192,6 +192,12 @@ def tube(*balls: Sequence[float], colour: str = "body") -> Primitive:
     """Return a tapered tube through balls (x, y, z, radius)."""
     rows = np.array(balls, dtype=float)
     return Primitive("tube", rows[:, :3], rows[:, 3], colour)
+
+
+def ball(centre: ArrayLike, radius: float, colour: str = "body") -> Primitive:
+    """Return a ball."""
+    up = 1e-4 * radius * np.eye(3)[2]
+    return tube([*(np.asarray(centre) - up), radius], [*(np.asarray(centre) + up), radius], colour=colour)
 
 
 def box(centre: ArrayLike, half: ArrayLike, colour: str = "body", axes: Array | None = None) -> Primitive:

@@ -1,4 +1,4 @@
-"""Drawings of linkages: bodies as bars and plates, joints with their names, the ground hatched, and gaps where a loop is open.
+"""Linkages as machines: drums and balls at the joints, tubes and plates between them, feet, and gaps where a loop is open.
 
 A planar linkage is seen from above, any other in the projection of draw_arm.
 """
@@ -6,6 +6,7 @@ A planar linkage is seen from above, any other in the projection of draw_arm.
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import reduce
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,13 +14,15 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array, JointValues
 from kinlib.mechanisms.mechanism import Mechanism
-from kinlib.rigid.lie import exp, inverse
+from kinlib.rigid.lie import exp, inverse, perpendicular
 from kinlib.rigid.screw import line
-from kinlib.view.drawing.canvas import Canvas, moved, view_axes
-from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, INK, LINK_GREY, ORANGE, PALE_GREY
+from kinlib.view.drawing.canvas import Canvas, moved
+from kinlib.view.drawing.figure_colours import GHOST_GREY, INK, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.drawing.svg import GREEK
-from kinlib.view.figures.joint_bodies import JOINT_RADIUS, NUMBER_OFFSETS, draw_joint_body
+from kinlib.view.figures.bodies import Body, Primitive, ball, box, drum, tube
+from kinlib.view.figures.body_drawing import draw_body
+from kinlib.view.figures.joint_bodies import JOINT_RADIUS, NUMBER_OFFSETS
 
 GAP_TOL_M = 1e-6
 """If the two halves of a joint are farther apart than this, the gap is drawn."""
@@ -31,15 +34,17 @@ Points = Mapping[str, tuple[str, ArrayLike]]
 class LinkageGeometry:
     """The positions of everything that is drawn of a linkage.
 
+    q              (n,)    the configuration
+    poses                  the motion of each body from home, (b, 4, 4)
     first, second  (j, 3)  the point of each joint on its first and on its second body; equal if the loop is closed
-    axes           (j, 3)  the direction of each joint's first axis
     corners                the points of each body, (k, 3)
     points                 named points of bodies
     """
 
+    q: Array
+    poses: Array
     first: Array
     second: Array
-    axes: Array
     corners: Mapping[str, Array]
     points: Mapping[str, Array]
 
@@ -72,7 +77,7 @@ def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None
     }
     home = body_points(mechanism)
     corners = {body: moved(T, home[body]) for body, T in poses.items()}
-    first, second, axes = [], [], []
+    first, second = [], []
     own_values = np.split(values, np.cumsum([joint.dof for joint in mechanism.joints])[:-1])
     for joint, own in zip(mechanism.joints, own_values, strict=True):
         here, there = (poses[body] for body in joint.bodies)
@@ -80,10 +85,10 @@ def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None
         # A prismatic joint moves its second body along; the other joints keep both bodies at one point.
         first.append(moved(carried, joint.position))
         second.append(moved(there @ inverse(joint.closing_offset), joint.position))
-        axes.append(here[:3, :3] @ line(joint.screws[0]).axis)
     for name, (body, _) in (points or {}).items():
         corners[body] = np.concatenate([corners[body], named[name][None]])
-    return LinkageGeometry(np.array(first), np.array(second), np.array(axes), corners, named)
+    moves = np.array([poses[body] for body in mechanism.bodies])
+    return LinkageGeometry(values, moves, np.array(first), np.array(second), corners, named)
 
 
 def body_points(mechanism: Mechanism) -> dict[str, Array]:
@@ -135,18 +140,17 @@ def draw_linkage(
     # No axis or frame extends beyond the joints, so the margin can be smaller, most of all for a planar linkage.
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
     canvas = Canvas(middle + (0.72 if planar else 0.9) * (seen - middle), view, size)
-    canvas.floor(seen)
+    body = linkage_body(mechanism, geometry.q[None], points)
+    canvas.floor(seen, height=body.lowest)
     if shade is not None:
-        _draw_bars(canvas, mechanism, shade, GHOST_GREY, 1.0)
-    _draw_bars(canvas, mechanism, geometry, LINK_GREY, 2.0)
-    _draw_ground(canvas, mechanism, geometry, view)
-    for joint, here, there, axis in zip(mechanism.joints, geometry.first, geometry.second, geometry.axes, strict=True):
-        prismatic = not joint.screws[0, :3].any()
+        for name, corners in shade.corners.items():
+            if name != mechanism.ground:
+                canvas.line([*corners, corners[0]], GHOST_GREY, 6.0, level=1)
+    draw_body(canvas, body, geometry.poses)
+    for joint, here, there in zip(mechanism.joints, geometry.first, geometry.second, strict=True):
         if np.linalg.norm(here - there) > GAP_TOL_M:
             canvas.line([here, there], ORANGE, 2.2, ":", level=3.6)
             canvas.dot(there, ORANGE, 7)
-        # A spherical joint looks the same from everywhere: like a revolute joint that is seen along its axis.
-        draw_joint_body(canvas, "P" if prismatic else "R", canvas.eye if joint.dof == 3 else axis, here)
         if names:
             canvas.label(here, _joint_label(joint.name), INK, NUMBER_OFFSETS, 11)
     for name, point in geometry.points.items():
@@ -189,48 +193,96 @@ def _joint_label(name: str) -> str:
     return rf"$\{head}_{{{low}}}$" if low and head in GREEK else name.removeprefix("joint ")
 
 
-def _draw_bars(canvas: Canvas, mechanism: Mechanism, geometry: LinkageGeometry, colour: str, level: float) -> None:
-    """Draw each moving body: a bar through two joints, a plate through more."""
-    for body, corners in geometry.corners.items():
-        if body == mechanism.ground:
-            continue
-        shape = np.unique(corners.round(9), axis=0)
-        plate = len(shape) > 2 and np.linalg.matrix_rank(shape - shape[0], tol=1e-6 * canvas.size) > 1
-        if plate:
-            canvas.body(shape, PALE_GREY, level - 0.1, edge=colour)
-        if not plate or len(shape) == 3:
-            canvas.line(shape[[*range(len(shape)), 0]], colour, 6.0, level=level)
+def linkage_body(mechanism: Mechanism, configurations: ArrayLike, points: Points | None = None) -> Body:
+    """Return the body of a linkage: its ground, and what joints and links look like; bodies move from home by their poses.
 
+    configurations  (m, n) those in which it is drawn: rails and rods are as long as they need
+    points          named points of bodies, as `draw_linkage` takes them; the links extend to them
 
-def _draw_ground(canvas: Canvas, mechanism: Mechanism, geometry: LinkageGeometry, view: str) -> None:
-    """Draw the ground: a hatched base under each of its joints, a hatched rail along each prismatic one."""
-    right, up = sheet = view_axes(view)[1]
-    if view != "top":
-        canvas.line(geometry.corners[mechanism.ground], GREY, 1.3, "--", level=1.8)
-    for joint, foot, axis in zip(mechanism.joints, geometry.first, geometry.axes, strict=True):
-        if mechanism.ground not in joint.bodies:
-            continue
-        if joint.screws[0, :3].any():
-            wide, deep = 1.7 * JOINT_RADIUS * canvas.size * right, -2.4 * JOINT_RADIUS * canvas.size * up
-            canvas.line([foot + deep - wide, foot, foot + deep + wide], INK, 1.3, level=2.5)
-            _hatch(canvas, np.array([foot + deep - 1.3 * wide, foot + deep + 1.3 * wide]), up)
+    >>> from kinlib.mechanisms.linkages import stewart_gough
+    >>> len(linkage_body(stewart_gough(), np.zeros((1, 36))).links)
+    14
+    """
+    q = np.atleast_2d(configurations)
+    names, ends = mechanism.bodies, body_points(mechanism)
+    links: dict[str, list[Primitive]] = {body: [] for body in names}
+    size = max(float(np.ptp(linkage_geometry(mechanism, q[0], points).all, axis=0).max()), 1e-3)
+    planar, R = is_planar(mechanism), JOINT_RADIUS * size
+    for body, (_, point) in ((where, (where, p)) for where, p in (points or {}).values()):
+        ends[body] = np.concatenate([ends[body], [point]])
+    columns = np.cumsum([0, *(joint.dof for joint in mechanism.joints)])
+    standing: list[Array] = []
+    for joint, column in zip(mechanism.joints, columns, strict=False):
+        first, second = joint.bodies
+        p, there = joint.position, moved(inverse(joint.closing_offset), joint.position)
+        axis, slides = line(joint.screws[0]).axis, not joint.screws[0, :3].any()
+        if mechanism.ground in joint.bodies and not slides:
+            standing.append(p if first == mechanism.ground else there)
+        if joint.dof > 1:
+            links[first].append(ball(p, 1.1 * R, "metal"))
+        elif not slides:
+            links[first].append(drum(axis, p, R, -1.3 * R, 1.3 * R))
+            links[second] += [
+                drum(axis, there, 0.8 * R, *(s * far * R for far in (1.3, 1.6)), colour="blue") for s in (-1, 1)
+            ]
         else:
-            _rail(canvas, joint.position, foot, axis, sheet)
+            low, high = sorted([0.0, *(float(end) for end in (q[:, column].min(), q[:, column].max()))])[::2]
+            is_rail = first == mechanism.ground
+            links[first] += _guide(p - is_rail * 0.9 * R * np.eye(3)[2], axis, (low, high), R, rail=is_rail)
+            links[second].append(box(there, (0.75 * R, 0.75 * R, 1.4 * R), "blue", _along(axis)))
+            if not is_rail:
+                links[second].append(drum(axis, there, 0.42 * R, -high - R, 0))
+    for body in names:
+        if body != mechanism.ground:
+            links[body] += _link(ends[body], R)
+    ground = np.unique(np.round(standing or ends[mechanism.ground], 9), axis=0)
+    low = float(ground[:, 2].min()) - (0.1 if planar else 0.06) * size
+    links[mechanism.ground] += _base(ground, low, R, plate=not planar and _span(ground) > 1)
+    return Body(tuple(tuple(links[body]) for body in names), q[0], "By rule, from the joints.")
 
 
-def _rail(canvas: Canvas, start: Array, slider: Array, axis: Array, sheet: Array) -> None:
-    """Draw the rail of a prismatic joint, below its box: a little longer than the box has moved."""
-    across = np.array([-sheet[1] @ axis, sheet[0] @ axis]) @ sheet
-    across *= np.sign(across @ sheet[1] or 1.0) / max(np.linalg.norm(across), 1e-9)
-    along = np.sort([axis @ (start - slider), 0.0]) + np.array([-0.15, 0.15]) * canvas.size
-    _hatch(canvas, slider + np.outer(along, axis) - JOINT_RADIUS * canvas.size * across, across)
+def _span(points: Array) -> int:
+    """Return the dimension of what contains points: 0 a point, 1 a line, 2 a plane."""
+    return int(np.linalg.matrix_rank(points - points[0], tol=1e-6 * max(float(np.ptp(points)), 1e-9)))
 
 
-def _hatch(canvas: Canvas, ends: Array, up: Array) -> None:
-    """Draw a line with short strokes below it, the usual symbol of the ground."""
-    canvas.line(ends, INK, 1.6, level=2.5)
-    length, step = np.linalg.norm(ends[1] - ends[0]), 0.6 * JOINT_RADIUS * canvas.size
-    along = (ends[1] - ends[0]) / length
-    for share in np.linspace(0, 1, max(3, int(length / step))):
-        root = ends[0] + share * length * along
-        canvas.line([root, root - step * (along + up)], GREY, 1.0, level=2.4)
+def _along(axis: Array) -> Array:
+    """Return the axes of a box, the third along an axis."""
+    x = perpendicular(axis)
+    return np.stack([x, np.cross(axis, x), axis], axis=1)
+
+
+def _guide(p: Array, axis: Array, reach: tuple[float, float], R: float, *, rail: bool) -> list[Primitive]:
+    """Return what a slider slides in: a rail on the ground as long as its way, or else a sleeve."""
+    if not rail:
+        return [drum(axis, p, 0.8 * R, -3 * R, 0), drum(axis, p, R, -1.2 * R, 0, colour="blue")]
+    low, high = reach[0] - 3 * R, reach[1] + 3 * R
+    return [box(p + (low + high) / 2 * axis, (0.4 * R, 0.4 * R, (high - low) / 2), "dark", _along(axis))]
+
+
+def _link(ends: Array, R: float) -> list[Primitive]:
+    """Return a link: a bar through points on one line, a frame through three, a plate through more in one plane."""
+    corners = np.unique(ends.round(9), axis=0)
+    if len(corners) < 2:
+        return []
+    if _span(corners) == 1:
+        way = corners[-1] - corners[0]
+        order = corners[np.argsort(corners @ way)]
+        return [tube([*order[0], 0.6 * R], [*order[-1], 0.6 * R])]
+    if len(corners) == 3:
+        return [tube([*a, 0.6 * R], [*b, 0.6 * R]) for a, b in pairwise([*corners, corners[0]])]
+    middle = corners.mean(axis=0)
+    normal = np.linalg.svd(corners - middle)[2][2]
+    return [drum(normal, middle, float(np.linalg.norm(corners - middle, axis=1).max()) + 1.2 * R, -0.35 * R, 0.35 * R)]
+
+
+def _base(ground: Array, low: float, R: float, *, plate: bool) -> list[Primitive]:
+    """Return the ground at a height: one plate under all its joints, or a foot under each, and columns up to them."""
+    z = np.eye(3)[2]
+    feet = ground * (1, 1, 0) + (0, 0, low)
+    middle = feet.mean(axis=0)
+    wide = float(np.linalg.norm(feet - middle, axis=1).max()) + 2 * R
+    whole = [drum(z, middle, wide, 0, 0.5 * R, colour="dark")]
+    plates = whole if plate else [drum(z, foot, 1.8 * R, 0, 0.4 * R, colour="dark") for foot in feet]
+    columns = zip(feet, ground + 1e-6 * z, strict=True)
+    return plates + [tube([*foot, 0.7 * R], [*top, 0.6 * R], colour="dark") for foot, top in columns]

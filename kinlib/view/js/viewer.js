@@ -1,6 +1,7 @@
 // The viewer combines the stage, the controls and the readout. Every change takes the same path: the page or Python
 // sets a trait of the model, and the page is drawn when the model reports the change.
 import { Vector3 } from 'three';
+import { dragLink } from './controls/drag-link.js';
 import { jointSliders } from './controls/joint-sliders.js';
 import { layerToggles, viewButtons } from './controls/layer-toggles.js';
 import { poseReadout } from './controls/pose-readout.js';
@@ -50,6 +51,7 @@ function render({ model, el }) {
     still.hidden = !stage.withoutWebGL;
     if (Object.keys(model.get('meshes') ?? {}).length) root.viewer.meshes ??= addMeshes();
     if (!stage.withoutWebGL) return;
+    root.classList.add('kv-flat');
     save(model, 'flat', true); // Python draws it then, where there is one
     update();
   };
@@ -205,7 +207,7 @@ function render({ model, el }) {
   describe();
   performance.mark('kinlib-viewer-answers');
   const stopTheme = onThemeChange(applyTheme);
-  const stopOrbit = orbitControls(stage.camera, canvas);
+  const stopOrbit = orbitControls(stage.camera, canvas, dragLink(stage, state));
   const resizeObserver = new ResizeObserver(() => {
     applyTheme(); // JupyterLab attaches the element only now, so its background was unknown before
     const width = frame.clientWidth;

@@ -5,7 +5,6 @@ reach has its own curve. Beside the picture the configuration space is drawn: tw
 """
 
 from collections.abc import Sequence
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -16,10 +15,9 @@ from kinlib.arrays.validation import Array, JointValues
 from kinlib.mechanisms.joints import chain_along, spanning_tree
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.angles import wrap_angle
-from kinlib.rigid.lie import inverse
 from kinlib.rigid.screw import line
-from kinlib.view.drawing.canvas import moved
-from kinlib.view.figures.linkage import body_points, draw_linkage, is_planar, linkage_geometry
+from kinlib.view.figures.bodies import solid_data
+from kinlib.view.figures.linkage import draw_linkage, is_planar, linkage_body, linkage_geometry
 from kinlib.view.viewer.scene import half_height
 from kinlib.view.viewer.steps import Steps
 
@@ -140,20 +138,20 @@ def _angles(mechanism: Mechanism) -> Array:
 
 
 def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[str, Any]:
-    """Return a linkage as data: for each moving body an arm that leads to it, and what is drawn at its end."""
+    """Return a linkage as data: for each moving body an arm that leads to it, the solids at its end, and the joints with names."""
     paths = spanning_tree(mechanism.joints, mechanism.ground)
     names = [body for body in paths if body != mechanism.ground]
     arms = [chain_along(mechanism.joints, paths[body], body) for body in names]
     stations = np.concatenate(
         [linkage_geometry(mechanism, q).all for q in configurations[:: max(1, len(configurations) // 60)]]
     )
-    drawn = linkage_geometry(mechanism, begin).all
-    size = max(float(np.ptp(drawn, axis=0).max()), 1e-3)
+    size = max(float(np.ptp(linkage_geometry(mechanism, begin).all, axis=0).max()), 1e-3)
     planar = is_planar(mechanism)
     look = PLANAR_VIEW_DEG if planar else SPATIAL_VIEW_DEG
-    floor = float(stations[:, 2].min()) - (0.1 if planar else 0.15) * size
-    feet = [(*joint.position[:2], floor) for joint in mechanism.joints if mechanism.ground in joint.bodies]
-    shown = np.concatenate([stations, np.reshape(feet, (-1, 3))])
+    body = linkage_body(mechanism, np.concatenate([begin[None], configurations]))
+    places: list[dict[str, Any]] = [{"arm": 0, "body": 0}, *({"arm": k, "body": "tool"} for k in range(len(names)))]
+    on = dict(zip([mechanism.ground, *names], places, strict=True))
+    shown = np.concatenate([stations, stations * (1, 1, 0) + (0, 0, body.lowest)])
     middle = (shown.min(axis=0) + shown.max(axis=0)) / 2
     return {
         "name": mechanism.name,
@@ -168,36 +166,23 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
             }
             for arm in arms
         ],
-        "pieces": _pieces(mechanism, names),
+        "solids": [
+            {**on[name], "parts": parts} for name, parts in zip(mechanism.bodies, solid_data(body.links), strict=True)
+        ],
+        "pins": [
+            {
+                **on[joint.bodies[0]],
+                "name": joint.name,
+                "joins": list(joint.bodies),
+                "at": joint.position.tolist(),
+                "axis": line(joint.screws[0]).axis.tolist() if joint.dof == 1 else None,
+            }
+            for joint in mechanism.joints
+        ],
         "room": {
             "centre": middle.tolist(),
             "radius": half_height(shown - middle, look) + VIEW_MARGIN * size,
             "look": look,
         },
-        "floor": floor,
+        "floor": body.lowest,
     }
-
-
-def _pieces(mechanism: Mechanism, names: list[str]) -> list[dict[str, Any]]:
-    """Return what is drawn: bars between the joints of each body, and each joint on the first of its two bodies."""
-    pieces = []
-    for joint in mechanism.joints:
-        first, second = joint.bodies
-        axis = line(joint.screws[0]).axis
-        kind = "ball" if joint.dof > 1 else "box" if not joint.screws[0, :3].any() else "cylinder"
-        drawn = {"name": joint.name, "joins": list(joint.bodies), "foot": first == mechanism.ground}
-        pieces.append(_piece(names, first, kind, joint.position, axis, **drawn))
-        if kind == "box":  # the slider is as wide as its sleeve, so that its translation is visible
-            at = moved(inverse(joint.closing_offset), joint.position)
-            pieces.append(_piece(names, second, "slider", at, axis))
-    for body, points in body_points(mechanism).items():
-        if body != mechanism.ground:
-            ends = [*points, points[0]] if len(points) > 2 else points
-            pieces += [_piece(names, body, "bar", a, b - a) for a, b in pairwise(ends) if np.linalg.norm(b - a)]
-    return pieces
-
-
-def _piece(names: list[str], body: str, kind: str, at: Array, along: Array, **more: Any) -> dict[str, Any]:
-    """Return a piece, fixed to the tool of the arm that leads to its body; on the ground, to the base of any arm."""
-    on = {"arm": names.index(body), "body": "tool"} if body in names else {"arm": 0, "body": 0}
-    return {**on, "kind": kind, "at": at.tolist(), "along": np.asarray(along).tolist(), **more}

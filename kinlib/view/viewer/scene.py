@@ -148,26 +148,29 @@ def skeleton(chain: Chain) -> list[list[list[float]]]:
 def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> dict[str, Any]:
     """Return frames that are given at q, each fixed to its link, as layers for the page: their poses at home.
 
-    frames  {"0": T, "1": T, ..., "s": T, "b": T} poses (4, 4) in {s}: frame i is fixed to link i, or to the last link if i > n;
-            {s} and frame 0 are fixed to the base, {b} to the last link
+    frames  {"0": T, "1": T, "1'": T, ..., "s": T, "b": T} poses (4, 4) in {s}: frame i is fixed to link i, or to the last link if
+            i > n; {s} and frame 0 are fixed to the base, {b} to the last link. A frame with a prime is grey, to be compared with
 
-    Raises ValueError if a frame is not a pose, or its name is not a number, "s" or "b".
+    Raises ValueError if a frame is not a pose, or its name is not a number, with or without a prime, "s" or "b".
     """
     moved = body_motions(chain, q)
     layers: dict[str, Any] = {}
     origins: list[Array] = []
     for name, T in frames.items():
-        if not (name.isdigit() or name in {"s", "b"}):
+        link = name.removesuffix("'")
+        if not (link.isdigit() or name in {"s", "b"}):
             raise ValueError(
                 f"frames must be named by the number of their link, or 's' or 'b'; got {name!r}. "
                 'Name the frame on link 1 "1": frames={"1": T_01}.'
             )
-        body = min(int(name), chain.n) if name.isdigit() else {"s": 0, "b": chain.n}[name]
+        body = min(int(link), chain.n) if link.isdigit() else {"s": 0, "b": chain.n}[name]
         pose = validation.poses(T, f"frame {name}")
         # Frames with the same origin have arrows of different length, so that none hides another.
         rank = sum(bool(np.allclose(pose[:3, 3], origin, atol=1e-6)) for origin in origins)
         origins.append(pose[:3, 3])
-        layers[f"frame {name}"] = [{**frame_data(name, body, inverse(moved[body]) @ pose), "rank": rank}]
+        layers[f"frame {name}"] = [
+            {**frame_data(name, body, inverse(moved[body]) @ pose), "rank": rank, "grey": name != link}
+        ]
     return layers
 
 

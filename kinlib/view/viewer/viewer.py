@@ -285,6 +285,8 @@ def explore(
 ) -> Viewer:
     """Show a robot in three dimensions, with sliders for its joints and, for an arm, the pose of its end-effector.
 
+    A reader can also drag a link: its own joint follows the pointer, or the nearest one before it that has a slider.
+
     robot    an arm, or a tree, which has a slider for each independent joint
     joints   the joints that get a slider, counted from 1; all by default, but better only those that matter
     show     the layers that are drawn at first, any of kinlib.view.viewer.scene.LAYERS; the reader can switch them. By default
@@ -294,8 +296,9 @@ def explore(
              tree. Afterwards `q` is synchronized with the page
     span     the range of the sliders, in radians or metres; by default the limits of the joints
     frames   {"0": T_00, "1": T_01, ...} frames on the links of an arm, which the reader switches on one by one; poses (4, 4) in {s}
-             at `start`. Frame i is fixed to link i and moves with it; frames beyond the last link are fixed to that one. They
-             replace {s}, {b} and the DH frames. The first one is shown at the beginning, or those in show: "frame 1"
+             at `start`. Frame i is fixed to link i and moves with it; frames beyond the last link are fixed to that one. A name
+             with a prime, "1'", is a second frame on the same link, in grey. They replace {s}, {b} and the DH frames. The first
+             one is shown at the beginning, or those in show: "frame 1"
     readout  whether the pose of the end-effector is shown beside the picture; by default that of an arm
     packages folders of packages, or {name: folder}, in which the meshes of a tree are looked for; its own package and those of the
              environment variable ROS_PACKAGE_PATH are found without it. What is not found is said, and drawn by rule

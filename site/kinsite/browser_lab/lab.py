@@ -14,7 +14,6 @@ import io
 import json
 import math
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -184,7 +183,6 @@ def precompile(source: Path, target: Path) -> None:
     for entry in entries.values():
         entry["sha256"] = wheels.sha256_of(target / entry["file_name"])
     (target / "pyodide-lock.json").write_text(json.dumps(lock), "utf-8")
-    pyodide.write_sizes(target)
     for name, data in ((WASM, (target / WASM).read_bytes()), (MODULES, stored(target / MODULES))):
         (target / f"{name}.packed").write_bytes(gzip.compress(data, mtime=0))
 
@@ -213,10 +211,9 @@ def pack(archives: Iterable[Path]) -> bytes:
 
 
 def add_own_files(built: Path) -> None:
-    """Add what the course's pages run in Python, what the lab runs before JupyterLab, and the store of loaded files."""
+    """Add what the pages of the course run in Python."""
     live, python = built / "live", built / "static" / "pyodide"
     shutil.copytree(SITE / "lab" / "live", live)
-    shutil.copy(SITE / "lab" / "start.js", built)
     whole = json.loads((python / "pyodide-lock.json").read_text("utf-8"))
     lock: dict[str, Any] = {canonicalize_name(name): entry for name, entry in whole["packages"].items()}
     needed = required(lock, LIVE_PACKAGES)
@@ -245,9 +242,6 @@ def add_own_files(built: Path) -> None:
         ),
         "utf-8",
     )
-    worker = built / "service-worker.js"
-    own = (SITE / "lab" / "service-worker.js").read_text("utf-8")
-    worker.write_text(f"const VERSION = '{input_hash()[:16]}';\n{own}{worker.read_text('utf-8')}", "utf-8")
 
 
 def required(lock: dict[str, Any], names: Iterable[str], wanted: Iterable[str] = ()) -> set[str]:
@@ -270,17 +264,10 @@ def megabytes(built: Path | None) -> str:
 
 
 def complete_page(page: Path) -> None:
-    """Add a language and an icon to a page of JupyterLite, and to that of the notebook what is shown before JupyterLab.
-
-    Without an icon, browsers request a file that does not exist.
-    """
-    text = page.read_text("utf-8")
+    """Add a language and an icon to a page of JupyterLite. Without an icon, browsers request a file that does not exist."""
     icon = '<link rel="icon" type="image/svg+xml" href="../../_static/favicon.svg">'
-    text = text.replace("<html>", '<html lang="en">').replace("<head>", f"<head>\n    {icon}", 1)
-    if page.parent.name == "notebooks":
-        start = (SITE / "lab" / "start.html").read_text("utf-8")
-        text = re.sub(r"<body[^>]*>", lambda body: f"{body[0]}\n{start}", text, count=1)
-    page.write_text(text, "utf-8")
+    text = page.read_text("utf-8").replace("<html>", '<html lang="en">')
+    page.write_text(text.replace("<head>", f"<head>\n    {icon}", 1), "utf-8")
 
 
 def copy_to_site(built: Path | None, target: Path) -> None:
@@ -294,8 +281,9 @@ def copy_to_site(built: Path | None, target: Path) -> None:
 
 
 def contents() -> Iterable[Path]:
-    """List the files in the lab: lectures, released sheets and what they link to, each with its path in the repository."""
+    """List the files in the lab: lectures, their pictures, released sheets and what they link to."""
     yield from sorted((ROOT / "notebooks").glob("*.ipynb"))
+    yield from sorted((ROOT / "notebooks" / "pictures").glob("*.svg"))
     yield from sorted(path for path in (ROOT / "exercises").glob("*/*") if path.suffix in (".ipynb", ".json"))
     yield ROOT / "NOTATION.md"
 

@@ -129,14 +129,7 @@ def install(source: Distribution, own: list[Path], folder: Path) -> list[str]:
         entry["depends"] = [name for name in entry["depends"] if canonicalize_name(name) in packages]
     lock["packages"] = dict(sorted(packages.items()))
     (folder / "pyodide-lock.json").write_text(json.dumps(lock), "utf-8")
-    write_sizes(folder)
     return sorted(packages)
-
-
-def write_sizes(folder: Path) -> None:
-    """Write the sizes of the files in a folder, for the progress of a download."""
-    sizes = {path.name: path.stat().st_size for path in sorted(folder.iterdir()) if path.name != "sizes.json"}
-    (folder / "sizes.json").write_text(json.dumps(sizes), "utf-8")
 
 
 def find(name: str, locked: dict[str, Any] | None, source: Distribution, python: str) -> tuple[dict[str, Any], bytes]:

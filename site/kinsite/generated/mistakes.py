@@ -1,11 +1,9 @@
 """The page of mistakes: for each sheet the ten that it recognises in the most problems, each with an example; all of them as data.
 
-A message may contain numbers of the student who reads it. So each problem is drawn for several students, and what differs
-between their messages is left out. The examples have the numbers of a reader of the site, and no student's.
+Messages and examples have the numbers that the pages of the sheets show, and no student's.
 """
 
 import json
-import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from typing import Any
@@ -20,19 +18,12 @@ from misstep.display.text import number
 from misstep.problem import Template
 from misstep.sheet import Sheet
 
-STUDENTS = tuple(f"a reader of the site, {letter}" for letter in "abcdefgh")
-"""Ids for which the problems are drawn: enough of them that every number that can differ does differ."""
+STUDENT = "your id"
+"""The id of the numbers that the pages of the sheets show."""
 
 MAX_SHOWN = 10
 MAX_ENTRIES = 24
 """The entries of the largest array that is shown as an example."""
-
-GAP = "…"
-TOKEN = re.compile(r"\$[^$]*\$|`[^`]*`|[^\s$`]+|\s+")
-SENTENCE_END = re.compile(r"(?<=[.?!])\s+(?=[A-Z$`])")
-GAPS = re.compile(rf"{GAP}([\s,]+{GAP})+")
-DECIMAL = re.compile(r"(?<![\w.^_{])-?\d+\.\d+")
-"""Decimal numbers. If few students have the same message, these are computed from a student's numbers."""
 
 
 def pages() -> Iterator[tuple[str, str]]:
@@ -60,7 +51,7 @@ like. If your wrong answer comes from one of them, the card of the problem names
 ```
 
 The sheets recognise {sum(len(named) for named in everything.values())} mistakes, counted for each problem.
-<a href="../files/mistakes.json">All of them as data</a>: by problem and name, with the message; {GAP} replaces a student's own numbers.
+<a href="../files/mistakes.json">All of them as data</a>: by problem and name, with the message for the numbers of the id "{STUDENT}".
 """,
     )
 
@@ -89,7 +80,7 @@ def page(name: str, sheet: Sheet, found: dict[str, dict[str, str]]) -> str:
 def example(templates: Sequence[Template], mistake: str) -> Iterator[str]:
     """Yield an answer as it is beside what is typed by this mistake, and for poses both frames as a drawing."""
     for template in templates:
-        problem = template.variant(STUDENTS[0])
+        problem = template.variant(STUDENT)
         typed = next((entries(one.value) for one in problem.known_mistakes if one.name == mistake), None)
         right = entries(problem.answer.value)
         if right is None or typed is None or right.shape != typed.shape:
@@ -125,49 +116,5 @@ def marked(one: Array, other: Array) -> str:
 
 
 def messages(template: Template) -> dict[str, str]:
-    """Collect the message of each mistake of a problem, by name, without what belongs to one student only."""
-    variants: dict[str, list[str]] = {}
-    for student in STUDENTS:
-        for mistake in template.variant(student).known_mistakes:
-            variants.setdefault(mistake.name, []).append(mistake.message)
-    return {name: common_text(messages) for name, messages in variants.items()}
-
-
-def common_text(messages: Sequence[str]) -> str:
-    """Keep what the messages of a mistake have in common, with a gap where they differ.
-
-    Messages with other words are other sentences; those that the most students get are kept. A sentence after the first one is
-    left out if it has a gap.
-
-    >>> common_text(["You turned 7 times as far.", "You turned 9 times as far. It was 2."])
-    'You turned … times as far.'
-    >>> common_text(["You swapped $a$ and $b$. See 1.", "You swapped $b$ and $c$. See 2.", "You left out $p$."])
-    'You swapped … and ….'
-    >>> common_text(["Always 0.5."] * 3)
-    'Always 0.5.'
-    """
-    groups: list[tuple[list[list[str]], list[str]]] = []
-    for message in messages:
-        sentences = [TOKEN.findall(sentence) for sentence in SENTENCE_END.split(message)]
-        for common, members in groups:
-            if is_similar(common[0], sentences[0]):
-                common[:] = [
-                    [one if one == other else GAP for one, other in zip(*pair, strict=True)]
-                    for pair in zip(common, sentences, strict=False)
-                    if is_similar(*pair)
-                ]
-                members.append(message)
-                break
-        else:
-            groups.append((sentences, [message]))
-    common, members = max(groups, key=lambda group: len(group[1]))
-    first, *others = (
-        "".join(tokens) if len(set(messages)) == 1 else DECIMAL.sub(GAP, "".join(tokens)) for tokens in common
-    )
-    return " ".join([GAPS.sub(GAP, first), *(sentence for sentence in others if GAP not in sentence)])
-
-
-def is_similar(one: Sequence[str], other: Sequence[str]) -> bool:
-    """Whether two sentences, as tokens, have the same length and share at least half of their words."""
-    words = [pair for pair in zip(one, other, strict=False) if pair[0].strip()]
-    return len(one) == len(other) and 2 * sum(first == second for first, second in words) >= len(words)
+    """Collect the message of each mistake of a problem, by name."""
+    return {mistake.name: mistake.message for mistake in template.variant(STUDENT).known_mistakes}

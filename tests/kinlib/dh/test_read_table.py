@@ -52,6 +52,26 @@ FORMS = {
     "without a heading, in millimetres": "0 89.159 0 90\n0 0 -425 0\n0 0 -392.25 0\n0 109.15 0 90\n0 94.65 0 -90\n0 82.3 0 0",
     "empty cells": "joint\ta\talpha\td\ttheta\n1\t\t90\t0.089159\tq1\n2\t-0.425\t\t\tq2\n3\t-0.39225\t\t\tq3\n"
     "4\t\t90\t0.10915\tq4\n5\t\t-90\t0.09465\tq5\n6\t\t\t0.0823\tq6",
+    "empty cells at the end": "i\ta\talpha\td\n1\t\t90\t0.089159\n2\t-0.425\n3\t-0.39225"
+    "\n4\t\t90\t0.10915\n5\t\t-90\t0.09465\n6\t\t\t0.0823",
+    "a wiki": lines("{{| class='wikitable'\n! i !! θ !! d !! a !! α".replace("{{", "{"),
+                    "|-\n| {i} || 0° || {d} || {a} || {deg}°", "|}"),
+    "variables with a star": lines("# theta d a alpha", "{i} θ{i}* {d} {a} {deg}°"),
+    "arrays of C": "\n".join(f"const double DH_{name}[6] = {{{', '.join(str(row[k]) for row in ROWS)}}};"
+                             for k, name in enumerate(("A", "ALPHA", "D"))),
+    "rows with units": "\n".join(f"{name}\t" + "\t".join(f"{row[k]}" for row in ROWS)
+                                 for k, name in enumerate(("a [m]", "alpha [rad]", "d [m]"))),
+    "signs": lines("a alpha d theta", "{a:+} {deg:+}° {d:+} +0°"),
+    "cells below each other": lines("Link\na\nα (deg)\nd\nθ", "{i}\n{a}\n{deg}\n{d}\n0"),
+    "formulas of a spreadsheet": lines("a\talpha\td\ttheta", "{a}\t=RADIANS({deg})\t{d}\t=PI()*0"),
+    "units in words": lines("Achse  a in m  α in °  d in m", "{i}\t{a}\t{deg}\t{d}"),
+    "letters": lines("a | alpha | d | theta", "a_{i} | {alpha} | d_{i} | θ_{i}", "where ") + ", ".join(
+        f"a_{i} = {row[0]} m, d_{i} = {row[2]} m" for i, row in enumerate(ROWS, 1)),
+    "calls of dict": "p = {" + lines("", "{i}: dict(a={a}, alpha={alpha}, d={d}, theta=0),", "}"),
+    "elements of XML": lines("", '<link id="{i}" a="{a}" alpha="{alpha}" d="{d}" theta="0"/>'),
+    "sections": lines("", "[joint{i}]\na = {a}\nalpha = {alpha}\nd = {d}\ntheta = 0"),
+    "names in lines": lines("", "Joint {i}: a={a} alpha={deg}° d={d} theta=0°"),
+    "Mathematica": "(* a, alpha, d, theta *) dh = {" + ", ".join(f"{{{a}, {al / np.pi} Pi, {d}, 0}}" for a, al, d, _ in ROWS) + "};",
 }  # fmt: skip
 
 
@@ -61,7 +81,7 @@ def test_each_form_is_the_same_arm_and_its_unit_and_convention_are_said(text):
     np.testing.assert_allclose(table.rows, UR5, atol=1e-6)
     assert table.joints == "RRRRRR"
     asked = {each.argument: each.options[0] for each in assumed if each.options}
-    has_unit = any(unit in text for unit in ("[m]", "(mm)"))
+    has_unit = any(unit in text for unit in ("[m]", "(mm)", "in m"))
     assert asked.get("length_unit") == (None if has_unit else "mm" if "millimetres" in text or "-425 " in text else "m")
 
 
@@ -80,6 +100,18 @@ def test_joints_are_those_of_the_variables_the_types_or_the_names_of_the_rows():
         "a alpha d theta\n0 90° l1 q1\nl2 0 0 -q2\nwith l1 = 300 mm, l2 = 0.25", convention="standard"
     ).table
     assert (named.rows[0, 2], named.rows[1, 0], named.signs.tolist()) == (0.3, 0.25, [1, -1])
+
+
+def test_the_kinds_of_joints_that_code_names_are_read():
+    kdl = "\n".join(
+        f"chain.addSegment(Segment(Joint(Joint::{kind}), Frame::DH(0.1, M_PI/2, {d}, 0)));"
+        for kind, d in (("RotZ", 0), ("TransZ", 0.3), ("None", 0.05))
+    )
+    assert read_table(kdl).table.joints == "RPF"
+    matlab = (
+        "L(1) = Link('d', 0.3, 'a', 0, 'alpha', pi/2);\nL(2) = Link('theta', 0, 'a', 0.1, 'alpha', 0, 'offset', 0.2);"
+    )
+    assert (read_table(matlab).table.joints, read_table(matlab).table.rows[1, 2]) == ("RP", 0.2)
 
 
 def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():

@@ -6,13 +6,13 @@ import subprocess
 import sys
 import threading
 from contextlib import contextmanager
-from functools import cache
+from functools import cache, partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
 from browser import CHROMIUM
 from kinsite.browser_lab import lab
-from serve import serve
 
 ROOT = Path(__file__).parents[3]
 SITE = ROOT / "site"
@@ -63,10 +63,15 @@ def build(kind):
     )  # fmt: skip
 
 
+class QuietHandler(SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        """Write no log of the requests."""
+
+
 @contextmanager
 def served(folder: Path):
     """Serve a folder on a free port. Yields the address."""
-    server = serve(folder, 0)
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(QuietHandler, directory=str(folder)))
     thread = threading.Thread(target=server.serve_forever, daemon=True)
     thread.start()
     yield f"http://127.0.0.1:{server.server_address[1]}"

@@ -18,6 +18,7 @@ export function jointSliders(state) {
     'fieldset',
     { class: 'kv-joints' },
     h('legend', {}, 'Joint values'),
+    h('p', { class: 'kv-unit kv-hint' }, 'Move a slider, or drag a link.'),
     ...rows.map(({ element: line }) => line),
     h('div', { class: 'kv-buttons' }, motion.button, button('↺ Reset', reset)),
   );

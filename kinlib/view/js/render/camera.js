@@ -124,10 +124,18 @@ export class Camera {
   }
 }
 
-/** Let pointer, wheel and keyboard move the camera. Returns a function that removes the listeners. */
-export function orbitControls(camera, element) {
+/**
+ * Let pointer, wheel and keyboard move the camera. Returns a function that removes the listeners.
+ * @param grab (x, y) takes hold of something in the picture: returns a function of the next places, or null
+ */
+export function orbitControls(camera, element, grab) {
   const fingers = new Map();
   let pressed = [0, 0];
+  let held = null;
+  const placeOf = ({ clientX, clientY }) => {
+    const box = element.getBoundingClientRect();
+    return [clientX - box.left, clientY - box.top];
+  };
   const middle = () => {
     const all = [...fingers.values()];
     const [x, y] = [0, 1].map((k) => all.reduce((sum, p) => sum + p[k], 0) / all.length);
@@ -138,12 +146,17 @@ export function orbitControls(camera, element) {
       pressed = [event.clientX, event.clientY];
       element.focus({ preventScroll: true });
       element.setPointerCapture(event.pointerId);
+      held = fingers.size || event.shiftKey || event.button ? null : grab(...placeOf(event));
       fingers.set(event.pointerId, [event.clientX, event.clientY]);
     },
     pointermove(event) {
       if (!fingers.has(event.pointerId)) return;
       const before = middle();
       fingers.set(event.pointerId, [event.clientX, event.clientY]);
+      if (held) {
+        held(...placeOf(event));
+        return;
+      }
       const now = middle();
       const [dx, dy] = [now.x - before.x, now.y - before.y];
       if (fingers.size > 1 && before.spread > 0) camera.zoomBy(now.spread / before.spread);
@@ -152,12 +165,16 @@ export function orbitControls(camera, element) {
     },
     pointerup(event) {
       fingers.delete(event.pointerId);
+      held = null;
       if (Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4) return;
-      const box = element.getBoundingClientRect();
-      const detail = { x: event.clientX - box.left, y: event.clientY - box.top };
+      const [x, y] = placeOf(event);
+      const detail = { x, y };
       element.dispatchEvent(new CustomEvent('tap', { detail })); // pressed but not dragged: modes use it for picking
     },
-    pointercancel: (event) => fingers.delete(event.pointerId),
+    pointercancel(event) {
+      fingers.delete(event.pointerId);
+      held = null;
+    },
     wheel(event) {
       if (document.activeElement !== element && !event.ctrlKey) return;
       event.preventDefault();

@@ -17,9 +17,11 @@ import {
   MeshLambertMaterial,
   NotEqualStencilFunc,
   Quaternion,
+  Raycaster,
   ReplaceStencilOp,
   Scene,
   ShaderMaterial,
+  Vector2,
   Vector3,
   Vector4,
 } from 'three';
@@ -241,6 +243,20 @@ export class Stage {
       return mesh;
     });
     this.layers.set(name, { meshes, labels: [], shown: true });
+  }
+
+  /** The nearest link at a place of the picture, in pixels: { arm, link, body, point }, the point in the coordinates of the body. */
+  pick(x, y) {
+    const ray = new Raycaster();
+    const place = new Vector2((2 * x) / this.width - 1, 1 - (2 * y) / this.height);
+    ray.setFromCamera(place, this.camera.threeCamera);
+    const meshes = ['arm', 'meshes'].flatMap((name) => this.layers.get(name)?.meshes ?? []);
+    const solid = meshes.filter(({ material }) => this.casts.includes(material) || this.meshCasts.includes(material));
+    const [hit] = ray.intersectObjects(solid, false);
+    if (!hit) return null;
+    const body = hit.object.parent;
+    const arm = this.tree.arms.findIndex(({ bodies }) => bodies.includes(body));
+    return { arm, link: this.tree.arms[arm].bodies.indexOf(body), body, point: body.worldToLocal(hit.point.clone()) };
   }
 
   /** Show a link of the first arm in one colour and the others faded; none if it is null. */

@@ -73,11 +73,9 @@ export function endEffectorText(tree) {
 
 /** A linkage as it is at q on its curve, where it is closed: its bodies, and where its joints are. */
 export function describeLinkage(data, tree) {
-  const joints = data.pieces
-    .filter(({ joins }) => joins)
-    .map(({ name, joins, arm, body, at }) => {
-      const place = new Vector3(...at).applyMatrix4(tree.body(arm, body).matrixWorld).toArray();
-      return `${name} joins ${joins.join(' and ')} at ${vectorText(data.planar ? place.slice(0, 2) : place)}`;
-    });
+  const joints = data.pins.map(({ name, joins, arm, body, at }) => {
+    const place = new Vector3(...at).applyMatrix4(tree.body(arm, body).matrixWorld).toArray();
+    return `${name} joins ${joins.join(' and ')} at ${vectorText(data.planar ? place.slice(0, 2) : place)}`;
+  });
   return `${data.name} with the bodies ${data.bodies.join(', ')}. ${joints.join('; ')}. All lengths in metres. It is closed.`;
 }

@@ -75,7 +75,7 @@ export function buildLayers(stage, shown) {
     (part) => !(data.arms[part.arm].rule?.[part.body] && isRead(part)),
   );
   const foot = data.arms[0].body ? [] : parts.pedestal(data, size, theme);
-  stage.setLayer('arm', [...foot, ...solid, ...parts.pieces(data, size, theme)], { outlined: true });
+  stage.setLayer('arm', [...foot, ...solid, ...parts.linkage(data, theme)], { outlined: true });
   if (stage.meshes.length) stage.buildMeshes();
   stage.tree.rodUpdates.length = 0;
   stage.setRods(
@@ -83,7 +83,7 @@ export function buildLayers(stage, shown) {
     each((arm) => (arm.body ? [] : parts.rods(arm, size, theme))),
   );
   const made = {
-    'piece axes': () => parts.pieceAxes(data, size),
+    'pin axes': () => parts.pinAxes(data, size),
     axes: () => each((arm) => parts.axes(arm, size, 'S', 'axis')),
     'body axes': () => each((arm) => parts.axes(arm, size, 'B', 'axis')),
     'home axes': () => each((arm) => parts.axes(arm, size, 'S', 'grey', () => 0)),
@@ -113,7 +113,7 @@ export function framesIn({ arms }, layers) {
 
 /** Show the named layers, without the frames that are hidden, and hide the others. */
 export function showLayers(stage, shown, hidden = new Set()) {
-  stage.showLayer('piece axes', shown.includes('axes'));
+  stage.showLayer('pin axes', shown.includes('axes'));
   for (const name of ['axes', 'body axes', 'home axes', 'normals', 'dimensions'])
     stage.showLayer(name, shown.includes(name));
   for (const layer of frameLayers(stage.data))

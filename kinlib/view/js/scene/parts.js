@@ -9,21 +9,22 @@ const LINK = 0.026;
 
 const unit = (p) => p.map((value) => value / (norm(p) || 1));
 
-/** The solids of an arm's body, link by link: drums, tubes and boxes, see kinlib/view/figures/bodies.py. */
-export function body(arm, colours) {
-  return arm.body.flatMap((link, k) =>
-    link.flatMap(({ kind, points, sizes, colour, axes }) => {
-      const look = { body: k, colour: colours[colour] };
-      if (kind === 'box') return [{ ...look, shape: 'block', from: points[0], to: points[0], sizes, axes }];
-      if (kind === 'drum') return [{ ...look, shape: 'drum', from: points[0], to: points[1], radius: sizes[0] }];
-      const balls = points.map((at, i) => ({ ...look, shape: 'sphere', from: at, to: at, radius: sizes[i] }));
-      const cones = points.slice(1).map((to, i) => {
-        return { ...look, shape: 'frustum', from: points[i], to, radius: sizes[i], end: sizes[i + 1] };
-      });
-      return [...balls, ...cones];
-    }),
-  );
+/** Primitives of one body: drums, tubes and boxes, see kinlib/view/figures/bodies.py; on says which body it is. */
+function primitives(all, on, colours) {
+  return all.flatMap(({ kind, points, sizes, colour, axes }) => {
+    const look = { ...on, colour: colours[colour] };
+    if (kind === 'box') return [{ ...look, shape: 'block', from: points[0], to: points[0], sizes, axes }];
+    if (kind === 'drum') return [{ ...look, shape: 'drum', from: points[0], to: points[1], radius: sizes[0] }];
+    const balls = points.map((at, i) => ({ ...look, shape: 'sphere', from: at, to: at, radius: sizes[i] }));
+    const cones = points.slice(1).map((to, i) => {
+      return { ...look, shape: 'frustum', from: points[i], to, radius: sizes[i], end: sizes[i + 1] };
+    });
+    return [...balls, ...cones];
+  });
 }
+
+/** The solids of an arm's body, link by link. */
+export const body = (arm, colours) => arm.body.flatMap((link, k) => primitives(link, { body: k }, colours));
 
 /** Where a joint is drawn: joints with the same point and axis are drawn side by side along the axis. */
 function jointCentre(joint, size) {
@@ -111,13 +112,13 @@ export function axes(arm, size, letter, colour, onBody = (i) => i) {
 /** Frames; those that share an origin get axes of different length. DH frames are named by their indices. */
 export function triads(frames, size, length, numbered) {
   const ranks = new Map();
-  return frames.map(({ name, body, pose, rank: given }) => {
+  return frames.map(({ name, body, pose, rank: given, grey }) => {
     const key = [pose[3], pose[7], pose[11]].map((value) => (value / size).toFixed(4)).join();
     const rank = given ?? ranks.get(key) ?? 0;
     ranks.set(key, rank + 1);
-    const own = numbered && /^\d+$/.test(name);
+    const own = numbered && /^\d+'?$/.test(name);
     const names = { sub: own ? name : '', name: own ? '' : name };
-    return { kind: 'frame', body, pose, letters: 'Oxyz', thin: true, length: length + 0.055 * rank, ...names };
+    return { kind: 'frame', body, pose, letters: 'Oxyz', thin: true, length: length + 0.055 * rank, ...names, grey };
   });
 }
 
@@ -141,57 +142,22 @@ export function dimensions(arm, size) {
   );
 }
 
-const PIECES = {
-  bar: ({ at, along }, size, colours) => ({
-    shape: 'capsule',
-    from: at,
-    to: add(at, along),
-    radius: 0.022 * size,
-    colour: colours.link,
-  }),
-  cylinder: ({ at, along }, size, colours) => centred('cylinder', at, along, 0.05 * size, 0.034 * size, colours.joint),
-  box: ({ at, along }, size, colours) => centred('box', at, along, 0.07 * size, 0.04 * size, colours.joint),
-  slider: ({ at, along }, size, colours) => centred('box', at, along, 0.05 * size, 0.028 * size, colours.rod),
-  ball: ({ at }, size, colours) => ({ shape: 'sphere', from: at, to: at, radius: 0.04 * size, colour: colours.joint }),
-};
-
-function centred(shape, at, along, half, radius, colour) {
-  return { shape, from: add(at, along, -half), to: add(at, along, half), radius, colour };
-}
-
-/** The parts of a linkage: bars and joints with their names, and a foot under each joint on the ground. */
-export function pieces({ pieces: all = [], floor }, size, colours) {
-  return all.flatMap((piece) => {
-    const { arm, body, kind, at, name, foot } = piece;
-    const made = [{ arm, body, ...PIECES[kind](piece, size, colours) }];
-    if (name) {
-      const [text, sub = ''] = name.replace(/^joint /, '').split('_');
-      made.push(label(at, text, colours.ink, 3, { arm, body, sub }));
-    }
-    if (foot && at[2] > floor) {
-      const ground = [at[0], at[1], floor];
-      made.push({ arm, body, shape: 'capsule', from: ground, to: at, radius: 0.016 * size, colour: colours.rod });
-      made.push({
-        arm,
-        body,
-        shape: 'cylinder',
-        from: ground,
-        to: add(ground, [0, 0, 0.012 * size]),
-        radius: 0.06 * size,
-        colour: colours.rod,
-      });
-    }
-    return made;
+/** The solids of a linkage, and its joints with their names. */
+export function linkage({ solids = [], pins = [] }, colours) {
+  const names = pins.map(({ arm, body: own, at, name }) => {
+    const [text, sub = ''] = name.replace(/^joint /, '').split('_');
+    return label(at, text, colours.ink, 3, { arm, body: own, sub });
   });
+  return [...solids.flatMap(({ arm, body: own, parts }) => primitives(parts, { arm, body: own }, colours)), ...names];
 }
 
 /** The axes of a linkage's joints, through each joint. */
-export function pieceAxes({ pieces: all = [] }, size) {
-  return all
-    .filter(({ name, kind }) => name && kind !== 'ball')
-    .map(({ arm, body, at, along }) => {
-      const [from, to] = [-0.3, 0.3].map((share) => add(at, along, share * size));
-      return { kind: 'line', arm, body, from, to, colour: 'axis', width: 1, dashed: true };
+export function pinAxes({ pins = [] }, size) {
+  return pins
+    .filter(({ axis }) => axis)
+    .map(({ arm, body: own, at, axis }) => {
+      const [from, to] = [-0.3, 0.3].map((share) => add(at, axis, share * size));
+      return { kind: 'line', arm, body: own, from, to, colour: 'axis', width: 1, dashed: true };
     });
 }
 

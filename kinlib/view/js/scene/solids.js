@@ -38,7 +38,7 @@ const MAKERS = {
     if (name) made.push(label(tip ? to : middle(from, to), base, named, LABEL_WEIGHTS[width], text));
     return made;
   },
-  frame({ pose, letters, sub = '', name = '', length, strong = true, thin, body = 0, arm }, { size, theme }) {
+  frame({ pose, letters, sub = '', name = '', length, strong = true, thin, grey, body = 0, arm }, { size, theme }) {
     const origin = originOf(pose);
     const on = { body, arm };
     const radius = (strong && !thin ? 0.0105 : 0.0066) * size;
@@ -46,11 +46,12 @@ const MAKERS = {
     const made = [...'xyz']
       .filter((letter) => letters.includes(letter))
       .flatMap((letter) => {
-        const colour = strong ? theme[letter] : mixColours(theme[letter], theme.paper, 0.35);
+        const ink = grey ? theme.grey : theme[letter];
+        const colour = strong ? ink : mixColours(ink, theme.paper, 0.35);
         const to = add(origin, column(pose, 'xyz'.indexOf(letter)), length * size);
         // y gives way first, because x and z determine it
         const about = { ...on, from: origin, sub };
-        const text = label(to, letter, theme[letter], letter === 'y' ? weight - 1 : weight, about);
+        const text = label(to, letter, ink, letter === 'y' ? weight - 1 : weight, about);
         const stem = { ...on, from: origin, to, radius, colour };
         return [...arrow({ ...stem, tip: 2.3 * radius, head: 0.04 * size }), ...(sub || strong ? [text] : [])];
       });
