@@ -9,12 +9,14 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from misstep.answers.base import Answer, Unreadable
+from misstep.answers.prose import Prose
 from misstep.diagnosis.explanation import MAX_LENGTH, Explanation, explain, name_of
 from misstep.display.sentences import STEP_BY_STEP, UNKNOWN
 from misstep.problem import Problem
 from misstep.validation import is_blank
 
-State = Literal["right", "partly", "wrong", "blank", "unreadable"]
+State = Literal["right", "partly", "wrong", "open", "blank", "unreadable"]
+"""Open: a text that only an instructor can mark."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +67,8 @@ def judge(problem: Problem, given: Any) -> Judgement:
         value = answer.read(given)
     except Unreadable as error:
         return Judgement("unreadable", findings=[Finding(answer.parts, str(error))])
+    if isinstance(answer, Prose):
+        return Judgement("open")
     right = answer.agrees(value, answer.value)
     wrong = [part for part, is_right in enumerate(right) if not is_right]
     if not wrong:

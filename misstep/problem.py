@@ -12,7 +12,7 @@ from functools import cached_property, partial
 from importlib import import_module
 from importlib.util import find_spec
 from itertools import combinations, islice
-from typing import Any, TypeVar
+from typing import Any, Literal, TypeVar
 
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Answer, Unreadable, seen_at_sight
@@ -236,6 +236,9 @@ class Problem:
         return all(self.answer.agrees(one, other, SEPARATION_TOLERANCES * TOLERANCE))
 
 
+Level = Literal["Warm-up", "Usual", "Hard", "Open"]
+
+
 @dataclass(frozen=True)
 class Template:
     """A problem before the numbers of a student are drawn; the decorator `problem` makes one from a function.
@@ -246,6 +249,7 @@ class Template:
     make_problem  the function from a sampler to a Problem
     sampler       the class of the sampler that the function gets
     further       a question for a student who has solved it, which changes something
+    level         how hard it is; a hard one has no hints, and an open one is marked by an instructor
 
     >>> import numpy as np
     >>> from misstep.answers.number import Numbers
@@ -264,6 +268,7 @@ class Template:
     make_problem: Callable[[Any], Problem]
     sampler: type[Sampler] = Sampler
     further: str = ""
+    level: Level = "Usual"
 
     @property
     def lecture_name(self) -> str:
@@ -300,6 +305,7 @@ def problem(
     sampler: type[S] = Sampler,  # type: ignore[assignment]
     *,
     further: str = "",
+    level: Level = "Usual",
 ) -> Callable[[Callable[[S], Problem]], Template]:
     """Decorate a function from a sampler to a Problem, and so make it a Template.
 
@@ -308,6 +314,7 @@ def problem(
     lecture  where to re-read, "01_ohm#Parallel circuits": notebook and heading
     sampler  the class of the sampler that the function gets
     further  a question for a student who has solved it, which changes something
+    level    how hard it is
 
     >>> import numpy as np
     >>> from misstep.answers.number import Numbers
@@ -323,6 +330,6 @@ def problem(
     """
 
     def decorate(make_problem: Callable[[S], Problem]) -> Template:
-        return Template(number, title, points, lecture, make_problem, sampler, further)
+        return Template(number, title, points, lecture, make_problem, sampler, further, level)
 
     return decorate

@@ -52,7 +52,7 @@ class OpenSheet:
     ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), wrong, given={"x": x})
     >>> sheet = OpenSheet(Sheet("01_fractions", "Fractions", [half]), "ada")
     >>> sheet.show(1)
-    **A half** (2 points)
+    **A half** (Usual, 2 points)
     <BLANKLINE>
     What is half of ...?
     <BLANKLINE>
@@ -99,7 +99,8 @@ class OpenSheet:
         given = "".join(f"`given.{name}` " for name in problem.given)
         note = f"\n\nFrom `given = sheet.given({k})` you have {given}" if given else ""
         text = (
-            f"**{template.title}** ({template.points} point{'s' * (template.points != 1)})\n\n{problem.statement}{note}"
+            f"**{template.title}** ({template.level}, {template.points} point{'s' * (template.points != 1)})\n\n"
+            f"{problem.statement}{note}"
         )
         try:
             from IPython import get_ipython
@@ -142,9 +143,11 @@ class OpenSheet:
 
     @property
     def _note(self) -> str:
-        """A reminder for students who have not typed their own id yet."""
-        is_sample = self.student.casefold() == SAMPLE_ID
-        return f"these are the numbers of {SAMPLE_ID!r}: type your own id at the top" if is_sample else ""
+        """A reminder for students who have not typed their own id yet, or of the points that no check gives."""
+        if self.student.casefold() == SAMPLE_ID:
+            return f"these are the numbers of {SAMPLE_ID!r}: type your own id at the top"
+        marked = sum(one.points for one in self.sheet.problems if one.level == "Open")
+        return f"{marked} of them are given by your instructor" if marked else ""
 
     def __repr__(self) -> str:
         text = (

@@ -24,7 +24,8 @@ class Verdict:
     emission  the answer with its sheet, problem and student; a grader reads it and judges it again
     address   the address of the section to re-read, "" if it is not known
     worked    the steps of the worked solution, for a right answer
-    is_first  whether no answer to the problem was wrong before; then the card tells the idea, and not yet the place
+    is_first  whether no answer to the problem was wrong before; then the card tells the idea, and not yet the place, and so it
+              does each time for a hard problem
     """
 
     template: Template
@@ -44,10 +45,16 @@ class Verdict:
         """The feedback: title, points, the right parts, the message of each finding, and the section to re-read."""
         judgement, template = self.judgement, self.template
         title = f"Problem {template.number}: {TITLES[judgement.state]}"
-        body: list[str | Link] = [f"{points(self.score)} of {template.points} point{'s' * (template.points != 1)}."]
+        full = f"{template.points} point{'s' * (template.points != 1)}"
+        if judgement.state == "open":
+            return Card("open", title, [f"Your text is kept. Your instructor gives up to {full} for it."])
+        body: list[str | Link] = [f"{points(self.score)} of {full}."]
         right_parts = () if judgement.state == "right" else judgement.right_parts
         body += paragraphs(
-            judgement.findings, right_parts, RIGHT if judgement.fraction else TOGETHER, is_first=self.is_first
+            judgement.findings,
+            right_parts,
+            RIGHT if judgement.fraction else TOGETHER,
+            is_first=self.is_first or template.level == "Hard",
         )
         if self.worked:
             body += ["One way to it:", *self.worked]
@@ -87,9 +94,8 @@ class Tally:
         for k, template in enumerate(self.problems, start=1):
             verdict = self.verdicts.get(k)
             state = TITLES[verdict.judgement.state].lower() if verdict else "not checked yet"
-            rows.append(
-                f"| {template.number} {template.title} | {points(verdict.score if verdict else 0)} of {template.points} | {state} |"
-            )
+            score = "…" if verdict and verdict.judgement.state == "open" else points(verdict.score if verdict else 0)
+            rows.append(f"| {template.number} {template.title} | {score} of {template.points} | {state} |")
         total = sum(template.points for template in self.problems)
         rows.append(f"| **together** | **{points(self.score)} of {total}** | {self.note} |")
         lines = [f"- {one}" for one in self.recurrences if one.returns or one.is_slip]

@@ -6,13 +6,14 @@ from typing import Any
 import numpy as np
 
 from misstep.answers.choice import Choice, ReasonedChoice
+from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
 from misstep.judge import Judgement
 from misstep.mutants.expression import Expression
 from misstep.mutants.operations import radians
 from misstep.problem import Problem
 
-MAX_GIVEN, MAX_STEPS, MAX_ENTRIES = 6, 8, 36
+MAX_GIVEN, MAX_STEPS, MAX_ENTRIES = 14, 8, 42
 """How many given values and steps are written, and the entries of the largest array."""
 
 
@@ -45,6 +46,9 @@ def worked_solution(problem: Problem) -> Sequence[str]:
     if isinstance(answer, Choice):
         text = answer.options[answer.value]
         return [answer.value if answer.value == text else f"{answer.value}: {text}"]
+    if isinstance(answer, Prose):
+        rubric = [f"{earns} point{'s' * (earns != 1)}: {text}" for text, earns in answer.rubric.items()]
+        return [*rubric, f"A model answer: {answer.value}"]
     steps: list[str] = []
     if isinstance(solution, Expression):
         return list(dict.fromkeys(_steps(solution)))

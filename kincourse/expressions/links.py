@@ -148,16 +148,6 @@ _SEEN = {"inverse", "joint values reversed", "reversed"}
 """The slips in a table that lead to another pose, or the numbers are drawn anew."""
 
 
-def axial_twists(a: float, alpha: float, d: float, theta: float) -> Expression:
-    """The twists of a modified row, (2, 6): along x by a and alpha, then along z by d and theta.
-
-    >>> axial_twists(1.0, 2.0, 3.0, 4.0).value
-    array([[2., 0., 0., 1., 0., 0.],
-           [0., 0., 4., 0., 0., 3.]])
-    """
-    return _axial_twists(*_typed_entries(a, alpha, d, theta))
-
-
 def dh_row(a: float, alpha: float, d: float, theta: float) -> Expression:
     """The entries of a row that is read off frames, (4,), in the order a, alpha, d, theta.
 

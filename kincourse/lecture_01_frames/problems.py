@@ -1,9 +1,11 @@
 """Sheet 01: poses and rotations from drawings, homogeneous coordinates, inverses, products, fixed and moving axes."""
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
 
+from kincourse.answers.euler import EulerAnglesAnswer, rpy_rotation
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.expressions.poses import (
@@ -32,9 +34,10 @@ from kinlib.view import draw_frames
 from misstep.answers.choice import Choice
 from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
+from misstep.answers.prose import Prose
 from misstep.display.text import matrix, vector
 from misstep.mistakes import mistake
-from misstep.mutants.expression import given
+from misstep.mutants.expression import Operation, given
 from misstep.mutants.operations import ANGLE, VECTOR, function, radians, stack
 from misstep.problem import Problem
 from misstep.sheet import Sheet
@@ -50,6 +53,7 @@ LEFT_OR_RIGHT = "A motion about or along an axis of {s} multiplies from the left
     points=2,
     lecture="01_frames#Columns and rows",
     further="What is $T_{bs}$, and which of its numbers can you read off the drawing directly?",
+    level="Warm-up",
 )
 def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
     place = np.zeros(3)
@@ -85,6 +89,7 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
     points=2,
     lecture="01_frames#Columns and rows",
     further="Which rotation takes you back from {b} to {a}, and how does its matrix differ from yours?",
+    level="Warm-up",
 )
 def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
     k, degrees = sampler.integer(0, 2), sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1))
@@ -274,11 +279,12 @@ MAX_COSINE = 0.95
 
 
 @problem(
-    "01.7",
+    "01.9",
     "Fixed axes or moving axes",
     points=3,
     lecture="01_frames#Left or right",
     further="Exchange *own* and *fixed* in both motions. When is the result the same?",
+    level="Hard",
 )
 def own_or_fixed(sampler: ArmSampler) -> Problem:
     degrees, far = sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1)), sampler.length(0.2, 0.9)
@@ -330,7 +336,7 @@ LEFT_FOR_FIXED_AXES = (
 
 
 @problem(
-    "01.8",
+    "01.7",
     "Rotations in order",
     points=2,
     lecture="01_frames#Fixed axes and moving axes",
@@ -417,7 +423,7 @@ FLAWS_REFUTED = {
 
 
 @problem(
-    "01.9",
+    "01.8",
     "Is it a rigid motion?",
     points=2,
     lecture="01_frames#Columns and rows",
@@ -458,6 +464,70 @@ def rigid_or_not(sampler: ArmSampler) -> Problem:
     return problem.with_reason(Numbers(np.array(float(shows))))
 
 
+SINGULAR = 1e-9
+"""The cosine of the pitch up to which roll and yaw count as rotations about one line."""
+
+ROW_ADVICE = "Give them in the order roll, pitch, yaw: $R = R_z(\\text{yaw})\\,R_y(\\text{pitch})\\,R_x(\\text{roll})$."
+
+
+def _rpy_of(R: Array) -> Array:
+    """Roll, pitch and yaw of a rotation; a roll of 0 where only the difference is determined."""
+    cosine = np.hypot(R[0, 0], R[1, 0])
+    if cosine < SINGULAR:
+        return np.array([0.0, np.arctan2(-R[2, 0], cosine), np.arctan2(-R[0, 1], R[1, 1])])
+    return np.array([np.arctan2(R[2, 1], R[2, 2]), np.arctan2(-R[2, 0], cosine), np.arctan2(R[1, 0], R[0, 0])])
+
+
+# fmt: off
+_RPY_SLIPS: tuple[tuple[str, str, Callable[[Array], Array], str], ...] = (
+    ("reversed", "give yaw, pitch, roll in this order", lambda R: _rpy_of(R)[::-1], ROW_ADVICE),
+    ("all signs", "take all angles with the opposite sign", lambda R: -_rpy_of(R), ""),
+    ("sign of the pitch", "take the pitch with the opposite sign", lambda R: _rpy_of(R) * (1, -1, 1), "$R_{31} = -\\sin(\\text{pitch})$."),
+    ("half a turn", "give a roll that is off by 180°", lambda R: np.add(_rpy_of(R), (np.pi, 0, 0)), "`np.arctan2` finds the quadrant."),
+    ("half a turn", "give a yaw that is off by 180°", lambda R: np.add(_rpy_of(R), (0, 0, np.pi)), "`np.arctan2` finds the quadrant."),
+    ("roll left out", "leave the roll at 0", lambda R: _rpy_of(R) * (0, 1, 1), ""),
+    ("yaw left out", "leave the yaw at 0", lambda R: _rpy_of(R) * (1, 1, 0), ""),
+    ("rotation transposed", "use the transpose of $R$", lambda R: _rpy_of(R.T), ""),
+    ("moving axes", "take the angles about moving axes, $R_x\\,R_y\\,R_z$", lambda R: -_rpy_of(R.T), ROW_ADVICE),
+    ("angle twice", "give the same angle to roll and yaw", lambda R: _rpy_of(R)[[2, 1, 2]],
+     "Where roll and yaw rotate about one line, $R$ gives one number for both."),
+    ("sign of the roll", "take the roll with the opposite sign", lambda R: _rpy_of(R) * (-1, 1, 1), ""),
+    ("complement", "subtract the pitch from 90°", lambda R: np.array([0, np.pi / 2, 0]) + _rpy_of(R) * (1, -1, 1), ""),
+    ("sign of the yaw", "take the yaw with the opposite sign", lambda R: _rpy_of(R) * (1, 1, -1), ""),
+)
+# fmt: on
+_rpy: Operation = function("roll, pitch, yaw", _rpy_of, "\\mathrm{{rpy}}({0})")
+
+
+@problem(
+    "01.10",
+    "Orientations as three angles",
+    points=3,
+    lecture="01_frames#Three angles",
+    further="Which of your two answers changes most if one entry of $R$ is off by a hundredth?",
+    level="Hard",
+)
+def three_angles(sampler: ArmSampler) -> Problem:
+    def angle() -> int:
+        return int(sampler.choice((-1, 1)) * sampler.choice((20, 25, 35, 40, 50, 55, 110, 125, 140, 155)))
+
+    pitch = sampler.choice((-1, 1)) * sampler.choice((15, 20, 35, 40, 50, 55))
+    general = rpy_rotation(np.radians([angle(), pitch, angle()]))
+    singular = rpy_rotation(np.radians([0, 90 * sampler.choice((-1, 1)), angle()]))
+    found = []
+    for name, R in (("R_1", general), ("R_2", singular)):
+        slips = [(slip, text, of(R), *why) for slip, text, of, *why in _RPY_SLIPS]
+        found.append(_rpy(rotation(name, R)).mistaken_for(*slips, may_coincide=True))
+    angles = stack(*found)
+    return Problem(
+        statement="Give roll, pitch and yaw of both orientations in radians, a row for each. Several answers are right.\n\n"
+        f"$$R_1 = {matrix(general)}$$\n\n$$R_2 = {matrix(singular)}$$",
+        given={"R_1": general, "R_2": singular},
+        answer=EulerAnglesAnswer(angles.value),
+        solution=angles,
+    )
+
+
 def _rotation(k: int, degrees: float) -> Array:
     """The rotation (3, 3) about x, y or z for k = 0, 1 or 2."""
     R: Array = exp(np.radians(degrees) * np.eye(3)[k])
@@ -475,6 +545,33 @@ def _random_pose(sampler: ArmSampler) -> Array:
     return homogeneous(R, place)
 
 
+@problem(
+    "01.11",
+    "What one point does not test",
+    points=3,
+    lecture="01_frames#Columns and rows",
+    level="Open",
+)
+def missed_by_a_test(sampler: ArmSampler) -> Problem:
+    x = sampler.point(4)
+    return Problem(
+        statement=f"A colleague tests a computed pose $T$ by one point: does it take $x = {vector(x)}$ to the right place? Give a wrong "
+        "pose that passes this test, and say how you found it. Then give a wrong pose that passes the test with two points of "
+        "your choice. How many points does a test need, and how must they lie, so that no wrong pose passes? Say why.",
+        answer=Prose(
+            "A rotation about any line through $T x$, multiplied from the left, keeps $T x$ where it is, so $R'T$ with such an $R'$ "
+            "is wrong and passes. Two points are kept by the rotations about the line that joins them. Three points that are not on "
+            "one line are enough: a rigid motion that keeps them keeps their plane, and the normal of the plane as well, because it "
+            "is right-handed.",
+            {
+                "a wrong pose for one point, with the reason that it passes": 1,
+                "a wrong pose for two points: a rotation about their line": 1,
+                "three points that are not on one line, with a reason": 1,
+            },
+        ),
+    )
+
+
 SHEET = Sheet(
     "01_frames",
     "Frames",
@@ -485,8 +582,10 @@ SHEET = Sheet(
         point_and_arrow,
         look_back,
         subscripts_that_cancel,
-        own_or_fixed,
         rotations_in_order,
         rigid_or_not,
+        own_or_fixed,
+        three_angles,
+        missed_by_a_test,
     ],
 )

@@ -9,21 +9,23 @@ import sympy as sp
 
 from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.pose_expression import PoseExpressionAnswer
-from kincourse.expressions.poses import assemble, point
-from kincourse.expressions.rodrigues import angle_symbol, position_exp, rotation_exp, skew, truncated, twist_matrix
+from kincourse.expressions.poses import assemble, inverse, point
+from kincourse.expressions.poses import pose as given_pose
+from kincourse.expressions.rodrigues import angle_symbol, position_exp, rotation_exp, truncated
 from kincourse.expressions.screws import direction, moment
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, arm
 from kinlib.chains.robots import pose as frame
-from kinlib.rigid.lie import exp, hat
+from kinlib.rigid.lie import exp, hat, homogeneous, log
 from kinlib.symbolic.merge_rotations import homogeneous as symbolic_pose
 from kinlib.symbolic.merge_rotations import rotation as turn
 from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_joints
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
+from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
 from misstep.mutants.expression import Expression, given
 from misstep.mutants.operations import ANGLE, LENGTH, cos, function, radians, sin, sqrt, square, unit
@@ -44,9 +46,6 @@ axial = function(
     "axial vector", lambda R: np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]), "({0} - {0}^T)"
 )
 
-FIRST_ROW = (
-    "$[\\omega]\\,u = \\omega \\times u$ for every vector $u$, so the first row is $(0, -\\omega_z, \\omega_y)$."
-)
 PITCH = "The given number is in metres per radian, so it is the pitch already."
 NOT_DIVIDED = "divide $\\omega$ by its length, but not $v$"
 ONE_MOTION = "A twist is scaled as a whole."
@@ -55,38 +54,11 @@ SHORTEST = "Longer vectors lead to $R$ as well. The logarithm is the shortest on
 
 @problem(
     "02.1",
-    "The matrix of a screw",
-    points=3,
-    lecture="02_matrix_exponential#The equation behind it",
-    further="What is $[S]$ multiplied by the homogeneous coordinates of the origin?",
-)
-def matrix_of_a_screw(sampler: ArmSampler) -> Problem:
-    omega, v = sampler.point(5), sampler.point(5)
-    w = point("\\omega", omega).mistaken_for(
-        (
-            "divided by its length",
-            "divide $\\omega$ by its length",
-            omega / np.linalg.norm(omega),
-            "The matrix $[S]$ contains the components of $\\omega$ as they are given.",
-        )
-    )
-    S = twist_matrix(skew(w), point("v", v))
-    return Problem(
-        statement=f"Write the 4x4 matrix $[S]$ of the twist $S = (\\omega, v)$ with $\\omega = {vector(omega)}$, $v = "
-        f"{vector(v)}$, by hand.",
-        given={"omega": omega, "v": v},
-        answer=Numbers(S.value),
-        solution=S,
-        advice={"take $\\omega$ with the opposite sign": FIRST_ROW},
-    )
-
-
-@problem(
-    "02.2",
     "A rotation about a given axis",
-    points=3,
+    points=2,
     lecture="02_matrix_exponential#The key identity",
     further="About which points of space does nothing move, and what would change if $d$ were negated?",
+    level="Warm-up",
 )
 def turn_about_a_line(sampler: ArmSampler) -> Problem:
     direction, length = _direction(sampler)
@@ -116,11 +88,12 @@ def turn_about_a_line(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "02.3",
+    "02.2",
     "A rotation as a formula",
-    points=3,
+    points=2,
     lecture="02_matrix_exponential#The key identity",
     further="Set $\\theta = \\pi$ in your formula. Why is the matrix now symmetric?",
+    level="Warm-up",
 )
 def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
     one, two, length = sampler.choice(PYTHAGOREAN_TRIPLES)
@@ -138,7 +111,7 @@ def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "02.4",
+    "02.6",
     "Where the origin goes",
     points=3,
     lecture="02_matrix_exponential#From rotations to screws",
@@ -183,7 +156,7 @@ def where_the_origin_goes(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "02.5",
+    "02.4",
     "Three terms of the series",
     points=3,
     lecture="02_matrix_exponential#The series, term by term",
@@ -257,7 +230,7 @@ def three_terms(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "02.6",
+    "02.3",
     "A motion with constant velocity",
     points=3,
     lecture="02_matrix_exponential#From rotations to screws",
@@ -324,6 +297,7 @@ def gyroscope(sampler: ArmSampler) -> Problem:
     points=3,
     lecture="02_matrix_exponential#The logarithm",
     further="The symmetric part of $R$ gives the axis, too. Why is it more accurate near half a turn?",
+    level="Hard",
 )
 def near_half_a_turn(sampler: ArmSampler) -> Problem:
     direction, length = _direction(sampler)
@@ -397,7 +371,7 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "02.8",
+    "02.5",
     "A helical joint as a formula",
     points=3,
     lecture="02_matrix_exponential#Helices",
@@ -493,17 +467,101 @@ def _direction(sampler: ArmSampler) -> tuple[Array, int]:
     return np.array([sampler.choice((-1, 1)) * size for size in sampler.shuffled(sizes)], dtype=float), length
 
 
+still_point = function(
+    "the point that stays", lambda T: np.linalg.solve(np.eye(2) - T[:2, :2], T[:2, 3]), "\\mathrm{{still}}({0})"
+)
+
+
+@problem(
+    "02.8",
+    "The hinge of a door",
+    points=3,
+    lecture="02_matrix_exponential#The logarithm",
+    further="The two poses are measured to a centimetre. For which opening angles is the hinge found most accurately?",
+    level="Hard",
+)
+def hinge(sampler: ArmSampler) -> Problem:
+    first, opening = sampler.degrees(-170, 170), sampler.choice((-1, 1)) * sampler.degrees(35, 110)
+    place, handle = sampler.point(9)[:2] / 2, sampler.length(0.6, 0.9)
+    height = sampler.length(0.9, 1.1)
+
+    def pose_at(angle: float) -> Array:
+        turned = exp(np.radians(angle) * Z)
+        return homogeneous(turned, np.array([*place, height]) + handle * turned[:, 0])
+
+    T_1, T_2 = (given_pose(f"T_{i}", pose_at(angle)) for i, angle in ((1, first), (2, first + opening)))
+    motion = (
+        (T_2 @ inverse(T_1))
+        .named("T")
+        .mistaken_for(
+            ("another frame", "take the motion in the frame of the door, $T_1^{-1}\\,T_2$", inverse(T_1) @ T_2),
+            ("another frame", "take the motion in the frame of the door, $T_2^{-1}\\,T_1$", inverse(T_2) @ T_1),
+        )
+    )
+    point_of = still_point(motion)
+    ends = T_1.value[:2, 3], T_2.value[:2, 3]
+    step = T_2.value[:2, 3] - T_1.value[:2, 3]
+    for name, text, wrong in (
+        ("position itself", "give the translation part of the motion", motion.value[:2, 3]),
+        ("middle", "give the point half-way between the two positions", (ends[0] + ends[1]) / 2),
+        ("step", "give the vector between the two positions", step),
+        ("first position", "give the position of the handle in the first pose", ends[0]),
+        ("second position", "give the position of the handle in the second pose", ends[1]),
+        ("rotation left out", "give $v$ of the logarithm, without the angle and the axis", log(motion.value)[3:5]),
+        ("angle left out", "take $\\omega \\times v$ without dividing by the angle", np.radians(opening) * np.array(place)),
+        ("mirror image", "give the mirror image of the hinge in the line of the two positions",
+         ends[0] + ends[1] - np.array(place)),
+    ):  # fmt: skip
+        point_of = point_of.mistaken_for((name, text, wrong, "Only the points of the hinge stay where they are."))
+    return Problem(
+        statement="A frame is mounted on the handle of a door, whose hinge is vertical. Its pose in {s} was measured twice, before "
+        f"and after the door was moved. Where is the hinge? Give its $x$ and $y$ in {{s}}, in metres.\n\n$$T_1 = {matrix(T_1.value)}$$\n\n"
+        f"$$T_2 = {matrix(T_2.value)}$$",
+        given={"T_1": T_1.value, "T_2": T_2.value},
+        answer=Numbers(point_of.value, unit="m"),
+        solution=point_of,
+    )
+
+
+@problem(
+    "02.9",
+    "Two ways to one pose",
+    points=3,
+    lecture="02_matrix_exponential#From rotations to screws",
+    level="Open",
+)
+def two_ways_to_a_pose(_: ArmSampler) -> Problem:
+    return Problem(
+        statement="A robot carries a full glass from one pose to another. It may follow the screw motion $e^{[S]\\theta t}\\,T_1$ for $t$ "
+        "from 0 to 1, or move the glass along a straight line while it rotates about its own centre. Describe both paths of the "
+        "centre of the glass. Which one depends on where the frame of the glass was placed? Which one do you choose, and for "
+        "what would you choose the other?",
+        answer=Prose(
+            "On the screw motion the centre follows a helix, or an arc if the pitch is 0. On the other path it follows a straight "
+            "line. The screw motion is the same for every frame that is fixed to the glass, because $T_2 T_1^{-1}$ does not depend "
+            "on it; on the other path only the chosen centre moves straight. For a glass in free space the straight path is short "
+            "and easy to foresee; the screw is right for a door, a lid or a thread, where the body itself moves like this.",
+            {
+                "helix or arc for one path, straight line for the other": 1,
+                "the straight path depends on the chosen centre, and the screw motion does not, with a reason": 1,
+                "a choice with a reason that fits the task, and a task for the other": 1,
+            },
+        ),
+    )
+
+
 SHEET = Sheet(
     "02_matrix_exponential",
     "The matrix exponential",
     [
-        matrix_of_a_screw,
         turn_about_a_line,
         rotation_as_a_formula,
-        where_the_origin_goes,
-        three_terms,
         gyroscope,
-        near_half_a_turn,
+        three_terms,
         spindle_as_a_formula,
+        where_the_origin_goes,
+        near_half_a_turn,
+        hinge,
+        two_ways_to_a_pose,
     ],
 )

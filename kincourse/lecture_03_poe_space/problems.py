@@ -10,6 +10,7 @@ from itertools import accumulate
 import numpy as np
 import sympy as sp
 
+from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.pose_expression import PoseExpressionAnswer
 from kincourse.answers.screw_expressions import ScrewExpressionsAnswer
@@ -24,18 +25,17 @@ from kincourse.expressions.screws import (
     helical,
     joint_screws,
     moment,
-    prismatic,
     screw,
     tilted,
     values_in_radians,
 )
 from kincourse.mistakes.factor_order import factor_order_mistakes
 from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler, shows_transposes
+from kincourse.sampling.arms import ArmSampler, are_distinguishable
 from kincourse.sampling.drawn_machines import is_readable, lengths, read_point
 from kincourse.sampling.lettered_arms import LetteredArm, draw_lettered_arm
 from kincourse.text.joint_table import joint_table
-from kinlib.chains.robots import SLIDE, X, Y, Z, angled_arm, arm, pose
+from kinlib.chains.robots import X, Y, Z, angled_arm, arm, pose
 from kinlib.rigid.lie import adjoint
 from kinlib.rigid.lie import homogeneous as pose_of
 from kinlib.symbolic.formulas import screw as symbolic_screw
@@ -45,9 +45,10 @@ from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.function import Function
 from misstep.answers.groups.ordering import Ordering
+from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
 from misstep.mutants.expression import Expression, given, negative, product, total
-from misstep.mutants.operations import ANGLE, LENGTH, radians, unit
+from misstep.mutants.operations import ANGLE, LENGTH, radians, stack
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
@@ -58,9 +59,10 @@ TOOL_ADVICE = "The $z$ axis of the tool is a column of $M$ and moves with the ar
 @problem(
     "03.1",
     "Screw axes of a plain arm",
-    points=3,
+    points=2,
     lecture="03_poe_space#Revolute joints",
     further="Which numbers of your rows change if you take another point on the axis of joint 1?",
+    level="Warm-up",
 )
 def plain_arm(sampler: ArmSampler) -> Problem:
     letters = sampler.choice(["RRP", "RPR", "PRR"])
@@ -81,8 +83,55 @@ def plain_arm(sampler: ArmSampler) -> Problem:
 
 @problem(
     "03.2",
+    "The velocity of the origin, at sight",
+    points=2,
+    lecture="03_poe_space#Revolute joints",
+    further="Where would an axis along $z$ have to be, so that its $v$ is $(0, 2, 0)$?",
+    level="Warm-up",
+)
+def velocity_at_sight(sampler: ArmSampler) -> Problem:
+    while True:
+        axes, points = np.array(sampler.shuffled([X, Y, Z])), []
+        axes *= np.array([[sampler.choice((-1, 1))] for _ in axes])
+        for axis in axes:
+            side = sampler.choice([one for one in (X, Y, Z, -X, -Y, -Z) if not one @ axis])
+            points.append(sampler.integer(1, 4) * side + sampler.integer(-3, 3) * axis)
+        if are_distinguishable([np.zeros(3), *points]):
+            break
+    robot = arm([*zip(axes, points, strict=True)], pose((X, Y, Z), (0, 0, 0)), "three joints", "drawn for you")
+    rows = []
+    for i, (axis, p) in enumerate(zip(axes, points, strict=True), start=1):
+        across = p - (p @ axis) * axis
+        omega, foot = direction(f"\\omega_{i}", axis), given(f"p_{i}", across)
+        v = moment(omega, foot)
+        for name, text, wrong in (
+            ("length left out", f"give the direction of $v_{i}$ without its size", v.value / np.linalg.norm(across)),
+            ("point as moment", f"give the mark of axis {i}", p),
+            ("axis for velocity", f"give the direction of axis {i}", axis),
+            ("along the axis", f"give the distance along axis {i}", np.linalg.norm(across) * axis),
+        ):
+            v = v.mistaken_for((name, text, wrong), may_coincide=True)
+        rows.append(v.named(f"v_{i}"))
+    every = stack(*rows)
+    return Problem(
+        statement="Each of the three axes is parallel to an axis of {s}. A large body rotates about one of "
+        "them at one radian per second, in the sense of its arrow. With which velocity does its point at the origin of {s} move? Read it "
+        "off the drawing without a cross product, by the distance of the origin from the axis and the right-hand rule. Give $v_1$, "
+        "$v_2$ and $v_3$ as rows.",
+        figure=partial(draw_joints, robot),
+        shown={"axes": axes, "points": robot.joint_points},
+        answer=VectorsAnswer(every.value, names=["v_1", "v_2", "v_3"], unit="m/s"),
+        solution=every,
+        advice={
+            "point as moment": "The origin moves perpendicular to the axis and to the line that joins it to the axis."
+        },
+    )
+
+
+@problem(
+    "03.3",
     "A joint at an angle",
-    points=3,
+    points=2,
     lecture="03_poe_space#Angled joints",
     further="At which angle does the moment become largest?",
 )
@@ -108,35 +157,6 @@ def angled_joint(sampler: ArmSampler) -> Problem:
         solution=S,
         advice={
             "sign of an angle": f"An axis tilted towards ${names[1]}$ has a positive component along ${names[1]}$."
-        },
-    )
-
-
-@problem(
-    "03.3",
-    "A prismatic joint at an angle",
-    points=3,
-    lecture="03_poe_space#Prismatic joints",
-    further="The joint is mounted one metre higher. What changes in its screw axis?",
-)
-def leaning_slide(sampler: ArmSampler) -> Problem:
-    sides = np.array(sampler.shuffled([0, *sampler.choice([(3, 4), (5, 12), (8, 15)])]), dtype=float)
-    along = sides * np.array([sampler.choice((-1, 1)) for _ in range(3)])
-    point = sampler.point(3)
-    d = direction("d", along).mistaken_for(
-        ("point for direction", "take the point as the direction", point),
-        ("signs left out", "leave out the signs of the direction", np.abs(along)),
-    )
-    S = prismatic(unit(d), given("p", point))
-    robot = arm([(S.value[3:], point, SLIDE)], pose((X, Y, Z), point + S.value[3:]), "your joint", "drawn for you")
-    return Problem(
-        statement=f"A prismatic joint is mounted at ${vector(point)}$ and translates along ${vector(along)}$. Give its screw axis.",
-        figure=partial(draw_joints, robot),
-        given={"direction": along, "point": point},
-        answer=ScrewsAnswer(S.value),
-        solution=S,
-        advice={
-            "not a unit vector": "One unit of $q$ must be one metre, so $v$ is a unit vector: divide by the length."
         },
     )
 
@@ -256,38 +276,41 @@ def which_order(sampler: ArmSampler) -> Problem:
 
 @problem(
     "03.7",
-    "The forward kinematics as a function",
+    "A camera on a link",
     points=3,
-    lecture="03_poe_space#The product",
-    further="How would your function change for an arm with one more joint at the end?",
+    lecture="03_poe_space#Where each link is, and what it is good for",
+    further="Which joints could be blocked without changing what the camera sees?",
 )
-def where_is_the_tool(sampler: ArmSampler) -> Problem:
-    types = sampler.choice(["RRR", "RPR", "RRP"])
-    robot = sampler.arm(types)
-    while not shows_transposes(robot):
-        robot = sampler.arm(types)
-
-    def joint_values(chance: np.random.Generator) -> tuple[np.ndarray]:
-        return (chance.uniform(0.3, 1.3, 3) * chance.choice([-1, 1], 3),)
-
-    def pose_at(q: np.ndarray) -> Expression:
-        return forward_kinematics(
-            exponentials(robot.screws, values_in_radians(robot.joint_types, q)), given_pose("M", robot.home)
-        )
-
+def camera_on_a_link(sampler: ArmSampler) -> Problem:
+    robot, k = sampler.arm("RRRR"), sampler.choice((2, 3))
+    camera = pose(sampler.axes(), robot.joint_points[k - 1] + sampler.point(3) / 10)
+    q = np.array(sampler.shuffled([0.4, 0.7, 1.1, 1.3])) * np.array([sampler.choice((-1, 1)) for _ in range(4)])
+    factors = exponentials(robot.screws, values_in_radians("RRRR", q))
+    M = given_pose("M", camera)
+    T = forward_kinematics(factors[:k], M).mistaken_for(
+        *(
+            ("another link", f"multiply the factors of joints 1 to {i}", product(*factors[:i], M), f"Joints 1 to {k} move link {k}.")
+            for i in (1, 2, 3, 4)
+            if i != k
+        ),
+        ("joint of the link alone", f"use the factor of joint {k} alone", product(factors[k - 1], M), "All joints below it move it too."),
+        ("another joint value", "take for each joint the value of the next one",
+         product(*exponentials(robot.screws[:k], values_in_radians("RRR"[:k], q[1 : k + 1])), M)),
+        ("joint values reversed", "use all joint values in the reverse order",
+         product(*exponentials(robot.screws[:k], values_in_radians("RRR"[:k], q[::-1][:k])), M)),
+        ("joints after the link", "use the factors of the joints after the link", product(*factors[k:], M)),
+    )  # fmt: skip
     return Problem(
-        statement="The screw axes $S_i$ and the home pose $M$ of this arm are given below. Write a function that takes an array "
-        "$q$ of three joint "
-        "values, in radians and metres, and returns $T(q)$. The check calls it with values of its own.\n\n"
-        f"$$S = {matrix(robot.screws)}, \\qquad M = {matrix(robot.home)}$$",
-        figure=partial(draw_arm, robot),
-        given={"screws": robot.screws, "home": robot.home},
-        answer=Function(robot.fk, PoseAnswer(robot.home), joint_values),
-        solution=pose_at,
+        statement=f"A camera is mounted on link {k} of this arm, between joints {k} and {k + 1}. At home its pose is $M$. Give its pose "
+        f"at $q = {vector(q)}$, in radians.\n\n$$S = {matrix(robot.screws)}, \\qquad M = {matrix(camera)}$$",
+        figure=partial(draw_joints, robot),
+        given={"screws": robot.screws, "camera_home": camera, "q": q},
+        shown={"link": k},
+        answer=PoseAnswer(T.value),
+        solution=T,
         advice={
             "reversed": JOINT_ORDER_ADVICE,
-            "first factor": "With space screws, the factor of joint 1 is leftmost, and $M$ is last.",
-            "at home": "A function that returns the home pose for every $q$ does not use the joint values.",
+            "first factor": "$M$ acts on the camera first, so it is the last factor.",
         },
     )
 
@@ -445,6 +468,7 @@ def screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     points=3,
     lecture="03_poe_space#A whole arm in letters",
     further="Which entries of $T(q)$ do not depend on the last joint value?",
+    level="Hard",
 )
 def kinematics_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     robot = draw_lettered_arm(sampler.of_problem("03.9"))
@@ -615,21 +639,101 @@ def palletizer(sampler: ArmSampler) -> Problem:
     )
 
 
+UR5E_M = (0.1625, 0.425, 0.3922, 0.1333, 0.0997)
+"""The lengths of the maker's data sheet from the base to joint 6: to the shoulder, two links, and two steps of the wrist."""
+
+
+@problem(
+    "03.13",
+    "A UR5e on its stand",
+    points=4,
+    lecture="03_poe_space#The UR5e, from its data sheet",
+    further="Give the home pose $M$ of the flange, which is 99.6 mm beyond joint 6 along its axis, with $z$ pointing out of it.",
+    level="Hard",
+)
+def ur5e_on_a_stand(sampler: ArmSampler) -> Problem:
+    place = lengths(sampler, 3, 0.3, 0.8) * (sampler.choice((-1, 1)), sampler.choice((-1, 1)), 1)
+    forward = sampler.choice((X, -X))  # in the plane of the front view
+    heading = np.column_stack([forward, np.cross(Z, forward), Z])
+    upper, fore = sampler.choice(((Z, X), (Z, -X), (X, Z), (-X, Z)))
+    shoulder, upper_arm, forearm, wrist_1, wrist_2 = UR5E_M
+
+    def points_of(upper: np.ndarray, fore: np.ndarray, foot: np.ndarray = place) -> np.ndarray:
+        steps = [0 * Z, shoulder * Z, upper_arm * upper, forearm * fore, -wrist_1 * Y, -wrist_2 * Z]
+        return np.array(foot + np.cumsum(steps, axis=0) @ heading.T)
+
+    axes, points = np.array([Z, -Y, -Y, -Y, -Z, -Y]) @ heading.T, points_of(upper, fore)
+    S = joint_screws(axes, [given(f"P_{i}", p) for i, p in enumerate(points, start=1)], np.zeros(6))
+    for name, text, other in (
+        ("another origin", "measure from the base of the robot", points - place),
+        ("term left out", "leave out the height of the stand", points_of(upper, fore, place * (1, 1, 0))),
+        ("term left out", "leave out the height of the shoulder", points - np.outer(np.arange(6) > 0, shoulder * Z)),
+        ("another configuration", "take the configuration of the data sheet, with both links horizontal", points_of(-X, -X)),
+        ("links swapped", "swap the directions of the two links", points_of(fore, upper)),
+        ("sign of a length", "lay both steps of the wrist to the other side", 2 * points[[0, 1, 2, 3, 3, 3]] - points),
+    ):  # fmt: skip
+        S = S.mistaken_for((name, text, joint_screws(axes, other, np.zeros(6)).value))
+    drawn = [DrawnAxis(str(i), axis, p) for i, (axis, p) in enumerate(zip(axes, points, strict=True), start=1)]
+    body = [place * (1, 1, 0), *points]
+    ways = {tuple(way): name for way, name in ((X, "+x"), (-X, "-x"), (Y, "+y"), (-Y, "-y"), (Z, "+z"), (-Z, "-z"))}
+    first, second, third = (f"${ways[tuple((heading @ way).round() + 0.0)]}$" for way in (upper, fore, -Y))
+    return Problem(
+        statement="A UR5e stands on a stand; the drawing has the place of its base in millimetres. The maker's lengths, from the base "
+        f"on, are 162.5 up to joint 2, 425 along {first} to joint 3, 392.2 along {second} to joint 4, 133.3 along {third} to joint 5 and "
+        "99.7 down to joint 6. Give the screw axes $S_1$ to $S_6$ in {s} in this configuration, as rows, in metres.",
+        figure=lambda: draw_dimensions(body, drawn, {"base": place}),
+        shown={"axes": axes, "points": points},
+        answer=ScrewsAnswer(S.value),
+        solution=S,
+        invisible={"another point"},
+    )
+
+
+@problem(
+    "03.14",
+    "A base frame of your choice",
+    points=3,
+    lecture="03_poe_space#Revolute joints",
+    level="Open",
+)
+def another_base_frame(sampler: ArmSampler) -> Problem:
+    robot = sampler.arm("RRPR")
+    return Problem(
+        statement=f"You may put the base frame of this arm where you like, with axes parallel to those of {{s}}. Where do you put it, so "
+        "that as many $v_i$ as possible are 0? Give the new screw axes, and argue that no other place does "
+        f"better.\n\n{joint_table(robot)}",
+        figure=partial(draw_joints, robot),
+        answer=Prose(
+            "$v = -\\omega \\times p$ is 0 exactly if the axis of a revolute joint passes through the origin; that of a prismatic "
+            "joint is never 0. So the origin belongs on as many revolute axes as possible. Two axes that intersect have one common "
+            "point; where no two of them do, every point of one axis gives one $v_i = 0$, and none gives two. The new moments are "
+            "$-\\omega_i \\times (p_i - o)$, and no $\\omega_i$ changes.",
+            {
+                "$v_i = 0$ exactly if a revolute axis passes through the origin, and never for the prismatic joint": 1,
+                "a place with its screw axes, all of them right": 1,
+                "an argument from the common points of the axes that no place does better": 1,
+            },
+        ),
+    )
+
+
 SHEET = Sheet(
     "03_poe_space",
     "The product of exponentials in the space frame",
     [
         plain_arm,
+        velocity_at_sight,
         angled_joint,
-        leaning_slide,
         helical_joint,
         from_a_drawing,
         which_order,
-        where_is_the_tool,
+        camera_on_a_link,
         longer_tool,
         home_of_a_whole_arm,
         screws_of_a_whole_arm,
         kinematics_of_a_whole_arm,
         palletizer,
+        ur5e_on_a_stand,
+        another_base_frame,
     ],
 )

@@ -35,7 +35,6 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.rigid.lie import adjoint, exp, homogeneous
-from kinlib.rigid.lie import inverse as invert
 from kinlib.rigid.screw import screw
 from kinlib.symbolic.formulas import screw as symbolic_screw
 from kinlib.symbolic.numbers import exact
@@ -43,10 +42,11 @@ from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
+from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product, total
-from misstep.mutants.operations import LENGTH, stack
+from misstep.mutants.operations import LENGTH, function, stack
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
@@ -54,16 +54,16 @@ HOME_ADVICE = "With body screws $M$ is the first factor, and the factors of the 
 BASE_ADVICE = "The factor of the joint at the base is to the left of all others, in {b} as in {s}."
 MIDDLE_ADVICE = "Exponentials of screws in {s} are to the left of $M$, and those of screws in {b} are to its right."
 CARRY_ADVICE = "Column $i$ of $J_b$ is the body screw $B_i$, changed by the joints between axis $i$ and the tool."
-PASSED_ADVICE = "Joint 1 moves axis 2 and the tool together, so only the joints between axis 2 and the tool, 3 and 4, change the column."
 TO_BODY_ADVICE = "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here."
 
 
 @problem(
     "04.1",
     "A body screw off a drawing",
-    points=3,
+    points=2,
     lecture="04_poe_body#A second method",
     further="Give the space screw of the same joint. Which half of it do you know without computing?",
+    level="Warm-up",
 )
 def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     joint = sampler.integer(1, 3)
@@ -113,9 +113,10 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
 @problem(
     "04.2",
     "Body screws by the adjoint",
-    points=3,
+    points=2,
     lecture="04_poe_body#The adjoint",
     further="Which body screw would not change if the tool were longer along its own $z$ axis?",
+    level="Warm-up",
 )
 def by_the_adjoint(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
@@ -138,31 +139,6 @@ def by_the_adjoint(sampler: ArmSampler) -> Problem:
 
 @problem(
     "04.3",
-    "Back to space screws",
-    points=2,
-    lecture="04_poe_body#The adjoint",
-    further="Why are the body screws of a prismatic joint found by a rotation alone?",
-)
-def back_to_space(sampler: ArmSampler) -> Problem:
-    robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
-    return Problem(
-        statement="A colleague describes this arm by its body screws $B_i$ and its home pose $M$. Give the space screws "
-        f"$S_1, S_2, S_3$, as rows.\n\n$$B = {matrix(robot.body_screws)}$$\n\n$$M = {matrix(robot.home)}$$",
-        figure=partial(draw_arm, robot),
-        given={"body_screws": robot.body_screws, "home": robot.home},
-        answer=ScrewsAnswer(robot.screws),
-        solution=change_frame(given_pose("M", robot.home), screw_axes("B", robot.body_screws)),
-        advice={
-            "inverse": "$\\mathrm{Ad}_{M^{-1}}$ takes screws in {s} to screws in {b}; you need $\\mathrm{Ad}_M$ here.",
-            "frame not changed": "These are the body screws.",
-            "position left out": "The origins differ too: $\\mathrm{Ad}_M$ has the block $[p] R$ in its lower left corner.",
-            "rotation left out": "{s} also has other axes than {b}, so both halves are rotated by $R$.",
-        },
-    )
-
-
-@problem(
-    "04.4",
     "The place of M",
     points=2,
     lecture="04_poe_body#The mid-formula form",
@@ -215,7 +191,7 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "04.5",
+    "04.4",
     "The body form",
     points=3,
     lecture="04_poe_body#The body form",
@@ -247,7 +223,7 @@ def body_form(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "04.6",
+    "04.5",
     "M in the middle",
     points=3,
     lecture="04_poe_body#The mid-formula form",
@@ -285,7 +261,7 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "04.7",
+    "04.6",
     "A new tool",
     points=3,
     lecture="04_poe_body#The adjoint",
@@ -326,76 +302,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "04.8",
-    "A column of the body Jacobian",
-    points=2,
-    lecture="04b_velocity#Body screws and the body Jacobian",
-    further="Which joint values does the column of the last joint depend on?",
-)
-def jacobian_column(sampler: ArmSampler) -> Problem:
-    robot, i = _random_arm(sampler, sampler.choice(["RRRR", "RRPR", "PRRR"])), 1
-    typed, q, words = _random_configuration(sampler, robot)
-    B = robot.body_screws
-    e = exponentials(B, joint_values(robot.joint_types, typed), "B")
-    axis = screw_axes(f"B_{i + 1}", B[i])
-    column = change_frame(inverse(e[2] @ e[3]), axis)
-    for passed, text in (
-        (e[0], "joint 1 only"),
-        (e[0] @ e[2] @ e[3], "joints 1, 3 and 4"),
-        (product(*e), "all joints"),
-    ):
-        column = column.mistaken_for(
-            (
-                "joints before",
-                f"take the motion of {text} into account",
-                change_frame(inverse(passed), axis),
-                PASSED_ADVICE,
-            )
-        )
-    column = column.mistaken_for(
-        (
-            "joints before",
-            "move the axis by joint 1, as for the space Jacobian",
-            change_frame(e[0], axis),
-            PASSED_ADVICE,
-        )
-    )
-    backwards = exp(B * q[::-1, None])
-    column = column.mistaken_for(
-        (
-            "joint values reversed",
-            "use the joint values in the reverse order",
-            adjoint(invert(backwards[2] @ backwards[3])) @ B[i],
-        )
-    )
-    for k in (0, 2):
-        rest = change_frame(inverse(product(*e[k + 1 :])), screw_axes(f"B_{k + 1}", B[k]))
-        column = column.mistaken_for(("another joint", f"give column {k + 1}", rest))
-    column = column.mistaken_for(
-        (
-            "space Jacobian",
-            "give the column of the space Jacobian",
-            robot.jacobian(q)[:, i],
-            "It is the present axis in {s}; a column of the body Jacobian is given in {b}.",
-        )
-    )
-    return Problem(
-        statement=f"The joint values of this arm are {words}. Give column {i + 1} of the body Jacobian: the screw axis of joint {i + 1} in "
-        f"this configuration, in the frame {{b}} of the tool.\n\n$$B = {matrix(B)}$$",
-        figure=partial(draw_arm, robot),
-        given={"body_screws": B, "values": typed},
-        answer=ScrewsAnswer(column.value),
-        solution=column,
-        advice={
-            "frame not changed": f"$B_{i + 1}$ holds at home. Since then joints 3 and 4 have moved the tool relative to axis 2.",
-            "inverse left out": "The joints move the tool, and the axis is seen from the tool, so the column needs $\\mathrm{Ad}^{-1}$.",
-            "order": "Inside the inverse the factors have the order of the body form, joint 3 first.",
-        },
-    )
-
-
-@problem(
-    "04.9",
+    "04.7",
     "The twist of the tool",
     points=3,
     lecture="04b_velocity#Joint rates and the twist of the tool",
@@ -490,7 +397,7 @@ class WristAnswer(Numbers):
 
 
 @problem(
-    "04.10",
+    "04.8",
     "A singular wrist",
     points=3,
     lecture="04b_velocity#Singular configurations",
@@ -547,8 +454,53 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
     )
 
 
+size = function("size", np.abs, "|{0}|")
+in_order = function("in order", lambda *x: np.sort(x), "({0}, {1}, {2}, {3})")
+
+
 @problem(
-    "04.11",
+    "04.9",
+    "All singular configurations of a planar arm",
+    points=3,
+    lecture="04b_velocity#Singular configurations",
+    further="Now the direction of the last link counts as well. Which of these configurations are still singular, and which are new?",
+    level="Hard",
+)
+def planar_arm(sampler: ArmSampler) -> Problem:
+    while True:
+        L = np.array([sampler.length(0.2, 0.9) for _ in range(3)])
+        reach = np.abs(np.array([(1, 1, 1), (1, 1, -1), (1, -1, 1), (1, -1, -1)]) @ L)
+        if np.diff(np.sort([0, *reach])).min() > 0.05:
+            break
+    a, b, c = (given(f"L_{i}", x) for i, x in enumerate(L, start=1))
+    far, folded_3, folded_2, back = a + b + c, size(a + b - c), size(a - b + c), size(a - b - c)
+    distances = in_order(back, folded_2, folded_3, far)
+    for name, text, wrong in (
+        ("order", "list the largest first", np.sort(reach)[::-1]),
+        ("pairs of links", "take the differences of two links each", np.sort([*np.abs(L - np.roll(L, 1)), L.sum()])),
+        ("sums of pairs", "take the sums of two links each", np.sort([*(L + np.roll(L, 1)), L.sum()])),
+        ("stretched alone", "count only the stretched arm", np.full(4, L.sum())),
+        ("right angles", "take right angles between the links", np.hypot(reach, L[2])),
+        ("zero for folded", "put the folded tip on joint 1", np.array([0, 0, 0, L.sum()])),
+        ("squares", "give the squares of the distances", np.sort(reach) ** 2),
+        ("not sized", "leave a negative distance", np.sort([L @ w for w in ((1, 1, 1), (1, 1, -1), (1, -1, 1), (1, -1, -1))])),
+        ("links themselves", "give the three links and their sum", np.sort([*L, L.sum()])),
+        ("term left out", "leave out the last link", np.sort([L[0] + L[1], abs(L[0] - L[1])] * 2)),
+        ("term left out", "leave out the first link", np.sort([L[1] + L[2], abs(L[1] - L[2])] * 2)),
+    ):  # fmt: skip
+        distances = distances.mistaken_for((name, text, wrong), may_coincide=True)
+    return Problem(
+        statement=f"A planar arm has three revolute joints and links of {number(L[0])}, {number(L[1])} and {number(L[2])} m. Only the "
+        "position of its tip counts. In which configurations is there a direction in which the tip cannot move? Give the distances of the "
+        "tip from joint 1 in all of them: four numbers in metres, the smallest first.",
+        given={"links": L},
+        answer=Numbers(distances.value, unit="m"),
+        solution=distances,
+    )
+
+
+@problem(
+    "04.10",
     "All body screws of a whole arm",
     points=3,
     lecture="04_poe_body#A second method",
@@ -642,11 +594,12 @@ def _random_configuration(sampler: ArmSampler, robot: Chain) -> Configuration:
 
 
 @problem(
-    "04.12",
+    "04.11",
     "A wrist with offsets",
     points=4,
     lecture="04_poe_body#A second method",
     further="With all offsets 0, which entries of the three screws vanish?",
+    level="Hard",
 )
 def drawn_wrist(sampler: ArmSampler) -> Problem:
     while True:
@@ -675,21 +628,49 @@ def drawn_wrist(sampler: ArmSampler) -> Problem:
     )
 
 
+@problem(
+    "04.12",
+    "What the controller should store",
+    points=3,
+    lecture="04_poe_body#The adjoint",
+    level="Open",
+)
+def what_to_store(_: ArmSampler) -> Problem:
+    return Problem(
+        statement="A controller can store space screws with $M$, or body screws with $M$. In the next year the tool will be changed "
+        "twice, the robot will be moved to another hall, where {s} is the corner of the hall, and the zero of joint 2 will be "
+        "set anew. Which of $S_i$, $B_i$ and $M$ change in each of the three cases, and by which formula? Which description "
+        "would you store?",
+        answer=Prose(
+            "With a new tool $T_{bt}$, $M$ becomes $M\\,T_{bt}$ and every $B_i$ becomes $\\mathrm{Ad}_{T_{bt}^{-1}} B_i$; no $S_i$ "
+            "changes. In the new hall $M$ is multiplied from the left by the pose of the old {s}, and so are the $S_i$ by its "
+            "adjoint; no $B_i$ changes. A new zero of joint 2 changes $M$, the $S_i$ after joint 2 and the $B_i$ up to joint 2. As "
+            "the tool changes more often than the hall, space screws are changed less often; any choice with such a reason is "
+            "right.",
+            {
+                "the new tool: $M$ and all $B_i$, with the adjoint": 1,
+                "the new hall: $M$ and all $S_i$": 1,
+                "the new zero: which screws move with joint 2; and a choice that follows from the three cases": 1,
+            },
+        ),
+    )
+
+
 SHEET = Sheet(
     "04_poe_body",
     "The product of exponentials in the body frame",
     [
         body_screw_off_a_drawing,
         by_the_adjoint,
-        back_to_space,
         where_home_stands,
         body_form,
         home_in_the_middle,
         new_tool,
-        jacobian_column,
         twist_of_the_tool,
         singular_wrist,
+        planar_arm,
         body_screws_of_a_whole_arm,
         drawn_wrist,
+        what_to_store,
     ],
 )

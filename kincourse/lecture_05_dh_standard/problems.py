@@ -29,6 +29,7 @@ from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
+from misstep.answers.prose import Prose
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import ANGLE, radians, sqrt, square, stack
@@ -50,9 +51,10 @@ BASE_AND_TOOL_ADVICE = (
 @problem(
     "05.1",
     "Four numbers between two drawn frames",
-    points=4,
+    points=3,
     lecture="05_dh_standard#Four numbers",
     further="Give the row that leads back from frame 1 to frame 0. Is it a standard row?",
+    level="Warm-up",
 )
 def four_numbers(sampler: ArmSampler) -> Problem:
     start, row = np.eye(4), np.zeros(4)
@@ -87,6 +89,7 @@ def four_numbers(sampler: ArmSampler) -> Problem:
     points=2,
     lecture="05_dh_standard#The general A matrix",
     further="For which numbers do this matrix and that of the modified row agree?",
+    level="Warm-up",
 )
 def one_row(sampler: ArmSampler) -> Problem:
     a, d = sampler.length(0.2, 0.9), sampler.length(0.2, 0.9)
@@ -233,40 +236,6 @@ def offsets(sampler: ArmSampler) -> Problem:
 
 @problem(
     "05.5",
-    "A chain of A matrices",
-    points=2,
-    lecture="05_dh_standard#The product of the A matrices",
-    further="Which of the three matrices depends on no joint value of the others, and what follows for the position?",
-)
-def chain_of_matrices(sampler: ArmSampler) -> Problem:
-    joint_types = sampler.choice(["RPR", "RRP", "PRR"])
-    cells, values = [], []
-    for i, letter in enumerate(joint_types, start=1):
-        a, alpha = sampler.length(0.1, 0.6), sampler.choice([90, -90, 60, -60])
-        length, angle = sampler.length(0.1, 0.6), sampler.choice([90, -90])
-        theta_cell = f"q{i} {'+' if angle > 0 else '-'} 90°" if letter == "R" else f"{angle}°"
-        d_cell = f"{number(length)}" if letter == "R" else f"q{i}"
-        cells.append(f"{number(a)} | {alpha}° | {d_cell} | {theta_cell}")
-        values.append(np.radians(sampler.degrees(-75, 75)) if letter == "R" else sampler.length(0.2, 0.8))
-    text = "\n".join(["a | alpha | d | theta", *cells])
-    table, q = DHTable(text, convention="standard", name="your arm"), np.round(values, 3)
-    printed = markdown_table([cell.split(" | ") for cell in cells])
-    T = table_product(table.rows, joint_types, q, "standard")
-    return Problem(
-        statement=f"Give the pose ${{}}^0T_3$ of this arm at $q = {vector(q)}$ (radians and metres). The convention is "
-        f"standard.\n\n{printed}",
-        figure=partial(
-            draw_table, table
-        ),  # drawn at zero, because the text alternative at q would give the answer away
-        given={"text": text, "q": q},
-        answer=PoseAnswer(T.value),
-        solution=T,
-        advice={"reversed": ORDER_ADVICE, "order": ORDER_ADVICE},
-    )
-
-
-@problem(
-    "05.6",
     "The faulty entry",
     points=3,
     lecture="05_dh_standard#Reading a table off a drawing",
@@ -312,6 +281,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     points=4,
     lecture="05_dh_standard#Special cases",
     further="Move every origin to the height 0. What do the rows say now?",
+    level="Hard",
 )
 def parallel_axes(sampler: ArmSampler) -> Problem:
     sides = np.zeros((2, 2))
@@ -381,7 +351,7 @@ def _axis_distance(i: int, x: float, y: float, z: float) -> tuple[Expression, fl
 
 
 @problem(
-    "05.8",
+    "05.6",
     "Base and tool",
     points=2,
     lecture="05_dh_standard#Base and tool",
@@ -441,11 +411,12 @@ def _format_row(row: list[float], i: int) -> str:
 
 
 @problem(
-    "05.9",
+    "05.8",
     "A SCARA from its drawing",
     points=4,
     lecture="05_dh_standard#Reading a table off a drawing",
     further="The arm is measured at another $q$. Which numbers of your rows do you see again?",
+    level="Hard",
 )
 def scara(sampler: ArmSampler) -> Problem:
     while True:
@@ -465,8 +436,44 @@ def scara(sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
+@problem(
+    "05.9",
+    "Two tables without a common row",
+    points=3,
+    lecture="05_dh_standard#Reading a table off a drawing",
+    level="Open",
+)
+def no_common_row(_: ArmSampler) -> Problem:
+    return Problem(
+        statement="Take the machine of Problem 8, and write a second table of it in the standard convention that has no row in common "
+        "with yours. Frame 0 and the last frame stay where they are. Say for each change which rule allows it, and show that "
+        "both tables give the same pose for every $q$, and not only for those that you tried.",
+        answer=Prose(
+            "Reverse $x_1$ and $x_2$, and move the origins along the parallel axes. Reversing $x_i$ negates $a_i$ and $\\alpha_i$, "
+            "and adds $\\pi$ to $\\theta_i$ and $-\\pi$ to $\\theta_{i+1}$; moving an origin by $h$ along parallel axes adds $h$ to "
+            "one $d$ and subtracts it from the next. In the product, $A_i$ is multiplied by $F$ and $A_{i+1}$ by $F^{-1}$ beside "
+            "it, where $F$ is the change of frame $i$. They cancel for every $q$, because $F$ contains none.",
+            {
+                "a table without a common row": 1,
+                "each change is one that the rules leave free, and is named": 1,
+                "a proof for every $q$: the changes of a frame cancel in the product": 1,
+            },
+        ),
+    )
+
+
 SHEET = Sheet(
     "05_dh_standard",
     "Denavit-Hartenberg tables in the standard convention",
-    [four_numbers, one_row, whole_table, offsets, chain_of_matrices, faulty_entry, parallel_axes, base_and_tool, scara],
+    [
+        four_numbers,
+        one_row,
+        whole_table,
+        offsets,
+        faulty_entry,
+        base_and_tool,
+        parallel_axes,
+        scara,
+        no_common_row,
+    ],
 )

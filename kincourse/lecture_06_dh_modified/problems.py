@@ -12,10 +12,12 @@ from numpy.typing import NDArray
 
 from kincourse.answers.dh_row import DHRowsAnswer
 from kincourse.answers.dh_table import DHTableAnswer
+from kincourse.answers.euler import EulerAnglesAnswer
 from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer
-from kincourse.expressions.links import axial_twists, link, table_product
+from kincourse.expressions.links import link, table_product
 from kincourse.expressions.poses import inverse, rotation_about, rotation_of
+from kincourse.expressions.screws import joint_screws
 from kincourse.expressions.wrist import wrist_angles, wrist_rotation
 from kincourse.mistakes.dh import is_in_several_rows, rows_of_the_other_convention
 from kincourse.problem import problem
@@ -31,17 +33,17 @@ from kincourse.text.joint_table import joint_table
 from kinlib.arrays.validation import Array, read_only_copy
 from kinlib.chains.chain import random_configurations
 from kinlib.chains.robots import X, Y, Z, pose
-from kinlib.dh.formatting import add_variable, headings, in_latex
-from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
+from kinlib.dh.formatting import add_variable, headings, in_latex, markdown_table
+from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import Convention, DHTable, dh_transform
-from kinlib.rigid.lie import exp
+from kinlib.rigid.lie import homogeneous
 from kinlib.view import draw_arm, draw_frames, draw_joints
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Named
 from misstep.answers.choice import Choice
-from misstep.answers.equivalent import Equivalent
 from misstep.answers.likeness import Likeness
 from misstep.answers.number import Numbers
+from misstep.answers.prose import Prose
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import Expression, given, product
@@ -51,16 +53,12 @@ from misstep.sheet import Sheet
 
 RIGHT_ANGLE_RAD = np.pi / 2
 
-ANGLES_TOLERANCE_FACTOR = 3
-"""How many times the tolerance of one entry a rotation may be off: the rounding errors of three angles add up."""
-
 MIN_HEIGHT_M = 0.5
 """The minimum height of the joints of a drawn arm above the floor, at which their drop lines can be read."""
 
 ALPHAS_DEG = (-90, 90, -60, 60, -45, 45, -30, 30)
 """Values of alpha that are easy to type. None is 0, because parallel joint axes would hide half of the mistakes."""
 
-VALUE_ADVICE = "Read it off $({}^0T_{i-1})^{-1}\\,{}^0T_i$, in metres or radians."
 WRIST_ADVICE = "The wrist is $R_y(\\theta_4)\\,R_z(\\theta_5)\\,R_y(\\theta_6)\\,R_x(-90°)$. With all angles 0 only the constant is left."
 
 OFF_THE_NORMAL = (
@@ -184,27 +182,8 @@ def _rows_with_other_x(rows: bytes, count: int, convention: Convention) -> Array
 
 
 @dataclass(frozen=True, eq=False)
-class AxialTwistsAnswer(ScrewsAnswer):
-    """Two twists in rows, (2, 6). Both are right if each has the exponential of the right one.
-
-    >>> answer = AxialTwistsAnswer(np.array([[np.pi, 0, 0, 1, 0, 0], [0, 0, 1, 0, 0, 2]]))
-    >>> answer.agrees(answer.value - np.eye(2, 6) * (2 * np.pi, 0, 0, 0, 0, 0), answer.value)
-    [True, True]
-    """
-
-    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
-        same = super().agrees(one, other, tolerance)
-        return [
-            fine or bool(np.abs(exp(mine) - exp(yours)).max() <= tolerance)
-            for fine, mine, yours in zip(same, one, other, strict=True)
-        ]
-
-
-@dataclass(frozen=True, eq=False)
-class WristAnglesAnswer(Equivalent):
+class WristAnglesAnswer(EulerAnglesAnswer):
     """Angles theta_4, theta_5, theta_6 of a wrist in rows, in radians; the second row is at the singular configuration.
-
-    Each row is a part, and right if it gives the right rotation.
 
     >>> answer = WristAnglesAnswer(np.array([[0.1, 0.2, 0.3], [0, 0, 0.5]]))
     >>> answer.agrees(np.array([[0.1 + np.pi, -0.2, 0.3 + np.pi], [0.25, 0, 0.25]]), answer.value)
@@ -213,20 +192,6 @@ class WristAnglesAnswer(Equivalent):
 
     noun: ClassVar[str] = "theta_4, theta_5, theta_6 in radians, one row for each rotation, an array"
     meaning: Callable[[Array], Array] = field(default=wrist_rotation, kw_only=True)
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["the angles for $R_1$", "the angles for $R_2$"]
-
-    def part_indices(self) -> list[int]:
-        return [0, 1]
-
-    def angle_entries(self) -> NDArray[np.bool_]:
-        return np.ones((2, 3), dtype=bool)
-
-    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
-        off = [np.abs(self.meaning(mine) - self.meaning(yours)).max() for mine, yours in zip(one, other, strict=True)]
-        return [bool(distance <= ANGLES_TOLERANCE_FACTOR * tolerance) for distance in off]
 
     def resemblance(self, given: Array, part: int | None) -> Named | None:
         if part is None:
@@ -256,61 +221,13 @@ class WristAnglesAnswer(Equivalent):
         return "For $R_1$ you found the second solution, $(\\theta_4 + \\pi, -\\theta_5, \\theta_6 + \\pi)$."
 
 
-@dataclass(frozen=True, eq=False)
-class FaultyEntryAnswer(Numbers):
-    """The place of a faulty entry of a printed table, row and column counted from 1, and its right value, shape (3,).
-
-    >>> FaultyEntryAnswer(np.array([2, 1, 0.5])).agrees(np.array([2, 1, 0.5]), np.array([2, 3, 0.5]))
-    [True, False, True]
-    """
-
-    noun: ClassVar[str] = "row, column and right value, an array"
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["the row", "the column", "the value"]
-
-    def part_indices(self) -> list[int]:
-        return [0, 1, 2]
-
-    def counts(self, given: Array, right: Sequence[bool]) -> bool:
-        """Return whether two of the three are right: every fourth guess of a row or a column is."""
-        return sum(right) > 1
-
-    def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
-        same = super().same_entries(one, other, tolerance)
-        if COLUMNS[int(self.value[1]) - 1] in ANGLE_COLUMNS:
-            same[2] = abs(2 * np.sin((one[2] - other[2]) / 2)) <= tolerance
-        return same
-
-    def angle_entries(self) -> NDArray[np.bool_]:
-        return np.array([False, False, COLUMNS[int(self.value[1]) - 1] in ANGLE_COLUMNS])
-
-    def length_entries(self) -> NDArray[np.bool_]:
-        return np.array([False, False, True]) ^ self.angle_entries()
-
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        if part == 2:
-            is_negated = abs(given[2] + self.value[2]) < TOLERANCE
-            return ("sign", "The size is right, the sign is not.") if is_negated else None
-        if part is not None:
-            what = ("row", "column")[part]
-            if given[part] < 1:
-                return f"{what} counted from 0", f"The first {what} is {what} 1."
-            return f"another {what}", f"The misprinted entry is in another {what}."
-        for order in ((2, 0, 1), (1, 0, 2), (2, 1, 0), (0, 2, 1), (1, 2, 0)):
-            if all(self.agrees(given, self.value[list(order)])) and not self.agrees(given, self.value)[2]:
-                text = "These are the right numbers in another order. Give the row, the column, the value."
-                return "order of the numbers", text
-        return None
-
-
 @problem(
     "06.1",
     "The link transform of a row",
-    points=3,
+    points=2,
     lecture="06_dh_modified#The general matrix",
     further="In which two numbers would the standard matrix of the same row differ?",
+    level="Warm-up",
 )
 def link_transform(sampler: ArmSampler) -> Problem:
     row = _random_row(sampler)
@@ -341,30 +258,6 @@ def link_transform(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "06.2",
-    "A row as two axial screws",
-    points=2,
-    lecture="06_dh_modified#Two axial screws",
-    further="Exchange the two twists. For which rows is the product the same?",
-)
-def axial_screws(sampler: ArmSampler) -> Problem:
-    row = _random_row(sampler)
-    a, alpha, d, theta = row
-    x = axial_twists(a, alpha, d, theta)
-    return Problem(
-        statement="Give the two twists $x_1, x_2$, $(\\omega, v)$ in rows, for which ${}^{i-1}T_i = e^{[x_1]} e^{[x_2]}$.\n\n"
-        + _format_table([row], "modified"),
-        given={"a": a, "alpha": alpha, "d": d, "theta": theta},
-        answer=AxialTwistsAnswer(x.value, names=["the first twist", "the second twist"]),
-        solution=x,
-        advice={
-            "rows swapped": "In the modified convention the screw across the link comes first. Joint first is the standard convention.",
-            "theta for alpha": "The rotation about $x$ has the angle $\\alpha$.",
-        },
-    )
-
-
-@problem(
     "06.3",
     "From standard to modified",
     points=4,
@@ -378,27 +271,6 @@ def to_modified(sampler: ArmSampler) -> Problem:
         statement="Convert this standard table to the modified convention. Frame 0 stays the same. The $a$ and $\\alpha$ that are "
         "left over become the tool, which is not part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at "
         "$q = 0$, angles in radians.\n\n" + _format_table(table.rows, "standard", table.joints),
-        shown={"rows": table.rows, "joints": table.joints},
-        answer=answer,
-        mistakes=_wrong_conversions(answer),
-    )
-
-
-@problem(
-    "06.4",
-    "From modified to standard",
-    points=4,
-    lecture="06_dh_modified#Converting",
-    further="Convert your rows back. Which entries are lost on the way, and where do they go?",
-)
-def to_standard(sampler: ArmSampler) -> Problem:
-    table = _random_table(sampler, "modified")
-    answer = _converted(table, "standard")
-    return Problem(
-        statement="In this modified table $a_0$ and $\\alpha_0$ are not 0, because frame {0} is fixed to the wall, away from "
-        "axis 1. Convert the table to the standard convention. The $a$ and $\\alpha$ that are left over become the base, which is not "
-        "part of the answer. Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
-        + _format_table(table.rows, "modified", table.joints),
         shown={"rows": table.rows, "joints": table.joints},
         answer=answer,
         mistakes=_wrong_conversions(answer),
@@ -461,94 +333,7 @@ def which_convention(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "06.6",
-    "The faulty entry",
-    points=3,
-    lecture="06_dh_modified#The general matrix",
-    further="If two entries of this row were wrong, would you see both?",
-)
-def faulty_entry(sampler: ArmSampler) -> Problem:
-    rows = np.array(
-        [
-            (0.0, 0.0, sampler.length(0.1, 0.4), np.radians(sampler.degrees(-80, 80))),
-            _random_row(sampler),
-            _random_row(sampler),
-        ]
-    )
-    row, column = sampler.integer(2, 3), sampler.integer(1, 4)
-    right = rows[row - 1, column - 1]
-    printed = rows.copy()
-    printed[row - 1, column - 1] = (
-        (right + 0.15) if column in (1, 3) else (right + np.radians(sampler.choice([15, 20])))
-    )
-    poses = table_frames(DHTable(rows, convention="modified"))[1:]
-    other, misprint = {1: 3, 2: 4, 3: 1, 4: 2}[column], printed[row - 1, column - 1]
-    R, p = poses[row - 1][:3, :3], poses[row - 1][:3, 3]
-    in_frame_0 = {1: p[0], 2: np.arctan2(-R[1, 2], R[2, 2]), 3: p[2], 4: np.arctan2(-R[0, 1], R[0, 0])}[column]
-    unit, factor = ("millimetres", 1000) if column in {1, 3} else ("degrees", 180 / np.pi)
-    wrong_values = {
-        "what is printed": (misprint, "what is printed there"),
-        "inverse": (-right, "the right value with the opposite sign, as in $({}^0T_i)^{-1}\\,{}^0T_{i-1}$"),
-        "correction": (right - misprint, "the correction, that is, its difference from what is printed"),
-        "corrected the wrong way": (
-            2 * misprint - right,
-            "the printed value with the correction subtracted instead of added",
-        ),
-        "zero": (0.0, "0"),
-        "read in frame 0": (in_frame_0, "the value read from ${}^0T_i$, which contains all rows up to this one"),
-        unit: (factor * right, f"the right value in {unit}"),
-    }
-    shown = "\n\n".join(f"$${{}}^0T_{k + 1} = {matrix(T)}$$" for k, T in enumerate(poses))
-    return Problem(
-        statement="One entry of this modified table is misprinted. The poses of its frames at $q = 0$ are right. Find the entry, "
-        "and give three numbers: its row, its column and the right value. The columns are numbered 1 to 4, "
-        "from $a_{i-1}$ to $\\theta_i$, and "
-        f"the value is in metres or radians.\n\n{_format_table(printed, 'modified', 'RRR')}\n\n{shown}",
-        figure=partial(draw_frames, {"0": np.eye(4), **{str(k + 1): T for k, T in enumerate(poses)}}),
-        given={"rows": printed, "poses": poses},
-        answer=FaultyEntryAnswer(np.array([row, column, right])),
-        mistakes=[
-            mistake(
-                "counted from 0",
-                [row - 1, column - 1, right],
-                "You counted from 0, as Python does. In a printed table the first row and the first column have the number 1.",
-            ),
-            mistake(
-                "the row of the other frame",
-                [row - 1, column, right],
-                "The value is right, but the row is not. Row $i$ leads from {i-1} to {i}, although its $a$ and $\\alpha$ carry the "
-                "index $i-1$.",
-            ),
-            mistake(
-                "the other of its kind",
-                [row, other, right],
-                "The row is right. But "
-                + (
-                    "$a$ is measured along $x_{i-1}$, and $d$ along $z_i$: you swapped them."
-                    if column in (1, 3)
-                    else "$\\alpha$ is measured about $x_{i-1}$, and $\\theta$ about $z_i$: you swapped them."
-                ),
-            ),
-            *(
-                mistake(
-                    name,
-                    [row, column, value],
-                    f"You named the right entry, and as its value you gave {text}. {VALUE_ADVICE}",
-                    f"This is {text}. {VALUE_ADVICE}",
-                )
-                for name, (value, text) in wrong_values.items()
-            ),
-            *(
-                [mistake("column first", [column, row, right], "You gave the column first. Give the row first.")]
-                if row != column
-                else []
-            ),
-        ],
-    )
-
-
-@problem(
-    "06.7",
+    "06.4",
     "The rotation of a wrist",
     points=3,
     lecture="06b_puma#The wrist",
@@ -589,11 +374,12 @@ def wrist(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "06.8",
+    "06.2",
     "The pose of an RPR arm",
-    points=3,
+    points=2,
     lecture="06_dh_modified#A worked example",
     further="The prismatic joint moves by 0.1 m. In which direction does the end-effector move?",
+    level="Warm-up",
 )
 def chain(sampler: ArmSampler) -> Problem:
     a1 = d2 = sampler.length(0.3, 0.9)
@@ -617,7 +403,7 @@ def chain(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "06.9",
+    "06.6",
     "The angles of a wrist",
     points=3,
     lecture="06b_puma#Angles from a rotation",
@@ -641,18 +427,19 @@ def angles_of_a_wrist(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "06.10",
+    "06.7",
     "A whole arm from a drawing",
-    points=5,
+    points=4,
     lecture="06_dh_modified#Frame labelling in eight steps",
     further="Which of your rows would a second correct table share with yours?",
 )
 def whole_arm(sampler: ArmSampler) -> Problem:
-    places = [np.zeros(3)]
-    while not are_distinguishable(places) or min(place[2] for place in places[1:]) < MIN_HEIGHT_M:
+    places, tellable = [np.zeros(3)], 0
+    while tellable < 2 or not are_distinguishable(places) or min(place[2] for place in places[1:]) < MIN_HEIGHT_M:
         joints = sampler.choice(["RRRRR", "RRPRR", "RPRRR", "RRRRRR", "RRRPRR"])
         kinds = sampler.shuffled(["parallel", "intersecting", "skew", "skew", "intersecting"])[: len(joints) - 1]
         rows, letters = _letter_rows(sampler, kinds)
+        tellable = int((np.abs(rows[:, 1]) != np.abs(rows[:, 3])).sum())  # rows that show which angle is which
         table = DHTable(rows, convention="modified", joints=joints, name="your arm")
         robot = table.to_chain()
         places = [np.zeros(3), *robot.joint_points]
@@ -766,11 +553,12 @@ def _format_table(
 
 
 @problem(
-    "06.11",
+    "06.8",
     "A telescope mount from its drawing",
     points=4,
     lecture="06_dh_modified#Frame labelling in eight steps",
     further="Where would the frames be in the standard convention?",
+    level="Hard",
 )
 def telescope_mount(sampler: ArmSampler) -> Problem:
     while True:
@@ -791,20 +579,108 @@ def telescope_mount(sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
+PANDA_M = np.array([
+    (0, 0, 0.333), (0, -1, 0), (0, 1, 0.316), (0.0825, 1, 0), (-0.0825, -1, 0.384), (0, 1, 0), (0.088, 1, 0)
+])  # fmt: skip
+"""The rows of the maker's table: a, alpha in right angles, and d."""
+
+
+def _joint_before(base: Array, axes: Array, points: Array) -> tuple[Array, Array]:
+    return np.vstack([base[:3, 2], axes[:-1]]), np.vstack([base[:3, 3], points[:-1]])
+
+
+@problem(
+    "06.9",
+    "A Panda on a wall",
+    points=4,
+    lecture="06_dh_modified#The maker's own table",
+    further="Which rows stay the same if the maker had chosen the standard convention?",
+    level="Hard",
+)
+def panda_on_a_wall(sampler: ArmSampler) -> Problem:
+    place = lengths(sampler, 3, 0.2, 0.9) * [sampler.choice((-1, 1)) for _ in range(3)]
+    base = pose(sampler.choice(((Y, Z, X), (-Y, -X, -Z), (-Z, Y, X), (X, -Y, -Z), (X, -Z, Y))), place)
+    quarters = np.array([0, sampler.choice((0, 1)), 0, -1, sampler.choice((0, 1, -1)), 1, 0])
+    rows = np.column_stack([PANDA_M * (1, RIGHT_ANGLE_RAD, 1), RIGHT_ANGLE_RAD * quarters])
+
+    def axes_and_points(rows: Array, convention: Convention = "modified", base: Array = base) -> tuple[Array, Array]:
+        frames = table_frames(DHTable(rows, convention=convention, base=base))
+        of = frames[1:] if convention == "modified" else frames[:-1]
+        return of[:, :3, 2].round(9), of[:, :3, 3]
+
+    axes, points = axes_and_points(rows)
+    S = joint_screws(axes, [given(f"O_{i}", p) for i, p in enumerate(points, start=1)], np.zeros(7))
+    at_zero, negated = rows * (1, 1, 1, 0), rows * (1, 1, 1, -1)
+    for name, text, (w, p) in (
+        ("the other convention", "read the table as a standard one", axes_and_points(rows, "standard")),
+        ("joint before", "take $z_{i-1}$ and $O_{i-1}$ for joint $i$", _joint_before(base, axes, points)),
+        ("no offset", "leave every $q$ at 0", axes_and_points(at_zero)),
+        ("sign of the offset", "take every $q$ with the opposite sign", axes_and_points(negated)),
+        ("base left out", "leave out the base", axes_and_points(rows, base=np.eye(4))),
+        ("base not rotated", "leave out the rotation of the base", axes_and_points(rows, base=pose((X, Y, Z), place))),
+        ("base not moved", "leave out the position of the base", axes_and_points(rows, base=homogeneous(base[:3, :3], 0 * place))),
+        ("sign of alpha", "take every $\\alpha$ with the opposite sign", axes_and_points(rows * (1, -1, 1, 1))),
+        ("a and d swapped", "swap $a$ and $d$", axes_and_points(rows[:, [2, 1, 0, 3]])),
+    ):  # fmt: skip
+        S = S.mistaken_for((name, text, joint_screws(w, p, np.zeros(7)).value))
+    return Problem(
+        statement="A Panda is mounted on a wall. This is its maker's table, modified, in metres and degrees, with the configuration in "
+        "which it waits.\n\n"
+        + markdown_table(
+            [
+                [f"{a:g}", f"{90 * turn:g}°", f"{d:g}", f"{90 * q:g}°"]
+                for (a, turn, d), q in zip(PANDA_M, quarters, strict=True)
+            ],
+            ["joint", "$a_{i-1}$", "$\\alpha_{i-1}$", "$d_i$", "$q_i$"],
+        )
+        + f"\n\nThe pose of frame 0 in {{s}} is\n\n$$T_{{s0}} = {matrix(base)}$$\n\nGive the screw axes $S_1$ to $S_7$ in {{s}} in this "
+        "configuration, as rows.",
+        shown={"rows": rows, "base": base},
+        answer=ScrewsAnswer(S.value),
+        solution=S,
+        invisible={"another point"},
+    )
+
+
+@problem(
+    "06.10",
+    "A table without a word on its convention",
+    points=3,
+    lecture="06_dh_modified#Which convention is this?",
+    level="Open",
+)
+def settle_the_convention(_: ArmSampler) -> Problem:
+    return Problem(
+        statement="A maker sends the table of an arm with six joints, and does not say which convention it is in. One sign may be "
+        "misprinted. You have the arm, and can measure the position of a point of the flange to a millimetre. Plan as few "
+        "measurements as you can that decide the convention and find the misprint. Which misprints can your plan not find?",
+        answer=Prose(
+            "Compute the position in both conventions for some $q$, and choose a $q$ at which they differ by centimetres. Then move "
+            "one joint at a time: each circle gives the line of one axis, and so $a$, $\\alpha$ and $d$ between neighbours. One "
+            "further $q$ with all joints moved is a test of the whole. A misprint that changes no motion of the point is not found: "
+            "a sign of the last $\\alpha$ or $\\theta$, which only rotates the flange, or one that another row makes up for.",
+            {
+                "a configuration in which both conventions clearly differ": 1,
+                "a plan that finds the row of the misprint, such as one joint at a time": 1,
+                "at least one misprint that it cannot find, with a reason": 1,
+            },
+        ),
+    )
+
+
 SHEET = Sheet(
     "06_dh_modified",
     "Denavit-Hartenberg tables in the modified convention",
     [
         link_transform,
-        axial_screws,
-        to_modified,
-        to_standard,
-        which_convention,
-        faulty_entry,
-        wrist,
         chain,
+        to_modified,
+        wrist,
+        which_convention,
         angles_of_a_wrist,
         whole_arm,
         telescope_mount,
+        panda_on_a_wall,
+        settle_the_convention,
     ],
 )

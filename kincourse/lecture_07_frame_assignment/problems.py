@@ -10,7 +10,7 @@ from kincourse.answers.frames import DHFramesAnswer
 from kincourse.answers.point import VectorsAnswer
 from kincourse.mistakes.dh import entry_names, rows_of_the_other_convention
 from kincourse.problem import problem
-from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
+from kincourse.sampling.arms import ArmSampler
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
 from kincourse.text.joint_table import end_frames, given_frames, joint_table
 from kinlib.arrays.validation import Array
@@ -27,6 +27,7 @@ from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.frame_assignment import draw_assignment
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
+from misstep.answers.prose import Prose
 from misstep.display.text import degrees, number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import given
@@ -36,65 +37,14 @@ from misstep.sheet import Sheet
 
 RIGHT_ANGLE_RAD = np.pi / 2
 
-CASES = {
-    "a": "skew",
-    "b": "intersecting",
-    "c": "parallel",
-    "d": "antiparallel",
-    "e": "coincident",
-    "f": "coincident, with opposite directions",
-}
-
-
-@problem(
-    "07.1",
-    "The relation of two axes",
-    points=2,
-    lecture="07_frame_assignment#The algorithm",
-    further="How many common normals do two parallel lines have, and what may you choose?",
-)
-def the_case(sampler: ArmSampler) -> Problem:
-    right = sampler.choice(list(CASES))
-    z, point = sampler.choice(AXIS_DIRECTIONS), sampler.point(4)
-    side = sampler.choice([axis for axis in AXIS_DIRECTIONS if not axis @ z])
-    along, distance = sampler.integer(1, 3) * sampler.choice((-1, 1)), sampler.integer(1, 3)
-    other = {"a": side, "b": side, "c": z, "d": -z, "e": z, "f": -z}[right]
-    normal = {"a": np.cross(z, side), "b": 0 * z, "c": side, "d": side, "e": 0 * z, "f": 0 * z}[right]
-    place = point + along * z + distance * normal + (sampler.integer(1, 3) * side if right in "ab" else 0)
-    robot = arm([(z, point), (other, place)], pose((X, Y, Z), place + X), "Two axes", "drawn for you")
-    listed = "\n".join(f"- {letter}) {case}" for letter, case in CASES.items())
-    problem = Problem(
-        statement=f"Two revolute joints follow each other in an arm. How are their axes related?\n\n{joint_table(robot)}\n\n{listed}\n\n"
-        "Answer with a letter, and with the point of the second axis that is nearest to the point of the first one in the table, such as "
-        "`('a', [1, 0, 2])`.",
-        figure=partial(draw_joints, robot),
-        given={"axes": np.array([z, other]), "points": robot.joint_points},
-        answer=Choice(right, CASES),
-        mistakes=[mistake(CASES[wrong], wrong, _case_message(wrong, right)) for wrong in CASES if wrong != right],
-    )
-    return problem.with_reason(Numbers(place + other * ((point - place) @ other), unit="m"))
-
-
-def _case_message(wrong: str, right: str) -> str:
-    """The message on the first property in which the chosen relation of two axes differs from the right one."""
-    directions = {"a": "neither", "b": "neither", "c": "same", "d": "opposite", "e": "same", "f": "opposite"}
-    if directions[wrong] != directions[right]:
-        return {
-            "neither": "Compare the directions: neither is a multiple of the other, so the axes are not parallel.",
-            "same": "Compare the directions: they are equal, so $\\alpha = 0$.",
-            "opposite": "Compare the directions: one is the negative of the other, so the axes are antiparallel, and $\\alpha = \\pi$.",
-        }[directions[right]]
-    if right in "bef":
-        return "Look for a common point: a point of one axis also lies on the other, so their distance is 0."
-    return "Look for a common point: no point of one axis lies on the other, so their distance is not 0."
-
 
 @problem(
     "07.2",
     "Frames by the rules",
-    points=4,
+    points=3,
     lecture="07_frame_assignment#The algorithm",
     further="Where did the rules leave you a choice, and what would the table look like with the other one?",
+    level="Warm-up",
 )
 def frames_by_the_rules(sampler: ArmSampler) -> Problem:
     robot = sampler.arm("RRR")
@@ -158,7 +108,7 @@ def _along_the_links(frames: Array, robot: Chain) -> Array:
 @problem(
     "07.3",
     "The table of a drawn arm",
-    points=4,
+    points=3,
     lecture="07_frame_assignment#What is free",
     further="Find a second table of this arm without a row of yours. How do you prove that they agree?",
 )
@@ -180,7 +130,7 @@ def table_of_an_arm(sampler: ArmSampler) -> Problem:
 @problem(
     "07.4",
     "Parallel and antiparallel axes",
-    points=4,
+    points=3,
     lecture="07_frame_assignment#The algorithm",
     further="Turn axis 4 so that it has the direction of axis 3. Which rows change?",
 )
@@ -356,11 +306,12 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "07.7",
+    "07.1",
     "A prismatic joint drawn elsewhere",
     points=2,
     lecture="07_frame_assignment#Prismatic joints are free vectors",
     further="At which place of the joint is one of the two lengths 0?",
+    level="Warm-up",
 )
 def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
     first = second = moved = 1.0
@@ -415,14 +366,15 @@ def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "07.8",
+    "07.7",
     "Which table is the same arm?",
     points=3,
     lecture="07_frame_assignment#Two right tables",
     further="Write one more table of the same arm that looks as different as possible.",
+    level="Hard",
 )
 def same_arm(sampler: ArmSampler) -> Problem:
-    table, changed = _tables_to_compare(sampler)
+    table, changed, entry = _tables_to_compare(sampler)
     names = list(changed)
     order = sampler.shuffled(names)
     letters = dict(zip("abcd", order, strict=True))
@@ -433,22 +385,24 @@ def same_arm(sampler: ArmSampler) -> Problem:
         "$\\alpha_3$ changes its sign too.",
         "origin moved in part": "In this table $d_2$ is changed, as if $O_2$ were moved along the parallel axes 2 and 3. But then "
         "$d_3$ must change by the same amount with the opposite sign.",
-        "sign of d": "In this table $d_4$ has the other sign, and no other entry compensates for it.",
+        "one sign": "In this table one entry has the other sign, and no other entry compensates for it.",
     }
-    spoiled = next(letter for letter, name in letters.items() if name == "sign of d")
+    spoiled = next(letter for letter, name in letters.items() if name == "one sign")
     problem = Problem(
         statement=f"Here is a DH table in the standard convention:\n\n{_format_table(table)}\n\nWhich of the following tables "
         f"describes the same mechanism? And which single entry of table {spoiled}) must change, so that it does so as well?\n\n{shown}\n\n"
         "Answer with a letter and an entry, such as `('a', 'd2')`.",
         given={"table": table.rows, "tables": {letter: changed[name].rows for letter, name in letters.items()}},
+        shown={"spoiled": spoiled},
         answer=Choice(right, dict.fromkeys("abcd", "a table")),
         mistakes=[mistake(name, letter, why[name]) for letter, name in letters.items() if name != "legal"],
     )
-    return problem.with_reason(Choice("d4", entry_names(5)))
+    return problem.with_reason(Choice(entry, entry_names(5)))
 
 
-def _tables_to_compare(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]]:
-    """Draw a table with parallel axes 2 and 3, an equivalent one, and three with an incomplete change of frames."""
+def _tables_to_compare(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable], str]:
+    """Draw a table with parallel axes 2 and 3, an equivalent one, three with an incomplete change, and the one entry of the last."""
+    entry, (row, column) = sampler.choice((("d4", (3, 2)), ("a4", (3, 0)), ("alpha4", (3, 1))))
     while True:
         rows = np.zeros((5, 4))
         for i in range(5):
@@ -466,16 +420,16 @@ def _tables_to_compare(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]
         part_of_x = reversed_x * np.where(np.outer(np.eye(5)[2], np.eye(4)[1]) == 1, -1, 1)
         legal = reversed_x + shift * np.outer(np.eye(5)[1] - np.eye(5)[2], np.eye(4)[2])
         part_of_origin = reversed_x + shift * np.outer(np.eye(5)[1], np.eye(4)[2])
-        sign = legal * np.where(np.outer(np.eye(5)[3], np.eye(4)[2]) == 1, -1, 1)
+        sign = legal * np.where(np.outer(np.eye(5)[row], np.eye(4)[column]) == 1, -1, 1)
         rows_by_name = {
             "legal": legal,
             "x reversed in part": part_of_x,
             "origin moved in part": part_of_origin,
-            "sign of d": sign,
+            "one sign": sign,
         }
         changed = {name: table.changed(rows=new) for name, new in rows_by_name.items()}
         if [bool(equivalent(table, other)) for other in changed.values()] == [True, False, False, False]:
-            return table, changed
+            return table, changed, entry
 
 
 def _given(n: int) -> str:
@@ -490,11 +444,12 @@ def _format_table(table: DHTable) -> str:
 
 
 @problem(
-    "07.9",
+    "07.8",
     "The leg of a walking machine",
     points=4,
     lecture="07_frame_assignment#The algorithm",
     further="Axis 1 is moved by 0.1 m along $x$. Which origin moves, and in which direction?",
+    level="Hard",
 )
 def leg(sampler: ArmSampler) -> Problem:
     while True:
@@ -538,18 +493,45 @@ def leg(sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
+@problem(
+    "07.9",
+    "Where the rules leave a choice",
+    points=3,
+    lecture="07_frame_assignment#What is free",
+    level="Open",
+)
+def choices_of_the_rules(_: ArmSampler) -> Problem:
+    return Problem(
+        statement="Take a machine that you can look at, such as a lamp, an excavator or a door closer, with at least three joints, of "
+        "which two neighbours have parallel axes. Describe its axes. Where do the rules of the standard convention leave you a "
+        "choice, and how do you decide it? Then one of the parallel axes is mounted half a degree off. What happens to your "
+        "frames and to your table?",
+        answer=Prose(
+            "For parallel axes the common normal may be anywhere along them; put it where the neighbouring row gets $d = 0$. The "
+            "direction of every $x_i$ along a normal, that of $z_0$ and the whole of the last frame are free as well. If the axes "
+            "are half a degree off, they have exactly one common normal, which may be metres away: $O_i$ jumps there, $d$ becomes "
+            "large with opposite signs in two rows, and small errors of the angle change it by much.",
+            {
+                "the axes of a real machine, two of them parallel, described so that they can be drawn": 1,
+                "all choices that the rules leave there, each with a decision": 1,
+                "the common normal jumps, and large lengths come up that nearly cancel": 1,
+            },
+        ),
+    )
+
+
 SHEET = Sheet(
     "07_frame_assignment",
     "DH frames for any arm",
     [
-        the_case,
+        prismatic_joint_elsewhere,
         frames_by_the_rules,
         table_of_an_arm,
         parallel_axes,
         which_rule,
         table_to_mend,
-        prismatic_joint_elsewhere,
         same_arm,
         leg,
+        choices_of_the_rules,
     ],
 )

@@ -15,7 +15,6 @@ from kincourse.expressions.planar import (
     corner_angle,
     coupler_directions,
     direction_of,
-    kutzbach,
     length,
     polar,
     rocker_directions,
@@ -29,8 +28,6 @@ from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kincourse.sampling.four_bar_geometry import FourBar
 from kincourse.sampling.linkages import (
-    PLANAR_LEGS,
-    SPATIAL_LEGS,
     crank_rocker,
     four_bar_of_kind,
     limited_crank,
@@ -38,16 +35,16 @@ from kincourse.sampling.linkages import (
 )
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms import linkages
-from kinlib.rigid.angles import wrap_angle
 from kinlib.view.figures.linkage import draw_linkage
 from misstep.answers.angle import Angles
 from misstep.answers.base import Named
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
-from misstep.display.text import number, vector
+from misstep.answers.prose import Prose
+from misstep.display.text import number
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given
-from misstep.mutants.operations import ANGLE, LENGTH, radians
+from misstep.mutants.operations import ANGLE, LENGTH, cos, radians, sqrt, square, stack
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
@@ -77,7 +74,51 @@ def open_configuration(A: float) -> Array:
 
 
 @problem(
-    "08.1",
+    "08.3",
+    "A loop closed by points",
+    points=3,
+    lecture="08_closed_chains#A ring of ten links",
+    further="The rocker is moved until the gap is as short as possible. Which angle does the gap then have to the rocker?",
+)
+def gap_of_points(sampler: ArmSampler) -> Problem:
+    four_bar = crank_rocker(sampler)
+    degrees = [sampler.degrees(20, 80), sampler.degrees(-60, -20), sampler.degrees(85, 130)]
+    ground, crank, coupler, rocker = bars(four_bar)
+    A, B, D = (radians(given(name, float(angle), ANGLE)) for name, angle in zip("ABD", degrees, strict=True))
+    angle = (A + B).mistaken_for(
+        ("relative angle", "take $B$ as the coupler's angle from the $x$ axis", B),
+        ("relative angle", "subtract $B$ from $A$", A - B),
+        ("another angle", "take the coupler along the crank", A),
+    )
+    over_B = (polar(crank, A) + polar(coupler, angle)).named("p_1")
+    D_point = given("p_D", np.array([four_bar.ground, 0.0])).mistaken_for(
+        ("ground left out", "begin the second branch at A", np.zeros(2))
+    )
+    over_D = (D_point + polar(rocker, D)).named("p_2")
+    gap = (over_B - over_D).mistaken_for(
+        ("sign", "subtract the end of the first branch from that of the second", over_D - over_B),
+        ("one branch", "give the end of the first branch alone", over_B),
+        ("one branch", "give the end of the second branch alone", over_D),
+        ("sum for difference", "add the two ends", over_B + over_D),
+        ("coupler left out", "end the first branch at B", polar(crank, A) - over_D),
+        ("crank left out", "begin the first branch at B", polar(coupler, angle) - over_D),
+        ("bars added", "lay all bars along $x$", np.array([crank.value + coupler.value - ground.value - rocker.value, 0.0])),
+    )  # fmt: skip
+    listed = ", ".join(f"${name} = {angle}°$" for name, angle in zip("ABD", degrees, strict=True))
+    return Problem(
+        statement=f"{describe_lengths(four_bar)} {ANGLES_NOTE} The loop is not closed yet: {listed}. Both branches end where the pin C "
+        "should be. How far apart are the ends? Give the vector $p_1(A, B) - p_2(D)$, $[x, y]$ in metres, from the end of the rocker to "
+        "the end of the coupler.",
+        figure=partial(draw_linkage, linkages.four_bar(*four_bar), np.radians([*degrees, 0.0])),
+        given={"bars": tuple(four_bar), "degrees": dict(zip("ABD", degrees, strict=True))},
+        answer=Numbers(gap.value, unit="m"),
+        solution=gap,
+        advice={"sign of an angle": ANTICLOCKWISE},
+    )
+
+
+@problem(
+    "08.4",
     "The residual of an open loop",
     points=3,
     lecture="08_closed_chains#Loop closure",
@@ -120,7 +161,7 @@ def residual(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "08.2",
+    "08.5",
     "Both assembly modes",
     points=3,
     lecture="08_closed_chains#The smallest loop",
@@ -178,7 +219,7 @@ def _bar(begin: str, length: float, right: float) -> str:
 
 
 @problem(
-    "08.3",
+    "08.6",
     "A point of the coupler",
     points=3,
     lecture="08_closed_chains#The smallest loop",
@@ -256,11 +297,12 @@ def coupler_point(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "08.4",
+    "08.1",
     "A slider-crank with an offset",
     points=2,
     lecture="08_closed_chains#A worked example",
     further="At which crank angle is the slider farthest away?",
+    level="Warm-up",
 )
 def slider(sampler: ArmSampler) -> Problem:
     crank, rod, offset = (
@@ -320,61 +362,6 @@ def slider(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "08.5",
-    "Which configuration is drawn?",
-    points=2,
-    lecture="08_closed_chains#The smallest loop",
-    further="Which single measurement tells the two modes apart?",
-)
-def which_mode(sampler: ArmSampler) -> Problem:
-    four_bar, degrees, drawn, named = _distinct_modes(sampler)
-    q = four_bar.assembly_modes(np.radians(degrees))[drawn]
-    letters = dict(zip("abcd", sampler.shuffled(list(named)), strict=True))
-    listed = {letter: np.degrees(wrap_angle(named[name])).round(1) for letter, name in letters.items()}
-    shown = "\n".join(f"- {letter}) $D = {number(D)}°$, $C = {number(C)}°$" for letter, (D, C) in listed.items())
-    why = {
-        "other mode": "These values close the loop too, but in the other assembly mode. Check on which side of the line BD the pin C lies.",
-        "inner angle": "This $D$ is the inner angle of the quadrilateral. The rocker's angle is measured from the direction of $x$.",
-        "sign of C": "$D$ is right, but $C$ has the wrong sign. It is the angle from the rocker to the coupler, positive anticlockwise.",
-    }
-    A = np.radians(degrees)
-    C = four_bar.pin_positions(A)[2][drawn]
-    problem = Problem(
-        statement=f"{describe_lengths(four_bar)} {ANGLES_NOTE} It is assembled with the crank at {degrees} degrees, and "
-        f"then C is at ${vector(C.round(2))}$, measured to a centimetre. Which joint values belong to this "
-        f"configuration?\n\n{shown}\n\nAnswer with a letter and the position of B, such as `('a', [0.3, 0.2])`.",
-        figure=partial(draw_linkage, linkages.four_bar(*four_bar), q),
-        given={
-            "bars": tuple(four_bar),
-            "C": C.round(2),
-            "options": {letter: values.tolist() for letter, values in listed.items()},
-        },
-        answer=Choice(
-            next(letter for letter, name in letters.items() if name == "right"), dict.fromkeys("abcd", "joint values")
-        ),
-        mistakes=[mistake(name, letter, why[name]) for letter, name in letters.items() if name != "right"],
-    )
-    return problem.with_reason(Numbers(four_bar.crank * np.array([np.cos(A), np.sin(A)]), unit="m"))
-
-
-def _distinct_modes(sampler: ArmSampler) -> tuple[FourBar, int, int, dict[str, Array]]:
-    """Draw a four-bar, its crank angle in degrees, a mode, and four pairs (D, C) that differ by more than a reading error."""
-    while True:
-        four_bar, degrees, drawn = crank_rocker(sampler), sampler.degrees(25, 155), sampler.integer(0, 1)
-        q, other = four_bar.assembly_modes(np.radians(degrees))[[drawn, 1 - drawn]]
-        named = {
-            "right": np.array([q[2], q[3]]),
-            "other mode": np.array([other[2], other[3]]),
-            "inner angle": np.array([np.pi - q[2], q[3]]),
-            "sign of C": np.array([q[2], -q[3]]),
-        }
-        pairs = np.array(list(named.values()))
-        apart = np.abs(wrap_angle(pairs[:, None] - pairs[None])).max(axis=-1) + 2 * np.eye(4)
-        if apart.min() > 0.2:
-            return four_bar, degrees, drawn, named
-
-
 KINDS = {
     "a": "crank-rocker: the crank makes full turns, and the rocker swings",
     "b": "double crank: crank and rocker both make full turns",
@@ -385,11 +372,12 @@ KINDS = {
 
 
 @problem(
-    "08.6",
+    "08.2",
     "What kind of four-bar is it?",
     points=2,
     lecture="08_closed_chains#Grashof's condition",
     further="Change one length by as little as possible to get another kind of four-bar.",
+    level="Warm-up",
 )
 def which_kind(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(KINDS))
@@ -485,49 +473,13 @@ def dead_point(sampler: ArmSampler) -> Problem:
     )
 
 
-DEGREES_OF_FREEDOM_NOTE = (
-    "Revolute and prismatic joints have one degree of freedom, universal joints two, and spherical joints three."
-)
-
-
 @problem(
     "08.8",
-    "Mobility by counting",
-    points=3,
-    lecture="08_closed_chains#The Gruebler-Kutzbach formula",
-    further="Add a leg with six degrees of freedom. What happens to the mobility, and why?",
-)
-def counting(sampler: ArmSampler) -> Problem:
-    d, kinds = sampler.choice([(3, PLANAR_LEGS), (6, SPATIAL_LEGS), (6, SPATIAL_LEGS)])
-    one, other = sampler.shuffled(kinds)[:2]
-    legs = [one] * sampler.integer(1, 3) + [other] * sampler.integer(1, 3)
-    f = [f_i for leg in legs for f_i in leg.degrees_of_freedom]
-    place = "in the plane" if d == 3 else "in space"
-    right = kutzbach(d, [leg.degrees_of_freedom for leg in legs])
-    counts = [(legs.count(leg), leg.description) for leg in (one, other)]
-    listed = " and ".join(f"{k} of them {'has' if k == 1 else 'have'} {joints}" for k, joints in counts)
-    return Problem(
-        statement=f"A platform moves {place}. It is connected to the ground by {len(legs)} legs: {listed}. The joints are listed from the "
-        f"ground to the platform, and between two neighbouring joints of a leg there is one body. {DEGREES_OF_FREEDOM_NOTE} "
-        "Which mobility does the Gruebler-Kutzbach formula give? Here $N$ is the number of bodies, $J$ that of the joints, and "
-        "$f$ the degrees of freedom of a joint.",
-        given={"d": d, "legs": [leg.degrees_of_freedom for leg in legs]},
-        answer=Numbers(np.array(float(right.value))),
-        solution=right,
-        advice={
-            "another d": f"A body that moves {place} has {d} degrees of freedom when it is free.",
-            "leave out $-1$": "The ground is one of the $N$ bodies, and it does not move.",
-            "bodies": f"The ground and the platform are bodies too, so there are $N = {2 + len(f) - len(legs)}$.",
-        },
-    )
-
-
-@problem(
-    "08.9",
     "Three kinds of mobility",
     points=3,
     lecture="08_closed_chains#Where counting fails",
     further="Which small change of the lengths would make all three counts equal?",
+    level="Hard",
 )
 def three_mobilities(sampler: ArmSampler) -> Problem:
     case = overconstrained_case(sampler)
@@ -605,6 +557,57 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
+@problem(
+    "08.9",
+    "A wiper to design",
+    points=3,
+    lecture="08_closed_chains#Grashof's condition",
+    further="Does the wiper take the same time in both directions if the motor runs at constant speed?",
+    level="Hard",
+)
+def wiper(sampler: ArmSampler) -> Problem:
+    while True:
+        ground, rocker = sampler.length(0.4, 0.8), sampler.length(0.25, 0.6)
+        degrees = sorted((sampler.degrees(40, 75), sampler.degrees(90, 130)))
+        C = [(ground + rocker * np.cos(x), rocker * np.sin(x)) for x in np.radians(degrees)]
+        far, near = np.hypot(*np.transpose(C))
+        if ground != rocker and FourBar(ground, (far - near) / 2, (far + near) / 2, rocker).grashof_excess < -0.03:
+            break
+    g, c = length("ground", ground), length("rocker", rocker)
+    angles = [radians(given(name, x, ANGLE)) for name, x in zip(("D_1", "D_2"), degrees, strict=True)]
+    r_1, r_2 = (sqrt(square(g) + square(c) + 2 * g * c * cos(D)).named(f"r_{i}") for i, D in enumerate(angles, start=1))
+    crank, coupler = (r_1 - r_2) / 2, (r_1 + r_2) / 2
+    both = stack(crank, coupler)
+    other_sign = [np.sqrt(ground**2 + rocker**2 - 2 * ground * rocker * np.cos(x)) for x in np.radians(degrees)]
+    swing = np.radians(degrees[1] - degrees[0])
+    for name, text, wrong in (
+        ("lengths swapped", "give the coupler first", (coupler, crank)),
+        ("not halved", "give the difference and the sum, without halving them", (2 * crank, 2 * coupler)),
+        ("distances themselves", "give the two distances from A to C", (r_1, r_2)),
+        ("another corner", "take the angle at D to the ground line instead of the angle from the $x$ axis",
+         (abs(other_sign[0] - other_sign[1]) / 2, sum(other_sign) / 2)),
+        ("half of the chord", "take half of the chord of the swing as the crank", (rocker * np.sin(swing / 2), coupler)),
+        ("half of the arc", "take half of the arc of the swing as the crank", (rocker * swing / 2, coupler)),
+        ("along x", "take the distances along $x$ alone", ((C[0][0] - C[1][0]) / 2, (C[0][0] + C[1][0]) / 2)),
+        ("coupler as the ground", "make the coupler as long as the ground", (crank, g)),
+        ("coupler as the longer one", "give the longer distance as the coupler", (crank, r_1)),
+        ("coupler as the shorter one", "give the shorter distance as the coupler", (crank, r_2)),
+        ("sign", "subtract in the other order", (-crank.value, coupler)),
+    ):  # fmt: skip
+        both = both.mistaken_for(
+            (name, text, stack(*map(np.array, (getattr(x, "value", x) for x in wrong)))), may_coincide=True
+        )
+    return Problem(
+        statement=f"A wiper is the rocker of a four-bar, whose crank is driven round and round by a motor. The ground is "
+        f"{number(ground)} m and the rocker {number(rocker)} m long, and its angle $D$ from the $x$ axis must swing between {degrees[0]} "
+        f"and {degrees[1]} degrees. How long are crank and coupler, in metres?",
+        given={"ground": ground, "rocker": rocker, "degrees": degrees},
+        answer=Numbers(both.value, unit="m"),
+        solution=both,
+        invisible={"sign of an angle"},
+    )
+
+
 @dataclass(frozen=True, eq=False)
 class CountsAnswer(Numbers):
     """Named integers, shape (k,); each is a part."""
@@ -636,8 +639,46 @@ class CountsAnswer(Numbers):
         return list(range(len(self.names)))
 
 
+@problem(
+    "08.10",
+    "A tray that stays level",
+    points=3,
+    lecture="08_closed_chains#Where counting fails",
+    level="Open",
+)
+def level_tray(_: ArmSampler) -> Problem:
+    return Problem(
+        statement="Design a planar linkage that carries a tray along a curve without tilting it, driven by one motor. Give its lengths, "
+        "and show that the tray stays level. What goes wrong when all bars lie on one line, and what do you add against it? "
+        "What does the Gruebler-Kutzbach formula say of the result, and is it right?",
+        answer=Prose(
+            "A parallelogram: two cranks of equal length on a ground as long as the coupler, which carries the tray. Opposite sides "
+            "stay parallel, so the coupler has the direction of the ground all the time. On one line it is at a change point, and "
+            "may leave it as an antiparallelogram, with a tilting tray. A third crank, parallel to the others and of the same "
+            "length, prevents this. Then there are 5 bodies and 6 joints: $3 (5 - 1 - 6) + 6 = 0$, but it moves, because one loop "
+            "repeats the equations of the other.",
+            {
+                "a linkage with lengths whose tray stays level, with the reason": 1,
+                "the change point, and a remedy": 1,
+                "the count of the formula, and why it is right or wrong here": 1,
+            },
+        ),
+    )
+
+
 SHEET = Sheet(
     "08_closed_chains",
     "Closed chains",
-    [residual, both_ways, coupler_point, slider, which_mode, which_kind, dead_point, counting, three_mobilities],
+    [
+        slider,
+        which_kind,
+        gap_of_points,
+        residual,
+        both_ways,
+        coupler_point,
+        dead_point,
+        three_mobilities,
+        wiper,
+        level_tray,
+    ],
 )

@@ -1,8 +1,10 @@
 """Sheet 09: reading URDF files by hand: poses, axes, screws, the home pose, trees, mimic joints and faulty lines."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, zip_longest
+from typing import Any
 
 import numpy as np
 
@@ -31,6 +33,7 @@ from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.base import Named
 from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
+from misstep.answers.prose import Prose
 from misstep.display.text import number, vector
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product, transpose
@@ -50,9 +53,10 @@ SYMBOLS_NOTE = "Call the rotation and the `xyz` of the origin of `joint_i` $R_i$
 @problem(
     "09.1",
     "The pose of a joint",
-    points=3,
+    points=2,
     lecture="09_urdf#Roll, pitch and yaw",
     further="Give the `origin` of the parent as the child sees it.",
+    level="Warm-up",
 )
 def pose_of_a_joint(sampler: ArmSampler) -> Problem:
     xyz, rpy = sampler.point(3), random_right_angles(sampler, sampler.choice([2, 3]))
@@ -68,38 +72,6 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
         solution=T.mistaken_for(
             ("xyz and rpy swapped", "swap `xyz` and `rpy`", assemble(rpy_rotation("R", xyz), given("rpy", rpy)))
         ).mistaken_for(("rotation left out", "leave out the rotation", assemble(np.eye(3), p)), spoils=True),
-    )
-
-
-@problem(
-    "09.2",
-    "The direction of an axis",
-    points=2,
-    lecture="09_urdf#What a joint says",
-    further="Which other `axis` in another `origin` describes the same joint?",
-)
-def direction_of_an_axis(sampler: ArmSampler) -> Problem:
-    rpy, axis = random_oblique_angles(sampler), _random_axis(sampler)
-    element = f'<origin xyz="0 0 1" rpy="{format_values(rpy)}"/>\n<axis xyz="{format_values(axis)}"/>'
-    R, a = rpy_rotation("R", rpy), direction("a", axis)
-    omega = product(R, a.mistaken_for(("another axis", "use the $z$ axis of the joint instead of its `axis`", Z)))
-    for other, name, text in (
-        (R @ R @ a, "rotated twice", "rotate the axis twice"),
-        (R @ a + Z, "origin added", "add the `xyz` of the origin to a direction"),
-        (absolute(R @ a), "signs left out", "leave out the signs"),
-        (R @ X, "another axis", "use the $x$ axis of the joint instead of its `axis`"),
-    ):
-        omega = omega.mistaken_for((name, text, other))
-    return Problem(
-        statement=f"A joint of a URDF file has this origin and this axis:\n\n{fence_urdf(element)}\n\nGive the direction of the axis in "
-        f"the frame of the parent link at $q = 0$, as a unit vector. {ROUNDING_NOTE}",
-        given={"rpy": rpy, "axis": axis},
-        answer=VectorsAnswer(omega.value),
-        solution=omega,
-        advice={
-            "rotation left out": "`axis` is given in the joint's own frame, and `rpy` rotates this frame relative to the parent's.",
-            "rotation transposed": "$R$ takes components in the joint's frame to components in the parent's frame: $R\\,a$.",
-        },
     )
 
 
@@ -268,19 +240,13 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
 
 RULES = (
     "`parent` and `child` name links of the file, and a link is the child of at most one joint.",
-    "The `axis` of a joint that moves is a unit vector. A fixed joint does not use its `axis`.",
+    "The `axis` of a joint that moves must be a unit vector here. A fixed joint does not use its `axis`.",
     "`lower` is the lower limit and `upper` the upper one.",
     "Angles are in radians. In this file every angle is a multiple of a right angle.",
 )
 """The rules of the URDF specification that problem 6 is about, as far as its files can break them."""
 
-FAULTY_ELEMENTS = {
-    "no such link": "<child",
-    "limits swapped": "<limit",
-    "zero": "<axis",
-    "degrees": "<origin",
-    "second parent": "<child",
-}
+FAULTY_ELEMENTS = {"limits swapped": "<limit", "another length": "<axis", "degrees": "<origin"}
 """The faults by these rules, and the element in which each of them is."""
 
 UNIT_AXES = ("0.6 0 -0.8", "0 -0.8 0.6", "-0.6 0.8 0")
@@ -296,7 +262,7 @@ UNIT_AXES = ("0.6 0 -0.8", "0 -0.8 0.6", "-0.6 0.8 0")
 )
 def which_line(sampler: ArmSampler) -> Problem:
     fault = sampler.choice(list(FAULTY_ELEMENTS))
-    where = 2 if fault == "second parent" else sampler.choice([1, 2])
+    where = sampler.choice([1, 2])
     links, names = (
         sampler.shuffled(["post", "boom", "rod", "hand"]),
         sampler.shuffled(["swivel", "lift", "reach", "weld"]),
@@ -304,7 +270,7 @@ def which_line(sampler: ArmSampler) -> Problem:
     links = ["base", *links]
     elements = [
         f'<joint name="{names[0]}" type="continuous">\n  <parent link="base"/>\n  <child link="{links[1]}"/>\n</joint>',
-        *(_limited_joint(sampler, names[k], links[k : k + 2], "" if k != where else fault, links[1]) for k in (1, 2)),
+        *(_limited_joint(sampler, names[k], links[k : k + 2], "" if k != where else fault) for k in (1, 2)),
     ]
     ends = f'  <parent link="{links[3]}"/>\n  <child link="{links[4]}"/>\n'
     weld = f'<joint name="{names[3]}" type="fixed">\n{ends}  <axis xyz="0 0 0"/>\n</joint>'
@@ -316,43 +282,46 @@ def which_line(sampler: ArmSampler) -> Problem:
         return _line_with(lines, mark, begins[k])
 
     wrong = line_of(where, FAULTY_ELEMENTS[fault])
-    first_parent = mistake(
-        "the first parent",
-        line_of(0, "<child"),
-        "Here the link gets its first parent, which is correct. Another line gives it a second parent.",
-    )
+    written = [float(x) for x in re.findall(r"-?\d[\d.]*", lines[wrong - 1])]
+    right = {"limits swapped": -written[0], "another length": next(filter(None, written)) / 2, "degrees": np.pi / 2}[
+        fault
+    ]
+
+    def at_line(line: int) -> Array:
+        return np.array([line, right])
+
     rules = "\n".join(f"- {rule}" for rule in RULES)
     return Problem(
         statement=f"By the URDF specification, exactly one element of this file is wrong. These rules are enough to find it:\n\n{rules}\n\n"
-        f"In which line is the wrong element? Lines count from 1.\n\n{fence_urdf(_number_lines(lines))}",
+        "In which line is it, and which number must stand there in place of the first wrong one? Give both, such as `[7, 0.5]`. Lines "
+        f"count from 1.\n\n{fence_urdf(_number_lines(lines))}",
         given={"urdf": text},
-        answer=FaultyLineAnswer(
-            np.array(float(wrong)), lines=lines, joint=range(begins[where], line_of(where, "</joint") + 1)
-        ),
+        answer=FaultyLineAnswer(at_line(wrong), lines=lines, joint=range(begins[where], line_of(where, "</joint") + 1)),
         mistakes=[
             mistake(
                 "joint without limits",
-                begins[0],
+                at_line(begins[0]),
                 "This joint is correct: a continuous joint needs no limits, its axis is $x$ if `axis` is left out, and its frame at "
                 "$q = 0$ is the parent's if `origin` is left out.",
             ),
             mistake(
                 "axis of a weld",
-                line_of(3, "<axis"),
+                at_line(line_of(3, "<axis")),
                 "This axis is zero, but the joint is fixed, and a fixed joint does not use its `axis`.",
             ),
             mistake(
                 "axis of unit length",
-                line_of(3 - where, "<axis"),
+                at_line(line_of(3 - where, "<axis")),
                 "This axis is correct: it is a unit vector, because $0.6^2 + 0.8^2 = 1$, and its components may be negative.",
             ),
-            mistake("counted from 0", wrong - 1, "This is the line above the wrong element. Lines count from 1."),
+            mistake(
+                "counted from 0", at_line(wrong - 1), "This is the line above the wrong element. Lines count from 1."
+            ),
             mistake(
                 "the end of the joint",
-                line_of(where, "</joint"),
+                at_line(line_of(where, "</joint")),
                 "The wrong element is in this joint, but this line is only its end. Which of its elements breaks a rule?",
             ),
-            *([first_parent] if fault == "second parent" else []),
         ],
     )
 
@@ -364,21 +333,31 @@ def _line_with(lines: Sequence[str], mark: str, start: int = 1) -> int:
 
 @dataclass(frozen=True, eq=False)
 class FaultyLineAnswer(Numbers):
-    """The number of the line of a file with the wrong element, counted from 1.
+    """The number of the line of a file with the wrong element, counted from 1, and the numbers that must stand there, shape (1 + k,).
 
     lines  the lines of the file
     joint  the numbers of the lines of the joint that contains it
 
-    >>> answer = FaultyLineAnswer(np.array(2.0), lines=['<joint>', '<axis xyz="0 0 0"/>', '</joint>', '<joint/>'], joint=range(1, 4))
-    >>> answer.resemblance(np.array(4.0), 0)
+    >>> answer = FaultyLineAnswer(np.array([2.0, 1.0]), lines=['<joint>', '<axis xyz="0 0 0"/>', '</joint>', '<joint/>'], joint=range(1, 4))
+    >>> answer.resemblance(np.array([4.0, 1.0]), 0)
     ('a line that is in order', 'Line 4 is correct: `<joint/>`.')
     """
 
     lines: Sequence[str] = field(kw_only=True)
     joint: range = field(kw_only=True)
+    parts = ("the line", "what must stand there")
 
-    def resemblance(self, given: Array, part: int | None) -> Named:
+    def part_indices(self) -> list[Any]:
+        return [0, slice(1, None)]
+
+    def counts(self, given: Array, right: Sequence[bool]) -> bool:
+        return False
+
+    def resemblance(self, given: Array, part: int | None) -> Named | None:
         """Say of the line that was given what it is."""
+        if part != 0:
+            return None if part is None else super().resemblance(given, part)
+        given = given[0]
         if given not in range(1, len(self.lines) + 1):
             return "no line", f"The file has the lines 1 to {len(self.lines)}. Give one of these numbers."
         line = f"`{self.lines[int(given) - 1].strip()}`"
@@ -390,14 +369,14 @@ class FaultyLineAnswer(Numbers):
         return "a line that is in order", f"Line {number(float(given))} is correct: {line}."
 
 
-def _limited_joint(sampler: ArmSampler, name: str, links: list[str], fault: str, taken: str) -> str:
+def _limited_joint(sampler: ArmSampler, name: str, links: list[str], fault: str) -> str:
     """Write a joint with limits and possibly a fault. Without a fault its axis is a unit vector that does not look like one."""
     bound, xyz, unit_axis = sampler.length(0.5, 2.0), sampler.point(3), sampler.choice(UNIT_AXES)
     lower, upper = (bound, -bound) if fault == "limits swapped" else (-bound, bound)
-    child = {"no such link": f"{links[1]}_link", "second parent": taken}.get(fault, links[1])
-    axis = {"zero": "0 0 0", "": unit_axis}.get(fault, "0 0 1")
+    doubled = " ".join(f"{2 * float(x):g}" for x in unit_axis.split())
+    axis = {"another length": doubled, "": unit_axis}.get(fault, "0 0 1")
     return (
-        f'<joint name="{name}" type="revolute">\n  <parent link="{links[0]}"/>\n  <child link="{child}"/>\n'
+        f'<joint name="{name}" type="revolute">\n  <parent link="{links[0]}"/>\n  <child link="{links[1]}"/>\n'
         f'  <origin xyz="{format_values(xyz)}" rpy="0 {"90" if fault == "degrees" else "1.5708"} 0"/>\n  <axis xyz="{axis}"/>\n'
         f'  <limit lower="{number(lower)}" upper="{number(upper)}" effort="10" velocity="1"/>\n</joint>'
     )
@@ -408,11 +387,12 @@ def _number_lines(lines: list[str]) -> str:
 
 
 @problem(
-    "09.7",
+    "09.2",
     "The path through a tree",
     points=2,
     lecture="09_urdf#A URDF is a tree",
     further="Which link do both hands share, and how many joints move both?",
+    level="Warm-up",
 )
 def path_through_a_tree(sampler: ArmSampler) -> Problem:
     a, b, c, d = sampler.shuffled(["pan", "tilt", "swing", "twist", "bend", "yaw"])[:4]
@@ -614,6 +594,7 @@ WRONG_FRAME_ADVICE = (
     points=3,
     lecture="09_urdf#An error that every reader accepts",
     further="Which axis would hide this error?",
+    level="Hard",
 )
 def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
     joints, omega = _three_joints(sampler), _random_axis(sampler, (0.48, 0.6, 0.64))
@@ -668,7 +649,7 @@ LOOKALIKES = {
 
 
 @problem(
-    "09.11",
+    "09.7",
     "Origin or axis?",
     points=2,
     lecture="09_urdf#An error that every reader accepts",
@@ -688,18 +669,23 @@ def origin_or_axis(sampler: ArmSampler) -> Problem:
     origins, axes = [T[:3, 3] for T in poses], [T[:3, :3] @ joint.axis for T, joint in zip(poses, meant, strict=False)]
     answer, other = (here["<origin"], here["<axis"]) if is_origin else (here["<axis"], here["<origin"])
     lookalike, later = LOOKALIKES[is_origin]
+
+    def at_line(line: int) -> Array:
+        return np.array([line, *(meant[k].rpy if is_origin else meant[k].axis)])
+
     return Problem(
         statement="Every reader accepts this file, but it does not describe the robot of this data sheet. All joint values are 0, and "
-        f"lengths are in metres.\n\n{_data_sheet(joints, origins, axes)}\n\nExactly one line of the file is wrong. Which one? Lines count "
-        f"from 1. {ROUNDING_NOTE}\n\n{fence_urdf(_number_lines(lines))}",
+        f"lengths are in metres.\n\n{_data_sheet(joints, origins, axes)}\n\nExactly one line of the file is wrong. Which one, and which "
+        "three numbers must stand in it, as `rpy` or as `axis`? Give four numbers, such as `[7, 0, 0, 1]`. Lines count from 1. "
+        f"{ROUNDING_NOTE}\n\n{fence_urdf(_number_lines(lines))}",
         given={"urdf": "\n".join(lines), "origins": np.array(origins), "axes": np.array(axes)},
-        answer=FaultyLineAnswer(np.array(float(answer)), lines=lines, joint=range(begins[k], begins[k + 1])),
+        answer=FaultyLineAnswer(at_line(answer), lines=lines, joint=range(begins[k], begins[k + 1])),
         mistakes=[
-            mistake("origin and axis swapped", other, lookalike),
-            mistake("a later origin", _line_with(lines, "<origin", begins[k + 1]), later),
+            mistake("origin and axis swapped", at_line(other), lookalike),
+            mistake("a later origin", at_line(_line_with(lines, "<origin", begins[k + 1])), later),
             mistake(
                 "the joint itself",
-                begins[k],
+                at_line(begins[k]),
                 "The wrong line is in this joint, but this line is correct. Is its `origin` wrong, or its `axis`?",
             ),
         ],
@@ -723,11 +709,12 @@ def _data_sheet(joints: Sequence[UrdfJoint], origins: Sequence[Array], axes: Seq
 
 
 @problem(
-    "09.12",
+    "09.11",
     "The file of a gantry",
     points=4,
     lecture="09_urdf#From the file to screws",
     further="Which of the four steps would change if the third axis were reversed?",
+    level="Hard",
 )
 def gantry(sampler: ArmSampler) -> Problem:
     while True:
@@ -768,21 +755,47 @@ def gantry(sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
+@problem(
+    "09.12",
+    "A fault that every reader accepts",
+    points=3,
+    lecture="09_urdf#An error that every reader accepts",
+    level="Open",
+)
+def accepted_and_wrong(_: ArmSampler) -> Problem:
+    return Problem(
+        statement="Change one number of the file of Problem 9, so that every reader accepts the file, the home pose of the tool is right, "
+        "and the robot moves wrongly. Say which line it is, what it does, and with which test a colleague who knows only the "
+        "machine would find it. Which line would he suspect first, and why is it innocent?",
+        answer=Prose(
+            "Negate the axis of `swing`, or change the multiplier of the mimic joint: at home all joint values are 0, so neither is "
+            "seen there, and each remains a valid number. A colleague moves one joint by a known angle and measures one point: the "
+            "sign of the motion shows the axis, its size the multiplier. He would suspect the origin of the next joint, because the "
+            "tool is off by a length there; but at home that length is right.",
+            {
+                "a line with a fault that is valid and does not change the home pose": 1,
+                "a test that finds it, with what is measured": 1,
+                "a suspicion that is natural, and the reason against it": 1,
+            },
+        ),
+    )
+
+
 SHEET = Sheet(
     "09_urdf",
     "Robots as URDF files",
     [
         pose_of_a_joint,
-        direction_of_an_axis,
+        path_through_a_tree,
         joint_deep_in_the_file,
         screw_from_a_file,
         home_from_a_file,
         which_line,
-        path_through_a_tree,
+        origin_or_axis,
         from_a_dh_row,
         mimic_joint,
         axis_in_the_wrong_frame,
-        origin_or_axis,
         gantry,
+        accepted_and_wrong,
     ],
 )

@@ -3,47 +3,35 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
 
 import numpy as np
-import sympy as sp
 
 from kincourse.answers.point import VectorsAnswer
-from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.links import link
 from kincourse.expressions.poses import inverse
-from kincourse.expressions.poses import pose as given_pose
 from kincourse.expressions.screws import (
     change_frame,
-    exponentials,
-    forward_kinematics,
-    joint_values,
     revolute,
-    screw_axes,
 )
 from kincourse.expressions.urdf import rpy_rotation
 from kincourse.lecture_10_one_robot_four_ways.project_problems import PROJECT_PROBLEMS
 from kincourse.problem import problem
 from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler
-from kincourse.text.joint_table import joint_table
-from kinlib.arrays.validation import Array
-from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.dh.formatting import markdown_table
 from kinlib.dh.table import DHTable, format_rows
-from kinlib.rigid.lie import adjoint, log
 from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import inverse as inverted
+from kinlib.rigid.lie import log
 from kinlib.rigid.rpy import roll_pitch_yaw
-from kinlib.rigid.screw import screw
-from kinlib.view import draw_joints
+from misstep.answers.angle import Angles
 from misstep.answers.choice import Choice
-from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
+from misstep.answers.prose import Prose
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product
-from misstep.mutants.operations import ANGLE, LENGTH, SLIDE, cos, radians, sin, stack
+from misstep.mutants.operations import radians
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
@@ -64,9 +52,10 @@ REPORTS = {
 @problem(
     "10.1",
     "From a table to a screw",
-    points=3,
+    points=2,
     lecture="10_one_robot_four_ways#A table",
     further="Which entries of the screw depend on the choice of $x_2$?",
+    level="Warm-up",
 )
 def from_a_table(sampler: ArmSampler) -> Problem:
     length = partial(sampler.length, 0.1, 0.9)
@@ -114,35 +103,6 @@ def from_a_table(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "10.2",
-    "Another tool",
-    points=3,
-    lecture="10_one_robot_four_ways#What changes when a frame moves",
-    further="For which tools is the change of the body screws a rotation alone?",
-)
-def another_tool(sampler: ArmSampler) -> Problem:
-    robot = sampler.arm("RR")
-    turned = sampler.choice(((X, Y, Z), (Y, Z, X), (Z, X, Y)))
-    step, B = pose(turned, sampler.point(3) / 10), robot.body_screws
-    seen = change_frame(inverse(given_pose("T_{bc}", step)), screw_axes("B", B))
-    return Problem(
-        statement="The body screws of an arm are\n\n"
-        f"$$B = {matrix(B)},$$\n\none row for each joint. A gripper is mounted; the pose of its frame {{c}} in {{b}} is\n\n"
-        f"$$T_{{bc}} = {matrix(step)}.$$\n\nGive the body screws in {{c}}, as rows.",
-        given={"body_screws": B},
-        shown={"T_bc": step},
-        answer=ScrewsAnswer(seen.value),
-        solution=seen,
-        advice={
-            "inverse left out": "$\\mathrm{Ad}_{T_{bc}}$ takes screws in {c} to screws in {b}; here you need the opposite direction.",
-            "position left out": "{c} also has another origin than {b}, so the moments change.",
-            "rotation left out": "{c} also has other axes than {b}.",
-            "frame not changed": "These are the screws in {b}. In {c} the same axes have other numbers.",
-        },
-    )
-
-
-@problem(
     "10.3",
     "One of four is wrong",
     points=3,
@@ -185,11 +145,12 @@ def one_of_four(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "10.4",
+    "10.2",
     "The origin of a joint",
-    points=3,
+    points=2,
     lecture="10_one_robot_four_ways#A file",
     further="Which `rpy` would give the same origin with another axis?",
+    level="Warm-up",
 )
 def joint_origin(sampler: ArmSampler) -> Problem:
     # With two right angles, fixed and moving axes could be swapped.
@@ -231,249 +192,37 @@ def joint_origin(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "10.5",
-    "The same in letters",
+    "10.11",
+    "An offset from a log",
     points=3,
-    lecture="05_dh_standard#The product of the A matrices",
-    further="At which $q_2$ does the position not depend on $q_1$?",
+    lecture="10_one_robot_four_ways#Do they agree?",
+    further="Two joints with parallel axes both have an offset. Which of the two could you still find?",
+    level="Hard",
 )
-def in_letters(sampler: ArmSampler) -> Problem:
-    a, b = sampler.length(0.2, 0.5), sampler.length(0.6, 0.9)
-    lift = sampler.choice((-1, 1))
-    if slides := sampler.choice((True, False)):
-        words = (
-            f"At $q = 0$ a boom, that is, a straight beam, begins at this axis, along $x$ of {{s}}, "
-            f"{number(b)} m {'above' if lift > 0 else 'below'} the origin. Joint 2 is prismatic and "
-            f"translates along the boom; at $q_2 = 0$ the tool is {number(a)} m from the axis."
-        )
-    else:
-        words = (
-            f"Joint 2 is on this axis, {number(a)} m above the origin, and rotates about ${'-y' if lift > 0 else 'y'}$ of {{s}} "
-            f"at $q = 0$. It moves a boom, that is, a straight beam, of {number(b)} m, which is along $x$ at $q = 0$, with the "
-            "tool at its end."
-        )
-    place = partial(_tool_on_a_boom, a, lift * b, slides)
-    symbols = sp.symbols("q1 q2")
-    right = _formulas(sp.Rational(str(a)), sp.Rational(str(lift * b)), slides, *symbols)
-    return Problem(
-        statement=f"Joint 1 rotates about $z$ of {{s}}, through its origin. {words} Give $x$, $y$ and $z$ of the tool as formulas in "
-        "$q_1$ and $q_2$: text such as `'0.5*cos(q1)'`, or SymPy expressions.",
-        given={"a": a, "b": b, "slides": slides, "lift": lift},
-        answer=ClosedForm(right, symbols=symbols),
-        solution=place,
-        advice={"sine and cosine swapped": "At $q = 0$ the boom is along $x$."},
+def offset_from_a_log(sampler: ArmSampler) -> Problem:
+    robot, joint = sampler.arm("RRRR"), sampler.integer(1, 4)
+    offset = np.radians(sampler.choice((-1, 1)) * sampler.integer(8, 30) / 10)
+    q = np.array([[sampler.integer(-12, 12) / 10 for _ in range(4)] for _ in range(5)])
+    poses = robot.fk(q + offset * np.eye(4)[joint - 1])
+    names = {str(i): f"joint {i}" for i in (1, 2, 3, 4)}
+    problem = Problem(
+        statement="The zero of one joint of an arm is off: the joint value is larger than its encoder says by a constant offset. You "
+        "have a log of encoder values in radians, a row of `q` for each pose in `poses`, and the screw axes and the home pose of the arm, "
+        "which are right. Which joint is it, and what is the offset in radians? Answer with the number of the joint and the offset, such "
+        "as `('1', 0.02)`. A negative offset means that the joint value is smaller.",
+        given={"screws": robot.screws, "home": robot.home, "q": q, "poses": poses},
+        answer=Choice(str(joint), names),
+        mistakes=[
+            mistake(
+                f"joint {number}",
+                number,
+                f"You answered joint {number}. No single offset of this joint explains all poses of the log.",
+            )
+            for number in names
+            if number != str(joint)
+        ],
     )
-
-
-def _formulas(a: sp.Expr, b: sp.Expr, slides: bool, q1: sp.Expr, q2: sp.Expr) -> sp.Matrix:
-    """The position of a tool on a boom along which joint 2 translates, or which it rotates; b is a height or a length with a sign."""
-    radius, height = (a + q2, b) if slides else (abs(b) * sp.cos(q2), a + b * sp.sin(q2))
-    return sp.Matrix([radius * sp.cos(q1), radius * sp.sin(q1), height])
-
-
-def _tool_on_a_boom_of(slides: bool, a: float, b: float, q1: float, q2: float) -> Array:
-    return np.array(_formulas(a, b, slides, q1, q2), dtype=float).ravel()
-
-
-def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> Expression:
-    """The same as an expression."""
-    first, second = given("q_1", q1, ANGLE), given("q_2", q2, SLIDE if slides else ANGLE)
-    offset, up, boom = given("a", a), given("b", b, LENGTH), given("b", abs(b))
-
-    def place(radius: Any, height: Any, angle: Expression = first) -> Expression:
-        return stack(radius * cos(angle), radius * sin(angle), height)
-
-    radius, height = (offset + second, up) if slides else (boom * cos(second), offset + up * sin(second))
-    own = (
-        (
-            ("slide along z", "let joint 2 translate along $z$ instead of the boom", place(offset, up + second)),
-            ("prismatic as revolute", "let joint 2 rotate", place(offset * cos(second), up + offset * sin(second))),
-            ("lengths swapped", "swap the two lengths", place(abs(b) + second, a * np.sign(b) * given("1", 1.0))),
-            ("product for sum", "multiply the length of the boom by $q_2$", place(offset * second, up)),
-            ("prismatic as revolute", "let joint 2 rotate about $z$", place(offset, up, first + second)),
-            ("length left out", "leave out the length of the boom", place(second, up)),
-            ("height added", "add the height to the length of the boom", place(offset + up + second, up)),
-        )
-        if slides
-        else (
-            (
-                "lengths swapped",
-                "swap the two lengths",
-                place(offset * cos(second), boom + a * np.sign(b) * sin(second)),
-            ),
-            ("revolute as prismatic", "let joint 2 translate", place(boom + second, offset)),
-            ("joint 2 left out", "leave joint 2 at 0", place(boom, offset)),
-            ("angles added", "add the two angles, as for parallel axes", place(boom, height, first + second)),
-            ("prismatic as revolute", "let joint 2 rotate about $z$", place(boom, offset, first + second)),
-            ("not shortened", "leave out that the raised boom reaches less far", place(boom, height)),
-        )
-    )
-    p = place(radius, height)
-    swapped = (
-        place(offset + first, up, second) if slides else place(boom * cos(first), offset + up * sin(first), second)
-    )
-    return p.mistaken_for(
-        *own,
-        ("height left out", "leave out the height", place(radius, 0.0)),
-        ("radius left out", "leave out the distance from the axis of joint 1", place(1.0, height)),
-        ("angles added", "add the angles $q_1$ and $q_2$", place(radius, height, first + second)),
-        (
-            "another kind of joint",
-            f"take joint 2 as a {'revolute' if slides else 'prismatic'} one",
-            _tool_on_a_boom_of(not slides, a, b, q1, q2),
-        ),
-        ("at home", "give the place at $q = 0$", stack(a if slides else abs(b), 0.0, b if slides else a)),
-        (
-            "degrees",
-            "convert both angles, which are in radians, as if they were in degrees",
-            place(radius, height, radians(first))
-            if slides
-            else _tool_on_a_boom_of(slides, a, b, *np.radians([q1, q2])),
-        ),
-        ("joint 1 left out", "leave out joint 1", stack(radius, 0.0 * radius, height)),
-        ("joint values swapped", "swap $q_1$ and $q_2$", swapped),
-        (
-            "degrees",
-            "convert $q_1$, which is in radians, as if it were in degrees",
-            place(radius, height, radians(first)),
-        ),
-        (
-            "tangent for sine",
-            "use the tangent of $q_1$ instead of its sine",
-            stack(radius * cos(first), radius * np.tan(q1), height),
-        ),
-    )
-
-
-@problem(
-    "10.6",
-    "Three arms, one object",
-    points=3,
-    lecture="10_one_robot_four_ways#Two arms, one tray",
-    further="One arm lets go. How many degrees of freedom are left?",
-)
-def three_arms(sampler: ArmSampler) -> Problem:
-    flat = sampler.choice((True, False))
-    low, high = (4, 9) if flat else (7, 12)  # an arm of 3 or 6 joints would add no freedom
-    arms = [sampler.integer(low, high), sampler.integer(low, high), sampler.integer(low, high)]
-    d, held = (3, "plate that stays on a table, with all axes vertical") if flat else (6, "crate in space")
-    n, right = sum(arms), float(sum(arms) - 2 * d)
-    joints, loops = given("\\text{the number of joints}", float(n)), given("\\text{the number of loops}", 2.0)
-    equations = given("d", float(d))
-    for name, text, count in (
-        ("one loop", "count one loop", 1.0),
-        ("three loops", "count three loops, one for each arm", 3.0),
-    ):
-        loops = loops.mistaken_for(
-            (name, text, count, "The second and the third arm each close a loop with the first one.")
-        )
-    place = "In the plane it is three." if flat else "In space it is six."
-    equations = equations.mistaken_for(("another d", f"take {9 - d} equations for a loop", 9.0 - d, place))
-    mobility = joints - (loops * equations).named("\\text{the equations of all loops}")
-    mobility = mobility.mistaken_for(
-        ("three loops, another d", f"count three loops with {9 - d} equations each", n - 3.0 * (9 - d)),
-        ("one loop, another d", f"count one loop with {9 - d} equations", n - (9.0 - d)),
-        ("the object", "add one degree of freedom for the object", right + 1),
-        ("the object", "give the degrees of freedom of the object alone", float(d)),
-        ("one arm", "give the degrees of freedom of one arm", float(arms[0])),
-        ("one arm", "give the smallest number of joints of an arm", float(min(arms))),
-        (
-            "redundancy",
-            "add up the joints that each arm has beyond the degrees of freedom of the object",
-            float(n - 3 * d),
-        ),
-        ("equations", "give the number of equations", 2.0 * d),
-        ("one less", "subtract one more degree of freedom", right - 1),
-        ("one arm forgotten", "leave out the third arm", float(arms[0] + arms[1] - d)),
-        ("fixed", "say that nothing moves", 0.0),
-        ("sign", "give the negative of the number", -right),
-    )
-    return Problem(
-        statement=f"Three arms of {arms[0]}, {arms[1]} and {arms[2]} joints hold one {held}, each of them rigidly. No axes are "
-        "in a special position. How many degrees of freedom does the whole mechanism have? Here $d$ is the number of "
-        "equations of a loop.",
-        given={"joints": np.array(arms, dtype=float)},
-        answer=Numbers(np.array(right)),
-        solution=mobility,
-        advice={"term left out": "Each closed loop subtracts the number of its equations."},
-    )
-
-
-@problem(
-    "10.7",
-    "Where is the tool?",
-    points=3,
-    lecture="10_one_robot_four_ways#Two products of exponentials",
-    further="Compute it by the body form as well. Which factor do both forms share?",
-)
-def where_is_the_tool(sampler: ArmSampler) -> Problem:
-    robot = sampler.arm(sampler.choice(("RPR", "RRP", "PRR")))
-    degrees = [sampler.degrees(-80, 80) for _ in range(3)]
-    slide = sampler.length(0.2, 0.9)
-    is_turn = np.array([letter == "R" for letter in robot.joint_types])
-    typed = np.where(is_turn, degrees, slide)
-    words = ", ".join(
-        f"$q_{i + 1} = {degrees[i]}$ degrees" if turns else f"$q_{i + 1} = {number(slide)}$ m"
-        for i, turns in enumerate(is_turn)
-    )
-    S, M, q = robot.screws, given_pose("M", robot.home), joint_values(robot.joint_types, typed)
-    e, b = exponentials(S, q), exponentials(robot.body_screws, q, "B")
-    T = forward_kinematics(e, M)
-    bent = np.array([screw(w, p) for w, p in zip(robot.lines.axis, robot.joint_points, strict=True)])
-    straight = np.where(is_turn[:, None] & (np.arange(6) > 2), 0.0, S)
-    places, axes = robot.joint_points, robot.lines.axis
-
-    def with_moments(moments: Array) -> Expression:
-        wrong = np.where(is_turn[:, None], np.concatenate([axes, moments], axis=1), S)
-        return product(*exponentials(wrong, q), M)
-
-    last, first = np.flatnonzero(is_turn)[[-1, 0]]
-    moved = np.where(np.arange(3)[:, None] == last, places[first], places)
-    for name, text, wrong in (
-        ("point as moment", "take the points as the moments", with_moments(places)),
-        (
-            "another point",
-            "use the point of the next joint for each axis",
-            with_moments(np.cross(np.roll(places, -1, axis=0), axes)),
-        ),
-        (
-            "another point",
-            "use the point of the first revolute joint for the last one",
-            with_moments(np.cross(moved, axes)),
-        ),
-        ("body screws", "use the body screws with $M$ last", product(*b, M)),
-        ("body screws", "multiply the body screws from the last joint to the first", product(M, *b[::-1])),
-        (
-            "adjoint",
-            "use $\\mathrm{Ad}_M$ instead of $\\mathrm{Ad}_{M^{-1}}$ for the body screws",
-            product(M, *exponentials(S @ adjoint(robot.home).T, q, "B")),
-        ),
-        ("prismatic as revolute", "treat the prismatic joint as a revolute one", product(*exponentials(bent, q), M)),
-        ("no moment", "leave out all moments", product(*exponentials(straight, q), M)),
-        (
-            "space screws",
-            "use $\\mathrm{Ad}_{M}$ instead of the screws in {s}",
-            product(*exponentials(S @ adjoint(robot.home).T, q), M),
-        ),
-    ):
-        is_place = name in {"body screws", "adjoint", "space screws"}
-        advice = "With screws in {s}, $M$ is last; with screws in {b}, it is first." if is_place else ""
-        T = T.mistaken_for((name, text, wrong, advice))
-    return Problem(
-        statement=f"Give the pose $T_{{sb}}$ of the tool at {words}, by any of the four descriptions.\n\n{joint_table(robot)}\n\n"
-        f"The home pose is\n\n$$M = {matrix(robot.home)}.$$",
-        figure=partial(draw_joints, robot),
-        given={
-            "letters": robot.joint_types,
-            "axes": robot.lines.axis,
-            "points": robot.joint_points,
-            "home": robot.home,
-            "q": np.where(is_turn, np.radians(degrees), slide),
-        },
-        answer=PoseAnswer(T.value),
-        solution=T,
-        advice={"reversed": "The factor of joint 1 is leftmost.", "degrees": "`given.q` holds radians and metres."},
-    )
+    return problem.with_reason(Angles(np.array(offset)))
 
 
 def _format_table(table: DHTable) -> str:
@@ -482,11 +231,41 @@ def _format_table(table: DHTable) -> str:
     return markdown_table(rows, ["row", "$a$ (m)", "$\\alpha$", "$d$ (m)", "$\\theta$"])
 
 
+@problem(
+    "10.12",
+    "A problem of your own",
+    points=3,
+    lecture="10_one_robot_four_ways#What changes when a frame moves",
+    level="Open",
+)
+def your_own_problem(_: ArmSampler) -> Problem:
+    return Problem(
+        statement="Write a problem about your machine that belongs on this sheet. Give its right answer, and a wrong answer that a good "
+        "student might give. Then write the card for this wrong answer in one or two sentences: it names the idea that went "
+        "wrong, and not the number. How do you know that no other mistake leads to the same wrong answer?",
+        answer=Prose(
+            "For example: give the body screw of joint 2 after the tool is lengthened by $l$ along its $z$. Right is "
+            "$\\mathrm{Ad}_{T^{-1}} B_2$; a good student multiplies by $\\mathrm{Ad}_{T}$. Card: “You moved the tool the other way. "
+            "The new frame is farther out, so the joint is farther behind it.” The sign of $l$ gives the same numbers, and says the "
+            "same; the transposed adjoint gives others.",
+            {
+                "a problem with a right answer, about the own machine": 1,
+                "a wrong answer that is likely, with its numbers": 1,
+                "a card that is true and names the idea, and a comparison with other mistakes": 1,
+            },
+        ),
+    )
+
+
 SHEET = Sheet(
     "10_one_robot_four_ways",
     "One robot, four ways",
     [
-        *(from_a_table, another_tool, one_of_four, joint_origin, in_letters, three_arms, where_is_the_tool),
+        from_a_table,
+        joint_origin,
+        one_of_four,
         *PROJECT_PROBLEMS,
+        offset_from_a_log,
+        your_own_problem,
     ],
 )

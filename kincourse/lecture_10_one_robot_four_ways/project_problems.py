@@ -102,7 +102,7 @@ def _begin(project: Project) -> str:
 
 
 @problem(
-    "10.8",
+    "10.4",
     "Project: the marks of the axes",
     points=2,
     lecture=f"{LECTURE}The project",
@@ -122,7 +122,7 @@ def marks_of_the_axes(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "10.9",
+    "10.5",
     "Project: the screws",
     points=2,
     lecture=f"{LECTURE}The project",
@@ -146,7 +146,7 @@ def screws_of_the_project(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "10.10",
+    "10.6",
     "Project: the table",
     points=3,
     lecture=f"{LECTURE}The project",
@@ -166,7 +166,7 @@ def table_of_the_project(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "10.11",
+    "10.7",
     "Project: the file",
     points=3,
     lecture=f"{LECTURE}The project",
@@ -187,7 +187,7 @@ def origins_of_the_file(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "10.12",
+    "10.8",
     "Project: the wrong joint",
     points=1,
     lecture=f"{LECTURE}The report",
@@ -218,7 +218,7 @@ def wrong_joint(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "10.13",
+    "10.9",
     "Project: how far off",
     points=2,
     lecture=f"{LECTURE}The report",
@@ -279,11 +279,12 @@ def how_far_off(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "10.14",
+    "10.10",
     "Project: the pen",
     points=2,
     lecture=f"{LECTURE}The pen",
     further="Which joint limits the path, and how would you move the paper?",
+    level="Hard",
 )
 def which_path_writes(sampler: ArmSampler) -> Problem:
     project = open_project(sampler.student)

@@ -1,4 +1,4 @@
-"""Random linkages: four-bars of a given kind, legs of a platform, and linkages for which the mobility formula fails."""
+"""Random linkages: four-bars of a given kind, and linkages for which the mobility formula fails."""
 
 from typing import NamedTuple
 
@@ -44,33 +44,6 @@ def four_bar_of_kind(sampler: ArmSampler, kind: str) -> FourBar:
         grashof_excess = round(four_bar.grashof_excess, 9)
         if {"e": grashof_excess == 0, "d": grashof_excess > 0.04}.get(kind, grashof_excess < -0.04):
             return four_bar
-
-
-class Leg(NamedTuple):
-    """A leg between the ground and a platform: its joints in words, and the degrees of freedom of each joint."""
-
-    description: str
-    degrees_of_freedom: tuple[int, ...]
-
-
-SPATIAL_LEGS = (
-    Leg("a prismatic joint and two spherical joints", (1, 3, 3)),
-    Leg("a spherical joint, a prismatic joint and a spherical joint", (3, 1, 3)),
-    Leg("two revolute joints and a spherical joint", (1, 1, 3)),
-    Leg("a revolute joint and two spherical joints", (1, 3, 3)),
-    Leg("a universal joint, a prismatic joint and a universal joint", (2, 1, 2)),
-    Leg("two universal joints", (2, 2)),
-    Leg("a prismatic joint and two universal joints", (1, 2, 2)),
-)
-"""Legs without 6 degrees of freedom: a leg with 6 does not change the mobility, so leaving it out would not be seen."""
-
-PLANAR_LEGS = (
-    Leg("four revolute joints", (1, 1, 1, 1)),
-    Leg("two revolute joints", (1, 1)),
-    Leg("a prismatic joint and a revolute joint", (1, 1)),
-    Leg("two revolute joints, a prismatic joint and a revolute joint", (1, 1, 1, 1)),
-)
-"""Legs without 3 degrees of freedom."""
 
 
 class OverconstrainedCase(NamedTuple):

@@ -12,6 +12,7 @@ TONES = {
     "right": ("✓", "#1a7f37"),
     "partly": ("◐", "#8a5a00"),
     "wrong": ("✗", "#b42318"),
+    "open": ("✎", "#0b5cad"),
     "blank": ("…", "#57606a"),
     "unreadable": ("?", "#6e40c9"),
     "note": ("i", "#0b5cad"),
@@ -22,6 +23,7 @@ TITLES = {
     "right": "Right",
     "partly": "Partly right",
     "wrong": "Not yet",
+    "open": "To be marked by your instructor",
     "blank": "Nothing here yet",
     "unreadable": "This cannot be read as an answer",
 }

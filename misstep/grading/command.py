@@ -211,7 +211,7 @@ def grades_table(results: Sequence[Result]) -> str:
         told = (one.reason, *one.notes)
         flags = [f"{FLAGS[flag]}: {about}" for flag, about in one.flags.items() if about and about not in told]
         first = [one.student, format_points(one.points), format_points(one.max), one.status]
-        points = [format_points(problem.points) for problem in one.problems]
+        points = ["to be marked" if each.state == "open" else format_points(each.points) for each in one.problems]
         reason = " | ".join(filter(None, [*told, *flags]))
         mistakes = "; ".join(f"{problem.number} {name}" for problem in one.problems for name in problem.mistakes)
         rows.append([*first, *points, reason, mistakes, ", ".join(one.typed), one.file, " | ".join(one.changes)])

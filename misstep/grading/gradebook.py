@@ -63,23 +63,25 @@ def record(course: CourseDirectory, sheet: str, results: Sequence[Result]) -> li
     remarks = []
     with Gradebook(course.db_url, course.course_id) as gradebook:
         for result in results:
-            student, points = (
-                result.student,
-                {f"check-{k}": one.points for k, one in enumerate(result.problems, start=1)},
-            )
+            student, problems = result.student, result.problems
             if result.status == ABSENT:
                 continue
             if not FOLDER_NAME.fullmatch(student):
                 remarks.append(f"{student} is not in the gradebook, because nbgrader does not allow this id.")
                 continue
-            if abs(result.points - sum(points.values())) > 1e-9:
+            if abs(result.points - sum(one.points for one in problems)) > 1e-9:
                 remarks.append(f"{student} has points for the whole sheet by hand, which a gradebook cannot hold.")
             gradebook.update_or_create_student(student)
             with gradebook.db.no_autoflush:  # nbgrader adds a submission to its assignment, and then to the session
                 gradebook.update_or_create_submission(sheet, student)
             for grade in gradebook.find_submission_notebook(sheet, sheet, student).grades:
-                if grade.auto_score != points[grade.name]:
-                    grade.auto_score = points[grade.name]
+                one = problems[
+                    int(grade.name.rpartition("-")[2]) - 1
+                ]  # of the cell check-3, or answer-3 of an open problem
+                if one.state == "open":
+                    grade.needs_manual_grade = grade.manual_score is None
+                elif grade.auto_score != one.points:
+                    grade.auto_score = one.points
                     grade.needs_manual_grade = grade.manual_score is not None
             gradebook.db.commit()
     return remarks

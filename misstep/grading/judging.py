@@ -102,9 +102,15 @@ def finished(result: Result, request: Request) -> Result:
     for problem in result.problems:
         if decided := decisions.get(problem.number):
             points = problem.points if decided.points is None else decided.points
-            problem = replace(problem, points=points, note=decided.sentence(problem.points))  # noqa: PLW2901
+            note, state = decided.sentence(problem.points), problem.state
+            if state == "open" and decided.points is not None:
+                note, state = f"Marked by your instructor. {decided.comment}".strip(), "marked"
+            problem = replace(problem, points=points, note=note, state=state)  # noqa: PLW2901
         problems.append(problem)
     total, notes = sum(problem.points for problem in problems), list(result.notes)
+    if unmarked := ", ".join(problem.number for problem in problems if problem.state == "open"):
+        notes.append(f"The points of {unmarked} are not yet counted: your instructor marks this text.")
+        result = replace(result, flags={**result.flags, "unmarked": unmarked})
     if decided := decisions.get(""):
         notes.append(decided.sentence(total))
         total = total if decided.points is None else decided.points

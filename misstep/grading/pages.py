@@ -24,6 +24,8 @@ STATES = {
     "right": ("✓", "right"),
     "partly": ("◐", "partly right"),
     "wrong": ("✗", "not yet right"),
+    "open": ("✎", "to be marked by your instructor"),
+    "marked": ("✎", "marked by your instructor"),
     "blank": ("…", "no answer yet"),
     "unreadable": ("?", "unreadable"),
     "missing": ("–", "no answer stored"),
@@ -113,7 +115,8 @@ def report_page(results: Sequence[Result], sheet: str, attention: Sequence[str])
             Counter(name for one in alike for name in set(one.mistakes)),
         )
         number, title, maximum = alike[0].number, alike[0].title, alike[0].max
-        mean, unnamed = sum(one.points for one in alike) / count, sum(one.unnamed is not None for one in alike)
+        unnamed, judged = sum(one.unnamed is not None for one in alike), [one for one in alike if one.state != "open"]
+        mean = sum(one.points for one in judged) / len(judged) if judged else None
         counted = [(state, states[state]) for state in STATES if states[state]]
         ordered = sorted(mistakes.items(), key=lambda item: (-item[1], item[0]))
         problems.append((number, title, maximum, mean, counted, ordered, unnamed))

@@ -26,6 +26,7 @@ import numpy as np
 from misstep.answers.base import Answer, Unreadable
 from misstep.answers.choice import Choice, ReasonedChoice
 from misstep.answers.groups.ordering import Ordering
+from misstep.answers.prose import Prose
 from misstep.catalog import Course, add_course_argument, find_course
 from misstep.judge import judge
 from misstep.problem import Problem, Template
@@ -214,7 +215,7 @@ def run(options: Namespace) -> int:
     count, left_out = export(find_course(options.course), options.out)
     print(f"{options.out} is a PrairieLearn course with {count} questions.")
     if left_out:
-        print(f"Left out, because their answer is a function: {', '.join(left_out)}.")
+        print(f"Left out, because their answer is a function or a text: {', '.join(left_out)}.")
     return 0
 
 
@@ -230,7 +231,8 @@ def export(course: Course, out: Path) -> tuple[int, list[str]]:
         sheet = course.find_sheet(name)
         questions = []
         for index, template in enumerate(sheet.problems):
-            if template.variant("sample").answer.inputs:
+            answer = template.variant("sample").answer
+            if answer.inputs or isinstance(answer, Prose):
                 left_out.append(template.number)
                 continue
             id_ = f"{name}/{index + 1:02}"

@@ -20,6 +20,7 @@ FLAGS = {
     "same answers": "Several answers are the same as those of another student, although their numbers differ",
     "several ids": "The notebooks under this name are of several ids. Is it the folder of a section or a group?",
     "absent": "Nothing was handed in",
+    "unmarked": "A text waits for your points in overrides.csv",
 }
 """What needs the eyes of an instructor, and the sentence for it, in the order in which it is said."""
 
@@ -32,7 +33,7 @@ class ProblemResult:
     title: str
     points: float
     max: float
-    state: str  # right, partly, wrong, blank, unreadable; or missing, if no answer is stored
+    state: str  # right, partly, wrong, open, blank, unreadable; marked by hand; or missing, if no answer is stored
     lines: Sequence[str] = ()  # of the card
     address: str = ""  # of the section to re-read, which the last line names
     statement: str = ""

@@ -207,7 +207,7 @@ def test_a_check_after_an_answer_cell_that_failed_judges_no_older_answer():
         cells = ("from kincourse import open_sheet", "sheet = open_sheet('03_poe_space', 'ada')")
         for cell in (*cells, "screws_1 = sheet.problem(1).answer.value", "verdict = sheet.check(1, screws_1)"):
             assert shell.run_cell(cell).success
-        assert shell.user_ns["verdict"].score == 3
+        assert shell.user_ns["verdict"].score == 2
         for broken, name in (("screws_1 = [1 / 0]", "ZeroDivisionError"), ("screws_1 = [1", "SyntaxError")):
             shell.run_cell(broken)
             assert shell.run_cell("verdict = sheet.check(1, screws_1)").success

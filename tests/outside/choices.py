@@ -13,7 +13,7 @@ ORDER = "order|revers|swap|exchang|wrong place|first|last|front|behind|$M$|alpha
 
 
 def rotations(g: Any) -> list[str]:
-    """The factors of 01.8: what turns about {s} comes to the left, what turns about an own axis to the right."""
+    """The factors of 01.7: what turns about {s} comes to the left, what turns about an own axis to the right."""
     order: list[str] = []
     for name, in_the_room in zip(g.turns, g.about_the_room, strict=True):
         order = [name, *order] if in_the_room else [*order, name]
@@ -31,13 +31,13 @@ def from_the_floor(g: Any) -> list[str]:
 
 
 def around_home(g: Any) -> list[str]:
-    """The factors of 04.4: the screws that were read in {s} stand to the left of the home pose."""
+    """The factors of 04.3: the screws that were read in {s} stand to the left of the home pose."""
     e, k = [f"e_{name}" for name in g.from_floor_to_tool], len(g.read_in_s)
     return [*e[:k], "M", *e[k:]]
 
 
 def rigid_or_not(g: Any) -> tuple[str, float]:
-    """The condition of 01.9 that fails, and a number that shows it."""
+    """The condition of 01.8 that fails, and a number that shows it."""
     T = np.asarray(g.matrix)
     products = T[:3, :3].T @ T[:3, :3]
     fails = {
@@ -61,7 +61,7 @@ def row_of(T: Any, convention: str) -> list[float]:
 
 
 def faulty_entry(g: Any) -> tuple[str, float]:
-    """The entry of 05.6 that does not fit the frames, and what it should be."""
+    """The entry of 05.5 that does not fit the frames, and what it should be."""
     F, convention = np.asarray(g.frames), getattr(g, "convention", "standard")
     links = [product(np.linalg.inv(F[i]), F[i + 1]) for i in range(len(g.rows))]
     off = np.array([row_of(T, convention) for T in links]) - g.rows
@@ -78,19 +78,8 @@ def convention_of(g: Any) -> tuple[str, Any]:
     return letter, np.array([T[0, 3] for T in poses])
 
 
-def relation(g: Any) -> tuple[str, Any]:
-    """The letter of 07.1, and the foot on the second axis."""
-    (one, two), step = g.axes, np.subtract(*g.points[::-1])
-    return _relation(one, two, step), np.asarray(g.points[1]) - (step @ two) * np.asarray(two)
 
 
-def _relation(one: Any, two: Any, step: Any) -> str:
-    normal, same = np.cross(one, two), one @ two > 0
-    if np.abs(normal).max() > 1e-9:
-        return "a" if abs(normal @ step) > 1e-9 else "b"
-    if np.abs(np.cross(one, step)).max() > 1e-9:
-        return "c" if same else "d"
-    return "e" if same else "f"
 
 
 def broken_rule(g: Any) -> tuple[str, float]:
@@ -111,15 +100,22 @@ def broken_rule(g: Any) -> tuple[str, float]:
 
 
 def same_arm(g: Any) -> tuple[str, str]:
-    """The letter of 07.8, the table that moves as the given one does, and the entry of another one without a partner."""
+    """The letter of 07.7, the table that moves as the given one does, and the entry of another one without a partner."""
     q = np.linspace(0.3, 1.7, len(g.table))
     T = chain(at(g.table, "R" * len(q), q), "standard")
     poses = {letter: chain(at(rows, "R" * len(q), q), "standard") for letter, rows in g.tables.items()}
-    return str(next(letter for letter, X in poses.items() if np.allclose(X, T, atol=1e-6))), "d4"
+    right = next(letter for letter, X in poses.items() if np.allclose(X, T, atol=1e-6))
+    rows = np.array(g.tables[g.spoiled])
+    for i, k in np.argwhere(rows[:, :3]):
+        mended = rows.copy()
+        mended[i, k] *= -1
+        if np.allclose(chain(at(mended, "R" * len(q), q), "standard"), T, atol=1e-6):
+            return str(right), f"{('a', 'alpha', 'd')[k]}{i + 1}"
+    raise AssertionError
 
 
 def grashof(g: Any) -> tuple[str, float]:
-    """The letter of 08.6, and the sum of the shortest and the longest bar."""
+    """The letter of 08.2, and the sum of the shortest and the longest bar."""
     short, p, q, long = sorted(g.bars)
     if abs(short + long - p - q) < 1e-9:
         return "e", short + long
@@ -127,7 +123,7 @@ def grashof(g: Any) -> tuple[str, float]:
 
 
 def path_through_a_tree(g: Any) -> list[str]:
-    """The joints of 09.7: up from the base to a common link, and down to the tip."""
+    """The joints of 09.2: up from the base to a common link, and down to the tip."""
     found = re.findall(r'<joint name="(\w+)" type="(\w+)">\s*<parent link="(\w+)"/> <child link="(\w+)"/>', g.urdf)
     above = {child: (parent, [name] * (kind != "fixed")) for name, kind, parent, child in found}
 
@@ -162,7 +158,7 @@ def shared_orders(X: list[str]) -> Kinds:
     return made | {f"swapped factors {k + 1} and {k + 2}": ([*X[:k], X[k + 1], X[k], *X[k + 2:]], ORDER) for k in range(len(X) - 1)}
 
 
-@kinds_of("01.8")
+@kinds_of("01.7")
 def wrong_rotations(g: Any, X: list[str]) -> Kinds:
     names = list(g.turns)
     ours = [name for name, about in zip(names, g.about_the_room, strict=True) if about]
@@ -175,7 +171,7 @@ def wrong_rotations(g: Any, X: list[str]) -> Kinds:
     return {label: (order, ORDER) for label, order in orders.items()}
 
 
-@kinds_of("03.6", "04.4")
+@kinds_of("03.6", "04.3")
 def wrong_factors(g: Any, X: list[str]) -> Kinds:
     e = [name for name in X if name != "M"]
     listed = [f"e_{name}" for name in (g.rides_on if hasattr(g, "rides_on") else g.from_floor_to_tool)]
@@ -192,16 +188,14 @@ def wrong_factors(g: Any, X: list[str]) -> Kinds:
 
 
 LETTERS = {
-    "01.9": {"a": "not a rigid motion", "b": "unit vectors", "c": "orthogonal", "d": "left-handed", "e": "0 0 0 1"},
+    "01.8": {"a": "not a rigid motion", "b": "unit vectors", "c": "orthogonal", "d": "left-handed", "e": "0 0 0 1"},
     "06.5": {"a": "standard", "b": "modified", "c": "both|same pose", "d": "neither|at least one"},
-    "07.1": dict.fromkeys("abcdef", "direction|common point|distance"),
     "07.5": dict.fromkeys("abcd", "obeys") | {"e": "breaks a rule"},
-    "07.8": dict.fromkeys("abcd", "sign|reversed|moved"),
-    "08.5": dict.fromkeys("abcd", "mode|inner|sign"),
-    "08.6": dict.fromkeys("abcde", "shortest|longest"),
+    "07.7": dict.fromkeys("abcd", "sign|reversed|moved"),
+    "08.2": dict.fromkeys("abcde", "shortest|longest"),
     "10.3": {"a": "space screws", "b": "body screws", "c": "table", "d": "file"},
-    "10.12": {k: f"joint {k}" for k in "1234"},
-    "10.14": {k: f"You answered {k}" for k in "ABCD"},
+    "10.8": {k: f"joint {k}" for k in "1234"},
+    "10.10": {k: f"You answered {k}" for k in "ABCD"},
 }
 """For a problem each letter that may be chosen, and the words by which feedback may speak of it."""
 
@@ -220,7 +214,7 @@ for problem in LETTERS:
     kinds_of(problem)(_letters(problem))
 
 
-@kinds_of("05.6")
+@kinds_of("05.5")
 def other_entries(g: Any, X: Any) -> Kinds:
     rows = range(1, len(g.rows) + 1)
     return {f"chose {k}{i}": ((f"{k}{i}", X[1]), "row|column|agrees|fits") for k in ("a", "alpha", "d", "theta") for i in rows if f"{k}{i}" != X[0]} | {
@@ -228,7 +222,7 @@ def other_entries(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("09.7")
+@kinds_of("09.2")
 def other_paths(g: Any, X: list[str]) -> Kinds:
     inwards, outwards = X[:2], X[2:]
     paths = {"from the root to both hands": [*inwards[::-1], *outwards], "only from the root to the tip": outwards,
@@ -236,7 +230,7 @@ def other_paths(g: Any, X: list[str]) -> Kinds:
     return {f"listed {label}": (path, "root|file|reversed|torso|base|missing") for label, path in paths.items()}
 
 
-@kinds_of("09.6", "09.11")
+@kinds_of("09.6", "09.7")
 def other_lines(g: Any, X: float) -> Kinds:
     words = "correct|agrees|this joint|element|axis|limit|parent|child|origin|line above|line below"
     made: Kinds = {}
@@ -244,6 +238,8 @@ def other_lines(g: Any, X: float) -> Kinds:
     for i, line in enumerate(g.urdf.splitlines(), start=1):
         element = re.findall(r"\w+", line)[0]
         joint += line.startswith("<joint")
-        if joint and i != X and not line.startswith("</"):
-            made[f"gave the {element} of joint {joint}"] = (i, words)
+        if joint and i != X[0] and not line.startswith("</"):
+            made[f"gave the {element} of joint {joint}"] = (np.array([i, *X[1:]]), words)
+    made["gave the line alone"] = (X * np.eye(len(X))[0], "0|placeholder|right")
+    made["negated what must stand there"] = (np.array([X[0], *-X[1:]]), "sign|negat")
     return made

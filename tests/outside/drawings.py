@@ -12,7 +12,7 @@ from outside.shared import ORDER, PLACE, SIGN, SWAP
 READ = "point|coordinate|view|measured|axis|" + PLACE
 
 
-@kinds_of("07.9", "09.12", "10.8")
+@kinds_of("07.8", "09.11", "10.4")
 def points(g: Any, X: Any) -> Kinds:
     return {
         "took the height for the depth": (X[:, [0, 2, 1]], SWAP + "|view|" + READ),
@@ -23,7 +23,7 @@ def points(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("03.12", "04.12", "10.9")
+@kinds_of("03.12", "04.11", "10.5")
 def screws(g: Any, X: Any) -> Kinds:
     turns = np.any(X[:, :3], axis=1)[:, None]
     w, v = X[:, :3], X[:, 3:]
@@ -45,7 +45,7 @@ def screws(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("05.9", "06.11", "10.10")
+@kinds_of("05.8", "06.8", "10.6")
 def rows(g: Any, table: Any) -> Kinds:
     reach = table * (0, 1, 0, 1)
     reach[:, 0] = np.hypot(table[:, 0], table[:, 2])

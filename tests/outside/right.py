@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 
 from outside import choices
-from outside.motions import Ad, Array, at, chain, exp, hat, link, logarithm, pose, product, rot, rpy_matrix
+from outside.motions import Ad, Array, at, chain, exp, link, logarithm, pose, product, rot, rpy_matrix, turn
 
 inv = np.linalg.inv
 theta, a = sp.symbols("theta a")
@@ -40,7 +40,7 @@ def plane(g: Any, order: int = 1, angle: float = 1) -> Array:
 
 
 def moved(g: Any, swap: bool = False, angle: float = 1) -> Array:
-    """The pose of 01.7; with `swap` the sides of both motions are exchanged."""
+    """The pose of 01.9; with `swap` the sides of both motions are exchanged."""
     own, fixed = pose(rot(np.asarray(g.axis), angle * g.degrees), [0] * 3), pose(np.eye(3), g.shift)
     if (g.own == "turn") == swap:
         own, fixed = fixed, own
@@ -66,7 +66,7 @@ def axes_to_screws(g: Any) -> Array:
 
 
 def series_error(g: Any) -> float:
-    """The distance of 02.5 in millimetres."""
+    """The distance of 02.4 in millimetres."""
     t = g.theta
     return float(1000 * g.radius * np.hypot(np.cos(t) - 1 + t**2 / 2, np.sin(t) - t))
 
@@ -78,7 +78,7 @@ def log_of_rotation(R: Any) -> Array:
 
 
 def helix(g: Any) -> Any:
-    """The motion of 02.8 as a formula."""
+    """The motion of 02.5 as a formula."""
     w, p = sp.Matrix(g.axis), sp.Matrix(g.point)
     R = rodrigues(w)
     column = p - R * p + g.pitch * theta * w
@@ -93,7 +93,7 @@ def jacobian(g: Any, q: Any) -> Array:
 
 
 def wrist(g: Any) -> Array:
-    """The singular value of q_2 and the rate of joint 1 in 04.10, by turning axis 3 until it lies along axis 1."""
+    """The singular value of q_2 and the rate of joint 1 in 04.8, by turning axis 3 until it lies along axis 1."""
     z, u = np.array([0, 0, 1.0]), np.asarray(g.axis_2)
     c, s = np.cos(np.radians(g.tilt)), np.sin(np.radians(g.tilt))
     axis_3 = c * z + s * np.asarray(g.towards)
@@ -102,20 +102,6 @@ def wrist(g: Any) -> Array:
         if abs(q) < 90:
             return np.array([q, -side * g.rate_3])
     raise AssertionError
-
-
-def table_at(g: Any, q: Any, convention: str) -> Array:
-    """The pose at q of the table that is given as text, in the standard or modified convention."""
-    lines = [line.split("|") for line in g.text.strip().splitlines()[1:]]
-    rows = []
-    for line in lines:
-        row = []
-        for k, cell in enumerate(line):
-            names = {f"q{i + 1}": np.degrees(x) if k == 3 else x for i, x in enumerate(q)}
-            x = float(eval(cell.replace("°", ""), {"__builtins__": {}}, names))
-            row.append(np.radians(x) if k % 2 else x)
-        rows.append(row)
-    return chain(rows, convention)
 
 
 def moved_columns(g: Any, step: int) -> Array:
@@ -206,16 +192,6 @@ def slider_x(g: Any) -> float:
     return float(g.crank * np.cos(A) + np.sqrt(g.rod**2 - (g.offset - g.crank * np.sin(A)) ** 2))
 
 
-def mobility(d: int, N: int, joint_mobilities: Any) -> float:
-    """The formula of Gruebler and Kutzbach."""
-    return float(d * (N - 1 - len(joint_mobilities)) + sum(joint_mobilities))
-
-
-def legs(g: Any) -> float:
-    """The mobility of 08.8."""
-    return mobility(g.d, 2 + sum(len(leg) - 1 for leg in g.legs), [f for leg in g.legs for f in leg])
-
-
 def last_screw(g: Any) -> Array:
     """The screw axis of joint 3 of a standard table."""
     T = chain(np.asarray(g.rows)[:2], "standard")
@@ -234,12 +210,77 @@ def joint_origin(g: Any, order: str = "zyx") -> Array:
     return np.array(R.T @ (np.asarray(g.place_2) - g.xyz_1))
 
 
-def in_letters(g: Any, height_of_q2: float = 1) -> Any:
-    """The position of 10.5 as a formula."""
-    q1, q2 = sp.symbols("q1 q2")
-    a, b = (sp.Rational(str(x)) for x in (g.a, g.b))
-    radius, height = (a + q2, g.lift * b) if g.slides else (b * sp.cos(q2), a + height_of_q2 * g.lift * b * sp.sin(q2))
-    return sp.Matrix([radius * sp.cos(q1), radius * sp.sin(q1), height])
+def rpy_of(R: Any) -> list[float]:
+    """Roll, pitch and yaw of a rotation, by turning it back: first the yaw, then the pitch."""
+    yaw = (
+        float(np.arctan2(R[1][0], R[0][0]))
+        if np.hypot(R[0][0], R[1][0]) > 1e-6
+        else float(np.arctan2(-R[0][1], R[1][1]))
+    )
+    rest = turn("z", -yaw) @ R
+    pitch = float(np.arctan2(-rest[2, 0], rest[0, 0]))
+    rest = turn("y", -pitch) @ rest
+    return [float(np.arctan2(rest[2, 1], rest[1, 1])), pitch, yaw]
+
+
+def hinge(g: Any) -> Array:
+    """The hinge of 02.8: the intersection of two perpendicular bisectors, of the handle and of a point beside it."""
+    ends = [[T[:2, 3] + s * T[:2, 1] for T in map(np.asarray, (g.T_1, g.T_2))] for s in (0, 1)]
+    steps = np.array([b - a for a, b in ends])
+    middles = np.array([(a + b) / 2 for a, b in ends])
+    return np.array(np.linalg.solve(steps, (steps * middles).sum(axis=1)))
+
+
+def at_sight(g: Any) -> Array:
+    """The velocities of 03.2: distance times the direction that the right-hand rule gives."""
+    return np.array(
+        [
+            w[[1, 2, 0]] * p[[2, 0, 1]] - w[[2, 0, 1]] * p[[1, 2, 0]]
+            for w, p in zip(g.axes, -np.asarray(g.points), strict=True)
+        ]
+    )
+
+
+def all_screws(g: Any) -> Array:
+    """The screws of axes through points."""
+    return np.array([screw(w, p) for w, p in zip(g.axes, g.points, strict=True)])
+
+
+def screws_of_a_modified_table(g: Any) -> Array:
+    """The screws of 06.9: z of frame i is the axis of joint i."""
+    frames = [product(g.base, chain(g.rows[: i + 1], "modified")) for i in range(len(g.rows))]
+    return np.array([screw(T[:3, 2], T[:3, 3]) for T in frames])
+
+
+def gap(g: Any, B: float = 1) -> Array:
+    """The vector of 08.3, by complex numbers."""
+    ground, crank, coupler, rocker = g.bars
+    a, b, d = (np.exp(1j * np.radians(g.degrees[name])) for name in "ABD")
+    z = crank * a + coupler * a * b**B - ground - rocker * d
+    return np.array([z.real, z.imag])
+
+
+def crank_and_coupler(g: Any) -> Array:
+    """The lengths of 08.9 from the two extreme places of C."""
+    far, near = (abs(g.ground + g.rocker * np.exp(1j * np.radians(x))) for x in sorted(g.degrees))
+    return np.array([far - near, far + near]) / 2
+
+
+def offset(g: Any) -> tuple[str, float]:
+    """The joint of 10.11 and its offset: the one for which the offset of the first pose explains all others."""
+    S, M = np.asarray(g.screws), g.home
+    for k in range(len(S)):
+        found = []
+        for q, T in zip(g.q, g.poses, strict=True):
+            e = [exp(s, x) for s, x in zip(S, q, strict=True)]
+            E = product(inv(product(np.eye(4), *e[: k + 1])), T, inv(product(np.eye(4), *e[k + 1 :], M)))
+            found.append(logarithm(E) @ S[k] / (S[k] @ S[k]))
+        if all(
+            np.allclose(poe(g, S, M, q + found[0] * np.eye(len(S))[k]), T, atol=1e-6)
+            for q, T in zip(g.q, g.poses, strict=True)
+        ):
+            return str(k + 1), float(found[0])
+    raise AssertionError
 
 
 RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
@@ -247,61 +288,63 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "01.4": ("vectors", lambda g: np.array([(g.T_sc @ [*g.point_c, 1])[:3], g.T_sc[:3, :3] @ g.arrow_c])),
     "01.5": ("pose", lambda g: inv(g.T_sg)),
     "01.6": ("pose", lambda g: inv(g.T_st) @ g.T_sc @ g.T_co),
-    "01.7": ("pose", moved),
-    "02.1": ("matrix", lambda g: np.block([[hat(g.omega), np.reshape(g.v, (3, 1))], [np.zeros((1, 4))]])),
-    "02.2": ("rotation", lambda g: rot(np.array(g.direction) / np.linalg.norm(g.direction), g.degrees)),
-    "02.3": ("formula", lambda g: rodrigues(g.omega)),
-    "02.4": ("formula", lambda g: sp.Matrix(g.point) - rodrigues(g.omega) * sp.Matrix(g.point)),
-    "02.5": ("millimetres", series_error),
-    "02.6": ("pose", lambda g: exp([*g.omega, *g.v], g.seconds)),
+    "01.9": ("pose", moved),
+    "01.10": ("wrists", lambda g: np.array([rpy_of(np.asarray(R)) for R in (g.R_1, g.R_2)])),
+    "02.8": ("vector", hinge),
+    "03.2": ("vectors", at_sight),
+    "03.7": ("pose", lambda g: product(*map(exp, g.screws[: g.link], g.q[: g.link]), g.camera_home)),
+    "03.13": ("screws", all_screws),
+    "04.9": ("vector", lambda g: np.sort(np.abs([g.links @ np.array([1, s, t]) for s in (1, -1) for t in (1, -1)]))),
+    "06.9": ("screws", screws_of_a_modified_table),
+    "08.3": ("vector", gap),
+    "08.9": ("vector", crank_and_coupler),
+    "10.11": ("letter", offset),
+    "02.1": ("rotation", lambda g: rot(np.array(g.direction) / np.linalg.norm(g.direction), g.degrees)),
+    "02.2": ("formula", lambda g: rodrigues(g.omega)),
+    "02.6": ("formula", lambda g: sp.Matrix(g.point) - rodrigues(g.omega) * sp.Matrix(g.point)),
+    "02.4": ("millimetres", series_error),
+    "02.3": ("pose", lambda g: exp([*g.omega, *g.v], g.seconds)),
     "02.7": ("vector", lambda g: log_of_rotation(np.asarray(g.R))),
-    "02.8": ("formula", helix),
+    "02.5": ("formula", helix),
     "03.1": ("screws", axes_to_screws),
-    "03.2": ("screw", lambda g: screw(tilted(g), g.point)),
-    "03.3": ("screw", lambda g: np.array([0, 0, 0, *np.array(g.direction) / np.linalg.norm(g.direction)])),
+    "03.3": ("screw", lambda g: screw(tilted(g), g.point)),
     "03.4": ("screw", lambda g: screw(g.axis, g.point) + np.array([0, 0, 0, *g.lead / 2 / np.pi * np.array(g.axis)])),
-    "03.7": ("pose function", lambda g: lambda q: poe(g, g.screws, g.home, q)),
     "03.8": ("pose", lambda g: poe(g, g.screws, g.home @ pose(np.eye(3), [0, 0, g.longer]))),
     "04.2": ("screws", lambda g: np.asarray(g.screws) @ Ad(inv(g.home)).T),
-    "04.3": ("screws", lambda g: np.asarray(g.body_screws) @ Ad(g.home).T),
-    "04.5": ("pose", lambda g: product(g.home, *map(exp, g.body_screws, radians_of(g.values, g.body_screws)))),
-    "04.6": (
+    "04.4": ("pose", lambda g: product(g.home, *map(exp, g.body_screws, radians_of(g.values, g.body_screws)))),
+    "04.5": (
         "pose",
         lambda g: product(*(e := list(map(exp, g.screws, radians_of(g.values, g.screws))))[:2], g.home, *e[2:]),
     ),
-    "04.7": ("screws", lambda g: np.asarray(g.body_screws) @ Ad(inv(g.T_bt)).T),
-    "04.8": ("screw", lambda g: jacobian(g, radians_of(g.values, g.body_screws))[1]),
-    "04.9": ("screw", lambda g: np.radians(g.rates) @ jacobian(g, np.radians(g.values))),
-    "04.10": ("vector", wrist),
+    "04.6": ("screws", lambda g: np.asarray(g.body_screws) @ Ad(inv(g.T_bt)).T),
+    "04.7": ("screw", lambda g: np.radians(g.rates) @ jacobian(g, np.radians(g.values))),
+    "04.8": ("vector", wrist),
     "05.2": (
         "pose",
         lambda g: link((g.a, np.radians(g.alpha_degrees), g.d, np.radians(g.theta_degrees)), "standard"),
     ),
     "05.4": ("entries", lambda g: np.radians(np.diff([0, *g.headings_degrees]))),
-    "05.5": ("pose", lambda g: table_at(g, g.q, "standard")),
     "05.7": (
         "vector",
         lambda g: np.array([
             x for i in (0, 1) for x in (np.hypot(*(np.diff(g.points, axis=0)[i, :2])), np.diff(g.points, axis=0)[i, 2])
         ]),
     ),
-    "05.8": ("pose", lambda g: product(g.base, chain(at(g.rows, "RR", g.q), "standard"), g.tool)),
+    "05.6": ("pose", lambda g: product(g.base, chain(at(g.rows, "RR", g.q), "standard"), g.tool)),
     "06.1": ("pose", lambda g: link((g.a, g.alpha, g.d, g.theta), "modified")),
-    "06.2": ("screws", lambda g: np.array([[g.alpha, 0, 0, g.a, 0, 0], [0, 0, g.theta, 0, 0, g.d]])),
     "06.3": ("rows", lambda g: moved_columns(g, 1)),
-    "06.4": ("rows", lambda g: moved_columns(g, -1)),
-    "06.7": (
+    "06.4": (
         "rotation",
         lambda g: chain(
             [(0, k * np.pi / 2, 0, np.radians(t)) for k, t in zip((-1, 1, -1), g.degrees, strict=True)], "modified"
         )[:3, :3],
     ),
-    "06.8": (
+    "06.2": (
         "pose",
         lambda g: chain(at(g.rows, "RPR", [np.radians(g.values[0]), g.values[1], np.radians(g.values[2])]), "modified"),
     ),
-    "07.7": ("vector", lambda g: np.array([g.moved_to, g.a_1 + g.a_2 - g.moved_to])),
-    "08.1": (
+    "07.1": ("vector", lambda g: np.array([g.moved_to, g.a_1 + g.a_2 - g.moved_to])),
+    "08.4": (
         "screw",
         lambda g: logarithm(
             product(
@@ -310,45 +353,38 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
             )
         ),
     ),
-    "08.2": ("angles", lambda g: np.array([D for _, D in to_point_C(g.bars, np.radians(g.degrees))])),
-    "08.3": ("vector", coupler_point),
-    "08.4": ("length", slider_x),
+    "08.5": ("angles", lambda g: np.array([D for _, D in to_point_C(g.bars, np.radians(g.degrees))])),
+    "08.6": ("vector", coupler_point),
+    "08.1": ("length", slider_x),
     "08.7": (
         "angles",
         lambda g: float(
             np.arccos((g.bars[0] ** 2 + g.bars[1] ** 2 - (g.bars[2] + g.bars[3]) ** 2) / (2 * g.bars[0] * g.bars[1]))
         ),
     ),
-    "08.8": ("count", legs),
     "09.1": ("pose", lambda g: pose(rpy_matrix(np.where(np.abs(np.abs(g.rpy) - 1.5708) < 1e-3, np.sign(g.rpy) * np.pi / 2, g.rpy)), g.xyz)),
-    "09.2": ("vector", lambda g: rpy_matrix(g.rpy) @ g.axis),
     "09.3": ("vector", lambda g: frames_of(g)[2][:3, 3]),
     "09.4": ("screw", last_axis),
     "09.5": ("pose", lambda g: frames_of(g)[-1]),
     "09.9": ("vector", mimicked),
     "09.10": ("vector", lambda g: frames_of(g)[2][:3, :3].T @ g.omega),
     "10.1": ("screw", last_screw),
-    "10.2": ("screws", lambda g: np.asarray(g.body_screws) @ Ad(inv(g.T_bc)).T),
-    "10.4": ("vector", joint_origin),
-    "10.6": ("count", lambda g: mobility(6, int(sum(g.joints)) - len(g.joints) + 2, np.ones(int(sum(g.joints))))),
-    "10.7": ("pose", poe),
-    "01.8": ("order", choices.rotations),
-    "01.9": ("letter", choices.rigid_or_not),
+    "10.2": ("vector", joint_origin),
+    "01.7": ("order", choices.rotations),
+    "01.8": ("letter", choices.rigid_or_not),
     "03.6": ("order", choices.from_the_floor),
-    "04.4": ("order", choices.around_home),
-    "05.6": ("letter", choices.faulty_entry),
+    "04.3": ("order", choices.around_home),
+    "05.5": ("letter", choices.faulty_entry),
     "06.5": ("letter", choices.convention_of),
-    "07.1": ("letter", choices.relation),
     "07.5": ("letter", choices.broken_rule),
-    "07.8": ("letter", choices.same_arm),
-    "08.6": ("letter", choices.grashof),
-    "09.7": ("path", choices.path_through_a_tree),
+    "07.7": ("letter", choices.same_arm),
+    "08.2": ("letter", choices.grashof),
+    "09.2": ("path", choices.path_through_a_tree),
     "09.8": (
         "origin",
         lambda g: np.array([[g.a, -g.d * np.sin(g.alpha), g.d * np.cos(g.alpha)], [g.alpha, 0, 0]]),
     ),
     "10.3": ("letter", choices.one_of_four),
-    "10.5": ("formula", in_letters),
 }  # fmt: skip
 """For each problem the kind of its answer, and the function from its given values to the right answer."""
 
@@ -356,20 +392,19 @@ IN_A_DRAWING = {
     "pose": ["01.1"],
     "rotation": ["01.2"],
     "screw": ["03.5", "04.1"],
-    "formula": ["03.9", "03.10", "04.11"],
+    "formula": ["03.9", "03.10", "04.10"],
     "pose function": ["03.11"],
     "row": ["05.1"],
-    "table": ["05.3", "06.10", "07.3", "07.4", "07.6"],
-    "entry": ["06.6"],
-    "wrists": ["06.9"],
-    "frames": ["07.2", "10.11"],
-    "counts": ["08.9"],
-    "screws": ["03.12", "04.12", "10.9"],
-    "rows": ["05.9", "06.11", "10.10"],
-    "vectors": ["07.9", "09.12", "10.8"],
-    "letter": ["08.5", "10.12", "10.14"],
-    "line": ["09.6", "09.11"],
-    "millimetres": ["10.13"],
+    "table": ["05.3", "06.7", "07.3", "07.4", "07.6"],
+    "wrists": ["06.6"],
+    "frames": ["07.2", "10.7"],
+    "counts": ["08.8"],
+    "screws": ["03.12", "04.11", "10.5"],
+    "rows": ["05.8", "06.8", "10.6"],
+    "vectors": ["07.8", "09.11", "10.4"],
+    "letter": ["10.8", "10.10"],
+    "line": ["09.6", "09.7"],
+    "millimetres": ["10.9"],
 }
 """For each kind of answer the problems whose right answer is in a drawing, or is one of several, and so in no given value."""
 

@@ -74,11 +74,11 @@ def shared_kinds(kind: str, value: Any) -> Kinds:
 
 def differs(kind: str, wrong: Any, value: Any) -> bool:
     """Return whether an answer differs from the right one by more than rounding; angles by more than full turns."""
-    if kind in ("letter", "line", "order", "path"):
+    if kind in ("letter", "order", "path"):
         return kind == "letter" or bool(wrong != value)
     if kind == "formula":
         return any(sp.expand(x) != 0 for x in sp.Matrix(wrong) - sp.Matrix(value))
-    if kind == "frames":
+    if kind in ("frames", "line"):
         return not np.allclose(wrong, value)
     if kind in ("wrists", "table", "pose function") or np.shape(wrong) != np.shape(value):
         return True
@@ -285,4 +285,4 @@ def _forms_of_a_choice(kind: str, value: Any) -> dict[str, Any]:
         return {"as a list": [letter, reason], "with spaces": (f" {letter} ", reason)}
     if kind in ("order", "path"):
         return {"as a tuple": tuple(value), "as a list": list(value)}
-    return {"as an integer": int(value), "as a float": float(value)} if kind == "line" else {}
+    return {"as a list": np.asarray(value).tolist()} if kind == "line" else {}

@@ -6,12 +6,11 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from outside import Kinds, kinds_of, shared
+from outside import Kinds, kinds_of, right, shared
 from outside.motions import I3, Ad, exp, hat, logarithm, pose, product, rot
 from outside.right import (
     inv,
     moved,
-    poe,
     radians_of,
     rodrigues,
     screw,
@@ -50,7 +49,7 @@ def rod(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("01.7")
+@kinds_of("01.9")
 def own_or_fixed(g: Any, X: Any) -> Kinds:
     turn, shift = pose(rot(np.asarray(g.axis), g.degrees), [0] * 3), pose(I3, g.shift)
     return {
@@ -61,7 +60,130 @@ def own_or_fixed(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("02.2")
+@kinds_of("01.10")
+def three_angles(g: Any, X: Any) -> Kinds:
+    R_1, R_2 = np.asarray(g.R_1), np.asarray(g.R_2)
+    back = [right.rpy_of(R.T) for R in (R_1, R_2)]
+    first, last = X.copy(), X.copy()
+    first[0, 0] += np.pi
+    last[0, 2] += np.pi
+    only = X.copy()
+    only[0, 1] = np.pi / 2 - X[0, 1]
+    angles = "angle|order|sign|turn|transpos|roll|yaw|pitch|0|degree"
+    return {
+        "gave yaw, pitch, roll": (X[:, ::-1], angles),
+        "used the transposes": (np.array(back), angles + "|inver"),
+        "negated every angle": (-X, angles),
+        "negated the pitch": (X * (1, -1, 1), angles),
+        "took the roll half a turn off": (first, angles),
+        "took the yaw half a turn off": (last, angles),
+        "gave degrees": (np.degrees(X), DEGREES),
+        "left the roll at 0": (X * (0, 1, 1), angles),
+        "left the yaw at 0": (X * (1, 1, 0), angles),
+        "swapped the rows": (X[::-1], SWAP + "|row"),
+        "took the cosine of the pitch": (only, angles + "|row|entry"),
+        "left all at 0": (0 * X, PLACEHOLDER),
+    }
+
+
+@kinds_of("02.8")
+def hinge_of_a_door(g: Any, X: Any) -> Kinds:
+    T_1, T_2 = np.asarray(g.T_1), np.asarray(g.T_2)
+    other = inv(T_1) @ T_2
+
+    def still(T: Any) -> Any:
+        return np.linalg.solve(I3[:2, :2] - T[:2, :2], T[:2, 3])
+
+    frame = "frame|order|door|position|inver"
+    return {
+        "took the motion in the frame of the door": (still(other), frame),
+        "multiplied without inverting": (still(T_2 @ T_1), frame),
+        "inverted the other one, in the wrong order": (still(inv(T_2) @ T_1), frame),
+        "took the middle": ((T_1[:2, 3] + T_2[:2, 3]) / 2, "half|middle"),
+        "gave the first position": (T_1[:2, 3], "position|first"),
+        "gave the second position": (T_2[:2, 3], "position|second"),
+        "gave the step": (T_2[:2, 3] - T_1[:2, 3], "vector|step|between"),
+        "gave the translation part": ((T_2 @ inv(T_1))[:2, 3], "translation|position"),
+        "mirrored it": (T_1[:2, 3] + T_2[:2, 3] - X, "mirror"),
+        "swapped x and y": (X[::-1], SWAP + "|order"),
+    }
+
+
+@kinds_of("03.2")
+def at_sight(g: Any, X: Any) -> Kinds:
+    w, p = np.asarray(g.axes, dtype=float), np.asarray(g.points, dtype=float)
+    sizes = np.linalg.norm(X, axis=1, keepdims=True)
+    return {
+        "used the left hand": (-X, SIGN + "|minus"),
+        "gave the directions only": (X / sizes, "size|length|unit|direction"),
+        "gave the axes": (w, "axis|direction"),
+        "gave the points": (p, POINT),
+        "gave the distance along the axis": (sizes * w, "along|axis"),
+        "gave the feet": (p - (p * w).sum(axis=1, keepdims=True) * w, POINT + "|moment"),
+        "used the left hand for axis 2": (X * [[1], [-1], [1]], SIGN),
+        "took the distance of the mark": (X / sizes * np.linalg.norm(p, axis=1, keepdims=True), SIZE + "|look|entry|row|1 of|2 of"),
+        "gave 0": (0 * X, PLACEHOLDER),
+    }
+
+
+@kinds_of("03.7")
+def camera(g: Any, X: Any) -> Kinds:
+    e, M, k = list(map(exp, g.screws, g.q)), np.asarray(g.camera_home), g.link
+    link = "joint|factor|link|" + ORDER + "|" + LEFT_OUT
+    return {
+        "used all joints": (product(*e, M), link),
+        "used one joint fewer": (product(*e[: k - 1], M), link),
+        "used the joint of the link alone": (e[k - 1] @ M, link),
+        "used the joints behind it": (product(*e[k:], M), link),
+        "put M first": (product(M, *e[:k]), link + "|first"),
+        "reversed the factors": (product(*e[:k][::-1], M), link),
+        "left out M": (product(*e[:k]), link),
+        "stayed at home": (M, "home|" + LEFT_OUT),
+        "added the twists": (exp(g.q[:k] @ g.screws[:k]) @ M, "sum|exponential"),
+        "turned every joint backwards": (product(*(exp(s, -x) for s, x in zip(g.screws[:k], g.q[:k], strict=True)), M), SIGN),
+        "took the values of the next joints": (product(*map(exp, g.screws[:k], g.q[1 : k + 1]), M), "q|value|joint"),
+    }
+
+
+@kinds_of("03.13", "06.9")
+def screws_of_a_robot(g: Any, S: Any) -> Kinds:
+    w = S[:, :3]
+    p = np.cross(w, S[:, 3:])
+    base = np.asarray(g.base)[:3, 3] if hasattr(g, "base") else np.asarray(g.points)[0]
+    before = np.vstack([S[:1], S[:-1]])
+    return {
+        "measured from the base": (np.hstack([w, np.cross(p - base, w)]), "base|origin|from|" + POINT),
+        "left the base on the floor": (np.hstack([w, np.cross(p - base * (0, 0, 1), w)]), "height|stand|" + POINT + "|" + PLACE),
+        "took the points as moments": (np.hstack([w, p]), POINT),
+        "took each axis one joint late": (before, ORDER + "|joint|row|before"),
+        "counted from the tool": (S[::-1], ORDER + "|last"),
+        "read one length as another": (S + np.outer(np.arange(len(S)) > 2, (0, 0, 0, 0.1, 0, 0)), PLACE + "|joint|" + POINT),
+        "took the third axis the other way": (S * np.where(np.arange(len(S)) == 2, -1, 1)[:, None], SIGN),
+        "wrote every axis as z": (np.hstack([0 * w + (0, 0, 1), np.cross(p, (0, 0, 1))]), "axis|direction|omega|" + PLACE),
+    }
+
+
+@kinds_of("04.9")
+def planar_arm(g: Any, X: Any) -> Kinds:
+    a, b, c = g.links
+    signed = [g.links @ np.array([1, s, t]) for s in (1, -1) for t in (1, -1)]
+    term = "distance|term|sign|left out|entry|link|look|order|order|numbers|1 of|2 of|3 of|size"
+    return {
+        "left a distance negative": (np.sort(signed), SIGN + "|size|" + term),
+        "put the largest first": (X[::-1], ORDER + "|largest"),
+        "gave sums of two links": (np.sort([a + b, b + c, a + c, a + b + c]), "two links|sum|" + term),
+        "gave differences of two links": (np.sort([abs(a - b), abs(b - c), abs(a - c), a + b + c]), "two links|difference|" + term),
+        "measured from joint 2": (np.sort([abs(b - c), b + c] * 2), "joint 2|" + term),
+        "gave the stretched arm four times": (np.full(4, a + b + c), "stretched|same|all"),
+        "put the folded tip on joint 1": (np.array([0, 0, 0, a + b + c]), "joint 1|0|folded|zero"),
+        "left out the last link": (np.sort([a + b, abs(a - b)] * 2), term),
+        "squared them": (X**2, "square"),
+        "gave the reach of each link": (np.sort([a, b, c, a + b + c]), term + "|recogn"),
+        "folded one link twice": (np.sort([a + b - c, a + b - c, a - b + c, a + b + c]), term + "|recogn"),
+    }
+
+
+@kinds_of("02.1")
 def given_axis(g: Any, X: Any) -> Kinds:
     w, degrees = np.asarray(g.direction, dtype=float), g.degrees
     u, t = w / np.linalg.norm(w), np.radians(degrees)
@@ -75,7 +197,7 @@ def given_axis(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("02.3")
+@kinds_of("02.2")
 def rotation_formula(g: Any, X: Any) -> Kinds:
     w = sp.Matrix(g.omega)
     W, _s, c = skew(w), sp.sin(theta), sp.cos(theta)
@@ -88,7 +210,7 @@ def rotation_formula(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("02.4")
+@kinds_of("02.6")
 def origin_goes(g: Any, X: Any) -> Kinds:
     w, p = sp.Matrix(g.omega), sp.Matrix(g.point)
     R, W = rodrigues(w), skew(w)
@@ -104,7 +226,7 @@ def origin_goes(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("02.5")
+@kinds_of("02.4")
 def series(g: Any, X: Any) -> Kinds:
     t, mm = g.theta, 1000 * g.radius
     two = np.hypot(np.cos(t) - 1, np.sin(t) - t)
@@ -132,7 +254,7 @@ def logarithm_near_half_a_turn(g: Any, x: Any) -> Kinds:
     }
 
 
-@kinds_of("02.8")
+@kinds_of("02.5")
 def helical_formula(g: Any, X: Any) -> Kinds:
     w, p, h = sp.Matrix(g.axis), sp.Matrix(g.point), g.pitch
     R = rodrigues(w)
@@ -165,7 +287,7 @@ def plain_arm(g: Any, S: Any) -> Kinds:
     }
 
 
-@kinds_of("03.2")
+@kinds_of("03.3")
 def tilted_joint(g: Any, S: Any) -> Kinds:
     u, t, p = map(np.asarray, (g.from_axis, g.towards, g.point))
     c, s = np.cos(np.radians(g.degrees)), np.sin(np.radians(g.degrees))
@@ -194,30 +316,9 @@ def screw_from_a_drawing(g: Any, S: Any) -> Kinds:
     }
 
 
-@kinds_of("03.7")
-def kinematics(g: Any, f: Any) -> Kinds:
-    S, M = np.asarray(g.screws), np.asarray(g.home)
-
-    def of(order: str) -> Any:
-        def fk(q: Any) -> Any:
-            e = {str(i): exp(S[i], q[i]) for i in range(3)} | {"M": M}
-            return product(*(e[k] for k in order))
-
-        return fk
-
-    names = {"reversed the factors": "210M", "put M first": "M012", "put M first and reversed": "M210", "put M in the middle": "01M2",
-             "swapped joints 1 and 2": "102M", "left out M": "012", "left out joint 2": "02M", "used joint 1 twice": "001M"}
-    return {
-        **{label: (of(order), ORDER + "|" + LEFT_OUT + "|first|last|revers|joint|belongs") for label, order in names.items()},
-        "was off by one in q": (lambda q: poe(g, S, M, [q[1], q[2], q[0]]), "q|joint|" + ORDER),
-        "used q_1 for all": (lambda q: poe(g, S, M, [q[0]] * 3), "q_1|joint"),
-        "added the exponents": (lambda q: exp(np.asarray(q) @ S) @ M, "sum|add|exponent"),
-        "stayed at home": (lambda q: M, "home|left out|leave out"),
-        "inverted M": (lambda q: poe(g, S, inv(M), q), "inver"),
-    }
 
 
-@kinds_of("03.10", "04.11")
+@kinds_of("03.10", "04.10")
 def screw_formulas(g: Any, S: Any) -> Kinds:
     L, n = g.L, S.shape[0]
     turns = [i for i in range(n) if any(S[i, :3])]
@@ -296,22 +397,19 @@ def to_body(g: Any, X: Any) -> Kinds:
     return _carried(np.asarray(g.screws), np.asarray(g.home))
 
 
-@kinds_of("04.3")
-def to_space(g: Any, X: Any) -> Kinds:
-    return _carried(np.asarray(g.body_screws), inv(g.home))
 
 
-@kinds_of("04.7")
+@kinds_of("04.6")
 def to_tool(g: Any, X: Any) -> Kinds:
     return _carried(np.asarray(g.body_screws), np.asarray(g.T_bt))
 
 
-@kinds_of("04.5")
+@kinds_of("04.4")
 def behind_home(g: Any, X: Any) -> Kinds:
     return _with_home(g, np.asarray(g.body_screws), 0)
 
 
-@kinds_of("04.6")
+@kinds_of("04.5")
 def around_home(g: Any, X: Any) -> Kinds:
     return _with_home(g, np.asarray(g.screws), 2)
 

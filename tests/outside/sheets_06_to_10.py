@@ -8,22 +8,84 @@ import numpy as np
 from outside import Kinds, kinds_of, right_forms_of, shared
 from outside.motions import I3, at, chain, exp, logarithm, pose, product, rpy_matrix
 from outside.right import (
-    axes_to_screws,
     frames_of,
     joints_of,
     mimicked,
-    poe,
     screw,
     to_point_C,
 )
-from outside.shared import DEGREES, ORDER, SIGN, SWAP, UNIT
+from outside.shared import DEGREES, ORDER, PLACE, SIGN, SIZE, SWAP, UNIT
 
 LEFT_OUT = shared.LEFT_OUT + "|kept|left at"
 JOINT = "joint|row|axis|point|column|q_|instead|belongs"
 MODE = "mode|other|twice|mirror|same|" + SIGN
 
 
-@kinds_of("06.3", "06.4")
+@kinds_of("08.3")
+def gap_of_points(g: Any, X: Any) -> Kinds:
+    ground, crank, coupler, rocker = g.bars
+    A, B, D = (np.radians(g.degrees[name]) for name in "ABD")
+
+    def arrow(r: float, t: float) -> Any:
+        return r * np.array([np.cos(t), np.sin(t)])
+
+    first, second = arrow(crank, A) + arrow(coupler, A + B), [ground, 0] + arrow(rocker, D)
+    branch = "branch|end|" + LEFT_OUT + "|term"
+    return {
+        "subtracted the other way": (-X, SIGN),
+        "took B from the x axis": (arrow(crank, A) + arrow(coupler, B) - second, "angle|relative|x$ axis"),
+        "subtracted B": (arrow(crank, A) + arrow(coupler, A - B) - second, "angle|sign"),
+        "left out the ground": (first - arrow(rocker, D), branch + "|ground|at A"),
+        "gave the first end": (first, branch),
+        "gave the second end": (second, branch),
+        "added the ends": (first + second, "add|sum|sign"),
+        "left out the coupler": (arrow(crank, A) - second, branch + "|coupler"),
+        "left out the crank": (arrow(coupler, A + B) - second, branch + "|crank"),
+        "measured D from the other side": (first - [ground, 0] - arrow(rocker, np.pi - D), "angle|supplement|sign|cos|look"),
+        "swapped sine and cosine": (X[::-1], SWAP + "|order"),
+        "swapped the bars": (arrow(coupler, A) + arrow(crank, A + B) - second, "length|swap|bar|recogn"),
+    }
+
+
+@kinds_of("08.9")
+def wiper(g: Any, X: Any) -> Kinds:
+    far, near = X[1] + X[0], X[1] - X[0]
+    swing = np.radians(abs(g.degrees[1] - g.degrees[0]))
+    inner = [np.sqrt(g.ground**2 + g.rocker**2 - 2 * g.ground * g.rocker * np.cos(np.radians(x))) for x in g.degrees]
+    bar = "half|halv|distance|coupler|crank|swap|length|order|2|factor"
+    return {
+        "gave the coupler first": (X[::-1], SWAP + "|first|order"),
+        "did not halve": (2 * X, SIZE + "|half|halv"),
+        "gave both distances": (np.array([far, near]), bar),
+        "took the inner angle at D": (np.array([abs(inner[0] - inner[1]), sum(inner)]) / 2, "angle|corner|sign"),
+        "took half of the chord": (np.array([g.rocker * np.sin(swing / 2), X[1]]), "chord|" + PLACE),
+        "took half of the arc": (np.array([g.rocker * swing / 2, X[1]]), "arc|" + PLACE),
+        "made the coupler as long as the ground": (np.array([X[0], g.ground]), "ground|" + PLACE),
+        "gave the longer distance": (np.array([X[0], far]), "longer|" + PLACE),
+        "gave the shorter distance": (np.array([X[0], near]), "shorter|" + PLACE),
+        "subtracted the other way": (X * (-1, 1), SIGN),
+        "left out the roots": (np.array([far**2 - near**2, far**2 + near**2]) / 2, "root|square"),
+        "gave half of the coupler": (X * (1, 0.5), PLACE + "|half|twice"),
+    }
+
+
+@kinds_of("10.11")
+def offset_of_a_joint(g: Any, X: Any) -> Kinds:
+    k, x = X
+    made: Kinds = {f"chose joint {j}": ((j, x), f"joint {j}") for j in "1234" if j != k}
+    other = str(int(k) % 4 + 1)
+    for label, (wrong, words) in {
+        "took the other sign": (-x, SIGN), "gave degrees": (float(np.degrees(x)), DEGREES), "gave nothing": (0.0, "0|placeholder"),
+        "gave double of it": (2 * x, SIZE), "gave half of it": (x / 2, SIZE), "gave half a turn more": (x + np.pi, "-"),
+        "gave a thousandth": (x / 1000, "-"), "gave one": (1.0, "-"),
+    }.items():
+        made[label] = ((k, wrong), words)
+        if words != "-":
+            made[f"{label}, of another joint"] = ((other, wrong), f"joint {other}|{words}")
+    return made
+
+
+@kinds_of("06.3")
 def converted(g: Any, X: Any) -> Kinds:
     rows, down = np.asarray(g.rows, dtype=float), X[0, 0] == 0 and X[0, 1] == 0
     step = 1 if down else -1
@@ -49,7 +111,7 @@ def converted(g: Any, X: Any) -> Kinds:
     }
 
 
-@right_forms_of("06.3", "06.4")
+@right_forms_of("06.3")
 def legal_rows(g: Any, X: Any) -> dict[str, Any]:
     k = 1 if X[0, 0] == 0 and X[0, 1] == 0 else 0
     flip = X.copy()
@@ -59,20 +121,9 @@ def legal_rows(g: Any, X: Any) -> dict[str, Any]:
     return {"x_1 reversed": flip, "an alpha with a turn more": turned}
 
 
-@kinds_of("06.6")
-def faulty_entry(g: Any, X: Any) -> Kinds:
-    row, column, value = X
-    printed = np.asarray(g.rows)[int(row) - 1, int(column) - 1]
-    return {
-        "counted from 0": (np.array([row - 1, column - 1, value]), "count|0|from 1"),
-        "gave the value first": (np.array([value, row, column]), ORDER + "|first|value"),
-        "swapped row and column": (np.array([column, row, value]), SWAP + "|order|first"),
-        "gave the printed value": (np.array([row, column, printed]), "printed|table|same|given|as it"),
-        "gave degrees": (np.array([row, column, np.degrees(value)]), DEGREES + "|unit"),
-    }
 
 
-@kinds_of("06.8")
+@kinds_of("06.2")
 def rpr(g: Any, X: Any) -> Kinds:
     one, two, three = g.values
     q = np.array([np.radians(one), two, np.radians(three)])
@@ -89,7 +140,7 @@ def rpr(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("06.9")
+@kinds_of("06.6")
 def wrist_angles(g: Any, X: Any) -> Kinds:
     (a, b, c), (d, e, f) = X
     return {
@@ -101,7 +152,7 @@ def wrist_angles(g: Any, X: Any) -> Kinds:
     }
 
 
-@right_forms_of("06.9")
+@right_forms_of("06.6")
 def legal_wrists(g: Any, X: Any) -> dict[str, Any]:
     (a, b, c), (d, _, f) = X
     return {
@@ -137,7 +188,7 @@ def legal_frames(g: Any, T: Any) -> dict[str, Any]:
     return {"inner x reversed": reversed_axes((-1, -1, 1)), "inner z reversed": reversed_axes((1, -1, -1))}
 
 
-@kinds_of("08.1")
+@kinds_of("08.4")
 def residual(g: Any, X: Any) -> Kinds:
     q = {k: np.radians(v) for k, v in g.degrees.items()}
 
@@ -155,7 +206,7 @@ def residual(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("08.2")
+@kinds_of("08.5")
 def both_modes(g: Any, X: Any) -> Kinds:
     A = np.radians(g.degrees)
     gr, a, _b, _c = g.bars
@@ -171,7 +222,7 @@ def both_modes(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("08.3")
+@kinds_of("08.6")
 def coupler_points(g: Any, X: Any) -> Kinds:
     A = np.radians(g.degrees)
     a = g.bars[1]
@@ -191,7 +242,7 @@ def coupler_points(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("08.4")
+@kinds_of("08.1")
 def slider_crank(g: Any, X: Any) -> Kinds:
     a, rod, e, A = g.crank, g.rod, g.offset, np.radians(g.degrees)
 
@@ -268,19 +319,4 @@ def mimic(g: Any, X: Any) -> Kinds:
         "forgot the multiplier": (mimicked(g, g.q + o), "multiplier|" + LEFT_OUT + "|factor"),
         "left fold at 0": (mimicked(g, 0.0), "0|mimic|fold|left out"),
         "negated the multiplier": (mimicked(g, -m * g.q + o), SIGN),
-    }
-
-
-@kinds_of("10.7")
-def pose_of_the_tool(g: Any, X: Any) -> Kinds:
-    S, M, q = axes_to_screws(g), np.asarray(g.home), np.asarray(g.q)
-    e = [exp(s, x) for s, x in zip(S, q, strict=True)]
-    slide = np.abs(S[:, :3]).sum(axis=1) == 0
-    np.where(slide[:, None], S, np.hstack([g.axes, g.points]))
-    return {
-        "took the slide for a turn": (poe(g, S=np.array([screw(w, p) for w, p in zip(g.axes, g.points, strict=True)])), "slide|prismatic|revolute|turn"),
-        "read (v, omega)": (poe(g, S=np.roll(S, 3, axis=1)), "halves|(v|" + ORDER),
-        "converted the angles once more": (poe(g, q=np.where(slide, q, np.radians(q))), DEGREES),
-        "put M first": (product(M, *e), "first|" + ORDER + "|body"),
-        "reversed the factors": (product(*e[::-1], M), "revers|" + ORDER),
     }

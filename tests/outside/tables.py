@@ -9,7 +9,7 @@ from outside import Kinds, kinds_of, right_forms_of
 from outside.motions import Array, at, chain
 from outside.shared import CENTI, DEGREES, PLACEHOLDER, SIGN, SWAP, UNIT
 
-TABLES = ("05.3", "06.10", "07.3", "07.4", "07.6")
+TABLES = ("05.3", "06.7", "07.3", "07.4", "07.6")
 A, ALPHA, D, THETA = range(4)
 
 

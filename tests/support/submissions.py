@@ -13,6 +13,8 @@ from misstep.storage.deserialize import MIME
 ROOT = Path(__file__).parents[2]
 SHEET = "01_frames"
 NAME = f"{SHEET}.ipynb"
+OPEN = 11
+"""The number of the open problem of this sheet."""
 
 
 @cache
@@ -31,7 +33,7 @@ def released(name=SHEET):
 
 
 @cache
-def _answered(student, wrong, skip, name):
+def _answered(student, wrong, skip, name, text):
     notebook, sheet = released(name), _opened(name, student)
     for count, cell in enumerate((cell for cell in notebook["cells"] if cell["cell_type"] == "code"), start=1):
         kind, _, number = cell["id"].partition("-")
@@ -42,6 +44,7 @@ def _answered(student, wrong, skip, name):
         if kind == "check":
             problem = sheet.problem(int(number))
             value = problem.known_mistakes[0].value if int(number) in wrong else problem.answer.value
+            value = None if int(number) == OPEN and not text else value
             bundle = sheet.check(int(number), value)._repr_mimebundle_()
             cell["outputs"] = [
                 {"output_type": "execute_result", "data": bundle, "metadata": {}, "execution_count": count}
@@ -49,9 +52,12 @@ def _answered(student, wrong, skip, name):
     return notebook
 
 
-def answered(student, wrong=(), skip=(), name=SHEET):
-    """A sheet with right answers, with one of the known mistakes in the problems `wrong`, and without running those in `skip`."""
-    return deepcopy(_answered(student, tuple(wrong), tuple(skip), name))
+def answered(student, wrong=(), skip=(), name=SHEET, text=False):
+    """A sheet with right answers, with one of the known mistakes in the problems `wrong`, and without running those in `skip`.
+
+    text  whether the open problem is answered too
+    """
+    return deepcopy(_answered(student, tuple(wrong), tuple(skip), name, text))
 
 
 def emissions(notebook):

@@ -26,6 +26,9 @@ VIEWS = {
 }
 """Named views: azimuth and elevation of the viewing direction, in degrees."""
 
+SMALLEST_TEXT_PX = 13.0
+"""The least size of a letter in a drawing."""
+
 MARGIN_SHARE = 0.33
 """Margin around what is shown, as a share of its size, because axes and frames extend a little beyond the last joint."""
 
@@ -35,10 +38,12 @@ BORDER_PX = 20.0
 FAR_LABEL_PX = 24.0
 """A label farther from what it names gets a thin line that leads to it."""
 
-HEIGHT_LABEL_OFFSETS = [(20, 0), (-20, 0), (20, 12), (-20, -12)]
+HEIGHT_LABEL_OFFSETS = [(20, 0), (-20, 0), (20, 12), (-20, -12), (20, 26), (-20, 26), (20, -26), (-20, -26)]
 FOOT_LABEL_OFFSETS = [
     *((0, -14), (38, -6), (-38, -6), (0, 14), (0, -28)),
-    *((46, -18), (-46, -18), (46, 10), (-46, 10), (0, 28)),
+    *((46, -18), (-46, -18), (46, 10), (-46, 10), (0, 28), (0, -42), (60, -30), (-60, -30)),
+    *((22, -20), (-22, -20), (22, 16), (-22, 16), (38, 6), (-38, 6), (30, -34), (-30, -34)),
+    *((80, 0), (-80, 0), (80, -44), (-80, -44), (0, 44), (0, -58), (60, 30), (-60, 30)),
 ]
 """Where the labels of heights, and of points on the floor, may be placed: offsets in pixels to the right and up."""
 
@@ -200,18 +205,29 @@ class Canvas:
         size: float = 11,
     ) -> None:
         """Label a point, at that one of the offsets where the text covers least; of equal ones the first is taken."""
-        self._labels.append(Label(self.to_pixels(point), text, colour, offsets, 1.25 * size))
+        self._labels.append(Label(self.to_pixels(point), text, colour, offsets, max(SMALLEST_TEXT_PX, 1.25 * size)))
 
     def measure(self, points: Array, colour: str) -> None:
         """Draw a dotted line from each point down to the floor, labelled with its height and with the x and y of its foot."""
         # Joints that share a point share its labels.
-        for point in np.unique(points.round(6), axis=0) + 0.0:
+        places = np.unique(points.round(6), axis=0) + 0.0
+        for point in places:
             foot = point * (1, 1, 0)
             self.line([foot, point], colour, 1.5, ":", level=1)
             self.dot(foot, colour, 5, level=6)
             if point[2]:
                 self.label((foot + point) / 2, f"{point[2]:.4g}", colour, HEIGHT_LABEL_OFFSETS, 9)
-            self.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", colour, FOOT_LABEL_OFFSETS, 9)
+            offsets = self._nearest(foot, places * (1, 1, 0), FOOT_LABEL_OFFSETS)
+            self.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", colour, offsets, 9)
+
+    def _nearest(self, point: Array, points: Array, offsets: Sequence[Offset]) -> Sequence[Offset]:
+        """Return the offsets in another order: first those at which a label is nearer to its point than to any other one."""
+        steps = self.to_pixels(points) - self.to_pixels(point)
+        others = steps[np.abs(steps).max(axis=-1) > 1]
+        ways = np.array(offsets, dtype=float) * (1, -1)
+        own, other = np.linalg.norm(ways, axis=-1), np.linalg.norm(ways[:, None] - others, axis=-1)
+        far = own >= other.min(axis=1, initial=np.inf)
+        return [offsets[k] for k in np.argsort(far, kind="stable")]
 
     def floor(self, points: ArrayLike, numbers: bool = False, height: float = 0.0) -> None:
         """Draw a grid at a height under the points, in steps of 1, 2 or 5, with numbers along x and y if numbers is true."""
@@ -228,11 +244,13 @@ class Canvas:
             self.label((xs[-1], ys[0], height), f"grid {xs[1] - xs[0]:.3g} m", GREY, places, 8)
             return
         for x in xs[:-1]:
-            self.label((x, ys[0], 0), format_number(x, 3), AXIS_COLOURS[0], [(-3, -10)], 8)
+            self.label((x, ys[0], 0), format_number(x, 3), AXIS_COLOURS[0], [(-3, -11), (-3, -22), (-14, -20)], 8)
         for y in ys[1:]:
-            self.label((xs[-1], y, 0), format_number(y, 3), AXIS_COLOURS[1], [(11, -3)], 8)
-        self.label((xs.mean(), ys[0], 0), "x in m", AXIS_COLOURS[0], [(-8, -26)], 9)
-        self.label((xs[-1], ys.mean(), 0), "y in m", AXIS_COLOURS[1], [(40, -8)], 9)
+            self.label(
+                (xs[-1], y, 0), format_number(y, 3), AXIS_COLOURS[1], [(13, -4), (26, -2), (30, -14), (44, -4)], 8
+            )
+        self.label((xs.mean(), ys[0], 0), "x in m", AXIS_COLOURS[0], [(-8, -28), (-8, -40), (24, -40), (-40, -40)], 9)
+        self.label((xs[-1], ys.mean(), 0), "y in m", AXIS_COLOURS[1], [(42, -8), (60, -8), (48, -24), (66, -24)], 9)
 
     def triad(
         self,

@@ -30,7 +30,7 @@ def crop(pictures: Sequence[Picture], largest: tuple[float, float] = LARGEST_PX)
     boxes = np.array([_content(picture.svg) for picture in pictures])
     low, high = boxes[:, 0].min(axis=0) - BORDER_PX, boxes[:, 1].max(axis=0) + BORDER_PX
     size = high - low
-    scale = min(MAX_ENLARGEMENT, float((largest / size).min()))
+    scale = min(MAX_ENLARGEMENT, max(1.0, float((largest / size).min())))
     place = " ".join(f"{x:.5g}" for x in (*low, *size))
     paper = 'x="{:.5g}" y="{:.5g}" width="{:.5g}" height="{:.5g}"'.format(*low, *size)
     head = (

@@ -92,7 +92,7 @@ def draw_dimensions(
             _draw_chain(canvas, places, _steps(points, 0), 0, level)
         _draw_chain(canvas, places, _steps(points, up), 1, level)
         head = moved(T, np.where([False, up == 1, up == 2], low + extent, low)) - (ROOM_PX * pixel, 0, 0)
-        canvas.label(head, f"{title}: x →, {'xyz'[up]} ↑", GREY, [(0, 42), (0, 54)], 8)
+        canvas.label(head, f"{title}: x →, {'xyz'[up]} ↑", GREY, [(0, 42), (0, 56), (0, 70), (0, 84)], 8)
     return crop([canvas.picture(_describe(axes, points, arrows))], SHEET_PX)[0]
 
 

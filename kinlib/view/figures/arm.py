@@ -11,10 +11,14 @@ from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import inverse
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GHOST_GREY, GREY, INK, LINK_GREY, ORANGE, VIOLET
+from kinlib.view.drawing.labels import LABEL_OFFSETS, Offset
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.bodies import body_of
 from kinlib.view.figures.body_drawing import draw_body
 from kinlib.view.figures.joint_bodies import carried_axes, draw_joint_bodies, stations
+
+LETTER_LEAD_PX = 2.0
+"""By how much nearer a letter is to its own link than to any other one."""
 
 ARM_LAYERS = {"axes", "body axes", "home axes", "links", "tool", "base"}
 JOINT_KINDS = {"R": "revolute", "P": "prismatic", "H": "helical"}
@@ -154,10 +158,29 @@ def draw_lettered_chain(chain: Chain, letters: Sequence[str], home: bool = True)
         canvas.label(path[[0, -1]].mean(axis=0), "$M$", INK, size=12)
     canvas.triad(np.eye(4), "s", 0.17 * canvas.size)
     canvas.triad(chain.home, "b", 0.17 * canvas.size)
-    for letter, start, end in zip(letters, path[:-1], path[1:], strict=True):
+    for k, letter in enumerate(letters):
         if letter:
-            canvas.label((start + end) / 2, f"${letter}$", ORANGE, size=12)
+            canvas.label(path[k : k + 2].mean(axis=0), f"${letter}$", ORANGE, _offsets_beside(canvas, path, k), size=12)
     return canvas.picture(_describe_lettered(chain, letters, steps), cropped=True)
+
+
+def _offsets_beside(canvas: Canvas, path: Array, k: int) -> Sequence[Offset]:
+    """Return the offsets from the middle of link k at which a letter is nearer to this link than to any other one."""
+    pixels = canvas.to_pixels(path)
+    start, along = pixels[:-1], np.diff(pixels, axis=0)
+    places = [
+        np.array(offset) * (1, -1) + share * along[k]
+        for share in (0, 0.2, -0.2, 0.35, -0.35)
+        for offset in LABEL_OFFSETS
+    ]
+    from_start = start[k] + along[k] / 2 + np.array(places)[:, None] - start
+    shares = ((from_start * along).sum(axis=-1) / np.maximum((along**2).sum(axis=-1), 1e-9)).clip(0, 1)
+    far = np.linalg.norm(from_start - shares[..., None] * along, axis=-1)
+    others = np.delete(far, k, axis=1).min(axis=1, initial=np.inf)
+    own = [
+        (x, -y) for (x, y), mine, other in zip(places, far[:, k], others, strict=True) if mine + LETTER_LEAD_PX < other
+    ]
+    return own or LABEL_OFFSETS
 
 
 def _describe_lettered(chain: Chain, letters: Sequence[str], steps: Array) -> str:

@@ -19,7 +19,8 @@ from misstep.sheet import SAMPLE_ID
 from misstep.verdict import Verdict
 
 SHEETS = [*map(find_sheet, sheets()), generated_sheet()]
-TEMPLATES = [template for sheet in SHEETS for template in sheet.problems]
+TEMPLATES = [template for sheet in SHEETS for template in sheet.problems if template.level != "Open"]
+OPEN = [template for sheet in SHEETS for template in sheet.problems if template.level == "Open"]
 BLANK_STEPS = list(blanks().values())
 NOTEBOOKS = Path(__file__).parents[3] / "notebooks"
 STUDENTS = [f"student {i}" for i in range(4)]
@@ -86,6 +87,44 @@ def test_the_section_to_reread_is_a_heading_of_its_lecture():
         assert page_address(template.lecture, "https://a.b") == expected
 
 
+@pytest.mark.parametrize("name", sheets())
+def test_a_sheet_is_a_ladder_from_two_warm_ups_to_two_hard_problems_and_an_open_one(name):
+    levels = [template.level for template in find_sheet(name).problems]
+    assert levels[:2] == ["Warm-up"] * 2
+    assert (levels.count("Hard"), levels[-1], levels.count("Open")) == (2, "Open", 1)
+    assert levels.count("Usual") >= 4
+
+
+@pytest.mark.parametrize("template", OPEN, ids=lambda template: template.number)
+def test_an_open_problem_is_kept_for_the_instructor_with_a_rubric_for_all_its_points(template):
+    problem = template.variant(SAMPLE_ID)
+    assert sum(problem.answer.rubric.values()) == template.points
+    assert 3 <= len(problem.answer.rubric) <= 4
+    assert judge(problem, problem.answer.value).state == "open"
+    text = plain_text(template, judge(problem, "This is what I think of it."))
+    assert f"Your instructor gives up to {template.points} points" in text
+    assert judge(problem, "No.").state == "unreadable"
+    assert judge(problem, ...).state == "blank"
+
+
+def test_all_sheets_have_300_points_together():
+    assert sum(find_sheet(name).points for name in sheets()) == 300
+
+
+def test_a_hard_problem_never_tells_the_place():
+    sheet = open_sheet("03_poe_space", "ada")
+    k = next(
+        k
+        for k, one in enumerate(sheet.sheet.problems, start=1)
+        if one.level == "Hard" and one.title.startswith("A UR5e")
+    )
+    right = sheet.problem(k).answer.value
+    one_off = right + 0.3 * np.outer(np.arange(6) == 2, np.arange(6) == 4)
+    cards = [sheet.check(k, one_off).card.text() for _ in range(3)]
+    assert len(set(cards)) == 1
+    assert "Look at" not in cards[0]
+
+
 def test_ids_that_differ_only_in_case_or_spaces_are_the_same_student():
     def statement(student):
         return open_sheet("03_poe_space", student).problem(1).statement
@@ -102,7 +141,7 @@ def test_a_sheet_counts_the_points_of_the_last_answers_and_says_whose_they_are()
     for k in (1, 2):
         sheet.check(k, sheet.problem(k).answer.value)
     sheet.check(2, ...)
-    assert sheet.tally().score == 3
+    assert sheet.tally().score == 2
     assert "not checked yet" in sheet.tally()._repr_markdown_()
     assert "type your own id" not in sheet.tally()._repr_markdown_()
     assert "type your own id" in open_sheet("03_poe_space", SAMPLE_ID).tally()._repr_markdown_()

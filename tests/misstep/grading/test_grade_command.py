@@ -20,7 +20,8 @@ from misstep.grading.judging import Request
 from misstep.grading.workers import grade_within, open_executor
 
 workers.CONTEXT.set_forkserver_preload(["kincourse.lecture_01_frames.problems", "misstep.grading.judging"])
-FULL = 19
+FULL, TOTAL = 22, 25
+"""The points that a check gives, and those with the text that an instructor marks."""
 ESCAPE = "\x1b[5m\u202e=<script>"
 
 
@@ -50,7 +51,7 @@ def test_a_class_where_all_is_well(tmp_path, capsys):
     people = {f"s{k}": answered(f"s{k}", wrong=[k] if k else []) for k in (0, 1, 9)}
     code, printed, rows = grade(write(tmp_path / "in", **{f"{s}/{NAME}": one for s, one in people.items()}), capsys)
     assert (code, rows["s0"]["reason"]) == (0, "")
-    assert points(rows) == {"s0": FULL, "s1": pytest.approx(FULL - 2, abs=2), "s9": FULL - 2}
+    assert points(rows) == {"s0": FULL, "s1": pytest.approx(FULL - 2, abs=2), "s9": FULL - 3}
     assert "3 students: 3 graded." in printed
     assert rows["s9"]["mistakes"].startswith("01.9 ")
     page = (tmp_path / "out" / "feedback" / "s9.html").read_text("utf-8")
@@ -102,7 +103,7 @@ def test_what_an_instructor_must_know_is_said_with_names(tmp_path, capsys):
     assert points(rows)["late"] == points(rows)["ada"] == FULL
     assert points(rows)["eve"] < FULL / 2
     assert points(rows)["other"] < FULL / 2
-    assert "With those of 'bob' they would have 19" in rows["other"]["reason"]
+    assert "With those of 'bob' they would have 22" in rows["other"]["reason"]
     assert rows["gone"]["status"] == "absent"
 
 
@@ -242,10 +243,28 @@ def test_overrides_are_checked_before_anything_is_graded_and_all_faults_are_name
         "student;problem;points;comment\nADA;01.9;1,5;Nearly.\nbob;01.1;;See page 2.\ncyn;;5;Told me.\n", "utf-8"
     )
     code, _, rows = grade(folder, capsys)
-    assert (code, points(rows)) == (0, {"ada": FULL - 0.5, "bob": FULL - 2, "cyn": 5})
+    assert (code, points(rows)) == (0, {"ada": FULL - 1.5, "bob": FULL - 3, "cyn": 5})
     assert rows["ada"]["by hand"] == "01.9: Changed by your instructor from 0 to 1 1/2 points. Nearly."
     assert "From your instructor: See page 2." in (tmp_path / "out" / "feedback" / "bob.html").read_text("utf-8")
-    assert "from 17 to 5 points. Told me." in rows["cyn"]["reason"]
+    assert "from 19 to 5 points. Told me." in rows["cyn"]["reason"]
+
+
+def test_a_text_is_never_0_without_a_word_and_the_points_by_hand_count(tmp_path, capsys):
+    folder = write(tmp_path / "in", **{f"{name}/{NAME}": answered(name, text=True) for name in ("ada", "bob")})
+    out = tmp_path / "out"
+    (out).mkdir()
+    (out / "overrides.csv").write_text("student,problem,points,comment\nbob,01.11,2,Why three?\n", "utf-8")
+    code, printed, rows = grade(folder, capsys)
+    assert (code, points(rows)) == (1, {"ada": FULL, "bob": FULL + 2})
+    assert "A text waits for your points in overrides.csv: ada (01.11)." in printed
+    assert (rows["ada"]["01.11"], rows["bob"]["01.11"]) == ("to be marked", "2")
+    assert "The points of 01.11 are not yet counted" in rows["ada"]["reason"]
+    assert rows["bob"]["by hand"] == "01.11: Marked by your instructor. Why three?"
+    pages = {name: (out / "feedback" / f"{name}.html").read_text("utf-8") for name in ("ada", "bob")}
+    assert "to be marked by your instructor,\nup to 3 points" in pages["ada"]
+    assert "A rotation about any line" in pages["ada"]  # the text, for the one who marks it
+    assert "marked by your instructor,\n2 of 3 points" in pages["bob"]
+    assert "1 to be marked by your instructor, 1 marked by your instructor." in (out / "report.html").read_text("utf-8")
 
 
 def test_wrong_answers_without_a_name_are_grouped_and_a_student_who_left_has_no_page(tmp_path, capsys):
@@ -274,7 +293,7 @@ def test_a_platforms_download_gets_its_file_and_its_zip_of_pages(tmp_path, capsy
     )
     code, _, rows = grade(source, capsys, "--roster", str(roster))
     assert (code, points(rows)) == (0, {"ada": FULL})
-    assert (tmp_path / "out" / "moodle.csv").read_text("utf-8").splitlines()[1].endswith(",38,38")
+    assert (tmp_path / "out" / "moodle.csv").read_text("utf-8").splitlines()[1].endswith(f",{38 * FULL / TOTAL:g},38")
     assert b"Ada L_1815_assignfeedback_file_01_frames.html" in (tmp_path / "out" / "feedback.zip").read_bytes()
 
 

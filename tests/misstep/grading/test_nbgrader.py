@@ -30,7 +30,7 @@ def course(tmp_path_factory):
         shutil.copytree(ROOT / top / SHEET, folder / top / SHEET)
     made = run(folder, "generate_assignment", SHEET, "--force")
     assert made.returncode == 0, made.stderr
-    people = {"ada": answered("ada"), "bob": answered("bob", wrong=[9])}
+    people = {"ada": answered("ada", text=True), "bob": answered("bob", wrong=[9])}
     return write(folder, **{f"submitted/{name}/{SHEET}/{NAME}": one for name, one in people.items()})
 
 
@@ -49,14 +49,15 @@ def grade(course):
 
 
 def test_points_are_in_the_gradebook_and_a_grade_by_hand_stays(course):
-    assert grade(course) == 0
-    assert scores(course) == {"ada": 19, "bob": 17}
+    assert grade(course) == 1  # a text waits for its points
+    assert scores(course) == {"ada": 22, "bob": 19}
     with gradebook(course) as book:
+        assert book.find_grade("answer-11", SHEET, SHEET, "ada").needs_manual_grade
         grade_cell = book.find_grade("check-9", SHEET, SHEET, "bob")
         grade_cell.manual_score = 1.5
         book.db.commit()
-    assert grade(course) == 0
-    assert scores(course) == {"ada": 19, "bob": 18.5}
+    assert grade(course) == 1
+    assert scores(course) == {"ada": 22, "bob": 20.5}
 
 
 def test_autograde_gives_no_points_and_says_what_to_do(course):
