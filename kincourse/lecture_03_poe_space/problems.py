@@ -95,7 +95,7 @@ def velocity_at_sight(sampler: ArmSampler) -> Problem:
         axes *= np.array([[sampler.choice((-1, 1))] for _ in axes])
         for axis in axes:
             side = sampler.choice([one for one in (X, Y, Z, -X, -Y, -Z) if not one @ axis])
-            points.append(sampler.integer(1, 4) * side + sampler.integer(-3, 3) * axis)
+            points.append(sampler.integer(2, 4) * side + sampler.choice((-3, -2, 0, 2, 3)) * axis)
         if are_distinguishable([np.zeros(3), *points]):
             break
     robot = arm([*zip(axes, points, strict=True)], pose((X, Y, Z), (0, 0, 0)), "three joints", "drawn for you")

@@ -474,7 +474,7 @@ def planar_arm(sampler: ArmSampler) -> Problem:
             break
     a, b, c = (given(f"L_{i}", x) for i, x in enumerate(L, start=1))
     far, folded_3, folded_2, back = a + b + c, size(a + b - c), size(a - b + c), size(a - b - c)
-    distances = in_order(back, folded_2, folded_3, far)
+    distances = in_order(*sorted((back, folded_2, folded_3, far), key=lambda one: float(one.value)))
     for name, text, wrong in (
         ("order", "list the largest first", np.sort(reach)[::-1]),
         ("pairs of links", "take the differences of two links each", np.sort([*np.abs(L - np.roll(L, 1)), L.sum()])),

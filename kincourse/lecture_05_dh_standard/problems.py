@@ -38,6 +38,9 @@ from misstep.sheet import Sheet
 
 RIGHT_ANGLE_RAD = np.pi / 2
 
+CLIMBS = ((-1, 3), (3, -1), (1, -3), (-3, 1), (-2, 3), (3, -2), (2, -3), (-3, 2), (-1, -2), (-2, -1))
+"""How much the second and the third of three axes are higher: one is lower, and no two of the three differences are as large."""
+
 ORDER_ADVICE = "$A_1$ is leftmost, because joint 1 moves all that follows."
 ACROSS = np.array([np.pi / 2, 0, 0])
 OFFSETS_ADVICE = "$\\theta_i$ is the angle from $x_{i-1}$ to $x_i$, that is, from one link to the next."
@@ -286,16 +289,12 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
 def parallel_axes(sampler: ArmSampler) -> Problem:
     sides = np.zeros((2, 2))
     while np.abs(sides.sum(axis=0)).max() < 1:  # axis 3 must not coincide with axis 1
-        pairs = sampler.choice([(3, 4), (6, 8)]), sampler.choice([(3, 4), (6, 8), (5, 12)])
+        pairs = sampler.shuffled([(3, 4), (6, 8), (5, 12)])[:2]  # of different lengths
         sides = np.array(
             [np.array(sampler.shuffled(pair)) * (sampler.choice((-1, 1)), sampler.choice((-1, 1))) for pair in pairs]
         )
-    climbs = [sampler.choice((-1, 1)) * sampler.integer(1, 3), sampler.choice((-1, 1)) * sampler.integer(1, 3)]
-    if min(climbs) > 0:
-        climbs[0] *= -1  # otherwise an answer without signs would be right
-    if np.ptp(np.linalg.norm(sides, axis=1)) == 0 and climbs[0] == climbs[1]:
-        climbs[1] *= -1  # equal rows would hide a swap
-    first = np.array((0, 0, sampler.integer(4, 6)), dtype=float)
+    climbs = sampler.choice(CLIMBS)
+    first = np.array((0, 0, sampler.choice((4, 6, 7))), dtype=float)
     second = first + np.append(sides[0], climbs[0])
     third = second + np.append(sides[1], climbs[1])
     points = np.array([first, second, third])
@@ -314,7 +313,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         ("height above the floor", "take the height above the floor for $d$", (a[0], z[1], a[1], z[2]), HEIGHT_ADVICE),
         ("height of the joint before", "take the height of joint $i$ for $d_i$", (a[0], z[0], a[1], z[1]), HEIGHT_ADVICE),
         ("origins on one level", "keep all origins on one level", (a[0], 0.0, a[1], 0.0), "The origins are at the joints here."),
-        ("sign of d", "measure every $d$ downwards", (a[0], -d[0], a[1], -d[1]), "$d$ grows along $z$, which points up."),
+        ("sign of d", "measure $d$ downwards", (a[0], -d[0], a[1], -d[1]), "$d$ grows along $z$, which points up."),
         ("measured from joint 1", "measure both rows from joint 1", (a[0], d[0], far, rise), "Row 2 begins at joint 2."),
     ):  # fmt: skip
         answer = answer.mistaken_for(

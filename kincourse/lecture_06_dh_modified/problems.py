@@ -594,12 +594,12 @@ def _joint_before(base: Array, axes: Array, points: Array) -> tuple[Array, Array
     "A Panda on a wall",
     points=4,
     lecture="06_dh_modified#The maker's own table",
-    further="Which rows stay the same if the maker had chosen the standard convention?",
+    further="Which rows of the table would stay the same if the maker had chosen the standard convention?",
     level="Hard",
 )
 def panda_on_a_wall(sampler: ArmSampler) -> Problem:
     place = lengths(sampler, 3, 0.2, 0.9) * [sampler.choice((-1, 1)) for _ in range(3)]
-    base = pose(sampler.choice(((Y, Z, X), (-Y, -X, -Z), (-Z, Y, X), (X, -Y, -Z), (X, -Z, Y))), place)
+    base = pose(sampler.choice(((Y, Z, X), (Y, -Z, -X), (-Z, Y, X), (Z, X, Y), (X, -Z, Y))), place)
     quarters = np.array([0, sampler.choice((0, 1)), 0, -1, sampler.choice((0, 1, -1)), 1, 0])
     rows = np.column_stack([PANDA_M * (1, RIGHT_ANGLE_RAD, 1), RIGHT_ANGLE_RAD * quarters])
 
@@ -624,8 +624,8 @@ def panda_on_a_wall(sampler: ArmSampler) -> Problem:
     ):  # fmt: skip
         S = S.mistaken_for((name, text, joint_screws(w, p, np.zeros(7)).value))
     return Problem(
-        statement="A Panda is mounted on a wall. This is its maker's table, modified, in metres and degrees, with the configuration in "
-        "which it waits.\n\n"
+        statement="A Panda is mounted on a wall, and $z$ of {s} points up. This is its maker's table, modified, in metres and degrees, "
+        "with the configuration in which it waits.\n\n"
         + markdown_table(
             [
                 [f"{a:g}", f"{90 * turn:g}°", f"{d:g}", f"{90 * q:g}°"]

@@ -571,7 +571,11 @@ def wiper(sampler: ArmSampler) -> Problem:
         degrees = sorted((sampler.degrees(40, 75), sampler.degrees(90, 130)))
         C = [(ground + rocker * np.cos(x), rocker * np.sin(x)) for x in np.radians(degrees)]
         far, near = np.hypot(*np.transpose(C))
-        if ground != rocker and FourBar(ground, (far - near) / 2, (far + near) / 2, rocker).grashof_excess < -0.03:
+        if (
+            ground != rocker
+            and abs(sum(degrees) - 180) > 8
+            and FourBar(ground, (far - near) / 2, (far + near) / 2, rocker).grashof_excess < -0.03
+        ):
             break
     g, c = length("ground", ground), length("rocker", rocker)
     angles = [radians(given(name, x, ANGLE)) for name, x in zip(("D_1", "D_2"), degrees, strict=True)]
@@ -599,7 +603,8 @@ def wiper(sampler: ArmSampler) -> Problem:
         )
     return Problem(
         statement=f"A wiper is the rocker of a four-bar, whose crank is driven round and round by a motor. The ground is "
-        f"{number(ground)} m and the rocker {number(rocker)} m long, and its angle $D$ from the $x$ axis must swing between {degrees[0]} "
+        f"{number(ground)} m and the rocker {number(rocker)} m long: the crank turns about A, the origin, and the rocker about D, at "
+        f"$({number(ground)}, 0)$. C is the tip of the rocker, whose angle $D$ from the $x$ axis must swing between {degrees[0]} "
         f"and {degrees[1]} degrees. How long are crank and coupler, in metres?",
         given={"ground": ground, "rocker": rocker, "degrees": degrees},
         answer=Numbers(both.value, unit="m"),

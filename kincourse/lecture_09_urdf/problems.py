@@ -242,7 +242,7 @@ RULES = (
     "`parent` and `child` name links of the file, and a link is the child of at most one joint.",
     "The `axis` of a joint that moves must be a unit vector here. A fixed joint does not use its `axis`.",
     "`lower` is the lower limit and `upper` the upper one.",
-    "Angles are in radians. In this file every angle is a multiple of a right angle.",
+    "Angles are in radians. In this file every angle in an `rpy` is a multiple of a right angle.",
 )
 """The rules of the URDF specification that problem 6 is about, as far as its files can break them."""
 

@@ -209,7 +209,7 @@ def offset_from_a_log(sampler: ArmSampler) -> Problem:
         statement="The zero of one joint of an arm is off: the joint value is larger than its encoder says by a constant offset. You "
         "have a log of encoder values in radians, a row of `q` for each pose in `poses`, and the screw axes and the home pose of the arm, "
         "which are right. Which joint is it, and what is the offset in radians? Answer with the number of the joint and the offset, such "
-        "as `('1', 0.02)`. A negative offset means that the joint value is smaller.",
+        "as `('1', 0.0213)`. A negative offset means that the joint value is smaller.",
         given={"screws": robot.screws, "home": robot.home, "q": q, "poses": poses},
         answer=Choice(str(joint), names),
         mistakes=[
