@@ -63,7 +63,7 @@ def opening() -> Film:
             (2.1, "Seen from the base of the robot, the same bolt has other coordinates."),
             (
                 4.0,
-                "The bolt moves, and all six numbers change. Which matrix takes the coordinates of the camera to those of the base?",
+                "The bolt moves, and its coordinates change in both frames. Which matrix takes those of the camera to those of the base?",
             ),
         ],
     )
