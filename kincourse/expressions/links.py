@@ -17,7 +17,6 @@ from misstep.mutants.expression import (
     IN_THE_WHOLE,
     Expression,
     Operation,
-    Slip,
     Slips,
     given,
     negative,
@@ -167,21 +166,6 @@ def _unless_unchanged(slips: Callable[[Expression], Slips], node: Expression) ->
     """Yield the slips in a row; where it has zeros many of them change nothing, and are no mistakes there."""
     is_full = all(np.all(entry.value) for entry in node.arguments)
     yield from (one for one in slips(node) if is_full or not np.allclose(one.wrong.value, node.value))
-
-
-def _twists(w1: Any, v1: Any, w2: Any, v2: Any) -> Array:
-    """Two twists in rows; a number is a size along the axis of its row, x and then z."""
-    pairs = zip((w1, v1, w2, v2), np.eye(3)[[0, 0, 2, 2]], strict=True)
-    return np.concatenate([part * axis if np.ndim(part) == 0 else np.asarray(part) for part, axis in pairs]).reshape(
-        2, 6
-    )
-
-
-def _axial_slips(node: Expression) -> Slips:
-    for name, text, twists in _WRONG_TWISTS:
-        wrong = Operation("wrong twists", twists, lambda *_: "x", _rows_swapped)
-        yield Slip(name, text, wrong(*node.arguments))
-    yield from _rows_swapped(node)
 
 
 def _link_slips(convention: Convention, node: Expression) -> Slips:
@@ -348,30 +332,7 @@ _ANGLE_VALUES = table(
 _LENGTH_VALUES = table(
     ("length in radians", "convert ${}$ from degrees to radians, although it is a length", lambda q: RAD * q),
 )
-_WRONG_TWISTS = (
-    ("halves swapped", "write $(v, \\omega)$ in both rows", _twists),
-    ("a and d swapped", "swap $a$ and $d$", lambda a, A, d, H: _twists(A, d, H, a)),
-    ("angles swapped", "swap $\\alpha$ and $\\theta$", lambda a, A, d, H: _twists(H, a, A, d)),
-    ("theta for alpha", "rotate about $x$ by $\\theta$", lambda a, _A, d, H: _twists(H, a, H, d)),
-    ("axes swapped", "swap the axes $x$ and $z$", lambda a, A, d, H: _twists([0, 0, A], [0, 0, a], [H, 0, 0], [d, 0, 0])),
-    ("lengths along other axes", "move by $a$ along $z$ and by $d$ along $x$", lambda a, A, d, H: _twists(A, [0, 0, a], H, [d, 0, 0])),
-    ("lengths along other axes", "move along $y$", lambda a, A, d, H: _twists(A, [0, a, 0], H, [0, d, 0])),
-    ("unit screws", "give unit screws, for an angle of 1 radian", lambda a, A, d, H: _twists(1, a / A, 1, d / H)),
-    ("unit screws", "give unit axes instead of the axis times the angle", lambda a, _A, d, _H: _twists(1, a, 1, d)),
-    ("pitch for length", "divide each length by its angle, as for a pitch", lambda a, A, d, H: _twists(A, a / A, H, d / H)),
-    ("length times angle", "multiply each length by its angle", lambda a, A, d, H: _twists(A, a * A, H, d * H)),
-    ("lengths left out", "leave out both lengths", lambda _a, A, _d, H: _twists(A, 0, H, 0)),
-    ("angles left out", "leave out both angles", lambda a, _A, d, _H: _twists(0, a, 0, d)),
-    ("frame of the second twist", "write the second twist in frame $i-1$, where its $z$ is already rotated",
-     lambda a, A, d, H: _twists(A, a, H * x_motion(0, A)[:3, 2], d * x_motion(0, A)[:3, 2])),
-)
-"""Twists that people take for those of a row, from a, alpha, d and theta."""
 
-def _rows_swapped(node: Expression) -> Slips:
-    yield Slip("rows swapped", "put the joint first", node[::-1])
-
-
-_axial_twists: Operation = Operation("axial twists", lambda a, A, d, H: _twists(A, a, H, d), lambda *_: "x", _axial_slips)
 _row: Operation = Operation(
     "row", lambda *entries: np.array(entries, dtype=float), lambda *_: "(a, \\alpha, d, \\theta)", partial(_unless_unchanged, _ROWS)
 )
