@@ -340,13 +340,13 @@ def _axis_distance(i: int, x: float, y: float, z: float) -> tuple[Expression, fl
     """The distance of two vertical axes, and that of two points on them, from the step between the points."""
     dx, dy, between = given(f"\\Delta x_{i}", x), given(f"\\Delta y_{i}", y), float(np.linalg.norm((x, y, z)))
     a = sqrt(square(dx) + square(dy)).named(f"a_{i}")
-    for name, text, wrong in (
+    a = a.mistaken_for(
         ("off the normal", f"take the distance of the joints as $a_{i}$", between),
         ("sum of the steps", f"add the steps along $x$ and $y$ for $a_{i}$", abs(x) + abs(y)),
         ("one step alone", f"take the step along $x$ alone as $a_{i}$", dx),
         ("one step alone", f"take the step along $y$ alone as $a_{i}$", dy),
-    ):
-        a = a.mistaken_for((name, text, wrong, NORMAL_ADVICE))
+        advice=NORMAL_ADVICE,
+    )
     return a, between
 
 
@@ -374,7 +374,7 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
     T = table_product(rows, "RR", q, "standard", [T_s0], [T_2b])
     unrotated = with_position(T.value, sum(factor.value[:3, 3] for factor in (T_s0, *A, T_2b)))
     in_groups = with_position(T.value, base[:3, 3] + product(*A).value[:3, 3] + tool[:3, 3])
-    for name, text, wrong in (
+    T = T.mistaken_for(
         ("positions added", "add the positions without rotating them", unrotated),
         ("positions added", "add the positions of base, rows and tool without rotating them", in_groups),
         ("base and tool swapped", "swap $T_{s0}$ and $T_{2b}$", product(T_2b, *A, T_s0)),
@@ -382,8 +382,8 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
         ("tool in front of the rows", "put $T_{2b}$ in front of the rows", product(T_s0, T_2b, *A)),
         ("base in a row", "write the base into the first row", with_translation_in_a_row(table, "base").fk(q)),
         ("tool in a row", "write the tool into the last row", with_translation_in_a_row(table, "tool").fk(q)),
-    ):
-        T = T.mistaken_for((name, text, wrong, BASE_AND_TOOL_ADVICE))
+        advice=BASE_AND_TOOL_ADVICE,
+    )
     return Problem(
         statement=f"An arm has two rows, $(a, \\alpha, d, \\theta) = {_format_row(rows[0], 1)}$ and "
         f"${_format_row(rows[1], 2)}$, in the standard "

@@ -354,15 +354,15 @@ def wrist(sampler: ArmSampler) -> Problem:
     def euler(axes: str) -> Expression:
         return product(*(rotation_about("xyz".index(axis), angle) for axis, angle in zip(axes, angles, strict=True)))
 
-    for name, text, wrong in (
+    R = R.mistaken_for(
         ("no constant", "leave out the constant $R_x(-90°)$ behind the Y-Z-Y Euler angles", euler("yzy")),
         ("constant on the left", "put the constant $R_x(-90°)$ on the left of Y-Z-Y", constant @ euler("yzy")),
         ("sign of the constant", "take $R_x(+90°)$ as the constant", euler("yzy") @ constant.T),
         ("constant twice", "multiply by the constant $R_x(-90°)$ twice", euler("yzy") @ constant @ constant),
         ("Z-Y-Z", "give Z-Y-Z Euler angles, without a constant", euler("zyz")),
         ("X-Y-Z", "rotate about the axes $x$, $y$, $z$", euler("xyz")),
-    ):
-        R = R.mistaken_for((name, text, wrong, WRIST_ADVICE))
+        advice=WRIST_ADVICE,
+    )
     return Problem(
         statement="These are rows 4 to 6 of the modified table of a PUMA 560, that is, its wrist. Give ${}^3R_6$ at "
         f"$(\\theta_4, \\theta_5, \\theta_6) = {vector(degrees)}$ degrees.\n\n"

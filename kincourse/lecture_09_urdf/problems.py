@@ -104,25 +104,23 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
     )
     p = p1 + R1 @ p2 + R1 @ R2 @ own
     back = "in the frame of `joint_3`"
-    for other, name, text in (
-        (p3, "frame not changed", "use the `xyz` of `joint_3` as it is, which is in the frame of its parent"),
-        (p1 + R1 @ p2, "another joint", "stop at the origin of `joint_2`"),
-        (p1 + R1 @ p3, "joint left out", "leave out `joint_2`"),
-        (p2 + R2 @ p3, "joint left out", "leave out `joint_1`"),
-        (p2 + R2 @ (p1 + R1 @ p3), "order", "swap `joint_1` and `joint_2`"),
-        (p1 + R1 @ p2 + R2 @ p3, "rotation left out", "rotate each step by the `rpy` of its parent only"),
-        (R1 @ p1 + R2 @ p2 + R3 @ p3, "translation rotated", "rotate each step by its own `rpy` alone"),
-        (R1 @ (p1 + R2 @ (p2 + R3 @ p3)), "translation rotated", "rotate each step by its own `rpy` as well"),
-        (p3 + R3 @ p2 + R3 @ R2 @ p1, "reversed", "go from the tip to the base"),
-        (p1 + R1 @ (p2 + p3), "rotation left out", "leave out $R_2$ for the step of `joint_3`"),
-        (p1 + R1 @ p2 + p3, "rotation left out", "leave out the rotation of the step of `joint_3`"),
-        (p1 + R1.T @ p2 + (R1 @ R2).T @ p3, "rotation transposed", "transpose the rotations"),
-        (p1 + p2 + p3, "rotation left out", "add the three `xyz` without rotating them"),
-        (transpose(R1 @ R2 @ R3) @ p, "frame changed", "give the position with the directions of `joint_3`"),
-        (-(transpose(R1 @ R2 @ R3) @ p), "inverse", f"give the origin of the base {back}"),
-    ):
-        p = p.mistaken_for((name, text, other))
-    return p
+    return p.mistaken_for(
+        ("frame not changed", "use the `xyz` of `joint_3` as it is, which is in the frame of its parent", p3),
+        ("another joint", "stop at the origin of `joint_2`", p1 + R1 @ p2),
+        ("joint left out", "leave out `joint_2`", p1 + R1 @ p3),
+        ("joint left out", "leave out `joint_1`", p2 + R2 @ p3),
+        ("order", "swap `joint_1` and `joint_2`", p2 + R2 @ (p1 + R1 @ p3)),
+        ("rotation left out", "rotate each step by the `rpy` of its parent only", p1 + R1 @ p2 + R2 @ p3),
+        ("translation rotated", "rotate each step by its own `rpy` alone", R1 @ p1 + R2 @ p2 + R3 @ p3),
+        ("translation rotated", "rotate each step by its own `rpy` as well", R1 @ (p1 + R2 @ (p2 + R3 @ p3))),
+        ("reversed", "go from the tip to the base", p3 + R3 @ p2 + R3 @ R2 @ p1),
+        ("rotation left out", "leave out $R_2$ for the step of `joint_3`", p1 + R1 @ (p2 + p3)),
+        ("rotation left out", "leave out the rotation of the step of `joint_3`", p1 + R1 @ p2 + p3),
+        ("rotation transposed", "transpose the rotations", p1 + R1.T @ p2 + (R1 @ R2).T @ p3),
+        ("rotation left out", "add the three `xyz` without rotating them", p1 + p2 + p3),
+        ("frame changed", "give the position with the directions of `joint_3`", transpose(R1 @ R2 @ R3) @ p),
+        ("inverse", f"give the origin of the base {back}", -(transpose(R1 @ R2 @ R3) @ p)),
+    )
 
 
 @problem(
@@ -165,26 +163,24 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
     (R1, p1), (R2, p2), (R3, _) = origins
     a, z, p = direction("a", axis), given("z", Z), _position(origins)
     omega = R1 @ R2 @ R3 @ a
-    for other, name, words in (
-        (a, "frame not changed", "use the axis as it is, which is in the joint's own frame"),
-        (R3 @ a, "frame not changed", "rotate the axis by its own `rpy` only"),
-        (R1 @ R2 @ R3 @ z, "another axis", "use the $z$ axis of the joint instead of its `axis`"),
-        (R1 @ R2 @ R3 @ X, "another axis", "use the $x$ axis of the joint instead of its `axis`"),
-        (transpose(R1 @ R2 @ R3) @ a, "rotation transposed", "rotate the axis by $R^T$"),
-        (product(*map(about_own_axes, (R1, R2, R3))) @ a, "own axes", "rotate the axis about the frames' own axes"),
-    ):
-        omega = omega.mistaken_for((name, words, other))
+    omega = omega.mistaken_for(
+        ("frame not changed", "use the axis as it is, which is in the joint's own frame", a),
+        ("frame not changed", "rotate the axis by its own `rpy` only", R3 @ a),
+        ("another axis", "use the $z$ axis of the joint instead of its `axis`", R1 @ R2 @ R3 @ z),
+        ("another axis", "use the $x$ axis of the joint instead of its `axis`", R1 @ R2 @ R3 @ X),
+        ("rotation transposed", "rotate the axis by $R^T$", transpose(R1 @ R2 @ R3) @ a),
+        ("own axes", "rotate the axis about the frames' own axes", product(*map(about_own_axes, (R1, R2, R3))) @ a),
+    )
     S = revolute(omega, p.named("p"))
     own = a, 0 * p
-    for screw_axis, name, words in (
-        (revolute(R1 @ R2 @ a, p1 + R1 @ p2), "own origin left out", "leave out the `origin` of `joint_3` itself"),
-        (revolute(R1 @ R2 @ a, p), "rotation left out", "leave out the `rpy` of `joint_3` itself"),
-        (revolute(*own), "frame not changed", "give the screw axis in the frame of `joint_3`"),
-        (revolute(R1 @ R2 @ z, p1 + R1 @ p2), "another joint", "give the screw axis of `joint_2`"),
-        (revolute(R1 @ z, p1), "another joint", "give the screw axis of `joint_1`"),
-        (-S, "sign of a vector", "reverse the axis"),
-    ):
-        S = S.mistaken_for((name, words, screw_axis))
+    S = S.mistaken_for(
+        ("own origin left out", "leave out the `origin` of `joint_3` itself", revolute(R1 @ R2 @ a, p1 + R1 @ p2)),
+        ("rotation left out", "leave out the `rpy` of `joint_3` itself", revolute(R1 @ R2 @ a, p)),
+        ("frame not changed", "give the screw axis in the frame of `joint_3`", revolute(*own)),
+        ("another joint", "give the screw axis of `joint_2`", revolute(R1 @ R2 @ z, p1 + R1 @ p2)),
+        ("another joint", "give the screw axis of `joint_1`", revolute(R1 @ z, p1)),
+        ("sign of a vector", "reverse the axis", -S),
+    )
     return Problem(
         statement=f"Give the screw axis of `joint_3` in the frame of the base. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
@@ -217,13 +213,12 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
     instead = "use the `origin` of the `visual` instead of that of the fixed joint"
     M = T1 @ T2 @ T3.mistaken_for(("visual for joint", instead, of_box))
     rotation, added = (R for R, _ in origins), sum((p for _, p in origins[1:]), origins[0][1])
-    for other, name, words in (
-        (M @ of_box, "visual added", "multiply by the `origin` of the `visual`, which moves no frame"),
-        (T3, "frame not changed", "give the pose of the fixed joint in the frame of its parent"),
-        (assemble(M.T[:3, :3], M[:3, 3]), "rotation transposed", "transpose the rotation of $M$"),
-        (assemble(product(*rotation), added), "positions added", "add the positions without rotating them"),
-    ):
-        M = M.mistaken_for((name, words, other))
+    M = M.mistaken_for(
+        ("visual added", "multiply by the `origin` of the `visual`, which moves no frame", M @ of_box),
+        ("frame not changed", "give the pose of the fixed joint in the frame of its parent", T3),
+        ("rotation transposed", "transpose the rotation of $M$", assemble(M.T[:3, :3], M[:3, 3])),
+        ("positions added", "add the positions without rotating them", assemble(product(*rotation), added)),
+    )
     return Problem(
         statement=f"Give the home pose $M$ of the link `hand` in the frame of the base. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
@@ -572,14 +567,14 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
 def _mimic_value(q: Expression, multiplier: Expression, offset: Expression) -> Expression:
     """The value of a joint that mimics a joint of value q."""
     q_2 = multiplier * q + offset
-    for other, name, text in (
-        (q, "mimic as a copy", "give `fold` the value of `swing`"),
-        (multiplier * (q + offset), "offset multiplied", "multiply the offset by the multiplier as well"),
-        (offset * q + multiplier, "multiplier and offset swapped", "swap the multiplier and the offset"),
-        ((q - offset) / multiplier, "mimic inverted", "take `swing` as the joint that mimics `fold`"),
-        (multiplier * q + np.radians(offset.value), "radians as degrees", "read the offset as degrees"),
-    ):
-        q_2 = q_2.mistaken_for((name, text, other, MIMIC_ADVICE))
+    q_2 = q_2.mistaken_for(
+        ("mimic as a copy", "give `fold` the value of `swing`", q),
+        ("offset multiplied", "multiply the offset by the multiplier as well", multiplier * (q + offset)),
+        ("multiplier and offset swapped", "swap the multiplier and the offset", offset * q + multiplier),
+        ("mimic inverted", "take `swing` as the joint that mimics `fold`", (q - offset) / multiplier),
+        ("radians as degrees", "read the offset as degrees", multiplier * q + np.radians(offset.value)),
+        advice=MIMIC_ADVICE,
+    )
     return q_2.named("\\text{the value of fold}")
 
 
@@ -603,16 +598,16 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
     R1, R2, R3 = (rpy_rotation(f"R_{k}", np.asarray(joint.rpy)) for k, joint in enumerate(joints, start=1))
     w = direction("\\omega", omega)
     axis = transpose(R1 @ R2 @ R3) @ w
-    for other, name, words in (
-        (w, "frame not changed", "leave the axis as it is, with its components in the frame of the base"),
-        (R3.T @ w, "frame not changed", "use the `rpy` of `joint_3` only"),
-        (R3 @ w, "rotation transposed", "use the `rpy` of `joint_3` only, without the transpose"),
-        (R1.T @ w, "frame not changed", "use the `rpy` of `joint_1` only"),
-        (transpose(R1 @ R2) @ w, "frame not changed", "leave out the `rpy` of `joint_3`"),
-        (absolute(transpose(R1 @ R2 @ R3) @ w), "signs left out", "leave out the signs"),
-        (R1 @ R2 @ R3 @ given("z", Z), "another axis", "give the $z$ axis of the joint's frame"),
-    ):
-        axis = axis.mistaken_for((name, words, other, WRONG_FRAME_ADVICE))
+    axis = axis.mistaken_for(
+        ("frame not changed", "leave the axis as it is, with its components in the frame of the base", w),
+        ("frame not changed", "use the `rpy` of `joint_3` only", R3.T @ w),
+        ("rotation transposed", "use the `rpy` of `joint_3` only, without the transpose", R3 @ w),
+        ("frame not changed", "use the `rpy` of `joint_1` only", R1.T @ w),
+        ("frame not changed", "leave out the `rpy` of `joint_3`", transpose(R1 @ R2) @ w),
+        ("signs left out", "leave out the signs", absolute(transpose(R1 @ R2 @ R3) @ w)),
+        ("another axis", "give the $z$ axis of the joint's frame", R1 @ R2 @ R3 @ given("z", Z)),
+        advice=WRONG_FRAME_ADVICE,
+    )
     return Problem(
         statement="When all joint values are 0, the axis of `joint_3` must have the direction "
         f"$\\omega = {vector(omega)}$ in the frame of the base. The author of this file wrote these three numbers into "
