@@ -8,6 +8,7 @@ import numpy as np
 
 from kincourse.expressions.poses import inverse
 from kinlib.arrays.validation import Array
+from kinlib.dh.slips import OTHER_CONVENTION
 from kinlib.dh.table import Convention
 from kinlib.dh.table import joint_transform as z_motion
 from kinlib.dh.table import normal_transform as x_motion
@@ -153,13 +154,10 @@ def dh_row(a: float, alpha: float, d: float, theta: float) -> Expression:
     >>> [slip.name for slip in dh_row(3.0, 0.5, 4.0, 0.25).slips()][:2]
     ['a and d swapped', 'angles swapped']
     """
-    return _row(*_typed_entries(a, alpha, d, theta))
-
-
-def _typed_entries(a: float, alpha: float, d: float, theta: float) -> tuple[Expression, ...]:
-    """The entries of a row that a student types, and does not use in a formula."""
-    angles = given("\\alpha", alpha, _TYPED_ALPHA), given("\\theta", theta, _TYPED_THETA)
-    return given("a", a, _A), angles[0], given("d", d, _D), angles[1]
+    return _row(
+        *(given("a", a, _A), given("\\alpha", alpha, _TYPED_ALPHA)),
+        *(given("d", d, _D), given("\\theta", theta, _TYPED_THETA)),
+    )
 
 
 def _unless_unchanged(slips: Callable[[Expression], Slips], node: Expression) -> Slips:
@@ -170,7 +168,7 @@ def _unless_unchanged(slips: Callable[[Expression], Slips], node: Expression) ->
 
 def _link_slips(convention: Convention, node: Expression) -> Slips:
     a, _, d, theta = node.arguments
-    other: Convention = "modified" if convention == "standard" else "standard"
+    other = OTHER_CONVENTION[convention]
     of, in_the_other = node.operation, _link_operation(other, node.latex)
     rows: list[tuple[Any, ...]] = [
         ("the other convention", f"read ${{}}$ in the {other} convention |multiply the rows in the other convention",
@@ -204,43 +202,24 @@ def _link_slips(convention: Convention, node: Expression) -> Slips:
 
 def _entry_slips(letter: str, name: str, typed: bool = False) -> Callable[[Expression], Slips]:
     """The slips in an entry of a row; a typed one is an answer, and any other is used in a formula."""
-    sign = "take {x} with the opposite sign"
+    sign, in_radians = "take {x} with the opposite sign", "use the degrees of {x} as radians"
     rows: list[tuple[Any, ...]] = [
         (f"sign of {name}", f"{sign} |take every ${letter}$ with the opposite sign", lambda x: negative(x)),
         (f"{name} left out", f"leave out {{x}} |leave out every ${letter}$", lambda x: 0.0 * x),
     ]
-    if name in ("alpha", "theta") and typed:
-        both = "give the angles in degrees"
-        rows += [
-            ("degrees", "give {x} in degrees", lambda x: DEG * x, RADIANS_ADVICE),
-            ("degrees", f"{both} |", lambda x: DEG * x, RADIANS_ADVICE, ALL_AT_ONCE | IN_THE_WHOLE),
-        ]
-    elif name in ("alpha", "theta"):
-        for several, fields in (
-            (f"use the degrees of every ${letter}$ as radians", {}),
-            ("use degrees as radians", ALL_AT_ONCE),
-        ):
-            rows.append(
-                (
-                    "degrees",
-                    f"use the degrees of {{x}} as radians |{several}",
-                    lambda x: DEG * x,
-                    DEGREES_ADVICE,
-                    fields,
-                )
-            )
     if name in ("alpha", "theta"):
-        fields = ALL_AT_ONCE | (IN_THE_WHOLE if typed else {})
+        in_all = ALL_AT_ONCE | (IN_THE_WHOLE if typed else {})
+        alone, together, advice = (
+            ("give {x} in degrees", "give the angles in degrees |", RADIANS_ADVICE)
+            if typed
+            else (f"{in_radians} |use the degrees of every ${letter}$ as radians", f"{in_radians} |use degrees as radians", DEGREES_ADVICE)
+        )  # fmt: skip
         rows += [
+            ("degrees", alone, lambda x: DEG * x, advice),
+            ("degrees", together, lambda x: DEG * x, advice, in_all),
             ("converted twice", "convert {x} to radians twice |convert to radians twice", lambda x: RAD * x),
-            (
-                "sign of the angles",
-                f"{sign} |take every angle with the opposite sign",
-                lambda x: negative(x),
-                "",
-                fields,
-            ),
-        ]
+            ("sign of the angles", f"{sign} |take every angle with the opposite sign", lambda x: negative(x), "", in_all),
+        ]  # fmt: skip
 
     def slips(node: Expression) -> Slips:
         x = f"${node.latex}$" if "$" not in node.latex else node.latex
