@@ -124,6 +124,63 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
 
 
 @problem(
+    "09.2",
+    "The path through a tree",
+    points=2,
+    lecture="09_urdf#A URDF is a tree",
+    further="Which link do both hands share, and how many joints move both?",
+    level="Warm-up",
+)
+def path_through_a_tree(sampler: ArmSampler) -> Problem:
+    a, b, c, d = sampler.shuffled(["pan", "tilt", "swing", "twist", "bend", "yaw"])[:4]
+    near, far = sampler.shuffled(["left", "right"])
+    joints = [
+        (a, "torso", f"{near}_arm", "continuous"),
+        (b, f"{near}_arm", f"{near}_wrist", "continuous"),
+        (f"{near}_weld", f"{near}_wrist", f"{near}_hand", "fixed"),
+        (c, "torso", f"{far}_arm", "continuous"),
+        (d, f"{far}_arm", f"{far}_wrist", "continuous"),
+        (f"{far}_weld", f"{far}_wrist", f"{far}_hand", "fixed"),
+        ("neck", "torso", "head", "continuous"),
+    ]
+    shown = sampler.shuffled(joints)
+    while [name for name, *_ in shown if name in {a, b, c, d}] in ([b, a, c, d], [a, b, c, d]):
+        shown = sampler.shuffled(joints)  # otherwise two options would be the same
+    links = ["torso", *sorted(child for _, _, child, _ in joints)]
+    text = robot_urdf(
+        links,
+        (
+            f'<joint name="{name}" type="{kind}">\n  <parent link="{parent}"/> <child link="{child}"/>\n</joint>'
+            for name, parent, child, kind in shown
+        ),
+    )
+    paths = {
+        "right": [b, a, c, d],
+        "from the root": [a, b, c, d],
+        "below the root only": [c, d],
+        "welds too": [f"{near}_weld", b, a, c, d, f"{far}_weld"],
+        "as in the file": [name for name, *_ in shown if name in {a, b, c, d}],
+    }
+    why = {
+        "from the root": f"You listed the joints of the {near} arm from the root `torso` outwards. The path starts at `{near}_hand`, "
+        f"so its first joint that moves is `{b}`.",
+        "below the root only": f"You started at the root `torso`. The base is `{near}_hand`, so the joints from there to the torso "
+        "move the tip as well.",
+        "welds too": "You listed the fixed joints as well. They are on the path, but they have no joint value.",
+        "as in the file": "You listed the joints in the order of the file. Joints may be written in any order; only `parent` and `child` "
+        "say which joint comes next.",
+    }
+    return Problem(
+        statement=f"Take the chain in this file from the base `{near}_hand` to the tip `{far}_hand`. Which joints have a value in "
+        f"$q$, and in which order? Answer with a list of their names, such as `['neck', '{a}']`.\n\n{fence_urdf(text)}",
+        given={"urdf": text},
+        shown={"base": f"{near}_hand", "tip": f"{far}_hand"},
+        answer=Ordering(paths["right"], among=[name for name, *_ in joints]),
+        mistakes=[mistake(name, paths[name], why[name]) for name in why],
+    )
+
+
+@problem(
     "09.3",
     "A joint deep in the file",
     points=3,
@@ -381,61 +438,86 @@ def _number_lines(lines: list[str]) -> str:
     return "\n".join(f"{i:2}  {line}" for i, line in enumerate(lines, start=1))
 
 
-@problem(
-    "09.2",
-    "The path through a tree",
-    points=2,
-    lecture="09_urdf#A URDF is a tree",
-    further="Which link do both hands share, and how many joints move both?",
-    level="Warm-up",
-)
-def path_through_a_tree(sampler: ArmSampler) -> Problem:
-    a, b, c, d = sampler.shuffled(["pan", "tilt", "swing", "twist", "bend", "yaw"])[:4]
-    near, far = sampler.shuffled(["left", "right"])
-    joints = [
-        (a, "torso", f"{near}_arm", "continuous"),
-        (b, f"{near}_arm", f"{near}_wrist", "continuous"),
-        (f"{near}_weld", f"{near}_wrist", f"{near}_hand", "fixed"),
-        (c, "torso", f"{far}_arm", "continuous"),
-        (d, f"{far}_arm", f"{far}_wrist", "continuous"),
-        (f"{far}_weld", f"{far}_wrist", f"{far}_hand", "fixed"),
-        ("neck", "torso", "head", "continuous"),
-    ]
-    shown = sampler.shuffled(joints)
-    while [name for name, *_ in shown if name in {a, b, c, d}] in ([b, a, c, d], [a, b, c, d]):
-        shown = sampler.shuffled(joints)  # otherwise two options would be the same
-    links = ["torso", *sorted(child for _, _, child, _ in joints)]
-    text = robot_urdf(
-        links,
+LOOKALIKES = {
+    True: (
         (
-            f'<joint name="{name}" type="{kind}">\n  <parent link="{parent}"/> <child link="{child}"/>\n</joint>'
-            for name, parent, child, kind in shown
+            "The axis of this joint has the wrong direction, but not because of its `axis`: later origins disagree with the data sheet as "
+            "well, and at $q = 0$ an `axis` has no influence on them."
         ),
-    )
-    paths = {
-        "right": [b, a, c, d],
-        "from the root": [a, b, c, d],
-        "below the root only": [c, d],
-        "welds too": [f"{near}_weld", b, a, c, d, f"{far}_weld"],
-        "as in the file": [name for name, *_ in shown if name in {a, b, c, d}],
-    }
-    why = {
-        "from the root": f"You listed the joints of the {near} arm from the root `torso` outwards. The path starts at `{near}_hand`, "
-        f"so its first joint that moves is `{b}`.",
-        "below the root only": f"You started at the root `torso`. The base is `{near}_hand`, so the joints from there to the torso "
-        "move the tip as well.",
-        "welds too": "You listed the fixed joints as well. They are on the path, but they have no joint value.",
-        "as in the file": "You listed the joints in the order of the file. Joints may be written in any order; only `parent` and `child` "
-        "say which joint comes next.",
-    }
+        (
+            "This origin is correct in the frame of its parent. It disagrees with the data sheet because an earlier frame is wrong. Look "
+            "for the first joint whose row disagrees."
+        ),
+    ),
+    False: (
+        (
+            "The axis of this joint has the wrong direction, but not because of its `origin`: all later origins agree with the data sheet. "
+            "If this frame were rotated wrongly, they would not."
+        ),
+        "This origin is correct: it agrees with the data sheet, and so does every other origin of the file.",
+    ),
+}
+"""For a wrong origin, and for a wrong axis: what to say of the other element of the joint, and of the next joint's origin."""
+
+
+@problem(
+    "09.7",
+    "Origin or axis?",
+    points=2,
+    lecture="09_urdf#An error that every reader accepts",
+    further="Which single measurement tells a wrong origin from a wrong axis?",
+)
+def origin_or_axis(sampler: ArmSampler) -> Problem:
+    meant = [_joint_across_its_rotation(sampler, f"joint_{k}") for k in (1, 2, 3)]
+    joints = [*meant, UrdfJoint("weld", sampler.point(3), kind="fixed")]
+    k, is_origin = sampler.choice([0, 1, 2]), sampler.choice([True, False])
+    R = meant[k].pose[:3, :3].round()
+    wrong = {"rpy": -np.asarray(meant[k].rpy)} if is_origin else {"axis": R @ meant[k].axis}
+    written = [*joints[:k], replace(joints[k], **wrong), *joints[k + 1 :]]
+    lines = serial_urdf(written, ("base", "boom", "forearm", "hand", "tool")).splitlines()
+    begins = [_line_with(lines, f'<joint name="{joint.name}"') for joint in joints]
+    here = {mark: _line_with(lines, mark, begins[k]) for mark in ("<origin", "<axis")}
+    poses = [T.round() + 0.0 for T in accumulate((joint.pose for joint in joints), np.matmul)]
+    origins, axes = [T[:3, 3] for T in poses], [T[:3, :3] @ joint.axis for T, joint in zip(poses, meant, strict=False)]
+    answer, other = (here["<origin"], here["<axis"]) if is_origin else (here["<axis"], here["<origin"])
+    lookalike, later = LOOKALIKES[is_origin]
+
+    def at_line(line: int) -> Array:
+        return np.array([line, *(meant[k].rpy if is_origin else meant[k].axis)])
+
     return Problem(
-        statement=f"Take the chain in this file from the base `{near}_hand` to the tip `{far}_hand`. Which joints have a value in "
-        f"$q$, and in which order? Answer with a list of their names, such as `['neck', '{a}']`.\n\n{fence_urdf(text)}",
-        given={"urdf": text},
-        shown={"base": f"{near}_hand", "tip": f"{far}_hand"},
-        answer=Ordering(paths["right"], among=[name for name, *_ in joints]),
-        mistakes=[mistake(name, paths[name], why[name]) for name in why],
+        statement="Every reader accepts this file, but it does not describe the robot of this data sheet. All joint values are 0, and "
+        f"lengths are in metres.\n\n{_data_sheet(joints, origins, axes)}\n\nExactly one line of the file is wrong. Which one, and which "
+        "three numbers must stand in it, as `rpy` or as `axis`? Give four numbers, such as `[7, 0, 0, 1]`. Lines count from 1. "
+        f"{ROUNDING_NOTE}\n\n{fence_urdf(_number_lines(lines))}",
+        given={"urdf": "\n".join(lines), "origins": np.array(origins), "axes": np.array(axes)},
+        answer=FaultyLineAnswer(at_line(answer), lines=lines, joint=range(begins[k], begins[k + 1])),
+        mistakes=[
+            mistake("origin and axis swapped", at_line(other), lookalike),
+            mistake("a later origin", at_line(_line_with(lines, "<origin", begins[k + 1])), later),
+            mistake(
+                "the joint itself",
+                at_line(begins[k]),
+                "The wrong line is in this joint, but this line is correct. Is its `origin` wrong, or its `axis`?",
+            ),
+        ],
     )
+
+
+def _joint_across_its_rotation(sampler: ArmSampler, name: str) -> UrdfJoint:
+    """Draw a joint whose axis is perpendicular to that of its `rpy`, so that a wrong `rpy` shows in its direction."""
+    rpy = random_right_angles(sampler, 1)
+    return UrdfJoint(name, sampler.point(3), rpy, sampler.choice([axis for axis in AXIS_DIRECTIONS if not axis @ rpy]))
+
+
+def _data_sheet(joints: Sequence[UrdfJoint], origins: Sequence[Array], axes: Sequence[Array]) -> str:
+    """A table of the origins of joints, and of the directions of the first of them, in the frame of the base."""
+    directions = [f"${vector(axis)}$" for axis in axes]
+    rows = zip_longest(
+        [joint.name for joint in joints], [f"${vector(p)}$" for p in origins], directions, fillvalue="none"
+    )
+    heads = ("joint", "origin in the base frame", "axis in the base frame")
+    return "\n".join(f"| {' | '.join(row)} |" for row in [heads, 3 * ("---",), *rows])
 
 
 @problem(
@@ -619,88 +701,6 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
         # With right angles, R_3 R_1 R_2 is often R_1 R_2 R_3; it is not an order in which people multiply.
         invisible={"first factor", "last factor"},
     )
-
-
-LOOKALIKES = {
-    True: (
-        (
-            "The axis of this joint has the wrong direction, but not because of its `axis`: later origins disagree with the data sheet as "
-            "well, and at $q = 0$ an `axis` has no influence on them."
-        ),
-        (
-            "This origin is correct in the frame of its parent. It disagrees with the data sheet because an earlier frame is wrong. Look "
-            "for the first joint whose row disagrees."
-        ),
-    ),
-    False: (
-        (
-            "The axis of this joint has the wrong direction, but not because of its `origin`: all later origins agree with the data sheet. "
-            "If this frame were rotated wrongly, they would not."
-        ),
-        "This origin is correct: it agrees with the data sheet, and so does every other origin of the file.",
-    ),
-}
-"""For a wrong origin, and for a wrong axis: what to say of the other element of the joint, and of the next joint's origin."""
-
-
-@problem(
-    "09.7",
-    "Origin or axis?",
-    points=2,
-    lecture="09_urdf#An error that every reader accepts",
-    further="Which single measurement tells a wrong origin from a wrong axis?",
-)
-def origin_or_axis(sampler: ArmSampler) -> Problem:
-    meant = [_joint_across_its_rotation(sampler, f"joint_{k}") for k in (1, 2, 3)]
-    joints = [*meant, UrdfJoint("weld", sampler.point(3), kind="fixed")]
-    k, is_origin = sampler.choice([0, 1, 2]), sampler.choice([True, False])
-    R = meant[k].pose[:3, :3].round()
-    wrong = {"rpy": -np.asarray(meant[k].rpy)} if is_origin else {"axis": R @ meant[k].axis}
-    written = [*joints[:k], replace(joints[k], **wrong), *joints[k + 1 :]]
-    lines = serial_urdf(written, ("base", "boom", "forearm", "hand", "tool")).splitlines()
-    begins = [_line_with(lines, f'<joint name="{joint.name}"') for joint in joints]
-    here = {mark: _line_with(lines, mark, begins[k]) for mark in ("<origin", "<axis")}
-    poses = [T.round() + 0.0 for T in accumulate((joint.pose for joint in joints), np.matmul)]
-    origins, axes = [T[:3, 3] for T in poses], [T[:3, :3] @ joint.axis for T, joint in zip(poses, meant, strict=False)]
-    answer, other = (here["<origin"], here["<axis"]) if is_origin else (here["<axis"], here["<origin"])
-    lookalike, later = LOOKALIKES[is_origin]
-
-    def at_line(line: int) -> Array:
-        return np.array([line, *(meant[k].rpy if is_origin else meant[k].axis)])
-
-    return Problem(
-        statement="Every reader accepts this file, but it does not describe the robot of this data sheet. All joint values are 0, and "
-        f"lengths are in metres.\n\n{_data_sheet(joints, origins, axes)}\n\nExactly one line of the file is wrong. Which one, and which "
-        "three numbers must stand in it, as `rpy` or as `axis`? Give four numbers, such as `[7, 0, 0, 1]`. Lines count from 1. "
-        f"{ROUNDING_NOTE}\n\n{fence_urdf(_number_lines(lines))}",
-        given={"urdf": "\n".join(lines), "origins": np.array(origins), "axes": np.array(axes)},
-        answer=FaultyLineAnswer(at_line(answer), lines=lines, joint=range(begins[k], begins[k + 1])),
-        mistakes=[
-            mistake("origin and axis swapped", at_line(other), lookalike),
-            mistake("a later origin", at_line(_line_with(lines, "<origin", begins[k + 1])), later),
-            mistake(
-                "the joint itself",
-                at_line(begins[k]),
-                "The wrong line is in this joint, but this line is correct. Is its `origin` wrong, or its `axis`?",
-            ),
-        ],
-    )
-
-
-def _joint_across_its_rotation(sampler: ArmSampler, name: str) -> UrdfJoint:
-    """Draw a joint whose axis is perpendicular to that of its `rpy`, so that a wrong `rpy` shows in its direction."""
-    rpy = random_right_angles(sampler, 1)
-    return UrdfJoint(name, sampler.point(3), rpy, sampler.choice([axis for axis in AXIS_DIRECTIONS if not axis @ rpy]))
-
-
-def _data_sheet(joints: Sequence[UrdfJoint], origins: Sequence[Array], axes: Sequence[Array]) -> str:
-    """A table of the origins of joints, and of the directions of the first of them, in the frame of the base."""
-    directions = [f"${vector(axis)}$" for axis in axes]
-    rows = zip_longest(
-        [joint.name for joint in joints], [f"${vector(p)}$" for p in origins], directions, fillvalue="none"
-    )
-    heads = ("joint", "origin in the base frame", "axis in the base frame")
-    return "\n".join(f"| {' | '.join(row)} |" for row in [heads, 3 * ("---",), *rows])
 
 
 @problem(
