@@ -341,11 +341,9 @@ def longer_tool(sampler: ArmSampler) -> Problem:
         ]
     )
     extended = given("\\mathrm{Trans}_z", pose((X, Y, Z), longer * Z))
-    for axis, name in ((X, "x"), (Y, "y")):
-        extended = extended.mistaken_for(
-            ("another axis", f"extend the tool along its ${name}$", pose((X, Y, Z), longer * axis))
-        )
     extended = extended.mistaken_for(
+        ("another axis", "extend the tool along its $x$", pose((X, Y, Z), longer * X)),
+        ("another axis", "extend the tool along its $y$", pose((X, Y, Z), longer * Y)),
         ("another axis", "extend the tool along its $x$, $y$ and $z$", pose((X, Y, Z), longer * (X + Y + Z))),
         ("sign of a length", "shorten the tool instead of extending it", pose((X, Y, Z), -longer * Z)),
         ("extended twice", "extend the tool twice", pose((X, Y, Z), 2 * longer * Z)),
