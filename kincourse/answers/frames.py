@@ -114,10 +114,7 @@ class DHFramesAnswer(Numbers):
 def _unplaced_frames(given: Any) -> list[int]:
     """The numbers of the frames that are not placed yet: `...`, or with NaN entries, as in frames placed by hand."""
     try:
-        return [i for i, T in enumerate(given) if T is ... or _has_nan(np.asarray(T))]
+        arrays = [np.asarray(np.nan if T is ... else T) for T in given]
+        return [i for i, T in enumerate(arrays) if T.dtype.kind in "fc" and np.isnan(T).any()]
     except Exception:  # any other malformed answer is reported by Numbers.read
         return []
-
-
-def _has_nan(entries: Any) -> bool:
-    return entries.dtype.kind in "fc" and bool(np.isnan(entries).any())
