@@ -853,7 +853,9 @@ globalThis.planarArm = (() => {
     };
 
     function orders(name) {
-      const buttons = [3, 2, 1].map((j) => button(`${name} ${j}: ${degree(goal[j - 1])}`, () => press(j), { class: `c${j}` }));
+      const buttons = [3, 2, 1].map((j) =>
+        button(`${name} ${j}: ${degree(goal[j - 1])}`, () => press(j), { class: `c${j}` }),
+      );
       row(
         ...buttons,
         button('Home', () => press(0)),

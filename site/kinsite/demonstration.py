@@ -20,7 +20,7 @@ from kinsite.html_tree import inner_html, read_html
 from misstep.display.markdown import markdown_html
 from misstep.sheet import OpenSheet as Sheet
 
-SHEET, PROBLEM, STUDENT = "03_poe_space", 2, "a visitor"
+SHEET, PROBLEM, STUDENT = "03_poe_space", 3, "a visitor"
 ATTEMPTS = (
     ("np.concatenate([axis, np.cross(axis, point)])", "omega x p"),
     ("np.concatenate([-np.cross(axis, point), axis])", "halves swapped"),

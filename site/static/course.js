@@ -405,7 +405,8 @@
       listening.abort();
     };
     const options = { passive: true, signal: listening.signal };
-    for (const kind of ['wheel', 'touchmove', 'keydown', 'pointerdown']) addEventListener(kind, () => release(), options);
+    for (const kind of ['wheel', 'touchmove', 'keydown', 'pointerdown'])
+      addEventListener(kind, () => release(), options);
     heights.observe(document.querySelector('article')); // furo's body has the height of the window
   }
 

@@ -1,7 +1,8 @@
 // The box and the results of search.html, by Pagefind. templates/page.html says how much each kind of page counts.
 (() => {
   'use strict';
-  const FILLER = /^(?:an?|and|are|can|do|does|for|from|how|i|in|is|me|my|of|or|own|the|to|vs|what|when|where|why|with)$/i;
+  const FILLER =
+    /^(?:an?|and|are|can|do|does|for|from|how|i|in|is|me|my|of|or|own|the|to|vs|what|when|where|why|with)$/i;
 
   /** Leave out the words that say nothing, because Pagefind wants each word on a page; kl.fk and Chain.fk are looked for as fk. */
   function processTerm(query) {
@@ -10,7 +11,7 @@
     return (telling.length ? telling : words).join(' ');
   }
 
-  const search = new PagefindUI({
+  const search = new window.PagefindUI({
     element: '#search',
     autofocus: true,
     debounceTimeoutMs: 100,
@@ -21,7 +22,9 @@
     resetStyles: false,
     showImages: false,
     showSubResults: true,
-    translations: { zero_results: 'Nothing contains all words of “[SEARCH_TERM]”. Try fewer words, or one from the glossary.' },
+    translations: {
+      zero_results: 'Nothing contains all words of “[SEARCH_TERM]”. Try fewer words, or one from the glossary.',
+    },
   });
   document.querySelector('#search input').setAttribute('aria-label', 'Words to find'); // Pagefind gives it a title only
   const query = new URLSearchParams(location.search).get('q')?.trim();

@@ -192,7 +192,7 @@ def painted(page, element, style):
 def test_one_click_on_the_section_to_reread_arrives_there(lab):
     page = lab(SHEET)
     run(page, "open_sheet")
-    page.get_by_text("9 problems, ").wait_for(timeout=TIMEOUT_MS)
+    page.get_by_text("11 problems, ").wait_for(timeout=TIMEOUT_MS)
     run(page, "given = sheet.given(5)", "sheet.check(5")
     link = page.get_by_role("link", name="Re-read: section “The inverse” of lecture 01, Frames.")
     link.wait_for(timeout=TIMEOUT_MS)

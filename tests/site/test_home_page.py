@@ -41,7 +41,7 @@ def test_the_home_page_shows_the_card_of_each_wrong_answer_without_a_script(chro
             if answer.get_attribute("open") is None:
                 answer.locator("summary").click()
             assert code in answer.inner_text()
-            expected = messages[mistake].partition(". ")[2].partition("$")[0] if mistake else "3 of 3 points"
+            expected = messages[mistake].partition(". ")[2].partition("$")[0] if mistake else "2 of 2 points"
             assert expected in answer.inner_text()
             assert page.locator(".kinlib-answers details[open]").count() == 1
 

@@ -104,7 +104,6 @@ def scene(
         "limits": [] if robot.limits is None else [[_finite(end) for end in pair] for pair in limits],
         "room": {"centre": centre.tolist(), "radius": radius},
         "floor": body.lowest,
-        "foot": [0.0, 0.0, 0.0],
         **({"offered": ["axes", "dimensions"]} if isinstance(robot, Tree) else {}),
     }
 

@@ -74,8 +74,7 @@ export function buildLayers(stage, shown) {
   const solid = each((arm) => (arm.body ? parts.body(arm, theme) : limbs(arm))).filter(
     (part) => !(data.arms[part.arm].rule?.[part.body] && isRead(part)),
   );
-  const foot = data.arms[0].body ? [] : parts.pedestal(data, size, theme);
-  stage.setLayer('arm', [...foot, ...solid, ...parts.linkage(data, theme)], { outlined: true });
+  stage.setLayer('arm', [...solid, ...parts.linkage(data, theme)], { outlined: true });
   if (stage.meshes.length) stage.buildMeshes();
   stage.tree.rodUpdates.length = 0;
   stage.setRods(

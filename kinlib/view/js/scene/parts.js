@@ -173,20 +173,3 @@ export function perpendicularTo(axis) {
     ),
   );
 }
-
-/** The pedestal of an arm whose base is above the floor: a column on a round plate. */
-export function pedestal({ floor, foot }, size, colours) {
-  if (!foot) return [];
-  const top = [foot[0], foot[1], foot[2]];
-  const ground = [foot[0], foot[1], floor];
-  const plate = {
-    body: 0,
-    shape: 'cylinder',
-    from: ground,
-    to: add(ground, [0, 0, 0.018 * size]),
-    radius: 0.1 * size,
-    colour: colours.rod,
-  };
-  if (foot[2] - floor < 0.05 * size) return [plate];
-  return [plate, { body: 0, shape: 'capsule', from: ground, to: top, radius: 0.03 * size, colour: colours.rod }];
-}

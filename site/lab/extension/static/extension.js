@@ -134,7 +134,9 @@
       message.hidden = true;
     };
     const buttons = Object.entries({ 'Download the notebook': save, Close: hide });
-    const made = buttons.map(([label, act]) => Object.assign(document.createElement('button'), { textContent: label, onclick: act }));
+    const made = buttons.map(([label, act]) =>
+      Object.assign(document.createElement('button'), { textContent: label, onclick: act }),
+    );
     message.replaceChildren(LOST, document.createElement('br'), ...made);
     message.hidden = false;
   }
