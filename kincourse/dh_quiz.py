@@ -7,6 +7,7 @@ from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
 from kinlib.dh.assignment import assign_frames
+from kinlib.dh.slips import OTHER_CONVENTION
 from kinlib.dh.table import Convention, validate_convention
 from kinlib.view import draw_joints
 from misstep.display.card import TITLES, Card
@@ -38,8 +39,7 @@ def draw_problem(seed: str, convention: Convention) -> Problem:
     sampler = ArmSampler(seed, "quiz")
     arm = sampler.arm(sampler.choice(JOINT_TYPES))
     table = assign_frames(arm, convention=validate_convention(convention)).table
-    other: Convention = "modified" if convention == "standard" else "standard"
-    misread = assign_frames(arm, convention=other).table.changed(convention=convention)
+    misread = assign_frames(arm, convention=OTHER_CONVENTION[convention]).table.changed(convention=convention)
     return Problem(
         statement=f"Give a DH table of this arm in the {convention} convention. {FREE}\n\n{joint_table(arm)}",
         figure=partial(draw_joints, arm),

@@ -168,16 +168,11 @@ class DHRowsAnswer(_DHNumbers):
             return " and ".join(dict.fromkeys(name for name, _ in places)), text
         if found := self.likeness(given, part).resemblance():
             return found
-        columns = self._wrong_columns(given, part)
-        if len(columns) < 3:
-            return "wrong " + " and ".join(
-                columns
-            ), f"Some numbers of this row are right.\nLook at its {' and '.join(map(symbol, columns))}."
+        if len(wrong) < 3:
+            columns = [COLUMNS[k] for k in wrong]
+            symbols = " and ".join(map(symbol, columns))
+            return f"wrong {' and '.join(columns)}", f"Some numbers of this row are right.\nLook at its {symbols}."
         return self._place(given, part)
-
-    def _wrong_columns(self, given: Array, part: int) -> list[str]:
-        same = self.same_entries(given, self.value)[part]
-        return [name for name, is_right in zip(COLUMNS, same, strict=True) if not is_right]
 
 
 def has_a_telling_row(rows: Array, right: Sequence[bool]) -> bool:

@@ -9,6 +9,7 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.rules import Breach, check_frames
+from kinlib.dh.slips import OTHER_CONVENTION
 from kinlib.dh.table import Convention
 from kinlib.rigid.lie import homogeneous, inverse
 from misstep.answers.accuracy import TOLERANCE
@@ -62,7 +63,7 @@ class DHFramesAnswer(Numbers):
 
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
         """Return whether two frames are right, because a single one is by chance, and not all by the rules of the other convention."""
-        other: Convention = "modified" if self.convention == "standard" else "standard"
+        other = OTHER_CONVENTION[self.convention]
         return sum(right) > 1 and bool(check_frames(self.chain, given, other, tolerance=10 * TOLERANCE))
 
     def read(self, given: Any) -> Array:
@@ -113,10 +114,7 @@ class DHFramesAnswer(Numbers):
 def _unplaced_frames(given: Any) -> list[int]:
     """The numbers of the frames that are not placed yet: `...`, or with NaN entries, as in frames placed by hand."""
     try:
-        return [i for i, T in enumerate(given) if T is ... or _has_nan(np.asarray(T))]
+        arrays = [np.asarray(np.nan if T is ... else T) for T in given]
+        return [i for i, T in enumerate(arrays) if T.dtype.kind in "fc" and np.isnan(T).any()]
     except Exception:  # any other malformed answer is reported by Numbers.read
         return []
-
-
-def _has_nan(entries: Any) -> bool:
-    return entries.dtype.kind in "fc" and bool(np.isnan(entries).any())

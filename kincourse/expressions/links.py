@@ -8,6 +8,7 @@ import numpy as np
 
 from kincourse.expressions.poses import inverse
 from kinlib.arrays.validation import Array
+from kinlib.dh.slips import OTHER_CONVENTION
 from kinlib.dh.table import Convention
 from kinlib.dh.table import joint_transform as z_motion
 from kinlib.dh.table import normal_transform as x_motion
@@ -17,7 +18,6 @@ from misstep.mutants.expression import (
     IN_THE_WHOLE,
     Expression,
     Operation,
-    Slip,
     Slips,
     given,
     negative,
@@ -154,13 +154,10 @@ def dh_row(a: float, alpha: float, d: float, theta: float) -> Expression:
     >>> [slip.name for slip in dh_row(3.0, 0.5, 4.0, 0.25).slips()][:2]
     ['a and d swapped', 'angles swapped']
     """
-    return _row(*_typed_entries(a, alpha, d, theta))
-
-
-def _typed_entries(a: float, alpha: float, d: float, theta: float) -> tuple[Expression, ...]:
-    """The entries of a row that a student types, and does not use in a formula."""
-    angles = given("\\alpha", alpha, _TYPED_ALPHA), given("\\theta", theta, _TYPED_THETA)
-    return given("a", a, _A), angles[0], given("d", d, _D), angles[1]
+    return _row(
+        *(given("a", a, _A), given("\\alpha", alpha, _TYPED_ALPHA)),
+        *(given("d", d, _D), given("\\theta", theta, _TYPED_THETA)),
+    )
 
 
 def _unless_unchanged(slips: Callable[[Expression], Slips], node: Expression) -> Slips:
@@ -169,24 +166,9 @@ def _unless_unchanged(slips: Callable[[Expression], Slips], node: Expression) ->
     yield from (one for one in slips(node) if is_full or not np.allclose(one.wrong.value, node.value))
 
 
-def _twists(w1: Any, v1: Any, w2: Any, v2: Any) -> Array:
-    """Two twists in rows; a number is a size along the axis of its row, x and then z."""
-    pairs = zip((w1, v1, w2, v2), np.eye(3)[[0, 0, 2, 2]], strict=True)
-    return np.concatenate([part * axis if np.ndim(part) == 0 else np.asarray(part) for part, axis in pairs]).reshape(
-        2, 6
-    )
-
-
-def _axial_slips(node: Expression) -> Slips:
-    for name, text, twists in _WRONG_TWISTS:
-        wrong = Operation("wrong twists", twists, lambda *_: "x", _rows_swapped)
-        yield Slip(name, text, wrong(*node.arguments))
-    yield from _rows_swapped(node)
-
-
 def _link_slips(convention: Convention, node: Expression) -> Slips:
     a, _, d, theta = node.arguments
-    other: Convention = "modified" if convention == "standard" else "standard"
+    other = OTHER_CONVENTION[convention]
     of, in_the_other = node.operation, _link_operation(other, node.latex)
     rows: list[tuple[Any, ...]] = [
         ("the other convention", f"read ${{}}$ in the {other} convention |multiply the rows in the other convention",
@@ -220,43 +202,24 @@ def _link_slips(convention: Convention, node: Expression) -> Slips:
 
 def _entry_slips(letter: str, name: str, typed: bool = False) -> Callable[[Expression], Slips]:
     """The slips in an entry of a row; a typed one is an answer, and any other is used in a formula."""
-    sign = "take {x} with the opposite sign"
+    sign, in_radians = "take {x} with the opposite sign", "use the degrees of {x} as radians"
     rows: list[tuple[Any, ...]] = [
         (f"sign of {name}", f"{sign} |take every ${letter}$ with the opposite sign", lambda x: negative(x)),
         (f"{name} left out", f"leave out {{x}} |leave out every ${letter}$", lambda x: 0.0 * x),
     ]
-    if name in ("alpha", "theta") and typed:
-        both = "give the angles in degrees"
-        rows += [
-            ("degrees", "give {x} in degrees", lambda x: DEG * x, RADIANS_ADVICE),
-            ("degrees", f"{both} |", lambda x: DEG * x, RADIANS_ADVICE, ALL_AT_ONCE | IN_THE_WHOLE),
-        ]
-    elif name in ("alpha", "theta"):
-        for several, fields in (
-            (f"use the degrees of every ${letter}$ as radians", {}),
-            ("use degrees as radians", ALL_AT_ONCE),
-        ):
-            rows.append(
-                (
-                    "degrees",
-                    f"use the degrees of {{x}} as radians |{several}",
-                    lambda x: DEG * x,
-                    DEGREES_ADVICE,
-                    fields,
-                )
-            )
     if name in ("alpha", "theta"):
-        fields = ALL_AT_ONCE | (IN_THE_WHOLE if typed else {})
+        in_all = ALL_AT_ONCE | (IN_THE_WHOLE if typed else {})
+        alone, together, advice = (
+            ("give {x} in degrees", "give the angles in degrees |", RADIANS_ADVICE)
+            if typed
+            else (f"{in_radians} |use the degrees of every ${letter}$ as radians", f"{in_radians} |use degrees as radians", DEGREES_ADVICE)
+        )  # fmt: skip
         rows += [
+            ("degrees", alone, lambda x: DEG * x, advice),
+            ("degrees", together, lambda x: DEG * x, advice, in_all),
             ("converted twice", "convert {x} to radians twice |convert to radians twice", lambda x: RAD * x),
-            (
-                "sign of the angles",
-                f"{sign} |take every angle with the opposite sign",
-                lambda x: negative(x),
-                "",
-                fields,
-            ),
-        ]
+            ("sign of the angles", f"{sign} |take every angle with the opposite sign", lambda x: negative(x), "", in_all),
+        ]  # fmt: skip
 
     def slips(node: Expression) -> Slips:
         x = f"${node.latex}$" if "$" not in node.latex else node.latex
@@ -348,30 +311,7 @@ _ANGLE_VALUES = table(
 _LENGTH_VALUES = table(
     ("length in radians", "convert ${}$ from degrees to radians, although it is a length", lambda q: RAD * q),
 )
-_WRONG_TWISTS = (
-    ("halves swapped", "write $(v, \\omega)$ in both rows", _twists),
-    ("a and d swapped", "swap $a$ and $d$", lambda a, A, d, H: _twists(A, d, H, a)),
-    ("angles swapped", "swap $\\alpha$ and $\\theta$", lambda a, A, d, H: _twists(H, a, A, d)),
-    ("theta for alpha", "rotate about $x$ by $\\theta$", lambda a, _A, d, H: _twists(H, a, H, d)),
-    ("axes swapped", "swap the axes $x$ and $z$", lambda a, A, d, H: _twists([0, 0, A], [0, 0, a], [H, 0, 0], [d, 0, 0])),
-    ("lengths along other axes", "move by $a$ along $z$ and by $d$ along $x$", lambda a, A, d, H: _twists(A, [0, 0, a], H, [d, 0, 0])),
-    ("lengths along other axes", "move along $y$", lambda a, A, d, H: _twists(A, [0, a, 0], H, [0, d, 0])),
-    ("unit screws", "give unit screws, for an angle of 1 radian", lambda a, A, d, H: _twists(1, a / A, 1, d / H)),
-    ("unit screws", "give unit axes instead of the axis times the angle", lambda a, _A, d, _H: _twists(1, a, 1, d)),
-    ("pitch for length", "divide each length by its angle, as for a pitch", lambda a, A, d, H: _twists(A, a / A, H, d / H)),
-    ("length times angle", "multiply each length by its angle", lambda a, A, d, H: _twists(A, a * A, H, d * H)),
-    ("lengths left out", "leave out both lengths", lambda _a, A, _d, H: _twists(A, 0, H, 0)),
-    ("angles left out", "leave out both angles", lambda a, _A, d, _H: _twists(0, a, 0, d)),
-    ("frame of the second twist", "write the second twist in frame $i-1$, where its $z$ is already rotated",
-     lambda a, A, d, H: _twists(A, a, H * x_motion(0, A)[:3, 2], d * x_motion(0, A)[:3, 2])),
-)
-"""Twists that people take for those of a row, from a, alpha, d and theta."""
 
-def _rows_swapped(node: Expression) -> Slips:
-    yield Slip("rows swapped", "put the joint first", node[::-1])
-
-
-_axial_twists: Operation = Operation("axial twists", lambda a, A, d, H: _twists(A, a, H, d), lambda *_: "x", _axial_slips)
 _row: Operation = Operation(
     "row", lambda *entries: np.array(entries, dtype=float), lambda *_: "(a, \\alpha, d, \\theta)", partial(_unless_unchanged, _ROWS)
 )

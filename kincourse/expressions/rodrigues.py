@@ -1,4 +1,4 @@
-"""Rodrigues' formula in solutions: the matrix of a twist, the rotation of an exponential, and its position."""
+"""Rodrigues' formula in solutions: the rotation of an exponential, and its position."""
 
 from collections.abc import Callable
 from functools import partial
@@ -7,9 +7,8 @@ import numpy as np
 from numpy import cos, sin
 
 from kinlib.arrays.validation import Array
-from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import hat
-from misstep.mutants.expression import Expression, Operation, Slip, Slips, given, table
+from misstep.mutants.expression import Expression, Operation, Slip, Slips, given
 from misstep.mutants.operations import ANGLE, unit
 
 I = np.eye(3)
@@ -197,60 +196,7 @@ def _position_slips(node: Expression) -> Slips:
         yield Slip("formula for a unit axis", text, wrong, everywhere=FOR_UNIT_AXES, advice=UNIT_AXIS)
 
 
-def _twist_slips(node: Expression) -> Slips:
-    W, v = node.arguments
-    if W.operation is skew:
-        [omega] = W.arguments
-        text = f"put ${v.latex}$ into the block and ${omega.latex}$ into the column"
-        advice = "Here a twist is $(\\omega, v)$, the rotation first."
-        yield Slip("halves swapped", text, twist_matrix(skew(v), omega), advice=advice)
-        cross = Operation("cross product", np.matmul, "{0}\\,{1}".format)
-        yield Slip("moment for v", f"write $\\omega \\times {v.latex}$ into the column", twist_matrix(W, cross(W, v)))
-    yield from _TWIST_MATRICES(node)
-
-
-def _of_twist(W: Array, v: Array) -> Array:
-    return np.block([[W, v[:, None]], [np.zeros((1, 4))]])
-
-
-ANTISYMMETRIC = "The matrix $[\\omega]$ is skew-symmetric: $[\\omega]^T = -[\\omega]$."
-FIRST_ROW = "$[\\omega]\\,u = \\omega \\times u$, so the first row is $(0, -\\omega_z, \\omega_y)$."
 # fmt: off
-_SKEW = table(
-    ("diagonal", "write a diagonal matrix in ${}$", np.diag, ANTISYMMETRIC),
-    ("one half", "leave out the half below the diagonal in ${}$", lambda w: np.triu(hat(w)), ANTISYMMETRIC),
-    ("outer product", "write the outer product in ${}$", lambda w: np.outer(w, w), ANTISYMMETRIC),
-    ("squared", "square the matrix in ${}$", lambda w: _squared(hat(w)), ANTISYMMETRIC),
-    ("no minus signs", "leave out the minus signs in ${}$", lambda w: abs(hat(w)), ANTISYMMETRIC),
-    ("symmetric", "write a symmetric matrix in ${}$", lambda w: np.triu(hat(w)) - np.tril(hat(w)), ANTISYMMETRIC),
-    ("components in another order", "write $x$, $y$, $z$ from left to right in ${}$", lambda w: hat(w[::-1] * (1, -1, 1)), FIRST_ROW),
-    ("components swapped", "swap $x$ and $z$ in ${}$", lambda w: hat(w[::-1]), FIRST_ROW),
-    ("diagonal", "write the components on the diagonal as well in ${}$", lambda w: hat(w) + np.diag(w),
-     "The diagonal of a skew-symmetric matrix is zero."),
-    of_values=True,
-)
-_TWIST_MATRICES = table(
-    ("like a pose", "write a 1 into the corner", lambda W, v: _of_twist(W, v) + np.diag([0.0, 0, 0, 1]),
-     "A pose ends in 0 0 0 1. The matrix $[S]$ is a derivative of poses, and their last row is constant."),
-    ("last row", "write $v$ into the last row",
-     lambda W, v: _of_twist(W, 0 * v) + _of_twist(0 * W, v).T, "The vector $v$ is the last column."),
-    ("last row", "write $v$ into the last row as well",
-     lambda W, v: _of_twist(W, v) + _of_twist(0 * W, v).T, "The last row of $[S]$ is zero."),
-    ("v left out", "leave out $v$", lambda W, v: _of_twist(W, 0 * v)),
-    ("omega left out", "leave out ${0}$", lambda W, v: _of_twist(0 * W, v)),
-    ("identity added", "add the identity", lambda W, v: _of_twist(W, v) + np.eye(4),
-     "The diagonal of $[S]$ is zero; $I + [S]$ is the beginning of the series of $e^{[S]}$."),
-    ("exponential", "take the exponential of $[S]$", lambda W, v: exponential(np.array([W[2, 1], W[0, 2], W[1, 0], *v])),
-     "The matrix $[S]$ itself is wanted."),
-    of_values=True,
-)
-
-skew: Operation = Operation("skew-symmetric matrix", hat, "[{0}]".format, _SKEW)
-"""The skew-symmetric matrix [omega] (3, 3)."""
-
-twist_matrix: Operation = Operation("matrix of a twist", _of_twist, "({0}, {1})".format, _twist_slips)
-"""The matrix [S] (4, 4) of a twist, from [omega] and v."""
-
 rotation_exp: Operation = Operation(
     "rotation", lambda w, q: _formula(RODRIGUES, _squared, _size(w), w, q), "e^{{[{0}]{1}}}".format, _rotation_slips
 )

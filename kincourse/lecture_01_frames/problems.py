@@ -274,62 +274,6 @@ def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
     )
 
 
-MAX_COSINE = 0.95
-"""Of an own axis and the fixed axis of the same name, so that a motion about one differs from that about the other."""
-
-
-@problem(
-    "01.9",
-    "Fixed axes or moving axes",
-    points=3,
-    lecture="01_frames#Left or right",
-    further="Exchange *own* and *fixed* in both motions. When is the result the same?",
-    level="Hard",
-)
-def own_or_fixed(sampler: ArmSampler) -> Problem:
-    degrees, far = sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1)), sampler.length(0.2, 0.9)
-    T = _random_pose(sampler)
-    while np.abs(np.diag(T)[:3]).min() > MAX_COSINE:  # an own axis that is parallel to the fixed one hides the mistake
-        T = _random_pose(sampler)
-    oblique = np.flatnonzero(np.abs(np.diag(T)[:3]) <= MAX_COSINE).tolist()
-    k, along = sampler.choice(oblique), sampler.choice(oblique)
-    turns_first, turn_is_own = sampler.choice([True, False]), sampler.choice([True, False])
-    angle = radians(given("\\theta", degrees, ANGLE))
-    turn = rotation_only(rotation_about(k, angle)).named(f"\\mathrm{{Rot}}({'xyz'[k]}, \\theta)")
-    shift_by = given("d", far * np.eye(3)[along], VECTOR)
-    for other in {0, 1, 2} - {along}:
-        text = f"translate along the ${'xyz'[other]}$ axis instead of the ${'xyz'[along]}$ axis"
-        shift_by = shift_by.mistaken_for(("another axis", text, far * np.eye(3)[other]))
-    shift = translation(shift_by).named("\\mathrm{Trans}(d)")
-    own, fixed = (turn, shift) if turn_is_own else (shift, turn)
-    moved = fixed @ pose("T_{sb}", T) @ own
-    moving, still = "its own ${}$ axis", "the ${}$ axis of {{s}}"
-    about, alongside = (moving, still) if turn_is_own else (still, moving)
-    motions = [
-        f"rotates by {degrees} degrees about {about.format('xyz'[k])}",
-        f"translates by {far:.4g} m along {alongside.format('xyz'[along])}",
-    ]
-    first, second = motions if turns_first else motions[::-1]
-    return Problem(
-        statement=f"A frame {{b}} has the pose $T_{{sb}}$ in {{s}}. It {first}, and then it {second}. Give its new pose in {{s}}.\n\n"
-        f"$$T_{{sb}} = {matrix(T)}$$",
-        figure=partial(draw_frames, {"s": np.eye(4), "b": T}, arrows=False),
-        given={
-            "T_sb": T,
-            "axis": np.eye(3)[k],
-            "degrees": degrees,
-            "shift": far * np.eye(3)[along],
-            "own": "turn" if turn_is_own else "shift",
-        },
-        answer=PoseAnswer(moved.value),
-        solution=moved,
-        advice=dict.fromkeys(("order", "first factor", "last factor", "reversed"), LEFT_OR_RIGHT)
-        | {
-            "sign of an angle": "By the right-hand rule, the fingers curl in the positive sense if the thumb points along the axis."
-        },
-    )
-
-
 LEFT_FOR_FIXED_AXES = (
     "A rotation about an axis of {s} goes to the left of all earlier ones, one about an axis of the frame to the right."
 )
@@ -462,6 +406,62 @@ def rigid_or_not(sampler: ArmSampler) -> Problem:
         mistakes=[mistake(f"flaw {wrong}", wrong, FLAWS_REFUTED[wrong]) for wrong in FLAWS if wrong != right],
     )
     return problem.with_reason(Numbers(np.array(float(shows))))
+
+
+MAX_COSINE = 0.95
+"""Of an own axis and the fixed axis of the same name, so that a motion about one differs from that about the other."""
+
+
+@problem(
+    "01.9",
+    "Fixed axes or moving axes",
+    points=3,
+    lecture="01_frames#Left or right",
+    further="Exchange *own* and *fixed* in both motions. When is the result the same?",
+    level="Hard",
+)
+def own_or_fixed(sampler: ArmSampler) -> Problem:
+    degrees, far = sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1)), sampler.length(0.2, 0.9)
+    T = _random_pose(sampler)
+    while np.abs(np.diag(T)[:3]).min() > MAX_COSINE:  # an own axis that is parallel to the fixed one hides the mistake
+        T = _random_pose(sampler)
+    oblique = np.flatnonzero(np.abs(np.diag(T)[:3]) <= MAX_COSINE).tolist()
+    k, along = sampler.choice(oblique), sampler.choice(oblique)
+    turns_first, turn_is_own = sampler.choice([True, False]), sampler.choice([True, False])
+    angle = radians(given("\\theta", degrees, ANGLE))
+    turn = rotation_only(rotation_about(k, angle)).named(f"\\mathrm{{Rot}}({'xyz'[k]}, \\theta)")
+    shift_by = given("d", far * np.eye(3)[along], VECTOR)
+    for other in {0, 1, 2} - {along}:
+        text = f"translate along the ${'xyz'[other]}$ axis instead of the ${'xyz'[along]}$ axis"
+        shift_by = shift_by.mistaken_for(("another axis", text, far * np.eye(3)[other]))
+    shift = translation(shift_by).named("\\mathrm{Trans}(d)")
+    own, fixed = (turn, shift) if turn_is_own else (shift, turn)
+    moved = fixed @ pose("T_{sb}", T) @ own
+    moving, still = "its own ${}$ axis", "the ${}$ axis of {{s}}"
+    about, alongside = (moving, still) if turn_is_own else (still, moving)
+    motions = [
+        f"rotates by {degrees} degrees about {about.format('xyz'[k])}",
+        f"translates by {far:.4g} m along {alongside.format('xyz'[along])}",
+    ]
+    first, second = motions if turns_first else motions[::-1]
+    return Problem(
+        statement=f"A frame {{b}} has the pose $T_{{sb}}$ in {{s}}. It {first}, and then it {second}. Give its new pose in {{s}}.\n\n"
+        f"$$T_{{sb}} = {matrix(T)}$$",
+        figure=partial(draw_frames, {"s": np.eye(4), "b": T}, arrows=False),
+        given={
+            "T_sb": T,
+            "axis": np.eye(3)[k],
+            "degrees": degrees,
+            "shift": far * np.eye(3)[along],
+            "own": "turn" if turn_is_own else "shift",
+        },
+        answer=PoseAnswer(moved.value),
+        solution=moved,
+        advice=dict.fromkeys(("order", "first factor", "last factor", "reversed"), LEFT_OR_RIGHT)
+        | {
+            "sign of an angle": "By the right-hand rule, the fingers curl in the positive sense if the thumb points along the axis."
+        },
+    )
 
 
 SINGULAR = 1e-9

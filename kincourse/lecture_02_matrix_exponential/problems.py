@@ -111,47 +111,63 @@ def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "02.6",
-    "Where the origin goes",
+    "02.3",
+    "A motion with constant velocity",
     points=3,
     lecture="02_matrix_exponential#From rotations to screws",
-    further="At which $\\theta$ is the origin farthest from where it began?",
+    further="When has the body made exactly one turn, and where is it then?",
 )
-def where_the_origin_goes(sampler: ArmSampler) -> Problem:
-    d, e = sampler.choice([(d, e) for d in AXIS_DIRECTIONS for e in (X, Y, Z) if not d @ e])
-    k = sampler.choice((-1, 1)) * sampler.integer(1, 5)
-    w = exact(d)
-    beside = k * np.abs(np.cross(d, e))
-    place = sp.Symbol("a", positive=True) * exact(e) + exact(beside)
-
-    def column(theta: float, a: float) -> Expression:
-        omega, q = direction("\\omega", d), angle_symbol(theta)
-        p = (given("a", a, LENGTH) * given(vector(e), e) + given(vector(beside), beside)).named("p")
-        R_p = rotation_exp(omega, q) @ p
-        return position_exp(omega, moment(omega, p), q).mistaken_for(
-            ("R p alone", "write $R\\,p$", R_p, "The point $p$ stays where it is, so the column is $p - R\\,p$."),
-            (
-                "sign",
-                "take $R\\,p$ with the opposite sign",
-                p + R_p,
-                "The point $p$ stays where it is, so $p$ is $R\\,p$ plus the column.",
-            ),
-            (
-                "p itself",
-                "write the point of the joint",
-                p,
-                "The column is the place to which the origin of {s} moves.",
-            ),
+def gyroscope(sampler: ArmSampler) -> Problem:
+    size, seconds = sampler.choice([2.0, 3.0, 0.5]), sampler.choice([0.4, 0.5, 0.6, 0.7, 0.8])
+    omega, v = size * sampler.choice(AXIS_DIRECTIONS), sampler.point(3)
+    w = direction("\\omega", omega).mistaken_for(
+        (
+            "converted to radians",
+            "convert $\\omega$ from degrees to radians, although it is in radians",
+            np.radians(omega),
         )
-
-    told = ", ".join(str(entry) for entry in place)
+    )
+    v_0, t = direction("v", v), given("t", seconds).mistaken_for(("time left out", "leave out the time", 1.0))
+    twist, R = np.concatenate([omega, v]), exp(omega * seconds)
+    column = position_exp(w, v_0.mistaken_for(("v not divided", NOT_DIVIDED, size * v, ONE_MOTION)), t)
+    column = column.mistaken_for(
+        ("R v", "write $R\\,v\\,t$", R @ v * seconds),
+        ("v itself", "write $v$", v),
+        ("v as a point", "take $v$ as a point of the axis, $v - R\\,v$", v - R @ v),
+        advice="$v$ is the velocity of the point at the origin.",
+    )
+    there = assemble(rotation_exp(w, t), column)
+    kept = "If you divide the axis by its length, the angle is multiplied by it: $\\theta = |\\omega|\\,t$."
+    there = there.mistaken_for(
+        ("angle kept", "divide the twist by $|\\omega|$ without changing the time", exp(twist / size * seconds), kept),
+        (
+            "angle kept",
+            "divide $\\omega$ by $|\\omega|$ without changing the time",
+            exp(np.array([*omega / size, *v]) * seconds),
+            kept,
+        ),
+        (
+            "halves swapped",
+            "swap $\\omega$ and $v$",
+            exp(np.array([*v, *omega]) * seconds),
+            "A twist is $(\\omega, v)$.",
+        ),
+        ("series cut short", "stop the series after two terms", truncated(hat(twist) * seconds, 2), ""),
+        ("series cut short", "stop the series after three terms", truncated(hat(twist) * seconds, 3), ""),
+        (
+            "exponential of each entry",
+            "take the exponential entry by entry (`np.exp`)",
+            np.exp(hat(twist) * seconds),
+            "",
+        ),
+    )
     return Problem(
-        statement=f"A revolute joint has the direction ${vector(d)}$ and passes through the point $({told})$. The length $a$ is not "
-        "yet known. Give the translation part of $e^{[S]\\theta}$, the place to which the origin moves, as three formulas in $a$ and "
-        "$\\theta$.",
-        given={"omega": w, "point": place},
-        answer=ClosedForm(place - turn(w, _theta()) * place),
-        solution=column,
+        statement=f"A gyroscope measures that a body rotates with $\\omega = {vector(omega)}$ radians per second. The point of the body "
+        f"that is at the origin has the velocity $v = {vector(v)}$ metres per second. Both vectors are constant in {{s}}. At time 0 the "
+        f"pose of the body is $I$. Give its pose after {number(seconds)} seconds.",
+        given={"omega": omega, "v": v, "seconds": seconds},
+        answer=PoseAnswer(there.value),
+        solution=there,
     )
 
 
@@ -180,26 +196,25 @@ def three_terms(sampler: ArmSampler) -> Problem:
     )
     distance = sqrt(square(along) + square(across))
     sum_size = np.hypot(1 - angle**2 / 2, angle)
-    for wrong, name, text in (
-        (angle**3 / 6, "next term", "give the length of the first term that is missing; the terms after it count too"),
-        (angle**2 / 2, "last term", "give the length of the last term of the sum"),
+    distance = distance.mistaken_for(
+        ("next term", "give the length of the first term that is missing; the terms after it count too", angle**3 / 6),
+        ("last term", "give the length of the last term of the sum", angle**2 / 2),
         (
-            abs(along.value) + abs(across.value),
             "errors added",
             "add the errors of sine and cosine, which are perpendicular",
+            abs(along.value) + abs(across.value),
         ),
-        (along.value**2 + across.value**2, "root left out", "leave out the square root"),
-        (2 * np.sin(angle / 2), "chord", "give the distance by which the point moves"),
-        (angle, "arc", "give the length of the arc on which the point moves"),
-        (np.exp(angle) - 1 - angle - angle**2 / 2, "scalar series", "take the series of the number $e^\\theta$"),
-        (sum_size, "length of the sum", "give the length of the sum, and not of its difference from $R$"),
+        ("root left out", "leave out the square root", along.value**2 + across.value**2),
+        ("chord", "give the distance by which the point moves", 2 * np.sin(angle / 2)),
+        ("arc", "give the length of the arc on which the point moves", angle),
+        ("scalar series", "take the series of the number $e^\\theta$", np.exp(angle) - 1 - angle - angle**2 / 2),
+        ("length of the sum", "give the length of the sum, and not of its difference from $R$", sum_size),
         (
-            sum_size - 1,
             "error of the length",
             "give the difference of the lengths, that is, of the distances from the axis",
+            sum_size - 1,
         ),
-    ):
-        distance = distance.mistaken_for((name, text, wrong))
+    )
     error = given("1000", 1000.0).mistaken_for(("centimetres", "give the number in centimetres", 100.0)) * r * distance
     error = error.mistaken_for(
         ("percentage", "give the error in percent of the radius", 100 * distance),
@@ -225,147 +240,6 @@ def three_terms(sampler: ArmSampler) -> Problem:
             "that of the sine.",
             f"leave out ${square(along).latex}$": "The error has two components: one from the series of the cosine, one from "
             "that of the sine.",
-        },
-    )
-
-
-@problem(
-    "02.3",
-    "A motion with constant velocity",
-    points=3,
-    lecture="02_matrix_exponential#From rotations to screws",
-    further="When has the body made exactly one turn, and where is it then?",
-)
-def gyroscope(sampler: ArmSampler) -> Problem:
-    size, seconds = sampler.choice([2.0, 3.0, 0.5]), sampler.choice([0.4, 0.5, 0.6, 0.7, 0.8])
-    omega, v = size * sampler.choice(AXIS_DIRECTIONS), sampler.point(3)
-    w = direction("\\omega", omega).mistaken_for(
-        (
-            "converted to radians",
-            "convert $\\omega$ from degrees to radians, although it is in radians",
-            np.radians(omega),
-        )
-    )
-    v_0, t = direction("v", v), given("t", seconds).mistaken_for(("time left out", "leave out the time", 1.0))
-    twist, R = np.concatenate([omega, v]), exp(omega * seconds)
-    column = position_exp(w, v_0.mistaken_for(("v not divided", NOT_DIVIDED, size * v, ONE_MOTION)), t)
-    for wrong, name, text in (
-        (R @ v * seconds, "R v", "write $R\\,v\\,t$"),
-        (v, "v itself", "write $v$"),
-        (v - R @ v, "v as a point", "take $v$ as a point of the axis, $v - R\\,v$"),
-    ):
-        column = column.mistaken_for((name, text, wrong, "$v$ is the velocity of the point at the origin."))
-    there = assemble(rotation_exp(w, t), column)
-    kept = "If you divide the axis by its length, the angle is multiplied by it: $\\theta = |\\omega|\\,t$."
-    for wrong, name, text, advice in (
-        (exp(twist / size * seconds), "angle kept", "divide the twist by $|\\omega|$ without changing the time", kept),
-        (
-            exp(np.array([*omega / size, *v]) * seconds),
-            "angle kept",
-            "divide $\\omega$ by $|\\omega|$ without changing the time",
-            kept,
-        ),
-        (
-            exp(np.array([*v, *omega]) * seconds),
-            "halves swapped",
-            "swap $\\omega$ and $v$",
-            "A twist is $(\\omega, v)$.",
-        ),
-        (truncated(hat(twist) * seconds, 2), "series cut short", "stop the series after two terms", ""),
-        (truncated(hat(twist) * seconds, 3), "series cut short", "stop the series after three terms", ""),
-        (
-            np.exp(hat(twist) * seconds),
-            "exponential of each entry",
-            "take the exponential entry by entry (`np.exp`)",
-            "",
-        ),
-    ):
-        there = there.mistaken_for((name, text, wrong, advice))
-    return Problem(
-        statement=f"A gyroscope measures that a body rotates with $\\omega = {vector(omega)}$ radians per second. The point of the body "
-        f"that is at the origin has the velocity $v = {vector(v)}$ metres per second. Both vectors are constant in {{s}}. At time 0 the "
-        f"pose of the body is $I$. Give its pose after {number(seconds)} seconds.",
-        given={"omega": omega, "v": v, "seconds": seconds},
-        answer=PoseAnswer(there.value),
-        solution=there,
-    )
-
-
-@problem(
-    "02.7",
-    "A logarithm near half a turn",
-    points=3,
-    lecture="02_matrix_exponential#The logarithm",
-    further="The symmetric part of $R$ gives the axis, too. Why is it more accurate near half a turn?",
-    level="Hard",
-)
-def near_half_a_turn(sampler: ArmSampler) -> Problem:
-    direction, length = _direction(sampler)
-    degrees = sampler.integer(172, 177)  # four digits of a sine are too few
-    angle, u = np.radians(degrees), direction / length
-    R = exp(u * angle)
-    R_given = given("R", R)
-    theta, trace_R = arccos((trace(R_given) - 1) / 2).named("\\theta"), np.trace(R)
-    once = theta
-    for wrong, name, text, advice in (
-        (
-            np.pi - angle,
-            "arcsine",
-            "take the angle from an arcsine",
-            "A sine cannot tell $\\theta$ from $\\pi - \\theta$; the trace can.",
-        ),
-        (degrees, "degrees", "give the angle in degrees", "The logarithm is in radians."),
-        (angle + 2 * np.pi, "a full turn more", "add a full turn to the angle", SHORTEST),
-        (angle - 2 * np.pi, "the long way", "rotate in the opposite direction, by the longer angle", SHORTEST),
-        (np.arccos(trace_R / 2), "term left out", "leave out the 1 of $\\operatorname{tr} R - 1$ in the angle", ""),
-        (
-            np.arccos((trace_R + 1) / 2),
-            "sign",
-            "write $\\operatorname{tr} R + 1$ instead of $\\operatorname{tr} R - 1$ in the angle",
-            "",
-        ),
-        (angle / 2, "halved", "take half of the angle", ""),
-    ):
-        once = once.mistaken_for((name, text, wrong, advice))
-    half = axial(R_given) / 2
-    x = once * (half / sin(theta))
-    for value, name, text in (
-        (axial(R_given).value, "R - R^T alone", "give the components of $R - R^T$"),
-        (half.value, "R - R^T alone", "give the components of $(R - R^T) / 2$"),
-        (
-            np.pi * np.sqrt((np.diag(R) + 1) / 2),
-            "half a turn",
-            "take half a turn, and the sizes from the diagonal of $R$",
-        ),
-        (np.diag(R), "diagonal of R", "give the diagonal of $R$"),
-        (np.array([R[2, 1], R[0, 2], R[1, 0]]), "entries of R", "take entries of $R$ instead of those of $R - R^T$"),
-        (np.abs(u) * angle, "signs left out", "leave out the signs of the axis"),
-        (-u * angle, "sign of a vector", "take the differences of $R - R^T$ the other way round"),
-    ):
-        x = x.mistaken_for(
-            (name, text, value, "The logarithm is $\\theta$ times the components of $(R - R^T) / (2 \\sin\\theta)$.")
-        )
-
-    def keeps_its_axis(x: Array) -> str:
-        size, off = float(np.linalg.norm(x)), float(np.linalg.norm(R @ x - x))
-        if off > CHECK_TOLERANCE * max(1.0, size):
-            return f"The axis stays where it is, $R x = x$; with your vector, $R x$ and $x$ are {off:.3g} apart."
-        trace = 1 + 2 * np.cos(size)
-        text = f"The trace of $R$ is $1 + 2 \\cos\\theta$; the length of your vector makes it {trace:.4g}."
-        return text if abs(trace - np.trace(R)) > CHECK_TOLERANCE else ""
-
-    return Problem(
-        statement="Give the logarithm of this rotation: the vector $\\omega\\,\\theta$, unit axis times angle, with $0 \\le "
-        "\\theta \\le \\pi$.\n\n"
-        f"$$R = {matrix(R)}$$\n\nIt is printed with four digits. Near half a turn these are too few, so use `given.R`, which "
-        f"has all of them.",
-        given={"R": R},
-        answer=Numbers(x.value, unit="radians", test=keeps_its_axis),
-        solution=x,
-        advice={
-            "leave out the factor $\\theta$": "The unit vector is the axis alone. The logarithm is axis times angle.",
-            "forget to divide by $2$": "$R - R^T = 2 \\sin\\theta\\,[\\omega]$, so you need half of it.",
-            "divisor left out": "Divide by the sine, because $R - R^T = 2 \\sin\\theta\\,[\\omega]$.",
         },
     )
 
@@ -457,6 +331,127 @@ def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
     )
 
 
+@problem(
+    "02.6",
+    "Where the origin goes",
+    points=3,
+    lecture="02_matrix_exponential#From rotations to screws",
+    further="At which $\\theta$ is the origin farthest from where it began?",
+)
+def where_the_origin_goes(sampler: ArmSampler) -> Problem:
+    d, e = sampler.choice([(d, e) for d in AXIS_DIRECTIONS for e in (X, Y, Z) if not d @ e])
+    k = sampler.choice((-1, 1)) * sampler.integer(1, 5)
+    w = exact(d)
+    beside = k * np.abs(np.cross(d, e))
+    place = sp.Symbol("a", positive=True) * exact(e) + exact(beside)
+
+    def column(theta: float, a: float) -> Expression:
+        omega, q = direction("\\omega", d), angle_symbol(theta)
+        p = (given("a", a, LENGTH) * given(vector(e), e) + given(vector(beside), beside)).named("p")
+        R_p = rotation_exp(omega, q) @ p
+        return position_exp(omega, moment(omega, p), q).mistaken_for(
+            ("R p alone", "write $R\\,p$", R_p, "The point $p$ stays where it is, so the column is $p - R\\,p$."),
+            (
+                "sign",
+                "take $R\\,p$ with the opposite sign",
+                p + R_p,
+                "The point $p$ stays where it is, so $p$ is $R\\,p$ plus the column.",
+            ),
+            (
+                "p itself",
+                "write the point of the joint",
+                p,
+                "The column is the place to which the origin of {s} moves.",
+            ),
+        )
+
+    told = ", ".join(str(entry) for entry in place)
+    return Problem(
+        statement=f"A revolute joint has the direction ${vector(d)}$ and passes through the point $({told})$. The length $a$ is not "
+        "yet known. Give the translation part of $e^{[S]\\theta}$, the place to which the origin moves, as three formulas in $a$ and "
+        "$\\theta$.",
+        given={"omega": w, "point": place},
+        answer=ClosedForm(place - turn(w, _theta()) * place),
+        solution=column,
+    )
+
+
+@problem(
+    "02.7",
+    "A logarithm near half a turn",
+    points=3,
+    lecture="02_matrix_exponential#The logarithm",
+    further="The symmetric part of $R$ gives the axis, too. Why is it more accurate near half a turn?",
+    level="Hard",
+)
+def near_half_a_turn(sampler: ArmSampler) -> Problem:
+    direction, length = _direction(sampler)
+    degrees = sampler.integer(172, 177)  # four digits of a sine are too few
+    angle, u = np.radians(degrees), direction / length
+    R = exp(u * angle)
+    R_given = given("R", R)
+    theta, trace_R = arccos((trace(R_given) - 1) / 2).named("\\theta"), np.trace(R)
+    once = theta
+    once = once.mistaken_for(
+        (
+            "arcsine",
+            "take the angle from an arcsine",
+            np.pi - angle,
+            "A sine cannot tell $\\theta$ from $\\pi - \\theta$; the trace can.",
+        ),
+        ("degrees", "give the angle in degrees", degrees, "The logarithm is in radians."),
+        ("a full turn more", "add a full turn to the angle", angle + 2 * np.pi, SHORTEST),
+        ("the long way", "rotate in the opposite direction, by the longer angle", angle - 2 * np.pi, SHORTEST),
+        ("term left out", "leave out the 1 of $\\operatorname{tr} R - 1$ in the angle", np.arccos(trace_R / 2), ""),
+        (
+            "sign",
+            "write $\\operatorname{tr} R + 1$ instead of $\\operatorname{tr} R - 1$ in the angle",
+            np.arccos((trace_R + 1) / 2),
+            "",
+        ),
+        ("halved", "take half of the angle", angle / 2, ""),
+    )
+    half = axial(R_given) / 2
+    x = once * (half / sin(theta))
+    x = x.mistaken_for(
+        ("R - R^T alone", "give the components of $R - R^T$", axial(R_given).value),
+        ("R - R^T alone", "give the components of $(R - R^T) / 2$", half.value),
+        (
+            "half a turn",
+            "take half a turn, and the sizes from the diagonal of $R$",
+            np.pi * np.sqrt((np.diag(R) + 1) / 2),
+        ),
+        ("diagonal of R", "give the diagonal of $R$", np.diag(R)),
+        ("entries of R", "take entries of $R$ instead of those of $R - R^T$", np.array([R[2, 1], R[0, 2], R[1, 0]])),
+        ("signs left out", "leave out the signs of the axis", np.abs(u) * angle),
+        ("sign of a vector", "take the differences of $R - R^T$ the other way round", -u * angle),
+        advice="The logarithm is $\\theta$ times the components of $(R - R^T) / (2 \\sin\\theta)$.",
+    )
+
+    def keeps_its_axis(x: Array) -> str:
+        size, off = float(np.linalg.norm(x)), float(np.linalg.norm(R @ x - x))
+        if off > CHECK_TOLERANCE * max(1.0, size):
+            return f"The axis stays where it is, $R x = x$; with your vector, $R x$ and $x$ are {off:.3g} apart."
+        trace = 1 + 2 * np.cos(size)
+        text = f"The trace of $R$ is $1 + 2 \\cos\\theta$; the length of your vector makes it {trace:.4g}."
+        return text if abs(trace - np.trace(R)) > CHECK_TOLERANCE else ""
+
+    return Problem(
+        statement="Give the logarithm of this rotation: the vector $\\omega\\,\\theta$, unit axis times angle, with $0 \\le "
+        "\\theta \\le \\pi$.\n\n"
+        f"$$R = {matrix(R)}$$\n\nIt is printed with four digits. Near half a turn these are too few, so use `given.R`, which "
+        f"has all of them.",
+        given={"R": R},
+        answer=Numbers(x.value, unit="radians", test=keeps_its_axis),
+        solution=x,
+        advice={
+            "leave out the factor $\\theta$": "The unit vector is the axis alone. The logarithm is axis times angle.",
+            "forget to divide by $2$": "$R - R^T = 2 \\sin\\theta\\,[\\omega]$, so you need half of it.",
+            "divisor left out": "Divide by the sine, because $R - R^T = 2 \\sin\\theta\\,[\\omega]$.",
+        },
+    )
+
+
 def _theta() -> sp.Symbol:
     return sp.Symbol("theta", real=True)
 
@@ -501,7 +496,7 @@ def hinge(sampler: ArmSampler) -> Problem:
     point_of = still_point(motion)
     ends = T_1.value[:2, 3], T_2.value[:2, 3]
     step = T_2.value[:2, 3] - T_1.value[:2, 3]
-    for name, text, wrong in (
+    point_of = point_of.mistaken_for(
         ("position itself", "give the translation part of the motion", motion.value[:2, 3]),
         ("middle", "give the point half-way between the two positions", (ends[0] + ends[1]) / 2),
         ("step", "give the vector between the two positions", step),
@@ -509,10 +504,9 @@ def hinge(sampler: ArmSampler) -> Problem:
         ("second position", "give the position of the handle in the second pose", ends[1]),
         ("rotation left out", "give $v$ of the logarithm, without the angle and the axis", log(motion.value)[3:5]),
         ("angle left out", "take $\\omega \\times v$ without dividing by the angle", np.radians(opening) * np.array(place)),
-        ("mirror image", "give the mirror image of the hinge in the line of the two positions",
-         ends[0] + ends[1] - np.array(place)),
-    ):  # fmt: skip
-        point_of = point_of.mistaken_for((name, text, wrong, "Only the points of the hinge stay where they are."))
+        ("mirror image", "give the mirror image of the hinge in the line of the two positions", ends[0] + ends[1] - np.array(place)),
+        advice="Only the points of the hinge stay where they are.",
+    )  # fmt: skip
     return Problem(
         statement="A frame is mounted on the handle of a door, whose hinge is vertical. Its pose in {s} was measured twice, before "
         f"and after the door was moved. Where is the hinge? Give its $x$ and $y$ in {{s}}, in metres.\n\n$$T_1 = {matrix(T_1.value)}$$\n\n"

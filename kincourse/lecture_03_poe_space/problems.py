@@ -104,13 +104,13 @@ def velocity_at_sight(sampler: ArmSampler) -> Problem:
         across = p - (p @ axis) * axis
         omega, foot = direction(f"\\omega_{i}", axis), given(f"p_{i}", across)
         v = moment(omega, foot)
-        for name, text, wrong in (
+        v = v.mistaken_for(
             ("length left out", f"give the direction of $v_{i}$ without its size", v.value / np.linalg.norm(across)),
             ("point as moment", f"give the mark of axis {i}", p),
             ("axis for velocity", f"give the direction of axis {i}", axis),
             ("along the axis", f"give the distance along axis {i}", np.linalg.norm(across) * axis),
-        ):
-            v = v.mistaken_for((name, text, wrong), may_coincide=True)
+            may_coincide=True,
+        )
         rows.append(v.named(f"v_{i}"))
     every = stack(*rows)
     return Problem(
@@ -341,11 +341,9 @@ def longer_tool(sampler: ArmSampler) -> Problem:
         ]
     )
     extended = given("\\mathrm{Trans}_z", pose((X, Y, Z), longer * Z))
-    for axis, name in ((X, "x"), (Y, "y")):
-        extended = extended.mistaken_for(
-            ("another axis", f"extend the tool along its ${name}$", pose((X, Y, Z), longer * axis))
-        )
     extended = extended.mistaken_for(
+        ("another axis", "extend the tool along its $x$", pose((X, Y, Z), longer * X)),
+        ("another axis", "extend the tool along its $y$", pose((X, Y, Z), longer * Y)),
         ("another axis", "extend the tool along its $x$, $y$ and $z$", pose((X, Y, Z), longer * (X + Y + Z))),
         ("sign of a length", "shorten the tool instead of extending it", pose((X, Y, Z), -longer * Z)),
         ("extended twice", "extend the tool twice", pose((X, Y, Z), 2 * longer * Z)),
@@ -528,15 +526,15 @@ def _points(robot: LetteredArm, lengths: np.ndarray) -> np.ndarray:
 
 def _with_mistakes_of_problem_9(M: Expression, points: np.ndarray) -> Expression:
     R, p = M.value[:3, :3], M.value[:3, 3]
-    for name, text, wrong in (
+    return M.mistaken_for(
         ("term left out", "leave out the last link in $M$", pose_of(R, points[-2])),
         ("rotation left out", "leave the rotation of $M$ at $I$", pose_of(np.eye(3), p)),
         ("axes in rows", "write the axes of {b} in the rows of $M$", pose_of(R.T, p)),
         ("sign of a vector", "take the position in $M$ with the opposite sign", pose_of(R, -p)),
         ("position in the other frame", "write the position of $M$ in the axes of {b}", pose_of(R, R.T @ p)),
-    ):
-        M = M.mistaken_for((name, text, wrong, FROM_BEFORE), credit=CARRIED)
-    return M
+        advice=FROM_BEFORE,
+        credit=CARRIED,
+    )
 
 
 def _with_mistakes_of_problem_10(S: Expression, kind: str, point: np.ndarray) -> Expression:

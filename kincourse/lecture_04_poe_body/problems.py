@@ -411,7 +411,7 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
     third = np.cos(np.radians(tilt)) * Z + np.sin(np.radians(tilt)) * toward
     wrist = arm([(Z, -Z), (second, np.zeros(3)), (third, third)], pose((X, Y, Z), 2 * third), "your wrist", "")
     q_2 = given("q_2", sign * (180.0 * opposite - tilt))
-    for name_of, text, value in (
+    q_2 = q_2.mistaken_for(
         ("sign of an angle", "rotate joint 2 in the opposite direction", -sign * (180.0 * opposite - tilt)),
         ("perpendicular axes", "rotate joint 2 until axis 3 is perpendicular to axis 1", sign * (90.0 - tilt)),
         ("tilt for angle", "give the tilt itself", float(tilt)),
@@ -430,17 +430,17 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
         ),
         ("supplement", "take the supplement", 180.0 - sign * (180.0 * opposite - tilt)),
         ("radians", "give the angle in radians", np.radians(q_2.value)),
-    ):
-        q_2 = q_2.mistaken_for((name_of, text, value, "The wrist is singular where axes 1 and 3 are on one line."))
+        advice="The wrist is singular where axes 1 and 3 are on one line.",
+    )
     qdot_1 = given("\\dot q_1", rate if opposite else -rate)
-    for name_of, text, value in (
+    qdot_1 = qdot_1.mistaken_for(
         ("sign of a rate", "let the two rotations add up", rate * (-1 if opposite else 1)),
         ("joint 1 at rest", "leave joint 1 at rest", 0.0),
         ("doubled", "take twice the rate", -2 * rate * (-1 if opposite else 1)),
         ("radians", "give the rate in radians per second", np.radians(qdot_1.value)),
         ("rate at home", "use the angle between axes 1 and 3 at home", -rate * np.cos(np.radians(tilt))),
-    ):
-        qdot_1 = qdot_1.mistaken_for((name_of, text, value, "The two angular velocities must add up to zero."))
+        advice="The two angular velocities must add up to zero.",
+    )
     return Problem(
         statement=f"The axes of the three revolute joints of a wrist meet in one point. At home axis 1 is along $z$ of {{s}}, axis 2 "
         f"along ${'' if second.sum() > 0 else '-'}{'y' if name == 'x' else 'x'}$, and axis 3 is tilted by $\\delta = {tilt}$ degrees from "
@@ -475,7 +475,7 @@ def planar_arm(sampler: ArmSampler) -> Problem:
     a, b, c = (given(f"L_{i}", x) for i, x in enumerate(L, start=1))
     far, folded_3, folded_2, back = a + b + c, size(a + b - c), size(a - b + c), size(a - b - c)
     distances = in_order(*sorted((back, folded_2, folded_3, far), key=lambda one: float(one.value)))
-    for name, text, wrong in (
+    distances = distances.mistaken_for(
         ("order", "list the largest first", np.sort(reach)[::-1]),
         ("pairs of links", "take the differences of two links each", np.sort([*np.abs(L - np.roll(L, 1)), L.sum()])),
         ("sums of pairs", "take the sums of two links each", np.sort([*(L + np.roll(L, 1)), L.sum()])),
@@ -487,8 +487,8 @@ def planar_arm(sampler: ArmSampler) -> Problem:
         ("links themselves", "give the three links and their sum", np.sort([*L, L.sum()])),
         ("term left out", "leave out the last link", np.sort([L[0] + L[1], abs(L[0] - L[1])] * 2)),
         ("term left out", "leave out the first link", np.sort([L[1] + L[2], abs(L[1] - L[2])] * 2)),
-    ):  # fmt: skip
-        distances = distances.mistaken_for((name, text, wrong), may_coincide=True)
+        may_coincide=True,
+    )  # fmt: skip
     return Problem(
         statement=f"A planar arm has three revolute joints and links of {number(L[0])}, {number(L[1])} and {number(L[2])} m. Only the "
         "position of its tip counts. In which configurations is there a direction in which the tip cannot move? Give the distances of the "
@@ -531,15 +531,14 @@ def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         shifted = chain.screws @ adjoint(homogeneous(np.eye(3), -chain.home[:3, 3])).T
         rotated = np.hstack([chain.screws[:, :3] @ R, chain.screws[:, 3:] @ R])
         turned_back = shifted @ adjoint(homogeneous(R, np.zeros(3))).T
-        for name, text, wrong in (
+        return B.mistaken_for(
             ("rows reversed", "list the screws from the last joint to the first", B.value[::-1]),
             ("frame not changed", "give the screws in {s}", chain.screws),
             ("rotation left out", "measure from the origin of {b}, but along the axes of {s}", shifted),
             ("rotation transposed", "rotate with $R$ instead of $R^T$", turned_back),
             ("position left out", "use the axes of {b}, but the origin of {s}", rotated),
-        ):
-            B = B.mistaken_for((name, text, wrong, "Directions and points of body screws are given in {b}."))
-        return B
+            advice="Directions and points of body screws are given in {b}.",
+        )
 
     steps = [letter * exact(link) for letter, link in zip(symbols, links, strict=True)]
     points = [-sum(steps[i + 1 :], sp.zeros(3, 1)) for i in range(n)]

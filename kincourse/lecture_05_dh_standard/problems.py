@@ -279,6 +279,66 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
 
 
 @problem(
+    "05.6",
+    "Base and tool",
+    points=2,
+    lecture="05_dh_standard#Base and tool",
+    further="Can the base be written as a further row in front of the table? What must be true of it?",
+)
+def base_and_tool(sampler: ArmSampler) -> Problem:
+    rows = [
+        [sampler.length(0.2, 0.6), sampler.choice([1, -1]) * RIGHT_ANGLE_RAD, sampler.length(0.2, 0.6), 0],
+        [sampler.length(0.3, 0.8), 0, 0, 0],
+    ]
+    up, forward, sideways = sampler.length(1.2, 2.4), sampler.length(0.2, 0.8), sampler.length(0.2, 0.8)
+    hangs = sampler.choice([(X, -Y, -Z), (-X, Y, -Z), (Y, X, -Z), (Y, Z, X), (Z, X, Y)])
+    base = pose(hangs, (forward, sideways, up))
+    looks = sampler.choice([(Y, Z, X), (Z, X, Y), (X, Z, -Y), (-Z, Y, X)])
+    tool = pose(looks, (sampler.length(0.1, 0.3), 0, sampler.length(0.1, 0.3)))
+    table = DHTable(rows, convention="standard", base=base, tool=tool, name="your arm")
+    q = np.array([np.radians(sampler.degrees(20, 80)), np.radians(sampler.degrees(-80, -20))]).round(3)
+    T_s0, T_2b = given_pose("T_{s0}", base), given_pose("T_{2b}", tool)
+    A = links(rows, "RR", q, "standard")
+    T = table_product(rows, "RR", q, "standard", [T_s0], [T_2b])
+    unrotated = with_position(T.value, sum(factor.value[:3, 3] for factor in (T_s0, *A, T_2b)))
+    in_groups = with_position(T.value, base[:3, 3] + product(*A).value[:3, 3] + tool[:3, 3])
+    T = T.mistaken_for(
+        ("positions added", "add the positions without rotating them", unrotated),
+        ("positions added", "add the positions of base, rows and tool without rotating them", in_groups),
+        ("base and tool swapped", "swap $T_{s0}$ and $T_{2b}$", product(T_2b, *A, T_s0)),
+        ("base behind the rows", "put $T_{s0}$ behind the rows", product(*A, T_s0, T_2b)),
+        ("tool in front of the rows", "put $T_{2b}$ in front of the rows", product(T_s0, T_2b, *A)),
+        ("base in a row", "write the base into the first row", with_translation_in_a_row(table, "base").fk(q)),
+        ("tool in a row", "write the tool into the last row", with_translation_in_a_row(table, "tool").fk(q)),
+        advice=BASE_AND_TOOL_ADVICE,
+    )
+    return Problem(
+        statement=f"An arm has two rows, $(a, \\alpha, d, \\theta) = {_format_row(rows[0], 1)}$ and "
+        f"${_format_row(rows[1], 2)}$, in the standard "
+        f"convention. Its base frame 0 is at $T_{{s0}}$, and a camera {{b}} is mounted on frame 2 at $T_{{2b}}$:\n\n"
+        f"$$T_{{s0}} = {matrix(base)}, \\qquad T_{{2b}} = {matrix(tool)}.$$\n\nGive the pose $T_{{sb}}(q)$ at $q = {vector(q)}$.",
+        figure=partial(
+            draw_table, table
+        ),  # drawn at zero, because the text alternative at q would give the answer away
+        given={"rows": np.array(rows), "base": base, "tool": tool, "q": q},
+        answer=PoseAnswer(T.value),
+        solution=T,
+        advice={
+            "leave out $T_{s0}$": f"This is the pose of the camera in frame 0. {BASE_AND_TOOL_ADVICE}",
+            "leave out $T_{2b}$": f"This is the pose of frame 2, without the tool. {BASE_AND_TOOL_ADVICE}",
+            "reversed": ORDER_ADVICE,
+            "order": ORDER_ADVICE,
+        },
+    )
+
+
+def _format_row(row: list[float], i: int) -> str:
+    a, alpha, d, _ = row
+    lean = {1: "\\pi/2", -1: "-\\pi/2", 0: "0"}[round(alpha / RIGHT_ANGLE_RAD)]
+    return f"({number(a)}, {lean}, {number(d)}, q_{i})"
+
+
+@problem(
     "05.7",
     "Parallel axes",
     points=4,
@@ -339,74 +399,14 @@ def _axis_distance(i: int, x: float, y: float, z: float) -> tuple[Expression, fl
     """The distance of two vertical axes, and that of two points on them, from the step between the points."""
     dx, dy, between = given(f"\\Delta x_{i}", x), given(f"\\Delta y_{i}", y), float(np.linalg.norm((x, y, z)))
     a = sqrt(square(dx) + square(dy)).named(f"a_{i}")
-    for name, text, wrong in (
+    a = a.mistaken_for(
         ("off the normal", f"take the distance of the joints as $a_{i}$", between),
         ("sum of the steps", f"add the steps along $x$ and $y$ for $a_{i}$", abs(x) + abs(y)),
         ("one step alone", f"take the step along $x$ alone as $a_{i}$", dx),
         ("one step alone", f"take the step along $y$ alone as $a_{i}$", dy),
-    ):
-        a = a.mistaken_for((name, text, wrong, NORMAL_ADVICE))
-    return a, between
-
-
-@problem(
-    "05.6",
-    "Base and tool",
-    points=2,
-    lecture="05_dh_standard#Base and tool",
-    further="Can the base be written as a further row in front of the table? What must be true of it?",
-)
-def base_and_tool(sampler: ArmSampler) -> Problem:
-    rows = [
-        [sampler.length(0.2, 0.6), sampler.choice([1, -1]) * RIGHT_ANGLE_RAD, sampler.length(0.2, 0.6), 0],
-        [sampler.length(0.3, 0.8), 0, 0, 0],
-    ]
-    up, forward, sideways = sampler.length(1.2, 2.4), sampler.length(0.2, 0.8), sampler.length(0.2, 0.8)
-    hangs = sampler.choice([(X, -Y, -Z), (-X, Y, -Z), (Y, X, -Z), (Y, Z, X), (Z, X, Y)])
-    base = pose(hangs, (forward, sideways, up))
-    looks = sampler.choice([(Y, Z, X), (Z, X, Y), (X, Z, -Y), (-Z, Y, X)])
-    tool = pose(looks, (sampler.length(0.1, 0.3), 0, sampler.length(0.1, 0.3)))
-    table = DHTable(rows, convention="standard", base=base, tool=tool, name="your arm")
-    q = np.array([np.radians(sampler.degrees(20, 80)), np.radians(sampler.degrees(-80, -20))]).round(3)
-    T_s0, T_2b = given_pose("T_{s0}", base), given_pose("T_{2b}", tool)
-    A = links(rows, "RR", q, "standard")
-    T = table_product(rows, "RR", q, "standard", [T_s0], [T_2b])
-    unrotated = with_position(T.value, sum(factor.value[:3, 3] for factor in (T_s0, *A, T_2b)))
-    in_groups = with_position(T.value, base[:3, 3] + product(*A).value[:3, 3] + tool[:3, 3])
-    for name, text, wrong in (
-        ("positions added", "add the positions without rotating them", unrotated),
-        ("positions added", "add the positions of base, rows and tool without rotating them", in_groups),
-        ("base and tool swapped", "swap $T_{s0}$ and $T_{2b}$", product(T_2b, *A, T_s0)),
-        ("base behind the rows", "put $T_{s0}$ behind the rows", product(*A, T_s0, T_2b)),
-        ("tool in front of the rows", "put $T_{2b}$ in front of the rows", product(T_s0, T_2b, *A)),
-        ("base in a row", "write the base into the first row", with_translation_in_a_row(table, "base").fk(q)),
-        ("tool in a row", "write the tool into the last row", with_translation_in_a_row(table, "tool").fk(q)),
-    ):
-        T = T.mistaken_for((name, text, wrong, BASE_AND_TOOL_ADVICE))
-    return Problem(
-        statement=f"An arm has two rows, $(a, \\alpha, d, \\theta) = {_format_row(rows[0], 1)}$ and "
-        f"${_format_row(rows[1], 2)}$, in the standard "
-        f"convention. Its base frame 0 is at $T_{{s0}}$, and a camera {{b}} is mounted on frame 2 at $T_{{2b}}$:\n\n"
-        f"$$T_{{s0}} = {matrix(base)}, \\qquad T_{{2b}} = {matrix(tool)}.$$\n\nGive the pose $T_{{sb}}(q)$ at $q = {vector(q)}$.",
-        figure=partial(
-            draw_table, table
-        ),  # drawn at zero, because the text alternative at q would give the answer away
-        given={"rows": np.array(rows), "base": base, "tool": tool, "q": q},
-        answer=PoseAnswer(T.value),
-        solution=T,
-        advice={
-            "leave out $T_{s0}$": f"This is the pose of the camera in frame 0. {BASE_AND_TOOL_ADVICE}",
-            "leave out $T_{2b}$": f"This is the pose of frame 2, without the tool. {BASE_AND_TOOL_ADVICE}",
-            "reversed": ORDER_ADVICE,
-            "order": ORDER_ADVICE,
-        },
+        advice=NORMAL_ADVICE,
     )
-
-
-def _format_row(row: list[float], i: int) -> str:
-    a, alpha, d, _ = row
-    lean = {1: "\\pi/2", -1: "-\\pi/2", 0: "0"}[round(alpha / RIGHT_ANGLE_RAD)]
-    return f"({number(a)}, {lean}, {number(d)}, q_{i})"
+    return a, between
 
 
 @problem(

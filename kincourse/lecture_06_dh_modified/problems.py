@@ -258,6 +258,35 @@ def link_transform(sampler: ArmSampler) -> Problem:
 
 
 @problem(
+    "06.2",
+    "The pose of an RPR arm",
+    points=2,
+    lecture="06_dh_modified#A worked example",
+    further="The prismatic joint moves by 0.1 m. In which direction does the end-effector move?",
+    level="Warm-up",
+)
+def chain(sampler: ArmSampler) -> Problem:
+    a1 = d2 = sampler.length(0.3, 0.9)
+    while d2 == a1:
+        d2 = sampler.length(0.2, 0.9)
+    degrees = 0, 0
+    while any(abs((sum_ + 45) % 90 - 45) < 5 for sum_ in (sum(degrees), degrees[0] - degrees[1])):
+        degrees = sampler.degrees(-75, 75), sampler.degrees(-75, 75)  # otherwise R may be its own transpose
+    rows: list[list[float]] = [[0, 0, 0, 0], [a1, np.pi / 2, 0, 0], [0, -np.pi / 2, 0, 0]]
+    table = DHTable(rows, convention="modified", joints="RPR", name="RPR")
+    T = table_product(table.rows, "RPR", [np.radians(degrees[0]), d2, np.radians(degrees[1])], "modified")
+    return Problem(
+        statement=f"The RPR arm of this table is at $\\theta_1 = {degrees[0]}$ degrees, $d_2 = {number(d2)}$ m, "
+        f"$\\theta_3 = {degrees[1]}$ degrees. Give ${{}}^0T_3 = {{}}^0T_1\\,{{}}^1T_2\\,{{}}^2T_3$.\n\n"
+        + _format_table(table.rows, "modified", "RPR"),
+        figure=partial(draw_arm, table.to_chain()),
+        given={"rows": table.rows, "values": np.array([degrees[0], d2, degrees[1]])},
+        answer=PoseAnswer(T.value),
+        solution=T,
+    )
+
+
+@problem(
     "06.3",
     "From standard to modified",
     points=4,
@@ -274,6 +303,47 @@ def to_modified(sampler: ArmSampler) -> Problem:
         shown={"rows": table.rows, "joints": table.joints},
         answer=answer,
         mistakes=_wrong_conversions(answer),
+    )
+
+
+@problem(
+    "06.4",
+    "The rotation of a wrist",
+    points=3,
+    lecture="06b_puma#The wrist",
+    further="For which angles is the rotation the constant alone?",
+)
+def wrist(sampler: ArmSampler) -> Problem:
+    degrees = [0, 0, 0]
+    while (
+        any(angle % 45 == 0 for angle in degrees) or len({*map(abs, degrees)}) < 3
+    ):  # otherwise some wrong wrists have the same pose
+        degrees = [sampler.degrees(-80, 80) for _ in range(3)]
+    rows = np.array([(0.0, -np.pi / 2, 0.0, 0.0), (0.0, np.pi / 2, 0.0, 0.0), (0.0, -np.pi / 2, 0.0, 0.0)])
+    T = table_product(rows, "RRR", np.radians(degrees), "modified", first=4)
+    angles = [factor.arguments[3] for factor in T.arguments]
+    constant = rotation_about(0, given("-90°", -np.pi / 2))
+    R = rotation_of(T)
+
+    def euler(axes: str) -> Expression:
+        return product(*(rotation_about("xyz".index(axis), angle) for axis, angle in zip(axes, angles, strict=True)))
+
+    R = R.mistaken_for(
+        ("no constant", "leave out the constant $R_x(-90°)$ behind the Y-Z-Y Euler angles", euler("yzy")),
+        ("constant on the left", "put the constant $R_x(-90°)$ on the left of Y-Z-Y", constant @ euler("yzy")),
+        ("sign of the constant", "take $R_x(+90°)$ as the constant", euler("yzy") @ constant.T),
+        ("constant twice", "multiply by the constant $R_x(-90°)$ twice", euler("yzy") @ constant @ constant),
+        ("Z-Y-Z", "give Z-Y-Z Euler angles, without a constant", euler("zyz")),
+        ("X-Y-Z", "rotate about the axes $x$, $y$, $z$", euler("xyz")),
+        advice=WRIST_ADVICE,
+    )
+    return Problem(
+        statement="These are rows 4 to 6 of the modified table of a PUMA 560, that is, its wrist. Give ${}^3R_6$ at "
+        f"$(\\theta_4, \\theta_5, \\theta_6) = {vector(degrees)}$ degrees.\n\n"
+        + _format_table(rows, "modified", "RRR", first=4),
+        given={"degrees": degrees},
+        answer=RotationAnswer(R.value),
+        solution=R,
     )
 
 
@@ -330,76 +400,6 @@ def which_convention(sampler: ArmSampler) -> Problem:
         mistakes=[mistake(options[letter], letter, why[letter]) for letter in options if letter != truth],
     )
     return problem.with_reason(Numbers(np.array([pose[0, 3] for pose in poses.values()]), unit="m"))
-
-
-@problem(
-    "06.4",
-    "The rotation of a wrist",
-    points=3,
-    lecture="06b_puma#The wrist",
-    further="For which angles is the rotation the constant alone?",
-)
-def wrist(sampler: ArmSampler) -> Problem:
-    degrees = [0, 0, 0]
-    while (
-        any(angle % 45 == 0 for angle in degrees) or len({*map(abs, degrees)}) < 3
-    ):  # otherwise some wrong wrists have the same pose
-        degrees = [sampler.degrees(-80, 80) for _ in range(3)]
-    rows = np.array([(0.0, -np.pi / 2, 0.0, 0.0), (0.0, np.pi / 2, 0.0, 0.0), (0.0, -np.pi / 2, 0.0, 0.0)])
-    T = table_product(rows, "RRR", np.radians(degrees), "modified", first=4)
-    angles = [factor.arguments[3] for factor in T.arguments]
-    constant = rotation_about(0, given("-90°", -np.pi / 2))
-    R = rotation_of(T)
-
-    def euler(axes: str) -> Expression:
-        return product(*(rotation_about("xyz".index(axis), angle) for axis, angle in zip(axes, angles, strict=True)))
-
-    for name, text, wrong in (
-        ("no constant", "leave out the constant $R_x(-90°)$ behind the Y-Z-Y Euler angles", euler("yzy")),
-        ("constant on the left", "put the constant $R_x(-90°)$ on the left of Y-Z-Y", constant @ euler("yzy")),
-        ("sign of the constant", "take $R_x(+90°)$ as the constant", euler("yzy") @ constant.T),
-        ("constant twice", "multiply by the constant $R_x(-90°)$ twice", euler("yzy") @ constant @ constant),
-        ("Z-Y-Z", "give Z-Y-Z Euler angles, without a constant", euler("zyz")),
-        ("X-Y-Z", "rotate about the axes $x$, $y$, $z$", euler("xyz")),
-    ):
-        R = R.mistaken_for((name, text, wrong, WRIST_ADVICE))
-    return Problem(
-        statement="These are rows 4 to 6 of the modified table of a PUMA 560, that is, its wrist. Give ${}^3R_6$ at "
-        f"$(\\theta_4, \\theta_5, \\theta_6) = {vector(degrees)}$ degrees.\n\n"
-        + _format_table(rows, "modified", "RRR", first=4),
-        given={"degrees": degrees},
-        answer=RotationAnswer(R.value),
-        solution=R,
-    )
-
-
-@problem(
-    "06.2",
-    "The pose of an RPR arm",
-    points=2,
-    lecture="06_dh_modified#A worked example",
-    further="The prismatic joint moves by 0.1 m. In which direction does the end-effector move?",
-    level="Warm-up",
-)
-def chain(sampler: ArmSampler) -> Problem:
-    a1 = d2 = sampler.length(0.3, 0.9)
-    while d2 == a1:
-        d2 = sampler.length(0.2, 0.9)
-    degrees = 0, 0
-    while any(abs((sum_ + 45) % 90 - 45) < 5 for sum_ in (sum(degrees), degrees[0] - degrees[1])):
-        degrees = sampler.degrees(-75, 75), sampler.degrees(-75, 75)  # otherwise R may be its own transpose
-    rows: list[list[float]] = [[0, 0, 0, 0], [a1, np.pi / 2, 0, 0], [0, -np.pi / 2, 0, 0]]
-    table = DHTable(rows, convention="modified", joints="RPR", name="RPR")
-    T = table_product(table.rows, "RPR", [np.radians(degrees[0]), d2, np.radians(degrees[1])], "modified")
-    return Problem(
-        statement=f"The RPR arm of this table is at $\\theta_1 = {degrees[0]}$ degrees, $d_2 = {number(d2)}$ m, "
-        f"$\\theta_3 = {degrees[1]}$ degrees. Give ${{}}^0T_3 = {{}}^0T_1\\,{{}}^1T_2\\,{{}}^2T_3$.\n\n"
-        + _format_table(table.rows, "modified", "RPR"),
-        figure=partial(draw_arm, table.to_chain()),
-        given={"rows": table.rows, "values": np.array([degrees[0], d2, degrees[1]])},
-        answer=PoseAnswer(T.value),
-        solution=T,
-    )
 
 
 @problem(

@@ -39,6 +39,66 @@ RIGHT_ANGLE_RAD = np.pi / 2
 
 
 @problem(
+    "07.1",
+    "A prismatic joint drawn elsewhere",
+    points=2,
+    lecture="07_frame_assignment#Prismatic joints are free vectors",
+    further="At which place of the joint is one of the two lengths 0?",
+    level="Warm-up",
+)
+def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
+    first = second = moved = 1.0
+    while moved < first + second:  # otherwise an answer without signs would be right
+        first, second, moved = sampler.shuffled(
+            [sampler.length(0.2, 0.5), sampler.length(0.55, 0.9), sampler.length(0.95, 1.4)]
+        )
+    reach = first + second
+    a_1, a_2, x = given("a_1", first), given("a_2", second), given("x", moved)
+    answer = stack(x, a_1 + a_2 - x)
+    for name, text, wrong, advice in (
+        ("unchanged", "keep both numbers", (a_1, a_2), "The rows measure to the line on which the joint is drawn."),
+        ("only the first", "change $a_1$ alone", (x, a_2), "Joint 3 is where it was, so $a_2$ changes too."),
+        ("only the second", "change $a_2$ alone", (a_1, a_1 + a_2 - x), "$a_1$ is the distance from axis 1 to the axis of joint 2."),
+        ("sign", "take both with the opposite sign", (-x, x - a_1 - a_2), "Both are measured along $x$."),
+        ("sign of the second", "take $a_2$ with the opposite sign", (x, x - a_1 - a_2), "$a_2$ is measured along $x$."),
+        ("measured from joint 3", "measure from joint 3", (a_1 + a_2 - x, -x), "Row 1 begins at joint 1."),
+        ("displacement as a_1", "give the displacement of joint 2 as $a_1$", (x - a_1, a_1 + a_2 - x), "$a_1$ is measured from axis 1."),
+        ("displacement as a_1", "give the displacement of joint 2 as $a_1$, and the rest as $a_2$",
+         (x - a_1, 2 * a_1 + a_2 - x), "$a_1$ is measured from axis 1."),
+        ("displacement as a_1", "give the displacement as $a_1$, and leave $a_2$", (x - a_1, a_2), "$a_1$ is measured from axis 1."),
+        ("sign of the displacement", "move joint 2 the other way", (2 * a_1 - x, a_2 + x - a_1), "The new $a_1$ is the new place."),
+        ("joint 2 at axis 3", "put joint 2 on axis 3", (a_1 + a_2, 0.0), "The other drawing has it at another place."),
+        ("displacement as a_2", "leave $a_1$, and give the displacement as $a_2$", (a_1, x - a_1), "$a_1$ is the new place."),
+        ("sum kept", "give the sum as $a_2$, without subtracting $a_1$", (x, a_1 + a_2), "$a_2$ is measured from the new line."),
+        ("position added", "add the new position to $a_2$", (x, x + a_2), "The sum $a_1 + a_2$ stays the same."),
+        ("displacement as a_2", "give the displacement of joint 2 as $a_2$", (x, x - a_1), "$a_2$ is measured to axis 3."),
+        ("position added", "add the new position to $a_1$", (a_1 + x, a_2 - x), "The new position is $a_1$ itself."),
+        ("position added", "add the new position to both", (a_1 + x, a_2 + x), "The new position is $a_1$ itself."),
+        ("added to both", "add the displacement of joint 2 to both", (x, a_2 + x - a_1), "The sum $a_1 + a_2$ stays the same."),
+        ("sum for both", "give the sum of the two twice", (a_1 + a_2, a_1 + a_2), ""),
+        ("half for both", "put joint 2 half-way between joints 1 and 3", ((a_1 + a_2) / 2, (a_1 + a_2) / 2), ""),
+        ("joint 2 at axis 1", "put joint 2 on axis 1", (0.0, a_1 + a_2), "The other drawing has it at another place."),
+    ):  # fmt: skip
+        answer = answer.mistaken_for((name, text, stack(*wrong), advice))
+    robot = arm(
+        [(Z, (0, 0, 0)), (-Y, (first, 0, 0), SLIDE), (Z, (reach, 0, 0))],
+        pose((X, Y, Z), (reach, 0, 0)),
+        "Your crane",
+        "drawn for you",
+    )
+    return Problem(
+        statement=f"The modified DH table of this arm has $a_1 = {number(first)}$ and $a_2 = {number(second)}$, because its prismatic "
+        f"joint is drawn at $x = {number(first)}$. Another drawing has the same joint at $x = {number(moved)}$, with the same direction. "
+        f"Give $a_1$ and $a_2$ in the table of the other drawing, with every $x$ axis along $x$ of {{s}}.\n\n{joint_table(robot)}",
+        figure=partial(draw_joints, robot),
+        given={"a_1": first, "a_2": second, "moved_to": moved},
+        answer=Numbers(answer.value, unit="m"),
+        solution=answer,
+        advice={"leave out $-x$": "$a_2$ leads from joint 2 to joint 3.", "entries swapped": "$a_1$ leads to joint 2."},
+    )
+
+
+@problem(
     "07.2",
     "Frames by the rules",
     points=3,
@@ -302,66 +362,6 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
                 "between two common normals.",
             ),
         ],
-    )
-
-
-@problem(
-    "07.1",
-    "A prismatic joint drawn elsewhere",
-    points=2,
-    lecture="07_frame_assignment#Prismatic joints are free vectors",
-    further="At which place of the joint is one of the two lengths 0?",
-    level="Warm-up",
-)
-def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
-    first = second = moved = 1.0
-    while moved < first + second:  # otherwise an answer without signs would be right
-        first, second, moved = sampler.shuffled(
-            [sampler.length(0.2, 0.5), sampler.length(0.55, 0.9), sampler.length(0.95, 1.4)]
-        )
-    reach = first + second
-    a_1, a_2, x = given("a_1", first), given("a_2", second), given("x", moved)
-    answer = stack(x, a_1 + a_2 - x)
-    for name, text, wrong, advice in (
-        ("unchanged", "keep both numbers", (a_1, a_2), "The rows measure to the line on which the joint is drawn."),
-        ("only the first", "change $a_1$ alone", (x, a_2), "Joint 3 is where it was, so $a_2$ changes too."),
-        ("only the second", "change $a_2$ alone", (a_1, a_1 + a_2 - x), "$a_1$ is the distance from axis 1 to the axis of joint 2."),
-        ("sign", "take both with the opposite sign", (-x, x - a_1 - a_2), "Both are measured along $x$."),
-        ("sign of the second", "take $a_2$ with the opposite sign", (x, x - a_1 - a_2), "$a_2$ is measured along $x$."),
-        ("measured from joint 3", "measure from joint 3", (a_1 + a_2 - x, -x), "Row 1 begins at joint 1."),
-        ("displacement as a_1", "give the displacement of joint 2 as $a_1$", (x - a_1, a_1 + a_2 - x), "$a_1$ is measured from axis 1."),
-        ("displacement as a_1", "give the displacement of joint 2 as $a_1$, and the rest as $a_2$",
-         (x - a_1, 2 * a_1 + a_2 - x), "$a_1$ is measured from axis 1."),
-        ("displacement as a_1", "give the displacement as $a_1$, and leave $a_2$", (x - a_1, a_2), "$a_1$ is measured from axis 1."),
-        ("sign of the displacement", "move joint 2 the other way", (2 * a_1 - x, a_2 + x - a_1), "The new $a_1$ is the new place."),
-        ("joint 2 at axis 3", "put joint 2 on axis 3", (a_1 + a_2, 0.0), "The other drawing has it at another place."),
-        ("displacement as a_2", "leave $a_1$, and give the displacement as $a_2$", (a_1, x - a_1), "$a_1$ is the new place."),
-        ("sum kept", "give the sum as $a_2$, without subtracting $a_1$", (x, a_1 + a_2), "$a_2$ is measured from the new line."),
-        ("position added", "add the new position to $a_2$", (x, x + a_2), "The sum $a_1 + a_2$ stays the same."),
-        ("displacement as a_2", "give the displacement of joint 2 as $a_2$", (x, x - a_1), "$a_2$ is measured to axis 3."),
-        ("position added", "add the new position to $a_1$", (a_1 + x, a_2 - x), "The new position is $a_1$ itself."),
-        ("position added", "add the new position to both", (a_1 + x, a_2 + x), "The new position is $a_1$ itself."),
-        ("added to both", "add the displacement of joint 2 to both", (x, a_2 + x - a_1), "The sum $a_1 + a_2$ stays the same."),
-        ("sum for both", "give the sum of the two twice", (a_1 + a_2, a_1 + a_2), ""),
-        ("half for both", "put joint 2 half-way between joints 1 and 3", ((a_1 + a_2) / 2, (a_1 + a_2) / 2), ""),
-        ("joint 2 at axis 1", "put joint 2 on axis 1", (0.0, a_1 + a_2), "The other drawing has it at another place."),
-    ):  # fmt: skip
-        answer = answer.mistaken_for((name, text, stack(*wrong), advice))
-    robot = arm(
-        [(Z, (0, 0, 0)), (-Y, (first, 0, 0), SLIDE), (Z, (reach, 0, 0))],
-        pose((X, Y, Z), (reach, 0, 0)),
-        "Your crane",
-        "drawn for you",
-    )
-    return Problem(
-        statement=f"The modified DH table of this arm has $a_1 = {number(first)}$ and $a_2 = {number(second)}$, because its prismatic "
-        f"joint is drawn at $x = {number(first)}$. Another drawing has the same joint at $x = {number(moved)}$, with the same direction. "
-        f"Give $a_1$ and $a_2$ in the table of the other drawing, with every $x$ axis along $x$ of {{s}}.\n\n{joint_table(robot)}",
-        figure=partial(draw_joints, robot),
-        given={"a_1": first, "a_2": second, "moved_to": moved},
-        answer=Numbers(answer.value, unit="m"),
-        solution=answer,
-        advice={"leave out $-x$": "$a_2$ leads from joint 2 to joint 3.", "entries swapped": "$a_1$ leads to joint 2."},
     )
 
 

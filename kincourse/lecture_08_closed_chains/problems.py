@@ -74,6 +74,116 @@ def open_configuration(A: float) -> Array:
 
 
 @problem(
+    "08.1",
+    "A slider-crank with an offset",
+    points=2,
+    lecture="08_closed_chains#A worked example",
+    further="At which crank angle is the slider farthest away?",
+    level="Warm-up",
+)
+def slider(sampler: ArmSampler) -> Problem:
+    crank, rod, offset = (
+        sampler.length(0.2, 0.35),
+        sampler.length(0.6, 0.8),
+        sampler.choice((-1, 1)) * sampler.length(0.1, 0.2),
+    )
+    degrees = sampler.choice((sampler.degrees(20, 70), sampler.degrees(110, 160)))  # near 90 the crank has no part in x
+    x = slider_place(
+        length("crank", crank),
+        length("rod", rod),
+        length("offset", offset, LENGTH),
+        radians(given("A", degrees, ANGLE)),
+    )
+    swapped = rod * np.cos(np.radians(degrees)) + np.sqrt(
+        abs(crank**2 - (rod * np.sin(np.radians(degrees)) - offset) ** 2)
+    )
+    x = x.mistaken_for(
+        ("lengths swapped", "swap crank and rod, and take the root of the size of a negative number", swapped)
+    )
+    for text, wrong in (
+        ("measure $x$ from the leftmost place of B", x + crank),
+        ("measure $x$ from B", x - crank * np.cos(np.radians(degrees))),
+    ):
+        x = x.mistaken_for(("another origin", text, wrong, "$x$ is measured from A."))
+    linkage = linkages.slider_crank(crank, rod, offset)
+    side = "above" if offset > 0 else "below"
+    mirrored = float(
+        np.sqrt(rod**2 - (-offset - crank * np.sin(np.radians(degrees))) ** 2) + crank * np.cos(np.radians(degrees))
+    )
+    other_side = "below" if offset > 0 else "above"
+    text = f"place the line of the slider {other_side} A"
+    x = x.mistaken_for(
+        ("sign of a length", text, mirrored, f"Here the slider moves {side} A: its offset is {number(offset)} m.")
+    )
+    A = np.radians(degrees)
+
+    def rod_to(x: Array) -> str:
+        needed = float(np.hypot(x - crank * np.cos(A), offset - crank * np.sin(A)))
+        return _bar("With this $x$, the rod would have to be", needed, rod)
+
+    return Problem(
+        statement=f"A slider-crank has a crank of {number(crank)} m and a rod of {number(rod)} m. Its slider moves parallel to "
+        f"$x$, {number(abs(offset))} m {side} A. The angle of the crank from the $x$ axis is {degrees} degrees. What is the $x$ coordinate "
+        "of the slider, from A, in the assembly mode with the slider to the right of B? (The picture shows the linkage before the pin C "
+        "is put in.)",
+        figure=partial(draw_linkage, linkage, np.array([A, -A, 1.1 * (crank + rod), 0.0])),
+        given={"crank": crank, "rod": rod, "offset": offset, "degrees": degrees},
+        answer=Numbers(np.array(x.value), unit="m", test=rod_to),
+        solution=x,
+        advice={
+            "sign of an angle": f"This is right for the mirror image, with the crank below the $x$ axis. {ANTICLOCKWISE}",
+            "sign of a length": f"This is right for the mirror image. Here the slider moves {side} A.",
+            "leave out $\\mathrm{offset}$": "The line of the slider does not pass through A.",
+            "sine and cosine swapped": "At 0 degrees the crank lies along $x$.",
+        },
+    )
+
+
+KINDS = {
+    "a": "crank-rocker: the crank makes full turns, and the rocker swings",
+    "b": "double crank: crank and rocker both make full turns",
+    "c": "Grashof double rocker: crank and rocker swing, and the coupler makes full turns",
+    "d": "non-Grashof: no bar makes full turns relative to another",
+    "e": "change point: all four bars can lie on one line",
+}
+
+
+@problem(
+    "08.2",
+    "What kind of four-bar is it?",
+    points=2,
+    lecture="08_closed_chains#Grashof's condition",
+    further="Change one length by as little as possible to get another kind of four-bar.",
+    level="Warm-up",
+)
+def which_kind(sampler: ArmSampler) -> Problem:
+    right = sampler.choice(list(KINDS))
+    four_bar = four_bar_of_kind(sampler, right)
+    listed = "\n".join(f"- {letter}) {kind}" for letter, kind in KINDS.items())
+    problem = Problem(
+        statement=f"{describe_lengths(four_bar)} What kind of four-bar is it?\n\n{listed}\n\nAnswer with a letter, and with the sum of "
+        "the shortest and the longest bar in metres, such as `('a', 0.7)`.",
+        given={"bars": tuple(four_bar)},
+        answer=Choice(right, KINDS),
+        mistakes=[mistake(f"kind {wrong}", wrong, _kind_message(wrong, right)) for wrong in KINDS if wrong != right],
+    )
+    return problem.with_reason(Numbers(np.array(min(four_bar) + max(four_bar)), unit="m"))
+
+
+def _kind_message(wrong: str, right: str) -> str:
+    if right == "e":
+        return "Shortest plus longest is equal to the sum of the other two, so this is the limit of Grashof's condition, a change point."
+    if right == "d":
+        return "Shortest plus longest is more than the sum of the other two, so no bar makes full turns."
+    if wrong == "d":
+        return "Shortest plus longest is less than the sum of the other two, so the shortest bar makes full turns."
+    if wrong == "e":
+        return "At a change point, shortest plus longest is equal to the sum of the other two."
+    shortest = {"a": "the crank", "b": "the ground", "c": "the coupler"}[right]
+    return f"Grashof's condition holds, so the shortest bar makes full turns relative to all others. Here it is {shortest}."
+
+
+@problem(
     "08.3",
     "A loop closed by points",
     points=3,
@@ -294,116 +404,6 @@ def coupler_point(sampler: ArmSampler) -> Problem:
             "sine and cosine swapped": "At 0 degrees a bar lies along $x$.",
         },
     )
-
-
-@problem(
-    "08.1",
-    "A slider-crank with an offset",
-    points=2,
-    lecture="08_closed_chains#A worked example",
-    further="At which crank angle is the slider farthest away?",
-    level="Warm-up",
-)
-def slider(sampler: ArmSampler) -> Problem:
-    crank, rod, offset = (
-        sampler.length(0.2, 0.35),
-        sampler.length(0.6, 0.8),
-        sampler.choice((-1, 1)) * sampler.length(0.1, 0.2),
-    )
-    degrees = sampler.choice((sampler.degrees(20, 70), sampler.degrees(110, 160)))  # near 90 the crank has no part in x
-    x = slider_place(
-        length("crank", crank),
-        length("rod", rod),
-        length("offset", offset, LENGTH),
-        radians(given("A", degrees, ANGLE)),
-    )
-    swapped = rod * np.cos(np.radians(degrees)) + np.sqrt(
-        abs(crank**2 - (rod * np.sin(np.radians(degrees)) - offset) ** 2)
-    )
-    x = x.mistaken_for(
-        ("lengths swapped", "swap crank and rod, and take the root of the size of a negative number", swapped)
-    )
-    for text, wrong in (
-        ("measure $x$ from the leftmost place of B", x + crank),
-        ("measure $x$ from B", x - crank * np.cos(np.radians(degrees))),
-    ):
-        x = x.mistaken_for(("another origin", text, wrong, "$x$ is measured from A."))
-    linkage = linkages.slider_crank(crank, rod, offset)
-    side = "above" if offset > 0 else "below"
-    mirrored = float(
-        np.sqrt(rod**2 - (-offset - crank * np.sin(np.radians(degrees))) ** 2) + crank * np.cos(np.radians(degrees))
-    )
-    other_side = "below" if offset > 0 else "above"
-    text = f"place the line of the slider {other_side} A"
-    x = x.mistaken_for(
-        ("sign of a length", text, mirrored, f"Here the slider moves {side} A: its offset is {number(offset)} m.")
-    )
-    A = np.radians(degrees)
-
-    def rod_to(x: Array) -> str:
-        needed = float(np.hypot(x - crank * np.cos(A), offset - crank * np.sin(A)))
-        return _bar("With this $x$, the rod would have to be", needed, rod)
-
-    return Problem(
-        statement=f"A slider-crank has a crank of {number(crank)} m and a rod of {number(rod)} m. Its slider moves parallel to "
-        f"$x$, {number(abs(offset))} m {side} A. The angle of the crank from the $x$ axis is {degrees} degrees. What is the $x$ coordinate "
-        "of the slider, from A, in the assembly mode with the slider to the right of B? (The picture shows the linkage before the pin C "
-        "is put in.)",
-        figure=partial(draw_linkage, linkage, np.array([A, -A, 1.1 * (crank + rod), 0.0])),
-        given={"crank": crank, "rod": rod, "offset": offset, "degrees": degrees},
-        answer=Numbers(np.array(x.value), unit="m", test=rod_to),
-        solution=x,
-        advice={
-            "sign of an angle": f"This is right for the mirror image, with the crank below the $x$ axis. {ANTICLOCKWISE}",
-            "sign of a length": f"This is right for the mirror image. Here the slider moves {side} A.",
-            "leave out $\\mathrm{offset}$": "The line of the slider does not pass through A.",
-            "sine and cosine swapped": "At 0 degrees the crank lies along $x$.",
-        },
-    )
-
-
-KINDS = {
-    "a": "crank-rocker: the crank makes full turns, and the rocker swings",
-    "b": "double crank: crank and rocker both make full turns",
-    "c": "Grashof double rocker: crank and rocker swing, and the coupler makes full turns",
-    "d": "non-Grashof: no bar makes full turns relative to another",
-    "e": "change point: all four bars can lie on one line",
-}
-
-
-@problem(
-    "08.2",
-    "What kind of four-bar is it?",
-    points=2,
-    lecture="08_closed_chains#Grashof's condition",
-    further="Change one length by as little as possible to get another kind of four-bar.",
-    level="Warm-up",
-)
-def which_kind(sampler: ArmSampler) -> Problem:
-    right = sampler.choice(list(KINDS))
-    four_bar = four_bar_of_kind(sampler, right)
-    listed = "\n".join(f"- {letter}) {kind}" for letter, kind in KINDS.items())
-    problem = Problem(
-        statement=f"{describe_lengths(four_bar)} What kind of four-bar is it?\n\n{listed}\n\nAnswer with a letter, and with the sum of "
-        "the shortest and the longest bar in metres, such as `('a', 0.7)`.",
-        given={"bars": tuple(four_bar)},
-        answer=Choice(right, KINDS),
-        mistakes=[mistake(f"kind {wrong}", wrong, _kind_message(wrong, right)) for wrong in KINDS if wrong != right],
-    )
-    return problem.with_reason(Numbers(np.array(min(four_bar) + max(four_bar)), unit="m"))
-
-
-def _kind_message(wrong: str, right: str) -> str:
-    if right == "e":
-        return "Shortest plus longest is equal to the sum of the other two, so this is the limit of Grashof's condition, a change point."
-    if right == "d":
-        return "Shortest plus longest is more than the sum of the other two, so no bar makes full turns."
-    if wrong == "d":
-        return "Shortest plus longest is less than the sum of the other two, so the shortest bar makes full turns."
-    if wrong == "e":
-        return "At a change point, shortest plus longest is equal to the sum of the other two."
-    shortest = {"a": "the crank", "b": "the ground", "c": "the coupler"}[right]
-    return f"Grashof's condition holds, so the shortest bar makes full turns relative to all others. Here it is {shortest}."
 
 
 @problem(

@@ -104,25 +104,80 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
     )
     p = p1 + R1 @ p2 + R1 @ R2 @ own
     back = "in the frame of `joint_3`"
-    for other, name, text in (
-        (p3, "frame not changed", "use the `xyz` of `joint_3` as it is, which is in the frame of its parent"),
-        (p1 + R1 @ p2, "another joint", "stop at the origin of `joint_2`"),
-        (p1 + R1 @ p3, "joint left out", "leave out `joint_2`"),
-        (p2 + R2 @ p3, "joint left out", "leave out `joint_1`"),
-        (p2 + R2 @ (p1 + R1 @ p3), "order", "swap `joint_1` and `joint_2`"),
-        (p1 + R1 @ p2 + R2 @ p3, "rotation left out", "rotate each step by the `rpy` of its parent only"),
-        (R1 @ p1 + R2 @ p2 + R3 @ p3, "translation rotated", "rotate each step by its own `rpy` alone"),
-        (R1 @ (p1 + R2 @ (p2 + R3 @ p3)), "translation rotated", "rotate each step by its own `rpy` as well"),
-        (p3 + R3 @ p2 + R3 @ R2 @ p1, "reversed", "go from the tip to the base"),
-        (p1 + R1 @ (p2 + p3), "rotation left out", "leave out $R_2$ for the step of `joint_3`"),
-        (p1 + R1 @ p2 + p3, "rotation left out", "leave out the rotation of the step of `joint_3`"),
-        (p1 + R1.T @ p2 + (R1 @ R2).T @ p3, "rotation transposed", "transpose the rotations"),
-        (p1 + p2 + p3, "rotation left out", "add the three `xyz` without rotating them"),
-        (transpose(R1 @ R2 @ R3) @ p, "frame changed", "give the position with the directions of `joint_3`"),
-        (-(transpose(R1 @ R2 @ R3) @ p), "inverse", f"give the origin of the base {back}"),
-    ):
-        p = p.mistaken_for((name, text, other))
-    return p
+    return p.mistaken_for(
+        ("frame not changed", "use the `xyz` of `joint_3` as it is, which is in the frame of its parent", p3),
+        ("another joint", "stop at the origin of `joint_2`", p1 + R1 @ p2),
+        ("joint left out", "leave out `joint_2`", p1 + R1 @ p3),
+        ("joint left out", "leave out `joint_1`", p2 + R2 @ p3),
+        ("order", "swap `joint_1` and `joint_2`", p2 + R2 @ (p1 + R1 @ p3)),
+        ("rotation left out", "rotate each step by the `rpy` of its parent only", p1 + R1 @ p2 + R2 @ p3),
+        ("translation rotated", "rotate each step by its own `rpy` alone", R1 @ p1 + R2 @ p2 + R3 @ p3),
+        ("translation rotated", "rotate each step by its own `rpy` as well", R1 @ (p1 + R2 @ (p2 + R3 @ p3))),
+        ("reversed", "go from the tip to the base", p3 + R3 @ p2 + R3 @ R2 @ p1),
+        ("rotation left out", "leave out $R_2$ for the step of `joint_3`", p1 + R1 @ (p2 + p3)),
+        ("rotation left out", "leave out the rotation of the step of `joint_3`", p1 + R1 @ p2 + p3),
+        ("rotation transposed", "transpose the rotations", p1 + R1.T @ p2 + (R1 @ R2).T @ p3),
+        ("rotation left out", "add the three `xyz` without rotating them", p1 + p2 + p3),
+        ("frame changed", "give the position with the directions of `joint_3`", transpose(R1 @ R2 @ R3) @ p),
+        ("inverse", f"give the origin of the base {back}", -(transpose(R1 @ R2 @ R3) @ p)),
+    )
+
+
+@problem(
+    "09.2",
+    "The path through a tree",
+    points=2,
+    lecture="09_urdf#A URDF is a tree",
+    further="Which link do both hands share, and how many joints move both?",
+    level="Warm-up",
+)
+def path_through_a_tree(sampler: ArmSampler) -> Problem:
+    a, b, c, d = sampler.shuffled(["pan", "tilt", "swing", "twist", "bend", "yaw"])[:4]
+    near, far = sampler.shuffled(["left", "right"])
+    joints = [
+        (a, "torso", f"{near}_arm", "continuous"),
+        (b, f"{near}_arm", f"{near}_wrist", "continuous"),
+        (f"{near}_weld", f"{near}_wrist", f"{near}_hand", "fixed"),
+        (c, "torso", f"{far}_arm", "continuous"),
+        (d, f"{far}_arm", f"{far}_wrist", "continuous"),
+        (f"{far}_weld", f"{far}_wrist", f"{far}_hand", "fixed"),
+        ("neck", "torso", "head", "continuous"),
+    ]
+    shown = sampler.shuffled(joints)
+    while [name for name, *_ in shown if name in {a, b, c, d}] in ([b, a, c, d], [a, b, c, d]):
+        shown = sampler.shuffled(joints)  # otherwise two options would be the same
+    links = ["torso", *sorted(child for _, _, child, _ in joints)]
+    text = robot_urdf(
+        links,
+        (
+            f'<joint name="{name}" type="{kind}">\n  <parent link="{parent}"/> <child link="{child}"/>\n</joint>'
+            for name, parent, child, kind in shown
+        ),
+    )
+    paths = {
+        "right": [b, a, c, d],
+        "from the root": [a, b, c, d],
+        "below the root only": [c, d],
+        "welds too": [f"{near}_weld", b, a, c, d, f"{far}_weld"],
+        "as in the file": [name for name, *_ in shown if name in {a, b, c, d}],
+    }
+    why = {
+        "from the root": f"You listed the joints of the {near} arm from the root `torso` outwards. The path starts at `{near}_hand`, "
+        f"so its first joint that moves is `{b}`.",
+        "below the root only": f"You started at the root `torso`. The base is `{near}_hand`, so the joints from there to the torso "
+        "move the tip as well.",
+        "welds too": "You listed the fixed joints as well. They are on the path, but they have no joint value.",
+        "as in the file": "You listed the joints in the order of the file. Joints may be written in any order; only `parent` and `child` "
+        "say which joint comes next.",
+    }
+    return Problem(
+        statement=f"Take the chain in this file from the base `{near}_hand` to the tip `{far}_hand`. Which joints have a value in "
+        f"$q$, and in which order? Answer with a list of their names, such as `['neck', '{a}']`.\n\n{fence_urdf(text)}",
+        given={"urdf": text},
+        shown={"base": f"{near}_hand", "tip": f"{far}_hand"},
+        answer=Ordering(paths["right"], among=[name for name, *_ in joints]),
+        mistakes=[mistake(name, paths[name], why[name]) for name in why],
+    )
 
 
 @problem(
@@ -165,26 +220,24 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
     (R1, p1), (R2, p2), (R3, _) = origins
     a, z, p = direction("a", axis), given("z", Z), _position(origins)
     omega = R1 @ R2 @ R3 @ a
-    for other, name, words in (
-        (a, "frame not changed", "use the axis as it is, which is in the joint's own frame"),
-        (R3 @ a, "frame not changed", "rotate the axis by its own `rpy` only"),
-        (R1 @ R2 @ R3 @ z, "another axis", "use the $z$ axis of the joint instead of its `axis`"),
-        (R1 @ R2 @ R3 @ X, "another axis", "use the $x$ axis of the joint instead of its `axis`"),
-        (transpose(R1 @ R2 @ R3) @ a, "rotation transposed", "rotate the axis by $R^T$"),
-        (product(*map(about_own_axes, (R1, R2, R3))) @ a, "own axes", "rotate the axis about the frames' own axes"),
-    ):
-        omega = omega.mistaken_for((name, words, other))
+    omega = omega.mistaken_for(
+        ("frame not changed", "use the axis as it is, which is in the joint's own frame", a),
+        ("frame not changed", "rotate the axis by its own `rpy` only", R3 @ a),
+        ("another axis", "use the $z$ axis of the joint instead of its `axis`", R1 @ R2 @ R3 @ z),
+        ("another axis", "use the $x$ axis of the joint instead of its `axis`", R1 @ R2 @ R3 @ X),
+        ("rotation transposed", "rotate the axis by $R^T$", transpose(R1 @ R2 @ R3) @ a),
+        ("own axes", "rotate the axis about the frames' own axes", product(*map(about_own_axes, (R1, R2, R3))) @ a),
+    )
     S = revolute(omega, p.named("p"))
     own = a, 0 * p
-    for screw_axis, name, words in (
-        (revolute(R1 @ R2 @ a, p1 + R1 @ p2), "own origin left out", "leave out the `origin` of `joint_3` itself"),
-        (revolute(R1 @ R2 @ a, p), "rotation left out", "leave out the `rpy` of `joint_3` itself"),
-        (revolute(*own), "frame not changed", "give the screw axis in the frame of `joint_3`"),
-        (revolute(R1 @ R2 @ z, p1 + R1 @ p2), "another joint", "give the screw axis of `joint_2`"),
-        (revolute(R1 @ z, p1), "another joint", "give the screw axis of `joint_1`"),
-        (-S, "sign of a vector", "reverse the axis"),
-    ):
-        S = S.mistaken_for((name, words, screw_axis))
+    S = S.mistaken_for(
+        ("own origin left out", "leave out the `origin` of `joint_3` itself", revolute(R1 @ R2 @ a, p1 + R1 @ p2)),
+        ("rotation left out", "leave out the `rpy` of `joint_3` itself", revolute(R1 @ R2 @ a, p)),
+        ("frame not changed", "give the screw axis in the frame of `joint_3`", revolute(*own)),
+        ("another joint", "give the screw axis of `joint_2`", revolute(R1 @ R2 @ z, p1 + R1 @ p2)),
+        ("another joint", "give the screw axis of `joint_1`", revolute(R1 @ z, p1)),
+        ("sign of a vector", "reverse the axis", -S),
+    )
     return Problem(
         statement=f"Give the screw axis of `joint_3` in the frame of the base. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
@@ -217,13 +270,12 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
     instead = "use the `origin` of the `visual` instead of that of the fixed joint"
     M = T1 @ T2 @ T3.mistaken_for(("visual for joint", instead, of_box))
     rotation, added = (R for R, _ in origins), sum((p for _, p in origins[1:]), origins[0][1])
-    for other, name, words in (
-        (M @ of_box, "visual added", "multiply by the `origin` of the `visual`, which moves no frame"),
-        (T3, "frame not changed", "give the pose of the fixed joint in the frame of its parent"),
-        (assemble(M.T[:3, :3], M[:3, 3]), "rotation transposed", "transpose the rotation of $M$"),
-        (assemble(product(*rotation), added), "positions added", "add the positions without rotating them"),
-    ):
-        M = M.mistaken_for((name, words, other))
+    M = M.mistaken_for(
+        ("visual added", "multiply by the `origin` of the `visual`, which moves no frame", M @ of_box),
+        ("frame not changed", "give the pose of the fixed joint in the frame of its parent", T3),
+        ("rotation transposed", "transpose the rotation of $M$", assemble(M.T[:3, :3], M[:3, 3])),
+        ("positions added", "add the positions without rotating them", assemble(product(*rotation), added)),
+    )
     return Problem(
         statement=f"Give the home pose $M$ of the link `hand` in the frame of the base. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
@@ -386,61 +438,86 @@ def _number_lines(lines: list[str]) -> str:
     return "\n".join(f"{i:2}  {line}" for i, line in enumerate(lines, start=1))
 
 
-@problem(
-    "09.2",
-    "The path through a tree",
-    points=2,
-    lecture="09_urdf#A URDF is a tree",
-    further="Which link do both hands share, and how many joints move both?",
-    level="Warm-up",
-)
-def path_through_a_tree(sampler: ArmSampler) -> Problem:
-    a, b, c, d = sampler.shuffled(["pan", "tilt", "swing", "twist", "bend", "yaw"])[:4]
-    near, far = sampler.shuffled(["left", "right"])
-    joints = [
-        (a, "torso", f"{near}_arm", "continuous"),
-        (b, f"{near}_arm", f"{near}_wrist", "continuous"),
-        (f"{near}_weld", f"{near}_wrist", f"{near}_hand", "fixed"),
-        (c, "torso", f"{far}_arm", "continuous"),
-        (d, f"{far}_arm", f"{far}_wrist", "continuous"),
-        (f"{far}_weld", f"{far}_wrist", f"{far}_hand", "fixed"),
-        ("neck", "torso", "head", "continuous"),
-    ]
-    shown = sampler.shuffled(joints)
-    while [name for name, *_ in shown if name in {a, b, c, d}] in ([b, a, c, d], [a, b, c, d]):
-        shown = sampler.shuffled(joints)  # otherwise two options would be the same
-    links = ["torso", *sorted(child for _, _, child, _ in joints)]
-    text = robot_urdf(
-        links,
+LOOKALIKES = {
+    True: (
         (
-            f'<joint name="{name}" type="{kind}">\n  <parent link="{parent}"/> <child link="{child}"/>\n</joint>'
-            for name, parent, child, kind in shown
+            "The axis of this joint has the wrong direction, but not because of its `axis`: later origins disagree with the data sheet as "
+            "well, and at $q = 0$ an `axis` has no influence on them."
         ),
-    )
-    paths = {
-        "right": [b, a, c, d],
-        "from the root": [a, b, c, d],
-        "below the root only": [c, d],
-        "welds too": [f"{near}_weld", b, a, c, d, f"{far}_weld"],
-        "as in the file": [name for name, *_ in shown if name in {a, b, c, d}],
-    }
-    why = {
-        "from the root": f"You listed the joints of the {near} arm from the root `torso` outwards. The path starts at `{near}_hand`, "
-        f"so its first joint that moves is `{b}`.",
-        "below the root only": f"You started at the root `torso`. The base is `{near}_hand`, so the joints from there to the torso "
-        "move the tip as well.",
-        "welds too": "You listed the fixed joints as well. They are on the path, but they have no joint value.",
-        "as in the file": "You listed the joints in the order of the file. Joints may be written in any order; only `parent` and `child` "
-        "say which joint comes next.",
-    }
+        (
+            "This origin is correct in the frame of its parent. It disagrees with the data sheet because an earlier frame is wrong. Look "
+            "for the first joint whose row disagrees."
+        ),
+    ),
+    False: (
+        (
+            "The axis of this joint has the wrong direction, but not because of its `origin`: all later origins agree with the data sheet. "
+            "If this frame were rotated wrongly, they would not."
+        ),
+        "This origin is correct: it agrees with the data sheet, and so does every other origin of the file.",
+    ),
+}
+"""For a wrong origin, and for a wrong axis: what to say of the other element of the joint, and of the next joint's origin."""
+
+
+@problem(
+    "09.7",
+    "Origin or axis?",
+    points=2,
+    lecture="09_urdf#An error that every reader accepts",
+    further="Which single measurement tells a wrong origin from a wrong axis?",
+)
+def origin_or_axis(sampler: ArmSampler) -> Problem:
+    meant = [_joint_across_its_rotation(sampler, f"joint_{k}") for k in (1, 2, 3)]
+    joints = [*meant, UrdfJoint("weld", sampler.point(3), kind="fixed")]
+    k, is_origin = sampler.choice([0, 1, 2]), sampler.choice([True, False])
+    R = meant[k].pose[:3, :3].round()
+    wrong = {"rpy": -np.asarray(meant[k].rpy)} if is_origin else {"axis": R @ meant[k].axis}
+    written = [*joints[:k], replace(joints[k], **wrong), *joints[k + 1 :]]
+    lines = serial_urdf(written, ("base", "boom", "forearm", "hand", "tool")).splitlines()
+    begins = [_line_with(lines, f'<joint name="{joint.name}"') for joint in joints]
+    here = {mark: _line_with(lines, mark, begins[k]) for mark in ("<origin", "<axis")}
+    poses = [T.round() + 0.0 for T in accumulate((joint.pose for joint in joints), np.matmul)]
+    origins, axes = [T[:3, 3] for T in poses], [T[:3, :3] @ joint.axis for T, joint in zip(poses, meant, strict=False)]
+    answer, other = (here["<origin"], here["<axis"]) if is_origin else (here["<axis"], here["<origin"])
+    lookalike, later = LOOKALIKES[is_origin]
+
+    def at_line(line: int) -> Array:
+        return np.array([line, *(meant[k].rpy if is_origin else meant[k].axis)])
+
     return Problem(
-        statement=f"Take the chain in this file from the base `{near}_hand` to the tip `{far}_hand`. Which joints have a value in "
-        f"$q$, and in which order? Answer with a list of their names, such as `['neck', '{a}']`.\n\n{fence_urdf(text)}",
-        given={"urdf": text},
-        shown={"base": f"{near}_hand", "tip": f"{far}_hand"},
-        answer=Ordering(paths["right"], among=[name for name, *_ in joints]),
-        mistakes=[mistake(name, paths[name], why[name]) for name in why],
+        statement="Every reader accepts this file, but it does not describe the robot of this data sheet. All joint values are 0, and "
+        f"lengths are in metres.\n\n{_data_sheet(joints, origins, axes)}\n\nExactly one line of the file is wrong. Which one, and which "
+        "three numbers must stand in it, as `rpy` or as `axis`? Give four numbers, such as `[7, 0, 0, 1]`. Lines count from 1. "
+        f"{ROUNDING_NOTE}\n\n{fence_urdf(_number_lines(lines))}",
+        given={"urdf": "\n".join(lines), "origins": np.array(origins), "axes": np.array(axes)},
+        answer=FaultyLineAnswer(at_line(answer), lines=lines, joint=range(begins[k], begins[k + 1])),
+        mistakes=[
+            mistake("origin and axis swapped", at_line(other), lookalike),
+            mistake("a later origin", at_line(_line_with(lines, "<origin", begins[k + 1])), later),
+            mistake(
+                "the joint itself",
+                at_line(begins[k]),
+                "The wrong line is in this joint, but this line is correct. Is its `origin` wrong, or its `axis`?",
+            ),
+        ],
     )
+
+
+def _joint_across_its_rotation(sampler: ArmSampler, name: str) -> UrdfJoint:
+    """Draw a joint whose axis is perpendicular to that of its `rpy`, so that a wrong `rpy` shows in its direction."""
+    rpy = random_right_angles(sampler, 1)
+    return UrdfJoint(name, sampler.point(3), rpy, sampler.choice([axis for axis in AXIS_DIRECTIONS if not axis @ rpy]))
+
+
+def _data_sheet(joints: Sequence[UrdfJoint], origins: Sequence[Array], axes: Sequence[Array]) -> str:
+    """A table of the origins of joints, and of the directions of the first of them, in the frame of the base."""
+    directions = [f"${vector(axis)}$" for axis in axes]
+    rows = zip_longest(
+        [joint.name for joint in joints], [f"${vector(p)}$" for p in origins], directions, fillvalue="none"
+    )
+    heads = ("joint", "origin in the base frame", "axis in the base frame")
+    return "\n".join(f"| {' | '.join(row)} |" for row in [heads, 3 * ("---",), *rows])
 
 
 @problem(
@@ -572,14 +649,14 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
 def _mimic_value(q: Expression, multiplier: Expression, offset: Expression) -> Expression:
     """The value of a joint that mimics a joint of value q."""
     q_2 = multiplier * q + offset
-    for other, name, text in (
-        (q, "mimic as a copy", "give `fold` the value of `swing`"),
-        (multiplier * (q + offset), "offset multiplied", "multiply the offset by the multiplier as well"),
-        (offset * q + multiplier, "multiplier and offset swapped", "swap the multiplier and the offset"),
-        ((q - offset) / multiplier, "mimic inverted", "take `swing` as the joint that mimics `fold`"),
-        (multiplier * q + np.radians(offset.value), "radians as degrees", "read the offset as degrees"),
-    ):
-        q_2 = q_2.mistaken_for((name, text, other, MIMIC_ADVICE))
+    q_2 = q_2.mistaken_for(
+        ("mimic as a copy", "give `fold` the value of `swing`", q),
+        ("offset multiplied", "multiply the offset by the multiplier as well", multiplier * (q + offset)),
+        ("multiplier and offset swapped", "swap the multiplier and the offset", offset * q + multiplier),
+        ("mimic inverted", "take `swing` as the joint that mimics `fold`", (q - offset) / multiplier),
+        ("radians as degrees", "read the offset as degrees", multiplier * q + np.radians(offset.value)),
+        advice=MIMIC_ADVICE,
+    )
     return q_2.named("\\text{the value of fold}")
 
 
@@ -603,16 +680,16 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
     R1, R2, R3 = (rpy_rotation(f"R_{k}", np.asarray(joint.rpy)) for k, joint in enumerate(joints, start=1))
     w = direction("\\omega", omega)
     axis = transpose(R1 @ R2 @ R3) @ w
-    for other, name, words in (
-        (w, "frame not changed", "leave the axis as it is, with its components in the frame of the base"),
-        (R3.T @ w, "frame not changed", "use the `rpy` of `joint_3` only"),
-        (R3 @ w, "rotation transposed", "use the `rpy` of `joint_3` only, without the transpose"),
-        (R1.T @ w, "frame not changed", "use the `rpy` of `joint_1` only"),
-        (transpose(R1 @ R2) @ w, "frame not changed", "leave out the `rpy` of `joint_3`"),
-        (absolute(transpose(R1 @ R2 @ R3) @ w), "signs left out", "leave out the signs"),
-        (R1 @ R2 @ R3 @ given("z", Z), "another axis", "give the $z$ axis of the joint's frame"),
-    ):
-        axis = axis.mistaken_for((name, words, other, WRONG_FRAME_ADVICE))
+    axis = axis.mistaken_for(
+        ("frame not changed", "leave the axis as it is, with its components in the frame of the base", w),
+        ("frame not changed", "use the `rpy` of `joint_3` only", R3.T @ w),
+        ("rotation transposed", "use the `rpy` of `joint_3` only, without the transpose", R3 @ w),
+        ("frame not changed", "use the `rpy` of `joint_1` only", R1.T @ w),
+        ("frame not changed", "leave out the `rpy` of `joint_3`", transpose(R1 @ R2) @ w),
+        ("signs left out", "leave out the signs", absolute(transpose(R1 @ R2 @ R3) @ w)),
+        ("another axis", "give the $z$ axis of the joint's frame", R1 @ R2 @ R3 @ given("z", Z)),
+        advice=WRONG_FRAME_ADVICE,
+    )
     return Problem(
         statement="When all joint values are 0, the axis of `joint_3` must have the direction "
         f"$\\omega = {vector(omega)}$ in the frame of the base. The author of this file wrote these three numbers into "
@@ -624,88 +701,6 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
         # With right angles, R_3 R_1 R_2 is often R_1 R_2 R_3; it is not an order in which people multiply.
         invisible={"first factor", "last factor"},
     )
-
-
-LOOKALIKES = {
-    True: (
-        (
-            "The axis of this joint has the wrong direction, but not because of its `axis`: later origins disagree with the data sheet as "
-            "well, and at $q = 0$ an `axis` has no influence on them."
-        ),
-        (
-            "This origin is correct in the frame of its parent. It disagrees with the data sheet because an earlier frame is wrong. Look "
-            "for the first joint whose row disagrees."
-        ),
-    ),
-    False: (
-        (
-            "The axis of this joint has the wrong direction, but not because of its `origin`: all later origins agree with the data sheet. "
-            "If this frame were rotated wrongly, they would not."
-        ),
-        "This origin is correct: it agrees with the data sheet, and so does every other origin of the file.",
-    ),
-}
-"""For a wrong origin, and for a wrong axis: what to say of the other element of the joint, and of the next joint's origin."""
-
-
-@problem(
-    "09.7",
-    "Origin or axis?",
-    points=2,
-    lecture="09_urdf#An error that every reader accepts",
-    further="Which single measurement tells a wrong origin from a wrong axis?",
-)
-def origin_or_axis(sampler: ArmSampler) -> Problem:
-    meant = [_joint_across_its_rotation(sampler, f"joint_{k}") for k in (1, 2, 3)]
-    joints = [*meant, UrdfJoint("weld", sampler.point(3), kind="fixed")]
-    k, is_origin = sampler.choice([0, 1, 2]), sampler.choice([True, False])
-    R = meant[k].pose[:3, :3].round()
-    wrong = {"rpy": -np.asarray(meant[k].rpy)} if is_origin else {"axis": R @ meant[k].axis}
-    written = [*joints[:k], replace(joints[k], **wrong), *joints[k + 1 :]]
-    lines = serial_urdf(written, ("base", "boom", "forearm", "hand", "tool")).splitlines()
-    begins = [_line_with(lines, f'<joint name="{joint.name}"') for joint in joints]
-    here = {mark: _line_with(lines, mark, begins[k]) for mark in ("<origin", "<axis")}
-    poses = [T.round() + 0.0 for T in accumulate((joint.pose for joint in joints), np.matmul)]
-    origins, axes = [T[:3, 3] for T in poses], [T[:3, :3] @ joint.axis for T, joint in zip(poses, meant, strict=False)]
-    answer, other = (here["<origin"], here["<axis"]) if is_origin else (here["<axis"], here["<origin"])
-    lookalike, later = LOOKALIKES[is_origin]
-
-    def at_line(line: int) -> Array:
-        return np.array([line, *(meant[k].rpy if is_origin else meant[k].axis)])
-
-    return Problem(
-        statement="Every reader accepts this file, but it does not describe the robot of this data sheet. All joint values are 0, and "
-        f"lengths are in metres.\n\n{_data_sheet(joints, origins, axes)}\n\nExactly one line of the file is wrong. Which one, and which "
-        "three numbers must stand in it, as `rpy` or as `axis`? Give four numbers, such as `[7, 0, 0, 1]`. Lines count from 1. "
-        f"{ROUNDING_NOTE}\n\n{fence_urdf(_number_lines(lines))}",
-        given={"urdf": "\n".join(lines), "origins": np.array(origins), "axes": np.array(axes)},
-        answer=FaultyLineAnswer(at_line(answer), lines=lines, joint=range(begins[k], begins[k + 1])),
-        mistakes=[
-            mistake("origin and axis swapped", at_line(other), lookalike),
-            mistake("a later origin", at_line(_line_with(lines, "<origin", begins[k + 1])), later),
-            mistake(
-                "the joint itself",
-                at_line(begins[k]),
-                "The wrong line is in this joint, but this line is correct. Is its `origin` wrong, or its `axis`?",
-            ),
-        ],
-    )
-
-
-def _joint_across_its_rotation(sampler: ArmSampler, name: str) -> UrdfJoint:
-    """Draw a joint whose axis is perpendicular to that of its `rpy`, so that a wrong `rpy` shows in its direction."""
-    rpy = random_right_angles(sampler, 1)
-    return UrdfJoint(name, sampler.point(3), rpy, sampler.choice([axis for axis in AXIS_DIRECTIONS if not axis @ rpy]))
-
-
-def _data_sheet(joints: Sequence[UrdfJoint], origins: Sequence[Array], axes: Sequence[Array]) -> str:
-    """A table of the origins of joints, and of the directions of the first of them, in the frame of the base."""
-    directions = [f"${vector(axis)}$" for axis in axes]
-    rows = zip_longest(
-        [joint.name for joint in joints], [f"${vector(p)}$" for p in origins], directions, fillvalue="none"
-    )
-    heads = ("joint", "origin in the base frame", "axis in the base frame")
-    return "\n".join(f"| {' | '.join(row)} |" for row in [heads, 3 * ("---",), *rows])
 
 
 @problem(

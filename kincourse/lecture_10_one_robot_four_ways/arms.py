@@ -130,11 +130,8 @@ def draw_machine(student: str) -> Machine:
     >>> np.allclose(draw_machine("ada").table.rows, draw_machine(" Ada").table.rows)
     True
     """
-    for attempt in count():
-        machine = _draw(Sampler(student, "10.project", attempt))
-        if _is_readable(machine):
-            return machine
-    raise AssertionError("there is always a next attempt")
+    drawn = (_draw(Sampler(student, "10.project", attempt)) for attempt in count())
+    return next(filter(_is_readable, drawn))
 
 
 def _is_readable(machine: Machine) -> bool:

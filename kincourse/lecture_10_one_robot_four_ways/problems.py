@@ -103,48 +103,6 @@ def from_a_table(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "10.3",
-    "One of four is wrong",
-    points=3,
-    lecture="10_one_robot_four_ways#Do they agree?",
-    further="How many configurations do you need to find the wrong description for certain?",
-)
-def one_of_four(sampler: ArmSampler) -> Problem:
-    names = {"a": "space screws", "b": "body screws", "c": "table", "d": "file"}
-    wrong = sampler.choice("abcd")
-    right = fault = np.eye(4)
-    while np.linalg.norm((right - fault)[:3, 3]) < MIN_ENTRY_DIFFERENCE:
-        robot = sampler.arm(sampler.choice(("RRR", "RPR", "RRP")), reach=3)
-        q = np.array([sampler.choice((0.3, 0.5, 0.7, 0.9)) for _ in range(3)])
-        right, fault = robot.fk(q), np.linalg.multi_dot([*exponential(robot.screws * q[:, None])[::-1], robot.home])
-    poses = [fault if letter == wrong else right for letter in names]
-    T, T_inverse, placed, twist = poses[0], inverted(poses[1]), poses[2], log(poses[3])
-    xyz, rpy = placed[:3, 3], roll_pitch_yaw(placed[:3, :3])
-    problem = Problem(
-        statement="Four descriptions of one arm were evaluated at the same $q$, and one of them is wrong. Each report gives "
-        "the pose of the tool in another format. Which description is wrong, and how far from the others, in metres, does it put "
-        "the tool? Answer with its letter and the distance, such as `('a', 0.5)`.\n\n"
-        f"- (a) space screws: $T_{{sb}} = {matrix(T)}$\n"
-        f"- (b) body screws: the pose of {{s}} in {{b}}, $T_{{bs}} = {matrix(T_inverse)}$\n"
-        f"- (c) table: `xyz` = ${vector(xyz)}$ m and `rpy` = ${vector(rpy)}$ rad, as in a URDF\n"
-        f"- (d) file: the twist ${vector(twist)}$ whose exponential is $T_{{sb}}$",
-        given={"T_sb": T, "T_bs": T_inverse, "xyz": xyz, "rpy": rpy, "twist": twist},
-        answer=Choice(wrong, names),
-        mistakes=[
-            mistake(
-                letter,
-                letter,
-                f"You answered {name}, but this report agrees with two others if you write all four as $T_{{sb}}$. "
-                f"{REPORTS[letter]} The wrong report agrees with none of the others.",
-            )
-            for letter, name in names.items()
-            if letter != wrong
-        ],
-    )
-    return problem.with_reason(Numbers(np.array(np.linalg.norm((right - fault)[:3, 3])), unit="m"))
-
-
-@problem(
     "10.2",
     "The origin of a joint",
     points=2,
@@ -189,6 +147,48 @@ def joint_origin(sampler: ArmSampler) -> Problem:
             "term left out": "The origin of joint 1 is not at the origin of the base frame.",
         },
     )
+
+
+@problem(
+    "10.3",
+    "One of four is wrong",
+    points=3,
+    lecture="10_one_robot_four_ways#Do they agree?",
+    further="How many configurations do you need to find the wrong description for certain?",
+)
+def one_of_four(sampler: ArmSampler) -> Problem:
+    names = {"a": "space screws", "b": "body screws", "c": "table", "d": "file"}
+    wrong = sampler.choice("abcd")
+    right = fault = np.eye(4)
+    while np.linalg.norm((right - fault)[:3, 3]) < MIN_ENTRY_DIFFERENCE:
+        robot = sampler.arm(sampler.choice(("RRR", "RPR", "RRP")), reach=3)
+        q = np.array([sampler.choice((0.3, 0.5, 0.7, 0.9)) for _ in range(3)])
+        right, fault = robot.fk(q), np.linalg.multi_dot([*exponential(robot.screws * q[:, None])[::-1], robot.home])
+    poses = [fault if letter == wrong else right for letter in names]
+    T, T_inverse, placed, twist = poses[0], inverted(poses[1]), poses[2], log(poses[3])
+    xyz, rpy = placed[:3, 3], roll_pitch_yaw(placed[:3, :3])
+    problem = Problem(
+        statement="Four descriptions of one arm were evaluated at the same $q$, and one of them is wrong. Each report gives "
+        "the pose of the tool in another format. Which description is wrong, and how far from the others, in metres, does it put "
+        "the tool? Answer with its letter and the distance, such as `('a', 0.5)`.\n\n"
+        f"- (a) space screws: $T_{{sb}} = {matrix(T)}$\n"
+        f"- (b) body screws: the pose of {{s}} in {{b}}, $T_{{bs}} = {matrix(T_inverse)}$\n"
+        f"- (c) table: `xyz` = ${vector(xyz)}$ m and `rpy` = ${vector(rpy)}$ rad, as in a URDF\n"
+        f"- (d) file: the twist ${vector(twist)}$ whose exponential is $T_{{sb}}$",
+        given={"T_sb": T, "T_bs": T_inverse, "xyz": xyz, "rpy": rpy, "twist": twist},
+        answer=Choice(wrong, names),
+        mistakes=[
+            mistake(
+                letter,
+                letter,
+                f"You answered {name}, but this report agrees with two others if you write all four as $T_{{sb}}$. "
+                f"{REPORTS[letter]} The wrong report agrees with none of the others.",
+            )
+            for letter, name in names.items()
+            if letter != wrong
+        ],
+    )
+    return problem.with_reason(Numbers(np.array(np.linalg.norm((right - fault)[:3, 3])), unit="m"))
 
 
 @problem(

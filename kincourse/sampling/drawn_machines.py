@@ -7,7 +7,8 @@ import numpy as np
 
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
-from kinlib.dh.table import Convention, DHTable
+from kinlib.dh.slips import OTHER_CONVENTION
+from kinlib.dh.table import DHTable
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from kinlib.view.drawing.picture import Picture
 from misstep.mistakes import Mistake, mistake
@@ -111,13 +112,11 @@ def draw_table_frames(table: DHTable) -> Picture:
 
 def drawn_table_mistakes(table: DHTable) -> list[Mistake]:
     """The mistakes that people make in the rows of a drawn table, and that are no slips in any table."""
-    other: Convention = "modified" if table.convention == "standard" else "standard"
+    other = OTHER_CONVENTION[table.convention]
     from_floor = table.rows.copy()
     from_floor[:, 2] = table_frames(table)[1:, 2, 3]
-    converted, floor = (
-        table.converted(other).rows,
-        "Every d is a height above the floor. It is the step along z from one x to the next.",
-    )
+    floor = "Every d is a height above the floor. It is the step along z from one x to the next."
+    converted = table.converted(other).rows
     return [
         mistake("the other convention", converted, f"These are the rows of the {other} convention.", spoils=True),
         mistake("d from the floor", from_floor, floor, spoils=True),

@@ -77,8 +77,8 @@ def draw_twist_matrix(S: ArrayLike) -> Picture:
     top, width = 44.0, 4 * CELL_PX[0]
     marks = [svg.text((14 + width / 2, 20), "[$S$] in letters", INK, TEXT_PX - 2)]
     marks.append(svg.text((60 + 1.5 * width, 20), f"for $S$ = {vector_text(S)}", INK, TEXT_PX - 2))
-    for left, cells in ((14.0, letters), (60.0 + width, numbers)):
-        marks += _cells(cells, (left, top)) if cells is letters else _numbers(letters, numbers, (left, top))
+    for left, shown_as in ((14.0, ()), (60.0 + width, numbers)):
+        marks += _cells(letters, (left, top), shown_as)
         marks += _brackets(left, left + width, top, top + 4 * CELL_PX[1])
         for low, high, colour in ((0, 3, VIOLET), (3, 4, ORANGE)):
             corners = [(low, 0), (high, 0), (high, 3), (low, 3), (low, 0)]
@@ -103,27 +103,18 @@ def _value(entry: str, values: dict[str, float]) -> float:
     return values[entry] if entry[0] == "v" else {"+": 1, "-": -1}[entry[0]] * values[entry[1]]
 
 
-def _cells(rows: Sequence[Sequence[str]], corner: tuple[float, float]) -> list[str]:
-    """The entries in letters, each in the colour of its component."""
-    marks = []
-    for i, row in enumerate(rows):
-        for j, entry in enumerate(row):
-            centre = np.array(corner) + CELL_PX * (j + 0.5, i + 0.5)
-            sign = "−" if entry[:1] == "-" else ""
-            letter = "v" if entry[:1] == "v" else "\\omega"
-            label = f"{sign}${letter}_{entry[1]}$" if entry else "0"
-            marks.append(svg.text(centre, label, _colour(entry), TEXT_PX))
-    return marks
-
-
-def _numbers(
-    letters: Sequence[Sequence[str]], numbers: Sequence[Sequence[str]], corner: tuple[float, float]
+def _cells(
+    letters: Sequence[Sequence[str]], corner: tuple[float, float], numbers: Sequence[Sequence[str]] = ()
 ) -> list[str]:
-    return [
-        svg.text(np.array(corner) + CELL_PX * (j + 0.5, i + 0.5), number.replace("-", "−"), _colour(entry), TEXT_PX)
-        for i, (row, shown) in enumerate(zip(letters, numbers, strict=True))
-        for j, (entry, number) in enumerate(zip(row, shown, strict=True))
-    ]
+    """The entries in letters, or as numbers in the same places, each in the colour of its component."""
+    marks = []
+    for i, row in enumerate(letters):
+        for j, entry in enumerate(row):
+            letter = "v" if entry[:1] == "v" else "\\omega"
+            name = f"{'-' * (entry[:1] == '-')}${letter}_{entry[1]}$" if entry else "0"
+            label = (numbers[i][j] if numbers else name).replace("-", "−")
+            marks.append(svg.text(np.array(corner) + CELL_PX * (j + 0.5, i + 0.5), label, _colour(entry), TEXT_PX))
+    return marks
 
 
 def _colour(entry: str) -> str:

@@ -65,7 +65,6 @@ def slide_curve(
     pair: tuple[str, str],
     *,
     parts: Mapping[str, ArrayLike] | None = None,
-    captions: Sequence[str] = (),
     after: Any = None,
 ) -> Pictures:
     """Move a linkage along a curve, beside the square of two of its angles, on which the same curve is drawn.
@@ -73,9 +72,8 @@ def slide_curve(
     configurations  (m, n) joint values along the curve, as mechanism.trace(...).q
     pair            the names of the two angles, such as ("A", "D")
     parts           {"one mode": mask, "other mode": mask} names of parts of the curve, (m,) true where each is; by default all
-    captions        a caption for each configuration
 
-    The text alternative of each picture says both angles in degrees, and so does the caption if none is given.
+    The text alternative of each picture says both angles in degrees, and so does the caption.
 
     >>> from kinlib.mechanisms.linkages import four_bar
     >>> linkage = four_bar(0.4, 0.1, 0.35, 0.3)
@@ -96,6 +94,6 @@ def slide_curve(
         here = ", ".join(f"{name} = {x:.3g}°" for name, x in zip(pair, np.degrees(wrap_angle(angles[k])), strict=True))
         curves = {name: angles[mask] for name, mask in masks.items()}
         torus = draw_torus(curves, {"now": angles[k]}, xlabel=pair[0], ylabel=pair[1])
-        return side_by_side(bars[k], torus, captions[k] if captions else here)
+        return side_by_side(bars[k], torus, here)
 
     return slide(draw, "along the curve", shown, after)
