@@ -23,7 +23,7 @@ export function drawPaleArm(stage) {
     ...arms.links(arm, data.size, colours),
     ...arms.joints(arm, data.size, colours),
   ]);
-  stage.setLayer('arm', [...arms.pedestal(data, data.size, colours), ...made], { outlined: true });
+  stage.setLayer('arm', made, { outlined: true });
 }
 
 /** A highlighter: broad transparent strokes over the picture. @returns { mark(strokes), dispose() } */
