@@ -87,7 +87,7 @@ def test_a_sheet_is_answered_on_its_page_graded_with_its_points_and_opened_witho
         expect(last).to_have_text("Done.", timeout=PYTHON_TIMEOUT_MS)
         press(page, tally.get_by_role("button", name="Run"))
         expect(tally.locator(".cell_output")).to_contain_text(
-            f"3 of {find_sheet(SHEET).points}", timeout=PYTHON_TIMEOUT_MS
+            f"2 of {find_sheet(SHEET).points}", timeout=PYTHON_TIMEOUT_MS
         )
         with page.expect_download() as taken:
             press(page, page.get_by_role("button", name="Download with my answers"))
@@ -109,7 +109,7 @@ def test_a_sheet_is_answered_on_its_page_graded_with_its_points_and_opened_witho
         press(page, check.get_by_role("button", name="Check"))
         expect(answer.locator(".cell_output")).to_contain_text("SyntaxError", timeout=PYTHON_TIMEOUT_MS)
         expect(card).to_have_text("")
-    assert_graded(folder, "3")
+    assert_graded(folder, "2")
 
 
 def test_a_problem_is_covered_until_it_has_the_numbers_of_an_id(chromium_without_webgl, pages):
