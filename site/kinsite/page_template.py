@@ -14,7 +14,7 @@ from kincourse.lecture_00_start_here import planar_arm
 from kincourse.table_of_lectures import sheet_of
 from kinlib import robots
 from kinlib.view import explore
-from kinlib.view.viewer.viewer import STATIC
+from kinlib.view.viewer.widget import STATIC
 from kinsite.demonstration import WrongAnswersDirective
 from kinsite.execute import ROOT, package_hash
 from kinsite.html_tree import inner_html, read_html

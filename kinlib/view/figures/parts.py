@@ -53,6 +53,12 @@ def frame_part(
     return {"kind": "frame", "pose": pose, "letters": letters, **looks}
 
 
+def ranks(origins: ArrayLike) -> list[int]:
+    """Return for each of the origins (m, 3) of frames how many before it are at the same place."""
+    points = np.reshape(np.asarray(origins, dtype=float), (-1, 3))
+    return [int((np.linalg.norm(points[:i] - point, axis=1) < 1e-6).sum()) for i, point in enumerate(points)]
+
+
 def name_part(at: ArrayLike, text: str) -> Part:
     """Return a name at a point."""
     return {"kind": "name", "at": np.asarray(at, dtype=float).tolist(), "text": text}

@@ -87,10 +87,7 @@ class Steps(ViewerBase):
 
 
 def frame_arm(T: Any, screws: Sequence[Any] = (), first: int = 0) -> dict[str, Any]:
-    """Return a frame that starts at the pose T and is moved by screws (n, 6), as an arm without links.
-
-    first  the column of q that moves its first joint
-    """
+    """Return a frame at T that screws (n, 6) move, as an arm without links, whose first joint value is in the column `first` of q."""
     joints = [{"screw": np.asarray(screw).tolist(), "point": [0.0, 0.0, 0.0]} for screw in screws]
     columns = [first + i for i in range(len(joints))]
     return {"columns": columns, "joints": joints, "home": (np.asarray(T) + 0.0).ravel().tolist()}
