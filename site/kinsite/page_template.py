@@ -106,11 +106,8 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     context["kinlib_kind"] = folder.rstrip("s") if is_notebook else ""
     sheet = sheet_of(name) if folder == "lectures" else ""
     context["kinlib_sheet"] = sheet if f"sheets/{sheet}" in app.env.found_docs else ""
-    context["kinlib_lectures"] = [
-        lecture
-        for lecture in COURSE.lectures
-        if folder == "sheets" and sheet_of(lecture) == name and f"lectures/{lecture}" in app.env.found_docs
-    ]
+    lectures = [lecture for lecture in COURSE.lectures if f"lectures/{lecture}" in app.env.found_docs]
+    context["kinlib_lectures"] = [one for one in lectures if folder == "sheets" and sheet_of(one) == name]
 
 
 def adapt(body: str) -> str:
@@ -135,11 +132,8 @@ def adapt(body: str) -> str:
 def elsewhere(repository: str, path: str) -> dict[str, str]:
     """Return the addresses that open a notebook of a repository on GitHub elsewhere, by the name of the place.
 
-    >>> print(*elsewhere("https://github.com/ada/course", "notebooks/03.ipynb").values())
-    https://mybinder.org/v2/gh/ada/course/main?urlpath=lab/tree/notebooks/03.ipynb
-    https://colab.research.google.com/github/ada/course/blob/main/notebooks/03.ipynb
-    >>> elsewhere("https://example.org/ada/course", "notebooks/03.ipynb")
-    {}
+    >>> elsewhere("https://github.com/ada/course", "03.ipynb")["Binder"], elsewhere("https://example.org/a", "03.ipynb")
+    ('https://mybinder.org/v2/gh/ada/course/main?urlpath=lab/tree/03.ipynb', {})
     """
     name = repository.removeprefix("https://github.com/")
     if name == repository:

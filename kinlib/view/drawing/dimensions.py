@@ -94,7 +94,9 @@ def draw_dimensions(
     return crop([canvas.picture(_describe(axes, points, arrows))], SHEET_PX)[0]
 
 
-def _draw_view(canvas: Canvas, T: Array, axes: Sequence[DrawnAxis], points: Mapping[str, Array], arrows: Arrows) -> None:
+def _draw_view(
+    canvas: Canvas, T: Array, axes: Sequence[DrawnAxis], points: Mapping[str, Array], arrows: Arrows
+) -> None:
     """Draw what one view shows of the machine, but for its dimensions: T takes it to where that view is on the sheet."""
     pixel = 1 / canvas.pixels_per_metre
     for axis in axes:
@@ -156,7 +158,9 @@ def _steps(shown: Mapping[str, Array], coordinate: int) -> Steps:
 
 
 def _describe(axes: Sequence[DrawnAxis], points: Mapping[str, Array], arrows: Arrows) -> str:
-    joints = [f"Joint {a.name} {'translates along' if a.slides else 'rotates about'} {_letter(a.direction)}." for a in axes]
+    joints = [
+        f"Joint {a.name} {'translates along' if a.slides else 'rotates about'} {_letter(a.direction)}." for a in axes
+    ]
     directions = [f"{name} is along {_letter(np.asarray(direction))}." for name, (_, direction) in arrows.items()]
     head = (
         "Top view and front view of a machine, with dimensions in millimetres; x is to the right, y up in the top view, "
@@ -169,7 +173,9 @@ def _describe(axes: Sequence[DrawnAxis], points: Mapping[str, Array], arrows: Ar
 def _in_words(steps: Steps) -> str:
     listed = [" and ".join(filter(None, [", ".join(names[:-1]), names[-1]])) for _, names in steps]
     lengths = [format_number(other - one, 4) for (one, _), (other, _) in pairwise(steps)]
-    return ", then ".join([listed[0], *(f"{far} mm to {there}" for far, there in zip(lengths, listed[1:], strict=True))])
+    return ", then ".join(
+        [listed[0], *(f"{far} mm to {there}" for far, there in zip(lengths, listed[1:], strict=True))]
+    )
 
 
 def _letter(direction: Array) -> str:

@@ -157,7 +157,9 @@ def draw_lettered_chain(chain: Chain, letters: Sequence[str], home: bool = True)
 def _offsets_beside(canvas: Canvas, path: Array, k: int) -> Sequence[Offset]:
     """Return the offsets from the middle of link k at which a letter is nearer to this link than to any other one."""
     start, along = canvas.to_pixels(path)[:-1], np.diff(canvas.to_pixels(path), axis=0)
-    ways = np.concatenate([LABEL_OFFSETS * np.array([1, -1]) + share * along[k] for share in (0, 0.2, -0.2, 0.35, -0.35)])
+    ways = np.concatenate(
+        [LABEL_OFFSETS * np.array([1, -1]) + share * along[k] for share in (0, 0.2, -0.2, 0.35, -0.35)]
+    )
     from_start = start[k] + along[k] / 2 + ways[:, None] - start
     shares = ((from_start * along).sum(axis=-1) / np.maximum((along**2).sum(axis=-1), 1e-9)).clip(0, 1)
     far = np.linalg.norm(from_start - shares[..., None] * along, axis=-1)
@@ -167,12 +169,16 @@ def _offsets_beside(canvas: Canvas, path: Array, k: int) -> Sequence[Offset]:
 
 def _describe_lettered(chain: Chain, letters: Sequence[str], steps: Array) -> str:
     kinds = zip(chain.joint_types, chain.lines.axis, strict=True)
-    joints = [f"joint {i} ({JOINT_KINDS[kind]}, axis along {direction_text(axis)})" for i, (kind, axis) in enumerate(kinds, 1)]
+    joints = [
+        f"joint {i} ({JOINT_KINDS[kind]}, axis along {direction_text(axis)})" for i, (kind, axis) in enumerate(kinds, 1)
+    ]
     walk = "; ".join(
         f"{letter} along {direction_text(step / np.linalg.norm(step))} to {there}" if letter else f"there {there}"
         for letter, step, there in zip(letters, steps, [*joints, "the origin of {b}"], strict=True)
     )
-    axes = ", ".join(f"{name} = {vector_text(axis)}" for name, axis in zip("xyz", chain.home[:3, :3].T.round(6), strict=True))
+    axes = ", ".join(
+        f"{name} = {vector_text(axis)}" for name, axis in zip("xyz", chain.home[:3, :3].T.round(6), strict=True)
+    )
     head = f"An arm with {chain.n} joints ({chain.joint_types}) at home. From the origin of {{s}}: {walk}."
     return f"{head} In {{s}}, the axes of {{b}} are {axes}."
 

@@ -57,7 +57,9 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
     canvas.floor(seen)
     draw_joint_bodies(canvas, chain, chain.link_poses(np.zeros(chain.n)))
     # The joints have their numbers, so only lengths are named.
-    draw_parts(canvas, [part | {"name": part["name"] * (part.get("width") == 4)} for part in stop["parts"]], canvas.size)
+    draw_parts(
+        canvas, [part | {"name": part["name"] * (part.get("width") == 4)} for part in stop["parts"]], canvas.size
+    )
     if until is None:
         head = f"{chain.name}, {assignment.table.convention} convention, all {len(steps)} steps."
         return canvas.picture(f"{head} {stop['alt'][stop['alt'].index('Drawn so far') :]}", caption, cropped=True)

@@ -54,7 +54,9 @@ def frame_candidates(chain: Chain) -> dict[str, Any]:
         "points": [{"at": _list(at), "text": text} for at, text in points],
         "x": [
             {"along": _list(along), "text": f"{vector_text(along)}: {text}"}
-            for along, text in _merge((s * x, text) for x, *texts in _lines_for_x(chain) for s, text in zip((1, -1), texts, strict=True))
+            for along, text in _merge(
+                (s * x, text) for x, *texts in _lines_for_x(chain) for s, text in zip((1, -1), texts, strict=True)
+            )
         ],
     }
 
@@ -102,7 +104,11 @@ def _lines_for_x(chain: Chain) -> Iterator[tuple[Array, str, str]]:
         z, off = chain.lines.axis[i], there - chain.joint_points[i]
         across, axis_name = off - z * (z @ off), f"axis {i + 1}"
         if (length := float(np.linalg.norm(across))) > COINCIDENT_TOL:
-            yield across / length, f"from {axis_name} perpendicularly to {name}", f"from {name} perpendicularly to {axis_name}"
+            yield (
+                across / length,
+                f"from {axis_name} perpendicularly to {name}",
+                f"from {name} perpendicularly to {axis_name}",
+            )
     names = [*(f"joint {i + 1}" for i in range(chain.n)), "{b}"]
     for (start, end), link in zip(pairwise(names), np.diff(stations(chain)[1:], axis=0), strict=True):
         if (length := float(np.linalg.norm(link))) > COINCIDENT_TOL:

@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from kinlib.arrays.validation import Array
 from kinlib.urdf.robot_tree import Tree
 from kinlib.urdf.xml_elements import Element
 from kinlib.view.figures.bodies import shapes, visual_pose
@@ -127,7 +126,9 @@ def _places(name: str, folder: Path | None, packages: list[tuple[str, Path]]) ->
         package, _, rest = name.removeprefix("package://").partition("/")
         if package in ("", ".", ".."):
             return
-        yield from ((root, root / rest) for known, root in [*packages, *((at.name, at) for at in own)] if known == package)
+        yield from (
+            (root, root / rest) for known, root in [*packages, *((at.name, at) for at in own)] if known == package
+        )
         yield from ((root, root / package / rest) for root in [*(root for _, root in packages), *above[:1]])
         return
     if "://" in name and not name.startswith("file://"):

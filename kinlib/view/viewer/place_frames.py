@@ -49,7 +49,9 @@ def _from_page(poses: Any) -> Array:
         return np.array(poses, dtype=float)  # None becomes NaN
     except (TypeError, ValueError) as error:
         shown = validation.describe(poses)
-        raise ValueError(f"frames must be an array of numbers, one pose of shape (4, 4) per frame; got {shown}.") from error
+        raise ValueError(
+            f"frames must be an array of numbers, one pose of shape (4, 4) per frame; got {shown}."
+        ) from error
 
 
 class ByHand(ViewerBase):

@@ -121,7 +121,9 @@ def arm_data(branch: Branch) -> dict[str, Any]:
         "joints": _joints(branch),
         "links": [[] if i < branch.shared else path for i, path in enumerate(paths)],
         "home": chain.home.ravel().tolist(),
-        "frames": _frames(chain, size) if is_arm else {"base": [], "tool": [frame_data(branch.tip, chain.n, chain.home)]},
+        "frames": _frames(chain, size)
+        if is_arm
+        else {"base": [], "tool": [frame_data(branch.tip, chain.n, chain.home)]},
         # the normal from axis i to axis i + 1 is fixed to body i
         "normals": [
             {"body": i, "from": normal.start.tolist(), "to": normal.end.tolist(), "along": normal.x.tolist()}
@@ -185,9 +187,7 @@ def frame_data(name: str, body: int, pose: Array) -> dict[str, Any]:
     return {"name": name, "body": body, "pose": (np.asarray(pose) + 0.0).ravel().tolist()}
 
 
-def _slider(
-    column: int, slides: bool, limits: Array, value: float, span: tuple[float, float] | None
-) -> dict[str, Any]:
+def _slider(column: int, slides: bool, limits: Array, value: float, span: tuple[float, float] | None) -> dict[str, Any]:
     far = DEFAULT_TRAVEL_M if slides else DEFAULT_ANGLE_RAD
     usual = (min(-far, value), max(far, value))
     low, high = span or np.where(np.isfinite(limits), limits, usual)

@@ -99,6 +99,10 @@ def _cell() -> tuple[str, int] | None:
 
 def as_script(state: Mapping[str, Any]) -> str:
     """Return the state of a widget as JSON in an element of HTML, from which a script on the page reads it."""
-    data = json.dumps(state, separators=(",", ":"), allow_nan=False, default=lambda data: base64.b64encode(data).decode())
-    safe = data.replace("<", "\\u003c")  # a "<" could end the script or begin another one; JSON allows this escape for it
+    data = json.dumps(
+        state, separators=(",", ":"), allow_nan=False, default=lambda data: base64.b64encode(data).decode()
+    )
+    safe = data.replace(
+        "<", "\\u003c"
+    )  # a "<" could end the script or begin another one; JSON allows this escape for it
     return f'<script type="application/json">{safe}</script>'
