@@ -61,23 +61,23 @@ class ArmDirective(SphinxDirective):
 def copy_files(app: Sphinx) -> None:
     """Copy the viewer, KaTeX's style and its fonts as woff2, which every supported browser reads, and the downloads."""
     target = Path(app.outdir) / "_static"
-    (target / "katex" / "fonts").mkdir(parents=True, exist_ok=True)
-    shutil.copy(FONTS / "katex.min.css", target / "katex")
-    for name in ("katex.min.js", "contrib/auto-render.min.js"):  # for outputs of cells that run on the page
-        shutil.copy(FONTS / name, target / "katex")
-    shutil.copy(MODULES / "marked" / "lib" / "marked.umd.js", target)  # likewise
-    for font in (FONTS / "fonts").glob("*.woff2"):
-        shutil.copy(font, target / "katex" / "fonts")
+    # the scripts of KaTeX and marked are for outputs of cells that run on the page
+    katex = [FONTS / name for name in ("katex.min.css", "katex.min.js", "contrib/auto-render.min.js")]
+    copies = {
+        target: [MODULES / "marked" / "lib" / "marked.umd.js", *STATIC.glob("*.js"), *PLANAR_ARM],
+        target / "katex": katex,
+        target / "katex" / "fonts": [*(FONTS / "fonts").glob("*.woff2")],
+        Path(app.outdir): [Path(__file__).parents[1] / "service-worker.js"],  # it answers for its own folder only
+    }
+    for folder, sources in copies.items():
+        folder.mkdir(parents=True, exist_ok=True)
+        for source in sources:
+            shutil.copy(source, folder)
     (target / "fonts").mkdir(exist_ok=True)
     for name, font in TEXT_FONTS.items():
         shutil.copy(font, target / "fonts" / name)
-    for script in [*STATIC.glob("*.js"), *PLANAR_ARM]:
-        shutil.copy(script, target)
-    # a service worker answers for its own folder only
-    shutil.copy(Path(__file__).parents[1] / "service-worker.js", app.outdir)
-    (Path(app.outdir) / "robots.txt").write_text(
-        f"User-agent: *\nSitemap: {app.config.html_baseurl}sitemap.xml\n", "utf-8"
-    )
+    sitemap = f"User-agent: *\nSitemap: {app.config.html_baseurl}sitemap.xml\n"
+    (Path(app.outdir) / "robots.txt").write_text(sitemap, "utf-8")
     files = Path(app.srcdir) / "files"
     if files.exists():
         shutil.copytree(files, Path(app.outdir) / "files", dirs_exist_ok=True)

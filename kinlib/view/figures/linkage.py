@@ -14,13 +14,13 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array, JointValues
 from kinlib.mechanisms.mechanism import Mechanism
-from kinlib.rigid.lie import exp, inverse, perpendicular
+from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.screw import line
 from kinlib.view.drawing.canvas import Canvas, moved
 from kinlib.view.drawing.figure_colours import GHOST_GREY, INK, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.drawing.svg import GREEK
-from kinlib.view.figures.bodies import Body, Primitive, ball, box, drum, tube
+from kinlib.view.figures.bodies import Body, Primitive, ball, drum, slab, tube
 from kinlib.view.figures.body_drawing import draw_body
 from kinlib.view.figures.joint_bodies import JOINT_RADIUS, NUMBER_OFFSETS
 
@@ -202,13 +202,12 @@ def linkage_body(mechanism: Mechanism, configurations: Array, points: Points | N
             links[second] += [drum(axis, there, 0.8 * R, s * 1.3 * R, s * 1.6 * R, colour="blue") for s in (-1, 1)]
         else:
             low, high = min(0.0, float(q[:, column].min())), max(0.0, float(q[:, column].max()))
+            links[second].append(slab(axis, there, 0.75 * R, -1.4 * R, 1.4 * R, colour="blue"))
             if first == ground:  # a rail as long as the way of the slider, or else a sleeve and a rod
-                rail, half = p - (0, 0, 0.9 * R), (0.4 * R, 0.4 * R, (high - low) / 2 + 3 * R)
-                links[first].append(box(rail + (low + high) / 2 * axis, half, "dark", _along(axis)))
+                rail = p - (0, 0, 0.9 * R)
+                links[first].append(slab(axis, rail, 0.4 * R, low - 3 * R, high + 3 * R, colour="dark"))
             else:
                 links[first] += [drum(axis, p, 0.8 * R, -3 * R, 0), drum(axis, p, R, -1.2 * R, 0, colour="blue")]
-            links[second].append(box(there, (0.75 * R, 0.75 * R, 1.4 * R), "blue", _along(axis)))
-            if first != ground:
                 links[second].append(drum(axis, there, 0.42 * R, -high - R, 0))
     for body in mechanism.bodies:
         links[body] += [] if body == ground else _link(ends[body], R)
@@ -221,12 +220,6 @@ def linkage_body(mechanism: Mechanism, configurations: Array, points: Points | N
 def _span(points: Array) -> int:
     """Return the dimension of what contains points: 0 a point, 1 a line, 2 a plane."""
     return int(np.linalg.matrix_rank(points - points[0], tol=1e-6 * max(float(np.ptp(points)), 1e-9)))
-
-
-def _along(axis: Array) -> Array:
-    """Return the axes of a box, the third along an axis."""
-    x = perpendicular(axis)
-    return np.stack([x, np.cross(axis, x), axis], axis=1)
 
 
 def _link(ends: Array, R: float) -> list[Primitive]:

@@ -116,16 +116,19 @@ def links_of_bodies(tree: Tree, found: list[Branch]) -> list[list[list[Element]]
     return bodies
 
 
-def robot_body(
-    robot: Chain | Tree, found: list[Branch]
-) -> tuple[Body, list[tuple[tuple[tuple[Primitive, ...], ...], tuple[bool, ...]]]]:
+BranchBody = tuple[tuple[tuple[Primitive, ...], ...], tuple[bool, ...]]
+"""The solids of each body of a branch, and whether they are by rule because the file shows none."""
+
+
+def robot_body(robot: Chain | Tree, found: list[Branch]) -> tuple[Body, list[BranchBody]]:
     """Return the body of a robot, with the links of all its branches in a row, and of each branch its solids and which are by rule.
 
     A link of a tree shows what the file shows; where no link of a body shows more than a mesh, it gets the body of any arm.
     """
     if isinstance(robot, Chain):
         return body_of(robot), [(body_of(robot).links, ())]
-    home, bodies = home_poses(robot), []
+    home = home_poses(robot)
+    bodies: list[BranchBody] = []
     for branch, links in zip(found, links_of_bodies(robot, found), strict=True):
         own = [[solid for link in one for solid in visual_solids(link, home[link.text("name")])] for one in links]
         rule = body_of(branch.chain, hand=len(found) == 1).links

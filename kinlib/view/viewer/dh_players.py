@@ -239,7 +239,7 @@ def _player(tracks: Sequence[Track], size: float, after: Any) -> Steps:
     stops = []
     for k in range(count + 1):
         merged = [_track_stop(track, k) for track in tracks]
-        stop: Stop = {key: sum((one[key] for one in merged), []) for key in merged[0] if key != "alt"}
+        stop: Stop = {key: [x for one in merged for x in one[key]] for key in merged[0] if key != "alt"}
         stop["alt"] = f"Motions that move a frame: {k} of {count} done. {' '.join(one['alt'] for one in merged)}"
         stop["q"] = np.where(np.arange(count) < k, values, 0.0).ravel().tolist()
         stops.append(stop | {"reached": k in tracks[0].names})

@@ -78,8 +78,8 @@ def slide_frames(
     def draw(player: Steps) -> Picture:
         stop = player.stop
         shown = dict(zip(names, np.reshape(stop["poses"], (-1, 4, 4)), strict=True))
-        looks = {"arrows": bool(stop["parts"]), "axis_length": length}
-        return draw_frames(shown, alt=player.alt, caption=stop["texts"][0], **looks)
+        lines, said = bool(stop["parts"]), stop["texts"][0]
+        return draw_frames(shown, arrows=lines, axis_length=length, alt=player.alt, caption=said)
 
     scene = {
         "name": "frames",

@@ -41,7 +41,9 @@ class Poses(traitlets.TraitType[Any, Any]):
 
 
 def _to_page(poses: Array, _: Any) -> Any:
-    return np.where(np.isnan(poses), None, poses.astype(object)).tolist()
+    numbers = poses.astype(object)
+    numbers[np.isnan(poses)] = None
+    return numbers.tolist()
 
 
 def _from_page(poses: Any) -> Array:

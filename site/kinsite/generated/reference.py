@@ -32,7 +32,7 @@ MODULES = {
         *("kinlib.mechanisms.mobility", "kinlib.mechanisms.linkages"),
     ],
     "Files and symbols": ["kinlib.urdf.chains", "kinlib.urdf.robot_tree", "kinlib.symbolic"],
-    "Figures": ["kinlib.view", "kinlib.view.drawing.picture", "kinlib.view.viewer.viewer"],
+    "Figures": ["kinlib.view", "kinlib.view.viewer.viewer"],
     "Drawings of one lecture": [
         f"kincourse.lecture_{name}.drawings"
         for name in COURSE.lectures
