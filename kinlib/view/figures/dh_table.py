@@ -13,7 +13,7 @@ from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, ORANGE, 
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import direction_text, pose_text
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
-from kinlib.view.figures.parts import draw_parts, frame_part, ranks
+from kinlib.view.figures.parts import ranks
 
 
 def draw_row(row: ArrayLike, *, caption: str = "") -> Picture:
@@ -92,8 +92,11 @@ def draw_table(
                 canvas.line(ends, colour, 4.0, level=2.5)
         chain = table.to_chain()
         draw_joint_bodies(canvas, chain, chain.link_poses(q))
-    shown = zip(frames, ranks(origins), strict=True)
-    draw_parts(canvas, [frame_part(T, "xz", sub=str(i), rank=k) for i, (T, k) in enumerate(shown)], canvas.size)
+    for i, (T, rank) in enumerate(zip(frames, ranks(origins), strict=True)):
+        for k, letter in ((0, "x"), (2, "z")):
+            end = T[:3, 3] + (0.2 + 0.09 * rank) * canvas.size * T[:3, k]
+            canvas.arrow(T[:3, 3], end, AXIS_COLOURS[k], 2.0, level=4 + 0.01 * k)
+            canvas.label(end, f"${letter}_{i}$", AXIS_COLOURS[k])
     for name, T in {"s": np.eye(4), "b": tip}.items():
         if not np.allclose(T, frames[0 if name == "s" else -1]):
             canvas.triad(T, name, 0.16 * canvas.size)

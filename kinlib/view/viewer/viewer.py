@@ -48,11 +48,9 @@ class ViewerBase(Covered):
 
     >>> from kinlib.chains.robots import rpr
     >>> arm = explore(rpr(), frames={"1": np.eye(4)})
+    >>> arm.check([0, 0.5, 0])
     >>> arm.html()[:25], arm.own_frames(), arm.picture().alt[:3]
     ('<div data-kinlib-viewer><', ['frame 1'], 'RPR')
-    >>> arm.check([1, 2])
-    Traceback (most recent call last):
-    ValueError: RPR has 3 joints (RPR), so q must have shape (..., 3); got (2,). Pass one value per joint.
     >>> arm.save("arm.jpg")
     Traceback (most recent call last):
     ValueError: path must end in .svg, .html or .png; got 'arm.jpg'.
@@ -142,8 +140,7 @@ class Viewer(ViewerBase):
 
     >>> from kinlib.chains.robots import rpr
     >>> arm = explore(rpr())
-    >>> arm.check([0, 0.5, 0])
-    >>> arm.picture().alt[:13]
+    >>> arm.check([0, 0.5, 0]) or arm.picture().alt[:13]
     'RPR, 3 joints'
     """
 
