@@ -50,8 +50,7 @@ class Branch:
 
     def values(self, q: ArrayLike) -> Array:
         """Return the values of its own joints for values (n,) of the independent ones."""
-        values: Array = self.multipliers * np.asarray(q, dtype=float)[self.columns]
-        return values
+        return np.asarray(self.multipliers * np.asarray(q, dtype=float)[self.columns])
 
     def stations(self, q: ArrayLike) -> Array:
         """Return the points (k + 2, 3) through which its k joints run: the root, every joint, the tip."""
