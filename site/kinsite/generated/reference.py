@@ -7,6 +7,7 @@ import importlib
 import inspect
 import re
 from collections.abc import Iterator
+from functools import cache
 from importlib.util import find_spec
 from types import ModuleType
 from typing import Any
@@ -152,7 +153,16 @@ def signature(member: Any) -> str:
     text = stringify_signature(parsed, unqualified_typehints=True).replace("\n", " ")
     for name, full_type in ALIASES.items():
         text = text.replace(full_type, name)
-    return OWN_NAME.sub(lambda name: name[0].rpartition(".")[2], text)
+    return OWN_NAME.sub(lambda name: link_targets().get(name[0].lstrip("~"), name[0].rpartition(".")[2]), text)
+
+
+@cache
+def link_targets() -> dict[str, str]:
+    """Map each documented name, in the module that defines it, to the name under which its page is found."""
+    modules = [importlib.import_module(name) for names in MODULES.values() for name in names]
+    return {
+        f"{member.__module__}.{part}": f"~{one.__name__}.{part}" for one in modules for part, member in members(one)
+    }
 
 
 def directive(kind: str, head: str, content: str, module: str = "") -> str:
