@@ -169,12 +169,12 @@ def figure(entry: Entry) -> str:
 
 def arm_tables(chain: Chain) -> str:
     """Write the axes, the screws and both DH tables of an arm, these as a notebook shows them."""
-    parts = ["## Axes at home", joint_table(chain), "## Screw axes", raw_html(chain._repr_html_())]
+    parts = ["## Axes at home", joint_table(chain), "## Screw axes", shown(chain)]
     if "H" in chain.joint_types:
         note = "A helical joint has no row in a DH table, because a row cannot couple a rotation with a translation."
         return "\n\n".join([*parts, "## DH tables", note])
     for convention in ("standard", "modified"):
-        parts += [f"## A {convention} DH table", raw_html(assign_frames(chain, convention=convention)._repr_html_())]
+        parts += [f"## A {convention} DH table", shown(assign_frames(chain, convention=convention))]
     return "\n\n".join([*parts, "These are the tables that `kl.assign_frames` finds. Other tables can be right, too."])
 
 
@@ -185,7 +185,13 @@ def linkage_tables(mechanism: Mechanism, q: Array) -> str:
         f"It has {mechanism.n} joint values. Degrees of freedom by the Grübler-Kutzbach formula: {found.kutzbach}; "
         f"infinitesimal (first-order) mobility in this configuration: {found.infinitesimal}; finite mobility: {found.finite}."
     )
-    return "\n\n".join(["## Joints", raw_html(mechanism._repr_html_()), "## Mobility", counts])
+    return "\n\n".join(["## Joints", shown(mechanism), "## Mobility", counts])
+
+
+def shown(value: Any) -> str:
+    """Write a value as a notebook shows it, as a table of this site."""
+    html = value._repr_html_().replace("<table>", '<table class="docutils">')
+    return raw_html(re.sub("alpha|theta|omega", lambda found: GREEK[found[0]], html))
 
 
 def raw_html(html: str) -> str:
