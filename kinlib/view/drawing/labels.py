@@ -36,11 +36,6 @@ def place_labels(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: 
 
     strokes (m, 2, 2) from point to point; bodies (k, 2, 2) upper left and lower right corners; sheet (2,).
     A label with the same text at the same point as an earlier one is left out.
-
-    >>> name = Label(np.array([50.0, 50.0]), "S", "black", [(9, 0), (-9, 0)], 10)
-    >>> wall = np.array([[[59.0, 0.0], [59.0, 99.0]]])
-    >>> [centre.tolist() for _, centre in place_labels([name, name], wall, np.zeros((0, 2, 2)), np.array([99.0, 99.0]))]
-    [[41.0, 50.0]]
     """
     taken = np.zeros((0, 2, 2))
     kept: list[Label] = []
