@@ -70,6 +70,3 @@ def configuration_in_radians(_draw: ArmSampler) -> Problem:
             ("degrees", "give degrees", degrees, "`arm.fk` takes the numbers as radians, and reports no error."),
         ),
     )
-
-
-BLANKS = [end_effector_at_home, configuration_in_radians]

@@ -167,6 +167,3 @@ def grasp(_draw: ArmSampler) -> Problem:
             ),
         ),
     )
-
-
-BLANKS = [one_more_link, look_back, tool_from_link_3, misprinted_row, grasp]

@@ -127,6 +127,3 @@ def screw_between(_draw: ArmSampler) -> Problem:
             "factor left out": "The motion starts at $T_{sa}$ and ends at $T_{sb}$, so $e^{[x]} = T_{sb}\\,T_{sa}^{-1}$.",
         },
     )
-
-
-BLANKS = [p_column, leaning_rotation, leaning_pose, long_axis, screw_between]

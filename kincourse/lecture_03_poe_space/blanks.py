@@ -111,6 +111,3 @@ def youbot_home(_draw: ArmSampler) -> Problem:
         },
         invisible=["axes in rows"],  # R = R^T here
     )
-
-
-BLANKS = [leaning_joint, spindle, youbot_wrist, youbot_home]

@@ -94,6 +94,3 @@ def pose_with_home_in_the_middle(_draw: ArmSampler) -> Problem:
         },
         invisible=["first factor"],  # at these right angles, the factor of joint 3 may also be the first
     )
-
-
-BLANKS = [body_screw_by_the_adjoint, body_screw_from_the_drawing, pose_with_home_in_the_middle]

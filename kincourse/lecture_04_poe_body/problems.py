@@ -48,7 +48,8 @@ from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product, total
 from misstep.mutants.operations import LENGTH, function, stack
 from misstep.problem import Problem
-from misstep.sheet import Sheet
+
+TITLE = "The product of exponentials in the body frame"
 
 HOME_ADVICE = "With body screws $M$ is the first factor, and the factors of the joints follow in their order."
 BASE_ADVICE = "The factor of the joint at the base is to the left of all others, in {b} as in {s}."
@@ -57,14 +58,7 @@ CARRY_ADVICE = "Column $i$ of $J_b$ is the body screw $B_i$, changed by the join
 TO_BODY_ADVICE = "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here."
 
 
-@problem(
-    "04.1",
-    "A body screw off a drawing",
-    points=2,
-    lecture="04_poe_body#A second method",
-    further="Give the space screw of the same joint. Which half of it do you know without computing?",
-    level="Warm-up",
-)
+@problem("04.1", "A body screw off a drawing", points=2, lecture="04_poe_body#A second method", level="Warm-up")
 def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     joint = sampler.integer(1, 3)
     while True:
@@ -103,6 +97,7 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Read the body screw of joint {joint} off the drawing: give the direction and the moment of its axis in the frame "
         "{b} of the end-effector. All joints are revolute; coordinates are whole metres.",
+        further="Give the space screw of the same joint. Which half of it do you know without computing?",
         figure=partial(draw_joints, robot, tool=True),
         answer=ScrewsAnswer(B.value),
         solution=B,
@@ -110,19 +105,13 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "04.2",
-    "Body screws by the adjoint",
-    points=2,
-    lecture="04_poe_body#The adjoint",
-    further="Which body screw would not change if the tool were longer along its own $z$ axis?",
-    level="Warm-up",
-)
+@problem("04.2", "Body screws by the adjoint", points=2, lecture="04_poe_body#The adjoint", level="Warm-up")
 def by_the_adjoint(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
     return Problem(
         statement="This arm has the space screws $S_i$ and the home pose $M$. Give its body screws $B_1, B_2, B_3$, as rows.\n\n"
         f"$$S = {matrix(robot.screws)}$$\n\n$$M = {matrix(robot.home)}$$",
+        further="Which body screw would not change if the tool were longer along its own $z$ axis?",
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws},
         shown={"home": robot.home},
@@ -137,13 +126,7 @@ def by_the_adjoint(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "04.3",
-    "The place of M",
-    points=2,
-    lecture="04_poe_body#The mid-formula form",
-    further="How many other places of $M$ are possible if each screw may be written in either frame?",
-)
+@problem("04.3", "The place of M", points=2, lecture="04_poe_body#The mid-formula form")
 def where_home_stands(sampler: ArmSampler) -> Problem:
     k, names = sampler.integer(1, 3), sampler.shuffled("abcd")
     while [names[:k], names[k:]] == [sorted(names[:k]), sorted(names[k:])]:  # too close to the alphabet
@@ -171,6 +154,7 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
         f"The {in_space} given in {{s}}, {in_body} in {{b}}. The factor of joint a is $e_a$: it is "
         "$e^{[S_a]q_a}$ if its axis is given in {s}, and $e^{[B_a]q_a}$ if it is given in {b}; and so on. Put the factors "
         "of $T(q)$ in order, from left to right: a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
+        further="How many other places of $M$ are possible if each screw may be written in either frame?",
         given={"from_floor_to_tool": names, "read_in_s": left},
         answer=Ordering([*(f"e_{name}" for name in left), "M", *(f"e_{name}" for name in right)]),
         mistakes=[
@@ -190,19 +174,14 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "04.4",
-    "The body form",
-    points=3,
-    lecture="04_poe_body#The body form",
-    further="Write the same pose with space screws. Which factor stays as it is?",
-)
+@problem("04.4", "The body form", points=3, lecture="04_poe_body#The body form")
 def body_form(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRR", "RPR", "RRP"]))
     typed, q, words = _random_configuration(sampler, robot)
     return Problem(
         statement=f"This arm is given by its body screws and its home pose. Its joint values are {words}. Give $T(q)$.\n\n"
         f"$$B = {matrix(robot.body_screws)}$$\n\n$$M = {matrix(robot.home)}$$",
+        further="Write the same pose with space screws. Which factor stays as it is?",
         figure=partial(draw_arm, robot),
         given={"body_screws": robot.body_screws, "home": robot.home, "values": typed},
         answer=PoseAnswer(robot.fk(q)),
@@ -222,13 +201,7 @@ def body_form(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "04.5",
-    "M in the middle",
-    points=3,
-    lecture="04_poe_body#The mid-formula form",
-    further="Move $M$ one place to the left. Which screw must be rewritten?",
-)
+@problem("04.5", "M in the middle", points=3, lecture="04_poe_body#The mid-formula form")
 def home_in_the_middle(sampler: ArmSampler) -> Problem:
     robot, k = _random_arm(sampler, sampler.choice(["RRRR", "RRPR", "RPRR"])), 2
     typed, _, words = _random_configuration(sampler, robot)
@@ -252,6 +225,7 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The screw axes of the first two joints of this arm are given in {{s}}, the others in {{b}}: the rows below are "
         f"$S_1, S_2, B_3, B_4$. The joint values are {words}. Give $T(q)$.\n\n$${matrix(mixed)}$$\n\n$$M = {matrix(robot.home)}$$",
+        further="Move $M$ one place to the left. Which screw must be rewritten?",
         figure=partial(draw_arm, robot),
         given={"screws": mixed, "home": robot.home, "values": typed},
         answer=PoseAnswer(T.value),
@@ -260,13 +234,7 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "04.6",
-    "A new tool",
-    points=3,
-    lecture="04_poe_body#The adjoint",
-    further="For which new tools do the $\\omega$ of all body screws stay as they are?",
-)
+@problem("04.6", "A new tool", points=3, lecture="04_poe_body#The adjoint")
 def new_tool(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
     turn = _rotation(sampler.choice([X, Y]), sampler.choice([30, 40, -50, -60, 70]))
@@ -289,6 +257,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="The tool of this arm is replaced. The frame {t} of the new tool has the pose $T_{bt}$ in the frame {b} of the old one. "
         f"Below are the body screws in {{b}}. Give them in {{t}}, as rows.\n\n$$B = {matrix(B)}$$\n\n$$T_{{bt}} = {matrix(H)}$$",
+        further="For which new tools do the $\\omega$ of all body screws stay as they are?",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "T_bt": H, "home": robot.home},
         answer=ScrewsAnswer(new.value),
@@ -301,13 +270,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "04.7",
-    "The twist of the tool",
-    points=3,
-    lecture="04b_velocity#Joint rates and the twist of the tool",
-    further="At which rates does the tool stand still in this configuration, other than 0?",
-)
+@problem("04.7", "The twist of the tool", points=3, lecture="04b_velocity#Joint rates and the twist of the tool")
 def twist_of_the_tool(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRR", "RPR", "RRP"]))
     typed, q, words = _random_configuration(sampler, robot)
@@ -367,6 +330,7 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The joint values of this arm are {words}, and its joint rates $\\dot q_i$ are {per_second}. Give the twist "
         f"$\\mathcal{{V}}_b = J_b(q)\\,\\dot q$ of the tool in {{b}}: six numbers $(\\omega, v)$, in rad/s and m/s.\n\n$$B = {matrix(B)}$$",
+        further="At which rates does the tool stand still in this configuration, other than 0?",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "values": typed, "rates": rates},
         answer=ScrewsAnswer(V.value, names=["the twist"], single="a twist"),
@@ -396,13 +360,7 @@ class WristAnswer(Numbers):
         return [0, 1]
 
 
-@problem(
-    "04.8",
-    "A singular wrist",
-    points=3,
-    lecture="04b_velocity#Singular configurations",
-    further="Does the wrist have a second singular configuration, and how far is it from this one?",
-)
+@problem("04.8", "A singular wrist", points=3, lecture="04b_velocity#Singular configurations")
 def singular_wrist(sampler: ArmSampler) -> Problem:
     tilt = sampler.choice([20, 25, 35, 40, 50, 55, 65, 70, 110, 115, 125, 130, 140, 145, 155, 160])
     (toward, name), sign = sampler.choice([(X, "x"), (Y, "y")]), sampler.choice([1, -1])
@@ -447,6 +405,7 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
         f"$z$ towards ${name}$. Give two numbers. The first is the value $q_2$ between $-90$ and $90$ degrees at which the wrist is "
         f"singular, in degrees. In this configuration joint 3 rotates at ${number(rate)}$ degrees per second, and joint 2 is at rest. The "
         "second number is the rate of joint 1, in degrees per second, at which the tool does not move.",
+        further="Does the wrist have a second singular configuration, and how far is it from this one?",
         figure=partial(draw_arm, wrist),
         given={"axis_2": second, "tilt": float(tilt), "towards": toward, "rate_3": rate},
         answer=WristAnswer(np.array([q_2.value, qdot_1.value])),
@@ -463,7 +422,6 @@ in_order = function("in order", lambda *x: np.sort(x), "({0}, {1}, {2}, {3})")
     "All singular configurations of a planar arm",
     points=3,
     lecture="04b_velocity#Singular configurations",
-    further="Now the direction of the last link counts as well. Which of these configurations are still singular, and which are new?",
     level="Hard",
 )
 def planar_arm(sampler: ArmSampler) -> Problem:
@@ -493,19 +451,14 @@ def planar_arm(sampler: ArmSampler) -> Problem:
         statement=f"A planar arm has three revolute joints and links of {number(L[0])}, {number(L[1])} and {number(L[2])} m. Only the "
         "position of its tip counts. In which configurations is there a direction in which the tip cannot move? Give the distances of the "
         "tip from joint 1 in all of them: four numbers in metres, the smallest first.",
+        further="Now the direction of the last link counts as well. Which of these configurations are still singular, and which are new?",
         given={"links": L},
         answer=Numbers(distances.value, unit="m"),
         solution=distances,
     )
 
 
-@problem(
-    "04.10",
-    "All body screws of a whole arm",
-    points=3,
-    lecture="04_poe_body#A second method",
-    further="Which lengths do not occur in any body screw, and why?",
-)
+@problem("04.10", "All body screws of a whole arm", points=3, lecture="04_poe_body#A second method")
 def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     robot = _lettered_arm_beside_its_tool(sampler)
     n, symbols = robot.chain.n, sp.symbols(robot.letters, positive=True)
@@ -547,6 +500,7 @@ def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         statement="The drawing shows an arm at home. Each link is parallel to an axis of {s}, and its length is the letter beside "
         f"it. Give the body screws $B_1$ to $B_{n}$ in {{b}}, in rows: {n} rows of six formulas in "
         f"${robot.letters[0]}, \\ldots, {robot.letters[-1]}$.",
+        further="Which lengths do not occur in any body screw, and why?",
         figure=partial(draw_lettered_chain, robot.chain, robot.letters, home=False),
         given={"L": symbols},
         answer=ScrewExpressionsAnswer(sp.Matrix.vstack(*rows), symbols),
@@ -592,14 +546,7 @@ def _random_configuration(sampler: ArmSampler, robot: Chain) -> Configuration:
     return configuration_from_typed(robot, typed)
 
 
-@problem(
-    "04.11",
-    "A wrist with offsets",
-    points=4,
-    lecture="04_poe_body#A second method",
-    further="With all offsets 0, which entries of the three screws vanish?",
-    level="Hard",
-)
+@problem("04.11", "A wrist with offsets", points=4, lecture="04_poe_body#A second method", level="Hard")
 def drawn_wrist(sampler: ArmSampler) -> Problem:
     while True:
         a, b, c, d, e, f, g = lengths(sampler, 7, 0.04, 0.3)
@@ -619,6 +566,7 @@ def drawn_wrist(sampler: ArmSampler) -> Problem:
         statement="The drawing shows the wrist of an arm, at home, in millimetres. All of it is measured from the frame {b} of the tool, "
         "whose $x$ is to the right, whose $y$ is up in the top view, and whose $z$ is up in the front view. Give the body screws $B_4$, "
         "$B_5$ and $B_6$, as rows, in metres.",
+        further="With all offsets 0, which entries of the three screws vanish?",
         figure=lambda: draw_dimensions([*points, (0, 0, 0)], drawn, marks, origin="{b}"),
         answer=ScrewsAnswer(B.value, names=["screw 4", "screw 5", "screw 6"]),
         solution=B,
@@ -627,13 +575,7 @@ def drawn_wrist(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "04.12",
-    "What the controller should store",
-    points=3,
-    lecture="04_poe_body#The adjoint",
-    level="Open",
-)
+@problem("04.12", "What the controller should store", points=3, lecture="04_poe_body#The adjoint", level="Open")
 def what_to_store(_: ArmSampler) -> Problem:
     return Problem(
         statement="A controller can store space screws with $M$, or body screws with $M$. In the next year the tool will be changed "
@@ -653,23 +595,3 @@ def what_to_store(_: ArmSampler) -> Problem:
             },
         ),
     )
-
-
-SHEET = Sheet(
-    "04_poe_body",
-    "The product of exponentials in the body frame",
-    [
-        body_screw_off_a_drawing,
-        by_the_adjoint,
-        where_home_stands,
-        body_form,
-        home_in_the_middle,
-        new_tool,
-        twist_of_the_tool,
-        singular_wrist,
-        planar_arm,
-        body_screws_of_a_whole_arm,
-        drawn_wrist,
-        what_to_store,
-    ],
-)

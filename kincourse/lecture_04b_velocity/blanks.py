@@ -61,6 +61,3 @@ def twist(_draw: ArmSampler) -> Problem:
         solution=V,
         advice={"term left out": "Every joint that moves adds its column times its rate."},
     )
-
-
-BLANKS = [column_1, twist]

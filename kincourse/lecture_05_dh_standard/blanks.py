@@ -118,6 +118,3 @@ def row_5(_draw: ArmSampler) -> Problem:
         answer=DHRowAnswer(row.value),
         solution=row,
     )
-
-
-BLANKS = [row_4, matrix_of_row_4, pose_in_the_drawn_configuration, row_2, row_5]

@@ -74,6 +74,3 @@ def youbot_row_2(_draw: ArmSampler) -> Problem:
             ),
         ],
     )
-
-
-BLANKS = [n5_row_2, n5_rows_2_and_3, youbot_row_2]

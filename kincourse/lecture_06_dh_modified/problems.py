@@ -49,7 +49,8 @@ from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import stack
 from misstep.problem import Problem
-from misstep.sheet import Sheet
+
+TITLE = "Denavit-Hartenberg tables in the modified convention"
 
 RIGHT_ANGLE_RAD = np.pi / 2
 
@@ -221,14 +222,7 @@ class WristAnglesAnswer(EulerAnglesAnswer):
         return "For $R_1$ you found the second solution, $(\\theta_4 + \\pi, -\\theta_5, \\theta_6 + \\pi)$."
 
 
-@problem(
-    "06.1",
-    "The link transform of a row",
-    points=2,
-    lecture="06_dh_modified#The general matrix",
-    further="In which two numbers would the standard matrix of the same row differ?",
-    level="Warm-up",
-)
+@problem("06.1", "The link transform of a row", points=2, lecture="06_dh_modified#The general matrix", level="Warm-up")
 def link_transform(sampler: ArmSampler) -> Problem:
     row = _random_row(sampler)
     a, alpha, d, theta = row
@@ -240,6 +234,7 @@ def link_transform(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Give the link transform ${}^{i-1}T_i$ of this row of a modified table, with the given $d$ and $\\theta$.\n\n"
         + _format_table([row], "modified"),
+        further="In which two numbers would the standard matrix of the same row differ?",
         given={"a": a, "alpha": alpha, "d": d, "theta": theta},
         answer=PoseAnswer(T.value),
         solution=(
@@ -257,14 +252,7 @@ def link_transform(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "06.2",
-    "The pose of an RPR arm",
-    points=2,
-    lecture="06_dh_modified#A worked example",
-    further="The prismatic joint moves by 0.1 m. In which direction does the end-effector move?",
-    level="Warm-up",
-)
+@problem("06.2", "The pose of an RPR arm", points=2, lecture="06_dh_modified#A worked example", level="Warm-up")
 def chain(sampler: ArmSampler) -> Problem:
     a1 = d2 = sampler.length(0.3, 0.9)
     while d2 == a1:
@@ -279,6 +267,7 @@ def chain(sampler: ArmSampler) -> Problem:
         statement=f"The RPR arm of this table is at $\\theta_1 = {degrees[0]}$ degrees, $d_2 = {number(d2)}$ m, "
         f"$\\theta_3 = {degrees[1]}$ degrees. Give ${{}}^0T_3 = {{}}^0T_1\\,{{}}^1T_2\\,{{}}^2T_3$.\n\n"
         + _format_table(table.rows, "modified", "RPR"),
+        further="The prismatic joint moves by 0.1 m. In which direction does the end-effector move?",
         figure=partial(draw_arm, table.to_chain()),
         given={"rows": table.rows, "values": np.array([degrees[0], d2, degrees[1]])},
         answer=PoseAnswer(T.value),
@@ -286,13 +275,7 @@ def chain(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "06.3",
-    "From standard to modified",
-    points=4,
-    lecture="06_dh_modified#Converting",
-    further="What happens to the last $a$ and $\\alpha$ if there is no tool?",
-)
+@problem("06.3", "From standard to modified", points=4, lecture="06_dh_modified#Converting")
 def to_modified(sampler: ArmSampler) -> Problem:
     table = _random_table(sampler, "standard")
     answer = _converted(table, "modified")
@@ -300,19 +283,14 @@ def to_modified(sampler: ArmSampler) -> Problem:
         statement="Convert this standard table to the modified convention. Frame 0 stays the same. The $a$ and $\\alpha$ that are "
         "left over become the tool, which is not part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at "
         "$q = 0$, angles in radians.\n\n" + _format_table(table.rows, "standard", table.joints),
+        further="What happens to the last $a$ and $\\alpha$ if there is no tool?",
         shown={"rows": table.rows, "joints": table.joints},
         answer=answer,
         mistakes=_wrong_conversions(answer),
     )
 
 
-@problem(
-    "06.4",
-    "The rotation of a wrist",
-    points=3,
-    lecture="06b_puma#The wrist",
-    further="For which angles is the rotation the constant alone?",
-)
+@problem("06.4", "The rotation of a wrist", points=3, lecture="06b_puma#The wrist")
 def wrist(sampler: ArmSampler) -> Problem:
     degrees = [0, 0, 0]
     while (
@@ -341,19 +319,14 @@ def wrist(sampler: ArmSampler) -> Problem:
         statement="These are rows 4 to 6 of the modified table of a PUMA 560, that is, its wrist. Give ${}^3R_6$ at "
         f"$(\\theta_4, \\theta_5, \\theta_6) = {vector(degrees)}$ degrees.\n\n"
         + _format_table(rows, "modified", "RRR", first=4),
+        further="For which angles is the rotation the constant alone?",
         given={"degrees": degrees},
         answer=RotationAnswer(R.value),
         solution=R,
     )
 
 
-@problem(
-    "06.5",
-    "Which convention is this?",
-    points=2,
-    lecture="06_dh_modified#Which convention is this?",
-    further="Which one further measurement would decide every such question?",
-)
+@problem("06.5", "Which convention is this?", points=2, lecture="06_dh_modified#Which convention is this?")
 def which_convention(sampler: ArmSampler) -> Problem:
     truth = sampler.choice("abcd")
     rows = np.array([_random_row(sampler), _random_row(sampler)])
@@ -394,6 +367,7 @@ def which_convention(sampler: ArmSampler) -> Problem:
         f"$q = {vector(np.degrees(q))}$ degrees. What does the measurement tell you?\n\n"
         f"{_format_table(rows, '', 'RR')}\n\n$$T = {matrix(T)}$$\n\n{listed}\n\nAnswer with a letter, and with the x coordinates "
         "of the end-effector that the table gives in the standard and in the modified convention, such as `('a', [0.4, 0.7])`.",
+        further="Which one further measurement would decide every such question?",
         figure=partial(draw_frames, {"0": np.eye(4), "2": T}, arrows=False),
         given={"rows": rows, "q": q, "pose": T},
         answer=Choice(truth, options),
@@ -402,13 +376,7 @@ def which_convention(sampler: ArmSampler) -> Problem:
     return problem.with_reason(Numbers(np.array([pose[0, 3] for pose in poses.values()]), unit="m"))
 
 
-@problem(
-    "06.6",
-    "The angles of a wrist",
-    points=3,
-    lecture="06b_puma#Angles from a rotation",
-    further="Which orientations can the wrist reach in one way only?",
-)
+@problem("06.6", "The angles of a wrist", points=3, lecture="06b_puma#Angles from a rotation")
 def angles_of_a_wrist(sampler: ArmSampler) -> Problem:
     first, last = sampler.shuffled([sampler.degrees(15, 75), -sampler.degrees(105, 165)])
     degrees = [[first, sampler.degrees(25, 80), last], [0, 0, sampler.choice((-1, 1)) * sampler.degrees(15, 75)]]
@@ -420,19 +388,14 @@ def angles_of_a_wrist(sampler: ArmSampler) -> Problem:
         f"$$R_1 = {matrix(rotations[0])}, \\qquad R_2 = {matrix(rotations[1])}.$$\n\n"
         "Give $(\\theta_4, \\theta_5, \\theta_6)$ in radians for each, in two rows. Every solution is right. One of the two is at "
         "the singular configuration of the wrist, where axes 4 and 6 are collinear.",
+        further="Which orientations can the wrist reach in one way only?",
         given={"rotations": np.array(rotations)},
         answer=WristAnglesAnswer(angles.value),
         solution=angles,
     )
 
 
-@problem(
-    "06.7",
-    "A whole arm from a drawing",
-    points=4,
-    lecture="06_dh_modified#Frame labelling in eight steps",
-    further="Which of your rows would a second correct table share with yours?",
-)
+@problem("06.7", "A whole arm from a drawing", points=4, lecture="06_dh_modified#Frame labelling in eight steps")
 def whole_arm(sampler: ArmSampler) -> Problem:
     places, tellable = [np.zeros(3)], 0
     while tellable < 2 or not are_distinguishable(places) or min(place[2] for place in places[1:]) < MIN_HEIGHT_M:
@@ -454,6 +417,7 @@ def whole_arm(sampler: ArmSampler) -> Problem:
         f"$q$. Lengths may be typed as letters, such as `-l_2`, or as numbers: {lengths} (metres).\n\n"
         f"{joint_table(robot, points=points)}\n\n{{b}} is at ${points[-1]}$, its $x$ along ${vector(robot.home[:3, 0])}$, its $z$ "
         f"along ${vector(robot.home[:3, 2])}$.",
+        further="Which of your rows would a second correct table share with yours?",
         figure=partial(draw_joints, robot, tool=True),
         given={"lengths": np.array(letters)},
         shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
@@ -557,7 +521,6 @@ def _format_table(
     "A telescope mount from its drawing",
     points=4,
     lecture="06_dh_modified#Frame labelling in eight steps",
-    further="Where would the frames be in the standard convention?",
     level="Hard",
 )
 def telescope_mount(sampler: ArmSampler) -> Problem:
@@ -573,6 +536,7 @@ def telescope_mount(sampler: ArmSampler) -> Problem:
         "is the azimuth, joint 2 the altitude, joint 3 rotates the camera. The origin of frame $i$ is D$i$, $z_i$ is the axis of joint "
         "$i$, and the arrow is $x_i$; $z_0$ is along $z_1$. Give the three rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at home, in "
         "metres and radians.",
+        further="Where would the frames be in the standard convention?",
         figure=partial(draw_table_frames, table),
         answer=DHRowsAnswer(table.rows),
         mistakes=drawn_table_mistakes(table),
@@ -589,14 +553,7 @@ def _joint_before(base: Array, axes: Array, points: Array) -> tuple[Array, Array
     return np.vstack([base[:3, 2], axes[:-1]]), np.vstack([base[:3, 3], points[:-1]])
 
 
-@problem(
-    "06.9",
-    "A Panda on a wall",
-    points=4,
-    lecture="06_dh_modified#The maker's own table",
-    further="Which rows of the table would stay the same if the maker had chosen the standard convention?",
-    level="Hard",
-)
+@problem("06.9", "A Panda on a wall", points=4, lecture="06_dh_modified#The maker's own table", level="Hard")
 def panda_on_a_wall(sampler: ArmSampler) -> Problem:
     place = lengths(sampler, 3, 0.2, 0.9) * [sampler.choice((-1, 1)) for _ in range(3)]
     base = pose(sampler.choice(((Y, Z, X), (Y, -Z, -X), (-Z, Y, X), (Z, X, Y), (X, -Z, Y))), place)
@@ -635,6 +592,7 @@ def panda_on_a_wall(sampler: ArmSampler) -> Problem:
         )
         + f"\n\nThe pose of frame 0 in {{s}} is\n\n$$T_{{s0}} = {matrix(base)}$$\n\nGive the screw axes $S_1$ to $S_7$ in {{s}} in this "
         "configuration, as rows.",
+        further="Which rows of the table would stay the same if the maker had chosen the standard convention?",
         shown={"rows": rows, "base": base},
         answer=ScrewsAnswer(S.value),
         solution=S,
@@ -666,21 +624,3 @@ def settle_the_convention(_: ArmSampler) -> Problem:
             },
         ),
     )
-
-
-SHEET = Sheet(
-    "06_dh_modified",
-    "Denavit-Hartenberg tables in the modified convention",
-    [
-        link_transform,
-        chain,
-        to_modified,
-        wrist,
-        which_convention,
-        angles_of_a_wrist,
-        whole_arm,
-        telescope_mount,
-        panda_on_a_wall,
-        settle_the_convention,
-    ],
-)

@@ -39,6 +39,3 @@ def angles_of_the_wrist(_draw: ArmSampler) -> Problem:
         solution=angles,
         invisible=["sum twice"],  # it differs at the singular configuration only
     )
-
-
-BLANKS = [puma_row_4, angles_of_the_wrist]

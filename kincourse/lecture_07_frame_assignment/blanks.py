@@ -104,6 +104,3 @@ def table_of_the_new_arm(_draw: ArmSampler) -> Problem:
             rows_of_the_other_convention(table),
         ],
     )
-
-
-BLANKS = [antiparallel_row, origin_4, table_of_the_new_arm]

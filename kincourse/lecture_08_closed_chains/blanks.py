@@ -76,6 +76,3 @@ def count(_draw: ArmSampler) -> Problem:
             "loops": "Nine joints and eight bodies give $J - N + 1 = 2$ loops: three arms meet in one platform.",
         },
     )
-
-
-BLANKS = [slider, rocker, count]

@@ -134,6 +134,3 @@ def rotation_of_rpy(_draw: ArmSampler) -> Problem:
             ),
         ],
     )
-
-
-BLANKS = [place_of_tilt, screw_of_tilt, home_of_the_lamp, rotation_of_rpy]

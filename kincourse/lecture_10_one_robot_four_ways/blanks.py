@@ -70,6 +70,3 @@ def origin_of_tool(_draw: ArmSampler) -> Problem:
             "leave out $-p_3$": "This is the position in $M$, measured from {s}. The file measures it from joint 3, at $(0, -4, 0)$."
         },
     )
-
-
-BLANKS = [body_screw, origin_of_joint_3, origin_of_tool]

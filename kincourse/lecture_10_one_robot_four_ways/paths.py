@@ -111,10 +111,11 @@ def _follow(chain: Chain, start: Array, points: Array) -> Array | None:
     q, path = start.copy(), []
     for point in points:
         for _ in range(MAX_ITERATIONS):
-            error = point - chain.fk(q)[:3, 3]
+            tip, twists = chain.fk(q)[:3, 3], chain.jacobian(q)
+            error = point - tip
             if np.linalg.norm(error) < 1e-6:
                 break
-            J = _position_jacobian(chain, q)
+            J = np.cross(twists[:3].T, tip).T + twists[3:]  # the velocity of the tip for each joint, v + omega x p
             q += J.T @ np.linalg.solve(J @ J.T + 1e-6 * np.eye(3), error)
         else:
             return None
@@ -135,10 +136,3 @@ def _leave(chain: Chain, limits: Array, sampler: Sampler, table_m: float) -> Arr
     low, high = limits.T
     outside = float(np.maximum(low - path, path - high).max())
     return path if BEYOND[0] < outside < BEYOND[1] else None
-
-
-def _position_jacobian(chain: Chain, q: Array) -> Array:
-    """The velocity of the tool's origin for each joint, (3, n): omega x p + v."""
-    J, p = chain.jacobian(q), chain.fk(q)[:3, 3]
-    velocity: Array = np.cross(J[:3].T, p).T + J[3:]
-    return velocity
