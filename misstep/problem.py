@@ -15,6 +15,8 @@ from itertools import combinations, islice
 from types import ModuleType
 from typing import Any, Literal, TypeVar
 
+import numpy as np
+
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Answer, Unreadable, seen_at_sight
 from misstep.answers.choice import Choice, ReasonedChoice
@@ -37,12 +39,13 @@ class Problem:
     """One student's problem, with its numbers: the statement, the given values, the right answer and the mistakes.
 
     statement  Markdown with `$...$` for mathematics
+    answer     the right answer; if its value is an expression, this is the solution
     mistakes   the mistakes that are no mutants of the solution
     given      the given values by name; students get them by sheet.given(k), so they need not type them
     shown      further values by name that stand in the statement or the drawing, and that students read there
     further    a question for a student who has solved it, which changes something
     figure     a function that draws the figure; it is called only when the problem is shown
-    solution   the solution as an expression over the given values (`misstep.mutants`); for an answer that is a function or a
+    solution   the solution as an expression over the given values (`misstep.mutants`), if it is not in the answer; for a function or a
                formula, a function from its arguments to an expression. Its mutants are mistakes of the problem
     advice     for names of mutants, or the texts of their changes, a sentence on what is right in this problem
     invisible  the names of mutants that cannot be seen in this problem, because they always lead to the right answer
@@ -74,6 +77,9 @@ class Problem:
     invisible: Collection[str] = ()
 
     def __post_init__(self) -> None:
+        if isinstance(root := self.answer.value, Expression):
+            object.__setattr__(self, "solution", root)
+            object.__setattr__(self, "answer", replace(self.answer, value=np.asarray(root.value)))  # type: ignore[type-var]
         read = [replace(wrong, value=self.answer.read(wrong.value)) for wrong in self.mistakes]
         object.__setattr__(self, "mistakes", read)
 

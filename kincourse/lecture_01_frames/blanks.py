@@ -64,8 +64,7 @@ def look_back(_draw: ArmSampler) -> Problem:
     T_30 = inverse(pose("T_{03}", T_01 @ T_12 @ T_23))
     return Problem(
         statement="Give $T_{30}$, the pose of the base in frame 3.",
-        answer=PoseAnswer(T_30.value),
-        solution=T_30,
+        answer=PoseAnswer(T_30),
         advice={
             "inverse left out": "$T_{03}$ is the pose of frame 3 in the base frame.",
             "transpose for inverse": "The transpose inverts the rotation, but it also moves the position into the last row.",

@@ -65,8 +65,7 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
         "number beside it is the height $z$.",
         further="What is $T_{bs}$, and which of its numbers can you read off the drawing directly?",
         figure=partial(draw_frames, {"s": np.eye(4), "b": T_sb.value}, arrows=False, numbers=True),
-        answer=PoseAnswer(T_sb.value),
-        solution=T_sb,
+        answer=PoseAnswer(T_sb),
         advice={
             "axes in rows": "The axes of {b}, written in {s}, are the columns of $R_{sb}$; its rows are the axes of {s}, written in {b}.",
             "inverse": "The inverse is $T_{bs}$, the pose of {s} in {b}; in $T_{sb}$ the axes and the origin of {b} are written in {s}.",
@@ -96,8 +95,7 @@ def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
         "you, a cross that it points away from you. Give $R_{ab}$.",
         further="Which rotation takes you back from {b} to {a}, and how does its matrix differ from yours?",
         figure=partial(draw_rotation, k, degrees),
-        answer=RotationAnswer(R.value),
-        solution=R,
+        answer=RotationAnswer(R),
         advice={
             "sign of an angle": "The opposite angle belongs to $R_{ba} = R_{ab}^T$. The columns of $R_{ab}$ are the axes of {b}, written "
             f"in {{a}}: is the component of ${first}_b$ along ${next_axis}_a$ positive or negative?",
@@ -139,8 +137,7 @@ def homogeneous_matrix(sampler: ArmSampler) -> Problem:
         "shape (3, 3). It takes the homogeneous coordinates $(x, y, 1)$ of a point to those of the place to which the point moves.",
         further="Swap the order of the two motions. Which block of the matrix changes, and which stays?",
         given={"first": "shift" if shift_first else "turn", "degrees": degrees, "p": shift},
-        answer=Numbers(A.value),
-        solution=A,
+        answer=Numbers(A),
         advice={
             "order": "The order matters: here the translation comes first, so the rotation acts on it too: $R\\,(x + p) = R\\,x + R\\,p$."
             if shift_first
@@ -176,8 +173,7 @@ def point_and_arrow(sampler: ArmSampler) -> Problem:
         further="The camera moves by 1 m without rotating. Which of your two rows changes?",
         figure=partial(draw_frames, {"s": np.eye(4), "c": T}, arrows=False),
         given={"T_sc": T, "point_c": x_c, "arrow_c": d},
-        answer=VectorsAnswer(both.value, unit="m", names=["the point", "the vector"]),
-        solution=both,
+        answer=VectorsAnswer(both, unit="m", names=["the point", "the vector"]),
         advice={
             "inverse": "$T_{sc}$ takes coordinates in {c} to coordinates in {s}.",
             "rotation transposed": "$R_{sc}^T$ takes components in {s} to components in {c}. In NumPy, `x @ R` is $R^T x$.",
@@ -199,8 +195,7 @@ def look_back(sampler: ArmSampler) -> Problem:
         further="For which poses is the inverse the same matrix as the pose itself?",
         figure=partial(draw_frames, {"s": np.eye(4), "g": T}, arrows=False),
         given={"T_sg": T},
-        answer=PoseAnswer(T_gs.value),
-        solution=T_gs,
+        answer=PoseAnswer(T_gs),
         advice={
             "inverse left out": "$T_{sg}$ is the pose of the gripper in {s}; the question is the pose of the base in {g}.",
             "transpose for inverse": "The transpose inverts the rotation, but it also moves the position into the last row.",
@@ -231,8 +226,7 @@ def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
         further="Which pose do you get from $T_{oc}\\,T_{cs}\\,T_{st}$, and how is it related to your answer?",
         figure=partial(draw_frames, {"s": np.eye(4), "c": T_sc, "t": T_st}, arrows=False),
         given={"T_sc": T_sc, "T_co": T_co, "T_st": T_st},
-        answer=PoseAnswer(T_to.value),
-        solution=T_to,
+        answer=PoseAnswer(T_to),
         advice={
             "inverse left out": "The inverse of $T_{st}$ is $T_{ts}$, whose second subscript cancels with the first of $T_{sc}$.",
             "factor left out": "All three factors are needed: $T_{ts}\\,T_{sc}\\,T_{co}$.",
@@ -408,8 +402,7 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
             "shift": far * np.eye(3)[along],
             "own": "turn" if turn_is_own else "shift",
         },
-        answer=PoseAnswer(moved.value),
-        solution=moved,
+        answer=PoseAnswer(moved),
         advice=dict.fromkeys(("order", "first factor", "last factor", "reversed"), LEFT_OR_RIGHT)
         | {
             "sign of an angle": "By the right-hand rule, the fingers curl in the positive sense if the thumb points along the axis."
@@ -470,8 +463,7 @@ def three_angles(sampler: ArmSampler) -> Problem:
         f"$$R_1 = {matrix(general)}$$\n\n$$R_2 = {matrix(singular)}$$",
         further="Which of your two answers changes most if one entry of $R$ is off by a hundredth?",
         given={"R_1": general, "R_2": singular},
-        answer=EulerAnglesAnswer(angles.value),
-        solution=angles,
+        answer=EulerAnglesAnswer(angles),
     )
 
 

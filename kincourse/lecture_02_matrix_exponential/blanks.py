@@ -39,8 +39,7 @@ def p_column(_draw: ArmSampler) -> Problem:
     p = position_exp(direction("\\omega", S[:3]), direction("v", S[3:]), third_of_a_turn())
     return Problem(
         statement=f"Give the translation part of $e^{{[S]q}}$ for $S = {vector(S)}$ and $q = 2\\pi/3$.",
-        answer=Numbers(p.value, unit="metres"),
-        solution=p,
+        answer=Numbers(p, unit="metres"),
     )
 
 
@@ -49,8 +48,7 @@ def leaning_rotation(_draw: ArmSampler) -> Problem:
     R = rotation_exp(direction("\\omega", angled_arm().screws[1, :3]), third_of_a_turn())
     return Problem(
         statement="Give $R = e^{[\\omega]q}$ for joint 2 of the angled arm, $q = 2\\pi/3$.",
-        answer=Numbers(R.value),
-        solution=R,
+        answer=Numbers(R),
         advice={"sign of an angle": "The first row of $[\\omega]$ is $(0, -\\omega_z, \\omega_y)$."},
     )
 
@@ -70,8 +68,7 @@ def leaning_pose(_draw: ArmSampler) -> Problem:
     T = assemble(rotation_exp(omega, q), p)
     return Problem(
         statement="Give $e^{[S]q}$ for joint 2 of the angled arm, $q = 2\\pi/3$.",
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
     )
 
 
@@ -97,8 +94,7 @@ def long_axis(_draw: ArmSampler) -> Problem:
     )
     return Problem(
         statement="Give $e^{[S]\\theta}$ for $\\omega = (0, 0, 2)$, $v = (1, 0, 0)$, $\\theta = \\pi/4$.",
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
         invisible=("coefficients swapped", "cos for 1 - cos"),  # at a quarter turn, sin and 1 - cos are both 1
     )
 

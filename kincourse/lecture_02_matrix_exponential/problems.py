@@ -75,8 +75,7 @@ def turn_about_a_line(sampler: ArmSampler) -> Problem:
         "Give its rotation matrix $R$.",
         further="About which points of space does nothing move, and what would change if $d$ were negated?",
         given={"direction": direction, "degrees": degrees},
-        answer=RotationAnswer(R.value),
-        solution=R,
+        answer=RotationAnswer(R),
         advice={
             "not a unit vector": f"The axis must be a unit vector: divide by its length, {length}.",
             "sign of an angle": "With the opposite sign of the angle you get $R^T$. Check the signs in $[\\omega]$, too.",
@@ -152,8 +151,7 @@ def gyroscope(sampler: ArmSampler) -> Problem:
         f"pose of the body is $I$. Give its pose after {number(seconds)} seconds.",
         further="When has the body made exactly one turn, and where is it then?",
         given={"omega": omega, "v": v, "seconds": seconds},
-        answer=PoseAnswer(there.value),
-        solution=there,
+        answer=PoseAnswer(there),
     )
 
 
@@ -209,8 +207,7 @@ def three_terms(sampler: ArmSampler) -> Problem:
         f"is {number(radius)} m from the axis. How far is the result from the right position, in millimetres?",
         further="How much smaller is the error with half of the angle? Which power of $\\theta$ is this?",
         given={"radius": radius, "theta": angle},
-        answer=Numbers(np.array(error.value), unit="mm"),
-        solution=error,
+        answer=Numbers(error, unit="mm"),
         advice={
             "leave out $\\theta^2 / 2$": "The identity is a term too, so the first three terms are $I$, $[\\omega]\\theta$ and "
             "$[\\omega]^2\\theta^2/2$.",
@@ -407,8 +404,7 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
         f"has all of them.",
         further="The symmetric part of $R$ gives the axis, too. Why is it more accurate near half a turn?",
         given={"R": R},
-        answer=Numbers(x.value, unit="radians", test=keeps_its_axis),
-        solution=x,
+        answer=Numbers(x, unit="radians", test=keeps_its_axis),
         advice={
             "leave out the factor $\\theta$": "The unit vector is the axis alone. The logarithm is axis times angle.",
             "forget to divide by $2$": "$R - R^T = 2 \\sin\\theta\\,[\\omega]$, so you need half of it.",
@@ -471,8 +467,7 @@ def hinge(sampler: ArmSampler) -> Problem:
         f"$$T_2 = {matrix(T_2.value)}$$",
         further="The two poses are measured to a centimetre. For which opening angles is the hinge found most accurately?",
         given={"T_1": T_1.value, "T_2": T_2.value},
-        answer=Numbers(point_of.value, unit="m"),
-        solution=point_of,
+        answer=Numbers(point_of, unit="m"),
     )
 
 

@@ -24,8 +24,7 @@ def leaning_joint(_draw: ArmSampler) -> Problem:
     S = screw(omega, moment(omega, given("p", (0, 0, 0.4))))
     return Problem(
         statement="The axis of joint 2 is tilted from $z$ towards $x$ by 30 degrees and passes through $(0, 0, 0.4)$. Give $S_2$.",
-        answer=ScrewsAnswer(S.value, names=["S_2"]),
-        solution=S,
+        answer=ScrewsAnswer(S, names=["S_2"]),
         advice={
             "sign of an angle": "An axis tilted towards $x$ has a positive component along $x$.",
             "degrees": "The sine and the cosine need radians. The wrong axis still has unit length, so the library cannot "
@@ -41,8 +40,7 @@ def spindle(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="The axis of a helical joint has the direction $x$ and passes through $(0, 0.3, 0.2)$. The joint advances 0.5 "
         "m in a full turn. Give its screw axis.",
-        answer=ScrewsAnswer(S.value, names=["the screw axis"]),
-        solution=S,
+        answer=ScrewsAnswer(S, names=["the screw axis"]),
         advice={
             "divisor left out": "The pitch is in metres per radian, so it is the lead divided by $2\\pi$: $h = l / 2\\pi$.",
             "product for division": "One radian is less than a full turn, so the pitch is less than the lead.",
@@ -74,8 +72,7 @@ def youbot_wrist(_draw: ArmSampler) -> Problem:
     )
     return Problem(
         statement="Read $S_4$ off the drawing of the youBot.",
-        answer=ScrewsAnswer(S.value, names=["S_4"]),
-        solution=S,
+        answer=ScrewsAnswer(S, names=["S_4"]),
         advice={
             "sign of a vector": "The arrow of joint 4 points along $-y$. If you point the thumb of your right hand along it, the fingers "
             "show the positive rotation, which lifts the end-effector."
@@ -103,8 +100,7 @@ def youbot_home(_draw: ArmSampler) -> Problem:
         statement="The origin of {b} is at the tip of the end-effector, 0.2175 m beyond joint 4 along the $x$ of {s}. The $z$ "
         "axis of {b} points along the $x$ "
         "of {s}, and the $x$ axis of {b} along the $z$ of {s}. Give $M$.",
-        answer=PoseAnswer(M.value),
-        solution=M,
+        answer=PoseAnswer(M),
         advice={
             "rotation left out": "The columns of the rotation are the axes of {b}, written in {s}.",
             "inverse": "$M^{-1} = T_{bs}$ gives the base in the frame {b}. $M = T_{sb}$ takes coordinates in {b} to {s}.",

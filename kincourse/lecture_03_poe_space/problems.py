@@ -111,8 +111,7 @@ def velocity_at_sight(sampler: ArmSampler) -> Problem:
         further="Where would an axis along $z$ have to be, so that its $v$ is $(0, 2, 0)$?",
         figure=partial(draw_joints, robot),
         shown={"axes": axes, "points": robot.joint_points},
-        answer=VectorsAnswer(every.value, names=["v_1", "v_2", "v_3"], unit="m/s"),
-        solution=every,
+        answer=VectorsAnswer(every, names=["v_1", "v_2", "v_3"], unit="m/s"),
         advice={
             "point as moment": "The origin moves perpendicular to the axis and to the line that joins it to the axis."
         },
@@ -139,8 +138,7 @@ def angled_joint(sampler: ArmSampler) -> Problem:
         further="At which angle does the moment become largest?",
         figure=partial(draw_joints, robot),
         given={"degrees": degrees, "from_axis": upright, "towards": toward, "point": p},
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         advice={
             "sign of an angle": f"An axis tilted towards ${names[1]}$ has a positive component along ${names[1]}$."
         },
@@ -164,8 +162,7 @@ def helical_joint(sampler: ArmSampler) -> Problem:
         further="What is the screw axis of the left-handed joint with the same lead?",
         figure=partial(draw_joints, robot),
         given={"axis": axis, "point": point, "lead": lead},
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         advice={
             "divisor left out": "The pitch is in metres per radian, so it is the lead divided by $2\\pi$: $h = l / 2\\pi$.",
             "product for division": "One radian is less than a full turn, so the pitch is less than the lead.",
@@ -186,8 +183,7 @@ def from_a_drawing(sampler: ArmSampler) -> Problem:
         statement=f"Read the screw axis of joint {joint} off the drawing. All joints are revolute; coordinates are whole metres.",
         further="Which other points of this axis could you have read off the drawing?",
         figure=partial(draw_joints, robot),
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         advice={
             "sign of a vector": "The arrow in the drawing shows the positive rotation.",
             "coordinates swapped": "Follow the dotted line to the floor, then read along each axis.",
@@ -272,8 +268,7 @@ def camera_on_a_link(sampler: ArmSampler) -> Problem:
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "camera_home": camera, "q": q},
         shown={"link": k},
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
         advice={
             "reversed": JOINT_ORDER_ADVICE,
             "first factor": "$M$ acts on the camera first, so it is the last factor.",
@@ -335,8 +330,7 @@ def longer_tool(sampler: ArmSampler) -> Problem:
         further="For which joint values do the old and the new tool have the same orientation?",
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws, "home": robot.home, "longer": longer, "q": q},
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
         invisible=["order"],  # joint 3 translates along the axis of joint 2, so their factors commute
         advice={
             "leave out $\\mathrm{Trans}_z$": "Without $\\mathrm{Trans}_z$ you have the old tool. The new home pose is $M' = "
@@ -577,8 +571,7 @@ def palletizer(sampler: ArmSampler) -> Problem:
         "in {s}, as rows, in metres. An axis that points towards you is a ring with a dot, one that points away a ring with a cross.",
         further="The origin of {s} is moved to joint 2. Which numbers of your screws change?",
         figure=lambda: draw_dimensions([foot, np.array([foot[0], foot[1], shoulder[2]]), *points], drawn, marks),
-        answer=ScrewsAnswer(S.value, names=["screw 2", "screw 3", "screw 4"]),
-        solution=S,
+        answer=ScrewsAnswer(S, names=["screw 2", "screw 3", "screw 4"]),
         invisible={"another point"},
     )
 
@@ -621,8 +614,7 @@ def ur5e_on_a_stand(sampler: ArmSampler) -> Problem:
         further="Give the home pose $M$ of the flange, which is 99.6 mm beyond joint 6 along its axis, with $z$ pointing out of it.",
         figure=lambda: draw_dimensions(body, drawn, {"base": place}),
         shown={"axes": axes, "points": points},
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         invisible={"another point"},
     )
 

@@ -99,8 +99,7 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
         "{b} of the end-effector. All joints are revolute; coordinates are whole metres.",
         further="Give the space screw of the same joint. Which half of it do you know without computing?",
         figure=partial(draw_joints, robot, tool=True),
-        answer=ScrewsAnswer(B.value),
-        solution=B,
+        answer=ScrewsAnswer(B),
         advice={"sign of a vector": "The arrow in the drawing shows the positive rotation, in {b} as in {s}."},
     )
 
@@ -228,8 +227,7 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
         further="Move $M$ one place to the left. Which screw must be rewritten?",
         figure=partial(draw_arm, robot),
         given={"screws": mixed, "home": robot.home, "values": typed},
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
         advice={"first factor": MIDDLE_ADVICE, "last factor": MIDDLE_ADVICE, "reversed": BASE_ADVICE},
     )
 
@@ -260,8 +258,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
         further="For which new tools do the $\\omega$ of all body screws stay as they are?",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "T_bt": H, "home": robot.home},
-        answer=ScrewsAnswer(new.value),
-        solution=new,
+        answer=ScrewsAnswer(new),
         advice={
             "frame not changed": "The axes stay where they are, but body screws are given in the tool frame, which is {t} now.",
             "inverse left out": "$\\mathrm{Ad}_{T_{bt}}$ takes screws in {t} to screws in {b}; here you need the opposite direction.",
@@ -333,8 +330,7 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
         further="At which rates does the tool stand still in this configuration, other than 0?",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "values": typed, "rates": rates},
-        answer=ScrewsAnswer(V.value, names=["the twist"], single="a twist"),
-        solution=V,
+        answer=ScrewsAnswer(V, names=["the twist"], single="a twist"),
         advice={
             "inverse left out": "The columns of $J_b$ are the axes as seen from the moved tool, so they need $\\mathrm{Ad}^{-1}$.",
             "order": "Inside the inverse the factors have the order of the body form, joint 2 first.",
@@ -453,8 +449,7 @@ def planar_arm(sampler: ArmSampler) -> Problem:
         "tip from joint 1 in all of them: four numbers in metres, the smallest first.",
         further="Now the direction of the last link counts as well. Which of these configurations are still singular, and which are new?",
         given={"links": L},
-        answer=Numbers(distances.value, unit="m"),
-        solution=distances,
+        answer=Numbers(distances, unit="m"),
     )
 
 
@@ -568,8 +563,7 @@ def drawn_wrist(sampler: ArmSampler) -> Problem:
         "$B_5$ and $B_6$, as rows, in metres.",
         further="With all offsets 0, which entries of the three screws vanish?",
         figure=lambda: draw_dimensions([*points, (0, 0, 0)], drawn, marks, origin="{b}"),
-        answer=ScrewsAnswer(B.value, names=["screw 4", "screw 5", "screw 6"]),
-        solution=B,
+        answer=ScrewsAnswer(B, names=["screw 4", "screw 5", "screw 6"]),
         invisible={"another point"},
         advice={"sign of a coordinate": "The wrist is behind the tool, so most coordinates in {b} are negative."},
     )

@@ -61,8 +61,7 @@ def matrix_of_row_4(_draw: ArmSampler) -> Problem:
     A_4 = link([0, RIGHT_ANGLE_RAD, 0, joint_variable("R", 4, -np.pi / 4, RIGHT_ANGLE_RAD)], "standard", 4)
     return Problem(
         statement="Give $A_4$ of the youBot at $q_4 = -\\pi/4$.",
-        answer=PoseAnswer(A_4.value),
-        solution=A_4,
+        answer=PoseAnswer(A_4),
         advice={"leave $q_4$ at 0": "The offset is added to $q_4$, and does not replace it."},
     )
 
@@ -72,8 +71,7 @@ def pose_in_the_drawn_configuration(_draw: ArmSampler) -> Problem:
     T = table_product(YOUBOT.rows, YOUBOT.joints, BENT_CONFIGURATION, "standard")
     return Problem(
         statement="Give $T(q) = A_1 A_2 A_3 A_4 A_5$ of the youBot at $q = (0, 0, \\pi/2, -\\pi/4, -\\pi/4)$.",
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
         invisible=["order"],  # at q_1 = q_2 = 0 the first two link transforms commute
     )
 
@@ -95,8 +93,7 @@ def row_2(_draw: ArmSampler) -> Problem:
         row = row.mistaken_for((name, text, np.array(wrong), advice))
     return Problem(
         statement="Read row 2 of the youBot from the drawn frames: $a_2, \\alpha_2, d_2$ and $\\theta_2$ at $q = 0$.",
-        answer=DHRowAnswer(row.value),
-        solution=row,
+        answer=DHRowAnswer(row),
     )
 
 
@@ -115,6 +112,5 @@ def row_5(_draw: ArmSampler) -> Problem:
         row = row.mistaken_for((name, text, np.array(wrong), advice))
     return Problem(
         statement="Read row 5 of the youBot from the drawn frames: $a_5, \\alpha_5, d_5$ and $\\theta_5$ at $q = 0$.",
-        answer=DHRowAnswer(row.value),
-        solution=row,
+        answer=DHRowAnswer(row),
     )

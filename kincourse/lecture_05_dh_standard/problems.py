@@ -204,10 +204,7 @@ def offsets(sampler: ArmSampler) -> Problem:
         further="The arm is drawn at another zero. Which numbers of the table change, and which do not?",
         figure=partial(draw_table, table, view="top"),
         given={"headings_degrees": np.array(headings)},
-        answer=DHEntriesAnswer(
-            c.value, names=["offset of $\\theta_1$", "offset of $\\theta_2$", "offset of $\\theta_3$"]
-        ),
-        solution=c,
+        answer=DHEntriesAnswer(c, names=["offset of $\\theta_1$", "offset of $\\theta_2$", "offset of $\\theta_3$"]),
         advice={
             "degrees": "Give the offsets in radians.",
             **{
@@ -292,8 +289,7 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
             draw_table, table
         ),  # drawn at zero, because the text alternative at q would give the answer away
         given={"rows": np.array(rows), "base": base, "tool": tool, "q": q},
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
         advice={
             "leave out $T_{s0}$": f"This is the pose of the camera in frame 0. {BASE_AND_TOOL_ADVICE}",
             "leave out $T_{2b}$": f"This is the pose of frame 2, without the tool. {BASE_AND_TOOL_ADVICE}",
@@ -350,8 +346,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         further="Move every origin to the height 0. What do the rows say now?",
         figure=partial(draw_joints, robot),
         given={"points": points},
-        answer=DHEntriesAnswer(answer.value, names=["a_1", "d_1", "a_2", "d_2"]),
-        solution=answer,
+        answer=DHEntriesAnswer(answer, names=["a_1", "d_1", "a_2", "d_2"]),
         advice={
             "root left out": NORMAL_ADVICE,
             "square left out": NORMAL_ADVICE,

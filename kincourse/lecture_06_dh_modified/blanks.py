@@ -43,8 +43,7 @@ def n5_rows_2_and_3(_draw: ArmSampler) -> Problem:
     T_13 = table_product(at_zero, "PR", [ROW_2[2], ROW_3[3]], "modified", first=2)
     return Problem(
         statement="At $q_2 = 0.3$ m and $q_3 = 90°$, give ${}^1T_3 = {}^1T_2\\,{}^2T_3$ of the n = 5 arm, with $l_2 = 0.5$ m.",
-        answer=PoseAnswer(T_13.value),
-        solution=T_13,
+        answer=PoseAnswer(T_13),
         advice={"order": "Neighbouring indices cancel, so the 2s must be side by side."},
     )
 

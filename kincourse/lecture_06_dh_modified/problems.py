@@ -270,8 +270,7 @@ def chain(sampler: ArmSampler) -> Problem:
         further="The prismatic joint moves by 0.1 m. In which direction does the end-effector move?",
         figure=partial(draw_arm, table.to_chain()),
         given={"rows": table.rows, "values": np.array([degrees[0], d2, degrees[1]])},
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
     )
 
 
@@ -321,8 +320,7 @@ def wrist(sampler: ArmSampler) -> Problem:
         + _format_table(rows, "modified", "RRR", first=4),
         further="For which angles is the rotation the constant alone?",
         given={"degrees": degrees},
-        answer=RotationAnswer(R.value),
-        solution=R,
+        answer=RotationAnswer(R),
     )
 
 
@@ -390,8 +388,7 @@ def angles_of_a_wrist(sampler: ArmSampler) -> Problem:
         "the singular configuration of the wrist, where axes 4 and 6 are collinear.",
         further="Which orientations can the wrist reach in one way only?",
         given={"rotations": np.array(rotations)},
-        answer=WristAnglesAnswer(angles.value),
-        solution=angles,
+        answer=WristAnglesAnswer(angles),
     )
 
 
@@ -594,8 +591,7 @@ def panda_on_a_wall(sampler: ArmSampler) -> Problem:
         "configuration, as rows.",
         further="Which rows of the table would stay the same if the maker had chosen the standard convention?",
         shown={"rows": rows, "base": base},
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         invisible={"another point"},
     )
 

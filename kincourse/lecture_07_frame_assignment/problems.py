@@ -93,8 +93,7 @@ def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
         further="At which place of the joint is one of the two lengths 0?",
         figure=partial(draw_joints, robot),
         given={"a_1": first, "a_2": second, "moved_to": moved},
-        answer=Numbers(answer.value, unit="m"),
-        solution=answer,
+        answer=Numbers(answer, unit="m"),
         advice={"leave out $-x$": "$a_2$ leads from joint 2 to joint 3.", "entries swapped": "$a_1$ leads to joint 2."},
     )
 

@@ -125,8 +125,7 @@ def slider(sampler: ArmSampler) -> Problem:
         further="At which crank angle is the slider farthest away?",
         figure=partial(draw_linkage, linkage, np.array([A, -A, 1.1 * (crank + rod), 0.0])),
         given={"crank": crank, "rod": rod, "offset": offset, "degrees": degrees},
-        answer=Numbers(np.array(x.value), unit="m", test=rod_to),
-        solution=x,
+        answer=Numbers(x, unit="m", test=rod_to),
         advice={
             "sign of an angle": f"This is right for the mirror image, with the crank below the $x$ axis. {ANTICLOCKWISE}",
             "sign of a length": f"This is right for the mirror image. Here the slider moves {side} A.",
@@ -209,8 +208,7 @@ def gap_of_points(sampler: ArmSampler) -> Problem:
         further="The rocker is moved until the gap is as short as possible. Which angle does the gap then have to the rocker?",
         figure=partial(draw_linkage, linkages.four_bar(*four_bar), np.radians([*degrees, 0.0])),
         given={"bars": tuple(four_bar), "degrees": dict(zip("ABD", degrees, strict=True))},
-        answer=Numbers(gap.value, unit="m"),
-        solution=gap,
+        answer=Numbers(gap, unit="m"),
         advice={"sign of an angle": ANTICLOCKWISE},
     )
 
@@ -242,8 +240,7 @@ def residual(sampler: ArmSampler) -> Problem:
         further="How large may the residual be if the lengths are measured to a millimetre?",
         figure=partial(draw_linkage, linkage, np.radians(degrees)),
         given={"S": S, "G": G, "degrees": dict(zip("ABDC", degrees.tolist(), strict=True))},
-        answer=TwistAnswer(r.value, scale=1),
-        solution=r,
+        answer=TwistAnswer(r, scale=1),
         invisible=["rotation transposed"],  # G is a translation
         advice={
             "inverse left out": "On the way back the joints B and A are passed backwards, so their factors are inverted.",
@@ -285,8 +282,7 @@ def both_ways(sampler: ArmSampler) -> Problem:
         further="At which crank angle do both modes meet?",
         figure=partial(draw_linkage, linkages.four_bar(*four_bar), open_configuration(np.radians(degrees))),
         given={"bars": tuple(four_bar), "degrees": degrees},
-        answer=Angles(D.value, any_order=True, test=partial(_coupler_at, four_bar, np.radians(degrees))),
-        solution=D,
+        answer=Angles(D, any_order=True, test=partial(_coupler_at, four_bar, np.radians(degrees))),
         advice={
             "lengths swapped": "C lies on a circle about B, whose radius is the coupler, and on one about D, whose radius is the rocker.",
             "sign of an angle": MIRRORED,
@@ -370,8 +366,7 @@ def coupler_point(sampler: ArmSampler) -> Problem:
         further="Where is P in the other assembly mode?",
         figure=partial(draw_linkage, linkage, four_bar.assembly_modes(np.radians(degrees))[0], points=drawn),
         given={"bars": tuple(four_bar), "degrees": degrees, "along": along, "left": left},
-        answer=Numbers(P.value, unit="m", test=distance_from_B),
-        solution=P,
+        answer=Numbers(P, unit="m", test=distance_from_B),
         advice={
             "take the $y$ of $p$ with the opposite sign": "P lies to the left of the arrow from B to C.",
             "sine and cosine swapped": "At 0 degrees a bar lies along $x$.",
@@ -431,8 +426,7 @@ def dead_point(sampler: ArmSampler) -> Problem:
         further="What changes if the longest bar is the ground?",
         figure=partial(draw_linkage, linkages.four_bar(*four_bar), four_bar.assembly_modes(0.6 * A.value)[0]),
         given={"bars": tuple(four_bar)},
-        answer=Angles(np.array(A.value), test=reach),
-        solution=A,
+        answer=Angles(A, test=reach),
         advice={
             "mirror image": "The least angle belongs to the mirror image, with the crank below the ground line.",
             "another corner": "The crank's angle is the angle at A, opposite the stretched bars.",
@@ -563,8 +557,7 @@ def wiper(sampler: ArmSampler) -> Problem:
         f"and {degrees[1]} degrees. How long are crank and coupler, in metres?",
         further="Does the wiper take the same time in both directions if the motor runs at constant speed?",
         given={"ground": ground, "rocker": rocker, "degrees": degrees},
-        answer=Numbers(both.value, unit="m"),
-        solution=both,
+        answer=Numbers(both, unit="m"),
         invisible={"sign of an angle"},
     )
 

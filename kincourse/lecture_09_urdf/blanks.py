@@ -56,8 +56,7 @@ def screw_of_tilt(_draw: ArmSampler) -> Problem:
     S = revolute(direction("\\omega", Y), given("p", p))
     return Problem(
         statement="Give the screw axis of the lamp's joint `tilt` in {s}.",
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         mistakes=[
             mistake(
                 "axis read in the base",

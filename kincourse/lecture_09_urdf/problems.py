@@ -179,8 +179,7 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         further="Which `xyz` can you change without moving the origin of joint 3?",
         shown={"urdf": text},
-        answer=VectorsAnswer(p.value, unit="m"),
-        solution=p,
+        answer=VectorsAnswer(p, unit="m"),
         advice={
             "rotation left out": "Each `xyz` is in the frame of its parent.\nSo $p = p_1 + R_1 p_2 + R_1 R_2\\,p_3$.",
             "order": "From the base outwards, the first joint is on the left: $R_1 R_2$.",
@@ -221,8 +220,7 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         further="Which parts of the file could you change without changing this screw axis?",
         shown={"urdf": text},
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         # With right angles, R_3 R_1 R_2 is often R_1 R_2 R_3; it is not an order in which people multiply.
         invisible={"first factor", "last factor"},
     )
@@ -254,8 +252,7 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         further="Where does the file say how the hand is drawn, and does $M$ depend on it?",
         shown={"urdf": text},
-        answer=PoseAnswer(M.value),
-        solution=M,
+        answer=PoseAnswer(M),
         advice={
             "leave out $T_3$": "A fixed joint does not move, but it has a pose.",
             "reversed": "Each origin is in the frame before it, so the joint at the base is leftmost.",
@@ -591,8 +588,7 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
         further="Which multiplier keeps the direction of the forearm fixed in the base?",
         given={"q": q_rad},
         shown={"urdf": text},
-        answer=VectorsAnswer(x.value, unit="m"),
-        solution=x,
+        answer=VectorsAnswer(x, unit="m"),
         advice={
             f"leave out {what}": MIMIC_ADVICE
             for what in ("the factor $\\mathrm{multiplier}$", "$\\mathrm{offset}$", f"${q_2.latex}$")
@@ -645,8 +641,7 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
         f"the file. Which three numbers must `axis` of `joint_3` have instead? {SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         further="Which axis would hide this error?",
         given={"urdf": text, "omega": omega},
-        answer=VectorsAnswer(axis.value),
-        solution=axis,
+        answer=VectorsAnswer(axis),
         advice={"transpose left out": WRONG_FRAME_ADVICE},
         # With right angles, R_3 R_1 R_2 is often R_1 R_2 R_3; it is not an order in which people multiply.
         invisible={"first factor", "last factor"},

@@ -20,8 +20,7 @@ def body_screw(_draw: ArmSampler) -> Problem:
     B = change_frame(inverse(pose("M", ARM.home)), screw_axes("S_3", ARM.screws[2]))
     return Problem(
         statement="Give the body screw $B_3$ of the RPR arm.",
-        answer=ScrewsAnswer(B.value),
-        solution=B,
+        answer=ScrewsAnswer(B),
         invisible=["sign of v"],  # the moment of S_3 is zero
         advice={
             "inverse left out": "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here.",
@@ -42,8 +41,7 @@ def origin_of_joint_3(_draw: ArmSampler) -> Problem:
     )
     return Problem(
         statement="With all frames parallel to {s}, give the `xyz` of joint 3.",
-        answer=VectorsAnswer(step.value, unit="m"),
-        solution=step,
+        answer=VectorsAnswer(step, unit="m"),
         advice={
             "leave out $-p_2$": "In a URDF the origin of joint 3 is given in the frame of joint 2, which is at $(-4, -2, 0)$."
         },
@@ -64,8 +62,7 @@ def origin_of_tool(_draw: ArmSampler) -> Problem:
     )
     return Problem(
         statement="With the frame of joint 3 parallel to {s}, give the `xyz` of the fixed joint to the tool.",
-        answer=VectorsAnswer(step.value, unit="m"),
-        solution=step,
+        answer=VectorsAnswer(step, unit="m"),
         advice={
             "leave out $-p_3$": "This is the position in $M$, measured from {s}. The file measures it from joint 3, at $(0, -4, 0)$."
         },

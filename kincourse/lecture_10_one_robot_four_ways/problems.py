@@ -103,8 +103,7 @@ def from_a_table(sampler: ArmSampler) -> Problem:
         f"axis $S_3$ of joint 3 in {{s}}, at home.\n\n{_format_table(table)}",
         further="Which entries of the screw depend on the choice of $x_2$?",
         given={"rows": rows},
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         advice={
             "another joint": "In the standard convention joint $i$ rotates about $z_{i-1}$, so joint 3 rotates about $z_2$.",
             "body screw": "In {s} it is $S_3 = \\mathrm{Ad}_M B_3$.",
@@ -143,8 +142,7 @@ def joint_origin(sampler: ArmSampler) -> Problem:
         "Give the `xyz` of joint 2, whose parent is the link of joint 1, in metres.",
         further="Which `rpy` would give the same origin with another axis?",
         given={"xyz_1": here, "rpy_1_in_degrees": np.array(degrees, dtype=float), "place_2": there},
-        answer=VectorsAnswer(xyz.value, unit="m"),
-        solution=xyz,
+        answer=VectorsAnswer(xyz, unit="m"),
         advice={
             "transpose left out": "$R$ takes components in the frame of joint 1 to components in {s}; here you need $R^T$.",
             "factor left out": "The frame of joint 1 is rotated: give the components along its axes.",
@@ -282,8 +280,7 @@ def screws_of_the_project(sampler: ArmSampler) -> Problem:
         "positive direction: a ring with a dot points towards you, a ring with a cross away from you.",
         further="Check one screw by the velocity of a point. Which point do you take?",
         figure=lambda: project.drawing("screws"),
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         invisible={"another point"},
     )
 

@@ -94,8 +94,7 @@ def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
         f"$$T_{{sr}} = {matrix(T_sr)}$$\n\n$$T_{{rf}} = {matrix(T_rf)}$$\n\n$$T_{{fb}} = {matrix(T_fb)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "r": T_sr, "f": T_sr @ T_rf}),
         given={"T_sr": T_sr, "T_rf": T_rf, "T_fb": T_fb},
-        answer=PoseAnswer(M.value),
-        solution=M,
+        answer=PoseAnswer(M),
         advice={
             "leave out $T_{sr}$": "This is the pose of the tool in {r}: $T_{sr}$ must be the first factor.",
             "leave out $T_{fb}$": "This is the pose of the flange: $T_{fb}$ must be the last factor.",
