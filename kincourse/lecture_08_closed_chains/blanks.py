@@ -62,10 +62,6 @@ def count(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Which mobility does the Gruebler-Kutzbach formula give for the planar 3-RRR robot?",
         answer=Numbers(mobility),
-        invisible=[
-            "leg left out",
-            "platform alone",
-        ],  # a leg of three revolute joints has three degrees of freedom, as the platform has without it
         advice={
             "bodies": "The ground is a body too, so $N = 8$. The formula subtracts it itself, in $N - 1$.",
             "another d": "A body in the plane has $d = 3$ degrees of freedom, and a revolute joint leaves one of them.",
