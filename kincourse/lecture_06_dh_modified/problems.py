@@ -1,14 +1,12 @@
 """Sheet 06: rows as two screw motions, link transforms, both conventions of one arm, a faulty entry, wrists, chains."""
 
-import itertools
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
-from functools import lru_cache, partial, reduce
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import partial
 from itertools import accumulate
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kincourse.answers.dh_row import DHRowsAnswer
 from kincourse.answers.dh_table import DHTableAnswer
@@ -30,22 +28,20 @@ from kincourse.sampling.drawn_machines import (
     table_frames,
 )
 from kincourse.text.joint_table import joint_table
-from kinlib.arrays.validation import Array, read_only_copy
-from kinlib.chains.chain import random_configurations
+from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.dh.formatting import add_variable, headings, in_latex, markdown_table
 from kinlib.dh.parsing import COLUMNS
-from kinlib.dh.table import Convention, DHTable, dh_transform
+from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.lie import homogeneous
 from kinlib.view import draw_arm, draw_frames, draw_joints
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Named
 from misstep.answers.choice import Choice
-from misstep.answers.likeness import Likeness
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
 from misstep.display.text import degrees, matrix, number, vector
-from misstep.mistakes import Mistake, mistake
+from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import stack
 from misstep.problem import Problem
@@ -60,6 +56,9 @@ MIN_HEIGHT_M = 0.5
 ALPHAS_DEG = (-90, 90, -60, 60, -45, 45, -30, 30)
 """Values of alpha that are easy to type. None is 0, because parallel joint axes would hide half of the mistakes."""
 
+LINK = [0, 1]
+"""The columns that belong to the link: a and alpha."""
+
 WRIST_ADVICE = "The wrist is $R_y(\\theta_4)\\,R_z(\\theta_5)\\,R_y(\\theta_6)\\,R_x(-90°)$. With all angles 0 only the constant is left."
 
 OFF_THE_NORMAL = (
@@ -68,118 +67,35 @@ OFF_THE_NORMAL = (
 )
 
 
-@dataclass(frozen=True, eq=False)
-class ConvertedRowsAnswer(DHRowsAnswer):
-    """The rows of a converted table, shape (m, 4): a, alpha, d, theta at q = 0.
-
-    Each row is a part. All are right if they lead from frame 0 to frame m as the right ones do, for every q. If they do not, each is
-    compared with the right one: angles modulo a full turn, and with the directions of x_1 to x_{m-1} for which the most rows agree.
-
-    convention   of the rows
-    joints       the letter of each joint
-    unconverted  the rows of the given table, in the other convention
-
-    >>> given, right = np.array([[4, 1, 3, 0], [0, 0, 6, 0]]), np.array([[0, 0, 3, 0], [4, 1, 6, 0]])
-    >>> flipped = np.array([[0, 0, 3, np.pi], [-4, -1, 6, -np.pi]])
-    >>> answer = ConvertedRowsAnswer(right, convention="modified", joints="RP", unconverted=given)
-    >>> [answer.agrees(right, other) for other in (right + (0, 0, 0, 2 * np.pi), flipped, flipped * (1, 1, 2, 1), right * (1, -1, 1, 1))]
-    [[True, True], [True, True], [False, False], [True, False]]
-    """
-
-    convention: Convention = field(kw_only=True)
-    joints: str = field(kw_only=True)
-    unconverted: Array = field(kw_only=True)
-
-    def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
-        """Return, for each entry, whether it is right, for the directions of x for which the most rows and entries are."""
-        if np.abs(self._poses(one) - self._poses(other)).max() <= tolerance:
-            return np.ones(np.shape(other), dtype=bool)
-        return self._nearest(one, other, tolerance)[1]
-
-    def _nearest(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> tuple[Array, NDArray[np.bool_]]:
-        """Return the second rows with those directions of x, and which entries agree."""
-        rows = self._with_other_x(other)
-        same = super().same_entries(one, rows, tolerance)
-        right_rows, right_entries = same.all(axis=2).sum(axis=1), same.sum(axis=(1, 2))
-        best = np.argmax(right_rows * same[0].size + right_entries)
-        return rows[best], same[best]
-
-    def likeness(self, given: Array, part: int | None) -> Likeness:
-        right = self._nearest(given, self.value)[0]
-        return DHRowsAnswer.likeness(replace(self, value=right), given, part)
-
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        """Return how the rows are the right ones in another order, for any directions of x; or what is wrong with one of them."""
-        if part is not None:
-            return DHRowsAnswer.resemblance(replace(self, value=self._nearest(given, self.value)[0]), given, part)
-        ways = (replace(self, value=rows) for rows in self._with_other_x(self.value))
-        return next(filter(None, (DHRowsAnswer.likeness(way, given, None).order() for way in ways)), None)
-
-    def wrong_conversions(self) -> list[tuple[str, Array, str]]:
-        """Return wrong conversions of the given table: the name, the rows, and what is true of them."""
-        step = 1 if self.convention == "modified" else -1
-        link = [0, 1]
-        kept, folded = self._moved(step, link), self._moved(step, link)
-        end, start = (0, -1) if step == 1 else (-1, 0)
-        kept[end, link], folded[end, link] = self.unconverted[end, link], self.unconverted[start, link]
-        return [
-            ("not converted", self.unconverted, "These are the rows of the given table, not converted."),
-            ("moved the other way", self._moved(-step, link), "$a$ and $\\alpha$ are moved in the wrong direction."),
-            ("whole rows moved", self._moved(step, [0, 1, 2, 3]), "Whole rows are moved: $d$ and $\\theta$ stay with their joint."),
-            ("d and theta moved", self._moved(step, [2, 3]), "$d$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
-            ("a alone moved", self._moved(step, [0]), "$a$ is moved, and $\\alpha$ is not. Both belong to the link."),
-            ("alpha alone moved", self._moved(step, [1]), "$\\alpha$ is moved, and $a$ is not. Both belong to the link."),
-            ("both angles moved", self._moved(step, [1, 3]), "$\\alpha$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
-            ("d and theta moved", self._moved(-step, [2, 3]), "$d$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
-            ("two rows too far", np.roll(self.unconverted, 2 * step, axis=0) * (1, 1, 0, 0) + self.unconverted * (0, 0, 1, 1),
-             "$a$ and $\\alpha$ are moved by two rows instead of one."),
-            ("two rows too far", self._moved(2 * step, link), "$a$ and $\\alpha$ are moved by two rows instead of one."),
-            ("end kept", kept, "The row at the empty end keeps its $a$ and $\\alpha$, but they belong to the row beside it."),
-            ("end folded in", folded, "The left-over $a$ and $\\alpha$ were put in the row at the other end. They belong in no row."),
-            ("rows reversed", self.value[::-1], "The rows are in reverse order."),
-        ]  # fmt: skip
-
-    def _moved(self, by: int, columns: Sequence[int]) -> Array:
-        """The rows of the given table, with some columns moved down by some rows, and 0 in what is left empty."""
-        rows = np.array(self.unconverted)
-        rows[:, columns] = np.roll(rows[:, columns], by, axis=0)
-        empty = slice(None, by) if by > 0 else slice(by, None)
-        rows[empty, columns] = 0.0
-        return rows
-
-    def _poses(self, rows: Array) -> Array:
-        """The last frame as frame 0 sees it, at some joint values (k, 4, 4)."""
-        return _last_frames(np.asarray(rows, dtype=float).tobytes(), self.joints, self.convention)
-
-    def _with_other_x(self, rows: Array) -> Array:
-        """The rows for each choice of the directions of x_1 to x_{m-1}, (2**(m-1), m, 4), first as they are."""
-        return _rows_with_other_x(np.asarray(rows, dtype=float).tobytes(), len(rows), self.convention)
+def wrong_conversions(given: Array, right: DHTable) -> Iterator[tuple[str, Array, str]]:
+    """Yield wrong conversions of standard rows (n, 4) to a modified table: the name, the rows, and what is true of them."""
+    kept, folded = _moved(given, 1, LINK), _moved(given, 1, LINK)
+    kept[0, LINK], folded[0, LINK] = given[0, LINK], given[-1, LINK]
+    rolled = np.roll(given, 2, axis=0) * (1, 1, 0, 0) + given * (0, 0, 1, 1)
+    yield from (
+        ("not converted", given, "These are the rows of the given table, not converted."),
+        ("moved the other way", _moved(given, -1, LINK), "$a$ and $\\alpha$ are moved in the wrong direction."),
+        ("whole rows moved", _moved(given, 1, [0, 1, 2, 3]), "Whole rows are moved: $d$ and $\\theta$ stay with their joint."),
+        ("rows moved", right.rows[[0, 0, 1, 2]], "These are the right rows, each one row too low."),
+        ("d and theta moved", _moved(given, 1, [2, 3]), "$d$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
+        ("a alone moved", _moved(given, 1, [0]), "$a$ is moved, and $\\alpha$ is not. Both belong to the link."),
+        ("alpha alone moved", _moved(given, 1, [1]), "$\\alpha$ is moved, and $a$ is not. Both belong to the link."),
+        ("both angles moved", _moved(given, 1, [1, 3]), "$\\alpha$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
+        ("d and theta moved", _moved(given, -1, [2, 3]), "$d$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
+        ("two rows too far", rolled, "$a$ and $\\alpha$ are moved by two rows instead of one."),
+        ("two rows too far", _moved(given, 2, LINK), "$a$ and $\\alpha$ are moved by two rows instead of one."),
+        ("end kept", kept, "The row at the empty end keeps its $a$ and $\\alpha$, but they belong to the row beside it."),
+        ("end folded in", folded, "The left-over $a$ and $\\alpha$ were put in the row at the other end. They belong in no row."),
+        ("rows reversed", right.rows[::-1], "The rows are in reverse order."),
+    )  # fmt: skip
 
 
-def _wrong_conversions(answer: ConvertedRowsAnswer) -> list[Mistake]:
-    """The wrong conversions as mistakes: where whole columns are moved wrongly, a row that comes out right does so by chance."""
-    ends = {"end kept", "end folded in"}
-    return [mistake(*wrong, spoils=wrong[0] not in ends) for wrong in answer.wrong_conversions()]
-
-
-# Each table is compared with many others, so what depends on one table alone is kept, by its numbers.
-@lru_cache(maxsize=1024)
-def _last_frames(rows: bytes, joints: str, convention: Convention) -> Array:
-    moving = np.eye(4)[[COLUMNS.index("d" if letter == "P" else "theta") for letter in joints]]
-    values = np.frombuffer(rows).reshape(-1, 4) + random_configurations(len(joints), 4)[..., None] * moving
-    links = dh_transform(*np.moveaxis(values, -1, 0), convention=convention)
-    return read_only_copy(reduce(np.matmul, np.moveaxis(links, 1, 0)))
-
-
-@lru_cache(maxsize=1024)
-def _rows_with_other_x(rows: bytes, count: int, convention: Convention) -> Array:
-    choices = np.array(list(itertools.product((0, 1), repeat=count - 1)))
-    ends = np.pad(choices, ((0, 0), (1, 1)))  # x_0 to x_m
-    own = ends[:, :-1] if convention == "modified" else ends[:, 1:]
-    changed = np.repeat(np.frombuffer(rows).reshape(1, count, 4), len(choices), axis=0)
-    changed[..., :2] *= 1 - 2 * own[..., None]
-    changed[..., 3] += np.pi * np.diff(ends)
-    return read_only_copy(changed)
+def _moved(rows: Array, by: int, columns: list[int]) -> Array:
+    """Rows with some columns moved down by some rows, and 0 in what is left empty."""
+    moved = np.array(rows)
+    moved[:, columns] = np.roll(rows[:, columns], by, axis=0)
+    moved[slice(None, by) if by > 0 else slice(by, None), columns] = 0.0
+    return moved
 
 
 @dataclass(frozen=True, eq=False)
@@ -277,15 +193,19 @@ def chain(sampler: ArmSampler) -> Problem:
 @problem("06.3", "From standard to modified", points=4, lecture="06_dh_modified#Converting")
 def to_modified(sampler: ArmSampler) -> Problem:
     table = _random_table(sampler, "standard")
-    answer = _converted(table, "modified")
+    right, ends = table.converted("modified"), {"end kept", "end folded in"}
     return Problem(
         statement="Convert this standard table to the modified convention. Frame 0 stays the same. The $a$ and $\\alpha$ that are "
         "left over become the tool, which is not part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at "
         "$q = 0$, angles in radians.\n\n" + _format_table(table.rows, "standard", table.joints),
         further="What happens to the last $a$ and $\\alpha$ if there is no tool?",
         shown={"rows": table.rows, "joints": table.joints},
-        answer=answer,
-        mistakes=_wrong_conversions(answer),
+        answer=DHTableAnswer(right, anchored=True),
+        # Where whole columns are moved wrongly, a row that comes out right does so by chance.
+        mistakes=[
+            mistake(name, right.changed(rows=rows), text, spoils=name not in ends)
+            for name, rows, text in wrong_conversions(table.rows, right)
+        ],
     )
 
 
@@ -487,15 +407,6 @@ def _random_table(sampler: ArmSampler, convention: Convention) -> DHTable:
     rows = np.array([_random_row(sampler) for _ in range(4)])
     rows[:, 0] = np.array(sampler.shuffled([0.2, 0.3, 0.4, 0.5, 0.6]))[:4]
     return DHTable(rows, convention=convention, joints=sampler.choice(["RRPR", "RPRR", "RRRP"]))
-
-
-def _converted(table: DHTable, convention: Convention) -> ConvertedRowsAnswer:
-    return ConvertedRowsAnswer(
-        np.array(table.converted(convention).rows),
-        convention=convention,
-        joints=table.joints,
-        unconverted=np.array(table.rows),
-    )
 
 
 def _format_table(

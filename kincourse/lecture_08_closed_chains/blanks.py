@@ -1,6 +1,5 @@
 """The blank steps of lecture 08: the position of a slider, a rocker angle in one mode, and a number of degrees of freedom."""
 
-
 from kincourse.expressions.planar import (
     bars,
     coupler_directions,
