@@ -5,7 +5,6 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import validation
 from kinlib.arrays.formatting import format_number
 from kinlib.view.drawing import svg
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, ORANGE, VIOLET
@@ -56,12 +55,10 @@ def draw_twist_matrix(S: ArrayLike) -> Picture:
 
     S  (6,) the twist (omega, v)
 
-    Raises ValueError if S does not have shape (6,).
-
     >>> draw_twist_matrix([1, 2, 3, 4, 5, 6]).alt[:86]
     'The matrix [S] of S = (1, 2, 3, 4, 5, 6). Row 1: -omega_z = -3 in column 2, omega_y = '
     """
-    S = validation.vectors(S, "S", 6)
+    S = np.asarray(S, dtype=float)
     letters = [[*row, f"v{name}"] for row, name in zip(HAT, "xyz", strict=True)] + [[""] * 4]
     values = dict(zip(("x", "y", "z", "vx", "vy", "vz"), S.tolist(), strict=True))
     numbers, sentences = [], [f"The matrix [S] of S = {vector_text(S)}."]
