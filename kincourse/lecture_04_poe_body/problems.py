@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -345,15 +344,7 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
 class WristAnswer(Numbers):
     """The value of joint 2 and the rate of joint 1, (2,); each is a part."""
 
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["$q_2$", "the rate of joint 1"]
-
-    def place(self, index: Sequence[int]) -> str:
-        return self.parts[index[0]]
-
-    def part_indices(self) -> list[int]:
-        return [0, 1]
+    parts = ("$q_2$", "the rate of joint 1")
 
 
 @problem("04.8", "A singular wrist", points=3, lecture="04b_velocity#Singular configurations")

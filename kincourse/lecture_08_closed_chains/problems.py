@@ -582,15 +582,9 @@ class CountsAnswer(Numbers):
     def expected(self) -> str:
         return f"{len(self.names)} whole numbers, {', '.join(self.names)}"
 
-    def place(self, index: Sequence[int]) -> str:
-        return self.names[index[0]]
-
     @property
     def parts(self) -> Sequence[str]:
         return self.names
-
-    def part_indices(self) -> list[int]:
-        return list(range(len(self.names)))
 
 
 @problem("08.10", "A tray that stays level", points=3, lecture="08_closed_chains#Where counting fails", level="Open")

@@ -202,9 +202,6 @@ class OriginsAnswer(Numbers):
     def parts(self) -> Sequence[str]:
         return [*(f"the origin of joint {i}" for i in range(1, len(self.value))), "the origin of the tool"]
 
-    def part_indices(self) -> list[int]:
-        return list(range(len(self.value)))
-
     @property
     def rows_are_alike(self) -> bool:
         return True
