@@ -58,17 +58,15 @@ def leaning_pose(_draw: ArmSampler) -> Problem:
     S, q = angled_arm().screws[1], third_of_a_turn()
     omega = direction("\\omega", S[:3])
     p = position_exp(omega, direction("v", S[3:]), q).mistaken_for(
-        (
-            "point on the axis",
-            "write the point of the joint",
-            angled_arm().joint_points[1],
-            "The column is the place to which the origin of {s} moves, not that of the joint.",
-        )
+        ("point on the axis", "write the point of the joint", angled_arm().joint_points[1])
     )
     T = assemble(rotation_exp(omega, q), p)
     return Problem(
         statement="Give $e^{[S]q}$ for joint 2 of the angled arm, $q = 2\\pi/3$.",
         answer=PoseAnswer(T),
+        advice={
+            "point on the axis": "The column is the place to which the origin of {s} moves, not that of the joint.",
+        },
     )
 
 
@@ -83,19 +81,20 @@ def long_axis(_draw: ArmSampler) -> Problem:
             "angle kept",
             "divide $S$ by $|\\omega|$ without changing $\\theta$",
             exp(np.array([*w / 2, *v_0 / 2]) * angle),
-            TO_THE_ANGLE,
         ),
         (
             "angle kept",
             "divide $\\omega$ by $|\\omega|$ without changing $\\theta$",
             exp(np.array([*w / 2, *v_0]) * angle),
-            TO_THE_ANGLE,
         ),
     )
     return Problem(
         statement="Give $e^{[S]\\theta}$ for $\\omega = (0, 0, 2)$, $v = (1, 0, 0)$, $\\theta = \\pi/4$.",
         answer=PoseAnswer(T),
-        invisible=("coefficients swapped", "cos for 1 - cos"),  # at a quarter turn, sin and 1 - cos are both 1
+        invisible=("coefficients swapped", "cos for 1 - cos"),
+        advice={
+            "angle kept": TO_THE_ANGLE,
+        },  # at a quarter turn, sin and 1 - cos are both 1
     )
 
 
@@ -109,16 +108,12 @@ def screw_between(_draw: ArmSampler) -> Problem:
         given={"T_sa": home, "T_sb": drawn},
         answer=Numbers(x.value),
         solution=x.mistaken_for(
-            (
-                "logs subtracted",
-                "subtract logarithms",
-                log(drawn) - log(home),
-                "$\\log(AB) = \\log A + \\log B$ holds for positive numbers; you can rely on it only for motions that commute.",
-            ),
+            ("logs subtracted", "subtract logarithms", log(drawn) - log(home)),
             ("halves swapped", "write $(v, \\omega)$", np.roll(x.value, 3), "Here a twist is $(\\omega, v)$."),
         ),
         invisible=("position of the inverse", "rotation transposed"),  # the rotation of T_sa is I
         advice={
+            "logs subtracted": "$\\log(AB) = \\log A + \\log B$ holds for positive numbers; you can rely on it only for motions that commute.",
             "order": "In this order, $x$ is the same screw motion, written in {a}: $T_{sa} e^{[x]} = T_{sb}$.",
             "factor left out": "The motion starts at $T_{sa}$ and ends at $T_{sb}$, so $e^{[x]} = T_{sb}\\,T_{sa}^{-1}$.",
         },

@@ -67,7 +67,6 @@ def turn_about_a_line(sampler: ArmSampler) -> Problem:
             "three rotations",
             "rotate about $x$, $y$ and $z$ one after the other",
             exp(turns[0]) @ exp(turns[1]) @ exp(turns[2]),
-            "One rotation about an axis is not a product of rotations by its components.",
         )
     )
     return Problem(
@@ -77,6 +76,7 @@ def turn_about_a_line(sampler: ArmSampler) -> Problem:
         given={"direction": direction, "degrees": degrees},
         answer=RotationAnswer(R),
         advice={
+            "three rotations": "One rotation about an axis is not a product of rotations by its components.",
             "not a unit vector": f"The axis must be a unit vector: divide by its length, {length}.",
             "sign of an angle": "With the opposite sign of the angle you get $R^T$. Check the signs in $[\\omega]$, too.",
         },
@@ -128,14 +128,8 @@ def gyroscope(sampler: ArmSampler) -> Problem:
             "angle kept",
             "divide $\\omega$ by $|\\omega|$ without changing the time",
             exp(np.array([*omega / size, *v]) * seconds),
-            kept,
         ),
-        (
-            "halves swapped",
-            "swap $\\omega$ and $v$",
-            exp(np.array([*v, *omega]) * seconds),
-            "A twist is $(\\omega, v)$.",
-        ),
+        ("halves swapped", "swap $\\omega$ and $v$", exp(np.array([*v, *omega]) * seconds)),
         ("series cut short", "stop the series after two terms", truncated(hat(twist) * seconds, 2), ""),
         ("series cut short", "stop the series after three terms", truncated(hat(twist) * seconds, 3), ""),
         (
@@ -152,6 +146,10 @@ def gyroscope(sampler: ArmSampler) -> Problem:
         further="When has the body made exactly one turn, and where is it then?",
         given={"omega": omega, "v": v, "seconds": seconds},
         answer=PoseAnswer(there),
+        advice={
+            "angle kept": kept,
+            "halves swapped": "A twist is $(\\omega, v)$.",
+        },
     )
 
 
@@ -354,12 +352,7 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
     theta, trace_R = arccos((trace(R_given) - 1) / 2).named("\\theta"), np.trace(R)
     once = theta
     once = once.mistaken_for(
-        (
-            "arcsine",
-            "take the angle from an arcsine",
-            np.pi - angle,
-            "A sine cannot tell $\\theta$ from $\\pi - \\theta$; the trace can.",
-        ),
+        ("arcsine", "take the angle from an arcsine", np.pi - angle),
         ("degrees", "give the angle in degrees", degrees, "The logarithm is in radians."),
         ("a full turn more", "add a full turn to the angle", angle + 2 * np.pi, SHORTEST),
         ("the long way", "rotate in the opposite direction, by the longer angle", angle - 2 * np.pi, SHORTEST),
@@ -406,6 +399,7 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
         given={"R": R},
         answer=Numbers(x, unit="radians", test=keeps_its_axis),
         advice={
+            "arcsine": "A sine cannot tell $\\theta$ from $\\pi - \\theta$; the trace can.",
             "leave out the factor $\\theta$": "The unit vector is the axis alone. The logarithm is axis times angle.",
             "forget to divide by $2$": "$R - R^T = 2 \\sin\\theta\\,[\\omega]$, so you need half of it.",
             "divisor left out": "Divide by the sine, because $R - R^T = 2 \\sin\\theta\\,[\\omega]$.",

@@ -55,27 +55,19 @@ def youbot_wrist(_draw: ArmSampler) -> Problem:
     wrist = arm.joint_points[3]
     p = given("p", wrist).mistaken_for(
         ("offset left out", "take a point 0.033 m too close to the base", wrist - 0.033 * X, SHOULDER_ADVICE),
-        (
-            "foot of the dotted line",
-            "take the foot of the dotted line as the point",
-            wrist * (1, 1, 0),
-            "The joint is 0.147 m above it.",
-        ),
+        ("foot of the dotted line", "take the foot of the dotted line as the point", wrist * (1, 1, 0)),
     )
     S = revolute(direction("\\omega", -Y), p).mistaken_for(
-        (
-            "another joint",
-            "give the screw axis of joint 3",
-            arm.screws[2],
-            "The axes are parallel, so $\\omega$ is the same, but the points differ.",
-        )
+        ("another joint", "give the screw axis of joint 3", arm.screws[2])
     )
     return Problem(
         statement="Read $S_4$ off the drawing of the youBot.",
         answer=ScrewsAnswer(S, names=["S_4"]),
         advice={
+            "foot of the dotted line": "The joint is 0.147 m above it.",
+            "another joint": "The axes are parallel, so $\\omega$ is the same, but the points differ.",
             "sign of a vector": "The arrow of joint 4 points along $-y$. If you point the thumb of your right hand along it, the fingers "
-            "show the positive rotation, which lifts the end-effector."
+            "show the positive rotation, which lifts the end-effector.",
         },
     )
 
@@ -88,7 +80,6 @@ def youbot_home(_draw: ArmSampler) -> Problem:
             "left-handed",
             "take the $y$ of {s} as the $y$ of {b}, which makes a left-handed frame",
             np.column_stack([Z, Y, X]),
-            "The axes $x$ and $z$ of {b} determine its third axis: $y = z \\times x$, here $-y$ of {s}.",
         )
     )
     p = given("p", tip).mistaken_for(
@@ -102,6 +93,7 @@ def youbot_home(_draw: ArmSampler) -> Problem:
         "of {s}, and the $x$ axis of {b} along the $z$ of {s}. Give $M$.",
         answer=PoseAnswer(M),
         advice={
+            "left-handed": "The axes $x$ and $z$ of {b} determine its third axis: $y = z \\times x$, here $-y$ of {s}.",
             "rotation left out": "The columns of the rotation are the axes of {b}, written in {s}.",
             "inverse": "$M^{-1} = T_{bs}$ gives the base in the frame {b}. $M = T_{sb}$ takes coordinates in {b} to {s}.",
         },

@@ -311,17 +311,11 @@ def longer_tool(sampler: ArmSampler) -> Problem:
     factors = exponentials(robot.screws, values)
     moved = robot.screws @ adjoint(extended.value).T
     T = forward_kinematics(factors, home).mistaken_for(
-        (
-            "screws changed",
-            "change the screws with the tool as well",
-            product(*exponentials(moved, values), home),
-            "The joints are where they were, so the screws in {s} stay.",
-        ),
+        ("screws changed", "change the screws with the tool as well", product(*exponentials(moved, values), home)),
         (
             "order",
             "extend the tool along the $z$ of {s}, after the motion",
             extended @ forward_kinematics(factors, given_pose("M", robot.home)),
-            TOOL_ADVICE,
         ),
     )
     return Problem(
@@ -333,6 +327,8 @@ def longer_tool(sampler: ArmSampler) -> Problem:
         answer=PoseAnswer(T),
         invisible=["order"],  # joint 3 translates along the axis of joint 2, so their factors commute
         advice={
+            "screws changed": "The joints are where they were, so the screws in {s} stay.",
+            "order": TOOL_ADVICE,
             "leave out $\\mathrm{Trans}_z$": "Without $\\mathrm{Trans}_z$ you have the old tool. The new home pose is $M' = "
             "M\\,\\mathrm{Trans}_z$.",
             "swap $M$ and $\\mathrm{Trans}_z$": f"On the left, $\\mathrm{{Trans}}_z$ is along the $z$ of {{s}}. {TOOL_ADVICE}",

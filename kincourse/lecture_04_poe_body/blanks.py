@@ -53,14 +53,14 @@ def body_screw_from_the_drawing(_draw: ArmSampler) -> Problem:
             "position left out",
             "rotate both halves of $S_4$ without the change of origin",
             np.concatenate([R.T @ S[:3], R.T @ S[3:]]),
-            "Measure the point of the axis from the origin of {b}.",
         ),
     )
     return Problem(
         statement="Joint 4 of the mid-formula arm rotates about $y_b$, and its axis passes through $(0, 0, -0.2)$ in {b}. Give $B_4$.",
         answer=ScrewsAnswer(B),
         advice={
-            "no moment": "The axis of joint 3 passes through the origin of {b}, so its moment is zero; this axis does not."
+            "position left out": "Measure the point of the axis from the origin of {b}.",
+            "no moment": "The axis of joint 3 passes through the origin of {b}, so its moment is zero; this axis does not.",
         },
     )
 

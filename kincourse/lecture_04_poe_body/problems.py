@@ -71,18 +71,8 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     others["the point of the joint, seen from {s},"] = robot.joint_points[joint - 1] @ R
     neighbour = joint % 3
     B = drawn_revolute(axes[joint - 1], points[joint - 1], others).mistaken_for(
-        (
-            "another joint",
-            f"give the body screw of joint {neighbour + 1}",
-            robot.body_screws[neighbour],
-            "The joints are numbered in the drawing.",
-        ),
-        (
-            "frame not changed",
-            "read the axis in {s}",
-            robot.screws[joint - 1],
-            "For a body screw, direction and point are given in {b}.",
-        ),
+        ("another joint", f"give the body screw of joint {neighbour + 1}", robot.body_screws[neighbour]),
+        ("frame not changed", "read the axis in {s}", robot.screws[joint - 1]),
         (
             "rotation left out",
             "measure from the origin of {b}, but along the axes of {s}",
@@ -99,7 +89,11 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
         further="Give the space screw of the same joint. Which half of it do you know without computing?",
         figure=partial(draw_joints, robot, tool=True),
         answer=ScrewsAnswer(B),
-        advice={"sign of a vector": "The arrow in the drawing shows the positive rotation, in {b} as in {s}."},
+        advice={
+            "another joint": "The joints are numbered in the drawing.",
+            "frame not changed": "For a body screw, direction and point are given in {b}.",
+            "sign of a vector": "The arrow in the drawing shows the positive rotation, in {b} as in {s}.",
+        },
     )
 
 
@@ -192,10 +186,13 @@ def body_form(sampler: ArmSampler) -> Problem:
                 "space screws",
                 "use the space screws $S_i$",
                 robot.home @ np.linalg.multi_dot(list(exp(robot.screws * q[:, None]))),
-                "To the right of $M$ belong the body screws $B_i$.",
             )
         ),
-        advice={"last factor": HOME_ADVICE, "reversed": BASE_ADVICE},
+        advice={
+            "space screws": "To the right of $M$ belong the body screws $B_i$.",
+            "last factor": HOME_ADVICE,
+            "reversed": BASE_ADVICE,
+        },
     )
 
 
@@ -212,7 +209,6 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
             "sides swapped",
             "put the factors of {b} to the left of $M$, and those of {s} to its right",
             product(*e[k:], home, *e[:k]),
-            MIDDLE_ADVICE,
         )
     )
     for name, text, wrong in (
@@ -227,7 +223,12 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
         figure=partial(draw_arm, robot),
         given={"screws": mixed, "home": robot.home, "values": typed},
         answer=PoseAnswer(T),
-        advice={"first factor": MIDDLE_ADVICE, "last factor": MIDDLE_ADVICE, "reversed": BASE_ADVICE},
+        advice={
+            "sides swapped": MIDDLE_ADVICE,
+            "first factor": MIDDLE_ADVICE,
+            "last factor": MIDDLE_ADVICE,
+            "reversed": BASE_ADVICE,
+        },
     )
 
 
@@ -238,12 +239,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
     H = pose((X, Y, Z), (sampler.length(0.1, 0.4), 0, sampler.length(0.5, 0.9))) @ turn
     B, home, T_bt = robot.body_screws, given_pose("M", robot.home), given_pose("T_{bt}", H)
     new = change_frame(inverse(T_bt), screw_axes("B", B)).mistaken_for(
-        (
-            "space screws",
-            "give the space screws",
-            robot.screws,
-            "They do not change with the tool, but they are screws in {s} and not in {t}.",
-        )
+        ("space screws", "give the space screws", robot.screws)
     )
     for T, name, text in (
         (T_bt @ home, "order", "move the tool along the axes of {s}: $T_{bt}\\,M$ for the new home pose"),
@@ -259,6 +255,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
         given={"body_screws": B, "T_bt": H, "home": robot.home},
         answer=ScrewsAnswer(new),
         advice={
+            "space screws": "They do not change with the tool, but they are screws in {s} and not in {t}.",
             "frame not changed": "The axes stay where they are, but body screws are given in the tool frame, which is {t} now.",
             "inverse left out": "$\\mathrm{Ad}_{T_{bt}}$ takes screws in {t} to screws in {b}; here you need the opposite direction.",
             "position left out": "{t} also has another origin, so the moments change.",
@@ -280,32 +277,12 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
     V = V.mistaken_for(
         ("space Jacobian", "use the space Jacobian", robot.jacobian(q) @ qdot, "It gives the twist in {s}."),
         ("at home", "use the body screws at home as columns", B.T @ qdot, "The joints have moved since."),
-        (
-            "joint values for rates",
-            "multiply by the joint values",
-            robot.body_jacobian(q) @ q,
-            "Multiply by the rates.",
-        ),
+        ("joint values for rates", "multiply by the joint values", robot.body_jacobian(q) @ q),
         ("rates reversed", "use the rates in the reverse order", robot.body_jacobian(q) @ qdot[::-1], ""),
-        (
-            "degrees",
-            "use degrees per second as radians per second",
-            robot.body_jacobian(q) @ rates,
-            "Use `np.radians` first.",
-        ),
-        (
-            "degrees",
-            "use the degrees of $q$ as radians",
-            robot.body_jacobian(np.array(typed)) @ qdot,
-            "Use `np.radians` first.",
-        ),
+        ("degrees", "use degrees per second as radians per second", robot.body_jacobian(q) @ rates),
+        ("degrees", "use the degrees of $q$ as radians", robot.body_jacobian(np.array(typed)) @ qdot),
         ("rates swapped", "swap the joint values and the rates", robot.body_jacobian(qdot) @ q, ""),
-        (
-            "rates left out",
-            "add up the columns without the rates",
-            robot.body_jacobian(q).sum(axis=1),
-            "Multiply by the rates.",
-        ),
+        ("rates left out", "add up the columns without the rates", robot.body_jacobian(q).sum(axis=1)),
         *(
             (
                 "one column",
@@ -315,12 +292,7 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
             )
             for i in (1, 2, 3)
         ),
-        (
-            "joints before",
-            "move each axis by the joints before it",
-            Chain(B, robot.home).jacobian(q) @ qdot,
-            CARRY_ADVICE,
-        ),
+        ("joints before", "move each axis by the joints before it", Chain(B, robot.home).jacobian(q) @ qdot),
     )
     per_second = rate_words.replace("degrees", "degrees/s").replace(" m", " m/s")
     return Problem(
@@ -331,6 +303,10 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
         given={"body_screws": B, "values": typed, "rates": rates},
         answer=ScrewsAnswer(V, names=["the twist"], single="a twist"),
         advice={
+            "joint values for rates": "Multiply by the rates.",
+            "degrees": "Use `np.radians` first.",
+            "rates left out": "Multiply by the rates.",
+            "joints before": CARRY_ADVICE,
             "inverse left out": "The columns of $J_b$ are the axes as seen from the moved tool, so they need $\\mathrm{Ad}^{-1}$.",
             "order": "Inside the inverse the factors have the order of the body form, joint 2 first.",
             "frame not changed": CARRY_ADVICE,

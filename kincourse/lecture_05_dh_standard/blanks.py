@@ -40,15 +40,11 @@ def row_4(_draw: ArmSampler) -> Problem:
         statement="Read row 4 of the youBot from the drawn frames: $a_4, \\alpha_4, d_4$ and $\\theta_4$ at $q = 0$.",
         answer=DHRowAnswer(YOUBOT.rows[3]),
         solution=dh_row(*YOUBOT.rows[3]).mistaken_for(
-            (
-                "alpha of the row before",
-                "take $\\alpha$ from $z_2$ to $z_3$",
-                np.array([0, 0, 0, RIGHT_ANGLE_RAD]),
-                "That is $\\alpha_3$; row 4 holds $\\alpha_4$, from $z_3$ to $z_4$.",
-            )
+            ("alpha of the row before", "take $\\alpha$ from $z_2$ to $z_3$", np.array([0, 0, 0, RIGHT_ANGLE_RAD]))
         ),
         invisible=["angles swapped", "both pairs swapped"],  # both angles are right angles
         advice={
+            "alpha of the row before": "That is $\\alpha_3$; row 4 holds $\\alpha_4$, from $z_3$ to $z_4$.",
             "take $x_i$ in the opposite direction": "That is allowed too, and then $\\theta_5 = q_5 + \\pi$. But in the drawing $x_4$ "
             "points up.",
             "sign of theta": "$\\theta_4$ is measured about $z_3$, which points towards you: from $x_3$ to $x_4$ it is positive.",

@@ -25,15 +25,11 @@ def n5_row_2(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Row 2 of the n = 5 arm is $\\alpha_1 = -90°$, $a_1 = 0$, $d_2 = q_2 = 0.3$ m, $\\theta_2 = -90°$. Give ${}^1T_2$.",
         answer=PoseAnswer(T_12.value),
-        solution=T_12.mistaken_for(
-            (
-                "as printed",
-                "copy the printed matrix, whose entry $(3, 3)$ is 1",
-                printed,
-                "Its third row is 1 0 1 0, so it contains no rotation matrix: columns 1 and 3 are not perpendicular.",
-            )
-        ),
-        advice={"leave out $\\theta_2$": "A prismatic joint has a $\\theta$ too; it is a constant."},
+        solution=T_12.mistaken_for(("as printed", "copy the printed matrix, whose entry $(3, 3)$ is 1", printed)),
+        advice={
+            "as printed": "Its third row is 1 0 1 0, so it contains no rotation matrix: columns 1 and 3 are not perpendicular.",
+            "leave out $\\theta_2$": "A prismatic joint has a $\\theta$ too; it is a constant.",
+        },
     )
 
 

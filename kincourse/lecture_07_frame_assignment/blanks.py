@@ -42,11 +42,11 @@ def antiparallel_row(_draw: ArmSampler) -> Problem:
                 "parallel, and the sign of d",
                 "take $\\alpha = 0$, and measure $d$ along the axis of joint 4",
                 np.array([0.3, 0.0, 0.2, 0.0]),
-                "In the standard convention $d_3$ is measured along $z_2$, the axis of joint 3; the angle to $z_3$ is $\\pi$.",
             )
         ),
         invisible=["sign of alpha", "sign of the angles"],  # pi and -pi are the same rotation
         advice={
+            "parallel, and the sign of d": "In the standard convention $d_3$ is measured along $z_2$, the axis of joint 3; the angle to $z_3$ is $\\pi$.",
             "alpha left out": "$z_2$ points along $-y$ and $z_3$ along $+y$, so the angle between them is $\\pi$.",
             "sign of d": "$d$ is measured along $z_2$, which points along $-y$ of {s}.",
         },

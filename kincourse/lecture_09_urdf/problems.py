@@ -495,14 +495,10 @@ def from_a_dh_row(sampler: ArmSampler) -> Problem:
         given={"a": a, "alpha": alpha, "d": d},
         answer=OriginAnswer(_origin_of_row(a, alpha, d).value),
         solution=_origin_of_row(a, alpha, d).mistaken_for(
-            (
-                "a and d swapped",
-                "swap $a$ and $d$",
-                _origin_of_row(d, alpha, a),
-                "$a$ is along $x$, $d$ along the joint axis.",
-            )
+            ("a and d swapped", "swap $a$ and $d$", _origin_of_row(d, alpha, a))
         ),
         advice={
+            "a and d swapped": "$a$ is along $x$, $d$ along the joint axis.",
             "sine and cosine swapped": "A roll by $\\alpha$ rotates $z$ to $(0, -\\sin\\alpha, \\cos\\alpha)$.",
             "sign": "A roll by $\\alpha$ rotates $z$ to $(0, -\\sin\\alpha, \\cos\\alpha)$.",
         },

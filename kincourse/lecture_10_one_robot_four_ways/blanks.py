@@ -53,17 +53,13 @@ def origin_of_tool(_draw: ArmSampler) -> Problem:
     step = given("p_b", TOOL) - given("p_3", JOINTS[2])
     step = step.mistaken_for(
         ("opposite direction", "take the vector from the tool to joint 3", -step, SEEN_FROM_THE_PARENT),
-        (
-            "axes of the tool",
-            "give the components along the axes of {b}",
-            ARM.home[:3, :3].T @ step,
-            "The `xyz` of an origin has its components along the parent's axes, which are parallel to those of {s} here.",
-        ),
+        ("axes of the tool", "give the components along the axes of {b}", ARM.home[:3, :3].T @ step),
     )
     return Problem(
         statement="With the frame of joint 3 parallel to {s}, give the `xyz` of the fixed joint to the tool.",
         answer=VectorsAnswer(step, unit="m"),
         advice={
-            "leave out $-p_3$": "This is the position in $M$, measured from {s}. The file measures it from joint 3, at $(0, -4, 0)$."
+            "axes of the tool": "The `xyz` of an origin has its components along the parent's axes, which are parallel to those of {s} here.",
+            "leave out $-p_3$": "This is the position in $M$, measured from {s}. The file measures it from joint 3, at $(0, -4, 0)$.",
         },
     )
