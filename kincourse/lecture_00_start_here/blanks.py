@@ -28,7 +28,8 @@ def end_effector_at_home(_draw: ArmSampler) -> Problem:
         answer=Numbers(youbot().home[:3, 3], unit="metres"),
         solution=stack(reach, 0, height).mistaken_for(("upright", "take the arm as upright at home", upright)),
         advice={
-            "upright": "Here the arm is stretched out horizontally at home. Home is a choice, and other descriptions choose an upright arm.",
+            "upright": "Here the arm is stretched out horizontally at home. Home is a choice, and other descriptions choose an "
+            "upright arm.",
             "leave out $0.033$": "The origin of {s} is on the axis of joint 1, and the axis of joint 2 is 0.033 m in front of it.",
             "leave out $0.2175$": "The end-effector frame {b} is 0.2175 m beyond joint 4: it is the last of the four lengths.",
             "swap entries 2 and 3": "In {s}, $z$ points up, not $y$ as on a screen. In the figure, each axis has its letter at the tip.",

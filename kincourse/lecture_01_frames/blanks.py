@@ -85,7 +85,8 @@ def tool_from_link_3(_draw: ArmSampler) -> Problem:
         answer=PoseAnswer(T_35.value),
         solution=T_35.mistaken_for(("positions subtracted", "subtract the positions", subtracted)),
         advice={
-            "positions subtracted": "The vector $p_{05} - p_{03}$ leads from link 3 to the tool, but it is written in frame 0: multiply it by $R_{30}$.",
+            "positions subtracted": "The vector $p_{05} - p_{03}$ leads from link 3 to the tool, but it is written in frame 0: "
+            "multiply it by $R_{30}$.",
             "inverse left out": "The inverse of $T_{03}$ is $T_{30}$, whose second subscript cancels with the first of $T_{05}$.",
             "order": "Adjacent subscripts must be equal: put $T_{30}$ to the left of $T_{05}$, so that the two subscripts 0 are adjacent.",
         },

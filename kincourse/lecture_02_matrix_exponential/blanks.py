@@ -113,7 +113,8 @@ def screw_between(_draw: ArmSampler) -> Problem:
         ),
         invisible=("position of the inverse", "rotation transposed"),  # the rotation of T_sa is I
         advice={
-            "logs subtracted": "$\\log(AB) = \\log A + \\log B$ holds for positive numbers; you can rely on it only for motions that commute.",
+            "logs subtracted": "$\\log(AB) = \\log A + \\log B$ holds for positive numbers; you can rely on it only for motions "
+            "that commute.",
             "order": "In this order, $x$ is the same screw motion, written in {a}: $T_{sa} e^{[x]} = T_{sb}$.",
             "factor left out": "The motion starts at $T_{sa}$ and ends at $T_{sb}$, so $e^{[x]} = T_{sb}\\,T_{sa}^{-1}$.",
         },

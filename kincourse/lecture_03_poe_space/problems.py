@@ -328,7 +328,7 @@ def longer_tool(sampler: ArmSampler) -> Problem:
         invisible=["order"],  # joint 3 translates along the axis of joint 2, so their factors commute
         advice={
             "screws changed": "The joints are where they were, so the screws in {s} stay.",
-            "order": TOOL_ADVICE,
+            "extend the tool along the $z$ of {s}, after the motion": TOOL_ADVICE,
             "leave out $\\mathrm{Trans}_z$": "Without $\\mathrm{Trans}_z$ you have the old tool. The new home pose is $M' = "
             "M\\,\\mathrm{Trans}_z$.",
             "swap $M$ and $\\mathrm{Trans}_z$": f"On the left, $\\mathrm{{Trans}}_z$ is along the $z$ of {{s}}. {TOOL_ADVICE}",

@@ -159,13 +159,14 @@ def link_transform(sampler: ArmSampler) -> Problem:
                 (
                     "entries swapped",
                     "swap the entries $(2, 1)$ and $(3, 2)$, as a printed matrix of the lecture does",
-                    swapped),
+                    swapped,
+                ),
                 ("entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$", mirrored),
-            ),
-advice={
-"entries swapped": "The columns are then not perpendicular to each other.",
-}
+            )
         ),
+        advice={
+            "swap the entries $(2, 1)$ and $(3, 2)$, as a printed matrix of the lecture does": "The columns are then not perpendicular."
+        },
     )
 
 

@@ -46,7 +46,8 @@ def antiparallel_row(_draw: ArmSampler) -> Problem:
         ),
         invisible=["sign of alpha", "sign of the angles"],  # pi and -pi are the same rotation
         advice={
-            "parallel, and the sign of d": "In the standard convention $d_3$ is measured along $z_2$, the axis of joint 3; the angle to $z_3$ is $\\pi$.",
+            "parallel, and the sign of d": "In the standard convention $d_3$ is measured along $z_2$, the axis of joint 3; the "
+            "angle to $z_3$ is $\\pi$.",
             "alpha left out": "$z_2$ points along $-y$ and $z_3$ along $+y$, so the angle between them is $\\pi$.",
             "sign of d": "$d$ is measured along $z_2$, which points along $-y$ of {s}.",
         },

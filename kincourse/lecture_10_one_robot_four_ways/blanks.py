@@ -59,7 +59,8 @@ def origin_of_tool(_draw: ArmSampler) -> Problem:
         statement="With the frame of joint 3 parallel to {s}, give the `xyz` of the fixed joint to the tool.",
         answer=VectorsAnswer(step, unit="m"),
         advice={
-            "axes of the tool": "The `xyz` of an origin has its components along the parent's axes, which are parallel to those of {s} here.",
+            "axes of the tool": "The `xyz` of an origin has its components along the parent's axes, which are parallel to those "
+            "of {s} here.",
             "leave out $-p_3$": "This is the position in $M$, measured from {s}. The file measures it from joint 3, at $(0, -4, 0)$.",
         },
     )

@@ -20,17 +20,12 @@ from misstep.problem import Problem
 MAX_ASKED_JOINTS = 3
 """The maximum number of joints whose screw axes are asked for, because more joints would only repeat the same work."""
 
-ANSWER_NOTE = "Answer with screw axes $(\\omega, v)$ in rows, in the order of the joints."
+SCREWS = "screws", "Answer with screw axes $(\\omega, v)$ in rows, in the order of the joints."
+SPACE_SCREWS_SOLUTION = "screws_{k} = kl.screw(given.axes, given.points, given.pitches)"
+BODY_SCREWS_SOLUTION = "screws_{k} = given.screws @ kl.adjoint(kl.inverse(given.home)).T"
 
 
-@task(
-    "Screw axes in your lab",
-    3,
-    "03_poe_space#Screw axes from a drawing",
-    "screws",
-    ANSWER_NOTE,
-    "screws_{k} = kl.screw(given.axes, given.points, given.pitches)",
-)
+@task("Screw axes in your lab", 3, "03_poe_space#Screw axes from a drawing", SCREWS, SPACE_SCREWS_SOLUTION)
 def space_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     """Space screws from directions and points, for a base of the student's own."""
     # The screw of a prismatic joint depends on its direction only, and x, y, z are too few directions for a class.
@@ -50,14 +45,7 @@ def space_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
-@task(
-    "The same axes in the tool frame",
-    3,
-    "04_poe_body#The adjoint",
-    "screws",
-    ANSWER_NOTE,
-    "screws_{k} = given.screws @ kl.adjoint(kl.inverse(given.home)).T",
-)
+@task("The same axes in the tool frame", 3, "04_poe_body#The adjoint", SCREWS, BODY_SCREWS_SOLUTION)
 def body_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     """Body screws by the adjoint, for a base and a tool of the student's own."""
     arm = random_arm(sampler, robot)

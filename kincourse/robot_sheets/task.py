@@ -26,9 +26,9 @@ class RobotTask(NamedTuple):
     entry: Entry
 
 
-def task(title: str, points: int, lecture: str, *entry: str) -> Callable[[Write], RobotTask]:
+def task(title: str, points: int, lecture: str, asked: tuple[str, str], solution: str) -> Callable[[Write], RobotTask]:
     """Decorate a function that writes the problem of a robot, and so make it a task.
 
-    entry  the variable of the answer, what to answer with, and the solution
+    asked  the variable of the answer, and what to answer with
     """
-    return lambda write: RobotTask(title, points, lecture, write, Entry(*entry))
+    return lambda write: RobotTask(title, points, lecture, write, Entry(*asked, solution))
