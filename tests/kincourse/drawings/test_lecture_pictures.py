@@ -19,8 +19,8 @@ from kincourse.lecture_05_dh_standard.drawings import draw_last_frame
 from kincourse.lecture_06b_puma.drawings import draw_rotation_axes
 from kincourse.lecture_07_frame_assignment.drawings import draw_nearly_parallel_axes
 from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus
-from kincourse.lecture_09_urdf.compare_urdf_readers import ARM, FOUR_BAR
 from kincourse.lecture_09_urdf.drawings import draw_urdf_joint, draw_urdf_tree
+from kincourse.lecture_09_urdf.files import ARM, FOUR_BAR
 from kincourse.lecture_10_one_robot_four_ways.drawings import draw_two_arms
 
 YOUBOT, PUMA = kl.robots.youbot(), kl.robots.puma560()
