@@ -440,11 +440,24 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
     case = overconstrained_case(sampler)
     linkage, loops = case.linkage, len(case.linkage.loops)
     mobility = linkage.mobility(case.q)
-    kutzbach_count, infinitesimal, finite = mobility.kutzbach, mobility.infinitesimal, case.finite_mobility
-    rank = linkage.n - infinitesimal
-    d = (linkage.n - kutzbach_count) // loops
-    shown = ", ".join(f"{value:.3f}" if value > 1e-6 else "0" for value in mobility.singular_values)
+    n, count, infinitesimal, finite = linkage.n, mobility.kutzbach, mobility.infinitesimal, case.finite_mobility
+    rank, d, above_1 = n - infinitesimal, (n - count) // loops, int(np.count_nonzero(mobility.singular_values > 1))
     moves = f"This linkage moves {'in the plane' if d == 3 else 'in space'}, so $d = {d}$."
+    of_formula = "This is the count of the formula."
+    independent = "It is right only if the equations of the loops are independent."
+    counted = "This is the result if you count"
+    wrong = [
+        ("rank", (count, rank, finite), f"This is the rank of $J$, {rank}, which is subtracted from the number of joint variables."),
+        ("the wrong d", (n - (9 - d) * loops, infinitesimal, finite), f"This is the count with $d = {9 - d}$. {moves}"),
+        ("no loops", (n, infinitesimal, finite), f"This is the number of joint variables. Each loop subtracts $d = {d}$ equations."),
+        ("infinitesimal mobility", (infinitesimal, infinitesimal, finite),
+         "This is the infinitesimal mobility. The formula counts joint variables and loops; it does not use $J$."),
+        ("finite mobility", (count, infinitesimal, 1 - finite), case.explanation),
+        ("one loop too many", (count - d, infinitesimal, finite), f"{counted} one loop too many."),
+        ("rank", (count, infinitesimal + 1, finite), f"{counted} one singular value too many as zero."),
+        ("rank", (count, n - above_1, finite), f"{counted} the singular values below 1 as zero."),
+    ]  # fmt: skip
+    shown = ", ".join(f"{value:.3f}" if value > 1e-6 else "0" for value in mobility.singular_values)
     return Problem(
         statement=f"The drawing shows {case.description}, with {linkage.n} joint variables and {loops} loop{'s' * (loops > 1)}. In this "
         f"configuration the Jacobian $J$ of the loop closure has the singular values {shown}. Give three numbers: the mobility by the "
@@ -454,61 +467,18 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
         figure=partial(draw_linkage, linkage, case.q, names=False),
         given={"joint_values": linkage.n, "loops": loops, "singular_values": mobility.singular_values.round(3)},
         answer=CountsAnswer(
-            np.array([kutzbach_count, infinitesimal, finite], dtype=float),
+            np.array([count, infinitesimal, finite], dtype=float),
             names=["kutzbach", "infinitesimal", "finite"],
         ),
         mistakes=[
-            mistake(
-                "count for all three",
-                [kutzbach_count] * 3,
-                "This is the count of the formula for all three. The formula is right only if the equations of the loops are "
-                "independent. The infinitesimal mobility is the number of joint variables minus the rank of $J$.",
-                "This is the count of the formula, which is right only if the equations of the loops are independent.",
-                spoils=True,
-            ),
-            mistake(
-                "rank",
-                [kutzbach_count, rank, finite],
-                f"You gave the rank of $J$, {rank}, as the infinitesimal mobility. It is the number of joint variables minus the rank.",
-                f"This is the rank of $J$, {rank}. The infinitesimal mobility is the number of joint variables minus the rank.",
-            ),
-            mistake(
-                "the wrong d",
-                [linkage.n - (9 - d) * loops, infinitesimal, finite],
-                f"This is the count with $d = {9 - d}$. {moves}",
-                f"This is the count with $d = {9 - d}$. {moves}",
-            ),
-            mistake(
-                "no loops",
-                [linkage.n, infinitesimal, finite],
-                f"You counted the joint variables only. Each loop has $d = {d}$ equations, which are subtracted.",
-                f"This is the number of joint variables. Each loop has $d = {d}$ equations, which are subtracted.",
-            ),
-            mistake(
-                "infinitesimal mobility",
-                [infinitesimal, infinitesimal, finite],
-                "You gave the infinitesimal mobility as the count. The formula counts joint variables and loops; it does not use $J$.",
-                "This is the infinitesimal mobility. The formula counts joint variables and loops; it does not use $J$.",
-            ),
+            mistake("count for all three", [count] * 3, f"{of_formula} {independent}", of_formula, spoils=True),
             mistake(
                 "order of the numbers",
-                [finite, infinitesimal, kutzbach_count],
-                "You gave the three numbers in the reverse order.",
+                [finite, infinitesimal, count],
+                "These numbers are in the reverse order.",
                 spoils=True,
             ),
-            mistake("finite mobility", [kutzbach_count, infinitesimal, 1 - finite], case.explanation, case.explanation),
-            *(
-                mistake(name, wrong, f"You counted {text}.", f"This is the result if you count {text}.")
-                for name, wrong, text in (
-                    ("one loop too many", [kutzbach_count - d, infinitesimal, finite], "one loop too many"),
-                    ("rank", [kutzbach_count, infinitesimal + 1, finite], "one singular value too many as zero"),
-                    (
-                        "rank",
-                        [kutzbach_count, linkage.n - np.count_nonzero(mobility.singular_values > 1), finite],
-                        "the singular values below 1 as zero",
-                    ),
-                )
-            ),
+            *(mistake(name, value, text, text) for name, value, text in wrong),
         ],
     ).without_duplicates()
 
