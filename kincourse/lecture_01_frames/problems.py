@@ -253,6 +253,16 @@ def rotations_in_order(sampler: ArmSampler) -> Problem:
         f"{i}. ${name}$, about {'an axis of {s}' if is_fixed else 'one of its own axes'}"
         for i, (name, is_fixed) in enumerate(zip(names, fixed, strict=True), start=1)
     )
+    if_all = "It would be right if all were about axes of"
+    sides = "The sides are swapped: the rotations about axes of the frame are to the left of those about axes of {s}."
+    wrong = [
+        ("in the order of time", names, f"This is the order in which the rotations happen. {if_all} the frame."),
+        ("each from the left", names[::-1], f"This is the reverse of the order in which the rotations happen. {if_all} {{s}}."),
+        ("by the alphabet", sorted(names), "These are the names in the order of the alphabet."),
+        ("order about fixed axes", [*about_fixed, *own], "The two rotations about axes of {s} are swapped."),
+        ("order about own axes", [*about_fixed[::-1], *own[::-1]], "The two rotations about axes of the frame are swapped."),
+        *(("sides swapped", [*one, *two], sides) for one in (own[::-1], own) for two in (about_fixed, about_fixed[::-1])),
+    ]  # fmt: skip
     return Problem(
         statement="At first, a frame {b} is parallel to the fixed frame {s}. Then it makes four rotations, one after the other:\n\n"
         f"{listed}\n\nIts orientation $R_{{sb}}$ is a product of the four matrices. Give the factors in order, from left to right, as a "
@@ -260,49 +270,7 @@ def rotations_in_order(sampler: ArmSampler) -> Problem:
         further="Which two neighbours could you exchange without changing the result?",
         given={"turns": names, "about_the_room": fixed},
         answer=Ordering(right),
-        mistakes=[
-            mistake(
-                "in the order of time",
-                names,
-                "This is the order in which the rotations happen. It would be right if all were about axes of the frame. "
-                f"{LEFT_FOR_FIXED_AXES}",
-            ),
-            mistake(
-                "each from the left",
-                names[::-1],
-                "This is the reverse of the order in which the rotations happen. It would be right if all were about axes of {s}. "
-                f"{LEFT_FOR_FIXED_AXES}",
-            ),
-            mistake(
-                "by the alphabet",
-                sorted(names),
-                f"These are the names in the order of the alphabet. {LEFT_FOR_FIXED_AXES}",
-            ),
-            mistake(
-                "order about fixed axes",
-                [*about_fixed, *own],
-                f"The two rotations about axes of {{s}} are swapped. {LEFT_FOR_FIXED_AXES}",
-            ),
-            mistake(
-                "order about own axes",
-                [*about_fixed[::-1], *own[::-1]],
-                f"The two rotations about axes of the frame are swapped. {LEFT_FOR_FIXED_AXES}",
-            ),
-            *(
-                mistake(
-                    "sides swapped",
-                    order,
-                    "The sides are swapped: the rotations about axes of the frame are to the left of those about axes of {s}. "
-                    f"{LEFT_FOR_FIXED_AXES}",
-                )
-                for order in (
-                    [*own[::-1], *about_fixed],
-                    [*own, *about_fixed],
-                    [*own, *about_fixed[::-1]],
-                    [*own[::-1], *about_fixed[::-1]],
-                )
-            ),
-        ],
+        mistakes=[mistake(name, order, f"{text} {LEFT_FOR_FIXED_AXES}") for name, order, text in wrong],
     )
 
 

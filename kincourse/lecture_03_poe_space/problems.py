@@ -25,6 +25,7 @@ from kincourse.expressions.screws import (
     helical,
     joint_screws,
     moment,
+    read_screws,
     screw,
     tilted,
     values_in_radians,
@@ -32,7 +33,7 @@ from kincourse.expressions.screws import (
 from kincourse.mistakes.factor_order import factor_order_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, are_distinguishable
-from kincourse.sampling.drawn_machines import is_readable, lengths, read_point
+from kincourse.sampling.drawn_machines import is_readable, lengths
 from kincourse.sampling.lettered_arms import LetteredArm, draw_lettered_arm
 from kincourse.text.joint_table import joint_table
 from kinlib.chains.robots import X, Y, Z, angled_arm, arm, pose
@@ -549,14 +550,7 @@ def palletizer(sampler: ArmSampler) -> Problem:
             break
     side = sampler.choice((-1, 1)) * Y
     axes = np.array([side, side * sampler.choice((-1, 1)), -Z])
-    read = [
-        read_point(f"P_{i}", p, axes[k], [*points[:k], *points[k + 1 :]])
-        for k, (i, p) in enumerate(zip((2, 3, 4), points, strict=True))
-    ]
-    from_first = joint_screws(axes, points - points[0], np.zeros(3)).value
-    S = joint_screws(axes, read, np.zeros(3), numbers=(2, 3, 4)).mistaken_for(
-        ("another origin", "measure the points from $P_2$", from_first, "Points are measured from the origin of {s}.")
-    )
+    S = read_screws(axes, points, (2, 3, 4), "s", marks=points)
     drawn = [
         DrawnAxis("1", Z, foot),
         *(DrawnAxis(str(i), w, p) for i, w, p in zip((2, 3, 4), axes, points, strict=True)),

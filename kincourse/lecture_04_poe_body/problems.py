@@ -21,6 +21,7 @@ from kincourse.expressions.screws import (
     forward_kinematics,
     joint_screws,
     joint_values,
+    read_screws,
     revolute,
     screw_axes,
 )
@@ -28,7 +29,7 @@ from kincourse.mistakes.factor_order import factor_order_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, are_distinguishable, shows_transposes
 from kincourse.sampling.configurations import Configuration, configuration_from_typed
-from kincourse.sampling.drawn_machines import is_readable, lengths, read_point
+from kincourse.sampling.drawn_machines import is_readable, lengths
 from kincourse.sampling.lettered_arms import MIN_LINK_M, LetteredArm, draw_lettered_arm
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -517,11 +518,7 @@ def drawn_wrist(sampler: ArmSampler) -> Problem:
         if is_readable(points):
             break
     axes = np.array([sampler.choice((-1, 1)) * axis for axis in (Z, Y, X)])
-    read = [read_point(f"P_{i}", p, w) for i, p, w in zip((4, 5, 6), points, axes, strict=True)]
-    from_first = joint_screws(axes, points - points[0], np.zeros(3)).value
-    B = joint_screws(axes, read, np.zeros(3), numbers=(4, 5, 6)).mistaken_for(
-        ("another origin", "measure the points from $P_4$", from_first, "Points are measured from the origin of {b}.")
-    )
+    B = read_screws(axes, points, (4, 5, 6), "b")
     drawn = [DrawnAxis(str(i), w, p) for i, w, p in zip((4, 5, 6), axes, points, strict=True)]
     marks = dict(zip(("P4", "P5", "P6"), points, strict=True))
     return Problem(

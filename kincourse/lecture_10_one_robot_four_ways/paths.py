@@ -28,12 +28,8 @@ BEYOND = (0.03, 0.3)
 TRIES, MAX_ITERATIONS = 20, 20
 """How often a path that leaves the limits is drawn for one table, and how many steps lead to a point of a path."""
 
-EFFECTS = {
-    "writes": "puts the pen on the paper",
-    "hits": "drives the pen into the table",
-    "leaves": "leaves the joint limits",
-    "hovers": "stays above the table",
-}
+EFFECTS = ("writes", "hits", "leaves", "hovers")
+"""What a path does: it puts the pen on the paper, drives it into the table, leaves the joint limits, or stays above the table."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +52,7 @@ def draw_paths(chain: Chain, limits: Array, sampler: Sampler) -> dict[str, Joint
     paths = None
     while paths is None:
         paths = _try(chain, limits, sampler)
-    return {name: paths[effect] for name, effect in zip("ABCD", sampler.shuffled(list(EFFECTS)), strict=True)}
+    return {name: paths[effect] for name, effect in zip("ABCD", sampler.shuffled(EFFECTS), strict=True)}
 
 
 def effect_of(chain: Chain, path: JointPath) -> str:
