@@ -2,13 +2,11 @@
 
 import numpy as np
 
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import youbot
 from misstep.answers.number import Numbers
 from misstep.mutants.expression import as_expression, given
 from misstep.mutants.operations import stack
-from misstep.problem import Problem
 
 
 @problem(

@@ -4,14 +4,12 @@ import numpy as np
 
 from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.poses import inverse, pose, with_position
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, rprr
 from kinlib.chains.robots import pose as frame
 from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
-from misstep.problem import Problem
 
 CONFIGURATION = (np.pi / 2, 0.2, np.pi / 6, np.pi / 3)
 """The joint values of the lecture's worked example: radians, metres, radians, radians."""

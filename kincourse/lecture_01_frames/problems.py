@@ -24,8 +24,8 @@ from kincourse.expressions.poses import (
 )
 from kincourse.expressions.screws import direction
 from kincourse.lecture_01_frames.drawings import draw_rotation
-from kincourse.problem import problem
-from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler, are_distinguishable
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import PLAIN_ANGLES_DEG, are_distinguishable
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z
 from kinlib.chains.robots import pose as frame
@@ -39,7 +39,6 @@ from misstep.display.text import matrix, vector
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Operation, given
 from misstep.mutants.operations import ANGLE, VECTOR, function, radians, stack
-from misstep.problem import Problem
 
 TITLE = "Frames"
 

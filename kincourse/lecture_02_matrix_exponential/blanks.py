@@ -6,15 +6,13 @@ from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.poses import assemble, inverse, pose
 from kincourse.expressions.rodrigues import position_exp, rotation_exp
 from kincourse.expressions.screws import direction
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import angled_arm, hrr, youbot
 from kinlib.rigid.lie import exp, log
 from misstep.answers.number import Numbers
 from misstep.display.text import vector
 from misstep.mutants.expression import Expression, given
 from misstep.mutants.operations import ANGLE, function, radians
-from misstep.problem import Problem
 
 ONE_MOTION = "A screw axis is scaled as a whole."
 TO_THE_ANGLE = "If you divide the axis by 2, multiply the angle by 2: $S\\,\\theta = (S / 2)\\,(2\\theta)$."

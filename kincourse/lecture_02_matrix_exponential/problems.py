@@ -13,8 +13,8 @@ from kincourse.expressions.poses import assemble, inverse, point
 from kincourse.expressions.poses import pose as given_pose
 from kincourse.expressions.rodrigues import angle_symbol, position_exp, rotation_exp, truncated
 from kincourse.expressions.screws import direction, moment
-from kincourse.problem import problem
-from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import AXIS_DIRECTIONS
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, arm
 from kinlib.chains.robots import pose as frame
@@ -29,7 +29,6 @@ from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
 from misstep.mutants.expression import Expression, given
 from misstep.mutants.operations import ANGLE, LENGTH, cos, function, radians, sin, sqrt, square, unit
-from misstep.problem import Problem
 
 TITLE = "The matrix exponential"
 

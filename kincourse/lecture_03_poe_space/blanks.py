@@ -6,12 +6,10 @@ from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.poses import assemble, columns
 from kincourse.expressions.screws import direction, helical, moment, revolute, screw, tilted
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import X, Y, Z, youbot
 from misstep.mutants.expression import given
 from misstep.mutants.operations import radians
-from misstep.problem import Problem
 
 SHOULDER_ADVICE = "Joint 2 is 0.033 m away from the axis of joint 1."
 

@@ -31,8 +31,8 @@ from kincourse.expressions.screws import (
     values_in_radians,
 )
 from kincourse.mistakes.factor_order import factor_order_mistakes
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler, are_distinguishable
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import are_distinguishable
 from kincourse.sampling.drawn_machines import is_readable, lengths
 from kincourse.sampling.lettered_arms import LetteredArm, draw_lettered_arm
 from kincourse.text.joint_table import joint_table
@@ -50,7 +50,6 @@ from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
 from misstep.mutants.expression import Expression, given, negative, product, total
 from misstep.mutants.operations import ANGLE, LENGTH, radians, stack
-from misstep.problem import Problem
 
 TITLE = "The product of exponentials in the space frame"
 

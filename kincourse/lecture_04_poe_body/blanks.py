@@ -14,12 +14,10 @@ from kincourse.expressions.screws import (
     screw_axes,
     values_in_radians,
 )
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import Y, mid_formula_arm, rpr
 from misstep.display.text import matrix, vector
 from misstep.mutants.expression import given, product
-from misstep.problem import Problem
 
 CONFIGURATION_RAD = np.radians([90, -90, 90, 90])
 """The joint values of step 04.c: right angles, so that every entry of the pose can be checked on paper."""

@@ -26,8 +26,8 @@ from kincourse.expressions.screws import (
     screw_axes,
 )
 from kincourse.mistakes.factor_order import factor_order_mistakes
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler, are_distinguishable, shows_transposes
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import are_distinguishable, shows_transposes
 from kincourse.sampling.configurations import Configuration, configuration_from_typed
 from kincourse.sampling.drawn_machines import is_readable, lengths
 from kincourse.sampling.lettered_arms import MIN_LINK_M, LetteredArm, draw_lettered_arm
@@ -47,7 +47,6 @@ from misstep.display.text import matrix, number
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product, total
 from misstep.mutants.operations import LENGTH, function, stack
-from misstep.problem import Problem
 
 TITLE = "The product of exponentials in the body frame"
 

@@ -5,12 +5,10 @@ import numpy as np
 from kincourse.answers.screws import ScrewsAnswer, TwistAnswer
 from kincourse.expressions.poses import inverse
 from kincourse.expressions.screws import change_frame, exponentials, joint_values, screw_axes
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import rpr
 from misstep.display.text import matrix
 from misstep.mutants.expression import given, total
-from misstep.problem import Problem
 
 TYPED = (30.0, 0.5, 90.0)
 RATES = (0.2, 0.5, -0.4)

@@ -5,10 +5,8 @@ import numpy as np
 from kincourse.answers.dh_row import DHRowAnswer
 from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import dh_row, joint_variable, link, table_product
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.dh.table import DHTable
-from misstep.problem import Problem
 
 RIGHT_ANGLE_RAD = np.pi / 2
 

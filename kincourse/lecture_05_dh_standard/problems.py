@@ -11,8 +11,8 @@ from kincourse.expressions.links import dh_row, link, links, table_product
 from kincourse.expressions.poses import inverse, with_position
 from kincourse.expressions.poses import pose as given_pose
 from kincourse.mistakes.dh import entry_names, other_entries, rows_of_the_other_convention, with_translation_in_a_row
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler, are_distinguishable
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import are_distinguishable
 from kincourse.sampling.drawn_machines import (
     draw_table_frames,
     drawn_table_mistakes,
@@ -33,7 +33,6 @@ from misstep.answers.prose import Prose
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import ANGLE, radians, sqrt, square, stack
-from misstep.problem import Problem
 
 TITLE = "Denavit-Hartenberg tables in the standard convention"
 

@@ -5,10 +5,8 @@ import numpy as np
 from kincourse.answers.dh_row import DHEntriesAnswer
 from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import joint_variable, link, table_product
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from misstep.mistakes import mistake
-from misstep.problem import Problem
 
 RIGHT_ANGLE_RAD = np.pi / 2
 ROW_2 = (0.0, -RIGHT_ANGLE_RAD, 0.3, -RIGHT_ANGLE_RAD)

@@ -18,8 +18,8 @@ from kincourse.expressions.poses import inverse, rotation_about, rotation_of
 from kincourse.expressions.screws import joint_screws
 from kincourse.expressions.wrist import wrist_angles, wrist_rotation
 from kincourse.mistakes.dh import is_in_several_rows, rows_of_the_other_convention
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler, are_distinguishable
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import are_distinguishable
 from kincourse.sampling.drawn_machines import (
     draw_table_frames,
     drawn_table_mistakes,
@@ -44,7 +44,6 @@ from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import stack
-from misstep.problem import Problem
 
 TITLE = "Denavit-Hartenberg tables in the modified convention"
 

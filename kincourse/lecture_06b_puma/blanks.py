@@ -5,11 +5,9 @@ import numpy as np
 from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import link
 from kincourse.expressions.wrist import wrist_angles, wrist_rotation
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from misstep.answers.equivalent import Equivalent
 from misstep.display.text import matrix
-from misstep.problem import Problem
 
 RIGHT_ANGLE_RAD = np.pi / 2
 ANGLES_RAD = np.arctan2([0.8, 0.6, -0.96], [0.6, 0.8, 0.28])

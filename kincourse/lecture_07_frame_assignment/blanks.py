@@ -8,13 +8,11 @@ from kincourse.answers.dh_row import DHRowAnswer
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.expressions.links import dh_row
 from kincourse.mistakes.dh import rows_of_the_other_convention
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
 from kinlib.dh.assignment import assign_frames
 from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
-from misstep.problem import Problem
 
 NEW_ARM = arm(
     [

@@ -9,8 +9,7 @@ from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.frames import DHFramesAnswer
 from kincourse.answers.point import VectorsAnswer
 from kincourse.mistakes.dh import entry_names, rows_of_the_other_convention
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
 from kincourse.text.joint_table import end_frames, given_frames, joint_table
 from kinlib.arrays.validation import Array
@@ -32,7 +31,6 @@ from misstep.display.text import degrees, number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import given
 from misstep.mutants.operations import stack
-from misstep.problem import Problem
 
 TITLE = "DH frames for any arm"
 

@@ -9,13 +9,11 @@ from kincourse.expressions.planar import (
     slider_place,
     with_other_bars,
 )
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from misstep.answers.angle import Angles
 from misstep.answers.number import Numbers
 from misstep.mutants.expression import given
 from misstep.mutants.operations import ANGLE, LENGTH, radians
-from misstep.problem import Problem
 
 
 @problem("08.a", "Where the slider is", points=1, lecture="08_closed_chains#A worked example")

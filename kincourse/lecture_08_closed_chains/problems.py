@@ -24,15 +24,9 @@ from kincourse.expressions.planar import (
 )
 from kincourse.expressions.poses import exp, point, pose
 from kincourse.expressions.screws import screw_axes
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kincourse.sampling.four_bar_geometry import FourBar
-from kincourse.sampling.linkages import (
-    crank_rocker,
-    four_bar_of_kind,
-    limited_crank,
-    overconstrained_case,
-)
+from kincourse.sampling.linkages import crank_rocker, four_bar_of_kind, limited_crank, overconstrained_case
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms import linkages
 from kinlib.view.figures.linkage import draw_linkage
@@ -45,7 +39,6 @@ from misstep.display.text import number
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given
 from misstep.mutants.operations import ANGLE, LENGTH, cos, radians, sqrt, square, stack
-from misstep.problem import Problem
 
 TITLE = "Closed chains"
 

@@ -8,14 +8,12 @@ from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.poses import pose
 from kincourse.expressions.screws import direction, revolute
 from kincourse.expressions.urdf import rpy_rotation
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import Y, Z
 from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
 from misstep.mistakes import mistake
 from misstep.mutants.expression import given
-from misstep.problem import Problem
 
 RIGHT_ANGLE_RAD = np.pi / 2
 

@@ -15,8 +15,8 @@ from kincourse.expressions.planar import length, polar
 from kincourse.expressions.poses import assemble, point, translation
 from kincourse.expressions.screws import direction, revolute
 from kincourse.expressions.urdf import about_own_axes, rpy_rotation
-from kincourse.problem import problem
-from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import AXIS_DIRECTIONS
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
 from kincourse.text.urdf_text import (
     UrdfJoint,
@@ -38,7 +38,6 @@ from misstep.display.text import number, vector
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product, transpose
 from misstep.mutants.operations import ANGLE, LENGTH, concatenate, cos, function, sin, stack
-from misstep.problem import Problem
 
 TITLE = "Robots as URDF files"
 

@@ -4,11 +4,9 @@ from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.poses import inverse, pose
 from kincourse.expressions.screws import change_frame, screw_axes
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import rpr
 from misstep.mutants.expression import given
-from misstep.problem import Problem
 
 ARM = rpr()
 JOINTS, TOOL = ARM.joint_points, ARM.home[:3, 3]

@@ -16,18 +16,14 @@ from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.links import link
 from kincourse.expressions.poses import inverse
-from kincourse.expressions.screws import (
-    change_frame,
-    joint_screws,
-    revolute,
-)
+from kincourse.expressions.screws import change_frame, joint_screws, revolute
 from kincourse.expressions.urdf import rpy_rotation
 from kincourse.lecture_10_one_robot_four_ways.arms import draw_machine
 from kincourse.lecture_10_one_robot_four_ways.paths import effect_of
 from kincourse.lecture_10_one_robot_four_ways.project import Project, open_project
 from kincourse.mistakes.dh import is_in_several_rows
-from kincourse.problem import problem
-from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import PLAIN_ANGLES_DEG
 from kincourse.sampling.drawn_machines import drawn_table_mistakes, misread
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -47,7 +43,6 @@ from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import radians
-from misstep.problem import Problem
 
 TITLE = "One robot, four ways"
 
