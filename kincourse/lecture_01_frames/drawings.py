@@ -12,7 +12,6 @@ TITLES = ("pose", "change of coordinates", "motion")
 FLAG = np.array([(0, 0, 0), (0.36, 0, 0), (0.36, 0.22, 0), (0, 0, 0)])
 """The outline of a body that shows how it is moved: a triangle with sides of different length."""
 
-
 AXIS_LENGTH = 0.55
 
 
