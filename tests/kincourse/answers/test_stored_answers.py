@@ -26,7 +26,9 @@ def as_typed(value):
 def test_an_answer_of_each_kind_is_judged_from_json_as_in_the_notebook():
     drawn = [template.variant("ada") for name in sheets() for template in find_sheet(name).problems]
     for problem in {type(problem.answer): problem for problem in drawn}.values():
-        typed = [as_typed(one) for one in (problem.answer.value, *(wrong.value for wrong in problem.known_mistakes))]
+        typed = [
+            as_typed(one) for one in (problem.answer.value, *(wrong.value for wrong in problem.known_mistakes[:5]))
+        ]
         for value in [*(one for one in typed if one is not None), ..., *HOSTILE.values(), Rude()]:
             home, away = judge(problem, value), judge(problem, sent(value, problem.answer.inputs))
             assert (away.state, away.fraction, away.mistakes) == (home.state, home.fraction, home.mistakes)
