@@ -11,7 +11,7 @@ def find_robot_sheet(name: str) -> Sheet | None:
 
     Raises ValueError for a file that is not the file of a robot sheet.
     """
-    from kincourse.robot_sheets.robot_file import find  # imported only if needed
+    from kincourse.robot_sheets.robot_sheet import find  # imported only if needed
 
     return find(name)
 

@@ -11,8 +11,7 @@ import sys
 from pathlib import Path
 
 from kincourse import sheets
-from kincourse.robot_sheets.robot_file import dumps, validate_name
-from kincourse.robot_sheets.robot_sheet import TASKS, robot_sheet, tasks_for, with_plain_name
+from kincourse.robot_sheets.robot_sheet import SHEET_NAME, dumps, robot_sheet, tasks_for, with_plain_name
 from kinlib.chains.chain import Chain
 from misstep.release.instructor_notebook import notebook
 
@@ -43,7 +42,7 @@ def new_sheet(
     name       the name of the robot in statements; by default that in its file
     force      whether to overwrite a sheet that is already in the folder
 
-    Raises ValueError if the robot cannot be read or too few tasks make sense for it, or if the name is invalid or taken.
+    Raises ValueError if the robot cannot be read, or if the name is invalid or taken.
     Raises FileExistsError if `out` is a file, or a folder that is not empty and `force` is false.
 
     >>> import tempfile
@@ -52,7 +51,12 @@ def new_sheet(
     'my_crane.ipynb'
     """
     folder = Path(out)
-    sheet_name = validate_name(folder.name)
+    sheet_name = folder.name
+    if not SHEET_NAME.fullmatch(sheet_name):
+        raise ValueError(
+            "The name of a sheet must be a letter followed by letters, digits and _, at most 40 characters in all; "
+            f"got {sheet_name!r}. It is the name of the folder: try --out solutions/my_robot."
+        )
     if sheet_name in sheets():
         raise ValueError(f"The course already has a sheet {sheet_name!r}. Choose another name for the folder.")
     if folder.is_file():
@@ -63,18 +67,17 @@ def new_sheet(
         )
     chain = _load_robot(robot, base, tip)
     chain = with_plain_name(chain.changed(name=name or chain.name))
-    tasks = tasks_for(chain)
-    sheet = robot_sheet(sheet_name, chain, tasks)
-    entries = [TASKS[task].entry for task in tasks]
-    numbered_entries = [
-        entry._replace(solution=entry.solution.replace("{k}", str(k))) for k, entry in enumerate(entries, start=1)
+    sheet = robot_sheet(sheet_name, chain)
+    entries = [
+        task.entry._replace(solution=task.entry.solution.replace("{k}", str(k)))
+        for k, task in enumerate(tasks_for(chain), start=1)
     ]
-    intro = INTRO_TEMPLATE.format(count=len(tasks), points=sheet.points, robot=chain.name, file=f"{sheet_name}.json")
-    text = notebook(sheet, numbered_entries, intro, IMPORT_LINES)
+    intro = INTRO_TEMPLATE.format(count=len(entries), points=sheet.points, robot=chain.name, file=f"{sheet_name}.json")
+    text = notebook(sheet, entries, intro, IMPORT_LINES)
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"{sheet_name}.ipynb"
     path.write_text(text, encoding="utf-8", newline="\n")
-    path.with_suffix(".json").write_text(dumps(chain, tasks), encoding="utf-8", newline="\n")
+    path.with_suffix(".json").write_text(dumps(chain), encoding="utf-8", newline="\n")
     return path
 
 

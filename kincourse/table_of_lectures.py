@@ -3,14 +3,13 @@
 A lecture is found by its folder. Its title and its question are in the `__init__.py` of this folder.
 """
 
-from dataclasses import dataclass
 from importlib import import_module
+from typing import NamedTuple
 
 from kincourse.catalog import COURSE
 
 
-@dataclass(frozen=True)
-class Lecture:
+class Lecture(NamedTuple):
     """A lecture as the lists show it.
 
     name      the name of its notebook and of its sheet, such as 03_poe_space
@@ -34,12 +33,9 @@ def lectures() -> list[Lecture]:
     >>> lectures()[0]
     Lecture(name='00_start_here', title='Start here', question='Where is the tool, if you know only the joint angles?', problems=0)
     """
-    found = []
-    for name in COURSE.lectures:
-        folder = import_module(f"{COURSE.package}.lecture_{name}")
-        problems = len(COURSE.find_sheet(name).problems) if name in COURSE.sheets() else 0
-        found.append(Lecture(name, folder.TITLE, folder.QUESTION, problems))
-    return found
+    folders = {name: import_module(f"{COURSE.package}.lecture_{name}") for name in COURSE.lectures}
+    counts = {name: len(COURSE.find_sheet(name).problems) for name in COURSE.sheets()}
+    return [Lecture(name, one.TITLE, one.QUESTION, counts.get(name, 0)) for name, one in folders.items()]
 
 
 def sheet_of(lecture: str) -> str:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.robot_sheets.robot_sheet import robot_sheet, tasks_for, with_plain_name
+from kincourse.robot_sheets.robot_sheet import robot_sheet, with_plain_name
 from kinlib.arrays.formatting import format_degrees, format_number, html_table
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import youbot
@@ -331,7 +331,7 @@ def practise(arm: str | Chain | DHTable | Examination, student: str, *, base: st
     arm        as `examine` takes it, or what it returned
     base, tip  as `examine` takes them
 
-    Raises ValueError if there is no arm, if it cannot be read, or if too few tasks make sense for it.
+    Raises ValueError if there is no arm, or if it cannot be read.
 
     >>> list(practise("UR5e", "ada").problem(1).given)
     ['T_sr', 'T_rf', 'T_fb']
@@ -342,8 +342,7 @@ def practise(arm: str | Chain | DHTable | Examination, student: str, *, base: st
             raise ValueError(f"An exercise sheet needs a robot. {arm.sentence}")
     else:
         chain, *_ = _read_arm(arm, base, tip)
-    robot = with_plain_name(chain)
-    return OpenSheet(robot_sheet("your_robot", robot, tasks_for(robot)), student)
+    return OpenSheet(robot_sheet("your_robot", with_plain_name(chain)), student)
 
 
 def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, list[str], tuple[Tree, str] | None]:

@@ -3,8 +3,8 @@
 Each lecture has a folder in the package of the course:
 
     lecture_03_poe_space/
-        problems.py              SHEET, the sheet "03_poe_space"
-        blanks.py                BLANKS, the steps that the lecture leaves blank
+        problems.py              the problems of the sheet "03_poe_space", and its TITLE
+        blanks.py                the steps that the lecture leaves blank
         questions.toml           its questions, as misstep.questions.item describes them
 
 A lecture is imported only when it is used.
@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 from misstep.display.lecture_address import lecture_address
 from misstep.judge import judge
-from misstep.problem import Template
+from misstep.problem import Template, templates_in
 from misstep.questions.item import Item, read_questions
 from misstep.sheet import SAMPLE_ID, OpenSheet, Sheet
 from misstep.verdict import Verdict
@@ -92,7 +92,8 @@ class Course:
         Raises ValueError if there is no sheet of this name; the message lists those that exist.
         """
         if name in self.sheets():
-            return self._module(name, "problems").SHEET  # type: ignore[no-any-return]
+            module = self._module(name, "problems")
+            return Sheet(name, module.TITLE, templates_in(module))
         if self.fallback and (own := self.fallback(name)):
             return own
         hint = self.fallback_hint.format(name=name)
@@ -108,7 +109,7 @@ class Course:
     def blanks(self) -> dict[str, Template]:
         """The steps that the lectures leave blank, by number: "03.a" is the first one of lecture 03."""
         modules = [self._module(name, "blanks") for name in self._lectures_with("blanks.py")]
-        return {template.number: template for module in modules for template in module.BLANKS}
+        return {template.number: template for module in modules for template in templates_in(module)}
 
     def attempt(self, number: str, answer: Any) -> Verdict:
         """Check a step that a lecture leaves blank. The numbers are the same for everybody; the feedback is that of a sheet.

@@ -12,7 +12,10 @@ from functools import cached_property, partial
 from importlib import import_module
 from importlib.util import find_spec
 from itertools import combinations, islice
+from types import ModuleType
 from typing import Any, Literal, TypeVar
+
+import numpy as np
 
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Answer, Unreadable, seen_at_sight
@@ -36,11 +39,13 @@ class Problem:
     """One student's problem, with its numbers: the statement, the given values, the right answer and the mistakes.
 
     statement  Markdown with `$...$` for mathematics
+    answer     the right answer; if its value is an expression, this is the solution
     mistakes   the mistakes that are no mutants of the solution
     given      the given values by name; students get them by sheet.given(k), so they need not type them
     shown      further values by name that stand in the statement or the drawing, and that students read there
+    further    a question for a student who has solved it, which changes something
     figure     a function that draws the figure; it is called only when the problem is shown
-    solution   the solution as an expression over the given values (`misstep.mutants`); for an answer that is a function or a
+    solution   the solution as an expression over the given values (`misstep.mutants`), if it is not in the answer; for a function or a
                formula, a function from its arguments to an expression. Its mutants are mistakes of the problem
     advice     for names of mutants, or the texts of their changes, a sentence on what is right in this problem
     invisible  the names of mutants that cannot be seen in this problem, because they always lead to the right answer
@@ -65,12 +70,16 @@ class Problem:
     mistakes: Sequence[Mistake] = ()
     given: Mapping[str, Any] = field(default_factory=dict)
     shown: Mapping[str, Any] = field(default_factory=dict)
+    further: str = ""
     figure: Callable[[], Any] | None = None
     solution: Expression | Callable[..., Expression] | None = None
     advice: Mapping[str, str] = field(default_factory=dict)
     invisible: Collection[str] = ()
 
     def __post_init__(self) -> None:
+        if isinstance(root := self.answer.value, Expression):
+            object.__setattr__(self, "solution", root)
+            object.__setattr__(self, "answer", replace(self.answer, value=np.asarray(root.value)))  # type: ignore[type-var]
         read = [replace(wrong, value=self.answer.read(wrong.value)) for wrong in self.mistakes]
         object.__setattr__(self, "mistakes", read)
 
@@ -248,7 +257,6 @@ class Template:
     lecture       where to re-read, "01_ohm#Parallel circuits": notebook and heading
     make_problem  the function from a sampler to a Problem
     sampler       the class of the sampler that the function gets
-    further       a question for a student who has solved it, which changes something
     level         how hard it is; a hard one has no hints, and an open one is marked by an instructor
 
     >>> import numpy as np
@@ -267,7 +275,6 @@ class Template:
     lecture: str
     make_problem: Callable[[Any], Problem]
     sampler: type[Sampler] = Sampler
-    further: str = ""
     level: Level = "Usual"
 
     @property
@@ -304,7 +311,6 @@ def problem(
     lecture: str,
     sampler: type[S] = Sampler,  # type: ignore[assignment]
     *,
-    further: str = "",
     level: Level = "Usual",
 ) -> Callable[[Callable[[S], Problem]], Template]:
     """Decorate a function from a sampler to a Problem, and so make it a Template.
@@ -313,7 +319,6 @@ def problem(
     points   the full score, shared equally among the parts of the answer
     lecture  where to re-read, "01_ohm#Parallel circuits": notebook and heading
     sampler  the class of the sampler that the function gets
-    further  a question for a student who has solved it, which changes something
     level    how hard it is
 
     >>> import numpy as np
@@ -330,6 +335,12 @@ def problem(
     """
 
     def decorate(make_problem: Callable[[S], Problem]) -> Template:
-        return Template(number, title, points, lecture, make_problem, sampler, further, level)
+        return Template(number, title, points, lecture, make_problem, sampler, level)
 
     return decorate
+
+
+def templates_in(module: ModuleType) -> list[Template]:
+    """Return the problems of a module, in the order of their numbers: "03.2" comes before "03.10"."""
+    found = [value for value in vars(module).values() if isinstance(value, Template)]
+    return sorted(found, key=lambda template: (len(template.number), template.number))

@@ -128,7 +128,8 @@ class OpenSheet:
         is_first = not any(one.state in {"partly", "wrong"} for one in self._judgements[k])
         self._judgements[k].append(judgement)
         address = lecture_address(template.lecture, self.site)
-        self.verdicts[k] = Verdict(template, judgement, emission, address, is_first, steps_after(problem, judgement))
+        worked = steps_after(problem, judgement)
+        self.verdicts[k] = Verdict(template, judgement, emission, address, is_first, worked, problem.further)
         return self.verdicts[k]
 
     def tally(self) -> Tally:

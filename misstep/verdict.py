@@ -24,6 +24,7 @@ class Verdict:
     emission  the answer with its sheet, problem and student; a grader reads it and judges it again
     address   the address of the section to re-read, "" if it is not known
     worked    the steps of the worked solution, for a right answer
+    further   a question for a student who has solved the problem
     is_first  whether no answer to the problem was wrong before; then the card tells the idea, and not yet the place, and so it
               does each time for a hard problem
     """
@@ -34,6 +35,7 @@ class Verdict:
     address: str = ""
     is_first: bool = False
     worked: Sequence[str] = ()
+    further: str = ""
 
     @property
     def score(self) -> float:
@@ -58,8 +60,8 @@ class Verdict:
         )
         if self.worked:
             body += ["One way to it:", *self.worked]
-        if judgement.state == "right" and template.further:
-            body.append(f"A further question: {template.further}")
+        if judgement.state == "right" and self.further:
+            body.append(f"A further question: {self.further}")
         if judgement.state not in ("right", "blank"):
             section = template.lecture.partition("#")[2]
             body.append(Link(f"Re-read: section “{section}” of {template.lecture_name}.", self.address))

@@ -54,14 +54,8 @@ class DHEntriesAnswer(_DHNumbers):
         # A card capitalizes the first word of a sentence, and "A_1" (a link transform) is not a_1 (a length).
         return [name if " " in name else f"entry {symbol(name)}" for name in self.names]
 
-    def part_indices(self) -> list[int]:
-        return list(range(len(self.names)))
-
     def kinds(self) -> NDArray[np.int_]:
         return np.array([PURE if self._is_angle(part) else LENGTH for part in range(len(self.names))])
-
-    def place(self, index: Sequence[Any]) -> str:
-        return str(self.parts[index[0]])
 
     def resemblance(self, given: Array, part: int | None) -> Named | None:
         if part is None:
@@ -118,9 +112,6 @@ class DHRowsAnswer(_DHNumbers):
     @property
     def parts(self) -> Sequence[str]:
         return [f"row {i + 1}" for i in range(len(self.value))]
-
-    def part_indices(self) -> list[int]:
-        return list(range(len(self.value)))
 
     def read(self, given: Any) -> Array:
         count = np.size(self.value)

@@ -101,6 +101,7 @@ class DHTableAnswer(Answer):
             raise Unreadable(f"Expected {self.expected}; got {validation.describe(given)}, which is too long.")
         named = isinstance(given, str) or any(isinstance(row, Mapping) for row in given)
         joints = "" if named else self.value.joints
+        given = given if named else np.reshape(given, (-1, 4))  # the numbers may be listed one after the other
         base, tool = self.value.base, self.value.tool
         return DHTable(
             given, convention=self.value.convention, joints=joints, base=base, tool=tool, lengths=self.lengths

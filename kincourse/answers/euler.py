@@ -43,9 +43,6 @@ class EulerAnglesAnswer(Equivalent):
     def parts(self) -> Sequence[str]:
         return ["the angles for $R_1$", "the angles for $R_2$"]
 
-    def part_indices(self) -> list[int]:
-        return [0, 1]
-
     def angle_entries(self) -> NDArray[np.bool_]:
         return np.ones((2, 3), dtype=bool)
 

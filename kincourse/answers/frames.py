@@ -58,9 +58,6 @@ class DHFramesAnswer(Numbers):
     def parts(self) -> Sequence[str]:
         return [f"frame {i}" for i in range(self.chain.n + 1)]
 
-    def part_indices(self) -> list[int]:
-        return list(range(len(self.value)))
-
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
         """Return whether two frames are right, because a single one is by chance, and not all by the rules of the other convention."""
         other = OTHER_CONVENTION[self.convention]

@@ -99,6 +99,3 @@ class VectorsAnswer(Numbers):
     def place(self, index: Sequence[Any]) -> str:
         component = XYZ[int(index[-1])]
         return f"{component} of {self.names[int(index[0])]}" if self.names else component
-
-    def part_indices(self) -> list[Any]:
-        return list(range(len(self.value))) if self.names else [...]

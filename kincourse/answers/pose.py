@@ -86,8 +86,20 @@ POSE_SLIPS = (
 """The slips that people make in any pose."""
 
 
+class PoseParts:
+    """The two parts of a pose, each with its entries of the last row, and without them."""
+
+    parts = ("rotation", "position")
+
+    def part_indices(self) -> list[Any]:
+        return [np.s_[:, :3], np.s_[:, 3]]
+
+    def core_indices(self) -> list[Any]:
+        return [np.s_[:3, :3], np.s_[:3, 3]]
+
+
 @dataclass(frozen=True, eq=False)
-class PoseAnswer(Numbers):
+class PoseAnswer(PoseParts, Numbers):
     """One pose, shape (4, 4), in two parts: the rotation and the position, each with its entries of the last row.
 
     >>> PoseAnswer(np.eye(4)).agrees(np.eye(4), np.diag([1, -1, -1, 1.0]))
@@ -96,20 +108,10 @@ class PoseAnswer(Numbers):
 
     noun: ClassVar[str] = "a pose, an array"
 
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["rotation", "position"]
-
     def kinds(self) -> NDArray[np.int_]:
         kinds = np.full((4, 4), PURE)
         kinds[:3, 3] = LENGTH
         return kinds
-
-    def part_indices(self) -> list[Any]:
-        return [np.s_[:, :3], np.s_[:, 3]]
-
-    def core_indices(self) -> list[Any]:
-        return [np.s_[:3, :3], np.s_[:3, 3]]
 
     def length_entries(self) -> NDArray[np.bool_]:
         return np.asarray(self.kinds() == LENGTH)

@@ -1,35 +1,22 @@
 """Poses in closed form, that is, as matrices of formulas, as answers."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
-
-import numpy as np
 
 from kincourse.answers.point import REORDERED
+from kincourse.answers.pose import PoseParts
 from misstep.answers.expression import ClosedForm
 from misstep.answers.likeness import Likeness
 from misstep.formulas.evaluation import Formula
 
 
 @dataclass(frozen=True, eq=False)
-class PoseExpressionAnswer(ClosedForm):
+class PoseExpressionAnswer(PoseParts, ClosedForm):
     """A pose as a 4x4 matrix of formulas, in two parts: the rotation and the position, each with its entries of the last row.
 
     >>> import sympy as sp
     >>> PoseExpressionAnswer(sp.eye(4)).parts
-    ['rotation', 'position']
+    ('rotation', 'position')
     """
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["rotation", "position"]
-
-    def part_indices(self) -> list[Any]:
-        return [np.s_[:, :3], np.s_[:, 3]]
-
-    def core_indices(self) -> list[Any]:
-        return [np.s_[:3, :3], np.s_[:3, 3]]
 
     def likeness(self, given: Formula, part: int | None) -> Likeness:
         found = super().likeness(given, part)

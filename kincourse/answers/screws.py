@@ -165,9 +165,6 @@ class ScrewsAnswer(Numbers):
             return " A screw axis is (omega, v), six numbers: is the other half missing?"
         return super().remedy(shape)
 
-    def part_indices(self) -> list[Any]:
-        return [...] if self.value.ndim == 1 else list(range(len(self.value)))
-
 
 def screw_check(mine: Array, right: Array) -> str:
     r"""Return what every screw axis of this kind of joint fulfils and another one, (6,), does not; "" for twists of other lengths.

@@ -156,60 +156,24 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
     >>> kutzbach(3, [(1, 1, 1), (1, 1)]).value
     2.0
     """
-    f = [float(f_i) for leg in legs for f_i in leg]
-    J, F = float(len(f)), sum(f)
+    freedoms = [float(f) for leg in legs for f in leg]
+    J, F = float(len(freedoms)), sum(freedoms)
     N = 2 + J - len(legs)
-
-    def mistaken(right: Expression, *slips: tuple[str, str, float], advice: str = "") -> Expression:
-        return right.mistaken_for(*(slip for slip in slips if slip[2] != right.value), advice=advice)
-
-    dimension = mistaken(given("d", float(d)), ("another d", f"take $d = {9 - d}$", 9.0 - d))
-    bodies = mistaken(
-        given("N", N),
+    dimension = given("d", float(d)).mistaken_for(("another d", f"take $d = {9 - d}$", 9.0 - d))
+    bodies = given("N", N).mistaken_for(
         ("bodies", "leave out the ground or the platform", N - 1),
         ("bodies", "leave out both the ground and the platform", N - 2),
         ("bodies", "count as many bodies as joints", J),
-        ("bodies", "leave out the bodies between the joints of a leg", 2.0),
         ("bodies", "count one body for each joint, and the ground", J + 1),
     )
-    sum_f = mistaken(
-        given("\\sum f", F),
-        ("degrees of freedom of the joints", "give each joint one degree of freedom", J),
-        ("degrees of freedom of the joints", "give universal joints one degree of freedom", F - f.count(2)),
-        ("degrees of freedom of the joints", "give spherical joints two degrees of freedom", F - f.count(3)),
-    )
-    right = dimension * (bodies - 1 - given("J", J)) + sum_f
-    M, per_leg = float(right.value), [float(sum(leg)) for leg in legs]
-    return mistaken(
-        right,
-        ("constraints of the joints", "take $d\\,(N - 1) - \\sum f$, although a joint has $d - f$ constraints", d * (N - 1) - F),
-        ("joints left out", "take $d\\,(N - 1)$, as if there were no joints", d * (N - 1)),
+    M = dimension * (bodies - 1 - given("J", J)) + given("\\sum f", F)
+    return M.mistaken_for(
         ("loops", "add up the degrees of freedom of the joints, without the equations of the loops", F),
         ("loops", "close one loop only", F - d),
         ("loops", "close one loop for each leg, although the first leg closes no loop", F - d * len(legs)),
-        ("joint left out", "leave out one joint", M + d - f[-1]),
-        *(("leg left out", "leave out one leg", M + d - f_leg) for f_leg in dict.fromkeys(per_leg)),
-        ("loops", "count each leg by itself, as if it closed a loop", F - len(legs)),
-        ("loops", "count one leg alone", per_leg[0]),
-        ("platform alone", "give the degrees of freedom of the platform when it is free", float(d)),
-        ("negative number", "write 0 for a negative number", max(M, 0.0)),
-        ("bodies and another d", f"take $d = {9 - d}$ with one body left out", M + (9 - 2 * d) * (N - 1 - J) + d - 9),
-        ("another d and degrees of freedom of the joints", f"take $d = {9 - d}$ with one degree of freedom for each joint",
-         (9 - d) * (N - 1 - J) + J),
-        ("sign", "give the negative of the number", -M),
-        ("number of bodies", "give the number of bodies", N),
-        ("number of joints", "give the number of joints", J),
-        ("loops", "take $d$ for each leg as if it were one joint", d * (N - 1) + F - d * len(legs)),
-        *(("off by one", "count one too many or one too few", M + by) for by in (1, -1)),
-    ).also_by(mistaken(
-        given("d - \\sum (d - f)", d - sum(d - f_leg for f_leg in per_leg)),
-        ("leg left out", "count each kind of leg once", d - sum(d - sum(leg) for leg in set(map(tuple, legs)))),
-        ("sign", "add the constraints of the legs to $d$ instead of subtracting them", d + sum(d - f_leg for f_leg in per_leg)),
-        ("joint left out", "count the first joint of each leg only", float(d - sum(d - leg[0] for leg in legs))),
-        ("negative number", "let a leg with more than $d$ degrees of freedom add nothing", d - sum(max(d - f_leg, 0) for f_leg in per_leg)),
-        ("loops", "give the degrees of freedom of the leg that has the fewest", min(per_leg)),
-        advice="Each leg takes $d$ minus the degrees of freedom of its joints from the platform; this may be negative.",
-    ))  # fmt: skip
+        ("joint left out", "leave out one joint", M.value + d - freedoms[-1]),
+        may_coincide=True,
+    )
 
 
 def _slider(crank: Expression, rod: Expression, offset: Expression, A: Expression) -> Expression:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from kincourse.expressions.poses import exp, inverse, with_position
+from kincourse.sampling.drawn_machines import STEP_M
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import hat, homogeneous
@@ -25,7 +26,7 @@ from misstep.mutants.expression import (
     table,
     total,
 )
-from misstep.mutants.operations import ANGLE, SLIDE, VECTOR, cross_product, radians, stack
+from misstep.mutants.operations import ANGLE, LENGTH, SLIDE, VECTOR, cross_product, radians, stack
 
 MIN_SHIFT_M = 0.01
 """By how much another origin must change a moment, so that it can be seen that the points were measured from it."""
@@ -212,6 +213,35 @@ def drawn_revolute(omega: Array, p: Array, others: Mapping[str, Array]) -> Expre
     foot = p - (omega @ p) * omega
     slip = ("point as moment", "take a point of the axis itself as the moment", foot, MOMENT_ADVICE)
     return screw(axis, moment(axis, point).mistaken_for(slip))
+
+
+def read_screws(
+    axes: Array, points: Array, numbers: Sequence[int], frame: str, marks: Array | Sequence[Array] = ()
+) -> Expression:
+    """The screws (n, 6) of revolute joints that are read off a dimensioned drawing, in rows.
+
+    marks  other marks that people take for a point
+
+    >>> read_screws(np.eye(2, 3), np.ones((2, 3)), (1, 2), "s").value[0] + 0.0
+    array([ 1.,  0.,  0.,  0.,  1., -1.])
+    """
+    joints, pitches = zip(numbers, points, axes, strict=True), np.zeros(len(axes))
+    read = [_read_point(f"P_{i}", p, axis, marks) for i, p, axis in joints]
+    text, advice = f"measure the points from $P_{numbers[0]}$", f"Points are measured from the origin of {{{frame}}}."
+    from_first = joint_screws(axes, points - points[0], pitches).value
+    return joint_screws(axes, read, pitches, numbers).mistaken_for(("another origin", text, from_first, advice))
+
+
+def _read_point(label: str, p: Array, axis: Array, marks: Array | Sequence[Array]) -> Expression:
+    """A point of a joint axis that is read off; another point of the axis is as good."""
+    views = "The top view shows $x$ and $y$, the front view $x$ and $z$."
+    slips = [
+        ("views swapped", f"swap $y$ and $z$ of ${label}$", p[[0, 2, 1]], views),
+        ("depth reversed", f"take the $y$ of ${label}$ with the opposite sign", p * (1, -1, 1), views),
+        *(("another mark", f"read another mark instead of ${label}$", mark, "") for mark in marks),
+    ]
+    seen = [slip for slip in slips if np.abs(np.cross(axis, slip[2] - p)).max() > STEP_M]
+    return given(label, p, LENGTH).mistaken_for(*seen)
 
 
 def _misread(p: Array) -> Iterator[tuple[str, str, Array]]:

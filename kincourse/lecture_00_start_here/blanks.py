@@ -2,13 +2,11 @@
 
 import numpy as np
 
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import youbot
 from misstep.answers.number import Numbers
 from misstep.mutants.expression import as_expression, given
 from misstep.mutants.operations import stack
-from misstep.problem import Problem
 
 
 @problem(
@@ -26,15 +24,10 @@ def end_effector_at_home(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Give the position $(x, y, z)$ of the end-effector at home, in {s} and in metres.",
         answer=Numbers(youbot().home[:3, 3], unit="metres"),
-        solution=stack(reach, 0, height).mistaken_for(
-            (
-                "upright",
-                "take the arm as upright at home",
-                upright,
-                "Here the arm is stretched out horizontally at home. Home is a choice, and other descriptions choose an upright arm.",
-            )
-        ),
+        solution=stack(reach, 0, height).mistaken_for(("upright", "take the arm as upright at home", upright)),
         advice={
+            "upright": "Here the arm is stretched out horizontally at home. Home is a choice, and other descriptions choose an "
+            "upright arm.",
             "leave out $0.033$": "The origin of {s} is on the axis of joint 1, and the axis of joint 2 is 0.033 m in front of it.",
             "leave out $0.2175$": "The end-effector frame {b} is 0.2175 m beyond joint 4: it is the last of the four lengths.",
             "swap entries 2 and 3": "In {s}, $z$ points up, not $y$ as on a screen. In the figure, each axis has its letter at the tip.",
@@ -59,17 +52,12 @@ def configuration_in_radians(_draw: ArmSampler) -> Problem:
                 "offset added",
                 "add the offset $\\pi/2$ of the DH table to joint 4",
                 q.value + np.array([0, 0, 0, np.pi / 2, 0]),
-                offset,
             ),
-            (
-                "turns",
-                "give fractions of a full turn",
-                degrees / 360,
-                "A full turn is $2\\pi$ radians, so 90 degrees are $\\pi/2$.",
-            ),
+            ("turns", "give fractions of a full turn", degrees / 360),
             ("degrees", "give degrees", degrees, "`arm.fk` takes the numbers as radians, and reports no error."),
         ),
+        advice={
+            "offset added": offset,
+            "turns": "A full turn is $2\\pi$ radians, so 90 degrees are $\\pi/2$.",
+        },
     )
-
-
-BLANKS = [end_effector_at_home, configuration_in_radians]

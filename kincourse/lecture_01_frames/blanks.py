@@ -4,14 +4,12 @@ import numpy as np
 
 from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.poses import inverse, pose, with_position
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, rprr
 from kinlib.chains.robots import pose as frame
 from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
-from misstep.problem import Problem
 
 CONFIGURATION = (np.pi / 2, 0.2, np.pi / 6, np.pi / 3)
 """The joint values of the lecture's worked example: radians, metres, radians, radians."""
@@ -46,15 +44,13 @@ def one_more_link(_draw: ArmSampler) -> Problem:
         statement="Give $T_{03}$ from $T_{02}$ and $T_{23}$.",
         answer=PoseAnswer(T_03.value),
         solution=T_03.mistaken_for(
-            (
-                "positions added",
-                "add the two positions",
-                added,
-                "$p_{23}$ is written in frame 2: write it in frame 0 first, $p_{03} = R_{02}\\,p_{23} + p_{02}$.",
-            ),
+            ("positions added", "add the two positions", added),
             ("poses added", "add the matrices", T_02 + T_23, "Poses are composed by a matrix product."),
         ),
-        advice={"order": "The adjacent subscripts 3 and 0 do not cancel: $T_{02}$ goes to the left of $T_{23}$."},
+        advice={
+            "positions added": "$p_{23}$ is written in frame 2: write it in frame 0 first, $p_{03} = R_{02}\\,p_{23} + p_{02}$.",
+            "order": "The adjacent subscripts 3 and 0 do not cancel: $T_{02}$ goes to the left of $T_{23}$.",
+        },
     )
 
 
@@ -64,8 +60,7 @@ def look_back(_draw: ArmSampler) -> Problem:
     T_30 = inverse(pose("T_{03}", T_01 @ T_12 @ T_23))
     return Problem(
         statement="Give $T_{30}$, the pose of the base in frame 3.",
-        answer=PoseAnswer(T_30.value),
-        solution=T_30,
+        answer=PoseAnswer(T_30),
         advice={
             "inverse left out": "$T_{03}$ is the pose of frame 3 in the base frame.",
             "transpose for inverse": "The transpose inverts the rotation, but it also moves the position into the last row.",
@@ -86,15 +81,10 @@ def tool_from_link_3(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Give $T_{35}$ from $T_{30}$ and $T_{05}$.",
         answer=PoseAnswer(T_35.value),
-        solution=T_35.mistaken_for(
-            (
-                "positions subtracted",
-                "subtract the positions",
-                subtracted,
-                "The vector $p_{05} - p_{03}$ leads from link 3 to the tool, but it is written in frame 0: multiply it by $R_{30}$.",
-            )
-        ),
+        solution=T_35.mistaken_for(("positions subtracted", "subtract the positions", subtracted)),
         advice={
+            "positions subtracted": "The vector $p_{05} - p_{03}$ leads from link 3 to the tool, but it is written in frame 0: "
+            "multiply it by $R_{30}$.",
             "inverse left out": "The inverse of $T_{03}$ is $T_{30}$, whose second subscript cancels with the first of $T_{05}$.",
             "order": "Adjacent subscripts must be equal: put $T_{30}$ to the left of $T_{05}$, so that the two subscripts 0 are adjacent.",
         },
@@ -141,32 +131,27 @@ def grasp(_draw: ArmSampler) -> Problem:
         statement="Give $T_{sg}$, the pose in which the gripper holds the bolt.",
         answer=PoseAnswer(T_sg),
         solution=pose("T_{sg}", T_sg).mistaken_for(
-            (
-                "origin at the bolt",
-                "put the origin of {g} at the bolt",
-                with_position(T_sg, bolt),
-                "The fingertips are at the bolt, and the origin of {g} is 0.1 m before them.",
-            ),
+            ("origin at the bolt", "put the origin of {g} at the bolt", with_position(T_sg, bolt)),
             (
                 "beyond the bolt",
                 "put the origin of {g} 0.1 m beyond the bolt",
                 with_position(T_sg, bolt + 0.1 * approach),
-                "The $z$ axis of {g} points from its origin to the bolt, so the origin comes before the bolt.",
             ),
             (
                 "away from the bolt",
                 "let the $z$ axis of {g} point away from the bolt",
                 frame((Z, -across, -approach), bolt - 0.1 * approach),
-                "The $z$ axis of {g} points out of the gripper, towards the bolt.",
             ),
             (
                 "half a turn",
                 "let the $x$ axis of {g} point down",
                 frame((-Z, -across, approach), bolt - 0.1 * approach),
-                "This grasp holds the bolt too, but here the $x$ axis of {g} points to the head of the bolt.",
             ),
         ),
+        advice={
+            "origin at the bolt": "The fingertips are at the bolt, and the origin of {g} is 0.1 m before them.",
+            "beyond the bolt": "The $z$ axis of {g} points from its origin to the bolt, so the origin comes before the bolt.",
+            "away from the bolt": "The $z$ axis of {g} points out of the gripper, towards the bolt.",
+            "half a turn": "This grasp holds the bolt too, but here the $x$ axis of {g} points to the head of the bolt.",
+        },
     )
-
-
-BLANKS = [one_more_link, look_back, tool_from_link_3, misprinted_row, grasp]

@@ -24,8 +24,8 @@ from kincourse.expressions.poses import (
 )
 from kincourse.expressions.screws import direction
 from kincourse.lecture_01_frames.drawings import draw_rotation
-from kincourse.problem import problem
-from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler, are_distinguishable
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import PLAIN_ANGLES_DEG, are_distinguishable
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z
 from kinlib.chains.robots import pose as frame
@@ -39,22 +39,15 @@ from misstep.display.text import matrix, vector
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Operation, given
 from misstep.mutants.operations import ANGLE, VECTOR, function, radians, stack
-from misstep.problem import Problem
-from misstep.sheet import Sheet
+
+TITLE = "Frames"
 
 SUBSCRIPTS_CANCEL = "Only in $T_{ts}\\,T_{sc}\\,T_{co}$ do all adjacent subscripts cancel: s with s, and c with c."
 
 LEFT_OR_RIGHT = "A motion about or along an axis of {s} multiplies from the left, and one about or along an axis of {b} from the right."
 
 
-@problem(
-    "01.1",
-    "A pose from a drawing",
-    points=2,
-    lecture="01_frames#Columns and rows",
-    further="What is $T_{bs}$, and which of its numbers can you read off the drawing directly?",
-    level="Warm-up",
-)
+@problem("01.1", "A pose from a drawing", points=2, lecture="01_frames#Columns and rows", level="Warm-up")
 def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
     place = np.zeros(3)
     while not are_distinguishable([np.zeros(3), place]):
@@ -69,9 +62,9 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
         statement="Read the pose $T_{sb}$ from the drawing. All coordinates are whole metres, and each axis of {b} is parallel to an axis "
         "of {s}. The dotted line is vertical: the two numbers at its foot are the coordinates $x$ and $y$ of the origin of {b}, and the "
         "number beside it is the height $z$.",
+        further="What is $T_{bs}$, and which of its numbers can you read off the drawing directly?",
         figure=partial(draw_frames, {"s": np.eye(4), "b": T_sb.value}, arrows=False, numbers=True),
-        answer=PoseAnswer(T_sb.value),
-        solution=T_sb,
+        answer=PoseAnswer(T_sb),
         advice={
             "axes in rows": "The axes of {b}, written in {s}, are the columns of $R_{sb}$; its rows are the axes of {s}, written in {b}.",
             "inverse": "The inverse is $T_{bs}$, the pose of {s} in {b}; in $T_{sb}$ the axes and the origin of {b} are written in {s}.",
@@ -83,14 +76,7 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "01.2",
-    "A rotation from a drawing",
-    points=2,
-    lecture="01_frames#Columns and rows",
-    further="Which rotation takes you back from {b} to {a}, and how does its matrix differ from yours?",
-    level="Warm-up",
-)
+@problem("01.2", "A rotation from a drawing", points=2, lecture="01_frames#Columns and rows", level="Warm-up")
 def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
     k, degrees = sampler.integer(0, 2), sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1))
     angle = given(f"{degrees}^\\circ", degrees, ANGLE)
@@ -106,9 +92,9 @@ def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Frames {a} and {b} share their origin and one axis, and you look along this axis. A dot means that it points towards "
         "you, a cross that it points away from you. Give $R_{ab}$.",
+        further="Which rotation takes you back from {b} to {a}, and how does its matrix differ from yours?",
         figure=partial(draw_rotation, k, degrees),
-        answer=RotationAnswer(R.value),
-        solution=R,
+        answer=RotationAnswer(R),
         advice={
             "sign of an angle": "The opposite angle belongs to $R_{ba} = R_{ab}^T$. The columns of $R_{ab}$ are the axes of {b}, written "
             f"in {{a}}: is the component of ${first}_b$ along ${next_axis}_a$ positive or negative?",
@@ -119,13 +105,7 @@ def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "01.3",
-    "A motion of the plane as one matrix",
-    points=2,
-    lecture="01_frames#Homogeneous coordinates",
-    further="Swap the order of the two motions. Which block of the matrix changes, and which stays?",
-)
+@problem("01.3", "A motion of the plane as one matrix", points=2, lecture="01_frames#Homogeneous coordinates")
 def homogeneous_matrix(sampler: ArmSampler) -> Problem:
     shift_first = sampler.choice([True, False])
     degrees, shift = sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1)), sampler.point(4)[:2]
@@ -154,9 +134,9 @@ def homogeneous_matrix(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Every point of the plane is first {first}, and then {second}. Write this motion as one homogeneous transformation of "
         "shape (3, 3). It takes the homogeneous coordinates $(x, y, 1)$ of a point to those of the place to which the point moves.",
+        further="Swap the order of the two motions. Which block of the matrix changes, and which stays?",
         given={"first": "shift" if shift_first else "turn", "degrees": degrees, "p": shift},
-        answer=Numbers(A.value),
-        solution=A,
+        answer=Numbers(A),
         advice={
             "order": "The order matters: here the translation comes first, so the rotation acts on it too: $R\\,(x + p) = R\\,x + R\\,p$."
             if shift_first
@@ -169,13 +149,7 @@ def homogeneous_matrix(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "01.4",
-    "A point and a direction",
-    points=2,
-    lecture="01_frames#Homogeneous coordinates",
-    further="The camera moves by 1 m without rotating. Which of your two rows changes?",
-)
+@problem("01.4", "A point and a direction", points=2, lecture="01_frames#Homogeneous coordinates")
 def point_and_arrow(sampler: ArmSampler) -> Problem:
     T, x_c, d = _random_pose(sampler), sampler.point(6) / 10, sampler.point(6) / 10
     T_sc, x, arrow = pose("T_{sc}", T), given("x", x_c), given("d", d)
@@ -195,10 +169,10 @@ def point_and_arrow(sampler: ArmSampler) -> Problem:
         statement=f"One end of a rod is the point $x = {vector(x_c)}$ m, and $d = {vector(d)}$ m is the vector from there to the other "
         "end. Both are written in the frame {c} of a camera. Write both in {s}: the point in the first row, the vector in the second.\n\n"
         f"$$T_{{sc}} = {matrix(T)}$$",
+        further="The camera moves by 1 m without rotating. Which of your two rows changes?",
         figure=partial(draw_frames, {"s": np.eye(4), "c": T}, arrows=False),
         given={"T_sc": T, "point_c": x_c, "arrow_c": d},
-        answer=VectorsAnswer(both.value, unit="m", names=["the point", "the vector"]),
-        solution=both,
+        answer=VectorsAnswer(both, unit="m", names=["the point", "the vector"]),
         advice={
             "inverse": "$T_{sc}$ takes coordinates in {c} to coordinates in {s}.",
             "rotation transposed": "$R_{sc}^T$ takes components in {s} to components in {c}. In NumPy, `x @ R` is $R^T x$.",
@@ -208,13 +182,7 @@ def point_and_arrow(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "01.5",
-    "The inverse of a pose",
-    points=2,
-    lecture="01_frames#The inverse",
-    further="For which poses is the inverse the same matrix as the pose itself?",
-)
+@problem("01.5", "The inverse of a pose", points=2, lecture="01_frames#The inverse")
 def look_back(sampler: ArmSampler) -> Problem:
     T = _random_pose(sampler)
     T_gs = inverse(pose("T_{sg}", T))
@@ -223,10 +191,10 @@ def look_back(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The pose of a gripper {{g}} in the base frame {{s}} is $T_{{sg}}$. Give $T_{{gs}}$, the pose of the base in the frame "
         f"of the gripper.\n\n$$T_{{sg}} = {matrix(T)}$$",
+        further="For which poses is the inverse the same matrix as the pose itself?",
         figure=partial(draw_frames, {"s": np.eye(4), "g": T}, arrows=False),
         given={"T_sg": T},
-        answer=PoseAnswer(T_gs.value),
-        solution=T_gs,
+        answer=PoseAnswer(T_gs),
         advice={
             "inverse left out": "$T_{sg}$ is the pose of the gripper in {s}; the question is the pose of the base in {g}.",
             "transpose for inverse": "The transpose inverts the rotation, but it also moves the position into the last row.",
@@ -236,13 +204,7 @@ def look_back(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "01.6",
-    "Subscripts that cancel",
-    points=2,
-    lecture="01_frames#Chaining along the links",
-    further="Which pose do you get from $T_{oc}\\,T_{cs}\\,T_{st}$, and how is it related to your answer?",
-)
+@problem("01.6", "Subscripts that cancel", points=2, lecture="01_frames#Chaining along the links")
 def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
     T_sc, T_co, T_st = (_random_pose(sampler) for _ in range(3))
     T_to = inverse(pose("T_{st}", T_st)) @ pose("T_{sc}", T_sc) @ pose("T_{co}", T_co)
@@ -260,10 +222,10 @@ def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
         statement="A camera {c} on the wall measures the pose $T_{co}$ of an object {o}. The poses of the camera and of the tool {t} in "
         f"the base frame {{s}} are known. Give $T_{{to}}$, the pose of the object in the frame of the tool.\n\n"
         f"$$T_{{sc}} = {matrix(T_sc)}$$\n\n$$T_{{co}} = {matrix(T_co)}$$\n\n$$T_{{st}} = {matrix(T_st)}$$",
+        further="Which pose do you get from $T_{oc}\\,T_{cs}\\,T_{st}$, and how is it related to your answer?",
         figure=partial(draw_frames, {"s": np.eye(4), "c": T_sc, "t": T_st}, arrows=False),
         given={"T_sc": T_sc, "T_co": T_co, "T_st": T_st},
-        answer=PoseAnswer(T_to.value),
-        solution=T_to,
+        answer=PoseAnswer(T_to),
         advice={
             "inverse left out": "The inverse of $T_{st}$ is $T_{ts}$, whose second subscript cancels with the first of $T_{sc}$.",
             "factor left out": "All three factors are needed: $T_{ts}\\,T_{sc}\\,T_{co}$.",
@@ -279,13 +241,7 @@ LEFT_FOR_FIXED_AXES = (
 )
 
 
-@problem(
-    "01.7",
-    "Rotations in order",
-    points=2,
-    lecture="01_frames#Fixed axes and moving axes",
-    further="Which two neighbours could you exchange without changing the result?",
-)
+@problem("01.7", "Rotations in order", points=2, lecture="01_frames#Fixed axes and moving axes")
 def rotations_in_order(sampler: ArmSampler) -> Problem:
     names = [f"R_{letter}" for letter in sampler.shuffled("abcd")]
     fixed = sampler.shuffled([True, True, False, False])
@@ -296,55 +252,24 @@ def rotations_in_order(sampler: ArmSampler) -> Problem:
         f"{i}. ${name}$, about {'an axis of {s}' if is_fixed else 'one of its own axes'}"
         for i, (name, is_fixed) in enumerate(zip(names, fixed, strict=True), start=1)
     )
+    if_all = "It would be right if all were about axes of"
+    sides = "The sides are swapped: the rotations about axes of the frame are to the left of those about axes of {s}."
+    wrong = [
+        ("in the order of time", names, f"This is the order in which the rotations happen. {if_all} the frame."),
+        ("each from the left", names[::-1], f"This is the reverse of the order in which the rotations happen. {if_all} {{s}}."),
+        ("by the alphabet", sorted(names), "These are the names in the order of the alphabet."),
+        ("order about fixed axes", [*about_fixed, *own], "The two rotations about axes of {s} are swapped."),
+        ("order about own axes", [*about_fixed[::-1], *own[::-1]], "The two rotations about axes of the frame are swapped."),
+        *(("sides swapped", [*one, *two], sides) for one in (own[::-1], own) for two in (about_fixed, about_fixed[::-1])),
+    ]  # fmt: skip
     return Problem(
         statement="At first, a frame {b} is parallel to the fixed frame {s}. Then it makes four rotations, one after the other:\n\n"
         f"{listed}\n\nIts orientation $R_{{sb}}$ is a product of the four matrices. Give the factors in order, from left to right, as a "
         "list of the names `'R_a'`, `'R_b'`, `'R_c'`, `'R_d'`.",
+        further="Which two neighbours could you exchange without changing the result?",
         given={"turns": names, "about_the_room": fixed},
         answer=Ordering(right),
-        mistakes=[
-            mistake(
-                "in the order of time",
-                names,
-                "This is the order in which the rotations happen. It would be right if all were about axes of the frame. "
-                f"{LEFT_FOR_FIXED_AXES}",
-            ),
-            mistake(
-                "each from the left",
-                names[::-1],
-                "This is the reverse of the order in which the rotations happen. It would be right if all were about axes of {s}. "
-                f"{LEFT_FOR_FIXED_AXES}",
-            ),
-            mistake(
-                "by the alphabet",
-                sorted(names),
-                f"These are the names in the order of the alphabet. {LEFT_FOR_FIXED_AXES}",
-            ),
-            mistake(
-                "order about fixed axes",
-                [*about_fixed, *own],
-                f"The two rotations about axes of {{s}} are swapped. {LEFT_FOR_FIXED_AXES}",
-            ),
-            mistake(
-                "order about own axes",
-                [*about_fixed[::-1], *own[::-1]],
-                f"The two rotations about axes of the frame are swapped. {LEFT_FOR_FIXED_AXES}",
-            ),
-            *(
-                mistake(
-                    "sides swapped",
-                    order,
-                    "The sides are swapped: the rotations about axes of the frame are to the left of those about axes of {s}. "
-                    f"{LEFT_FOR_FIXED_AXES}",
-                )
-                for order in (
-                    [*own[::-1], *about_fixed],
-                    [*own, *about_fixed],
-                    [*own, *about_fixed[::-1]],
-                    [*own[::-1], *about_fixed[::-1]],
-                )
-            ),
-        ],
+        mistakes=[mistake(name, order, f"{text} {LEFT_FOR_FIXED_AXES}") for name, order, text in wrong],
     )
 
 
@@ -366,13 +291,7 @@ FLAWS_REFUTED = {
 """Why each answer is wrong where it is wrong, without the right answer."""
 
 
-@problem(
-    "01.8",
-    "Is it a rigid motion?",
-    points=2,
-    lecture="01_frames#Columns and rows",
-    further="Change as few entries as possible to make this matrix a rigid motion. Is there only one way?",
-)
+@problem("01.8", "Is it a rigid motion?", points=2, lecture="01_frames#Columns and rows")
 def rigid_or_not(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(FLAWS))
     T = np.eye(4)
@@ -401,6 +320,7 @@ def rigid_or_not(sampler: ArmSampler) -> Problem:
         f"$${matrix(T)}$$\n\n{listed}\n\nAnswer with a letter and a number that shows it, such as `('a', 0.8)`: for `'b'` the length of "
         "the column that is no unit vector, for `'c'` the dot product of the two columns that are not orthogonal, for `'e'` the sum of the "
         "squares of the last row, and for `'a'` and `'d'` the first entry of the cross product of columns 1 and 2.",
+        further="Change as few entries as possible to make this matrix a rigid motion. Is there only one way?",
         given={"matrix": T},
         answer=Choice(right, FLAWS),
         mistakes=[mistake(f"flaw {wrong}", wrong, FLAWS_REFUTED[wrong]) for wrong in FLAWS if wrong != right],
@@ -412,14 +332,7 @@ MAX_COSINE = 0.95
 """Of an own axis and the fixed axis of the same name, so that a motion about one differs from that about the other."""
 
 
-@problem(
-    "01.9",
-    "Fixed axes or moving axes",
-    points=3,
-    lecture="01_frames#Left or right",
-    further="Exchange *own* and *fixed* in both motions. When is the result the same?",
-    level="Hard",
-)
+@problem("01.9", "Fixed axes or moving axes", points=3, lecture="01_frames#Left or right", level="Hard")
 def own_or_fixed(sampler: ArmSampler) -> Problem:
     degrees, far = sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1)), sampler.length(0.2, 0.9)
     T = _random_pose(sampler)
@@ -447,6 +360,7 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"A frame {{b}} has the pose $T_{{sb}}$ in {{s}}. It {first}, and then it {second}. Give its new pose in {{s}}.\n\n"
         f"$$T_{{sb}} = {matrix(T)}$$",
+        further="Exchange *own* and *fixed* in both motions. When is the result the same?",
         figure=partial(draw_frames, {"s": np.eye(4), "b": T}, arrows=False),
         given={
             "T_sb": T,
@@ -455,8 +369,7 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
             "shift": far * np.eye(3)[along],
             "own": "turn" if turn_is_own else "shift",
         },
-        answer=PoseAnswer(moved.value),
-        solution=moved,
+        answer=PoseAnswer(moved),
         advice=dict.fromkeys(("order", "first factor", "last factor", "reversed"), LEFT_OR_RIGHT)
         | {
             "sign of an angle": "By the right-hand rule, the fingers curl in the positive sense if the thumb points along the axis."
@@ -499,14 +412,7 @@ _RPY_SLIPS: tuple[tuple[str, str, Callable[[Array], Array], str], ...] = (
 _rpy: Operation = function("roll, pitch, yaw", _rpy_of, "\\mathrm{{rpy}}({0})")
 
 
-@problem(
-    "01.10",
-    "Orientations as three angles",
-    points=3,
-    lecture="01_frames#Three angles",
-    further="Which of your two answers changes most if one entry of $R$ is off by a hundredth?",
-    level="Hard",
-)
+@problem("01.10", "Orientations as three angles", points=3, lecture="01_frames#Three angles", level="Hard")
 def three_angles(sampler: ArmSampler) -> Problem:
     def angle() -> int:
         return int(sampler.choice((-1, 1)) * sampler.choice((20, 25, 35, 40, 50, 55, 110, 125, 140, 155)))
@@ -522,9 +428,9 @@ def three_angles(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Give roll, pitch and yaw of both orientations in radians, a row for each. Several answers are right.\n\n"
         f"$$R_1 = {matrix(general)}$$\n\n$$R_2 = {matrix(singular)}$$",
+        further="Which of your two answers changes most if one entry of $R$ is off by a hundredth?",
         given={"R_1": general, "R_2": singular},
-        answer=EulerAnglesAnswer(angles.value),
-        solution=angles,
+        answer=EulerAnglesAnswer(angles),
     )
 
 
@@ -545,13 +451,7 @@ def _random_pose(sampler: ArmSampler) -> Array:
     return homogeneous(R, place)
 
 
-@problem(
-    "01.11",
-    "What one point does not test",
-    points=3,
-    lecture="01_frames#Columns and rows",
-    level="Open",
-)
+@problem("01.11", "What one point does not test", points=3, lecture="01_frames#Columns and rows", level="Open")
 def missed_by_a_test(sampler: ArmSampler) -> Problem:
     x = sampler.point(4)
     return Problem(
@@ -570,22 +470,3 @@ def missed_by_a_test(sampler: ArmSampler) -> Problem:
             },
         ),
     )
-
-
-SHEET = Sheet(
-    "01_frames",
-    "Frames",
-    [
-        pose_off_a_drawing,
-        rotation_off_a_drawing,
-        homogeneous_matrix,
-        point_and_arrow,
-        look_back,
-        subscripts_that_cancel,
-        rotations_in_order,
-        rigid_or_not,
-        own_or_fixed,
-        three_angles,
-        missed_by_a_test,
-    ],
-)

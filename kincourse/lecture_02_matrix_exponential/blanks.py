@@ -6,15 +6,13 @@ from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.poses import assemble, inverse, pose
 from kincourse.expressions.rodrigues import position_exp, rotation_exp
 from kincourse.expressions.screws import direction
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import angled_arm, hrr, youbot
 from kinlib.rigid.lie import exp, log
 from misstep.answers.number import Numbers
 from misstep.display.text import vector
 from misstep.mutants.expression import Expression, given
 from misstep.mutants.operations import ANGLE, function, radians
-from misstep.problem import Problem
 
 ONE_MOTION = "A screw axis is scaled as a whole."
 TO_THE_ANGLE = "If you divide the axis by 2, multiply the angle by 2: $S\\,\\theta = (S / 2)\\,(2\\theta)$."
@@ -39,8 +37,7 @@ def p_column(_draw: ArmSampler) -> Problem:
     p = position_exp(direction("\\omega", S[:3]), direction("v", S[3:]), third_of_a_turn())
     return Problem(
         statement=f"Give the translation part of $e^{{[S]q}}$ for $S = {vector(S)}$ and $q = 2\\pi/3$.",
-        answer=Numbers(p.value, unit="metres"),
-        solution=p,
+        answer=Numbers(p, unit="metres"),
     )
 
 
@@ -49,8 +46,7 @@ def leaning_rotation(_draw: ArmSampler) -> Problem:
     R = rotation_exp(direction("\\omega", angled_arm().screws[1, :3]), third_of_a_turn())
     return Problem(
         statement="Give $R = e^{[\\omega]q}$ for joint 2 of the angled arm, $q = 2\\pi/3$.",
-        answer=Numbers(R.value),
-        solution=R,
+        answer=Numbers(R),
         advice={"sign of an angle": "The first row of $[\\omega]$ is $(0, -\\omega_z, \\omega_y)$."},
     )
 
@@ -60,18 +56,15 @@ def leaning_pose(_draw: ArmSampler) -> Problem:
     S, q = angled_arm().screws[1], third_of_a_turn()
     omega = direction("\\omega", S[:3])
     p = position_exp(omega, direction("v", S[3:]), q).mistaken_for(
-        (
-            "point on the axis",
-            "write the point of the joint",
-            angled_arm().joint_points[1],
-            "The column is the place to which the origin of {s} moves, not that of the joint.",
-        )
+        ("point on the axis", "write the point of the joint", angled_arm().joint_points[1])
     )
     T = assemble(rotation_exp(omega, q), p)
     return Problem(
         statement="Give $e^{[S]q}$ for joint 2 of the angled arm, $q = 2\\pi/3$.",
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
+        advice={
+            "point on the axis": "The column is the place to which the origin of {s} moves, not that of the joint.",
+        },
     )
 
 
@@ -86,20 +79,20 @@ def long_axis(_draw: ArmSampler) -> Problem:
             "angle kept",
             "divide $S$ by $|\\omega|$ without changing $\\theta$",
             exp(np.array([*w / 2, *v_0 / 2]) * angle),
-            TO_THE_ANGLE,
         ),
         (
             "angle kept",
             "divide $\\omega$ by $|\\omega|$ without changing $\\theta$",
             exp(np.array([*w / 2, *v_0]) * angle),
-            TO_THE_ANGLE,
         ),
     )
     return Problem(
         statement="Give $e^{[S]\\theta}$ for $\\omega = (0, 0, 2)$, $v = (1, 0, 0)$, $\\theta = \\pi/4$.",
-        answer=PoseAnswer(T.value),
-        solution=T,
-        invisible=("coefficients swapped", "cos for 1 - cos"),  # at a quarter turn, sin and 1 - cos are both 1
+        answer=PoseAnswer(T),
+        invisible=("coefficients swapped", "cos for 1 - cos"),
+        advice={
+            "angle kept": TO_THE_ANGLE,
+        },  # at a quarter turn, sin and 1 - cos are both 1
     )
 
 
@@ -113,20 +106,14 @@ def screw_between(_draw: ArmSampler) -> Problem:
         given={"T_sa": home, "T_sb": drawn},
         answer=Numbers(x.value),
         solution=x.mistaken_for(
-            (
-                "logs subtracted",
-                "subtract logarithms",
-                log(drawn) - log(home),
-                "$\\log(AB) = \\log A + \\log B$ holds for positive numbers; you can rely on it only for motions that commute.",
-            ),
+            ("logs subtracted", "subtract logarithms", log(drawn) - log(home)),
             ("halves swapped", "write $(v, \\omega)$", np.roll(x.value, 3), "Here a twist is $(\\omega, v)$."),
         ),
         invisible=("position of the inverse", "rotation transposed"),  # the rotation of T_sa is I
         advice={
+            "logs subtracted": "$\\log(AB) = \\log A + \\log B$ holds for positive numbers; you can rely on it only for motions "
+            "that commute.",
             "order": "In this order, $x$ is the same screw motion, written in {a}: $T_{sa} e^{[x]} = T_{sb}$.",
             "factor left out": "The motion starts at $T_{sa}$ and ends at $T_{sb}$, so $e^{[x]} = T_{sb}\\,T_{sa}^{-1}$.",
         },
     )
-
-
-BLANKS = [p_column, leaning_rotation, leaning_pose, long_axis, screw_between]

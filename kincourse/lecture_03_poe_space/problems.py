@@ -25,14 +25,15 @@ from kincourse.expressions.screws import (
     helical,
     joint_screws,
     moment,
+    read_screws,
     screw,
     tilted,
     values_in_radians,
 )
 from kincourse.mistakes.factor_order import factor_order_mistakes
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler, are_distinguishable
-from kincourse.sampling.drawn_machines import is_readable, lengths, read_point
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import are_distinguishable
+from kincourse.sampling.drawn_machines import is_readable, lengths
 from kincourse.sampling.lettered_arms import LetteredArm, draw_lettered_arm
 from kincourse.text.joint_table import joint_table
 from kinlib.chains.robots import X, Y, Z, angled_arm, arm, pose
@@ -49,21 +50,14 @@ from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
 from misstep.mutants.expression import Expression, given, negative, product, total
 from misstep.mutants.operations import ANGLE, LENGTH, radians, stack
-from misstep.problem import Problem
-from misstep.sheet import Sheet
+
+TITLE = "The product of exponentials in the space frame"
 
 JOINT_ORDER_ADVICE = "The factor of the joint at the base is leftmost, because this joint moves all others."
 TOOL_ADVICE = "The $z$ axis of the tool is a column of $M$ and moves with the arm: multiply $M$ by $\\mathrm{Trans}_z$ on the right."
 
 
-@problem(
-    "03.1",
-    "Screw axes of a plain arm",
-    points=2,
-    lecture="03_poe_space#Revolute joints",
-    further="Which numbers of your rows change if you take another point on the axis of joint 1?",
-    level="Warm-up",
-)
+@problem("03.1", "Screw axes of a plain arm", points=2, lecture="03_poe_space#Revolute joints", level="Warm-up")
 def plain_arm(sampler: ArmSampler) -> Problem:
     letters = sampler.choice(["RRP", "RPR", "PRR"])
     while True:
@@ -74,6 +68,7 @@ def plain_arm(sampler: ArmSampler) -> Problem:
     axes = robot.lines.axis
     return Problem(
         statement=f"Give the screw axes $S_1, S_2, S_3$ of this arm in {{s}}, as rows.\n\n{joint_table(robot)}",
+        further="Which numbers of your rows change if you take another point on the axis of joint 1?",
         figure=partial(draw_joints, robot),
         given={"letters": robot.joint_types, "axes": axes, "points": robot.joint_points},
         answer=ScrewsAnswer(robot.screws),
@@ -82,12 +77,7 @@ def plain_arm(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "03.2",
-    "The velocity of the origin, at sight",
-    points=2,
-    lecture="03_poe_space#Revolute joints",
-    further="Where would an axis along $z$ have to be, so that its $v$ is $(0, 2, 0)$?",
-    level="Warm-up",
+    "03.2", "The velocity of the origin, at sight", points=2, lecture="03_poe_space#Revolute joints", level="Warm-up"
 )
 def velocity_at_sight(sampler: ArmSampler) -> Problem:
     while True:
@@ -118,23 +108,17 @@ def velocity_at_sight(sampler: ArmSampler) -> Problem:
         "them at one radian per second, in the sense of its arrow. With which velocity does its point at the origin of {s} move? Read it "
         "off the drawing without a cross product, by the distance of the origin from the axis and the right-hand rule. Give $v_1$, "
         "$v_2$ and $v_3$ as rows.",
+        further="Where would an axis along $z$ have to be, so that its $v$ is $(0, 2, 0)$?",
         figure=partial(draw_joints, robot),
         shown={"axes": axes, "points": robot.joint_points},
-        answer=VectorsAnswer(every.value, names=["v_1", "v_2", "v_3"], unit="m/s"),
-        solution=every,
+        answer=VectorsAnswer(every, names=["v_1", "v_2", "v_3"], unit="m/s"),
         advice={
             "point as moment": "The origin moves perpendicular to the axis and to the line that joins it to the axis."
         },
     )
 
 
-@problem(
-    "03.3",
-    "A joint at an angle",
-    points=2,
-    lecture="03_poe_space#Angled joints",
-    further="At which angle does the moment become largest?",
-)
+@problem("03.3", "A joint at an angle", points=2, lecture="03_poe_space#Angled joints")
 def angled_joint(sampler: ArmSampler) -> Problem:
     degrees, p = sampler.choice([20, 25, 35, 40, 50, 55, 65, 70]), sampler.point(3)
     upright, toward, names = sampler.choice([(Z, X, "zxy"), (Z, Y, "zyx"), (X, Y, "xyz"), (Y, X, "yxz")])
@@ -151,23 +135,17 @@ def angled_joint(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The axis of a revolute joint is tilted from ${names[0]}$ towards ${names[1]}$ by $\\theta$ = {degrees} degrees, and "
         f"it passes through $p = {vector(p)}$. Give its screw axis.",
+        further="At which angle does the moment become largest?",
         figure=partial(draw_joints, robot),
         given={"degrees": degrees, "from_axis": upright, "towards": toward, "point": p},
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         advice={
             "sign of an angle": f"An axis tilted towards ${names[1]}$ has a positive component along ${names[1]}$."
         },
     )
 
 
-@problem(
-    "03.4",
-    "A helical joint",
-    points=3,
-    lecture="03_poe_space#Helical joints",
-    further="What is the screw axis of the left-handed joint with the same lead?",
-)
+@problem("03.4", "A helical joint", points=3, lecture="03_poe_space#Helical joints")
 def helical_joint(sampler: ArmSampler) -> Problem:
     axis, point, lead = sampler.choice([X, Y, Z, -X, -Y, -Z]), sampler.point(3), sampler.length(0.2, 0.9)
     h = (given("l", lead) / given("2\\pi", 2 * np.pi)).named("h")
@@ -181,10 +159,10 @@ def helical_joint(sampler: ArmSampler) -> Problem:
         statement=f"The axis of a right-handed helical joint has the direction ${vector(axis)}$ and passes through "
         f"${vector(point)}$. In one full "
         f"turn the joint climbs {number(lead)} m along the axis. Give its screw axis, for $q$ in radians.",
+        further="What is the screw axis of the left-handed joint with the same lead?",
         figure=partial(draw_joints, robot),
         given={"axis": axis, "point": point, "lead": lead},
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         advice={
             "divisor left out": "The pitch is in metres per radian, so it is the lead divided by $2\\pi$: $h = l / 2\\pi$.",
             "product for division": "One radian is less than a full turn, so the pitch is less than the lead.",
@@ -192,13 +170,7 @@ def helical_joint(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "03.5",
-    "A screw axis from a drawing",
-    points=3,
-    lecture="03_poe_space#Screw axes from a drawing",
-    further="Which other points of this axis could you have read off the drawing?",
-)
+@problem("03.5", "A screw axis from a drawing", points=3, lecture="03_poe_space#Screw axes from a drawing")
 def from_a_drawing(sampler: ArmSampler) -> Problem:
     robot = sampler.arm("RRR")
     joint = sampler.integer(1, 3)
@@ -209,9 +181,9 @@ def from_a_drawing(sampler: ArmSampler) -> Problem:
         S = S.mistaken_for(("another joint", text, robot.screws[other - 1], advice))
     return Problem(
         statement=f"Read the screw axis of joint {joint} off the drawing. All joints are revolute; coordinates are whole metres.",
+        further="Which other points of this axis could you have read off the drawing?",
         figure=partial(draw_joints, robot),
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         advice={
             "sign of a vector": "The arrow in the drawing shows the positive rotation.",
             "coordinates swapped": "Follow the dotted line to the floor, then read along each axis.",
@@ -219,13 +191,7 @@ def from_a_drawing(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "03.6",
-    "In which order?",
-    points=3,
-    lecture="03_poe_space#The order of the factors",
-    further="Which factors move the end-effector if only the first joint of the chain moves?",
-)
+@problem("03.6", "In which order?", points=3, lecture="03_poe_space#The order of the factors")
 def which_order(sampler: ArmSampler) -> Problem:
     names = sampler.shuffled("abcd")
     while sum(map(str.__ne__, names, "abcd")) < 3:  # otherwise a slip in the right order would be the alphabet
@@ -244,6 +210,7 @@ def which_order(sampler: ArmSampler) -> Problem:
         f"joint {names[3]} moves.\n\nLet $e_a = e^{{[S_a]q_a}}$ and so on, with the screw axes in {{s}} at home. Give the "
         f"factors of $T(q)$ from "
         "left to right, as a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
+        further="Which factors move the end-effector if only the first joint of the chain moves?",
         given={"rides_on": dict(rides_on)},
         answer=Ordering([*(f"e_{name}" for name in names), "M"]),
         mistakes=factor_order_mistakes(
@@ -274,13 +241,7 @@ def which_order(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "03.7",
-    "A camera on a link",
-    points=3,
-    lecture="03_poe_space#Where each link is, and what it is good for",
-    further="Which joints could be blocked without changing what the camera sees?",
-)
+@problem("03.7", "A camera on a link", points=3, lecture="03_poe_space#Where each link is, and what it is good for")
 def camera_on_a_link(sampler: ArmSampler) -> Problem:
     robot, k = sampler.arm("RRRR"), sampler.choice((2, 3))
     camera = pose(sampler.axes(), robot.joint_points[k - 1] + sampler.point(3) / 10)
@@ -303,11 +264,11 @@ def camera_on_a_link(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"A camera is mounted on link {k} of this arm, between joints {k} and {k + 1}. At home its pose is $M$. Give its pose "
         f"at $q = {vector(q)}$, in radians.\n\n$$S = {matrix(robot.screws)}, \\qquad M = {matrix(camera)}$$",
+        further="Which joints could be blocked without changing what the camera sees?",
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "camera_home": camera, "q": q},
         shown={"link": k},
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
         advice={
             "reversed": JOINT_ORDER_ADVICE,
             "first factor": "$M$ acts on the camera first, so it is the last factor.",
@@ -315,13 +276,7 @@ def camera_on_a_link(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "03.8",
-    "A longer tool on an angled arm",
-    points=3,
-    lecture="03_poe_space#The home pose",
-    further="For which joint values do the old and the new tool have the same orientation?",
-)
+@problem("03.8", "A longer tool on an angled arm", points=3, lecture="03_poe_space#The home pose")
 def longer_tool(sampler: ArmSampler) -> Problem:
     straight = angled_arm(
         np.radians(sampler.choice([30, 40, 50, 60])),
@@ -356,28 +311,24 @@ def longer_tool(sampler: ArmSampler) -> Problem:
     factors = exponentials(robot.screws, values)
     moved = robot.screws @ adjoint(extended.value).T
     T = forward_kinematics(factors, home).mistaken_for(
-        (
-            "screws changed",
-            "change the screws with the tool as well",
-            product(*exponentials(moved, values), home),
-            "The joints are where they were, so the screws in {s} stay.",
-        ),
+        ("screws changed", "change the screws with the tool as well", product(*exponentials(moved, values), home)),
         (
             "order",
             "extend the tool along the $z$ of {s}, after the motion",
             extended @ forward_kinematics(factors, given_pose("M", robot.home)),
-            TOOL_ADVICE,
         ),
     )
     return Problem(
         statement=f"The tool of this arm is replaced by a tool that is {number(longer)} m longer along its own $z$ axis. "
         f"Give $T(q)$ of the new tool at $q = {vector(q)}$.\n\n$$S = {matrix(robot.screws)}, \\qquad M = {matrix(robot.home)}$$",
+        further="For which joint values do the old and the new tool have the same orientation?",
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws, "home": robot.home, "longer": longer, "q": q},
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
         invisible=["order"],  # joint 3 translates along the axis of joint 2, so their factors commute
         advice={
+            "screws changed": "The joints are where they were, so the screws in {s} stay.",
+            "extend the tool along the $z$ of {s}, after the motion": TOOL_ADVICE,
             "leave out $\\mathrm{Trans}_z$": "Without $\\mathrm{Trans}_z$ you have the old tool. The new home pose is $M' = "
             "M\\,\\mathrm{Trans}_z$.",
             "swap $M$ and $\\mathrm{Trans}_z$": f"On the left, $\\mathrm{{Trans}}_z$ is along the $z$ of {{s}}. {TOOL_ADVICE}",
@@ -387,13 +338,7 @@ def longer_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "03.9",
-    "The home pose of a whole arm",
-    points=3,
-    lecture="03_poe_space#A whole arm in letters",
-    further="Which entries of $M$ stay the same if {b} is moved to the wrist?",
-)
+@problem("03.9", "The home pose of a whole arm", points=3, lecture="03_poe_space#A whole arm in letters")
 def home_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     robot = draw_lettered_arm(sampler)
 
@@ -408,6 +353,7 @@ def home_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         statement="The drawing shows an arm at home, with the frame {s} at the base and {b} at the end-effector. Each link is parallel to "
         f"an axis of {{s}}, and the letter beside it is its length. Give the home pose $M = T_{{sb}}$ as a matrix of formulas "
         f"in {_listed(robot)}.",
+        further="Which entries of $M$ stay the same if {b} is moved to the wrist?",
         figure=partial(draw_lettered_chain, robot.chain, robot.letters, home=False),
         given={"L": _symbols(robot)},
         answer=PoseExpressionAnswer(_symbolic_home(robot), _symbols(robot)),
@@ -420,13 +366,7 @@ def home_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "03.10",
-    "All screw axes of a whole arm",
-    points=3,
-    lecture="03_poe_space#A whole arm in letters",
-    further="Two joints have parallel axes. Which entries of their screws must agree?",
-)
+@problem("03.10", "All screw axes of a whole arm", points=3, lecture="03_poe_space#A whole arm in letters")
 def screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     robot = draw_lettered_arm(sampler.of_problem("03.9"))
     n = robot.chain.n
@@ -450,6 +390,7 @@ def screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"This is the arm of Problem 9. Give its screw axes $S_1$ to $S_{n}$ in {{s}}, in rows: {n} rows of six formulas "
         f"in {_listed(robot)}.",
+        further="Two joints have parallel axes. Which entries of their screws must agree?",
         figure=partial(draw_lettered_chain, robot.chain, robot.letters, home=False),
         given={"L": _symbols(robot)},
         answer=ScrewExpressionsAnswer(_symbolic_screws(robot), _symbols(robot)),
@@ -465,7 +406,6 @@ def screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     "The forward kinematics of a whole arm",
     points=3,
     lecture="03_poe_space#A whole arm in letters",
-    further="Which entries of $T(q)$ do not depend on the last joint value?",
     level="Hard",
 )
 def kinematics_of_a_whole_arm(sampler: ArmSampler) -> Problem:
@@ -503,6 +443,7 @@ def kinematics_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"This is the arm of Problems 9 and 10. Write a function `fk(q, L)` that takes the {n} joint values $q$ ({units}) and "
         f"the lengths {_listed(robot)}, and returns $T(q)$. The check calls it with values of its own.",
+        further="Which entries of $T(q)$ do not depend on the last joint value?",
         figure=partial(draw_lettered_chain, robot.chain, robot.letters),
         answer=Function(lambda q, lengths: robot.with_lengths(lengths).fk(q), PoseAnswer(robot.chain.home), inputs),
         solution=pose_at,
@@ -595,13 +536,7 @@ def _links(robot: LetteredArm, lengths: Mapping[str, float]) -> list[Expression]
     return links
 
 
-@problem(
-    "03.12",
-    "A palletizer",
-    points=4,
-    lecture="03_poe_space#Screw axes from a drawing",
-    further="The origin of {s} is moved to joint 2. Which numbers of your screws change?",
-)
+@problem("03.12", "A palletizer", points=4, lecture="03_poe_space#Screw axes from a drawing")
 def palletizer(sampler: ArmSampler) -> Problem:
     while True:
         a, b, c, d, e, f, g, h = lengths(sampler, 8)
@@ -614,14 +549,7 @@ def palletizer(sampler: ArmSampler) -> Problem:
             break
     side = sampler.choice((-1, 1)) * Y
     axes = np.array([side, side * sampler.choice((-1, 1)), -Z])
-    read = [
-        read_point(f"P_{i}", p, axes[k], [*points[:k], *points[k + 1 :]])
-        for k, (i, p) in enumerate(zip((2, 3, 4), points, strict=True))
-    ]
-    from_first = joint_screws(axes, points - points[0], np.zeros(3)).value
-    S = joint_screws(axes, read, np.zeros(3), numbers=(2, 3, 4)).mistaken_for(
-        ("another origin", "measure the points from $P_2$", from_first, "Points are measured from the origin of {s}.")
-    )
+    S = read_screws(axes, points, (2, 3, 4), "s", marks=points)
     drawn = [
         DrawnAxis("1", Z, foot),
         *(DrawnAxis(str(i), w, p) for i, w, p in zip((2, 3, 4), axes, points, strict=True)),
@@ -630,9 +558,9 @@ def palletizer(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="The drawing shows a palletizer, with four revolute joints, in millimetres. Give the screw axes $S_2$, $S_3$ and $S_4$ "
         "in {s}, as rows, in metres. An axis that points towards you is a ring with a dot, one that points away a ring with a cross.",
+        further="The origin of {s} is moved to joint 2. Which numbers of your screws change?",
         figure=lambda: draw_dimensions([foot, np.array([foot[0], foot[1], shoulder[2]]), *points], drawn, marks),
-        answer=ScrewsAnswer(S.value, names=["screw 2", "screw 3", "screw 4"]),
-        solution=S,
+        answer=ScrewsAnswer(S, names=["screw 2", "screw 3", "screw 4"]),
         invisible={"another point"},
     )
 
@@ -641,14 +569,7 @@ UR5E_M = (0.1625, 0.425, 0.3922, 0.1333, 0.0997)
 """The lengths of the maker's data sheet from the base to joint 6: to the shoulder, two links, and two steps of the wrist."""
 
 
-@problem(
-    "03.13",
-    "A UR5e on its stand",
-    points=4,
-    lecture="03_poe_space#The UR5e, from its data sheet",
-    further="Give the home pose $M$ of the flange, which is 99.6 mm beyond joint 6 along its axis, with $z$ pointing out of it.",
-    level="Hard",
-)
+@problem("03.13", "A UR5e on its stand", points=4, lecture="03_poe_space#The UR5e, from its data sheet", level="Hard")
 def ur5e_on_a_stand(sampler: ArmSampler) -> Problem:
     place = lengths(sampler, 3, 0.3, 0.8) * (sampler.choice((-1, 1)), sampler.choice((-1, 1)), 1)
     forward = sampler.choice((X, -X))  # in the plane of the front view
@@ -679,21 +600,15 @@ def ur5e_on_a_stand(sampler: ArmSampler) -> Problem:
         statement="A UR5e stands on a stand; the drawing has the place of its base in millimetres. The maker's lengths, from the base "
         f"on, are 162.5 up to joint 2, 425 along {first} to joint 3, 392.2 along {second} to joint 4, 133.3 along {third} to joint 5 and "
         "99.7 down to joint 6. Give the screw axes $S_1$ to $S_6$ in {s} in this configuration, as rows, in metres.",
+        further="Give the home pose $M$ of the flange, which is 99.6 mm beyond joint 6 along its axis, with $z$ pointing out of it.",
         figure=lambda: draw_dimensions(body, drawn, {"base": place}),
         shown={"axes": axes, "points": points},
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         invisible={"another point"},
     )
 
 
-@problem(
-    "03.14",
-    "A base frame of your choice",
-    points=3,
-    lecture="03_poe_space#Revolute joints",
-    level="Open",
-)
+@problem("03.14", "A base frame of your choice", points=3, lecture="03_poe_space#Revolute joints", level="Open")
 def another_base_frame(sampler: ArmSampler) -> Problem:
     robot = sampler.arm("RRPR")
     return Problem(
@@ -713,25 +628,3 @@ def another_base_frame(sampler: ArmSampler) -> Problem:
             },
         ),
     )
-
-
-SHEET = Sheet(
-    "03_poe_space",
-    "The product of exponentials in the space frame",
-    [
-        plain_arm,
-        velocity_at_sight,
-        angled_joint,
-        helical_joint,
-        from_a_drawing,
-        which_order,
-        camera_on_a_link,
-        longer_tool,
-        home_of_a_whole_arm,
-        screws_of_a_whole_arm,
-        kinematics_of_a_whole_arm,
-        palletizer,
-        ur5e_on_a_stand,
-        another_base_frame,
-    ],
-)

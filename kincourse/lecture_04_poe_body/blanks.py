@@ -14,12 +14,10 @@ from kincourse.expressions.screws import (
     screw_axes,
     values_in_radians,
 )
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import Y, mid_formula_arm, rpr
 from misstep.display.text import matrix, vector
 from misstep.mutants.expression import given, product
-from misstep.problem import Problem
 
 CONFIGURATION_RAD = np.radians([90, -90, 90, 90])
 """The joint values of step 04.c: right angles, so that every entry of the pose can be checked on paper."""
@@ -32,8 +30,7 @@ def body_screw_by_the_adjoint(_draw: ArmSampler) -> Problem:
     return Problem(
         statement=f"The RPR arm has $S_1 = {vector(robot.screws[0])}$ and $M = {matrix(robot.home)}$. Give $B_1$.",
         given={"home": robot.home, "screw": robot.screws[0]},
-        answer=ScrewsAnswer(B.value),
-        solution=B,
+        answer=ScrewsAnswer(B),
         advice={
             "inverse left out": "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here.",
             "position left out": "The origin moved too: $v$ is the velocity at the new origin $p$, $R^T (v + \\omega \\times p)$.",
@@ -54,15 +51,14 @@ def body_screw_from_the_drawing(_draw: ArmSampler) -> Problem:
             "position left out",
             "rotate both halves of $S_4$ without the change of origin",
             np.concatenate([R.T @ S[:3], R.T @ S[3:]]),
-            "Measure the point of the axis from the origin of {b}.",
         ),
     )
     return Problem(
         statement="Joint 4 of the mid-formula arm rotates about $y_b$, and its axis passes through $(0, 0, -0.2)$ in {b}. Give $B_4$.",
-        answer=ScrewsAnswer(B.value),
-        solution=B,
+        answer=ScrewsAnswer(B),
         advice={
-            "no moment": "The axis of joint 3 passes through the origin of {b}, so its moment is zero; this axis does not."
+            "position left out": "Measure the point of the axis from the origin of {b}.",
+            "no moment": "The axis of joint 3 passes through the origin of {b}, so its moment is zero; this axis does not.",
         },
     )
 
@@ -86,14 +82,10 @@ def pose_with_home_in_the_middle(_draw: ArmSampler) -> Problem:
     return Problem(
         statement=f"Give $T(q)$ of the mid-formula arm at $q = {vector(np.degrees(CONFIGURATION_RAD))}$ degrees, with $M$ after joint 2.",
         given={"screws": robot.screws, "body_screws": robot.body_screws, "home": robot.home, "q": CONFIGURATION_RAD},
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
         advice={
             "last factor": "$M$ comes after the factor of joint 2, and the body screws follow it.",
             "reversed": "Moving $M$ does not change the order of the joints.",
         },
         invisible=["first factor"],  # at these right angles, the factor of joint 3 may also be the first
     )
-
-
-BLANKS = [body_screw_by_the_adjoint, body_screw_from_the_drawing, pose_with_home_in_the_middle]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -22,14 +21,15 @@ from kincourse.expressions.screws import (
     forward_kinematics,
     joint_screws,
     joint_values,
+    read_screws,
     revolute,
     screw_axes,
 )
 from kincourse.mistakes.factor_order import factor_order_mistakes
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler, are_distinguishable, shows_transposes
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import are_distinguishable, shows_transposes
 from kincourse.sampling.configurations import Configuration, configuration_from_typed
-from kincourse.sampling.drawn_machines import is_readable, lengths, read_point
+from kincourse.sampling.drawn_machines import is_readable, lengths
 from kincourse.sampling.lettered_arms import MIN_LINK_M, LetteredArm, draw_lettered_arm
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -47,8 +47,8 @@ from misstep.display.text import matrix, number
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product, total
 from misstep.mutants.operations import LENGTH, function, stack
-from misstep.problem import Problem
-from misstep.sheet import Sheet
+
+TITLE = "The product of exponentials in the body frame"
 
 HOME_ADVICE = "With body screws $M$ is the first factor, and the factors of the joints follow in their order."
 BASE_ADVICE = "The factor of the joint at the base is to the left of all others, in {b} as in {s}."
@@ -57,14 +57,7 @@ CARRY_ADVICE = "Column $i$ of $J_b$ is the body screw $B_i$, changed by the join
 TO_BODY_ADVICE = "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here."
 
 
-@problem(
-    "04.1",
-    "A body screw off a drawing",
-    points=2,
-    lecture="04_poe_body#A second method",
-    further="Give the space screw of the same joint. Which half of it do you know without computing?",
-    level="Warm-up",
-)
+@problem("04.1", "A body screw off a drawing", points=2, lecture="04_poe_body#A second method", level="Warm-up")
 def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     joint = sampler.integer(1, 3)
     while True:
@@ -78,18 +71,8 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     others["the point of the joint, seen from {s},"] = robot.joint_points[joint - 1] @ R
     neighbour = joint % 3
     B = drawn_revolute(axes[joint - 1], points[joint - 1], others).mistaken_for(
-        (
-            "another joint",
-            f"give the body screw of joint {neighbour + 1}",
-            robot.body_screws[neighbour],
-            "The joints are numbered in the drawing.",
-        ),
-        (
-            "frame not changed",
-            "read the axis in {s}",
-            robot.screws[joint - 1],
-            "For a body screw, direction and point are given in {b}.",
-        ),
+        ("another joint", f"give the body screw of joint {neighbour + 1}", robot.body_screws[neighbour]),
+        ("frame not changed", "read the axis in {s}", robot.screws[joint - 1]),
         (
             "rotation left out",
             "measure from the origin of {b}, but along the axes of {s}",
@@ -103,26 +86,24 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Read the body screw of joint {joint} off the drawing: give the direction and the moment of its axis in the frame "
         "{b} of the end-effector. All joints are revolute; coordinates are whole metres.",
+        further="Give the space screw of the same joint. Which half of it do you know without computing?",
         figure=partial(draw_joints, robot, tool=True),
-        answer=ScrewsAnswer(B.value),
-        solution=B,
-        advice={"sign of a vector": "The arrow in the drawing shows the positive rotation, in {b} as in {s}."},
+        answer=ScrewsAnswer(B),
+        advice={
+            "another joint": "The joints are numbered in the drawing.",
+            "frame not changed": "For a body screw, direction and point are given in {b}.",
+            "sign of a vector": "The arrow in the drawing shows the positive rotation, in {b} as in {s}.",
+        },
     )
 
 
-@problem(
-    "04.2",
-    "Body screws by the adjoint",
-    points=2,
-    lecture="04_poe_body#The adjoint",
-    further="Which body screw would not change if the tool were longer along its own $z$ axis?",
-    level="Warm-up",
-)
+@problem("04.2", "Body screws by the adjoint", points=2, lecture="04_poe_body#The adjoint", level="Warm-up")
 def by_the_adjoint(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
     return Problem(
         statement="This arm has the space screws $S_i$ and the home pose $M$. Give its body screws $B_1, B_2, B_3$, as rows.\n\n"
         f"$$S = {matrix(robot.screws)}$$\n\n$$M = {matrix(robot.home)}$$",
+        further="Which body screw would not change if the tool were longer along its own $z$ axis?",
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws},
         shown={"home": robot.home},
@@ -137,13 +118,7 @@ def by_the_adjoint(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "04.3",
-    "The place of M",
-    points=2,
-    lecture="04_poe_body#The mid-formula form",
-    further="How many other places of $M$ are possible if each screw may be written in either frame?",
-)
+@problem("04.3", "The place of M", points=2, lecture="04_poe_body#The mid-formula form")
 def where_home_stands(sampler: ArmSampler) -> Problem:
     k, names = sampler.integer(1, 3), sampler.shuffled("abcd")
     while [names[:k], names[k:]] == [sorted(names[:k]), sorted(names[k:])]:  # too close to the alphabet
@@ -171,6 +146,7 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
         f"The {in_space} given in {{s}}, {in_body} in {{b}}. The factor of joint a is $e_a$: it is "
         "$e^{[S_a]q_a}$ if its axis is given in {s}, and $e^{[B_a]q_a}$ if it is given in {b}; and so on. Put the factors "
         "of $T(q)$ in order, from left to right: a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
+        further="How many other places of $M$ are possible if each screw may be written in either frame?",
         given={"from_floor_to_tool": names, "read_in_s": left},
         answer=Ordering([*(f"e_{name}" for name in left), "M", *(f"e_{name}" for name in right)]),
         mistakes=[
@@ -190,19 +166,14 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "04.4",
-    "The body form",
-    points=3,
-    lecture="04_poe_body#The body form",
-    further="Write the same pose with space screws. Which factor stays as it is?",
-)
+@problem("04.4", "The body form", points=3, lecture="04_poe_body#The body form")
 def body_form(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRR", "RPR", "RRP"]))
     typed, q, words = _random_configuration(sampler, robot)
     return Problem(
         statement=f"This arm is given by its body screws and its home pose. Its joint values are {words}. Give $T(q)$.\n\n"
         f"$$B = {matrix(robot.body_screws)}$$\n\n$$M = {matrix(robot.home)}$$",
+        further="Write the same pose with space screws. Which factor stays as it is?",
         figure=partial(draw_arm, robot),
         given={"body_screws": robot.body_screws, "home": robot.home, "values": typed},
         answer=PoseAnswer(robot.fk(q)),
@@ -215,20 +186,17 @@ def body_form(sampler: ArmSampler) -> Problem:
                 "space screws",
                 "use the space screws $S_i$",
                 robot.home @ np.linalg.multi_dot(list(exp(robot.screws * q[:, None]))),
-                "To the right of $M$ belong the body screws $B_i$.",
             )
         ),
-        advice={"last factor": HOME_ADVICE, "reversed": BASE_ADVICE},
+        advice={
+            "space screws": "To the right of $M$ belong the body screws $B_i$.",
+            "last factor": HOME_ADVICE,
+            "reversed": BASE_ADVICE,
+        },
     )
 
 
-@problem(
-    "04.5",
-    "M in the middle",
-    points=3,
-    lecture="04_poe_body#The mid-formula form",
-    further="Move $M$ one place to the left. Which screw must be rewritten?",
-)
+@problem("04.5", "M in the middle", points=3, lecture="04_poe_body#The mid-formula form")
 def home_in_the_middle(sampler: ArmSampler) -> Problem:
     robot, k = _random_arm(sampler, sampler.choice(["RRRR", "RRPR", "RPRR"])), 2
     typed, _, words = _random_configuration(sampler, robot)
@@ -241,7 +209,6 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
             "sides swapped",
             "put the factors of {b} to the left of $M$, and those of {s} to its right",
             product(*e[k:], home, *e[:k]),
-            MIDDLE_ADVICE,
         )
     )
     for name, text, wrong in (
@@ -252,33 +219,27 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The screw axes of the first two joints of this arm are given in {{s}}, the others in {{b}}: the rows below are "
         f"$S_1, S_2, B_3, B_4$. The joint values are {words}. Give $T(q)$.\n\n$${matrix(mixed)}$$\n\n$$M = {matrix(robot.home)}$$",
+        further="Move $M$ one place to the left. Which screw must be rewritten?",
         figure=partial(draw_arm, robot),
         given={"screws": mixed, "home": robot.home, "values": typed},
-        answer=PoseAnswer(T.value),
-        solution=T,
-        advice={"first factor": MIDDLE_ADVICE, "last factor": MIDDLE_ADVICE, "reversed": BASE_ADVICE},
+        answer=PoseAnswer(T),
+        advice={
+            "sides swapped": MIDDLE_ADVICE,
+            "first factor": MIDDLE_ADVICE,
+            "last factor": MIDDLE_ADVICE,
+            "reversed": BASE_ADVICE,
+        },
     )
 
 
-@problem(
-    "04.6",
-    "A new tool",
-    points=3,
-    lecture="04_poe_body#The adjoint",
-    further="For which new tools do the $\\omega$ of all body screws stay as they are?",
-)
+@problem("04.6", "A new tool", points=3, lecture="04_poe_body#The adjoint")
 def new_tool(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
     turn = _rotation(sampler.choice([X, Y]), sampler.choice([30, 40, -50, -60, 70]))
     H = pose((X, Y, Z), (sampler.length(0.1, 0.4), 0, sampler.length(0.5, 0.9))) @ turn
     B, home, T_bt = robot.body_screws, given_pose("M", robot.home), given_pose("T_{bt}", H)
     new = change_frame(inverse(T_bt), screw_axes("B", B)).mistaken_for(
-        (
-            "space screws",
-            "give the space screws",
-            robot.screws,
-            "They do not change with the tool, but they are screws in {s} and not in {t}.",
-        )
+        ("space screws", "give the space screws", robot.screws)
     )
     for T, name, text in (
         (T_bt @ home, "order", "move the tool along the axes of {s}: $T_{bt}\\,M$ for the new home pose"),
@@ -289,11 +250,12 @@ def new_tool(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="The tool of this arm is replaced. The frame {t} of the new tool has the pose $T_{bt}$ in the frame {b} of the old one. "
         f"Below are the body screws in {{b}}. Give them in {{t}}, as rows.\n\n$$B = {matrix(B)}$$\n\n$$T_{{bt}} = {matrix(H)}$$",
+        further="For which new tools do the $\\omega$ of all body screws stay as they are?",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "T_bt": H, "home": robot.home},
-        answer=ScrewsAnswer(new.value),
-        solution=new,
+        answer=ScrewsAnswer(new),
         advice={
+            "space screws": "They do not change with the tool, but they are screws in {s} and not in {t}.",
             "frame not changed": "The axes stay where they are, but body screws are given in the tool frame, which is {t} now.",
             "inverse left out": "$\\mathrm{Ad}_{T_{bt}}$ takes screws in {t} to screws in {b}; here you need the opposite direction.",
             "position left out": "{t} also has another origin, so the moments change.",
@@ -301,13 +263,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "04.7",
-    "The twist of the tool",
-    points=3,
-    lecture="04b_velocity#Joint rates and the twist of the tool",
-    further="At which rates does the tool stand still in this configuration, other than 0?",
-)
+@problem("04.7", "The twist of the tool", points=3, lecture="04b_velocity#Joint rates and the twist of the tool")
 def twist_of_the_tool(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRR", "RPR", "RRP"]))
     typed, q, words = _random_configuration(sampler, robot)
@@ -321,32 +277,12 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
     V = V.mistaken_for(
         ("space Jacobian", "use the space Jacobian", robot.jacobian(q) @ qdot, "It gives the twist in {s}."),
         ("at home", "use the body screws at home as columns", B.T @ qdot, "The joints have moved since."),
-        (
-            "joint values for rates",
-            "multiply by the joint values",
-            robot.body_jacobian(q) @ q,
-            "Multiply by the rates.",
-        ),
+        ("joint values for rates", "multiply by the joint values", robot.body_jacobian(q) @ q),
         ("rates reversed", "use the rates in the reverse order", robot.body_jacobian(q) @ qdot[::-1], ""),
-        (
-            "degrees",
-            "use degrees per second as radians per second",
-            robot.body_jacobian(q) @ rates,
-            "Use `np.radians` first.",
-        ),
-        (
-            "degrees",
-            "use the degrees of $q$ as radians",
-            robot.body_jacobian(np.array(typed)) @ qdot,
-            "Use `np.radians` first.",
-        ),
+        ("degrees", "use degrees per second as radians per second", robot.body_jacobian(q) @ rates),
+        ("degrees", "use the degrees of $q$ as radians", robot.body_jacobian(np.array(typed)) @ qdot),
         ("rates swapped", "swap the joint values and the rates", robot.body_jacobian(qdot) @ q, ""),
-        (
-            "rates left out",
-            "add up the columns without the rates",
-            robot.body_jacobian(q).sum(axis=1),
-            "Multiply by the rates.",
-        ),
+        ("rates left out", "add up the columns without the rates", robot.body_jacobian(q).sum(axis=1)),
         *(
             (
                 "one column",
@@ -356,22 +292,21 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
             )
             for i in (1, 2, 3)
         ),
-        (
-            "joints before",
-            "move each axis by the joints before it",
-            Chain(B, robot.home).jacobian(q) @ qdot,
-            CARRY_ADVICE,
-        ),
+        ("joints before", "move each axis by the joints before it", Chain(B, robot.home).jacobian(q) @ qdot),
     )
     per_second = rate_words.replace("degrees", "degrees/s").replace(" m", " m/s")
     return Problem(
         statement=f"The joint values of this arm are {words}, and its joint rates $\\dot q_i$ are {per_second}. Give the twist "
         f"$\\mathcal{{V}}_b = J_b(q)\\,\\dot q$ of the tool in {{b}}: six numbers $(\\omega, v)$, in rad/s and m/s.\n\n$$B = {matrix(B)}$$",
+        further="At which rates does the tool stand still in this configuration, other than 0?",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "values": typed, "rates": rates},
-        answer=ScrewsAnswer(V.value, names=["the twist"], single="a twist"),
-        solution=V,
+        answer=ScrewsAnswer(V, names=["the twist"], single="a twist"),
         advice={
+            "joint values for rates": "Multiply by the rates.",
+            "degrees": "Use `np.radians` first.",
+            "rates left out": "Multiply by the rates.",
+            "joints before": CARRY_ADVICE,
             "inverse left out": "The columns of $J_b$ are the axes as seen from the moved tool, so they need $\\mathrm{Ad}^{-1}$.",
             "order": "Inside the inverse the factors have the order of the body form, joint 2 first.",
             "frame not changed": CARRY_ADVICE,
@@ -385,24 +320,10 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
 class WristAnswer(Numbers):
     """The value of joint 2 and the rate of joint 1, (2,); each is a part."""
 
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["$q_2$", "the rate of joint 1"]
-
-    def place(self, index: Sequence[int]) -> str:
-        return self.parts[index[0]]
-
-    def part_indices(self) -> list[int]:
-        return [0, 1]
+    parts = ("$q_2$", "the rate of joint 1")
 
 
-@problem(
-    "04.8",
-    "A singular wrist",
-    points=3,
-    lecture="04b_velocity#Singular configurations",
-    further="Does the wrist have a second singular configuration, and how far is it from this one?",
-)
+@problem("04.8", "A singular wrist", points=3, lecture="04b_velocity#Singular configurations")
 def singular_wrist(sampler: ArmSampler) -> Problem:
     tilt = sampler.choice([20, 25, 35, 40, 50, 55, 65, 70, 110, 115, 125, 130, 140, 145, 155, 160])
     (toward, name), sign = sampler.choice([(X, "x"), (Y, "y")]), sampler.choice([1, -1])
@@ -447,6 +368,7 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
         f"$z$ towards ${name}$. Give two numbers. The first is the value $q_2$ between $-90$ and $90$ degrees at which the wrist is "
         f"singular, in degrees. In this configuration joint 3 rotates at ${number(rate)}$ degrees per second, and joint 2 is at rest. The "
         "second number is the rate of joint 1, in degrees per second, at which the tool does not move.",
+        further="Does the wrist have a second singular configuration, and how far is it from this one?",
         figure=partial(draw_arm, wrist),
         given={"axis_2": second, "tilt": float(tilt), "towards": toward, "rate_3": rate},
         answer=WristAnswer(np.array([q_2.value, qdot_1.value])),
@@ -463,7 +385,6 @@ in_order = function("in order", lambda *x: np.sort(x), "({0}, {1}, {2}, {3})")
     "All singular configurations of a planar arm",
     points=3,
     lecture="04b_velocity#Singular configurations",
-    further="Now the direction of the last link counts as well. Which of these configurations are still singular, and which are new?",
     level="Hard",
 )
 def planar_arm(sampler: ArmSampler) -> Problem:
@@ -493,19 +414,13 @@ def planar_arm(sampler: ArmSampler) -> Problem:
         statement=f"A planar arm has three revolute joints and links of {number(L[0])}, {number(L[1])} and {number(L[2])} m. Only the "
         "position of its tip counts. In which configurations is there a direction in which the tip cannot move? Give the distances of the "
         "tip from joint 1 in all of them: four numbers in metres, the smallest first.",
+        further="Now the direction of the last link counts as well. Which of these configurations are still singular, and which are new?",
         given={"links": L},
-        answer=Numbers(distances.value, unit="m"),
-        solution=distances,
+        answer=Numbers(distances, unit="m"),
     )
 
 
-@problem(
-    "04.10",
-    "All body screws of a whole arm",
-    points=3,
-    lecture="04_poe_body#A second method",
-    further="Which lengths do not occur in any body screw, and why?",
-)
+@problem("04.10", "All body screws of a whole arm", points=3, lecture="04_poe_body#A second method")
 def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     robot = _lettered_arm_beside_its_tool(sampler)
     n, symbols = robot.chain.n, sp.symbols(robot.letters, positive=True)
@@ -547,6 +462,7 @@ def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         statement="The drawing shows an arm at home. Each link is parallel to an axis of {s}, and its length is the letter beside "
         f"it. Give the body screws $B_1$ to $B_{n}$ in {{b}}, in rows: {n} rows of six formulas in "
         f"${robot.letters[0]}, \\ldots, {robot.letters[-1]}$.",
+        further="Which lengths do not occur in any body screw, and why?",
         figure=partial(draw_lettered_chain, robot.chain, robot.letters, home=False),
         given={"L": symbols},
         answer=ScrewExpressionsAnswer(sp.Matrix.vstack(*rows), symbols),
@@ -592,14 +508,7 @@ def _random_configuration(sampler: ArmSampler, robot: Chain) -> Configuration:
     return configuration_from_typed(robot, typed)
 
 
-@problem(
-    "04.11",
-    "A wrist with offsets",
-    points=4,
-    lecture="04_poe_body#A second method",
-    further="With all offsets 0, which entries of the three screws vanish?",
-    level="Hard",
-)
+@problem("04.11", "A wrist with offsets", points=4, lecture="04_poe_body#A second method", level="Hard")
 def drawn_wrist(sampler: ArmSampler) -> Problem:
     while True:
         a, b, c, d, e, f, g = lengths(sampler, 7, 0.04, 0.3)
@@ -608,32 +517,22 @@ def drawn_wrist(sampler: ArmSampler) -> Problem:
         if is_readable(points):
             break
     axes = np.array([sampler.choice((-1, 1)) * axis for axis in (Z, Y, X)])
-    read = [read_point(f"P_{i}", p, w) for i, p, w in zip((4, 5, 6), points, axes, strict=True)]
-    from_first = joint_screws(axes, points - points[0], np.zeros(3)).value
-    B = joint_screws(axes, read, np.zeros(3), numbers=(4, 5, 6)).mistaken_for(
-        ("another origin", "measure the points from $P_4$", from_first, "Points are measured from the origin of {b}.")
-    )
+    B = read_screws(axes, points, (4, 5, 6), "b")
     drawn = [DrawnAxis(str(i), w, p) for i, w, p in zip((4, 5, 6), axes, points, strict=True)]
     marks = dict(zip(("P4", "P5", "P6"), points, strict=True))
     return Problem(
         statement="The drawing shows the wrist of an arm, at home, in millimetres. All of it is measured from the frame {b} of the tool, "
         "whose $x$ is to the right, whose $y$ is up in the top view, and whose $z$ is up in the front view. Give the body screws $B_4$, "
         "$B_5$ and $B_6$, as rows, in metres.",
+        further="With all offsets 0, which entries of the three screws vanish?",
         figure=lambda: draw_dimensions([*points, (0, 0, 0)], drawn, marks, origin="{b}"),
-        answer=ScrewsAnswer(B.value, names=["screw 4", "screw 5", "screw 6"]),
-        solution=B,
+        answer=ScrewsAnswer(B, names=["screw 4", "screw 5", "screw 6"]),
         invisible={"another point"},
         advice={"sign of a coordinate": "The wrist is behind the tool, so most coordinates in {b} are negative."},
     )
 
 
-@problem(
-    "04.12",
-    "What the controller should store",
-    points=3,
-    lecture="04_poe_body#The adjoint",
-    level="Open",
-)
+@problem("04.12", "What the controller should store", points=3, lecture="04_poe_body#The adjoint", level="Open")
 def what_to_store(_: ArmSampler) -> Problem:
     return Problem(
         statement="A controller can store space screws with $M$, or body screws with $M$. In the next year the tool will be changed "
@@ -653,23 +552,3 @@ def what_to_store(_: ArmSampler) -> Problem:
             },
         ),
     )
-
-
-SHEET = Sheet(
-    "04_poe_body",
-    "The product of exponentials in the body frame",
-    [
-        body_screw_off_a_drawing,
-        by_the_adjoint,
-        where_home_stands,
-        body_form,
-        home_in_the_middle,
-        new_tool,
-        twist_of_the_tool,
-        singular_wrist,
-        planar_arm,
-        body_screws_of_a_whole_arm,
-        drawn_wrist,
-        what_to_store,
-    ],
-)

@@ -5,12 +5,10 @@ import numpy as np
 from kincourse.answers.screws import ScrewsAnswer, TwistAnswer
 from kincourse.expressions.poses import inverse
 from kincourse.expressions.screws import change_frame, exponentials, joint_values, screw_axes
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import rpr
 from misstep.display.text import matrix
 from misstep.mutants.expression import given, total
-from misstep.problem import Problem
 
 TYPED = (30.0, 0.5, 90.0)
 RATES = (0.2, 0.5, -0.4)
@@ -28,8 +26,7 @@ def column_1(_draw: ArmSampler) -> Problem:
     return Problem(
         statement=f"The RPR arm has the body screws $B = {matrix(B)}$. At $q = (30°, 0.5$ m$, 90°)$, give column 1 of $J_b(q)$.",
         given={"body_screws": B},
-        answer=ScrewsAnswer(column.value),
-        solution=column,
+        answer=ScrewsAnswer(column),
         advice={
             "frame not changed": "$B_1$ is the axis at home. Joints 2 and 3 are between it and the end-effector, and have moved since.",
             "inverse left out": "The joints move the end-effector, and the axis is seen from there: take $\\mathrm{Ad}^{-1}$.",
@@ -57,10 +54,6 @@ def twist(_draw: ArmSampler) -> Problem:
         statement="In this configuration the joint rates of the RPR arm are $\\dot q = (0.2, 0.5, -0.4)$, in rad/s and m/s. Give "
         "$\\mathcal V_b$.",
         given={"rates": rates},
-        answer=TwistAnswer(V.value),
-        solution=V,
+        answer=TwistAnswer(V),
         advice={"term left out": "Every joint that moves adds its column times its rate."},
     )
-
-
-BLANKS = [column_1, twist]

@@ -3,7 +3,6 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import Canvas
@@ -27,14 +26,12 @@ def draw_tool_velocities(chain: Chain, q: ArrayLike, *, around: ArrayLike | None
     If the velocities of all joints are perpendicular to one direction, a dashed line shows it: the origin of {b} cannot move
     in this direction, whatever the joint rates are. Velocities that are zero are not drawn.
 
-    Raises ValueError if q does not have n values.
-
     >>> from kinlib.chains.robots import youbot
     >>> print(draw_tool_velocities(youbot(), np.zeros(5)).alt)                       # doctest: +NORMALIZE_WHITESPACE
     youBot at q = (0, 0, 0, 0, 0). Velocity of the origin of {b} by joint 1: (0, 0.54, 0); by joint 2: (0, 0, 0.507);
     by joint 3: (0, 0, 0.352); by joint 4: (0, 0, 0.217); by joint 5: (0, 0, 0). No joint rates move it along (1, 0, 0).
     """
-    q = validation.vectors(q, "q", chain.n)
+    q = np.asarray(q, dtype=float)
     tool, velocities = chain.fk(q)[:3, 3], tool_velocities(chain, q)
     path = stations(chain, q)
     canvas = Canvas(path if around is None else around)

@@ -5,10 +5,8 @@ import numpy as np
 from kincourse.answers.dh_row import DHRowAnswer
 from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import dh_row, joint_variable, link, table_product
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.dh.table import DHTable
-from misstep.problem import Problem
 
 RIGHT_ANGLE_RAD = np.pi / 2
 
@@ -40,15 +38,11 @@ def row_4(_draw: ArmSampler) -> Problem:
         statement="Read row 4 of the youBot from the drawn frames: $a_4, \\alpha_4, d_4$ and $\\theta_4$ at $q = 0$.",
         answer=DHRowAnswer(YOUBOT.rows[3]),
         solution=dh_row(*YOUBOT.rows[3]).mistaken_for(
-            (
-                "alpha of the row before",
-                "take $\\alpha$ from $z_2$ to $z_3$",
-                np.array([0, 0, 0, RIGHT_ANGLE_RAD]),
-                "That is $\\alpha_3$; row 4 holds $\\alpha_4$, from $z_3$ to $z_4$.",
-            )
+            ("alpha of the row before", "take $\\alpha$ from $z_2$ to $z_3$", np.array([0, 0, 0, RIGHT_ANGLE_RAD]))
         ),
         invisible=["angles swapped", "both pairs swapped"],  # both angles are right angles
         advice={
+            "alpha of the row before": "That is $\\alpha_3$; row 4 holds $\\alpha_4$, from $z_3$ to $z_4$.",
             "take $x_i$ in the opposite direction": "That is allowed too, and then $\\theta_5 = q_5 + \\pi$. But in the drawing $x_4$ "
             "points up.",
             "sign of theta": "$\\theta_4$ is measured about $z_3$, which points towards you: from $x_3$ to $x_4$ it is positive.",
@@ -61,8 +55,7 @@ def matrix_of_row_4(_draw: ArmSampler) -> Problem:
     A_4 = link([0, RIGHT_ANGLE_RAD, 0, joint_variable("R", 4, -np.pi / 4, RIGHT_ANGLE_RAD)], "standard", 4)
     return Problem(
         statement="Give $A_4$ of the youBot at $q_4 = -\\pi/4$.",
-        answer=PoseAnswer(A_4.value),
-        solution=A_4,
+        answer=PoseAnswer(A_4),
         advice={"leave $q_4$ at 0": "The offset is added to $q_4$, and does not replace it."},
     )
 
@@ -72,8 +65,7 @@ def pose_in_the_drawn_configuration(_draw: ArmSampler) -> Problem:
     T = table_product(YOUBOT.rows, YOUBOT.joints, BENT_CONFIGURATION, "standard")
     return Problem(
         statement="Give $T(q) = A_1 A_2 A_3 A_4 A_5$ of the youBot at $q = (0, 0, \\pi/2, -\\pi/4, -\\pi/4)$.",
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
         invisible=["order"],  # at q_1 = q_2 = 0 the first two link transforms commute
     )
 
@@ -95,8 +87,7 @@ def row_2(_draw: ArmSampler) -> Problem:
         row = row.mistaken_for((name, text, np.array(wrong), advice))
     return Problem(
         statement="Read row 2 of the youBot from the drawn frames: $a_2, \\alpha_2, d_2$ and $\\theta_2$ at $q = 0$.",
-        answer=DHRowAnswer(row.value),
-        solution=row,
+        answer=DHRowAnswer(row),
     )
 
 
@@ -115,9 +106,5 @@ def row_5(_draw: ArmSampler) -> Problem:
         row = row.mistaken_for((name, text, np.array(wrong), advice))
     return Problem(
         statement="Read row 5 of the youBot from the drawn frames: $a_5, \\alpha_5, d_5$ and $\\theta_5$ at $q = 0$.",
-        answer=DHRowAnswer(row.value),
-        solution=row,
+        answer=DHRowAnswer(row),
     )
-
-
-BLANKS = [row_4, matrix_of_row_4, pose_in_the_drawn_configuration, row_2, row_5]

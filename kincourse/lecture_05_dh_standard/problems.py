@@ -11,8 +11,8 @@ from kincourse.expressions.links import dh_row, link, links, table_product
 from kincourse.expressions.poses import inverse, with_position
 from kincourse.expressions.poses import pose as given_pose
 from kincourse.mistakes.dh import entry_names, other_entries, rows_of_the_other_convention, with_translation_in_a_row
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler, are_distinguishable
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import are_distinguishable
 from kincourse.sampling.drawn_machines import (
     draw_table_frames,
     drawn_table_mistakes,
@@ -33,8 +33,8 @@ from misstep.answers.prose import Prose
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import ANGLE, radians, sqrt, square, stack
-from misstep.problem import Problem
-from misstep.sheet import Sheet
+
+TITLE = "Denavit-Hartenberg tables in the standard convention"
 
 RIGHT_ANGLE_RAD = np.pi / 2
 
@@ -52,12 +52,7 @@ BASE_AND_TOOL_ADVICE = (
 
 
 @problem(
-    "05.1",
-    "Four numbers between two drawn frames",
-    points=3,
-    lecture="05_dh_standard#Four numbers",
-    further="Give the row that leads back from frame 1 to frame 0. Is it a standard row?",
-    level="Warm-up",
+    "05.1", "Four numbers between two drawn frames", points=3, lecture="05_dh_standard#Four numbers", level="Warm-up"
 )
 def four_numbers(sampler: ArmSampler) -> Problem:
     start, row = np.eye(4), np.zeros(4)
@@ -79,6 +74,7 @@ def four_numbers(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Frames 0 and 1 follow the standard convention. Read their row from the drawing: $a_1, \\alpha_1, d_1, \\theta_1$. "
         "Lengths are whole metres, and angles are multiples of 90°. The $y$ axes are not drawn: they follow from $x$ and $z$.",
+        further="Give the row that leads back from frame 1 to frame 0. Is it a standard row?",
         figure=partial(draw_table, frames, numbers=True, path=False),
         answer=DHRowAnswer(row),
         solution=dh_row(*row),
@@ -86,14 +82,7 @@ def four_numbers(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "05.2",
-    "One row as a matrix",
-    points=2,
-    lecture="05_dh_standard#The general A matrix",
-    further="For which numbers do this matrix and that of the modified row agree?",
-    level="Warm-up",
-)
+@problem("05.2", "One row as a matrix", points=2, lecture="05_dh_standard#The general A matrix", level="Warm-up")
 def one_row(sampler: ArmSampler) -> Problem:
     a, d = sampler.length(0.2, 0.9), sampler.length(0.2, 0.9)
     alpha, theta = sampler.choice([90, -90, 60, -60, 30, -30]), sampler.degrees(-75, 75)
@@ -105,6 +94,7 @@ def one_row(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Give the matrix $A_i$ of the row\n\n| a | alpha | d | theta |\n| --- | --- | --- | --- |\n"
         f"| {number(a)} | {alpha}° | {number(d)} | {theta}° |\n\nin the standard convention. Lengths are in metres.",
+        further="For which numbers do this matrix and that of the modified row agree?",
         given={"a": a, "alpha_degrees": alpha, "d": d, "theta_degrees": theta},
         answer=PoseAnswer(A.value),
         solution=A.mistaken_for(
@@ -115,13 +105,7 @@ def one_row(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "05.3",
-    "A whole table from a drawing",
-    points=4,
-    lecture="05_dh_standard#Reading a table off a drawing",
-    further="Reverse one inner $x$ axis. Which four numbers of the table change?",
-)
+@problem("05.3", "A whole table from a drawing", points=4, lecture="05_dh_standard#Reading a table off a drawing")
 def whole_table(sampler: ArmSampler) -> Problem:
     rows, places = np.zeros((3, 4)), [np.zeros(3)]
     while not are_distinguishable(places):
@@ -139,6 +123,7 @@ def whole_table(sampler: ArmSampler) -> Problem:
         f"identity. A table is right if it gives the pose of {{b}} for every $q$.\n\n{joint_table(robot)}\n\n"
         f"{{b}} is at ${vector(robot.home[:3, 3])}$, its $x$ along ${vector(robot.home[:3, 0])}$, its $z$ along "
         f"${vector(robot.home[:3, 2])}$.",
+        further="Reverse one inner $x$ axis. Which four numbers of the table change?",
         figure=partial(draw_joints, robot, tool=True),
         shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
         answer=DHTableAnswer(table, anchored=True),
@@ -146,13 +131,7 @@ def whole_table(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "05.4",
-    "Offsets from a drawn zero",
-    points=3,
-    lecture="05_dh_standard#The offset",
-    further="The arm is drawn at another zero. Which numbers of the table change, and which do not?",
-)
+@problem("05.4", "Offsets from a drawn zero", points=3, lecture="05_dh_standard#The offset")
 def offsets(sampler: ArmSampler) -> Problem:
     lengths = [sampler.integer(1, 3) for _ in range(3)]
     values = np.ones(3)
@@ -221,12 +200,10 @@ def offsets(sampler: ArmSampler) -> Problem:
         statement="All joint axes of this planar arm point towards you, and $x_i$ runs along link $i$. The manufacturer defines the "
         f"drawn configuration as $q = 0$. There, the links make these angles with $x_0$, anticlockwise positive: {headings_text}. "
         "In the table $\\theta_i = q_i + c_i$. Give the offsets $c_1, c_2, c_3$ in radians.",
+        further="The arm is drawn at another zero. Which numbers of the table change, and which do not?",
         figure=partial(draw_table, table, view="top"),
         given={"headings_degrees": np.array(headings)},
-        answer=DHEntriesAnswer(
-            c.value, names=["offset of $\\theta_1$", "offset of $\\theta_2$", "offset of $\\theta_3$"]
-        ),
-        solution=c,
+        answer=DHEntriesAnswer(c, names=["offset of $\\theta_1$", "offset of $\\theta_2$", "offset of $\\theta_3$"]),
         advice={
             "degrees": "Give the offsets in radians.",
             **{
@@ -237,13 +214,7 @@ def offsets(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "05.5",
-    "The faulty entry",
-    points=3,
-    lecture="05_dh_standard#Reading a table off a drawing",
-    further="Which other single entry, changed instead, would leave the last frame where it is?",
-)
+@problem("05.5", "The faulty entry", points=3, lecture="05_dh_standard#Reading a table off a drawing")
 def faulty_entry(sampler: ArmSampler) -> Problem:
     rows, places = np.zeros((3, 4)), [np.zeros(3)]
     while not are_distinguishable(places):
@@ -270,6 +241,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
         statement="The table below was read from the drawn frames, at $q = 0$, in the standard convention. One entry is wrong. "
         "Which one, and what is its right value? Answer with its column and row, and with the value in metres or radians, such as "
         f"`('d2', 1.5)`.\n\n{printed}",
+        further="Which other single entry, changed instead, would leave the last frame where it is?",
         figure=partial(draw_table, table, numbers=True),
         given={"frames": table_frames(table), "rows": wrong},
         answer=Choice(answer, entry_names(3)),
@@ -278,13 +250,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     return problem.with_reason(Numbers(np.array(rows[i, k])))
 
 
-@problem(
-    "05.6",
-    "Base and tool",
-    points=2,
-    lecture="05_dh_standard#Base and tool",
-    further="Can the base be written as a further row in front of the table? What must be true of it?",
-)
+@problem("05.6", "Base and tool", points=2, lecture="05_dh_standard#Base and tool")
 def base_and_tool(sampler: ArmSampler) -> Problem:
     rows = [
         [sampler.length(0.2, 0.6), sampler.choice([1, -1]) * RIGHT_ANGLE_RAD, sampler.length(0.2, 0.6), 0],
@@ -317,12 +283,12 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
         f"${_format_row(rows[1], 2)}$, in the standard "
         f"convention. Its base frame 0 is at $T_{{s0}}$, and a camera {{b}} is mounted on frame 2 at $T_{{2b}}$:\n\n"
         f"$$T_{{s0}} = {matrix(base)}, \\qquad T_{{2b}} = {matrix(tool)}.$$\n\nGive the pose $T_{{sb}}(q)$ at $q = {vector(q)}$.",
+        further="Can the base be written as a further row in front of the table? What must be true of it?",
         figure=partial(
             draw_table, table
         ),  # drawn at zero, because the text alternative at q would give the answer away
         given={"rows": np.array(rows), "base": base, "tool": tool, "q": q},
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
         advice={
             "leave out $T_{s0}$": f"This is the pose of the camera in frame 0. {BASE_AND_TOOL_ADVICE}",
             "leave out $T_{2b}$": f"This is the pose of frame 2, without the tool. {BASE_AND_TOOL_ADVICE}",
@@ -338,14 +304,7 @@ def _format_row(row: list[float], i: int) -> str:
     return f"({number(a)}, {lean}, {number(d)}, q_{i})"
 
 
-@problem(
-    "05.7",
-    "Parallel axes",
-    points=4,
-    lecture="05_dh_standard#Special cases",
-    further="Move every origin to the height 0. What do the rows say now?",
-    level="Hard",
-)
+@problem("05.7", "Parallel axes", points=4, lecture="05_dh_standard#Special cases", level="Hard")
 def parallel_axes(sampler: ArmSampler) -> Problem:
     sides = np.zeros((2, 2))
     while np.abs(sides.sum(axis=0)).max() < 1:  # axis 3 must not coincide with axis 1
@@ -383,10 +342,10 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         statement="Three parallel joint axes point up. The table gives a point of each joint. For parallel axes, the origin may be "
         "anywhere on its axis; here $O_0$ is at joint 1, $O_1$ at joint 2 and $O_2$ at joint 3. Each $x_i$ points from axis $i$ "
         f"to axis $i + 1$. Give $a_1, d_1, a_2, d_2$.\n\n{joint_table(robot)}",
+        further="Move every origin to the height 0. What do the rows say now?",
         figure=partial(draw_joints, robot),
         given={"points": points},
-        answer=DHEntriesAnswer(answer.value, names=["a_1", "d_1", "a_2", "d_2"]),
-        solution=answer,
+        answer=DHEntriesAnswer(answer, names=["a_1", "d_1", "a_2", "d_2"]),
         advice={
             "root left out": NORMAL_ADVICE,
             "square left out": NORMAL_ADVICE,
@@ -410,12 +369,7 @@ def _axis_distance(i: int, x: float, y: float, z: float) -> tuple[Expression, fl
 
 
 @problem(
-    "05.8",
-    "A SCARA from its drawing",
-    points=4,
-    lecture="05_dh_standard#Reading a table off a drawing",
-    further="The arm is measured at another $q$. Which numbers of your rows do you see again?",
-    level="Hard",
+    "05.8", "A SCARA from its drawing", points=4, lecture="05_dh_standard#Reading a table off a drawing", level="Hard"
 )
 def scara(sampler: ArmSampler) -> Problem:
     while True:
@@ -429,6 +383,7 @@ def scara(sampler: ArmSampler) -> Problem:
         statement="The drawing shows a SCARA with joints RRP at home, in millimetres, with its standard frames: "
         "the origin of frame $i$ is D$i$, $z_i$ is the axis of joint $i + 1$, the arrow is $x_i$, and $z_3$ is along $z_2$. Give "
         "the three rows $a, \\alpha, d, \\theta$ at home, in metres and radians.",
+        further="The arm is measured at another $q$. Which numbers of your rows do you see again?",
         figure=partial(draw_table_frames, table),
         answer=DHRowsAnswer(table.rows),
         mistakes=drawn_table_mistakes(table),
@@ -459,20 +414,3 @@ def no_common_row(_: ArmSampler) -> Problem:
             },
         ),
     )
-
-
-SHEET = Sheet(
-    "05_dh_standard",
-    "Denavit-Hartenberg tables in the standard convention",
-    [
-        four_numbers,
-        one_row,
-        whole_table,
-        offsets,
-        faulty_entry,
-        base_and_tool,
-        parallel_axes,
-        scara,
-        no_common_row,
-    ],
-)

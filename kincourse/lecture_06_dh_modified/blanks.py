@@ -5,10 +5,8 @@ import numpy as np
 from kincourse.answers.dh_row import DHEntriesAnswer
 from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import joint_variable, link, table_product
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from misstep.mistakes import mistake
-from misstep.problem import Problem
 
 RIGHT_ANGLE_RAD = np.pi / 2
 ROW_2 = (0.0, -RIGHT_ANGLE_RAD, 0.3, -RIGHT_ANGLE_RAD)
@@ -25,15 +23,11 @@ def n5_row_2(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Row 2 of the n = 5 arm is $\\alpha_1 = -90°$, $a_1 = 0$, $d_2 = q_2 = 0.3$ m, $\\theta_2 = -90°$. Give ${}^1T_2$.",
         answer=PoseAnswer(T_12.value),
-        solution=T_12.mistaken_for(
-            (
-                "as printed",
-                "copy the printed matrix, whose entry $(3, 3)$ is 1",
-                printed,
-                "Its third row is 1 0 1 0, so it contains no rotation matrix: columns 1 and 3 are not perpendicular.",
-            )
-        ),
-        advice={"leave out $\\theta_2$": "A prismatic joint has a $\\theta$ too; it is a constant."},
+        solution=T_12.mistaken_for(("as printed", "copy the printed matrix, whose entry $(3, 3)$ is 1", printed)),
+        advice={
+            "as printed": "Its third row is 1 0 1 0, so it contains no rotation matrix: columns 1 and 3 are not perpendicular.",
+            "leave out $\\theta_2$": "A prismatic joint has a $\\theta$ too; it is a constant.",
+        },
     )
 
 
@@ -43,8 +37,7 @@ def n5_rows_2_and_3(_draw: ArmSampler) -> Problem:
     T_13 = table_product(at_zero, "PR", [ROW_2[2], ROW_3[3]], "modified", first=2)
     return Problem(
         statement="At $q_2 = 0.3$ m and $q_3 = 90°$, give ${}^1T_3 = {}^1T_2\\,{}^2T_3$ of the n = 5 arm, with $l_2 = 0.5$ m.",
-        answer=PoseAnswer(T_13.value),
-        solution=T_13,
+        answer=PoseAnswer(T_13),
         advice={"order": "Neighbouring indices cancel, so the 2s must be side by side."},
     )
 
@@ -74,6 +67,3 @@ def youbot_row_2(_draw: ArmSampler) -> Problem:
             ),
         ],
     )
-
-
-BLANKS = [n5_row_2, n5_rows_2_and_3, youbot_row_2]

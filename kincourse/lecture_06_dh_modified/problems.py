@@ -1,14 +1,12 @@
 """Sheet 06: rows as two screw motions, link transforms, both conventions of one arm, a faulty entry, wrists, chains."""
 
-import itertools
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
-from functools import lru_cache, partial, reduce
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import partial
 from itertools import accumulate
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kincourse.answers.dh_row import DHRowsAnswer
 from kincourse.answers.dh_table import DHTableAnswer
@@ -20,8 +18,8 @@ from kincourse.expressions.poses import inverse, rotation_about, rotation_of
 from kincourse.expressions.screws import joint_screws
 from kincourse.expressions.wrist import wrist_angles, wrist_rotation
 from kincourse.mistakes.dh import is_in_several_rows, rows_of_the_other_convention
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler, are_distinguishable
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import are_distinguishable
 from kincourse.sampling.drawn_machines import (
     draw_table_frames,
     drawn_table_mistakes,
@@ -30,26 +28,24 @@ from kincourse.sampling.drawn_machines import (
     table_frames,
 )
 from kincourse.text.joint_table import joint_table
-from kinlib.arrays.validation import Array, read_only_copy
-from kinlib.chains.chain import random_configurations
+from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.dh.formatting import add_variable, headings, in_latex, markdown_table
 from kinlib.dh.parsing import COLUMNS
-from kinlib.dh.table import Convention, DHTable, dh_transform
+from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.lie import homogeneous
 from kinlib.view import draw_arm, draw_frames, draw_joints
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Named
 from misstep.answers.choice import Choice
-from misstep.answers.likeness import Likeness
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
 from misstep.display.text import degrees, matrix, number, vector
-from misstep.mistakes import Mistake, mistake
+from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import stack
-from misstep.problem import Problem
-from misstep.sheet import Sheet
+
+TITLE = "Denavit-Hartenberg tables in the modified convention"
 
 RIGHT_ANGLE_RAD = np.pi / 2
 
@@ -59,6 +55,9 @@ MIN_HEIGHT_M = 0.5
 ALPHAS_DEG = (-90, 90, -60, 60, -45, 45, -30, 30)
 """Values of alpha that are easy to type. None is 0, because parallel joint axes would hide half of the mistakes."""
 
+LINK = [0, 1]
+"""The columns that belong to the link: a and alpha."""
+
 WRIST_ADVICE = "The wrist is $R_y(\\theta_4)\\,R_z(\\theta_5)\\,R_y(\\theta_6)\\,R_x(-90°)$. With all angles 0 only the constant is left."
 
 OFF_THE_NORMAL = (
@@ -67,118 +66,35 @@ OFF_THE_NORMAL = (
 )
 
 
-@dataclass(frozen=True, eq=False)
-class ConvertedRowsAnswer(DHRowsAnswer):
-    """The rows of a converted table, shape (m, 4): a, alpha, d, theta at q = 0.
-
-    Each row is a part. All are right if they lead from frame 0 to frame m as the right ones do, for every q. If they do not, each is
-    compared with the right one: angles modulo a full turn, and with the directions of x_1 to x_{m-1} for which the most rows agree.
-
-    convention   of the rows
-    joints       the letter of each joint
-    unconverted  the rows of the given table, in the other convention
-
-    >>> given, right = np.array([[4, 1, 3, 0], [0, 0, 6, 0]]), np.array([[0, 0, 3, 0], [4, 1, 6, 0]])
-    >>> flipped = np.array([[0, 0, 3, np.pi], [-4, -1, 6, -np.pi]])
-    >>> answer = ConvertedRowsAnswer(right, convention="modified", joints="RP", unconverted=given)
-    >>> [answer.agrees(right, other) for other in (right + (0, 0, 0, 2 * np.pi), flipped, flipped * (1, 1, 2, 1), right * (1, -1, 1, 1))]
-    [[True, True], [True, True], [False, False], [True, False]]
-    """
-
-    convention: Convention = field(kw_only=True)
-    joints: str = field(kw_only=True)
-    unconverted: Array = field(kw_only=True)
-
-    def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
-        """Return, for each entry, whether it is right, for the directions of x for which the most rows and entries are."""
-        if np.abs(self._poses(one) - self._poses(other)).max() <= tolerance:
-            return np.ones(np.shape(other), dtype=bool)
-        return self._nearest(one, other, tolerance)[1]
-
-    def _nearest(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> tuple[Array, NDArray[np.bool_]]:
-        """Return the second rows with those directions of x, and which entries agree."""
-        rows = self._with_other_x(other)
-        same = super().same_entries(one, rows, tolerance)
-        right_rows, right_entries = same.all(axis=2).sum(axis=1), same.sum(axis=(1, 2))
-        best = np.argmax(right_rows * same[0].size + right_entries)
-        return rows[best], same[best]
-
-    def likeness(self, given: Array, part: int | None) -> Likeness:
-        right = self._nearest(given, self.value)[0]
-        return DHRowsAnswer.likeness(replace(self, value=right), given, part)
-
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        """Return how the rows are the right ones in another order, for any directions of x; or what is wrong with one of them."""
-        if part is not None:
-            return DHRowsAnswer.resemblance(replace(self, value=self._nearest(given, self.value)[0]), given, part)
-        ways = (replace(self, value=rows) for rows in self._with_other_x(self.value))
-        return next(filter(None, (DHRowsAnswer.likeness(way, given, None).order() for way in ways)), None)
-
-    def wrong_conversions(self) -> list[tuple[str, Array, str]]:
-        """Return wrong conversions of the given table: the name, the rows, and what is true of them."""
-        step = 1 if self.convention == "modified" else -1
-        link = [0, 1]
-        kept, folded = self._moved(step, link), self._moved(step, link)
-        end, start = (0, -1) if step == 1 else (-1, 0)
-        kept[end, link], folded[end, link] = self.unconverted[end, link], self.unconverted[start, link]
-        return [
-            ("not converted", self.unconverted, "These are the rows of the given table, not converted."),
-            ("moved the other way", self._moved(-step, link), "$a$ and $\\alpha$ are moved in the wrong direction."),
-            ("whole rows moved", self._moved(step, [0, 1, 2, 3]), "Whole rows are moved: $d$ and $\\theta$ stay with their joint."),
-            ("d and theta moved", self._moved(step, [2, 3]), "$d$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
-            ("a alone moved", self._moved(step, [0]), "$a$ is moved, and $\\alpha$ is not. Both belong to the link."),
-            ("alpha alone moved", self._moved(step, [1]), "$\\alpha$ is moved, and $a$ is not. Both belong to the link."),
-            ("both angles moved", self._moved(step, [1, 3]), "$\\alpha$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
-            ("d and theta moved", self._moved(-step, [2, 3]), "$d$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
-            ("two rows too far", np.roll(self.unconverted, 2 * step, axis=0) * (1, 1, 0, 0) + self.unconverted * (0, 0, 1, 1),
-             "$a$ and $\\alpha$ are moved by two rows instead of one."),
-            ("two rows too far", self._moved(2 * step, link), "$a$ and $\\alpha$ are moved by two rows instead of one."),
-            ("end kept", kept, "The row at the empty end keeps its $a$ and $\\alpha$, but they belong to the row beside it."),
-            ("end folded in", folded, "The left-over $a$ and $\\alpha$ were put in the row at the other end. They belong in no row."),
-            ("rows reversed", self.value[::-1], "The rows are in reverse order."),
-        ]  # fmt: skip
-
-    def _moved(self, by: int, columns: Sequence[int]) -> Array:
-        """The rows of the given table, with some columns moved down by some rows, and 0 in what is left empty."""
-        rows = np.array(self.unconverted)
-        rows[:, columns] = np.roll(rows[:, columns], by, axis=0)
-        empty = slice(None, by) if by > 0 else slice(by, None)
-        rows[empty, columns] = 0.0
-        return rows
-
-    def _poses(self, rows: Array) -> Array:
-        """The last frame as frame 0 sees it, at some joint values (k, 4, 4)."""
-        return _last_frames(np.asarray(rows, dtype=float).tobytes(), self.joints, self.convention)
-
-    def _with_other_x(self, rows: Array) -> Array:
-        """The rows for each choice of the directions of x_1 to x_{m-1}, (2**(m-1), m, 4), first as they are."""
-        return _rows_with_other_x(np.asarray(rows, dtype=float).tobytes(), len(rows), self.convention)
+def wrong_conversions(given: Array, right: DHTable) -> Iterator[tuple[str, Array, str]]:
+    """Yield wrong conversions of standard rows (n, 4) to a modified table: the name, the rows, and what is true of them."""
+    kept, folded = _moved(given, 1, LINK), _moved(given, 1, LINK)
+    kept[0, LINK], folded[0, LINK] = given[0, LINK], given[-1, LINK]
+    rolled = np.roll(given, 2, axis=0) * (1, 1, 0, 0) + given * (0, 0, 1, 1)
+    yield from (
+        ("not converted", given, "These are the rows of the given table, not converted."),
+        ("moved the other way", _moved(given, -1, LINK), "$a$ and $\\alpha$ are moved in the wrong direction."),
+        ("whole rows moved", _moved(given, 1, [0, 1, 2, 3]), "Whole rows are moved: $d$ and $\\theta$ stay with their joint."),
+        ("rows moved", right.rows[[0, 0, 1, 2]], "These are the right rows, each one row too low."),
+        ("d and theta moved", _moved(given, 1, [2, 3]), "$d$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
+        ("a alone moved", _moved(given, 1, [0]), "$a$ is moved, and $\\alpha$ is not. Both belong to the link."),
+        ("alpha alone moved", _moved(given, 1, [1]), "$\\alpha$ is moved, and $a$ is not. Both belong to the link."),
+        ("both angles moved", _moved(given, 1, [1, 3]), "$\\alpha$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
+        ("d and theta moved", _moved(given, -1, [2, 3]), "$d$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
+        ("two rows too far", rolled, "$a$ and $\\alpha$ are moved by two rows instead of one."),
+        ("two rows too far", _moved(given, 2, LINK), "$a$ and $\\alpha$ are moved by two rows instead of one."),
+        ("end kept", kept, "The row at the empty end keeps its $a$ and $\\alpha$, but they belong to the row beside it."),
+        ("end folded in", folded, "The left-over $a$ and $\\alpha$ were put in the row at the other end. They belong in no row."),
+        ("rows reversed", right.rows[::-1], "The rows are in reverse order."),
+    )  # fmt: skip
 
 
-def _wrong_conversions(answer: ConvertedRowsAnswer) -> list[Mistake]:
-    """The wrong conversions as mistakes: where whole columns are moved wrongly, a row that comes out right does so by chance."""
-    ends = {"end kept", "end folded in"}
-    return [mistake(*wrong, spoils=wrong[0] not in ends) for wrong in answer.wrong_conversions()]
-
-
-# Each table is compared with many others, so what depends on one table alone is kept, by its numbers.
-@lru_cache(maxsize=1024)
-def _last_frames(rows: bytes, joints: str, convention: Convention) -> Array:
-    moving = np.eye(4)[[COLUMNS.index("d" if letter == "P" else "theta") for letter in joints]]
-    values = np.frombuffer(rows).reshape(-1, 4) + random_configurations(len(joints), 4)[..., None] * moving
-    links = dh_transform(*np.moveaxis(values, -1, 0), convention=convention)
-    return read_only_copy(reduce(np.matmul, np.moveaxis(links, 1, 0)))
-
-
-@lru_cache(maxsize=1024)
-def _rows_with_other_x(rows: bytes, count: int, convention: Convention) -> Array:
-    choices = np.array(list(itertools.product((0, 1), repeat=count - 1)))
-    ends = np.pad(choices, ((0, 0), (1, 1)))  # x_0 to x_m
-    own = ends[:, :-1] if convention == "modified" else ends[:, 1:]
-    changed = np.repeat(np.frombuffer(rows).reshape(1, count, 4), len(choices), axis=0)
-    changed[..., :2] *= 1 - 2 * own[..., None]
-    changed[..., 3] += np.pi * np.diff(ends)
-    return read_only_copy(changed)
+def _moved(rows: Array, by: int, columns: list[int]) -> Array:
+    """Rows with some columns moved down by some rows, and 0 in what is left empty."""
+    moved = np.array(rows)
+    moved[:, columns] = np.roll(rows[:, columns], by, axis=0)
+    moved[slice(None, by) if by > 0 else slice(by, None), columns] = 0.0
+    return moved
 
 
 @dataclass(frozen=True, eq=False)
@@ -221,14 +137,7 @@ class WristAnglesAnswer(EulerAnglesAnswer):
         return "For $R_1$ you found the second solution, $(\\theta_4 + \\pi, -\\theta_5, \\theta_6 + \\pi)$."
 
 
-@problem(
-    "06.1",
-    "The link transform of a row",
-    points=2,
-    lecture="06_dh_modified#The general matrix",
-    further="In which two numbers would the standard matrix of the same row differ?",
-    level="Warm-up",
-)
+@problem("06.1", "The link transform of a row", points=2, lecture="06_dh_modified#The general matrix", level="Warm-up")
 def link_transform(sampler: ArmSampler) -> Problem:
     row = _random_row(sampler)
     a, alpha, d, theta = row
@@ -240,6 +149,7 @@ def link_transform(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Give the link transform ${}^{i-1}T_i$ of this row of a modified table, with the given $d$ and $\\theta$.\n\n"
         + _format_table([row], "modified"),
+        further="In which two numbers would the standard matrix of the same row differ?",
         given={"a": a, "alpha": alpha, "d": d, "theta": theta},
         answer=PoseAnswer(T.value),
         solution=(
@@ -249,22 +159,17 @@ def link_transform(sampler: ArmSampler) -> Problem:
                     "entries swapped",
                     "swap the entries $(2, 1)$ and $(3, 2)$, as a printed matrix of the lecture does",
                     swapped,
-                    "The columns are then not perpendicular to each other.",
                 ),
                 ("entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$", mirrored),
             )
         ),
+        advice={
+            "swap the entries $(2, 1)$ and $(3, 2)$, as a printed matrix of the lecture does": "The columns are then not perpendicular."
+        },
     )
 
 
-@problem(
-    "06.2",
-    "The pose of an RPR arm",
-    points=2,
-    lecture="06_dh_modified#A worked example",
-    further="The prismatic joint moves by 0.1 m. In which direction does the end-effector move?",
-    level="Warm-up",
-)
+@problem("06.2", "The pose of an RPR arm", points=2, lecture="06_dh_modified#A worked example", level="Warm-up")
 def chain(sampler: ArmSampler) -> Problem:
     a1 = d2 = sampler.length(0.3, 0.9)
     while d2 == a1:
@@ -279,40 +184,33 @@ def chain(sampler: ArmSampler) -> Problem:
         statement=f"The RPR arm of this table is at $\\theta_1 = {degrees[0]}$ degrees, $d_2 = {number(d2)}$ m, "
         f"$\\theta_3 = {degrees[1]}$ degrees. Give ${{}}^0T_3 = {{}}^0T_1\\,{{}}^1T_2\\,{{}}^2T_3$.\n\n"
         + _format_table(table.rows, "modified", "RPR"),
+        further="The prismatic joint moves by 0.1 m. In which direction does the end-effector move?",
         figure=partial(draw_arm, table.to_chain()),
         given={"rows": table.rows, "values": np.array([degrees[0], d2, degrees[1]])},
-        answer=PoseAnswer(T.value),
-        solution=T,
+        answer=PoseAnswer(T),
     )
 
 
-@problem(
-    "06.3",
-    "From standard to modified",
-    points=4,
-    lecture="06_dh_modified#Converting",
-    further="What happens to the last $a$ and $\\alpha$ if there is no tool?",
-)
+@problem("06.3", "From standard to modified", points=4, lecture="06_dh_modified#Converting")
 def to_modified(sampler: ArmSampler) -> Problem:
     table = _random_table(sampler, "standard")
-    answer = _converted(table, "modified")
+    right, ends = table.converted("modified"), {"end kept", "end folded in"}
     return Problem(
         statement="Convert this standard table to the modified convention. Frame 0 stays the same. The $a$ and $\\alpha$ that are "
         "left over become the tool, which is not part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at "
         "$q = 0$, angles in radians.\n\n" + _format_table(table.rows, "standard", table.joints),
+        further="What happens to the last $a$ and $\\alpha$ if there is no tool?",
         shown={"rows": table.rows, "joints": table.joints},
-        answer=answer,
-        mistakes=_wrong_conversions(answer),
+        answer=DHTableAnswer(right, anchored=True),
+        # Where whole columns are moved wrongly, a row that comes out right does so by chance.
+        mistakes=[
+            mistake(name, right.changed(rows=rows), text, spoils=name not in ends)
+            for name, rows, text in wrong_conversions(table.rows, right)
+        ],
     )
 
 
-@problem(
-    "06.4",
-    "The rotation of a wrist",
-    points=3,
-    lecture="06b_puma#The wrist",
-    further="For which angles is the rotation the constant alone?",
-)
+@problem("06.4", "The rotation of a wrist", points=3, lecture="06b_puma#The wrist")
 def wrist(sampler: ArmSampler) -> Problem:
     degrees = [0, 0, 0]
     while (
@@ -341,19 +239,13 @@ def wrist(sampler: ArmSampler) -> Problem:
         statement="These are rows 4 to 6 of the modified table of a PUMA 560, that is, its wrist. Give ${}^3R_6$ at "
         f"$(\\theta_4, \\theta_5, \\theta_6) = {vector(degrees)}$ degrees.\n\n"
         + _format_table(rows, "modified", "RRR", first=4),
+        further="For which angles is the rotation the constant alone?",
         given={"degrees": degrees},
-        answer=RotationAnswer(R.value),
-        solution=R,
+        answer=RotationAnswer(R),
     )
 
 
-@problem(
-    "06.5",
-    "Which convention is this?",
-    points=2,
-    lecture="06_dh_modified#Which convention is this?",
-    further="Which one further measurement would decide every such question?",
-)
+@problem("06.5", "Which convention is this?", points=2, lecture="06_dh_modified#Which convention is this?")
 def which_convention(sampler: ArmSampler) -> Problem:
     truth = sampler.choice("abcd")
     rows = np.array([_random_row(sampler), _random_row(sampler)])
@@ -394,6 +286,7 @@ def which_convention(sampler: ArmSampler) -> Problem:
         f"$q = {vector(np.degrees(q))}$ degrees. What does the measurement tell you?\n\n"
         f"{_format_table(rows, '', 'RR')}\n\n$$T = {matrix(T)}$$\n\n{listed}\n\nAnswer with a letter, and with the x coordinates "
         "of the end-effector that the table gives in the standard and in the modified convention, such as `('a', [0.4, 0.7])`.",
+        further="Which one further measurement would decide every such question?",
         figure=partial(draw_frames, {"0": np.eye(4), "2": T}, arrows=False),
         given={"rows": rows, "q": q, "pose": T},
         answer=Choice(truth, options),
@@ -402,13 +295,7 @@ def which_convention(sampler: ArmSampler) -> Problem:
     return problem.with_reason(Numbers(np.array([pose[0, 3] for pose in poses.values()]), unit="m"))
 
 
-@problem(
-    "06.6",
-    "The angles of a wrist",
-    points=3,
-    lecture="06b_puma#Angles from a rotation",
-    further="Which orientations can the wrist reach in one way only?",
-)
+@problem("06.6", "The angles of a wrist", points=3, lecture="06b_puma#Angles from a rotation")
 def angles_of_a_wrist(sampler: ArmSampler) -> Problem:
     first, last = sampler.shuffled([sampler.degrees(15, 75), -sampler.degrees(105, 165)])
     degrees = [[first, sampler.degrees(25, 80), last], [0, 0, sampler.choice((-1, 1)) * sampler.degrees(15, 75)]]
@@ -420,19 +307,13 @@ def angles_of_a_wrist(sampler: ArmSampler) -> Problem:
         f"$$R_1 = {matrix(rotations[0])}, \\qquad R_2 = {matrix(rotations[1])}.$$\n\n"
         "Give $(\\theta_4, \\theta_5, \\theta_6)$ in radians for each, in two rows. Every solution is right. One of the two is at "
         "the singular configuration of the wrist, where axes 4 and 6 are collinear.",
+        further="Which orientations can the wrist reach in one way only?",
         given={"rotations": np.array(rotations)},
-        answer=WristAnglesAnswer(angles.value),
-        solution=angles,
+        answer=WristAnglesAnswer(angles),
     )
 
 
-@problem(
-    "06.7",
-    "A whole arm from a drawing",
-    points=4,
-    lecture="06_dh_modified#Frame labelling in eight steps",
-    further="Which of your rows would a second correct table share with yours?",
-)
+@problem("06.7", "A whole arm from a drawing", points=4, lecture="06_dh_modified#Frame labelling in eight steps")
 def whole_arm(sampler: ArmSampler) -> Problem:
     places, tellable = [np.zeros(3)], 0
     while tellable < 2 or not are_distinguishable(places) or min(place[2] for place in places[1:]) < MIN_HEIGHT_M:
@@ -454,6 +335,7 @@ def whole_arm(sampler: ArmSampler) -> Problem:
         f"$q$. Lengths may be typed as letters, such as `-l_2`, or as numbers: {lengths} (metres).\n\n"
         f"{joint_table(robot, points=points)}\n\n{{b}} is at ${points[-1]}$, its $x$ along ${vector(robot.home[:3, 0])}$, its $z$ "
         f"along ${vector(robot.home[:3, 2])}$.",
+        further="Which of your rows would a second correct table share with yours?",
         figure=partial(draw_joints, robot, tool=True),
         given={"lengths": np.array(letters)},
         shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
@@ -528,15 +410,6 @@ def _random_table(sampler: ArmSampler, convention: Convention) -> DHTable:
     return DHTable(rows, convention=convention, joints=sampler.choice(["RRPR", "RPRR", "RRRP"]))
 
 
-def _converted(table: DHTable, convention: Convention) -> ConvertedRowsAnswer:
-    return ConvertedRowsAnswer(
-        np.array(table.converted(convention).rows),
-        convention=convention,
-        joints=table.joints,
-        unconverted=np.array(table.rows),
-    )
-
-
 def _format_table(
     rows: Array | Sequence[tuple[float, float, float, float]], convention: str, joints: str = "", first: int = 1
 ) -> str:
@@ -557,7 +430,6 @@ def _format_table(
     "A telescope mount from its drawing",
     points=4,
     lecture="06_dh_modified#Frame labelling in eight steps",
-    further="Where would the frames be in the standard convention?",
     level="Hard",
 )
 def telescope_mount(sampler: ArmSampler) -> Problem:
@@ -573,6 +445,7 @@ def telescope_mount(sampler: ArmSampler) -> Problem:
         "is the azimuth, joint 2 the altitude, joint 3 rotates the camera. The origin of frame $i$ is D$i$, $z_i$ is the axis of joint "
         "$i$, and the arrow is $x_i$; $z_0$ is along $z_1$. Give the three rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at home, in "
         "metres and radians.",
+        further="Where would the frames be in the standard convention?",
         figure=partial(draw_table_frames, table),
         answer=DHRowsAnswer(table.rows),
         mistakes=drawn_table_mistakes(table),
@@ -589,14 +462,7 @@ def _joint_before(base: Array, axes: Array, points: Array) -> tuple[Array, Array
     return np.vstack([base[:3, 2], axes[:-1]]), np.vstack([base[:3, 3], points[:-1]])
 
 
-@problem(
-    "06.9",
-    "A Panda on a wall",
-    points=4,
-    lecture="06_dh_modified#The maker's own table",
-    further="Which rows of the table would stay the same if the maker had chosen the standard convention?",
-    level="Hard",
-)
+@problem("06.9", "A Panda on a wall", points=4, lecture="06_dh_modified#The maker's own table", level="Hard")
 def panda_on_a_wall(sampler: ArmSampler) -> Problem:
     place = lengths(sampler, 3, 0.2, 0.9) * [sampler.choice((-1, 1)) for _ in range(3)]
     base = pose(sampler.choice(((Y, Z, X), (Y, -Z, -X), (-Z, Y, X), (Z, X, Y), (X, -Z, Y))), place)
@@ -635,9 +501,9 @@ def panda_on_a_wall(sampler: ArmSampler) -> Problem:
         )
         + f"\n\nThe pose of frame 0 in {{s}} is\n\n$$T_{{s0}} = {matrix(base)}$$\n\nGive the screw axes $S_1$ to $S_7$ in {{s}} in this "
         "configuration, as rows.",
+        further="Which rows of the table would stay the same if the maker had chosen the standard convention?",
         shown={"rows": rows, "base": base},
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         invisible={"another point"},
     )
 
@@ -666,21 +532,3 @@ def settle_the_convention(_: ArmSampler) -> Problem:
             },
         ),
     )
-
-
-SHEET = Sheet(
-    "06_dh_modified",
-    "Denavit-Hartenberg tables in the modified convention",
-    [
-        link_transform,
-        chain,
-        to_modified,
-        wrist,
-        which_convention,
-        angles_of_a_wrist,
-        whole_arm,
-        telescope_mount,
-        panda_on_a_wall,
-        settle_the_convention,
-    ],
-)

@@ -5,11 +5,9 @@ import numpy as np
 from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import link
 from kincourse.expressions.wrist import wrist_angles, wrist_rotation
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from misstep.answers.equivalent import Equivalent
 from misstep.display.text import matrix
-from misstep.problem import Problem
 
 RIGHT_ANGLE_RAD = np.pi / 2
 ANGLES_RAD = np.arctan2([0.8, 0.6, -0.96], [0.6, 0.8, 0.28])
@@ -22,8 +20,7 @@ def puma_row_4(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Row 4 of the PUMA's table has $a_3 = 0.0203$ m, $\\alpha_3 = -90°$, $d_4 = 0.4318$ m and $\\theta_4 = 30°$. Give "
         "${}^3T_4$.",
-        answer=PoseAnswer(T_34.value),
-        solution=T_34,
+        answer=PoseAnswer(T_34),
     )
 
 
@@ -35,10 +32,6 @@ def angles_of_the_wrist(_draw: ArmSampler) -> Problem:
         statement=f"The wrist of the PUMA is to have ${{}}^3R_6 = {matrix(R_36)}$. Give $(\\theta_4, \\theta_5, \\theta_6)$ in radians. "
         "Both solutions are right.",
         given={"rotation": R_36},
-        answer=Equivalent(angles.value, meaning=wrist_rotation),
-        solution=angles,
+        answer=Equivalent(angles, meaning=wrist_rotation),
         invisible=["sum twice"],  # it differs at the singular configuration only
     )
-
-
-BLANKS = [puma_row_4, angles_of_the_wrist]

@@ -3,7 +3,6 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
 from kinlib.view.drawing.canvas import Canvas
@@ -27,7 +26,7 @@ def rotation_axes(order: str, angles: ArrayLike) -> Array:
     array([ 0.,  0., -1.])
     """
     units = np.eye(3)[["xyz".index(letter) for letter in order]]
-    first, second, _ = exp(validation.vectors(angles, "angles", 3)[:, None] * units)
+    first, second, _ = exp(np.asarray(angles, dtype=float)[:, None] * units)
     return np.stack([units[0], first @ units[1], first @ second @ units[2]])
 
 

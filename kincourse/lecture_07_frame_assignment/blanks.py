@@ -8,13 +8,11 @@ from kincourse.answers.dh_row import DHRowAnswer
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.expressions.links import dh_row
 from kincourse.mistakes.dh import rows_of_the_other_convention
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
 from kinlib.dh.assignment import assign_frames
 from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
-from misstep.problem import Problem
 
 NEW_ARM = arm(
     [
@@ -42,11 +40,12 @@ def antiparallel_row(_draw: ArmSampler) -> Problem:
                 "parallel, and the sign of d",
                 "take $\\alpha = 0$, and measure $d$ along the axis of joint 4",
                 np.array([0.3, 0.0, 0.2, 0.0]),
-                "In the standard convention $d_3$ is measured along $z_2$, the axis of joint 3; the angle to $z_3$ is $\\pi$.",
             )
         ),
         invisible=["sign of alpha", "sign of the angles"],  # pi and -pi are the same rotation
         advice={
+            "parallel, and the sign of d": "In the standard convention $d_3$ is measured along $z_2$, the axis of joint 3; the "
+            "angle to $z_3$ is $\\pi$.",
             "alpha left out": "$z_2$ points along $-y$ and $z_3$ along $+y$, so the angle between them is $\\pi$.",
             "sign of d": "$d$ is measured along $z_2$, which points along $-y$ of {s}.",
         },
@@ -104,6 +103,3 @@ def table_of_the_new_arm(_draw: ArmSampler) -> Problem:
             rows_of_the_other_convention(table),
         ],
     )
-
-
-BLANKS = [antiparallel_row, origin_4, table_of_the_new_arm]

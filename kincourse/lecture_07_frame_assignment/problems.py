@@ -9,8 +9,7 @@ from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.frames import DHFramesAnswer
 from kincourse.answers.point import VectorsAnswer
 from kincourse.mistakes.dh import entry_names, rows_of_the_other_convention
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
 from kincourse.text.joint_table import end_frames, given_frames, joint_table
 from kinlib.arrays.validation import Array
@@ -32,8 +31,8 @@ from misstep.display.text import degrees, number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import given
 from misstep.mutants.operations import stack
-from misstep.problem import Problem
-from misstep.sheet import Sheet
+
+TITLE = "DH frames for any arm"
 
 RIGHT_ANGLE_RAD = np.pi / 2
 
@@ -43,7 +42,6 @@ RIGHT_ANGLE_RAD = np.pi / 2
     "A prismatic joint drawn elsewhere",
     points=2,
     lecture="07_frame_assignment#Prismatic joints are free vectors",
-    further="At which place of the joint is one of the two lengths 0?",
     level="Warm-up",
 )
 def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
@@ -90,22 +88,15 @@ def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
         statement=f"The modified DH table of this arm has $a_1 = {number(first)}$ and $a_2 = {number(second)}$, because its prismatic "
         f"joint is drawn at $x = {number(first)}$. Another drawing has the same joint at $x = {number(moved)}$, with the same direction. "
         f"Give $a_1$ and $a_2$ in the table of the other drawing, with every $x$ axis along $x$ of {{s}}.\n\n{joint_table(robot)}",
+        further="At which place of the joint is one of the two lengths 0?",
         figure=partial(draw_joints, robot),
         given={"a_1": first, "a_2": second, "moved_to": moved},
-        answer=Numbers(answer.value, unit="m"),
-        solution=answer,
+        answer=Numbers(answer, unit="m"),
         advice={"leave out $-x$": "$a_2$ leads from joint 2 to joint 3.", "entries swapped": "$a_1$ leads to joint 2."},
     )
 
 
-@problem(
-    "07.2",
-    "Frames by the rules",
-    points=3,
-    lecture="07_frame_assignment#The algorithm",
-    further="Where did the rules leave you a choice, and what would the table look like with the other one?",
-    level="Warm-up",
-)
+@problem("07.2", "Frames by the rules", points=3, lecture="07_frame_assignment#The algorithm", level="Warm-up")
 def frames_by_the_rules(sampler: ArmSampler) -> Problem:
     robot = sampler.arm("RRR")
     found = assign_frames(robot, convention="standard").frames
@@ -114,6 +105,7 @@ def frames_by_the_rules(sampler: ArmSampler) -> Problem:
         "frames in {s}, an array of shape (4, 4, 4). Either place the frames by hand in the next cell and copy the poses, or write "
         "each with `pose((x, y, z), origin)` from `kinlib.chains.robots`. Where the rules leave a choice, every choice is right."
         f"\n\n{joint_table(robot)}",
+        further="Where did the rules leave you a choice, and what would the table look like with the other one?",
         figure=partial(draw_joints, robot),
         shown={"arm": robot, "screws": robot.screws, "home": robot.home, "points": robot.joint_points},
         answer=DHFramesAnswer(found, chain=robot, convention="standard"),
@@ -165,13 +157,7 @@ def _along_the_links(frames: Array, robot: Chain) -> Array:
     return rotated
 
 
-@problem(
-    "07.3",
-    "The table of a drawn arm",
-    points=3,
-    lecture="07_frame_assignment#What is free",
-    further="Find a second table of this arm without a row of yours. How do you prove that they agree?",
-)
+@problem("07.3", "The table of a drawn arm", points=3, lecture="07_frame_assignment#What is free")
 def table_of_an_arm(sampler: ArmSampler) -> Problem:
     robot = sampler.arm(sampler.choice(["RRR", "RRRP", "RRRR"]))
     table = assign_frames(robot, convention="standard").table
@@ -180,6 +166,7 @@ def table_of_an_arm(sampler: ArmSampler) -> Problem:
         f"each joint, with `q1`, `q2`, ... for the joint variables. {_given(robot.n)} Every table that gives the pose of frame {robot.n} "
         f"in frame 0 for every $q$ is right, so you may choose the frames between them."
         f"\n\n{joint_table(robot)}\n\n{given_frames(table)}",
+        further="Find a second table of this arm without a row of yours. How do you prove that they agree?",
         figure=partial(draw_joints, robot),
         shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
@@ -187,13 +174,7 @@ def table_of_an_arm(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "07.4",
-    "Parallel and antiparallel axes",
-    points=3,
-    lecture="07_frame_assignment#The algorithm",
-    further="Turn axis 4 so that it has the direction of axis 3. Which rows change?",
-)
+@problem("07.4", "Parallel and antiparallel axes", points=3, lecture="07_frame_assignment#The algorithm")
 def parallel_axes(sampler: ArmSampler) -> Problem:
     height, upper_arm, forearm, wrist = (sampler.integer(1, 4) for _ in range(4))
     sideways, backwards = sampler.integer(1, 3), sampler.choice((-1, 1)) * sampler.integer(1, 3)
@@ -212,6 +193,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         statement="Axes 2, 3 and 4 of this arm are parallel lines, and axis 4 has the opposite direction. Write a DH table in the "
         f"modified convention. {_given(robot.n)} Every table that gives the pose of frame {robot.n} in frame 0 for every $q$ is right. "
         f"\n\n{joint_table(robot)}\n\n{given_frames(table)}",
+        further="Turn axis 4 so that it has the direction of axis 3. Which rows change?",
         figure=partial(draw_joints, robot),
         shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
@@ -250,13 +232,7 @@ RULE_EXPLANATIONS = {
 }
 
 
-@problem(
-    "07.5",
-    "Which rule is broken?",
-    points=3,
-    lecture="07_frame_assignment#When a table is wrong",
-    further="Change one frame so that exactly two rules are broken.",
-)
+@problem("07.5", "Which rule is broken?", points=3, lecture="07_frame_assignment#When a table is wrong")
 def which_rule(sampler: ArmSampler) -> Problem:
     robot, right = sampler.arm("RRR"), sampler.choice(list(RULES))
     found = assign_frames(robot, convention="standard")
@@ -290,6 +266,7 @@ def which_rule(sampler: ArmSampler) -> Problem:
         f"\n\n{joint_table(robot)}\n\n{listed}\n\nAnswer with a letter and a number that shows it, such as `('a', 0.5)`: for a) the "
         "scalar product of $x_i$ and $z_{i-1}$, for b) the distance of the line from the axis, for c) the scalar product of $z_i$ and the "
         "direction of joint $i + 1$, for d) the distance of the origin from the axis of joint $i + 1$, and for e) $d_i$.",
+        further="Change one frame so that exactly two rules are broken.",
         figure=partial(_with_frames, robot, frames),
         given={"frame": i, "frames": frames, "screws": robot.screws, "points": robot.joint_points},
         answer=Choice(right, RULES),
@@ -316,13 +293,7 @@ def _with_frames(robot: Chain, frames: Array) -> Picture:
     return draw_assignment(replace(assign_frames(robot, convention="standard"), frames=frames))
 
 
-@problem(
-    "07.6",
-    "A table to correct",
-    points=3,
-    lecture="07_frame_assignment#When a table is wrong",
-    further="Which measurement of the arm would have shown this fault first?",
-)
+@problem("07.6", "A table to correct", points=3, lecture="07_frame_assignment#When a table is wrong")
 def table_to_mend(sampler: ArmSampler) -> Problem:
     rows = np.zeros((4, 4))
     for i in range(4):
@@ -340,6 +311,7 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
         statement="This DH table was written for the arm below, in the standard convention, but one of its lengths is wrong. Compare "
         f"the table with the axes, and give the corrected table. {_given(4)}"
         f"\n\n{_format_table(table.changed(rows=printed))}\n\n{joint_table(robot)}\n\n{given_frames(table)}",
+        further="Which measurement of the arm would have shown this fault first?",
         figure=partial(draw_joints, robot),
         given={"rows": printed},
         shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
@@ -365,14 +337,7 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "07.7",
-    "Which table is the same arm?",
-    points=3,
-    lecture="07_frame_assignment#Two right tables",
-    further="Write one more table of the same arm that looks as different as possible.",
-    level="Hard",
-)
+@problem("07.7", "Which table is the same arm?", points=3, lecture="07_frame_assignment#Two right tables", level="Hard")
 def same_arm(sampler: ArmSampler) -> Problem:
     table, changed, entry = _tables_to_compare(sampler)
     names = list(changed)
@@ -392,6 +357,7 @@ def same_arm(sampler: ArmSampler) -> Problem:
         statement=f"Here is a DH table in the standard convention:\n\n{_format_table(table)}\n\nWhich of the following tables "
         f"describes the same mechanism? And which single entry of table {spoiled}) must change, so that it does so as well?\n\n{shown}\n\n"
         "Answer with a letter and an entry, such as `('a', 'd2')`.",
+        further="Write one more table of the same arm that looks as different as possible.",
         given={"table": table.rows, "tables": {letter: changed[name].rows for letter, name in letters.items()}},
         shown={"spoiled": spoiled},
         answer=Choice(right, dict.fromkeys("abcd", "a table")),
@@ -443,14 +409,7 @@ def _format_table(table: DHTable) -> str:
     return markdown_table(format_rows(table, length=number, angle=degrees))
 
 
-@problem(
-    "07.8",
-    "The leg of a walking machine",
-    points=4,
-    lecture="07_frame_assignment#The algorithm",
-    further="Axis 1 is moved by 0.1 m along $x$. Which origin moves, and in which direction?",
-    level="Hard",
-)
+@problem("07.8", "The leg of a walking machine", points=4, lecture="07_frame_assignment#The algorithm", level="Hard")
 def leg(sampler: ArmSampler) -> Problem:
     while True:
         a, b, c, d, e, f, g, h = lengths(sampler, 8)
@@ -485,6 +444,7 @@ def leg(sampler: ArmSampler) -> Problem:
         statement="The drawing shows the leg of a walking machine at home, in millimetres: joint 1 is the yaw of the hip, 2 its roll, "
         "and 3 the knee, all of them revolute. Where are the origins $O_1$ and $O_2$ of the frames of the standard convention? Give "
         "their coordinates in {s}, in metres, as rows.",
+        further="Axis 1 is moved by 0.1 m along $x$. Which origin moves, and in which direction?",
         figure=lambda: draw_dimensions(
             [hip, (hip[0], hip[1], roll[2]), roll, knee, knee * (1, 1, 0)], drawn, {"P1": hip, "P2": roll, "P3": knee}
         ),
@@ -493,13 +453,7 @@ def leg(sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
-@problem(
-    "07.9",
-    "Where the rules leave a choice",
-    points=3,
-    lecture="07_frame_assignment#What is free",
-    level="Open",
-)
+@problem("07.9", "Where the rules leave a choice", points=3, lecture="07_frame_assignment#What is free", level="Open")
 def choices_of_the_rules(_: ArmSampler) -> Problem:
     return Problem(
         statement="Take a machine that you can look at, such as a lamp, an excavator or a door closer, with at least three joints, of "
@@ -518,20 +472,3 @@ def choices_of_the_rules(_: ArmSampler) -> Problem:
             },
         ),
     )
-
-
-SHEET = Sheet(
-    "07_frame_assignment",
-    "DH frames for any arm",
-    [
-        prismatic_joint_elsewhere,
-        frames_by_the_rules,
-        table_of_an_arm,
-        parallel_axes,
-        which_rule,
-        table_to_mend,
-        same_arm,
-        leg,
-        choices_of_the_rules,
-    ],
-)

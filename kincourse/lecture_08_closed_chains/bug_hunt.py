@@ -9,9 +9,6 @@ from kincourse.lecture_08_closed_chains.drawings import slide_linkage
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms.mechanism import Mechanism
 
-STEPS = 8
-"""How many steps of Newton's method are shown."""
-
 
 def slide_solution(residual: Callable[[Array], Array], linkage: Mechanism, after: Any) -> Any:
     """Solve an equation of a four-bar by Newton's method, and show whether the loop is closed where the equation is solved.
@@ -20,7 +17,7 @@ def slide_solution(residual: Callable[[Array], Array], linkage: Mechanism, after
     """
     q = np.array([1.0, 0.0, 1.5, 0.0])
     steps = [q]
-    for _ in range(STEPS):
+    for _ in range(8):
         J = np.stack([(residual(q + h) - residual(q - h)) / 2e-6 for h in 1e-6 * np.eye(4)[1:]], axis=1)
         q = q + np.append(0, np.linalg.lstsq(J, -residual(q))[0])
         steps.append(q)

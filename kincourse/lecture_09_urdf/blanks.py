@@ -5,15 +5,15 @@ import numpy as np
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer
+from kincourse.expressions.poses import pose
 from kincourse.expressions.screws import direction, revolute
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
-from kinlib.chains.robots import X, Y, Z, pose
+from kincourse.expressions.urdf import rpy_rotation
+from kincourse.problem import ArmSampler, Problem, problem
+from kinlib.chains.robots import Y, Z
 from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
 from misstep.mistakes import mistake
 from misstep.mutants.expression import given
-from misstep.problem import Problem
 
 RIGHT_ANGLE_RAD = np.pi / 2
 
@@ -56,8 +56,7 @@ def screw_of_tilt(_draw: ArmSampler) -> Problem:
     S = revolute(direction("\\omega", Y), given("p", p))
     return Problem(
         statement="Give the screw axis of the lamp's joint `tilt` in {s}.",
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         mistakes=[
             mistake(
                 "axis read in the base",
@@ -81,59 +80,26 @@ def screw_of_tilt(_draw: ArmSampler) -> Problem:
 
 @problem("09.c", "The home pose from a file", points=1, lecture="09_urdf#From the file to screws")
 def home_of_the_lamp(_draw: ArmSampler) -> Problem:
-    rolled = origin((0, 0, 0.8), (-RIGHT_ANGLE_RAD, 0, 0))
+    socket = pose("P_{\\text{tip}}", origin((0.1, 0, 0), (RIGHT_ANGLE_RAD, 0, 0)))
+    M = pose("P_1\\,P_2\\,P_3", origin((0, 0, 0.8), (-RIGHT_ANGLE_RAD, 0, 0))) @ socket
     return Problem(
         statement="Give the home pose $M$ of the lamp's bulb.",
-        answer=PoseAnswer(pose((X, Y, Z), (0.1, 0, 0.8))),
-        mistakes=[
-            mistake(
-                "weld forgotten",
-                rolled,
-                "You stopped at the last joint that moves. The socket is a fixed joint, but it has a pose as well: "
-                "$M = P_1 P_2 P_3 P_{\\text{tip}}$.",
-            ),
-            mistake(
-                "weld without its rotation",
-                rolled @ origin((0.1, 0, 0)),
-                "You used the `xyz` of the socket and left out its `rpy`.",
-            ),
-            mistake(
-                "weld on the left",
-                origin((0.1, 0, 0), (RIGHT_ANGLE_RAD, 0, 0)) @ rolled,
-                "You multiplied by the pose of the socket from the left. It is given in the frame of the shade, so it is the last factor.",
-            ),
-        ],
+        answer=PoseAnswer(M),
+        advice={
+            "leave out $P_{\\text{tip}}$": "The socket is a fixed joint, but it has a pose as well.",
+            "rotation left out": "The `rpy` of the socket is a part of its pose.",
+            "order": "The pose of the socket is given in the frame of the shade, so it is the last factor.",
+        },
     )
 
 
 @problem("09.d", "A rotation from three angles", points=1, lecture="09_urdf#Roll, pitch and yaw")
 def rotation_of_rpy(_draw: ArmSampler) -> Problem:
-    rpy = (0, RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)
-    right = origin(rpy=rpy)[:3, :3].round()
-    own = (origin(rpy=(0, RIGHT_ANGLE_RAD, 0)) @ origin(rpy=(0, 0, RIGHT_ANGLE_RAD)))[:3, :3].round()
     return Problem(
         statement='Write `rpy="0 1.5708 1.5708"` as a rotation matrix, an array of shape (3, 3).',
-        answer=RotationAnswer(right),
-        mistakes=[
-            mistake(
-                "about its own axes",
-                own,
-                "You rotated by the pitch and then by the yaw about the frame's own $z$ axis: $R_y R_z$. The axes of `rpy` are fixed, so "
-                "the yaw is the left factor: $R_z R_y$.",
-            ),
-            mistake(
-                "transposed",
-                right.T,
-                "This is $R^T$. The columns of $R$ are the axes of the joint frame in the frame of the parent.",
-            ),
-            mistake(
-                "the other way",
-                origin(rpy=(0, -RIGHT_ANGLE_RAD, -RIGHT_ANGLE_RAD))[:3, :3].round(),
-                "You rotated by the left-hand rule. By the right-hand rule a positive pitch rotates $z$ to $x$, and a positive yaw "
-                "$x$ to $y$.",
-            ),
-        ],
+        answer=RotationAnswer(rpy_rotation("R", np.array([0, RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD]))),
+        advice={
+            "own axes": "The axes of `rpy` are fixed, so the yaw is the left factor: $R_z R_y$.",
+            "rotation transposed": "The columns of $R$ are the axes of the joint frame in the frame of the parent.",
+        },
     )
-
-
-BLANKS = [place_of_tilt, screw_of_tilt, home_of_the_lamp, rotation_of_rpy]

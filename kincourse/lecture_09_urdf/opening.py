@@ -18,8 +18,6 @@ LINES = (
 """The name, xyz and rpy of each joint."""
 
 EACH_S = 1.5
-
-
 AROUND = np.array([(-0.2, -0.5, 0), (1.3, 0.9, 1.3)])
 
 

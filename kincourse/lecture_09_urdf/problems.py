@@ -15,8 +15,8 @@ from kincourse.expressions.planar import length, polar
 from kincourse.expressions.poses import assemble, point, translation
 from kincourse.expressions.screws import direction, revolute
 from kincourse.expressions.urdf import about_own_axes, rpy_rotation
-from kincourse.problem import problem
-from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
+from kincourse.sampling.arms import AXIS_DIRECTIONS
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
 from kincourse.text.urdf_text import (
     UrdfJoint,
@@ -38,8 +38,8 @@ from misstep.display.text import number, vector
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product, transpose
 from misstep.mutants.operations import ANGLE, LENGTH, concatenate, cos, function, sin, stack
-from misstep.problem import Problem
-from misstep.sheet import Sheet
+
+TITLE = "Robots as URDF files"
 
 PARENT_ADVICE = "`xyz` is in the frame of the parent, so the last column is $p$ itself."
 absolute = function("absolute values", np.abs, "|{0}|")
@@ -50,14 +50,7 @@ ROUNDING_NOTE = "Take `1.5708` for a right angle."
 SYMBOLS_NOTE = "Call the rotation and the `xyz` of the origin of `joint_i` $R_i$ and $p_i$, and its pose $T_i$."
 
 
-@problem(
-    "09.1",
-    "The pose of a joint",
-    points=2,
-    lecture="09_urdf#Roll, pitch and yaw",
-    further="Give the `origin` of the parent as the child sees it.",
-    level="Warm-up",
-)
+@problem("09.1", "The pose of a joint", points=2, lecture="09_urdf#Roll, pitch and yaw", level="Warm-up")
 def pose_of_a_joint(sampler: ArmSampler) -> Problem:
     xyz, rpy = sampler.point(3), random_right_angles(sampler, sampler.choice([2, 3]))
     element = f'<origin xyz="{format_values(xyz)}" rpy="{format_values(rpy)}"/>'
@@ -67,6 +60,7 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"A joint of a URDF file has this origin:\n\n{fence_urdf(element)}\n\nGive the pose of the joint frame in the "
         f"frame of the parent link at $q = 0$. {ROUNDING_NOTE}",
+        further="Give the `origin` of the parent as the child sees it.",
         shown={"xyz": xyz, "rpy": rpy},
         answer=PoseAnswer(T.value),
         solution=T.mistaken_for(
@@ -123,14 +117,7 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
     )
 
 
-@problem(
-    "09.2",
-    "The path through a tree",
-    points=2,
-    lecture="09_urdf#A URDF is a tree",
-    further="Which link do both hands share, and how many joints move both?",
-    level="Warm-up",
-)
+@problem("09.2", "The path through a tree", points=2, lecture="09_urdf#A URDF is a tree", level="Warm-up")
 def path_through_a_tree(sampler: ArmSampler) -> Problem:
     a, b, c, d = sampler.shuffled(["pan", "tilt", "swing", "twist", "bend", "yaw"])[:4]
     near, far = sampler.shuffled(["left", "right"])
@@ -173,6 +160,7 @@ def path_through_a_tree(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Take the chain in this file from the base `{near}_hand` to the tip `{far}_hand`. Which joints have a value in "
         f"$q$, and in which order? Answer with a list of their names, such as `['neck', '{a}']`.\n\n{fence_urdf(text)}",
+        further="Which link do both hands share, and how many joints move both?",
         given={"urdf": text},
         shown={"base": f"{near}_hand", "tip": f"{far}_hand"},
         answer=Ordering(paths["right"], among=[name for name, *_ in joints]),
@@ -180,13 +168,7 @@ def path_through_a_tree(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "09.3",
-    "A joint deep in the file",
-    points=3,
-    lecture="09_urdf#What a joint says",
-    further="Which `xyz` can you change without moving the origin of joint 3?",
-)
+@problem("09.3", "A joint deep in the file", points=3, lecture="09_urdf#What a joint says")
 def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     joints = _three_joints(sampler)
     text = serial_urdf(joints, LINKS)
@@ -194,9 +176,9 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Give the position of the origin of `joint_3` in the frame of the base when all joint values are 0. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
+        further="Which `xyz` can you change without moving the origin of joint 3?",
         shown={"urdf": text},
-        answer=VectorsAnswer(p.value, unit="m"),
-        solution=p,
+        answer=VectorsAnswer(p, unit="m"),
         advice={
             "rotation left out": "Each `xyz` is in the frame of its parent.\nSo $p = p_1 + R_1 p_2 + R_1 R_2\\,p_3$.",
             "order": "From the base outwards, the first joint is on the left: $R_1 R_2$.",
@@ -204,13 +186,7 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "09.4",
-    "A screw axis from a file",
-    points=3,
-    lecture="09_urdf#From the file to screws",
-    further="Which parts of the file could you change without changing this screw axis?",
-)
+@problem("09.4", "A screw axis from a file", points=3, lecture="09_urdf#From the file to screws")
 def screw_from_a_file(sampler: ArmSampler) -> Problem:
     joints = _three_joints(sampler)
     axis = _random_axis(sampler)
@@ -241,21 +217,15 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Give the screw axis of `joint_3` in the frame of the base. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
+        further="Which parts of the file could you change without changing this screw axis?",
         shown={"urdf": text},
-        answer=ScrewsAnswer(S.value),
-        solution=S,
+        answer=ScrewsAnswer(S),
         # With right angles, R_3 R_1 R_2 is often R_1 R_2 R_3; it is not an order in which people multiply.
         invisible={"first factor", "last factor"},
     )
 
 
-@problem(
-    "09.5",
-    "The home pose from a file",
-    points=3,
-    lecture="09_urdf#From the file to screws",
-    further="Where does the file say how the hand is drawn, and does $M$ depend on it?",
-)
+@problem("09.5", "The home pose from a file", points=3, lecture="09_urdf#From the file to screws")
 def home_from_a_file(sampler: ArmSampler) -> Problem:
     joints = _three_joints(sampler)
     weld = UrdfJoint("weld", sampler.point(3), random_right_angles(sampler, 1), kind="fixed")
@@ -279,9 +249,9 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Give the home pose $M$ of the link `hand` in the frame of the base. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
+        further="Where does the file say how the hand is drawn, and does $M$ depend on it?",
         shown={"urdf": text},
-        answer=PoseAnswer(M.value),
-        solution=M,
+        answer=PoseAnswer(M),
         advice={
             "leave out $T_3$": "A fixed joint does not move, but it has a pose.",
             "reversed": "Each origin is in the frame before it, so the joint at the base is leftmost.",
@@ -305,13 +275,7 @@ UNIT_AXES = ("0.6 0 -0.8", "0 -0.8 0.6", "-0.6 0.8 0")
 """Axes of length 1 that do not look it, for the joint without a fault."""
 
 
-@problem(
-    "09.6",
-    "Which line is wrong?",
-    points=2,
-    lecture="09_urdf#Who notices an error?",
-    further="Which of the rules would a reader that only draws the robot never check?",
-)
+@problem("09.6", "Which line is wrong?", points=2, lecture="09_urdf#Who notices an error?")
 def which_line(sampler: ArmSampler) -> Problem:
     fault = sampler.choice(list(FAULTY_ELEMENTS))
     where = sampler.choice([1, 2])
@@ -347,6 +311,7 @@ def which_line(sampler: ArmSampler) -> Problem:
         statement=f"By the URDF specification, exactly one element of this file is wrong. These rules are enough to find it:\n\n{rules}\n\n"
         "In which line is it, and which number must stand there in place of the first wrong one? Give both, such as `[7, 0.5]`. Lines "
         f"count from 1.\n\n{fence_urdf(_number_lines(lines))}",
+        further="Which of the rules would a reader that only draws the robot never check?",
         given={"urdf": text},
         answer=FaultyLineAnswer(at_line(wrong), lines=lines, joint=range(begins[where], line_of(where, "</joint") + 1)),
         mistakes=[
@@ -460,13 +425,7 @@ LOOKALIKES = {
 """For a wrong origin, and for a wrong axis: what to say of the other element of the joint, and of the next joint's origin."""
 
 
-@problem(
-    "09.7",
-    "Origin or axis?",
-    points=2,
-    lecture="09_urdf#An error that every reader accepts",
-    further="Which single measurement tells a wrong origin from a wrong axis?",
-)
+@problem("09.7", "Origin or axis?", points=2, lecture="09_urdf#An error that every reader accepts")
 def origin_or_axis(sampler: ArmSampler) -> Problem:
     meant = [_joint_across_its_rotation(sampler, f"joint_{k}") for k in (1, 2, 3)]
     joints = [*meant, UrdfJoint("weld", sampler.point(3), kind="fixed")]
@@ -490,6 +449,7 @@ def origin_or_axis(sampler: ArmSampler) -> Problem:
         f"lengths are in metres.\n\n{_data_sheet(joints, origins, axes)}\n\nExactly one line of the file is wrong. Which one, and which "
         "three numbers must stand in it, as `rpy` or as `axis`? Give four numbers, such as `[7, 0, 0, 1]`. Lines count from 1. "
         f"{ROUNDING_NOTE}\n\n{fence_urdf(_number_lines(lines))}",
+        further="Which single measurement tells a wrong origin from a wrong axis?",
         given={"urdf": "\n".join(lines), "origins": np.array(origins), "axes": np.array(axes)},
         answer=FaultyLineAnswer(at_line(answer), lines=lines, joint=range(begins[k], begins[k + 1])),
         mistakes=[
@@ -520,13 +480,7 @@ def _data_sheet(joints: Sequence[UrdfJoint], origins: Sequence[Array], axes: Seq
     return "\n".join(f"| {' | '.join(row)} |" for row in [heads, 3 * ("---",), *rows])
 
 
-@problem(
-    "09.8",
-    "From a DH row to a URDF",
-    points=3,
-    lecture="09_urdf#The youBot, from a table and from a file",
-    further="Why does a row in the standard convention need two origins?",
-)
+@problem("09.8", "From a DH row to a URDF", points=3, lecture="09_urdf#The youBot, from a table and from a file")
 def from_a_dh_row(sampler: ArmSampler) -> Problem:
     a, d = sampler.length(0.2, 0.9), sampler.length(0.2, 0.9)
     # Not 45 degrees, whose sine is its cosine, and no right angle, whose sine leaves a length as it is.
@@ -536,17 +490,14 @@ def from_a_dh_row(sampler: ArmSampler) -> Problem:
         statement=f"A modified DH table has the row $a_{{i-1}} = {number(a)}$ m, $\\alpha_{{i-1}} = {degrees}°$, $d_i = {number(d)}$ m, "
         '$\\theta_i = q_i$. Write it as a joint of a URDF file with `<axis xyz="0 0 1"/>` and the same frames. Give the `xyz` and the '
         "`rpy` of its `origin` in two rows, in metres and radians.",
+        further="Why does a row in the standard convention need two origins?",
         given={"a": a, "alpha": alpha, "d": d},
         answer=OriginAnswer(_origin_of_row(a, alpha, d).value),
         solution=_origin_of_row(a, alpha, d).mistaken_for(
-            (
-                "a and d swapped",
-                "swap $a$ and $d$",
-                _origin_of_row(d, alpha, a),
-                "$a$ is along $x$, $d$ along the joint axis.",
-            )
+            ("a and d swapped", "swap $a$ and $d$", _origin_of_row(d, alpha, a))
         ),
         advice={
+            "a and d swapped": "$a$ is along $x$, $d$ along the joint axis.",
             "sine and cosine swapped": "A roll by $\\alpha$ rotates $z$ to $(0, -\\sin\\alpha, \\cos\\alpha)$.",
             "sign": "A roll by $\\alpha$ rotates $z$ to $(0, -\\sin\\alpha, \\cos\\alpha)$.",
         },
@@ -589,13 +540,7 @@ def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
 MIMIC_ADVICE = "A mimic joint has the value multiplier times the value of the other joint, plus offset."
 
 
-@problem(
-    "09.9",
-    "A joint that follows another",
-    points=3,
-    lecture="09_urdf#Mimic joints",
-    further="Which multiplier keeps the direction of the forearm fixed in the base?",
-)
+@problem("09.9", "A joint that follows another", points=3, lecture="09_urdf#Mimic joints")
 def mimic_joint(sampler: ArmSampler) -> Problem:
     boom, forearm, height = (sampler.length(0.2, 0.9) for _ in range(3))
     factor = sampler.choice((-1, 1)) * sampler.choice([0.5, 1.5, 2.0, 2.5])
@@ -635,10 +580,10 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The joint `swing` of this file has the value $q_1 = {number(q_rad)}$ rad. Give the position of the origin of the link "
         f"`tool` in the frame of the base.\n\n{fence_urdf(text)}",
+        further="Which multiplier keeps the direction of the forearm fixed in the base?",
         given={"q": q_rad},
         shown={"urdf": text},
-        answer=VectorsAnswer(x.value, unit="m"),
-        solution=x,
+        answer=VectorsAnswer(x, unit="m"),
         advice={
             f"leave out {what}": MIMIC_ADVICE
             for what in ("the factor $\\mathrm{multiplier}$", "$\\mathrm{offset}$", f"${q_2.latex}$")
@@ -666,12 +611,7 @@ WRONG_FRAME_ADVICE = (
 
 
 @problem(
-    "09.10",
-    "An axis in the wrong frame",
-    points=3,
-    lecture="09_urdf#An error that every reader accepts",
-    further="Which axis would hide this error?",
-    level="Hard",
+    "09.10", "An axis in the wrong frame", points=3, lecture="09_urdf#An error that every reader accepts", level="Hard"
 )
 def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
     joints, omega = _three_joints(sampler), _random_axis(sampler, (0.48, 0.6, 0.64))
@@ -694,23 +634,16 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
         statement="When all joint values are 0, the axis of `joint_3` must have the direction "
         f"$\\omega = {vector(omega)}$ in the frame of the base. The author of this file wrote these three numbers into "
         f"the file. Which three numbers must `axis` of `joint_3` have instead? {SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
+        further="Which axis would hide this error?",
         given={"urdf": text, "omega": omega},
-        answer=VectorsAnswer(axis.value),
-        solution=axis,
+        answer=VectorsAnswer(axis),
         advice={"transpose left out": WRONG_FRAME_ADVICE},
         # With right angles, R_3 R_1 R_2 is often R_1 R_2 R_3; it is not an order in which people multiply.
         invisible={"first factor", "last factor"},
     )
 
 
-@problem(
-    "09.11",
-    "The file of a gantry",
-    points=4,
-    lecture="09_urdf#From the file to screws",
-    further="Which of the four steps would change if the third axis were reversed?",
-    level="Hard",
-)
+@problem("09.11", "The file of a gantry", points=4, lecture="09_urdf#From the file to screws", level="Hard")
 def gantry(sampler: ArmSampler) -> Problem:
     while True:
         a, b, c, d, e, f, g, h = lengths(sampler, 8)
@@ -742,6 +675,7 @@ def gantry(sampler: ArmSampler) -> Problem:
         statement="The drawing shows a gantry at home, in millimetres: three prismatic joints, with their frames at F1, F2 and F3, "
         "and the tool at T. All frames are parallel to {s}, which is the root of the file. Give the `xyz` of the origins of joints 1 to 3 "
         "and of the fixed joint to the tool, as rows, in metres.",
+        further="Which of the four steps would change if the third axis were reversed?",
         figure=lambda: draw_dimensions(
             [bridge * (1, 1, 0), *points], drawn, dict(zip(("F1", "F2", "F3", "T"), points, strict=True))
         ),
@@ -774,23 +708,3 @@ def accepted_and_wrong(_: ArmSampler) -> Problem:
             },
         ),
     )
-
-
-SHEET = Sheet(
-    "09_urdf",
-    "Robots as URDF files",
-    [
-        pose_of_a_joint,
-        path_through_a_tree,
-        joint_deep_in_the_file,
-        screw_from_a_file,
-        home_from_a_file,
-        which_line,
-        origin_or_axis,
-        from_a_dh_row,
-        mimic_joint,
-        axis_in_the_wrong_frame,
-        gantry,
-        accepted_and_wrong,
-    ],
-)

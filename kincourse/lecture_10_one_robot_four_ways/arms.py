@@ -4,7 +4,6 @@ A machine is written here as a standard table with a base, because a table whose
 numbers that are needed. Students see none of this: they get drawings with dimensions, and write each description from them.
 """
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import count
 
@@ -29,56 +28,16 @@ MIN_HEIGHT_M = 0.1
 RAISED_M = {"pillar arm": 0.0, "bridge arm": 0.5, "ceiling arm": 1.2, "wall arm": 0.6}
 """How much higher than the others the base of a machine is mounted."""
 
-QUARTER = np.pi / 2
-
-Rows = list[tuple[float, float, float, float]]
-
-
-@dataclass(frozen=True)
-class Kind:
-    """A kind of machine before its lengths are drawn.
-
-    name    what it is called
-    joints  a letter for each joint, R or P
-    base    the axes (3, 3) of frame 0 in {s}, as rows
-    rows    a function from eight lengths in metres to the rows a, alpha, d, theta
-    tool    the axes (3, 3) of {b} in the last frame, as rows
-    """
-
-    name: str
-    joints: str
-    base: Sequence[Array]
-    rows: Callable[[Array], Rows]
-    tool: Sequence[Array]
-
-
-def _pillar(L: Array) -> Rows:
-    return [(L[0], QUARTER, L[1], 0), (L[2], 0, L[3], QUARTER), (L[4], QUARTER, L[5], -QUARTER), (0, 0, L[6], 0)]
-
-
-def _bridge(L: Array) -> Rows:
-    return [(L[0], -QUARTER, L[1], 0), (L[2], 0, L[3], -QUARTER), (L[4], -QUARTER, L[5], -QUARTER), (L[7], 0, L[6], 0)]
-
-
-def _ceiling(L: Array) -> Rows:
-    return [(L[0], 0, L[1], 0), (L[2], QUARTER, L[3], QUARTER), (L[4], -QUARTER, L[5], QUARTER), (L[7], 0, L[6], 0)]
-
-
-def _wall(L: Array) -> Rows:
-    return [
-        (L[0], -QUARTER, L[1], -QUARTER),
-        (L[2], QUARTER, L[3], -QUARTER),
-        (L[4], 0, L[5], 0),
-        (L[7], 0, L[6], QUARTER),
-    ]
-
-
 KINDS = (
-    Kind("pillar arm", "RRRR", (X, Y, Z), _pillar, (X, Y, Z)),
-    Kind("bridge arm", "PRRR", (Z, -Y, X), _bridge, (Y, Z, X)),
-    Kind("ceiling arm", "RPRR", (X, -Y, -Z), _ceiling, (Y, Z, X)),
-    Kind("wall arm", "RRPR", (X, -Z, Y), _wall, (Y, -X, Z)),
+    ("pillar arm", "RRRR", (X, Y, Z), ((0, 1, 1, 0), (2, 0, 3, 1), (4, 1, 5, -1), (8, 0, 6, 0)), (X, Y, Z)),
+    ("bridge arm", "PRRR", (Z, -Y, X), ((0, -1, 1, 0), (2, 0, 3, -1), (4, -1, 5, -1), (7, 0, 6, 0)), (Y, Z, X)),
+    ("ceiling arm", "RPRR", (X, -Y, -Z), ((0, 0, 1, 0), (2, 1, 3, 1), (4, -1, 5, 1), (7, 0, 6, 0)), (Y, Z, X)),
+    ("wall arm", "RRPR", (X, -Z, Y), ((0, -1, 1, -1), (2, 1, 3, -1), (4, 0, 5, 0), (7, 0, 6, 1)), (Y, -X, Z)),
 )
+"""Each kind of machine: its name, its joints, the axes of frame 0 in {s}, its rows, and the axes of {b} in the last frame.
+
+An entry of a row is the number of one of eight lengths, the ninth of which is 0, or an angle in right angles.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,18 +105,12 @@ def _is_readable(machine: Machine) -> bool:
 
 
 def _draw(sampler: Sampler) -> Machine:
-    pattern = KINDS[sampler.integer(0, len(KINDS) - 1)]
-    lengths = STEP_M * np.array(sampler.shuffled(range(22, 66))[:8])
+    name, joints, base, pattern, tool = KINDS[sampler.integer(0, len(KINDS) - 1)]
+    lengths = STEP_M * np.array([*sampler.shuffled(range(22, 66))[:8], 0])
     place = [STEP_M * step for step in sampler.shuffled(range(24, 80))[:3]]
-    place[2] += RAISED_M[pattern.name]
-    table = DHTable(
-        pattern.rows(lengths),
-        convention="standard",
-        joints=pattern.joints,
-        base=pose(pattern.base, place),
-        tool=pose(pattern.tool, (0, 0, 0)),
-        name=pattern.name,
-    )
+    place[2] += RAISED_M[name]
+    rows = [(lengths[a], np.pi / 2 * alpha, lengths[d], np.pi / 2 * theta) for a, alpha, d, theta in pattern]
+    table = DHTable(rows, "standard", joints=joints, base=pose(base, place), tool=pose(tool, (0, 0, 0)), name=name)
     frames = table_frames(table)
     shifts = [STEP_M * step for step in sampler.shuffled(range(8, 21))[: 2 * table.n]]
     points, seats = [], []
@@ -172,4 +125,4 @@ def _draw(sampler: Sampler) -> Machine:
         else (-np.radians(5 * sampler.integer(16, 30)), np.radians(5 * sampler.integer(16, 30)))
         for letter in table.joints
     ]
-    return Machine(pattern.name, table, np.array(limits), np.array(points), np.array(seats))
+    return Machine(name, table, np.array(limits), np.array(points), np.array(seats))

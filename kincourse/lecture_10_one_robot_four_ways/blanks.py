@@ -4,11 +4,9 @@ from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.poses import inverse, pose
 from kincourse.expressions.screws import change_frame, screw_axes
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import rpr
 from misstep.mutants.expression import given
-from misstep.problem import Problem
 
 ARM = rpr()
 JOINTS, TOOL = ARM.joint_points, ARM.home[:3, 3]
@@ -20,8 +18,7 @@ def body_screw(_draw: ArmSampler) -> Problem:
     B = change_frame(inverse(pose("M", ARM.home)), screw_axes("S_3", ARM.screws[2]))
     return Problem(
         statement="Give the body screw $B_3$ of the RPR arm.",
-        answer=ScrewsAnswer(B.value),
-        solution=B,
+        answer=ScrewsAnswer(B),
         invisible=["sign of v"],  # the moment of S_3 is zero
         advice={
             "inverse left out": "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here.",
@@ -42,8 +39,7 @@ def origin_of_joint_3(_draw: ArmSampler) -> Problem:
     )
     return Problem(
         statement="With all frames parallel to {s}, give the `xyz` of joint 3.",
-        answer=VectorsAnswer(step.value, unit="m"),
-        solution=step,
+        answer=VectorsAnswer(step, unit="m"),
         advice={
             "leave out $-p_2$": "In a URDF the origin of joint 3 is given in the frame of joint 2, which is at $(-4, -2, 0)$."
         },
@@ -55,21 +51,14 @@ def origin_of_tool(_draw: ArmSampler) -> Problem:
     step = given("p_b", TOOL) - given("p_3", JOINTS[2])
     step = step.mistaken_for(
         ("opposite direction", "take the vector from the tool to joint 3", -step, SEEN_FROM_THE_PARENT),
-        (
-            "axes of the tool",
-            "give the components along the axes of {b}",
-            ARM.home[:3, :3].T @ step,
-            "The `xyz` of an origin has its components along the parent's axes, which are parallel to those of {s} here.",
-        ),
+        ("axes of the tool", "give the components along the axes of {b}", ARM.home[:3, :3].T @ step),
     )
     return Problem(
         statement="With the frame of joint 3 parallel to {s}, give the `xyz` of the fixed joint to the tool.",
-        answer=VectorsAnswer(step.value, unit="m"),
-        solution=step,
+        answer=VectorsAnswer(step, unit="m"),
         advice={
-            "leave out $-p_3$": "This is the position in $M$, measured from {s}. The file measures it from joint 3, at $(0, -4, 0)$."
+            "axes of the tool": "The `xyz` of an origin has its components along the parent's axes, which are parallel to those "
+            "of {s} here.",
+            "leave out $-p_3$": "This is the position in $M$, measured from {s}. The file measures it from joint 3, at $(0, -4, 0)$.",
         },
     )
-
-
-BLANKS = [body_screw, origin_of_joint_3, origin_of_tool]

@@ -13,8 +13,6 @@ from kinlib.view.figures.joint_bodies import stations
 from kinlib.view.viewer.film import Film, film, share
 
 END = np.array([1.3, 0.8, 0.15, -1.2])
-
-
 AROUND = np.array([(-0.4, -0.4, 0), (0.9, 0.9, 1.2)])
 
 

@@ -28,12 +28,8 @@ BEYOND = (0.03, 0.3)
 TRIES, MAX_ITERATIONS = 20, 20
 """How often a path that leaves the limits is drawn for one table, and how many steps lead to a point of a path."""
 
-EFFECTS = {
-    "writes": "puts the pen on the paper",
-    "hits": "drives the pen into the table",
-    "leaves": "leaves the joint limits",
-    "hovers": "stays above the table",
-}
+EFFECTS = ("writes", "hits", "leaves", "hovers")
+"""What a path does: it puts the pen on the paper, drives it into the table, leaves the joint limits, or stays above the table."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +52,7 @@ def draw_paths(chain: Chain, limits: Array, sampler: Sampler) -> dict[str, Joint
     paths = None
     while paths is None:
         paths = _try(chain, limits, sampler)
-    return {name: paths[effect] for name, effect in zip("ABCD", sampler.shuffled(list(EFFECTS)), strict=True)}
+    return {name: paths[effect] for name, effect in zip("ABCD", sampler.shuffled(EFFECTS), strict=True)}
 
 
 def effect_of(chain: Chain, path: JointPath) -> str:
@@ -111,10 +107,11 @@ def _follow(chain: Chain, start: Array, points: Array) -> Array | None:
     q, path = start.copy(), []
     for point in points:
         for _ in range(MAX_ITERATIONS):
-            error = point - chain.fk(q)[:3, 3]
+            tip, twists = chain.fk(q)[:3, 3], chain.jacobian(q)
+            error = point - tip
             if np.linalg.norm(error) < 1e-6:
                 break
-            J = _position_jacobian(chain, q)
+            J = np.cross(twists[:3].T, tip).T + twists[3:]  # the velocity of the tip for each joint, v + omega x p
             q += J.T @ np.linalg.solve(J @ J.T + 1e-6 * np.eye(3), error)
         else:
             return None
@@ -135,10 +132,3 @@ def _leave(chain: Chain, limits: Array, sampler: Sampler, table_m: float) -> Arr
     low, high = limits.T
     outside = float(np.maximum(low - path, path - high).max())
     return path if BEYOND[0] < outside < BEYOND[1] else None
-
-
-def _position_jacobian(chain: Chain, q: Array) -> Array:
-    """The velocity of the tool's origin for each joint, (3, n): omega x p + v."""
-    J, p = chain.jacobian(q), chain.fk(q)[:3, 3]
-    velocity: Array = np.cross(J[:3].T, p).T + J[3:]
-    return velocity

@@ -1,34 +1,25 @@
-"""The project of lecture 10: a data sheet, a log, a received description with a fault, and joint paths, for each student.
+"""The project of lecture 10: the drawings of a machine, a log, a received description with a fault, and joint paths.
 
-The student writes three descriptions, each from a drawing of its own with its own marks, so that none of them can be computed
-from another one. `verify` holds them against each other, against the log and against the marks.
+The student writes three descriptions, each from a drawing of its own with its own marks. `verify` holds them against each other
+and against the log; the sheet judges their numbers.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cached_property
-from itertools import accumulate
-from typing import Any, TypeGuard
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from kincourse.lecture_10_one_robot_four_ways.arms import draw_machine
 from kincourse.lecture_10_one_robot_four_ways.paths import JointPath, draw_paths
-from kincourse.lecture_10_one_robot_four_ways.verification import (
-    Log,
-    Product,
-    Verification,
-    of_body_screws,
-    of_screws,
-    of_table,
-    of_urdf,
-    verify,
-)
-from kincourse.sampling.drawn_machines import draw_table_frames, table_frames
-from kinlib.arrays import validation
+from kincourse.sampling.drawn_machines import draw_table_frames
 from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
 from kinlib.dh.table import DHTable
+from kinlib.rigid.lie import adjoint, inverse, log
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
+from kinlib.urdf.chains import load_urdf
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from kinlib.view.drawing.picture import Picture
 from misstep.sampling import Sampler
@@ -36,11 +27,40 @@ from misstep.sampling import Sampler
 LOG_LINES = 14
 """How many poses the tracker has measured."""
 
-MARK_M = 2e-3
-"""How far a mark may be from where it is in the drawing."""
+POSITION_MM, ANGLE_DEG = 2.5, 0.5
+"""What rounding and the tracker may do to a position and to an orientation; more than that is a fault."""
 
-PRINTED_MM, PRINTED_DEG = 1.0, 0.1
-"""To what the tracker rounds positions and angles."""
+
+@dataclass(frozen=True, eq=False)
+class Log:
+    """Measured poses of the tool at given joint values.
+
+    q      (m, n) in radians and metres
+    poses  (m, 4, 4) in {s}
+    """
+
+    q: Array
+    poses: Array
+
+    def __str__(self) -> str:
+        """Write the log as the tracker prints it: joint values in radians and metres, x, y, z in mm, roll, pitch, yaw in degrees."""
+        heads = [*(f"q{i}" for i in range(1, self.q.shape[1] + 1)), "x", "y", "z", "roll", "pitch", "yaw"]
+        lines = ["".join(f"{head:>8}" for head in heads)]
+        for q, T in zip(self.q, self.poses, strict=True):
+            angles = np.degrees(roll_pitch_yaw(T[:3, :3]))
+            cells = [f"{x:8.3f}" for x in q] + [f"{x:8.0f}" for x in 1000 * T[:3, 3]] + [f"{x:8.1f}" for x in angles]
+            lines.append("".join(cells))
+        return "\n".join(lines)
+
+    def distances_mm(self, poses: Array) -> Array:
+        """Return how far the tool is from where it was measured, in millimetres, (m,)."""
+        gaps: Array = 1000 * np.linalg.norm(poses[:, :3, 3] - self.poses[:, :3, 3], axis=-1)
+        return gaps
+
+    def angles_deg(self, poses: Array) -> Array:
+        """Return by which angle the tool is rotated against how it was measured, in degrees, (m,)."""
+        angles: Array = np.degrees(np.linalg.norm(log(inverse(poses[:, :3, :3]) @ self.poses[:, :3, :3]), axis=-1))
+        return angles
 
 
 class Project:
@@ -103,8 +123,8 @@ class Project:
         q = np.round(low + shares * (high - low), 3)
         poses = self._machine.chain.fk(q)
         noise = np.array([[(sampler.integer(-40, 40)) / 100 for _ in range(3)] for _ in q])
-        xyz = np.round((1000 * poses[:, :3, 3] + noise) / PRINTED_MM) * PRINTED_MM / 1000
-        rpy = np.round(np.degrees([roll_pitch_yaw(T[:3, :3]) for T in poses]) / PRINTED_DEG) * PRINTED_DEG
+        xyz = np.round(1000 * poses[:, :3, 3] + noise) / 1000
+        rpy = np.degrees([roll_pitch_yaw(T[:3, :3]) for T in poses]).round(1)
         return Log(q, np.array([origin(p, np.radians(angles)) for p, angles in zip(xyz, rpy, strict=True)]))
 
     @cached_property
@@ -126,18 +146,11 @@ class Project:
         """Four joint paths by name, A to D, as the student gets them."""
         return draw_paths(self._machine.chain, self.limits, Sampler(self._student, "10.paths"))
 
-    def verify(
-        self,
-        *,
-        screws: tuple[ArrayLike, ArrayLike, ArrayLike] | None = None,
-        table: DHTable | None = None,
-        urdf: str | None = None,
-        received: tuple[ArrayLike, ArrayLike] | None = None,
-    ) -> Verification:
-        """Hold descriptions against each other, against the log and against the marks of the drawings.
+    def verify(self, *, screws: Any = None, table: Any = None, urdf: Any = None, received: Any = None) -> str:
+        """Hold descriptions against each other and against the log; return a table of the largest differences as text.
 
-        screws    the space screws (n, 6), the home pose, and the points (n, 3) on the axes that are marked in the drawing
-        table     a standard table with base and tool
+        screws    the space screws (n, 6) and the home pose
+        table     a DHTable with base and tool
         urdf      the text of a URDF file
         received  body screws (n, 6) and a home pose
 
@@ -145,45 +158,31 @@ class Project:
 
         Raises ValueError if one has another number of joints, or is no description of its kind.
         """
-        products, off = [], {}
-        if is_written(screws):
-            S, M, points = (validation.array(value, name) for value, name in zip(screws, ("S", "M", "P"), strict=True))
-            products.append(of_screws(S, M))
-            off["screws"] = self._off_mark_of_points(points)
-        if is_written(table):
-            products.append(of_table(table))
-            off["table"] = self._off_mark_of_table(table) if table.n == self._machine.n else ""
-        if is_written(urdf):
-            products.append(of_urdf(urdf))
-            off["URDF"] = self._off_mark_of_urdf(products[-1]) if products[-1].n == self._machine.n else ""
-        if is_written(received):
-            products.append(of_body_screws(*received))
-        for product in products:
-            if product.n != self._machine.n:
-                raise ValueError(
-                    f"The {product.name} must have {self._machine.n} joints, {self.joints}; got {product.n}."
-                )
-        return verify(products, self.log, {name: place for name, place in off.items() if place})
+        given = {"screws": screws, "table": table, "URDF": urdf, "body screws": received}
+        chains = {name: READERS[name](one) for name, one in given.items() if is_written(one)}
+        if not chains:
+            return "There is nothing to verify yet: write a description in place of `...`."
+        for name, chain in chains.items():
+            if chain.n != self._machine.n:
+                raise ValueError(f"The {name} must have {self._machine.n} joints, {self.joints}; got {chain.n}.")
+        poses = {name: chain.fk(self.log.q) for name, chain in chains.items()}
+        rows = ["".join(f"{head:>14}" for head in ("", *poses, "the log"))]
+        for name, one in poses.items():
+            gaps = [1000 * np.linalg.norm(one[:, :3, 3] - other[:, :3, 3], axis=-1).max() for other in poses.values()]
+            far, turned = self.log.distances_mm(one).max(), self.log.angles_deg(one).max()
+            cells = ["agrees" if gap <= POSITION_MM else f"{gap:.0f} mm" for gap in gaps]
+            cells.append("agrees" if far <= POSITION_MM and turned <= ANGLE_DEG else f"{far:.0f} mm, {turned:.0f}°")
+            rows.append(f"{name:<14}" + "".join(f"{cell:>14}" for cell in cells))
+        return "\n".join(rows)
 
-    def _off_mark_of_points(self, points: Array) -> str:
-        if points.shape != self._machine.points.shape:
-            raise ValueError(
-                f"P must have shape {self._machine.points.shape}, one point for each joint; got {points.shape}."
-            )
-        return _first_off(points, self._machine.points, [f"joint {i}" for i in range(1, len(points) + 1)])
 
-    def _off_mark_of_table(self, table: DHTable) -> str:
-        names = ["the base", *(f"row {i}" for i in range(1, table.n + 1))]
-        off = _first_off(table_frames(table), self._machine.frames, names)
-        return off or ("the tool" if not np.allclose(table.tool, self._machine.table.tool, atol=MARK_M) else "")
-
-    def _off_mark_of_urdf(self, file: Product) -> str:
-        *seats, tool = accumulate(file.constants, np.matmul)
-        axes = file.screws[:, :3] + file.screws[:, 3:]  # one of the halves is 0
-        for i, (own, axis, seat) in enumerate(zip(seats, axes, self._machine.seats, strict=True), start=1):
-            if np.abs(own - seat).max() > MARK_M or np.abs(axis - (0, 0, 1)).max() > MARK_M:
-                return f"joint {i}"
-        return "the tool" if np.abs(tool - self._machine.chain.home).max() > MARK_M else ""
+READERS: dict[str, Callable[[Any], Chain]] = {
+    "screws": lambda given: Chain(*given),
+    "table": DHTable.to_chain,
+    "URDF": load_urdf,
+    "body screws": lambda given: Chain(np.asarray(given[0]) @ adjoint(given[1]).T, given[1]),
+}
+"""How each description becomes a chain."""
 
 
 def open_project(student: str) -> Project:
@@ -196,12 +195,7 @@ def open_project(student: str) -> Project:
     return Project(student)
 
 
-def is_written(description: Any) -> TypeGuard[Any]:
+def is_written(description: Any) -> bool:
     """Whether a student has written a description, so that it is not None, and neither is nor contains `...`."""
     parts = description if isinstance(description, tuple) else (description,)
     return not any(part is None or part is ... for part in parts)
-
-
-def _first_off(own: Array, drawn: Array, names: Sequence[str]) -> str:
-    far = (name for name, one, other in zip(names, own, drawn, strict=True) if np.abs(one - other).max() > MARK_M)
-    return next(far, "")

@@ -1,40 +1,24 @@
 """Tasks on the pose of the tool of any robot: at home, at given joint values, and with a mistake that is to be found."""
 
-from collections.abc import Iterable
 from functools import partial, reduce
 
 import numpy as np
 
-from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import PoseAnswer
-from kincourse.expressions.poses import inverse, pose, to_point, with_position
+from kincourse.expressions.poses import pose, with_position
 from kincourse.expressions.screws import exponentials, forward_kinematics, joint_values
 from kincourse.robot_sheets.sampling import random_arm, random_configuration, random_tilted_base, random_tool, rebased
-from kincourse.robot_sheets.task import RobotTask, add_task
+from kincourse.robot_sheets.task import task
 from kincourse.sampling.arms import ArmSampler, shows_transposes
-from kincourse.sampling.configurations import Configuration
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import exp
 from kinlib.view import draw_arm, draw_frames
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
-from misstep.display.text import matrix, number, vector
+from misstep.display.text import matrix, number
 from misstep.mistakes import mistake
-from misstep.mutants.expression import Expression, given
 from misstep.problem import Problem
-
-MISTAKE_DESCRIPTIONS = {
-    "reversed": "multiplied the exponentials from the last joint to the first",
-    "home first": "put $M$ in front",
-    "no home": "left out $M$",
-    "one exponential": "added the twists and took one exponential",
-    "degrees": "used degrees as radians",
-    "at home": "left all joint values at 0",
-    "backwards": "took every joint value with the opposite sign",
-}
-"""For each mistake what was done, in the words of an option of `which_mistake`."""
-
 
 NO_MISTAKE = "made no mistake"
 
@@ -42,48 +26,31 @@ HOME_ADVICE = "With space screws $M$ is the last factor."
 ORDER_ADVICE = "The factor of the joint at the base is to the left of all others, because this joint moves all others."
 
 READ_VALUES_SOLUTION = """\
-turns = given.{screws}[:, :3].any(axis=1)
+turns = given.screws[:, :3].any(axis=1)
 q = np.where(turns, np.radians(given.values), given.values)
 """
 
-SPACE_FORM_SOLUTION = READ_VALUES_SOLUTION.format(screws="screws") + "T = kl.Chain(given.screws, given.home).fk(q)\n"
+SPACE_FORM_SOLUTION = READ_VALUES_SOLUTION + "pose_{k} = kl.Chain(given.screws, given.home).fk(q)"
 
 WHICH_MISTAKE_SOLUTION = f"""\
-{READ_VALUES_SOLUTION.format(screws="screws")}from functools import reduce
+{READ_VALUES_SOLUTION}from kincourse.robot_sheets.motion_tasks import poses_by_mistake
 
-e, typed, back = (kl.exp(given.screws * values[:, None]) for values in (q, given.values, -q))
-M = given.home
-ways = {{
-    "{MISTAKE_DESCRIPTIONS["reversed"]}": [*e[::-1], M],
-    "{MISTAKE_DESCRIPTIONS["home first"]}": [M, *e],
-    "{MISTAKE_DESCRIPTIONS["no home"]}": [*e],
-    "{MISTAKE_DESCRIPTIONS["one exponential"]}": [kl.exp(q @ given.screws), M],
-    "{MISTAKE_DESCRIPTIONS["degrees"]}": [*typed, M],
-    "{MISTAKE_DESCRIPTIONS["at home"]}": [M],
-    "{MISTAKE_DESCRIPTIONS["backwards"]}": [*back, M],
-    "{NO_MISTAKE}": [*e, M],
-}}
-poses = {{letter: reduce(np.matmul, ways[text]) for letter, text in given.options.items()}}
-letter = next(letter for letter, pose in poses.items() if np.allclose(pose, given.X))
-letter_{{k}} = letter, reduce(np.matmul, [*e, M])[:3, 3]
+poses = poses_by_mistake(given.screws, given.home, q, given.values)
+letter = next(letter for letter, text in given.options.items() if np.allclose(poses[text], given.X))
+letter_{{k}} = letter, poses["{NO_MISTAKE}"][:3, 3]
 """
 
-BODY_FORM_SOLUTION = f"""\
-{READ_VALUES_SOLUTION.format(screws="body_screws")}screws = given.body_screws @ kl.adjoint(given.home).T
-pose_{{k}} = kl.Chain(screws, given.home).fk_body(q)"""
-
-VALUES_NOTE = "`given.values` are in degrees and metres."
-POSE_NOTE = "Answer with a pose, an array of shape (4, 4)."
-
-MOTION_TASKS: dict[str, RobotTask] = {}
-"""The tasks by name. The file of a robot sheet stores these names, so a name must not change."""
-
-task = partial(add_task, MOTION_TASKS)
+POSE = "pose", "Answer with a pose, an array of shape (4, 4)."
+MOVED_POSE = "pose", f"{POSE[1]} `given.values` are in degrees and metres."
+LETTER = "letter", "Answer with a pair: a letter in quotes, and a position. `given.values` are in degrees and metres."
 
 
 @task(
-    *("The home pose in your lab", 2, "03_poe_space#The home pose"),
-    *("pose", POSE_NOTE, "pose_{k} = given.T_sr @ given.T_rf @ given.T_fb"),
+    "The home pose in your lab",
+    2,
+    "03_poe_space#The home pose",
+    POSE,
+    "pose_{k} = given.T_sr @ given.T_rf @ given.T_fb",
 )
 def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
     """The home pose of the robot with another base and a tool on its flange."""
@@ -100,8 +67,7 @@ def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
         f"$$T_{{sr}} = {matrix(T_sr)}$$\n\n$$T_{{rf}} = {matrix(T_rf)}$$\n\n$$T_{{fb}} = {matrix(T_fb)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "r": T_sr, "f": T_sr @ T_rf}),
         given={"T_sr": T_sr, "T_rf": T_rf, "T_fb": T_fb},
-        answer=PoseAnswer(M.value),
-        solution=M,
+        answer=PoseAnswer(M),
         advice={
             "leave out $T_{sr}$": "This is the pose of the tool in {r}: $T_{sr}$ must be the first factor.",
             "leave out $T_{fb}$": "This is the pose of the flange: $T_{fb}$ must be the last factor.",
@@ -110,10 +76,7 @@ def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
-@task(
-    *("Where is the tool?", 3, "03_poe_space#The product"),
-    *("pose", f"{POSE_NOTE} {VALUES_NOTE}", f"{SPACE_FORM_SOLUTION}pose_{{k}} = T"),
-)
+@task("Where is the tool?", 3, "03_poe_space#The product", MOVED_POSE, SPACE_FORM_SOLUTION)
 def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     """Forward kinematics by the space form, at a configuration within the joint limits."""
     arm = random_arm(sampler, robot)
@@ -124,20 +87,20 @@ def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
         figure=partial(draw_arm, arm),
         given={"screws": arm.screws, "home": arm.home, "values": at.typed},
         answer=PoseAnswer(arm.fk(at.q)),
-        solution=_space_form(arm, at),
+        solution=forward_kinematics(
+            exponentials(arm.screws, joint_values(arm.joint_types, at.typed)), pose("M", arm.home)
+        ).named("T"),
         advice={"reversed": ORDER_ADVICE, "first factor": HOME_ADVICE},
     ).without_duplicates()
 
 
-@task(
-    *("Which mistake is this?", 2, "03_poe_space#The order of the factors"),
-    *("letter", f"Answer with a pair: a letter in quotes, and a position. {VALUES_NOTE}", WHICH_MISTAKE_SOLUTION),
-)
+@task("Which mistake is this?", 2, "03_poe_space#The order of the factors", LETTER, WHICH_MISTAKE_SOLUTION)
 def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
     """The mistake that leads to a given wrong pose, or none if the pose is right."""
     arm = random_arm(sampler, robot)
     at = random_configuration(sampler, arm)
-    right_pose, ways = arm.fk(at.q), _wrong_poses(arm, at)
+    ways = poses_by_mistake(arm.screws, arm.home, at.q, at.typed)
+    right_pose = ways.pop(NO_MISTAKE)
     distinct = Problem("", PoseAnswer(right_pose), [mistake(*way, "") for way in ways.items()]).without_duplicates()
     drawn = sampler.shuffled(range(len(distinct.mistakes)))[:4]
     wrong = [distinct.mistakes[i] for i in sorted(drawn)]
@@ -162,85 +125,23 @@ def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
     return problem.with_reason(Numbers(right_pose[:3, 3], unit="m"))
 
 
-@task(*("The body form", 3, "04_poe_body#The body form"), *("pose", f"{POSE_NOTE} {VALUES_NOTE}", BODY_FORM_SOLUTION))
-def body_form(robot: Chain, sampler: ArmSampler) -> Problem:
-    """Forward kinematics by the body form."""
-    arm = random_arm(sampler, robot)
-    at = random_configuration(sampler, arm)
-    return Problem(
-        statement=f"{robot.name} is given by its body screws and its home pose. Its joint values are {at.words}. Give $T(q)$.\n\n"
-        f"$$B = {matrix(arm.body_screws)}$$\n\n$$M = {matrix(arm.home)}$$",
-        figure=partial(draw_arm, arm),
-        given={"body_screws": arm.body_screws, "home": arm.home, "values": at.typed},
-        answer=PoseAnswer(arm.fk(at.q)),
-        solution=forward_kinematics(
-            [], pose("M", arm.home), exponentials(arm.body_screws, joint_values(arm.joint_types, at.typed), "B")
-        ).mistaken_for(
-            (
-                "space screws",
-                "use the space screws $S_i$",
-                arm.home @ _product(exp(arm.screws * at.q[:, None])),
-                "To the right of $M$ belong the body screws $B_i$.",
-            )
-        ),
-        advice={"reversed": ORDER_ADVICE, "last factor": "With body screws $M$ is the first factor."},
-    ).without_duplicates()
+def poses_by_mistake(screws: Array, home: Array, q: Array, typed: Array) -> dict[str, Array]:
+    """Return the poses to which common mistakes lead, and the right one, by what was done.
 
-
-@task(
-    *("The tip of a pencil", 2, "01_frames#Homogeneous coordinates"),
-    *(
-        "tip",
-        f"Answer with three numbers, in metres. {VALUES_NOTE}",
-        f"{SPACE_FORM_SOLUTION}tip_{{k}} = (T @ [*given.tip, 1])[:3]",
-    ),
-)
-def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
-    """The position in {s} of a point that is given in {b}."""
-    arm = random_arm(sampler, robot)
-    at, tip = random_configuration(sampler, arm), random_tool(sampler, robot)[:3, 3]
-    T, M = _space_form(arm, at), arm.home
-    position = to_point(T, given("x", tip)).mistaken_for(
-        ("at home", "give the tip at home", M[:3, :3] @ tip + M[:3, 3], "The joints have moved since."),
-        ("origin of the tool", "give the origin of {b}", T.value[:3, 3], "The tip is another point of {b}."),
-        ("inverse", "use the inverse of $T(q)$, from {s} to {b}", to_point(inverse(T), tip)),
-        ("sign of a vector", "take $x$ with the opposite sign", to_point(T, -tip)),
-    )
-    return Problem(
-        statement=f"The tool of {robot.name} holds a pencil, whose tip is at ${vector(tip)}$ m in {{b}}. The joint values are "
-        f"{at.words}. Give the coordinates of the tip in {{s}}.\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(M)}$$",
-        figure=partial(draw_arm, arm),
-        given={"screws": arm.screws, "home": M, "values": at.typed, "tip": tip},
-        answer=VectorsAnswer(position.value, unit="m"),
-        solution=position,
-        advice={"reversed": ORDER_ADVICE, "first factor": HOME_ADVICE},
-    ).without_duplicates()
-
-
-def _space_form(arm: Chain, at: Configuration) -> Expression:
-    factors = exponentials(arm.screws, joint_values(arm.joint_types, at.typed))
-    return forward_kinematics(factors, pose("M", arm.home)).named("T")
-
-
-def _product(factors: Iterable[Array]) -> Array:
-    T: Array = reduce(np.matmul, factors)
-    return T
-
-
-def _wrong_poses(arm: Chain, at: Configuration) -> dict[str, Array]:
-    """The poses to which common mistakes lead, by what was done."""
-    M = arm.home
-    e, typed, back = (exp(arm.screws * values[:, None]) for values in (at.q, at.typed, -at.q))
+    typed  the joint values with angles in degrees
+    """
+    e, in_degrees, back = (exp(screws * values[:, None]) for values in (q, typed, -q))
     ways = {
-        "reversed": [*e[::-1], M],
-        "home first": [M, *e],
-        "no home": [*e],
-        "one exponential": [exp(at.q @ arm.screws), M],
-        "degrees": [*typed, M],
-        "at home": [M],
-        "backwards": [*back, M],
+        "multiplied the exponentials from the last joint to the first": [*e[::-1], home],
+        "put $M$ in front": [home, *e],
+        "left out $M$": [*e],
+        "added the twists and took one exponential": [exp(q @ screws), home],
+        "used degrees as radians": [*in_degrees, home],
+        "left all joint values at 0": [home],
+        "took every joint value with the opposite sign": [*back, home],
+        NO_MISTAKE: [*e, home],
     }
-    return {MISTAKE_DESCRIPTIONS[name]: _product(factors) for name, factors in ways.items()}
+    return {name: reduce(np.matmul, factors) for name, factors in ways.items()}
 
 
 def _difference_message(theirs: Array, right: Array) -> str:

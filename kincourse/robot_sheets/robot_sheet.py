@@ -1,102 +1,81 @@
-"""A sheet for any robot, made of the tasks that make sense for the robot.
+"""A sheet for any robot, made of the tasks that make sense for the robot, and the JSON file that holds the robot.
 
-For example, a robot with one joint has no DH table worth asking for, and if all joints are prismatic, degrees cannot be
-confused with radians. So each task is tried on the robot first, and a task in which too few mistakes can be told apart is
-replaced by another one.
+The file lies beside the notebook of the sheet. It holds no answers, because they depend on the student's numbers.
 """
 
+import json
 import re
-from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 
-from kincourse.robot_sheets.motion_tasks import MOTION_TASKS
-from kincourse.robot_sheets.screw_tasks import SCREW_TASKS
-from kincourse.robot_sheets.table_tasks import TABLE_TASKS
+from kincourse.robot_sheets.motion_tasks import home_pose, where_is_the_tool, which_mistake
+from kincourse.robot_sheets.screw_tasks import body_screws, space_screws
+from kincourse.robot_sheets.table_tasks import faulty_entry, modified_table, standard_table
 from kincourse.robot_sheets.task import RobotTask
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.chain import Chain
 from misstep.problem import Problem, Template
 from misstep.sheet import Sheet
 
-PROBLEMS_PER_SHEET = 8
-"""The number of problems of a sheet."""
+TABLE_TASKS = (standard_table, modified_table, faulty_entry)
+"""They need rows: no DH row can describe a helical joint, and a single row is the frame of the tool."""
 
-PROBE_STUDENTS = ("probe 1", "probe 2", "probe 3", "probe 4")
-"""The students whose numbers are drawn to try a task on a robot."""
-
-MAX_DRAWS = 8
-"""The number of draws within which a task must be discriminating for each of them. A student's own variant has more."""
-
-MIN_MISTAKES = 3
-"""A task with fewer mistakes makes no sense for a robot."""
+TASKS = (home_pose, space_screws, body_screws, where_is_the_tool, *TABLE_TASKS, which_mistake)
 
 CLEAREST_OF = 4
 """The number of draws of which the one is taken in which the most mistakes can be seen."""
 
-TASKS: dict[str, RobotTask] = {**MOTION_TASKS, **SCREW_TASKS, **TABLE_TASKS}
+ENOUGH_MISTAKES = 3
+"""A draw with as many mistakes, none of which gives the right answer, is taken at once."""
 
-TASK_ORDER = (
-    *("home_pose", "space_screws", "body_screws", "where_is_the_tool"),
-    *("standard_table", "modified_table", "faulty_entry", "which_mistake"),
-    *("body_form", "point_of_the_tool", "back_to_space", "new_tool"),
-)
-"""The tasks in order of preference: the last ones replace those before them that make no sense for a robot."""
+FORMAT_VERSION = 2
+"""The version of the file format."""
+
+SHEET_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,39}")
+"""The names that a sheet may have: they are valid file names on every system, and contain no path."""
 
 
-def tasks_for(robot: Chain) -> list[str]:
-    """Choose the eight tasks of the sheet for a robot: the first ones in TASK_ORDER that make sense for it.
+def tasks_for(robot: Chain) -> list[RobotTask]:
+    """Return the tasks that make sense for a robot.
 
-    Raises ValueError if fewer than eight make sense.
+    >>> from kinlib.chains.robots import hrr, rpr
+    >>> len(tasks_for(rpr())), len(tasks_for(hrr()))
+    (8, 5)
+    """
+    has_rows = robot.n > 1 and "H" not in robot.joint_types
+    return [task for task in TASKS if has_rows or task not in TABLE_TASKS]
+
+
+def robot_sheet(name: str, robot: Chain) -> Sheet:
+    """Make the sheet of a robot.
 
     >>> from kinlib.chains.robots import rpr
-    >>> tasks_for(rpr())[4:]
-    ['standard_table', 'modified_table', 'faulty_entry', 'which_mistake']
+    >>> robot_sheet("my_robot", rpr()).problems[0].number
+    'my_robot.1'
     """
-    fit: list[str] = []
-    for name in TASK_ORDER:
-        if len(fit) < PROBLEMS_PER_SHEET and _fits(robot, name):
-            fit.append(name)
-    if len(fit) < PROBLEMS_PER_SHEET:
-        raise ValueError(
-            f"A sheet needs {PROBLEMS_PER_SHEET} problems; only {len(fit)} of the {len(TASKS)} tasks make sense for {robot.name}: "
-            f"{', '.join(fit)}. Check that its joints move its tool."
-        )
-    return fit
+    templates = [
+        Template(f"{name}.{k}", task.title, task.points, task.lecture, partial(_clearest, task, robot), ArmSampler)
+        for k, task in enumerate(tasks_for(robot), start=1)
+    ]
+    return Sheet(name, f"Forward kinematics of {robot.name}", templates)
 
 
-def _fits(robot: Chain, name: str) -> bool:
-    if name in TABLE_TASKS and "H" in robot.joint_types:
-        return False  # a DH row cannot describe a helical joint
-    if name == "modified_table" and robot.n == 1:
-        return False  # the only row has no axis before it
-    return all(
-        any(
-            problem.is_discriminating() and _mistake_count(problem) >= MIN_MISTAKES
-            for problem in (
-                _clearest_problem(TASKS[name], robot, ArmSampler(student, name, attempt))
-                for attempt in range(MAX_DRAWS)
-            )
-        )
-        for student in PROBE_STUDENTS
-    )
-
-
-def _mistake_count(problem: Problem) -> int:
-    return len(problem.known_mistakes) + len(problem.slips)
-
-
-def _clearest_problem(task: RobotTask, robot: Chain, sampler: ArmSampler) -> Problem:
+def _clearest(task: RobotTask, robot: Chain, sampler: ArmSampler) -> Problem:
     """Write the problem of a task; of a few draws, the one in which the fewest mutants of the solution give the right answer.
 
     They are declared to be invisible: for a robot whose joints only translate, for example, the order of the joints never matters.
     """
+
+    def count(problem: Problem) -> int:
+        return len(problem.known_mistakes) + len(problem.slips)
+
     problems: list[Problem] = []
     while len(problems) < CLEAREST_OF:
         problems.append(task.write(robot, sampler))
-        if not problems[-1].hidden and _mistake_count(problems[-1]) >= MIN_MISTAKES:
+        if not problems[-1].hidden and count(problems[-1]) >= ENOUGH_MISTAKES:
             return problems[-1]
-    clearest = max(problems, key=lambda problem: (-len(problem.hidden), _mistake_count(problem)))
+    clearest = max(problems, key=lambda problem: (-len(problem.hidden), count(problem)))
     return replace(clearest, invisible=clearest.hidden)
 
 
@@ -110,24 +89,46 @@ def with_plain_name(robot: Chain) -> Chain:
     return robot.changed(name=re.sub(r"[^\w .()+-]", "", robot.name)[:60].strip() or "the robot")
 
 
-def robot_sheet(name: str, robot: Chain, tasks: Sequence[str]) -> Sheet:
-    """Make the sheet of a robot, with the tasks in this order.
-
-    Raises ValueError if a task is unknown.
+def dumps(robot: Chain) -> str:
+    """Write a robot as the text of a JSON file. Numbers keep all their digits, so that variants are reproducible.
 
     >>> from kinlib.chains.robots import rpr
-    >>> robot_sheet("my_robot", rpr(), ["home_pose"]).problems[0].number
-    'my_robot.1'
+    >>> loads(dumps(rpr()), "a test").n
+    3
     """
-    if unknown := [task for task in tasks if task not in TASKS]:
+    return json.dumps({"kinlib sheet": FORMAT_VERSION, **robot.to_dict()}, ensure_ascii=False) + "\n"
+
+
+def loads(text: str, source: str) -> Chain:
+    """Read a robot from the text of a file that `dumps` wrote.
+
+    source  the path of the file, for error messages
+
+    Raises ValueError if the text is not such a file.
+    """
+    try:
+        data = json.loads(text)
+        if (version := data.pop("kinlib sheet")) != FORMAT_VERSION:
+            raise ValueError(f"its format is {version!r}, and this kincourse reads format {FORMAT_VERSION}")
+        return Chain.from_dict(data)
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
         raise ValueError(
-            f"There is no task {unknown[0]!r}. The tasks are: {', '.join(TASKS)}. If the sheet was made by a newer kincourse, update it."
-        )
-    templates = [_template(name, k, robot, TASKS[task]) for k, task in enumerate(tasks, start=1)]
-    return Sheet(name, f"Forward kinematics of {robot.name}", templates)
+            f"{source} is not a valid file of a robot sheet: {error}. If it was edited by hand, take a fresh copy."
+        ) from error
 
 
-def _template(name: str, k: int, robot: Chain, task: RobotTask) -> Template:
-    return Template(
-        f"{name}.{k}", task.title, task.points, task.lecture, partial(_clearest_problem, task, robot), ArmSampler
-    )
+def find(name: str) -> Sheet | None:
+    """Find the sheet of a robot by its name, through its file; None if there is none.
+
+    It is searched for beside the notebook, then in the folder of its sheet below the project's root.
+
+    Raises ValueError if the file is not a valid file of a robot sheet.
+
+    >>> find("nobodys_robot") is None
+    True
+    """
+    folders = (Path(), *(Path(folder, str(name)) for folder in ("", "solutions", "exercises")))
+    for path in (folder / f"{name}.json" for folder in folders) if SHEET_NAME.fullmatch(str(name)) else ():
+        if path.is_file():
+            return robot_sheet(name, loads(path.read_text(encoding="utf-8"), str(path)))
+    return None

@@ -105,45 +105,30 @@ def truncated(chain: Chain, joints: int) -> Chain:
     )
 
 
-def random_configuration(sampler: ArmSampler, chain: Chain) -> Configuration:
+def random_configuration(sampler: ArmSampler, chain: Chain, *, quarters: bool = False) -> Configuration:
     """Draw a configuration within the joint limits, in steps of 5 degrees and of half a `step_size` where the limits allow it.
 
-    The values are other ones in the reverse order, if the limits allow that too.
+    quarters  whether revolute joints are at quarter turns, so that axes along x, y and z still lie along x, y and z; otherwise
+              the values are other ones in the reverse order, if the limits allow that
     """
     values: list[float] = []
     for _ in range(MAX_DRAWS):
-        values = [_random_value(sampler, chain, i) for i in range(chain.n)]
-        if values != values[::-1]:
+        values = [_random_value(sampler, chain, i, quarters) for i in range(chain.n)]
+        if quarters or values != values[::-1]:
             break
     return configuration_from_typed(chain, values)
 
 
-def random_quarter_turn_configuration(sampler: ArmSampler, chain: Chain) -> Configuration:
-    """Draw a configuration within the joint limits, with quarter turns where the limits allow it.
-
-    After quarter turns, axes along x, y and z still lie along x, y and z.
-    """
-    return configuration_from_typed(chain, [_random_quarter_turn(sampler, chain, i) for i in range(chain.n)])
-
-
-def _random_value(sampler: ArmSampler, chain: Chain, joint: int) -> float:
-    step, far = _step(chain, joint)
-    low, high = _range(chain, joint)
-    near = [k * step for k in range(-far, far + 1) if k and low <= k * step <= high]
-    return float(round(sampler.choice(near), 9)) if near else _random_within(sampler, low, high)
-
-
-def _random_quarter_turn(sampler: ArmSampler, chain: Chain, joint: int) -> float:
+def _random_value(sampler: ArmSampler, chain: Chain, joint: int, quarters: bool) -> float:
     low, high = _range(chain, joint)
     if chain.joint_types[joint] == "P":
-        return _random_value(sampler, chain, joint)
-    quarters = [angle for angle in (-90.0, 0.0, 90.0, 180.0) if low <= angle <= high]
-    return sampler.choice(quarters) if quarters else _random_within(sampler, low, high)
-
-
-def _step(chain: Chain, joint: int) -> tuple[float, int]:
-    """The step of a joint, in degrees or metres, and the number of steps that it may be away from zero."""
-    return (step_size(chain) / 2, 8) if chain.joint_types[joint] == "P" else (5.0, MAX_JOINT_ANGLE_DEG // 5)
+        simple = [k * step_size(chain) / 2 for k in range(-8, 9) if k]
+    elif quarters:
+        simple = [-90.0, 0.0, 90.0, 180.0]
+    else:
+        simple = [5.0 * k for k in range(-MAX_JOINT_ANGLE_DEG // 5, MAX_JOINT_ANGLE_DEG // 5 + 1) if k]
+    near = [value for value in simple if low <= value <= high]
+    return float(round(sampler.choice(near), 9)) if near else _random_within(sampler, low, high)
 
 
 def _range(chain: Chain, joint: int) -> tuple[float, float]:

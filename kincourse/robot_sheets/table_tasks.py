@@ -12,13 +12,13 @@ from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.mistakes.dh import entry_names, other_entries, rows_of_the_other_convention
 from kincourse.robot_sheets.sampling import (
     random_aligned_base,
-    random_quarter_turn_configuration,
+    random_configuration,
     rebased,
     step_size,
     truncated,
     with_zero_at,
 )
-from kincourse.robot_sheets.task import RobotTask, add_task
+from kincourse.robot_sheets.task import task
 from kincourse.sampling.arms import ArmSampler
 from kincourse.sampling.drawn_machines import table_frames
 from kincourse.text.joint_table import end_frames, given_frames, joint_table
@@ -37,15 +37,18 @@ from misstep.problem import Problem
 MAX_ROWS = 7
 """The maximum number of rows of a table. A robot with more joints is cut off after this joint."""
 
-ANSWER_NOTE = (
-    "Answer with a table: text with the header `a | alpha | d | theta` and a row for each joint, with `q1`, `q2`, ... for the variables; "
-    "angles as `90°` or `pi/2`."
+TABLE = (
+    "table",
+    "Answer with a table: text with the header `a | alpha | d | theta`, a row for each joint, and `q1`, `q2`, ...; angles as `90°`.",
 )
+ENTRY = "entry", "Answer with a pair: column and row in quotes, and a number."
 
 TABLE_SOLUTION = """\
 arm = kl.Chain(given.screws, given.home, given.points)
-table_{k} = kl.assign_frames(arm, convention="CONVENTION").table
+table_{k} = kl.assign_frames(arm, convention="standard").table
 """
+
+MODIFIED_SOLUTION = TABLE_SOLUTION.replace("standard", "modified")
 
 FAULTY_ENTRY_SOLUTION = """\
 link = kl.inverse(given.frames[:-1]) @ given.frames[1:]
@@ -63,34 +66,22 @@ row, column = np.unravel_index(np.argmax(np.abs(off)), off.shape)
 entry_{k} = (f"{('a', 'alpha', 'd', 'theta')[column]}{row + 1}", read[row, column])
 """
 
-TABLE_TASKS: dict[str, RobotTask] = {}
-"""The tasks by name. The file of a robot sheet stores these names, so a name must not change."""
 
-task = partial(add_task, TABLE_TASKS)
-
-
-@task(
-    *("A table in the standard convention", 4, "05_dh_standard#Reading a table off a drawing"),
-    *("table", ANSWER_NOTE, TABLE_SOLUTION.replace("CONVENTION", "standard")),
-)
+@task("A table in the standard convention", 4, "05_dh_standard#Reading a table off a drawing", TABLE, TABLE_SOLUTION)
 def standard_table(robot: Chain, sampler: ArmSampler) -> Problem:
     """The table in the standard convention between two given frames."""
     return _table(robot, sampler, "standard")
 
 
 @task(
-    *("A table in the modified convention", 4, "06_dh_modified#Frame labelling in eight steps"),
-    *("table", ANSWER_NOTE, TABLE_SOLUTION.replace("CONVENTION", "modified")),
+    "A table in the modified convention", 4, "06_dh_modified#Frame labelling in eight steps", TABLE, MODIFIED_SOLUTION
 )
 def modified_table(robot: Chain, sampler: ArmSampler) -> Problem:
     """The table in the modified convention between two given frames."""
     return _table(robot, sampler, "modified")
 
 
-@task(
-    *("The faulty entry", 3, "05_dh_standard#The four motions"),
-    *("entry", "Answer with a pair: column and row in quotes, and a number.", FAULTY_ENTRY_SOLUTION),
-)
+@task("The faulty entry", 3, "05_dh_standard#The four motions", ENTRY, FAULTY_ENTRY_SOLUTION)
 def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
     """The one entry of a table that does not fit the drawn frames."""
     arm, cut, _ = _arm(robot, sampler)
@@ -133,7 +124,7 @@ def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem
 def _arm(robot: Chain, sampler: ArmSampler) -> tuple[Chain, str, str]:
     """The robot with the student's base and zero configuration, where it is cut off, and the configuration in words."""
     part = truncated(robot, MAX_ROWS)
-    at = random_quarter_turn_configuration(sampler, part)
+    at = random_configuration(sampler, part, quarters=True)
     arm = rebased(with_zero_at(part, at.q), random_aligned_base(sampler, robot), np.eye(4))
     cut = f", up to joint {MAX_ROWS}," if part.n < robot.n else ""
     return arm, cut, at.words

@@ -26,16 +26,9 @@ class RobotTask(NamedTuple):
     entry: Entry
 
 
-def add_task(
-    tasks: dict[str, RobotTask], title: str, points: int, lecture: str, *entry: str
-) -> Callable[[Write], Write]:
-    """Return the decorator that adds a task by the name of its function, which the files of robot sheets store.
+def task(title: str, points: int, lecture: str, asked: tuple[str, str], solution: str) -> Callable[[Write], RobotTask]:
+    """Decorate a function that writes the problem of a robot, and so make it a task.
 
-    entry  the variable of the answer, what to answer with, and the solution
+    asked  the variable of the answer, and what to answer with
     """
-
-    def add(write: Write) -> Write:
-        tasks[write.__name__] = RobotTask(title, points, lecture, write, Entry(*entry))
-        return write
-
-    return add
+    return lambda write: RobotTask(title, points, lecture, write, Entry(*asked, solution))

@@ -1,6 +1,6 @@
 """Machines in dimensioned drawings: random lengths that can be read off, and the mistakes that people make when they read them."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from itertools import accumulate
 
 import numpy as np
@@ -12,8 +12,6 @@ from kinlib.dh.table import DHTable
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from kinlib.view.drawing.picture import Picture
 from misstep.mistakes import Mistake, mistake
-from misstep.mutants.expression import Expression, given
-from misstep.mutants.operations import LENGTH
 
 STEP_M = 0.01
 """Lengths in drawings are multiples of this one."""
@@ -43,30 +41,6 @@ def is_readable(points: Iterable[Array]) -> bool:
     """
     gaps = np.diff(np.sort(np.array([np.zeros(3), *points]), axis=0), axis=0)
     return not ((gaps > 1e-6) & (gaps < MIN_GAP_M)).any()
-
-
-def read_point(label: str, p: Array, axis: Array, others: Sequence[Array] = ()) -> Expression:
-    """A point (3,) of a joint axis that is read off a drawing, with the ways in which people misread it.
-
-    axis    (3,) the direction of the axis; another point of it is as good
-    others  other marks that people take for it
-
-    >>> [slip.name for slip in read_point("P_1", np.array([0.1, 0.2, 0.3]), np.array([1, 0, 0])).alternatives]
-    ['views swapped', 'depth reversed']
-    """
-    point = given(label, p, LENGTH)
-    for name, text, wrong in (
-        ("views swapped", f"swap $y$ and $z$ of ${label}$", p[[0, 2, 1]]),
-        ("depth reversed", f"take the $y$ of ${label}$ with the opposite sign", p * (1, -1, 1)),
-    ):
-        if np.abs(np.cross(axis, wrong - p)).max() > STEP_M:
-            point = point.mistaken_for(
-                (name, text, wrong, "The top view shows $x$ and $y$, the front view $x$ and $z$.")
-            )
-    for other in others:
-        if np.abs(np.cross(axis, other - p)).max() > STEP_M:
-            point = point.mistaken_for(("another mark", f"read another mark instead of ${label}$", other))
-    return point
 
 
 def misread(points: Array) -> Iterator[tuple[str, Array, str]]:

@@ -33,7 +33,7 @@ class Numbers(Answer):
     test   a check of each part that a student can do, in a sentence with the own numbers; "" if the part passes it
 
     A number may be off by a thousandth of itself, or of its scale: three digits of the largest number of its kind are enough,
-    0 is right for 1e-17, and wrong for 3e-7. The array is one part, unless a subclass overrides `parts` and `part_indices`.
+    0 is right for 1e-17, and wrong for 3e-7. The array is one part, unless a subclass overrides `parts`.
 
     >>> Numbers(np.array([1.0, 2.0]), unit="m").read([1, "4/2 m"])
     array([1., 2.])
@@ -59,8 +59,9 @@ class Numbers(Answer):
         return ["the answer"]
 
     def part_indices(self) -> list[Any]:
-        """Return, for each part, the index of its entries in the array."""
-        return [...]
+        """Return, for each part, the index of its entries in the array: a single part has all, and several have a row each."""
+        count = len(self.parts)
+        return [...] if count == 1 and np.shape(self.value)[:1] != (1,) else list(range(count))
 
     def core_indices(self) -> list[Any]:
         """Return, for each part, the index of the entries that make it up, without those that are always the same."""
@@ -162,7 +163,7 @@ class Numbers(Answer):
 
     def place(self, index: Sequence[Any]) -> str:
         """Name the place of an entry of the whole array."""
-        return place_of(index)
+        return self.parts[int(index[0])] if np.size(self.value) == len(self.parts) > 1 else place_of(index)
 
     def seen(self, given: Array, part: int | None) -> Named | None:
         if part is None:

@@ -100,7 +100,7 @@ def with_worked_solutions(text: str, sheet: Sheet) -> str:
             problem = template.variant(SAMPLE_ID)
             what = "The answer" if problem.solution is None else "One way to it"
             steps = "\n".join(f"- {step}" for step in worked_solution(problem))
-            further = f"\n\nA further question: {template.further}" if template.further else ""
+            further = f"\n\nA further question: {problem.further}" if problem.further else ""
             cells.append(
                 _markdown(f"{WORKED}{found[1]}", f"{what}, with the numbers of “{SAMPLE_ID}”:\n\n{steps}{further}")
             )

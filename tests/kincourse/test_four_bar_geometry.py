@@ -3,7 +3,6 @@
 import mpmath
 import numpy as np
 import pytest
-import sympy as sp
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from mpmath_oracle import intersections
@@ -43,12 +42,3 @@ def test_the_pins_are_at_the_intersections_of_circles_with_30_digits(four, A):
     np.testing.assert_allclose(np.exp(1j * four_bar.assembly_modes(A)), np.exp(1j * turned), rtol=0, atol=1e-9)
     inside = np.abs(np.abs(turned) - np.pi) > 1e-6
     np.testing.assert_allclose(wrap_angle(np.array(q, dtype=float))[inside], turned[inside], rtol=0, atol=1e-11)
-
-
-@pytest.mark.parametrize("four", [(0.5, 0.3, 0.3, 0.3), (4, 2, 2.5, 3)])
-def test_the_dead_point_is_an_angle_of_sympys_triangle(four):
-    """The sides are ground, crank, and coupler plus rocker in one line; the angle at A is opposite to the last side."""
-    ground, crank, coupler, rocker = map(sp.Rational, map(str, four))
-    A, D, B = sp.Triangle(sss=(ground, coupler + rocker, crank)).vertices
-    angle = sp.Triangle(A, D, B).angles[A]
-    assert FourBar(*four).cos_crank_angle(float(coupler + rocker)) == pytest.approx(float(sp.cos(angle)), abs=1e-12)

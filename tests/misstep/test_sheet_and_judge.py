@@ -232,9 +232,10 @@ def test_the_first_card_tells_the_idea_and_the_second_one_the_place():
 
 
 def test_a_right_answer_is_followed_by_a_worked_solution_and_a_further_question():
-    @problem("01.1", "A half", points=1, lecture="01_ohm#Currents", further="And a third?")
+    @problem("01.1", "A half", points=1, lecture="01_ohm#Currents")
     def half(sampler):
-        return Problem("Halve 6.", Numbers(np.array(3.0)), solution=of_solution("x", 6.0) / 2)
+        solution = of_solution("x", 6.0) / 2
+        return Problem("Halve 6.", Numbers(np.array(3.0)), further="And a third?", solution=solution)
 
     sheet = OpenSheet(Sheet("01_ohm", "Ohm's law", [half]), "ada")
     assert sheet.check(1, 12).worked == ()

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kinlib as kl
-from kincourse.robot_sheets.robot_file import dumps, loads
+from kincourse.robot_sheets.robot_sheet import dumps, loads
 from misstep.formulas.parsing import parse
 from misstep.storage.deserialize import from_data
 from misstep.storage.serialize import to_data
@@ -27,7 +27,7 @@ READERS = {
     "table": (lambda text: kl.DHTable(text, convention="standard"), "a | alpha | d | theta\n0.4 | -90° | 0 | q1\n0.3 | pi/2 | q2 | 0"),
     "formula": (parse, "2*sin(theta_1 + pi/2) - l1*cos(q2)^2/3"),
     "stored answer": (lambda text: from_data(json.loads(text)), json.dumps(to_data({"rows": [[1.5, 0, 2, 3]], "S": ARM.screws}))),
-    "robot of a sheet": (lambda text: loads(text, "robot.json"), dumps(ARM, ["body_form"])),
+    "robot of a sheet": (lambda text: loads(text, "robot.json"), dumps(ARM)),
 }  # fmt: skip
 """Each reader, and a text that it reads."""
 

@@ -4,10 +4,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kincourse.lecture_02_matrix_exponential.drawings.screw_motions import motion_path
-from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import hat
-from kinlib.rigid.screw import axes, line
+from kinlib.rigid.screw import line
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
@@ -21,13 +20,9 @@ def partial_sums(S: ArrayLike, q: float, point: ArrayLike, terms: int) -> Array:
            [1. , 1. , 0. ],
            [0.5, 1. , 0. ]])
     """
-    step = hat(axes(S, "S") * q)
-    term = np.append(validation.vectors(point, "point", 3), 1.0)
-    sums = [term]
-    for k in range(1, terms):
-        term = step @ term / k
-        sums.append(sums[-1] + term)
-    return np.array(sums)[:, :3]
+    step, term = hat(np.asarray(S) * q), np.append(np.asarray(point, dtype=float), 1.0)
+    added = [term, *(term := step @ term / k for k in range(1, terms))]
+    return np.cumsum(added, axis=0)[:, :3]
 
 
 def draw_series(
@@ -45,7 +40,7 @@ def draw_series(
     'Terms of the exponential as arrows, head to tail, for a rotation by 90 degrees. The first 2 take the point from
     (0, 0, 1) to (-1.57, 0, 7.28). That is 4.75 m from its goal (-5, 0, 4), and 3.55 m off the circle.'
     """
-    S = axes(S, "S")
+    S = np.asarray(S)
     axis, foot, _ = line(S)
     sums = partial_sums(S, q, point, max(terms, most or terms))
     circle = motion_path(S * 2 * np.pi, sums[0])

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import tolerances, validation
+from kinlib.arrays import tolerances
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
 from kinlib.rigid.screw import is_prismatic, line
@@ -23,18 +23,13 @@ def draw_motions(start: ArrayLike, motions: Mapping[str, ArrayLike]) -> Picture:
     start    (4, 4) the pose {a} at which all motions start
     motions  {"name": x, ...}, twists (6,) in {s}; the pose at time t, from 0 to 1, is exp(x t) start
 
-    Raises ValueError if start is not a pose, a twist does not have six components, or there is no motion or more motions than
-    line styles.
-
     >>> from kinlib.chains.robots import hrr
     >>> draw_motions(hrr().home, {"screw": hrr().screws[0] * 10}).alt  # doctest: +NORMALIZE_WHITESPACE
     'A frame starts at (0.8, 0, 0) m. Motion "screw": a rotation by 573 degrees about (0, 0, 1), 1 m along it, to
     (-0.671, -0.435, 1).'
     """
-    T = validation.poses(start, "start")
-    if not 0 < len(motions) <= len(MOTION_STYLES):
-        raise ValueError(f"motions must contain 1 to {len(MOTION_STYLES)} twists; got {len(motions)}.")
-    twists = {name: validation.vectors(x, f"motion {name}", 6) for name, x in motions.items()}
+    T = np.asarray(start, dtype=float)
+    twists = {name: np.asarray(x, dtype=float) for name, x in motions.items()}
     paths = {name: motion_path(x, T[:3, 3]) for name, x in twists.items()}
     feet = [_axis(x)[1] for x in twists.values() if x[:3].any()]
     canvas = Canvas(np.concatenate([*paths.values(), *(np.atleast_2d(foot) for foot in feet)]))
@@ -43,7 +38,11 @@ def draw_motions(start: ArrayLike, motions: Mapping[str, ArrayLike]) -> Picture:
     for (name, path), (colour, dash) in zip(paths.items(), MOTION_STYLES, strict=False):
         x = twists[name]
         if x[:3].any():
-            _draw_axis(canvas, x, path)
+            axis, foot, _ = _axis(x)
+            along = (path - foot) @ axis
+            low, high = along.min() - 0.15 * canvas.size, along.max() + 0.25 * canvas.size
+            canvas.line([foot + low * axis, foot + high * axis], VIOLET, 1.3, "--", level=1)
+            canvas.arrow(foot + (high - 0.01 * canvas.size) * axis, foot + high * axis, VIOLET, 1.3)
         canvas.line(path, colour, 2.2, dash, level=3)
         canvas.label(path[len(path) // 3], name, colour, size=10)
         end = exp(x) @ T
@@ -69,14 +68,6 @@ def _axis(x: Array) -> tuple[Array, Array, float]:
     """Return direction, nearest point and pitch of a twist with a rotation."""
     axis, foot, pitch = line(x / np.linalg.norm(x[:3]))
     return axis, foot, float(pitch)
-
-
-def _draw_axis(canvas: Canvas, x: Array, path: Array) -> None:
-    axis, foot, _ = _axis(x)
-    along = (path - foot) @ axis
-    low, high = along.min() - 0.15 * canvas.size, along.max() + 0.25 * canvas.size
-    canvas.line([foot + low * axis, foot + high * axis], VIOLET, 1.3, "--", level=1)
-    canvas.arrow(foot + (high - 0.01 * canvas.size) * axis, foot + high * axis, VIOLET, 1.3)
 
 
 def _describe(x: Array) -> str:

@@ -4,9 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kincourse.lecture_02_matrix_exponential.drawings.screw_motions import motion_path
-from kinlib.arrays import validation
 from kinlib.rigid.lie import hat
-from kinlib.rigid.screw import axes
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
@@ -22,7 +20,7 @@ def draw_small_steps(S: ArrayLike, q: float, point: ArrayLike, steps: int, *, vi
     >>> draw_small_steps(rpr().screws[0], np.pi / 2, (0, 0, 1), 4).caption
     '4 steps: the polygon ends 1.41 m from the goal'
     """
-    S, p = axes(S, "S"), np.append(validation.vectors(point, "point", 3), 1.0)
+    S, p = np.asarray(S), np.append(np.asarray(point, dtype=float), 1.0)
     step = np.eye(4) + hat(S * q) / steps
     corners = np.array([np.linalg.matrix_power(step, k) @ p for k in range(steps + 1)])[:, :3]
     arc, circle = motion_path(S * q, p[:3]), motion_path(S * 2 * np.pi, p[:3])

@@ -5,7 +5,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.screw import is_prismatic
@@ -34,12 +33,11 @@ def slide_mid_formula(chain: Chain, q: ArrayLike, *, after: Any = None, start: i
     >>> type(slide_mid_formula(mid_formula_arm(), [0.5, -0.3, 0.8, 0.4])).__name__
     'Pictures'
     """
-    values = validation.vectors(q, "q", chain.n)
 
     def draw(k: int) -> Picture:
         factors = [f"e^[{'S' if i <= k else 'B'}{i}]q{i}" for i in range(1, chain.n + 1)]
         form = " ".join([*factors[:k], "M", *factors[k:]])
-        tool = vector_text(chain.fk_mid(values, k)[:3, 3])
+        tool = vector_text(chain.fk_mid(q, k)[:3, 3])
         entries = np.count_nonzero(np.vstack([chain.screws[:k], chain.body_screws[k:]]).round(9))
         return draw_mid_formula(
             chain, k, f"T = {form}. End-effector at {tool} m. Entries of the screws that are not 0: {entries}."

@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.view import draw_arm, slide
@@ -38,7 +37,7 @@ def slide_axis(
     >>> type(slide_axis(mid_formula_arm(), 3, q, "joint 1 (degrees)", [0, 45, 90])).__name__
     'Pictures'
     """
-    q = validation.vectors(configurations, "configurations", chain.n)
+    q = np.asarray(configurations, dtype=float)
     points = np.concatenate([stations(chain, now) for now in q])
     pictures = [draw_arm(chain, now, ghost=ghost, around=points, caption=axis_caption(chain, joint, now)) for now in q]
     return slide(pictures, label, values, after)

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus, side_by_side
-from kinlib.arrays import validation
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.angles import wrap_angle
 from kinlib.view import draw_linkage, slide
@@ -40,16 +39,14 @@ def slide_linkage(
     ghosts          (m, n) or (n,) configurations drawn in grey, such as another assembly mode
     names           whether joints are labelled
 
-    Raises ValueError if there are not as many configurations, captions or ghosts as values.
-
     >>> from kinlib.mechanisms.linkages import four_bar
     >>> linkage = four_bar(0.5, 0.3, 0.3, 0.3)
     >>> modes = linkage.assembly_modes(hold={"A": 1.0})
     >>> type(slide_linkage(linkage, modes, "assembly mode", [1, 2], ghosts=modes[::-1])).__name__
     'Pictures'
     """
-    q = validation.vectors(configurations, "configurations", mechanism.n)
-    drawn = () if ghosts is None else np.broadcast_to(validation.vectors(ghosts, "ghosts", mechanism.n), q.shape)
+    q = np.asarray(configurations, dtype=float)
+    drawn = () if ghosts is None else np.broadcast_to(np.asarray(ghosts, dtype=float), q.shape)
     points = np.concatenate([linkage_geometry(mechanism, now).all for now in (*q, *drawn)])
     grey, texts = drawn if len(drawn) else [None] * len(q), captions or [""] * len(q)
     pictures = [
@@ -81,7 +78,7 @@ def slide_curve(
     >>> type(slide_curve(linkage, q, ("A", "D"))).__name__
     'Pictures'
     """
-    q = validation.vectors(configurations, "configurations", mechanism.n)
+    q = np.asarray(configurations, dtype=float)
     angles = q[:, [mechanism.names.index(name) for name in pair]]
     masks = {name: np.asarray(mask, dtype=bool) for name, mask in (parts or {"curve": np.ones(len(q))}).items()}
     points = np.concatenate([linkage_geometry(mechanism, now).all for now in q])

@@ -9,7 +9,6 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.angles import wrap_angle
 from kinlib.view.drawing import svg
@@ -38,18 +37,12 @@ def draw_torus(
     curves  {"name": (m, 2)} angles in radians; each has its own colour and dash, and its name beside it
     marks   {"name": (2,)} points to mark and label, in radians
 
-    Raises ValueError if there are more curves than line styles, or a curve or mark has another shape or contains NaN.
-
     >>> t = np.linspace(0, 2 * np.pi, 50)
     >>> curve = np.stack([t, 0.5 * np.sin(t)], 1)
     >>> print(draw_torus({"wave": curve}, {"now": curve[7]}, xlabel="A", ylabel="D").alt)    # doctest: +NORMALIZE_WHITESPACE
     The square of all angles A and D, whose opposite edges are the same. Curve "wave": A from -176° to 176°, D from -28.6° to
     28.6°. now is at A = 51.4°, D = 22.4°.
     """
-    if len(curves) > len(CURVE_STYLES):
-        raise ValueError(
-            f"curves must have at most {len(CURVE_STYLES)} entries, one per line style; got {len(curves)}."
-        )
     drawn = [svg.polygon(_place(np.array([[-180, -180], [180, -180], [180, 180], [-180, 180]])), "white", GREY)]
     for tick in TICKS_DEG:
         lines = np.array([[(tick, -180), (tick, 180)], [(-180, tick), (180, tick)]])
@@ -58,10 +51,8 @@ def draw_torus(
         drawn += [svg.text(foot, f"{tick}°", INK, 11) for foot in feet]
     drawn.append(svg.text([LEFT_PX + SQUARE_PX / 2, TOP_PX + SQUARE_PX + 30], xlabel, INK, 12))
     drawn.append(svg.text([LEFT_PX + 26, TOP_PX - 7], ylabel, INK, 12))
-    placed = {
-        name: np.degrees(wrap_angle(validation.vectors(p, f"mark {name}", 2))) for name, p in (marks or {}).items()
-    }
-    pieces = {name: split_where_wrapped(validation.vectors(p, f"curve {name}", 2)) for name, p in curves.items()}
+    placed = {name: np.degrees(wrap_angle(np.asarray(p))) for name, p in (marks or {}).items()}
+    pieces = {name: split_where_wrapped(np.asarray(p)) for name, p in curves.items()}
     labels = []
     for (name, parts), (colour, dash) in zip(pieces.items(), CURVE_STYLES, strict=False):
         drawn += [svg.polyline(_place(piece), colour, 2.2, dash) for piece in parts]

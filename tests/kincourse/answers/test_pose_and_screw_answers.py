@@ -40,35 +40,6 @@ def test_a_pose_is_judged_by_rotation_and_position_and_what_is_no_rotation_is_to
         assert ["not a rotation matrix" in finding.message for finding in judgement.findings] == hints
 
 
-def test_a_pose_ends_in_a_row_of_its_own():
-    for row, right_parts in {
-        (0, 0, 0, 0): ["rotation"],
-        (0, 0.5, 0, 1): ["position"],
-        (1, 2, 3, 4): [],
-        (0, 0, 0, 1.0005): ["rotation", "position"],
-    }.items():
-        judgement = judge(Problem("", PoseAnswer(TURN), []), [*TURN[:3].tolist(), row])
-        assert list(judgement.right_parts) == right_parts
-        assert all(
-            "the last row of a pose is 0 0 0 1" in finding.message.replace("The", "the")
-            for finding in judgement.findings
-        )
-
-
-def test_a_screw_is_told_which_half_is_right_if_one_is():
-    right = np.array([0, 0, 1, 0, -2, 0.5])
-    problem = Problem("", ScrewsAnswer(right), [])
-    assert problem.answer.parts == ["screw 1"]
-    told = {
-        (0, 0, 1, 9, -2, 0.5): "One entry is wrong.\nLook at $v_x$: all other entries are right.",
-        (0, 0.0005, 1, 9, -9, 0.5): "$\\omega$ is right",
-        (0, 2, 0, 0, -2, 0.5): "$v$ is right, but $\\omega$ is not.",
-        (0, 1, 0, 9, -2, 0.5): "$\\omega$ is not right.",
-    }
-    for given, words in told.items():
-        assert judge(problem, given).findings[0].message.startswith(words)
-
-
 def test_an_unreadable_value_is_refused_with_a_remedy():
     one, three = ScrewsAnswer(np.eye(1, 6)[0]), ScrewsAnswer(np.eye(3, 6))
     homogeneous = "homogeneous coordinates: leave off the last entry"
@@ -149,8 +120,3 @@ def test_each_slip_of_a_kind_is_named(kind):
         assert judgement.fraction < 1
         named = {names for finding in judgement.findings for names in finding.alternatives}
         assert {slip.names, ("placeholder",)} & named, slip.name
-
-
-def test_a_slip_in_one_screw_is_named_for_this_screw():
-    judgement = judge(Problem("", ScrewsAnswer(SCREWS)), [SCREWS[0], np.roll(SCREWS[1], 3), SCREWS[2]])
-    assert [(finding.parts, finding.mistake) for finding in judgement.findings] == [(["screw 2"], "halves swapped")]

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kincourse.expressions.rodrigues import angle_symbol, position_exp, rotation_exp, truncated
-from kinlib.rigid.lie import exp, hat
+from kincourse.expressions.rodrigues import angle_symbol, position_exp, rotation_exp
+from kinlib.rigid.lie import exp
 from misstep.mutants.expression import given
 from misstep.mutants.mutants import mutate, mutations
 
@@ -29,11 +29,3 @@ def test_every_change_of_an_exponential_is_wrong(parts):
         for mutation in mutations(right):
             wrong = mutate(right, mutation.replaced)
             assert not np.allclose(wrong.value, right.value), mutation.slip.did
-
-
-def test_a_series_cut_short_has_the_number_of_terms_that_its_text_says(parts):
-    omega, _, theta = parts
-    right = rotation_exp(given("\\omega", omega), given("q", theta))
-    for terms, count in {2: "two", 3: "three", 4: "four"}.items():
-        [cut] = [one for one in mutations(right) if one.slip.did == f"stop the series after {count} terms"]
-        assert np.allclose(mutate(right, cut.replaced).value, truncated(hat(omega) * theta, terms))

@@ -7,10 +7,8 @@ import kinlib as kl
 from kincourse.lecture_00_start_here.drawings import draw_parts
 from kincourse.lecture_01_frames.drawings import draw_rotation, draw_three_readings
 from kincourse.lecture_02_matrix_exponential.drawings import (
-    draw_cross_product,
     draw_motions,
     draw_series,
-    draw_twist_matrix,
 )
 from kincourse.lecture_04_poe_body.drawings import draw_adjoint_steps
 from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
@@ -19,8 +17,8 @@ from kincourse.lecture_05_dh_standard.drawings import draw_last_frame
 from kincourse.lecture_06b_puma.drawings import draw_rotation_axes
 from kincourse.lecture_07_frame_assignment.drawings import draw_nearly_parallel_axes
 from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus
-from kincourse.lecture_09_urdf.compare_urdf_readers import ARM, FOUR_BAR
 from kincourse.lecture_09_urdf.drawings import draw_urdf_joint, draw_urdf_tree
+from kincourse.lecture_09_urdf.files import ARM, FOUR_BAR
 from kincourse.lecture_10_one_robot_four_ways.drawings import draw_two_arms
 
 YOUBOT, PUMA = kl.robots.youbot(), kl.robots.puma560()
@@ -33,8 +31,6 @@ PICTURES = {
     "parts": lambda: draw_parts(YOUBOT),
     "three readings": lambda: draw_three_readings(M, [0.5, 0.25, 0]),
     "rotation": lambda: draw_rotation(1, -70),
-    "cross product": draw_cross_product,
-    "twist matrix": lambda: draw_twist_matrix((0.5, -0.25, 2, 0, 7, -3)),
     "series": lambda: draw_series(SCREW, 2.0, (0, 0, 1), 5),
     "motions": lambda: draw_motions(np.eye(4), {"screw": [0, 0, 2, 1, 0, 0.3], "slide": [0, 0, 0, 0, 1, 0.5]}),
     "adjoint": lambda: draw_adjoint_steps([0, 0, 0.5, 0.9, 0.3, 0], M),

@@ -6,7 +6,7 @@ import numpy as np
 from example_arms import arm as random_arm
 
 import kinlib as kl
-from kincourse.robot_sheets.robot_sheet import PROBLEMS_PER_SHEET, TASK_ORDER, robot_sheet
+from kincourse.robot_sheets.robot_sheet import robot_sheet
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
 
 
@@ -43,4 +43,4 @@ ODD_ROBOTS = {
 def generated_sheet():
     """The sheet of a common robot that was read from a URDF. It must pass the same tests as the course's sheets."""
     puma = kl.load_urdf(kl.to_urdf(ODD_ROBOTS["PUMA"]))
-    return robot_sheet("puma", puma, TASK_ORDER[:PROBLEMS_PER_SHEET])
+    return robot_sheet("puma", puma)

@@ -2,6 +2,7 @@
 
 import json
 import re
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +26,13 @@ BLANK_STEPS = list(blanks().values())
 NOTEBOOKS = Path(__file__).parents[3] / "notebooks"
 STUDENTS = [f"student {i}" for i in range(4)]
 
+
+@cache
+def drawn(template, student):
+    """One variant serves several tests."""
+    return template.variant(student)
+
+
 each_problem = pytest.mark.parametrize("template", TEMPLATES, ids=lambda template: template.number)
 
 
@@ -40,7 +48,7 @@ def assert_mistakes_are_named(problem):
 
 @each_problem
 def test_right_answers_score_mistakes_have_messages_and_students_have_different_numbers(template):
-    problems = [template.variant(student) for student in STUDENTS]
+    problems = [drawn(template, student) for student in STUDENTS]
     assert len({problem.statement + str(problem.answer.value) for problem in problems}) > 2
     assert len([*problems[0].known_mistakes, *problems[0].slips]) >= 3
     for problem in problems[:2]:
@@ -60,8 +68,8 @@ def plain_text(template, judgement):
 
 def test_an_unfilled_answer_is_blank_and_a_hostile_value_gets_a_card_with_what_was_expected():
     """A value is read by the kind of answer, so one problem of each kind is enough."""
-    drawn = [(template, template.variant(SAMPLE_ID)) for template in TEMPLATES + BLANK_STEPS]
-    for template, problem in {type(problem.answer): (template, problem) for template, problem in drawn}.values():
+    pairs = [(template, drawn(template, STUDENTS[0])) for template in TEMPLATES + BLANK_STEPS]
+    for template, problem in {type(problem.answer): (template, problem) for template, problem in pairs}.values():
         for blank in (..., None):
             judgement = judge(problem, blank)
             assert (judgement.state, judgement.fraction) == ("blank", 0)

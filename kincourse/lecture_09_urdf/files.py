@@ -1,4 +1,4 @@
-"""A URDF of the UR5e in our own words: the numbers of the maker's data sheet, and cylinders for the bodies of the links."""
+"""Files of lecture 09 in our own words: the UR5e, by its maker's data sheet and with cylinders for bodies, a camera, and a four-bar."""
 
 UR5E = """<robot name="UR5e">
   <link name="base"> <visual> <origin xyz="0 0 0.05"/>
@@ -34,3 +34,26 @@ UR5E = """<robot name="UR5e">
   <link name="flange"> <visual> <origin xyz="0 0 -0.02"/>
     <geometry> <cylinder radius="0.032" length="0.04"/> </geometry> </visual> </link>
 </robot>"""
+
+ARM = """<robot name="camera">
+  <link name="base"/> <link name="mast"/> <link name="camera"/>
+  <joint name="pan" type="revolute"> <parent link="base"/> <child link="mast"/>
+    <origin xyz="0 0 0.5"/> <axis xyz="0 0 1"/>
+    <limit lower="-2" upper="2" effort="10" velocity="1"/> </joint>
+  <joint name="tilt" type="revolute"> <parent link="mast"/> <child link="camera"/>
+    <origin xyz="0 0 0.2" rpy="-1.5708 0 0"/> <axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="10" velocity="1"/> </joint>
+</robot>"""
+"""A camera that pans and tilts: a valid file."""
+
+FOUR_BAR = """<robot name="four-bar">
+  <link name="ground"/> <link name="crank"/> <link name="coupler"/> <link name="rocker"/>
+  <joint name="A" type="continuous"> <parent link="ground"/> <child link="crank"/> <axis xyz="0 0 1"/> </joint>
+  <joint name="B" type="continuous"> <parent link="crank"/> <child link="coupler"/>
+    <origin xyz="1 0 0"/> <axis xyz="0 0 1"/> </joint>
+  <joint name="C" type="continuous"> <parent link="coupler"/> <child link="rocker"/>
+    <origin xyz="2 0 0"/> <axis xyz="0 0 1"/> </joint>
+  <joint name="D" type="continuous"> <parent link="ground"/> <child link="rocker"/>
+    <origin xyz="3 0 0"/> <axis xyz="0 0 1"/> </joint>
+</robot>"""
+"""A four-bar linkage, whose rocker has two parents: not a tree."""
