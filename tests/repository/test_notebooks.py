@@ -37,7 +37,7 @@ def test_a_cell_of_a_lecture_has_at_most_15_lines_and_one_widget(path):
     assert not crowded, f"one widget, one blank or one question with its figure a cell: split\n\n{crowded[0]}"
 
 
-WIDGETS = re.compile(r"(?:\w+\.)?(?:ask|attempt|explore|assign|drive|slide\w*|play_\w+)")
+WIDGETS = re.compile(r"(?:\w+\.)?(?:ask|attempt|explore|quiz|assign|drive|slide\w*|play_\w+)")
 
 
 def shown_widgets(source):
