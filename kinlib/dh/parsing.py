@@ -1,8 +1,7 @@
-"""Parse the rows of DH tables as people type them: numbers, dictionaries, or text with a heading.
+"""The headings and the entries of DH tables as people type them.
 
-A row becomes four numbers (a, alpha, d, theta), the type of its joint and the joint's sign. An entry may contain the joint variable
-(`q1`, `theta_1`, `d_2`), pi, fractions, and named lengths. Angles are in radians, unless the text says degrees, in the heading of the
-column or after the number. What is written is honoured or refused; `kinlib.dh.read_table` reads what is not written like this.
+An entry may contain the joint variable (`q1`, `theta_1`, `d_2`), pi, fractions, and named lengths. Angles are in radians, unless a
+unit says degrees, in the heading of the column or after the number.
 """
 
 import ast
@@ -10,12 +9,9 @@ import math
 import operator
 import re
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-
-from kinlib.arrays import validation
-from kinlib.arrays.validation import Array
 
 COLUMNS = ("a", "alpha", "d", "theta")
 ANGLE_COLUMNS = ("alpha", "theta")
@@ -33,9 +29,6 @@ COLUMN_NAMES = {
     for name in names.split()
 }
 """The names that people give to columns, in small letters without signs and indices. An offset is that of theta, beside a d."""
-
-ROW_NUMBER_HEADINGS = ("i", "j", "k", "n", "#", "no", "no.", "nr", "row", "link", "joint", "index", "axis", "frame")
-"""Headings of a column that counts the rows."""
 
 HEADING_UNIT = re.compile(
     r"[\[(/,_]?\s*(?<![a-zA-Z])(mm|cm|m|millimet\w+|met(?:er|re)s?|rad|radians?|deg|degrees?)\b\.?\s*[\])]?|°"
@@ -61,8 +54,8 @@ OPERATORS: dict[type[ast.operator], Callable[[complex, complex], complex]] = {
     ast.Div: operator.truediv,
 }
 
-MAX_TEXT_LENGTH, MAX_ENTRY_LENGTH, MAX_LENGTH_M = 100_000, 200, 1e12
-"""The maximum number of characters of a text and of an entry, and of a and d in metres: beyond it a pose resolves no millimetre."""
+MAX_ENTRY_LENGTH, MAX_LENGTH_M = 200, 1e12
+"""The maximum number of characters of an entry, and of a and d in metres: beyond it a pose resolves no millimetre."""
 
 
 def joint_entries(joints: str) -> list[tuple[int, int]]:
@@ -88,154 +81,6 @@ def is_plausible_angle(angle: float) -> bool:
         return size <= 2 * math.pi
     degrees, is_typed = math.degrees(angle), abs(angle - round(angle, 3)) < 1e-9
     return abs(degrees - round(degrees)) < 1e-4 or (not is_typed and size <= 4 * math.pi)
-
-
-class Rows(NamedTuple):
-    """A parsed table: numbers (m, 4) in the order of COLUMNS, joint types as letters R, P or F, and signs (m,) of the variables.
-
-    A table of numbers has no variables, so its signs are None.
-    """
-
-    numbers: Array
-    joints: str
-    signs: Array | None
-
-
-def read_rows(
-    rows: Any, joints: str | None = None, lengths: Mapping[str, float] | None = None, convention: str | None = None
-) -> Rows:
-    """Read a table in any of its forms.
-
-    rows        text with a heading, a sequence of {"a": ..., "alpha": ..., "d": ..., "theta": ...}, or numbers (m, 4) in that order
-    joints      letters R, P, F, one per row; by default read from the variables. F is a fixed row, without a joint
-    lengths     values of names such as l2 that an entry uses
-    convention  "standard" or "modified", which the indices in the heading must not contradict; None does not check them
-
-    Raises ValueError for anything else, for variables in another order than 1, 2, ..., and for angles that are not plausible as
-    radians; the message names the row and the column.
-
-    >>> read_rows('''i | alpha | a  | d  | theta
-    ...             1 | 0     | 0  | 0  | q1
-    ...             2 | -90°  | l2 | q2 | -90°''', lengths={"l2": 0.5}).numbers.round(3)
-    array([[ 0.   ,  0.   ,  0.   ,  0.   ],
-           [ 0.5  , -1.571,  0.   , -1.571]])
-    """
-    if not isinstance(lengths or {}, Mapping):
-        raise ValueError(f"lengths must be a dictionary such as {{'l2': 0.5}}; got {validation.describe(lengths)}.")
-    values = {name: _single_number(value, f"lengths[{name!r:.60}]") for name, value in (lengths or {}).items()}
-    if "pi" in values:
-        raise ValueError("lengths must not redefine pi. Choose another name.")
-    degrees = set[str]()
-    if isinstance(rows, str):
-        rows, degrees = _split_table(rows, convention)
-    if not isinstance(rows, Sequence) or not any(isinstance(row, Mapping) for row in rows):
-        numbers = validation.vectors(rows, "rows", 4)
-        if numbers.ndim != 2:
-            raise ValueError(f"rows must have shape (m, 4), with columns {', '.join(COLUMNS)}; got {numbers.shape}.")
-        letters, signs = ("R" * len(numbers) if joints is None else joints), None
-    else:
-        cells = [
-            [_parse_entry(row, column, i, values, column in degrees) for column in COLUMNS]
-            for i, row in enumerate(rows, 1)
-        ]
-        kinds = [joint_of_row(dict(zip(COLUMNS, row, strict=True)), f"Row {i}") for i, row in enumerate(cells, 1)]
-        _validate_labels([name for _, _, name in kinds if name])
-        numbers, signs = (
-            np.array([[entry.value.real for entry in row] for row in cells]),
-            np.array([sign for _, sign, _ in kinds]),
-        )
-        letters = "".join(letter for letter, _, _ in kinds)
-        if joints is not None and joints != letters:
-            raise ValueError(
-                f"joints must agree with the variables in the rows, {letters}; got {joints!r:.60}. Which rows have a joint?"
-            )
-    _validate_rows(numbers, letters)
-    return Rows(numbers, letters, signs)
-
-
-def _validate_rows(numbers: Array, joints: Any) -> None:
-    if not isinstance(joints, str) or len(joints) != len(numbers) or set(joints) - set("RPF"):
-        raise ValueError(
-            f"joints must have a letter R, P or F for each of the {len(numbers)} rows; got {joints!r:.60}."
-        )
-    if set(joints) <= {"F"}:
-        raise ValueError("A table must have at least one joint, but every row is fixed. Is q1 missing from an entry?")
-    for (row, column), value in np.ndenumerate(numbers):
-        name = COLUMNS[column]
-        if name in ANGLE_COLUMNS and not is_plausible_angle(value):
-            raise ValueError(
-                f"Row {row + 1}, {name}: an angle must be at most a full turn, 2 pi, or at most ten turns in whole degrees; got "
-                f"{value:g} rad. If the number is in degrees, write {value:g}°; if not, subtract full turns."
-            )
-        if name not in ANGLE_COLUMNS and abs(value) > MAX_LENGTH_M:
-            raise ValueError(f"Row {row + 1}: {name} must be at most {MAX_LENGTH_M:g} m; got {value:g} m.")
-
-
-def _validate_labels(names: Sequence[str]) -> None:
-    """Refuse variables that are not numbered 1, 2, ... in the order of the rows; q without a number is the joint of its row."""
-    digits = [re.sub(r"\D", "", name) for name in names]
-    numbers = [int(digit) if digit else position for position, digit in enumerate(digits, start=1)]
-    if numbers == [*range(1, len(numbers) + 1)]:
-        return
-    twice = next((number for number in numbers if numbers.count(number) > 1), None)
-    hint = "Is a row missing? The joints are counted from 1. A variable without a number, q, is the joint of its row."
-    if twice is not None:
-        hint = f"Two rows have the variable of joint {twice}, but each joint has one row."
-    elif {*numbers} == {*range(1, len(numbers) + 1)}:
-        hint = "Give the rows in the order of the joints, because each row begins at the frame of the row before."
-    raise ValueError(
-        f"The joint variables must be numbered 1, 2, ... in the order of the rows; got {', '.join(names):.100}. {hint}"
-    )
-
-
-def _single_number(value: Any, name: str) -> float:
-    number = validation.array(value, name)
-    if number.ndim:
-        raise ValueError(f"{name} must be a single number; got {validation.describe(value)}.")
-    return float(number)
-
-
-def _split_table(text: str, convention: str | None) -> tuple[list[dict[str, str]], set[str]]:
-    """Split a text into rows of entries by column name, and find the columns whose numbers are degrees."""
-    if len(text) > MAX_TEXT_LENGTH:
-        raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
-    lines = [line for line in respelled(text).strip().splitlines() if line.strip(" |-+:\t")]
-    if len(lines) < 2:
-        raise ValueError("A table as text must have a heading, such as 'a | alpha | d | theta', and at least one row.")
-    heads = parse_headings(_split_line(lines[0]))
-    for head in heads:
-        _validate_heading(head, convention)
-    if sorted(head.name for head in heads if head.name in (*COLUMNS, "offset")) != sorted(COLUMNS):
-        raise ValueError(
-            f"The heading must name the columns {', '.join(COLUMNS)}, each once; got {lines[0].strip()!r:.100}."
-        )
-    rows = []
-    for number, line in enumerate(lines[1:], start=1):
-        cells = _split_line(line)
-        if len(cells) == len(heads) + 1 and cells[0].rstrip(".") == str(number):
-            cells = cells[1:]  # the rows are numbered, but their column has no heading
-        if len(cells) != len(heads):
-            raise ValueError(
-                f"Row {number} must have {len(heads)} entries, one per heading; got {len(cells)}: {line.strip()!r:.100}."
-            )
-        rows.append({head.name: cell for head, cell in zip(heads, cells, strict=True)})
-    for name in {head.name for head in heads} & {*ROW_NUMBER_HEADINGS}:
-        labels = [row[name].rstrip(".") for row in rows]
-        are_numbers = all(re.fullmatch(r"\d{1,4}", label, re.ASCII) for label in labels)
-        if are_numbers and [*map(int, labels)] != [*range(int(labels[0]), int(labels[0]) + len(labels))]:
-            raise ValueError(
-                f"The rows must be in the order of their numbers, none of them missing or twice; got {', '.join(labels):.100}. "
-                "Sort the rows, because each of them begins at the frame of the row before."
-            )
-    return rows, {head.name for head in heads if head.unit == "deg"}
-
-
-def _split_line(line: str) -> list[str]:
-    """Split a line at bars, as in Markdown, or at white space."""
-    line = line.strip()
-    if "|" in line:
-        return [cell.strip() for cell in line.strip("|").split("|")]
-    return re.split(r"\s{2,}|\t", line) if re.search(r"\S(\s{2,}|\t)", line) else line.split()
 
 
 def respelled(text: str) -> str:
@@ -292,47 +137,12 @@ def parse_heading(head: str) -> Heading:
     )
 
 
-def _validate_heading(head: Heading, convention: str | None) -> None:
-    """Refuse millimetres, and an index that contradicts the convention."""
-    if head.unit in {"mm", "cm"}:
-        raise ValueError(
-            f"Lengths must be in metres, but the heading {head.text!r:.60} says {head.unit}. Write 0.4 for 400 mm."
-        )
-    said = {"i": "standard", "i-1": "modified"}.get(head.indices, convention)
-    if head.name in ("a", "alpha") and convention in ("standard", "modified") and said != convention:
-        raise ValueError(
-            f"The heading {head.text!r:.60} is that of a {said} table, but convention is {convention!r}. These two are often confused: "
-            "row i has a_i and alpha_i in the standard convention, and a_{i-1} and alpha_{i-1} in the modified one (Craig). Write "
-            f"convention={said!r}, or, if the numbers are those of a {convention} table, write {head.name} without an index."
-        )
-
-
 class Entry(NamedTuple):
     """An entry: its value, in which the variable is the imaginary unit (0.5 - q1 is 0.5 - 1j); its variables; and "°", "pi" or ""."""
 
     value: complex
     variables: Sequence[str] = ()
     unit: str = ""
-
-
-def _parse_entry(row: Any, column: str, number: int, lengths: Mapping[str, float], in_degrees: bool) -> Entry:
-    if not isinstance(row, Mapping) or column not in row:
-        given = "" if isinstance(row, Mapping) else f"; it is {validation.describe(row)}"
-        raise ValueError(
-            f"Row {number} has no {column}{given}. Each row must have all of {', '.join(COLUMNS)}; write 0 for an empty entry."
-        )
-    text, place = row[column], f"Row {number}, {column}"
-    if not isinstance(text, str):
-        return Entry(complex(_single_number(text, place)))
-    try:
-        entry = evaluate_entry(text, column, lengths)
-    except ValueError as error:
-        raise ValueError(f"{place}: {error}") from error
-    if column not in ANGLE_COLUMNS and entry.unit == "°":
-        raise ValueError(f"{place}: {text!r} is an angle, but {column} is a length. Are two columns swapped?")
-    # A heading in degrees applies to bare numbers; an entry with pi or a unit has its own unit.
-    factor = math.pi / 180 if in_degrees and not entry.unit else 1.0
-    return entry._replace(value=complex(entry.value.real * factor, entry.value.imag))
 
 
 def joint_of_row(row: Mapping[str, Entry], place: str) -> tuple[str, float, str]:
