@@ -25,8 +25,8 @@ from kinlib.dh.equivalence import (
     Equivalence,
     equivalent,
     measured_difference,
-    neighbours,
 )
+from kinlib.dh.invariants import neighbours
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.rounding import nearest_rows, nearest_table, rounding_effect, typed_half_units
 from kinlib.dh.search import TableExplanation, cheapest, choices_as_faults, explain_by_choices, explain_by_slips

@@ -13,14 +13,8 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.equivalence import (
-    COMPARED_CONFIGURATIONS,
-    ROUGH,
-    Equivalence,
-    equivalent,
-    linearized,
-    nearest_maps,
-)
+from kinlib.dh.equivalence import ROUGH, equivalent
+from kinlib.dh.maps import COMPARED_CONFIGURATIONS, Map, linearized, nearest_maps
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.table import DHTable, rows_at
 from kinlib.rigid.lie import exp
@@ -103,7 +97,7 @@ def rounding_effect(table: DHTable, half_unit: Array) -> float:
 
 
 def nearest_rows(
-    table: DHTable, arm: Chain, start: Equivalence, fixed: frozenset[str], half_unit: Array, *, few: bool
+    table: DHTable, arm: Chain, start: Map, fixed: frozenset[str], half_unit: Array, *, few: bool
 ) -> tuple[Array, float] | None:
     """Find the rows (m, 4) nearest to those of a table with which it describes an arm, and the largest difference that they leave.
 
@@ -148,7 +142,7 @@ def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: 
     if table.joints.replace("F", "") != arm.joint_types:
         return None
     tolerance, unit = max(noise, 1e-6), np.maximum(half_unit, 1e-6)
-    identity = Equivalence("same", signs=np.ones(arm.n), offsets=np.zeros(arm.n))
+    identity = Map(np.ones(arm.n), np.zeros(arm.n))
     rough = sorted(nearest_maps(table.to_chain(), arm, fixed, ROUGH), key=lambda each: each.difference)[:2]
     for start in [identity, *rough]:
         fit = nearest_rows(table, arm, start, fixed, unit, few=True)

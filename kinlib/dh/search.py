@@ -20,15 +20,8 @@ from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.equivalence import (
-    CHOICES,
-    AxisInvariants,
-    Booleans,
-    Equivalence,
-    describe_pose,
-    equivalent,
-    format_offset,
-)
+from kinlib.dh.equivalence import CHOICES, Equivalence, describe_pose, equivalent, format_offset
+from kinlib.dh.invariants import AxisInvariants, Booleans
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.slips import (
     NUMBERS,
