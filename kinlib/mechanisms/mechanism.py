@@ -23,10 +23,12 @@ from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_vector, html_table
 from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
-from kinlib.mechanisms.closure import Assembly, Closure
+from kinlib.mechanisms.closure import Closure
 from kinlib.mechanisms.continuation import Curve
-from kinlib.mechanisms.joints import (
-    Joint,
+from kinlib.mechanisms.joints import Joint
+from kinlib.mechanisms.levenberg_marquardt import START_TOL_FACTOR, null_space
+from kinlib.mechanisms.mobility import Mobility, finite_mobility, group_dimension
+from kinlib.mechanisms.paths import (
     JointPath,
     Traversal,
     chain_along,
@@ -34,8 +36,6 @@ from kinlib.mechanisms.joints import (
     joints_of_chain,
     spanning_tree,
 )
-from kinlib.mechanisms.levenberg_marquardt import START_TOL_FACTOR, null_space
-from kinlib.mechanisms.mobility import Mobility, finite_mobility, group_dimension
 from kinlib.rigid.lie import inverse, log
 from kinlib.rigid.screw import line
 from kinlib.rigid.se3_jacobians import left_jacobian_inverse
@@ -44,7 +44,31 @@ CLOSURE_TOL = 1e-13
 """A linkage is closed if the norm of all its residuals, each expressed about the centre of its loop, is at most (1 + d) times
 this, where d is the distance in metres from the origin to its farthest joint: rounding errors grow with d."""
 
+NOT_CLOSED = (
+    "the residual is {residual:.2g}, in metres and radians together, and no small change of the joint values decreases it. Try "
+    "another guess, because this one may be singular, with links in one line; assembly_modes(hold={{...}}) tries many. If none "
+    "closes, the links are not long enough to meet."
+)
+
 JOINT_HEADINGS = ["joint", "bodies", "omega", "v"]
+
+
+@dataclass(frozen=True, eq=False)
+class Assembly:
+    """The result of an attempt to close a linkage.
+
+    q           (n,)  the configuration reached
+    residual    the norm of its residual, radians and metres together
+    iterations  the number of steps taken
+    converged   whether the linkage is closed in it
+    message     the same in words, or why it is not closed
+    """
+
+    q: Array
+    residual: float
+    iterations: int
+    converged: bool
+    message: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -246,7 +270,13 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
         >>> four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0]).converged        # the three short links do not reach
         False
         """
-        return self._closure(guess, hold, "guess").assemble()
+        closure = self._closure(guess, hold, "guess")
+        q, residual, iterations = closure.assemble()
+        converged, steps = residual <= closure.tolerance, f"after {iterations} step{'s' * (iterations != 1)}"
+        message = f"Closed to {residual:.1g} {steps}."
+        if not converged:
+            message = f"Not closed {steps}: {NOT_CLOSED.format(residual=residual)}"
+        return Assembly(validation.read_only_copy(q), residual, iterations, converged, message)
 
     def assembly_modes(self, hold: Mapping[str, float] | None = None) -> Array:
         """Find the ways of assembling the linkage while some joint values are held: configurations (m, n), each once.
