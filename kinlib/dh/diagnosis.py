@@ -141,7 +141,7 @@ class Diagnosis:
         yield from (fault.text for fault in choices_as_faults(self.table, found))
         if kinds & {"zeros", "signs"}:
             fixed = frozenset(CHOICES) - ({"base", "tool"} & kinds)
-            one_slip = explain_by_slips(self.table, self.arm, fixed, frozenset(), found.tolerance, 1)
+            one_slip = explain_by_slips(self.table, self.arm, fixed, found.tolerance, 1)
             texts = [each.faults[0].text for each in one_slip if each.faults[0].name not in NUMBERS]
             if texts:
                 yield f"If q is meant to be the same: {' Or: '.join(texts[:MAX_TOLD])}"
@@ -255,14 +255,14 @@ def _explanations(  # noqa: PLR0917
     is_exact: bool,
 ) -> list[TableExplanation]:
     """Explain a table by one slip; or by choices that are fixed, or two slips, whichever changes less."""
-    found = _with_enough_digits(explain_by_slips(table, reference, fixed, frozenset(), bound, 1), table, half)
+    found = _with_enough_digits(explain_by_slips(table, reference, fixed, bound, 1), table, half)
     if not in_pairs or any(each.edits <= 1 for each in found):
         return found
     choice = explain_by_choices(table, equivalent(table, reference, tolerance=bound)) if fixed else None
     if not found and is_exact and not (choice and choice.edits <= 2):
-        pairs = explain_by_slips(table, reference, fixed, frozenset(), bound, 2)
+        pairs = explain_by_slips(table, reference, fixed, bound, 2)
         if ends := fixed & {"base", "tool"}:
-            pairs += explain_by_slips(table, reference, fixed, ends, bound, 1)
+            pairs += explain_by_slips(table, reference, fixed, bound, 1, ends)
         found = _with_enough_digits(cheapest(pairs), table, half)
     if choice and not any(each.says_as_much(choice) for each in found):
         is_pair = bool(found) and len(found[0].faults) > 1
