@@ -78,7 +78,7 @@ PAIR = re.compile(
 
 LIST = re.compile(r"['\"]?\b([a-zA-Z][\w.]*)['\"]?(?:\[?\d*\])?\s*[=:]\s*(?:\w+\.\w+\()?[\[({]([^\[\](){}]*)[\])}]")
 
-END = re.compile(r"^[ \t]*(base|tool)\s*=\s*(\[\[.*\]\])\s*$", re.MULTILINE)
+END = re.compile(r"^[ \t]*(base|tool)\s*=\s*(\[\[.*)$", re.MULTILINE)
 """A base or a tool as `print(table)` writes it."""
 
 

@@ -25,7 +25,6 @@ SCRIPT = """
     tree = kl.Tree.from_urdf(kl.to_urdf(arm))
     reveal_type(tree.coupling)
     reveal_type(tree.poses([0.3], base=np.eye(4)))
-    reveal_type(tree.pose("base_link", "tool", [0.3]))
     reveal_type(tree.chain("base_link", "tool").fk([0.3]))
 """
 
