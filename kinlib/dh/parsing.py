@@ -59,11 +59,7 @@ MAX_ENTRY_LENGTH, MAX_LENGTH_M = 200, 1e12
 
 
 def joint_entries(joints: str) -> list[tuple[int, int]]:
-    """Find the entry that each joint changes: its row and its column, theta for the letter R and d for P.
-
-    >>> joint_entries("RFP")
-    [(0, 3), (2, 2)]
-    """
+    """Find the entry that each joint changes: its row and its column, theta for the letter R and d for P."""
     return [(row, 3 if letter == "R" else 2) for row, letter in enumerate(joints) if letter != "F"]
 
 
@@ -72,9 +68,6 @@ def is_plausible_angle(angle: float) -> bool:
 
     It is if it is at most a full turn, or at most ten turns in whole degrees; or, up to two turns, if it has more than three
     decimals, as sums such as theta + 2 pi have.
-
-    >>> [is_plausible_angle(angle) for angle in (-np.pi, 5 * np.pi / 2, 1.2345 + 2 * np.pi, 10, 22.5, 90)]
-    [True, True, True, False, False, False]
     """
     size = abs(angle) - 1e-3  # 6.283 is a full turn
     if size <= 2 * math.pi or size > 20 * math.pi:
@@ -84,11 +77,7 @@ def is_plausible_angle(angle: float) -> bool:
 
 
 def respelled(text: str) -> str:
-    """Replace signs that are written on paper by what a keyboard has.
-
-    >>> respelled("θ₁ − π")
-    'theta1 - pi'
-    """
+    """Replace signs that are written on paper by what a keyboard has."""
     for sign, plain in SPELLINGS.items():
         text = text.replace(sign, plain)
     return text
@@ -104,22 +93,14 @@ class Heading(NamedTuple):
 
 
 def parse_headings(cells: Sequence[str]) -> list[Heading]:
-    """Read the headings of columns; "offset" is d where no other column is.
-
-    >>> [head[:3] for head in parse_headings(["alpha_{i-1} (deg)", "Offset", "No."])]
-    [('alpha', 'deg', 'i-1'), ('d', '', ''), ('no.', '', '')]
-    """
+    """Read the headings of columns; "offset" is d where no other column is."""
     heads = [parse_heading(cell) for cell in cells]
     has_d = any(head.name == "d" for head in heads)
     return [head._replace(name="d") if head.name == "offset" and not has_d else head for head in heads]
 
 
 def parse_heading(head: str) -> Heading:
-    """Read a single heading.
-
-    >>> parse_heading("d_i [mm]")
-    Heading(name='d', unit='mm', indices='i', text='d_i [mm]')
-    """
+    """Read a single heading."""
     plain = head.strip().strip("\"'`*:").replace("\\", "").replace("$", "")
     if re.search(r"[⁻⁺]|min|max|lim|range", plain):  # of a joint
         return Heading(plain.lower(), text=head)
@@ -149,9 +130,6 @@ def joint_of_row(row: Mapping[str, Entry], place: str) -> tuple[str, float, str]
     """Return the type and the sign of a row's joint, and the name of its variable, from the variables in its entries by column.
 
     Raises ValueError for a second variable, one in another column than d and theta, and one with a factor.
-
-    >>> joint_of_row({"d": Entry(1 - 1j, ["q1"])}, "Row 1")
-    ('P', -1.0, 'q1')
     """
     moving = {column: entry for column, entry in row.items() if entry.variables}
     for column, entry in moving.items():
@@ -180,9 +158,6 @@ def evaluate_entry(entry: str, column: str, lengths: Mapping[str, float]) -> Ent
     """Evaluate an entry of a column; the names of `lengths` have values.
 
     Raises ValueError for anything but sums, products and fractions of numbers, names and a variable.
-
-    >>> evaluate_entry("-90° + q2", "theta", {})
-    Entry(value=(-1.5707963267948966+1j), variables=['q2'], unit='°')
     """
     if len(entry) > MAX_ENTRY_LENGTH:
         raise ValueError(

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -80,17 +80,13 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
     """
 
     name: str
-    link_elements: Mapping[str, Element] = field(default_factory=dict, repr=False)
+    link_elements: Mapping[str, Element] = field(default_factory=dict, repr=False, compare=False)
     parent_joints: Mapping[str, UrdfJoint] = field(default_factory=dict, repr=False)
-    folder: Path | None = field(default=None, repr=False)
+    folder: Path | None = field(default=None, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if not self.link_elements:
             raise ValueError("A tree must have at least one link; got none. Try Tree.from_urdf(file), or its text.")
-
-    def _compared_fields(self) -> dict[str, Any]:
-        """The name, the names of the links, and the joints with all that is theirs."""
-        return {"name": self.name, "links": self.links, "parent_joints": self.parent_joints}
 
     @classmethod
     def from_urdf(cls, path_or_text: str | os.PathLike[str]) -> Tree:
