@@ -130,6 +130,23 @@ def poses(x: ArrayLike, name: str) -> Array:
     return values
 
 
+def single_pose(x: ArrayLike, name: str) -> Array:
+    """Read x as one pose, (4, 4); ValueError for anything else."""
+    if (pose := poses(x, name)).ndim != 2:
+        raise ValueError(f"{name} must be a single pose, (4, 4); got {pose.shape}.")
+    return pose
+
+
+def keys(data: Any, what: str, required: Sequence[str], optional: Sequence[str] = ()) -> None:
+    """Check that data are a dictionary with these keys; ValueError if not."""
+    if not isinstance(data, dict) or not set(required) <= set(data) <= {*required, *optional}:
+        given = ", ".join(map(str, data)) or "no key" if isinstance(data, dict) else describe(data)
+        possibly = f", and possibly {', '.join(optional)}" if optional else ""
+        raise ValueError(
+            f"{what} as data must be a dictionary with the keys {', '.join(required)}{possibly}; got {given:.200}."
+        )
+
+
 def whole_number(x: Any, name: str, most: float = np.inf) -> int:
     """Read x as a whole number from 0 to `most`; ValueError for anything else."""
     if not isinstance(x, int | np.integer) or not 0 <= x <= most:

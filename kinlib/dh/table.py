@@ -90,7 +90,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 
     Wherever q is an argument, it may also be a mapping from "q1", "q2", ... to values.
 
-    Raises ValueError for a table that cannot be read; the message names the row and the column.
+    Raises ValueError for a table that cannot be read; the message names the row and the column. Methods do for another size of q.
     Source: EduFill manipulation module (standard), DH example with n = 5 and Kinematics under DH (modified).
 
     >>> table = DHTable("a | alpha | d | theta \n 0.4 | 0 | 0 | q1 \n 0.3 | 0 | 0 | q2", convention="standard")
@@ -130,9 +130,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         for name, value in (("base", self.base), ("tool", self.tool)):
             if name in ends and not np.array_equal(value, np.eye(4)):
                 raise ValueError(f"{name} must be given once; got it in the text and as an argument. Remove one.")
-            arrays[name] = validation.poses(ends.get(name, value), name)
-            if arrays[name].ndim != 2:
-                raise ValueError(f"{name} must be a single pose, (4, 4); got {arrays[name].shape}.")
+            arrays[name] = validation.single_pose(ends.get(name, value), name)
         for name, array in arrays.items():
             object.__setattr__(self, name, validation.read_only_copy(array))
         object.__setattr__(self, "joints", joints)
@@ -161,12 +159,10 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 
     def _ends(self, digits: int = PRINTED_DIGITS) -> list[str]:
         """Base and tool as text, those that are not the identity."""
-        ends = [
-            (name, T)
-            for name, T in (("base", self.base), ("tool", self.tool))
-            if np.abs(T - np.eye(4)).max() > ROUNDING_ERROR
+        ends = {"base": self.base, "tool": self.tool}.items()
+        return [
+            f"{name} = {format_matrix(T, digits)}" for name, T in ends if np.abs(T - np.eye(4)).max() > ROUNDING_ERROR
         ]
-        return [f"{name} = {format_matrix(T, digits)}" for name, T in ends]
 
     def _numbered_rows(self) -> list[list[str]]:
         length, angle = (partial(write, digits=PRINTED_DIGITS) for write in (format_number, format_degrees))
@@ -198,8 +194,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         """Compute the pose of each frame in the one before it: A_i or T_i, one for each row.
 
         q (..., n) in radians and metres -> (..., m, 4, 4).
-
-        Raises ValueError for joint values of another size, and for NaN.
         Source: DH example with n = 5, which prints them for its RPRR arm.
 
         >>> DHTable([[0.4, 0, 0, 0]], convention="standard").link_transforms([np.pi / 2])[0, :3, 3].round(3) + 0.0
@@ -211,8 +205,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         """Compute the pose of the tool: base A_1(q_1) ... A_m tool.
 
         q (..., n) -> T_sb (..., 4, 4).
-
-        Raises ValueError for joint values of another size, and for NaN.
         Source: Chapter 4 review, step 7.
 
         >>> DHTable([[0.4, 0, 0, 0]], convention="modified").fk(np.zeros((1000, 1))).shape
@@ -224,8 +216,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         """Compute the space Jacobian: column i is the twist of the tool, in {s}, at unit speed of joint i.
 
         q (..., n) -> (..., 6, n), that of the chain: J_i is the z axis of joint i at q, as a screw axis.
-
-        Raises ValueError for joint values of another size, and for NaN.
         Source: Modern Robotics, (5.11).
 
         >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard").jacobian([0, 0])[:, 1] + 0.0
@@ -289,14 +279,9 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         >>> data["base"] == data["tool"] == np.eye(4).tolist()
         True
         """
-        return {
-            "rows": self.rows.tolist(),
-            "convention": self.convention,
-            "joints": self.joints,
-            "signs": self.signs.astype(int).tolist(),
-            "base": self.base.tolist(),
-            "tool": self.tool.tolist(),
-        }
+        lists = {name: getattr(self, name).tolist() for name in ("rows", "base", "tool")}
+        signs = self.signs.astype(int).tolist()
+        return lists | {"convention": self.convention, "joints": self.joints, "signs": signs}
 
     @classmethod
     def from_dict(cls, data: Any) -> DHTable:
@@ -308,11 +293,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         >>> DHTable.from_dict(table.to_dict()).to_dict() == table.to_dict()
         True
         """
-        if not isinstance(data, dict) or set(data) != set(DICT_KEYS):
-            given = ", ".join(map(str, data)) or "no key" if isinstance(data, dict) else validation.describe(data)
-            raise ValueError(
-                f"A table as data must be a dictionary with the keys {', '.join(DICT_KEYS)}; got {given:.200}."
-            )
+        validation.keys(data, "A table", DICT_KEYS)
         for name in ("rows", "signs", "base", "tool"):
             if not isinstance(data[name], list) or not data[name]:
                 raise ValueError(f"{name} must be a list of numbers or of rows; got {validation.describe(data[name])}.")

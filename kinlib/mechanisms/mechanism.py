@@ -157,9 +157,7 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
     def from_chain(cls, chain: Chain) -> Self:
         """Close an open chain by fixing its end-effector to its base: the loop e^[S1]q1 ... e^[Sn]qn M = I.
 
-        A closed chain has no limits, so those of the open one are not kept.
-
-        Raises ValueError for anything but a chain, and for one of one joint, because both its bodies would be the ground.
+        A closed chain has no limits. Raises ValueError for a chain of one joint, because both its bodies would be the ground.
 
         >>> from kinlib.chains.robots import puma560
         >>> Mechanism.from_chain(puma560()).kutzbach()
@@ -261,10 +259,9 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
 
         hold  the names of joint values (see `names`), and the values at which they are held
 
-        If no configuration near the guess closes, then `converged` of the result is False, `residual` says by how much, and
-        `message` says so in words.
+        If no configuration near the guess closes, then `converged` of the result is False, and `message` says so in words.
 
-        Raises ValueError if the guess has another size or contains NaN, and if a held name is not that of a joint value.
+        Raises ValueError if a held name is not that of a joint value.
 
         >>> from kinlib.mechanisms.linkages import four_bar
         >>> four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0]).converged        # the three short links do not reach
@@ -281,12 +278,9 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
     def assembly_modes(self, hold: Mapping[str, float] | None = None) -> Array:
         """Find the ways of assembling the linkage while some joint values are held: configurations (m, n), each once.
 
-        If none closes, for example because the links are too short to meet, the array is empty, (0, n).
-
-        Two configurations are the same mode if all bodies have the same poses. The search is damped Gauss-Newton from random
-        guesses, the same ones at every call; it ends after 3 rounds of 64 guesses without a new mode, or after 30 while some
-        mode has been found only once. So the modes that it returns exist, but modes to which few guesses lead, such as those
-        that are almost singular, may be missing.
+        If none closes, the array is empty, (0, n). Two configurations are the same mode if all bodies have the same poses. The
+        search begins at random guesses, the same ones at every call: the modes that it returns exist, but modes to which few
+        guesses lead, such as those that are almost singular, may be missing.
 
         Raises ValueError if the bodies can still move with these values held, because then the modes form curves.
 
@@ -315,8 +309,7 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
         A curve ends where no configuration closes further on, or after 5000 steps; its `ends` say which. It goes
         straight on where it crosses another curve, for example where a parallelogram lies flat.
 
-        Raises ValueError if the start does not close, if the linkage does not have exactly one degree of
-        freedom there, and if step or points is too small for a curve.
+        Raises ValueError if the start does not close, or the linkage does not have exactly one degree of freedom there.
         Source: pseudo-arclength continuation, as in Allgower and Georg, Numerical Continuation Methods (1990).
 
         >>> from kinlib.mechanisms.linkages import four_bar
