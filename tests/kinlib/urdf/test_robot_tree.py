@@ -10,7 +10,7 @@ from strategies import poses as any_pose
 from urdf_files import link_poses_by_pinocchio, panda_urdf, poses_by_pinocchio, trees
 
 import kinlib as kl
-from kinlib import Tree, to_urdf
+from kinlib import Tree
 from kinlib.mechanisms.linkages import four_bar
 
 CLOSE = 1e-9
@@ -131,23 +131,6 @@ HAND = """<robot name="hand">
 def test_errors_say_what_must_hold_and_what_to_try(call, said):
     with pytest.raises(ValueError, match=said):
         call(Tree.from_urdf(HAND))
-
-
-@given(trees(mimic=True))
-def test_a_tree_is_read_back_from_its_file(drawn):
-    tree = Tree.from_urdf(drawn[0])
-    text = to_urdf(tree)
-    back = Tree.from_urdf(text)
-    q = np.random.default_rng(3).uniform(-3, 3, (2, tree.n))
-    assert (back.name, back.links, back.joint_names, back.moving_joint_names, str(back)) == (
-        *(tree.name, tree.links, tree.joint_names, tree.moving_joint_names),
-        str(tree),
-    )
-    for part in ("coupling", "offsets", "limits"):
-        np.testing.assert_array_equal(getattr(back, part), getattr(tree, part))
-    theirs = link_poses_by_pinocchio(text, tree.moving_joint_names, q @ tree.coupling.T + tree.offsets)
-    assert_equal_poses(tree.poses(q), theirs)
-    assert_equal_poses(back.poses(q), theirs)
 
 
 ROVER = """<robot name="rover"> <link name="world"/> <link name="body"/> <link name="raft"/> <link name="mast"/>
