@@ -19,13 +19,7 @@ from kinlib.arrays.formatting import format_number
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.equivalence import (
-    CHOICES,
-    NEARLY_PARALLEL_LOSS,
-    Equivalence,
-    equivalent,
-    measured_difference,
-)
+from kinlib.dh.equivalence import CHOICES, NEARLY_PARALLEL_LOSS, Equivalence, equivalent, measured_difference
 from kinlib.dh.invariants import neighbours
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.rounding import entries_off, nearest_rows, nearest_table, rounding_effect, typed_half_units

@@ -64,12 +64,7 @@ REPLACEMENTS = [
 ]  # fmt: skip
 """What terminals, HTML, LaTeX and code write for signs and separators, and what a keyboard has for them."""
 
-GROUP = re.compile(
-    r"\b(?!\w*Robot)(?P<kind>(?:Frame\W+)?\w*(?:Revolute|Prismatic|Link|DH|\bdict\b)\w*)\s*\((?P<call>(?:[^()]|\([^()]*\))*)\)"
-    r"|\{(?P<row>(?:(?!dict\()[^{}])*)\}"
-    r"|(?:^|\n)\s*(?:-\s+|\[\w+\]\s*\n)(?P<item>\w+\s*[:=][^\n]*(?:\n\s*\w+\s*[:=][^\n]*)*)|(?P<line>[^\n(){}]*\balpha\s*=[^\n(){}]*)"
-)
-"""A call, a dictionary, an item of YAML or TOML, or a line of names with values."""
+CALL = re.compile(r"\b(?!\w*Robot)((?:Frame\W+)?\w*(?:Revolute|Prismatic|Link|DH)\w*)\s*\(((?:[^()]|\([^()]*\))*)\)")
 
 PAIR = re.compile(
     r"(?:\b([a-zA-Z]\w*)\s*[:=]|['\"](\w+)['\"]\s*(?:[:=]|,(?=\s*[^\s'\"])))\s*['\"]?([^,=\[\]{}'\"\n;]+?)"
@@ -152,7 +147,7 @@ def read_rows(
     plain = ""
     if isinstance(given, str):
         plain, ends, told = _without_ends(given)
-        readers = (_from_groups, _from_columns, _from_lines)
+        readers = (_from_calls, _from_columns, _from_pairs, _from_lines)
         names = _in_all_spellings(_definitions(plain)) | own
         grid = next((g for reader in readers if (g := reader(plain, names)) and (g.rows or g.cells)), None)
         if grid is None:
@@ -244,44 +239,52 @@ def _from_dictionaries(given: Sequence[Any], names: Mapping[str, float]) -> _Gri
     return grid
 
 
-def _from_groups(text: str, names: Mapping[str, float]) -> _Grid | None:
-    """Read calls, RevoluteDH(d=0.1, a=0.2) or Link([0 0.1 0.2 pi/2]), and dictionaries, {"a": 0, "alpha": pi/2, "d": 0.1}."""
+def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
+    """Read calls, RevoluteDH(d=0.1, a=0.2) or Link([0 0.1 0.2 pi/2])."""
     grid, note = _Grid(names), ""
-    for found in GROUP.finditer(text):
-        kind, inside = found["kind"] or "", found["call"] or found["row"] or found["item"] or found["line"] or ""
-        pairs = [(_column(name or quoted), value.strip()) for name, quoted, value in PAIR.findall(inside)]
-        named = [(column, value) for column, value in pairs if column]
-        row, cells = dict(named), re.sub(r"[\[\]{},]", " ", inside).split()
-        is_by_name = (bool({*row} & ALL_COLUMNS) or not cells) and not re.match(r"\s*[\[{]", inside)
-        if not kind and (not {*row} >= NEEDED or len(row) < len(named)):
-            continue
-        if kind and is_by_name:
-            row = {column: row.get(column, "0") for column in (*COLUMNS, "offset")}
-        elif kind and len(cells) >= 4 and all(map(grid.is_entry, cells[:4])):
+    for found in CALL.finditer(text):
+        kind, inside = found[1], found[2]
+        named = {column: value.strip() for n, quoted, value in PAIR.findall(inside) if (column := _column(n or quoted))}
+        cells = re.sub(r"[\[\]{},]", " ", inside).split()
+        if (named or not cells) and not re.match(r"\s*[\[{]", inside):
+            row = {column: named.get(column, "0") for column in (*COLUMNS, "offset")}
+        elif len(cells) >= 4 and all(map(grid.is_entry, cells[:4])):
             columns = ("a", "alpha", "d", "theta") if re.search("Frame|Craig", kind) else ("theta", "d", "a", "alpha")
-            row = dict(zip((*columns, "type"), cells[: 4 + (cells[4:5] in (["0"], ["1"]))], strict=False))
+            row = dict(zip((*columns, "type"), cells[: 4 + (cells[4:5] in (["0"], ["1"]))], strict=False)) | {
+                "offset": "0"
+            }
             note = f"{kind.rpartition(':')[2]}(...) was read as ({', '.join(columns)})."
-        elif kind:
+        else:
             continue
         before = text[text.rfind("\n", 0, found.start()) + 1 : found.start()]  # Joint(Joint::TransZ) of KDL
         is_link = kind.endswith("Link") and bool(named)  # of MATLAB: what is not given is the variable
-        if re.search(r"revolute|\bRot", before + kind, re.IGNORECASE) or (is_link and "theta" not in dict(named)):
-            row |= {"type": "R"}
+        if re.search(r"revolute|\bRot", before + kind, re.IGNORECASE) or (is_link and "theta" not in named):
+            row["type"] = "R"
         elif re.search(r"\bNone\b|\bFixed\b", before):
-            row |= {"type": "F"}
-        elif re.search(r"prismatic|\bTrans", before + kind, re.IGNORECASE) or (is_link and "d" not in dict(named)):
-            row = {"d": row["d"]} | row | {"type": "P"}
-            row["d"] = row["offset"] if row.get("offset", "0") != "0" else row["d"]
-            row |= {"offset": "0"} if "offset" in row else {}
+            row["type"] = "F"
+        elif re.search(r"prismatic|\bTrans", before + kind, re.IGNORECASE) or (is_link and "d" not in named):
+            row |= {"type": "P", "d": row["offset"] if row["offset"] != "0" else row["d"], "offset": "0"}
         grid.rows.append(row)
-        grid.places.append(f"{'Call' if kind else 'Row'} {len(grid.rows)}, {found[0].strip():.60}")
+        grid.places.append(f"Call {len(grid.rows)}, {found[0].strip():.60}")
         if re.search("MDH|Craig|modified", kind):
             grid.modified = True
         elif kind.endswith("DH"):
             grid.modified = bool(grid.modified)
     if note:
         grid.assume(note)
-    return _uniform(grid) if len(grid.rows) > 1 or (grid.rows and not kind) else None
+    return _uniform(grid) if len(grid.rows) > 1 else None
+
+
+def _from_pairs(text: str, names: Mapping[str, float]) -> _Grid | None:
+    """Read names with values, row by row: dictionaries, items of YAML or TOML, attributes of XML, or lines."""
+    grid, end = _Grid(names, rows=[{}]), 0
+    for found in PAIR.finditer(text):
+        if column := _column(found[1] or found[2]):
+            if column in grid.rows[-1] or re.search("[)}]", text[end : found.start()]):
+                grid.rows.append({})
+            grid.rows[-1][column], end = found[3].strip(), found.end()
+    grid.places = [f"Row {k + 1}" for k in range(len(grid.rows))]
+    return _uniform(grid) if all({*row} >= NEEDED for row in grid.rows) else None
 
 
 def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:

@@ -23,13 +23,7 @@ from kinlib.arrays.validation import Array, JointValues, suggest_name
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.screw import screw
-from kinlib.urdf.links_and_joints import (
-    MOVING_TYPES,
-    Coupling,
-    UrdfJoint,
-    read_tree,
-    resolve_mimic_joints,
-)
+from kinlib.urdf.links_and_joints import MOVING_TYPES, Coupling, UrdfJoint, read_tree, resolve_mimic_joints
 from kinlib.urdf.xml_elements import Element, read_robot
 
 HEADINGS = ["link", "joint", "type", "value"]

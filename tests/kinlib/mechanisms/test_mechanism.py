@@ -13,11 +13,7 @@ from scipy.spatial.transform import Rotation
 from strategies import points
 
 from kinlib import Mechanism, exp, linkages, robots, screw
-from kinlib.mechanisms.joints import (
-    Joint,
-    spherical,
-    universal,
-)
+from kinlib.mechanisms.joints import Joint, spherical, universal
 
 EXACT = 1e-12
 X, Y, Z = np.eye(3)
