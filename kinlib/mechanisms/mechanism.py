@@ -295,11 +295,7 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
         return self._closure(np.zeros(self.n), hold).search_modes(poses)
 
     def trace(
-        self,
-        start: JointValues,
-        hold: Mapping[str, float] | None = None,
-        step: float = 0.2,
-        points: int | None = None,
+        self, start: JointValues, hold: Mapping[str, float] | None = None, step: float = 0.2, points: int | None = None
     ) -> Curve:
         """Follow the motion from a configuration (n,) in both directions, through dead points, until it closes or ends.
 

@@ -226,10 +226,7 @@ def test_a_table_that_is_none_is_refused_by_row_and_column(rows, words):
         DHTable(rows, convention="standard")
 
 
-@pytest.mark.parametrize(
-    "names",
-    [("$a_{i−1}$", "$\\alpha_{i−1}$"), ("aᵢ₋₁", "αᵢ₋₁"), ("a[i-1] (m)", "α_{i-1} [deg]")],
-)
+@pytest.mark.parametrize("names", [("$a_{i−1}$", "$\\alpha_{i−1}$"), ("aᵢ₋₁", "αᵢ₋₁"), ("a[i-1] (m)", "α_{i-1} [deg]")])
 @pytest.mark.parametrize("place", [0, 1])
 def test_a_heading_of_the_other_convention_is_refused(names, place):
     own, foreign = names[place], names[place].translate(str.maketrans("", "", "-−₋1₁ "))

@@ -36,12 +36,7 @@ def jack(pitch=0.01):
     )
 
 
-LINKAGES = [
-    linkages.four_bar(0.4, 0.1, 0.35, 0.3),
-    linkages.slider_crank(1, 3, 0.2),
-    jack(0.3),
-    linkages.sarrus(),
-]
+LINKAGES = [linkages.four_bar(0.4, 0.1, 0.35, 0.3), linkages.slider_crank(1, 3, 0.2), jack(0.3), linkages.sarrus()]
 FOUR_BAR = linkages.four_bar(4, 1, 3.5, 3)
 each_linkage = pytest.mark.parametrize("linkage", LINKAGES, ids=lambda linkage: linkage.name)
 

@@ -103,13 +103,7 @@ def test_without_an_axis_it_is_x_and_without_an_origin_it_is_the_parent_s():
     assert chain.home.tolist() == np.eye(4).tolist()
 
 
-@pytest.mark.parametrize(
-    ("said", "limits"),
-    [
-        ('upper="2"', [0, 2]),
-        ('lower="1" upper="1"', [1, 1]),
-    ],
-)
+@pytest.mark.parametrize(("said", "limits"), [('upper="2"', [0, 2]), ('lower="1" upper="1"', [1, 1])])
 def test_a_limit_that_is_not_given_is_0_and_a_joint_may_be_locked(said, limits):
     assert load_urdf(one_joint(f"<limit {said}/>", "revolute")).limits.tolist() == [limits]
 
