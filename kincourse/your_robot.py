@@ -188,7 +188,7 @@ class Examination:
         """
         arm = self.arm or (self.table.to_chain() if self.table else None)
         if arm is None or not self.table or self.table.n != arm.n:
-            return None if arm is None else explore(arm, show=("axes", "base", "tool", "standard DH"))
+            return None if arm is None else explore(arm, show=("axes", "base", "tool", "standard"))
         row = self.wrong_rows[0] if self.wrong_rows else 0
         frames = table_frames(self.table, np.zeros(arm.n))
         if self.corrected and self.wrong_rows:

@@ -1,19 +1,16 @@
-"""Courses: how the sheets, the blank steps and the questions of a course are found.
+"""The course: how its sheets, blank steps and questions are found.
 
-A course is a Python package. Each lecture has a folder in it:
+Each lecture has a folder in the package of the course:
 
-    circuits/
-        __init__.py                  COURSE = Course("circuits"), and for students: open_sheet = COURSE.open_sheet
-        lecture_01_ohm/
-            problems.py              SHEET, the sheet "01_ohm"
-            blanks.py                BLANKS, the steps that the lecture leaves blank
-            questions.toml           its questions, as misstep.questions.item describes them
+    lecture_03_poe_space/
+        problems.py              SHEET, the sheet "03_poe_space"
+        blanks.py                BLANKS, the steps that the lecture leaves blank
+        questions.toml           its questions, as misstep.questions.item describes them
 
-The installed course is found by its entry point in the group "misstep.courses". A lecture is imported only when it is used.
+A lecture is imported only when it is used.
 """
 
 import importlib
-from argparse import ArgumentParser
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
@@ -34,7 +31,7 @@ if TYPE_CHECKING:
     from misstep.questions.widget import Explanation, Question
 
 ENTRY_POINT_GROUP = "misstep.courses"
-"""The group of entry points by which installed courses are found."""
+"""The group of entry points by which the course is found."""
 
 FOLDER_PREFIX = "lecture_"
 """The beginning of the name of each lecture's folder."""
@@ -42,7 +39,7 @@ FOLDER_PREFIX = "lecture_"
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    r"""The sheets, blank steps and questions of one course.
+    """The sheets, blank steps and questions of one course.
 
     package   the name of the Python package, from which students import open_sheet
     requires  the names of further packages that its sheets import
@@ -50,54 +47,12 @@ class Course:
     fallback_hint  what to try if the fallback finds nothing, with {name} for the name of the sheet
     site      the address of the course's site, https://..., which has the pages lectures/01_frames.html; "" if it has none
 
-    A complete course, with one problem, one blank step and one question:
-
-    >>> from tempfile import TemporaryDirectory
-    >>> temporary = TemporaryDirectory()
-    >>> lecture = Path(temporary.name, "halves_course", "lecture_01_halves")
-    >>> lecture.mkdir(parents=True)
-    >>> problem = '''
-    ... import numpy as np
-    ... from misstep import Problem, Sheet, mistake, problem
-    ... from misstep.answers.number import Numbers
-    ...
-    ... @problem("01.1", "A half", points=2, lecture="01_halves#Halves")
-    ... def half(sampler):
-    ...     x = sampler.integer(1, 9)
-    ...     wrong = [mistake("doubled", np.array(2.0 * x), "You multiplied by 2. Divide by 2.")]
-    ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), wrong, given={"x": x})
-    ... '''
-    >>> question = '''
-    ... [even]
-    ... kind = "check"
-    ... text = "Half of which number is a whole number?"
-    ... options = [{text = "4", right = true, why = "It is even."}, {text = "3", why = "It is odd."}]
-    ... '''
-    >>> definition = 'from misstep import Course\nCOURSE = Course("halves_course")'
-    >>> files = {
-    ...     lecture.parent / "__init__.py": definition,
-    ...     lecture / "problems.py": problem + 'SHEET = Sheet("01_halves", "Halves", [half])',
-    ...     lecture / "blanks.py": problem.replace("01.1", "01.a") + "BLANKS = [half]",
-    ...     lecture / "questions.toml": question,
-    ... }
-    >>> for file, text in files.items():
-    ...     _ = file.write_text(text)
-    >>> import sys
-    >>> sys.path.insert(0, temporary.name)
-    >>> course = find_course("halves_course")
-    >>> course.sheets(), course.find_sheet("01_halves").points, list(course.blanks())
-    (['01_halves'], 2, ['01.a'])
-    >>> sheet = course.open_sheet("01_halves", "ada")
-    >>> sheet.check(1, 2 * sheet.given(1).x).judgement.mistakes
-    ['doubled']
-    >>> course.attempt("01.a", None).judgement.state
-    'blank'
-    >>> course.questions()["01"]["even"] is course.find_question("01/even")
-    True
-    >>> type(course.ask("01/even")).__name__, type(course.explain("01/even")).__name__
-    ('Question', 'Explanation')
-    >>> sys.path.remove(temporary.name)
-    >>> temporary.cleanup()
+    >>> course = find_course()
+    >>> course.sheets()[2], course.find_sheet("03_poe_space").points > 0, "03.a" in course.blanks()
+    ('03_poe_space', True, True)
+    >>> sheet = course.open_sheet("03_poe_space", "ada")
+    >>> sheet.check(1, None).judgement.state, course.attempt("03.a", None).judgement.state
+    ('blank', 'blank')
     """
 
     package: str
@@ -232,29 +187,11 @@ def _questions(path: str) -> dict[str, Item]:
     return read_questions(file.read_text(encoding="utf-8"), f"{file.parent.name}/{file.name}")
 
 
-def find_course(package: str | None = None) -> Course:
-    """Return the course of a package, or without one the installed course, found by its entry point.
+def find_course() -> Course:
+    """Return the installed course, found by its entry point, because this package does not import the course that uses it.
 
-    Raises ValueError if there is no such course, and without a package if there is not exactly one.
-
-    >>> find_course("no_such_course")
-    Traceback (most recent call last):
-        ...
-    ValueError: no_such_course must be an installed package that defines COURSE. Check the name.
+    >>> find_course().package
+    'kincourse'
     """
-    if package is None:
-        installed = entry_points(group=ENTRY_POINT_GROUP)
-        if len(installed) != 1:
-            names = ", ".join(entry.name for entry in installed) or "none"
-            raise ValueError(f"Exactly one course must be installed; found: {names}. Name one by --course.")
-        return next(iter(installed)).load()  # type: ignore[no-any-return]
-    try:
-        course = importlib.import_module(package).COURSE
-    except (ModuleNotFoundError, AttributeError) as error:
-        raise ValueError(f"{package} must be an installed package that defines COURSE. Check the name.") from error
-    return course  # type: ignore[no-any-return]
-
-
-def add_course_argument(parser: ArgumentParser) -> None:
-    """Add the option of a command whose value is the package of a course."""
-    parser.add_argument("--course", help="the package of the course (default: the only installed one)")
+    (installed,) = entry_points(group=ENTRY_POINT_GROUP)
+    return installed.load()  # type: ignore[no-any-return]

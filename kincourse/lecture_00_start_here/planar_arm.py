@@ -14,7 +14,7 @@ import traitlets
 
 from kinlib.arrays.validation import Array
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.viewer.viewer import as_script
+from kinlib.view.viewer.widget import as_script
 
 HERE = Path(__file__).parent
 LINK_COLOURS = ("#1666b0", "#b94a00", "#0b7a5b")

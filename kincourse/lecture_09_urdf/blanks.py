@@ -90,7 +90,7 @@ def home_of_the_lamp(_draw: ArmSampler) -> Problem:
                 "weld forgotten",
                 rolled,
                 "You stopped at the last joint that moves. The socket is a fixed joint, but it has a pose as well: "
-                "$M = J_3 O_{\\text{tip}}$.",
+                "$M = P_1 P_2 P_3 P_{\\text{tip}}$.",
             ),
             mistake(
                 "weld without its rotation",

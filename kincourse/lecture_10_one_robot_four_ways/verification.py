@@ -224,7 +224,7 @@ def of_table(table: DHTable) -> Product:
 
 
 def of_urdf(text: str) -> Product:
-    """The product of a URDF file: O_1 e^{A_1 q_1} O_2 ... e^{A_n q_n} O_{n+1}, where fixed joints are part of the origins.
+    """The product of a URDF file: P_1 e^{A_1 q_1} P_2 ... e^{A_n q_n} P_{n+1}, where fixed joints are part of the origins.
 
     Raises ValueError if the text is not a URDF of an open chain.
     """

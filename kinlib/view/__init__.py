@@ -58,22 +58,21 @@ __all__ = [
 ]
 
 LAZY_NAMES = {
-    "assign": "viewer.place_frames",
-    "drive": "viewer.linkage_driver",
-    "explore": "viewer.viewer",
-    "film": "viewer.film",
-    "play_assignment": "viewer.dh_players",
-    "play_row": "viewer.dh_players",
-    "play_walk": "viewer.dh_players",
-    "show": "browser",
-    "slide": "viewer.pictures",
-    "slide_frames": "viewer.moving_frames",
+    "browser": {"show"},
+    "viewer.dh_players": {"play_assignment", "play_row", "play_walk"},
+    "viewer.film": {"film"},
+    "viewer.linkage_driver": {"drive"},
+    "viewer.moving_frames": {"slide_frames"},
+    "viewer.pictures": {"slide"},
+    "viewer.place_frames": {"assign"},
+    "viewer.viewer": {"explore"},
 }
-"""Names that need ipywidgets and anywidget, and their modules, which are imported on first use because figures need neither."""
+"""Modules that need ipywidgets and anywidget, and their names: imported on first use, because figures need neither."""
 
 
 def __getattr__(name: str) -> Any:
     """Import a widget's module when its name is first used."""
-    if name in LAZY_NAMES:
-        return getattr(import_module(f"kinlib.view.{LAZY_NAMES[name]}"), name)
+    for module, names in LAZY_NAMES.items():
+        if name in names:
+            return getattr(import_module(f"kinlib.view.{module}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -31,8 +31,7 @@ def show(
 ) -> None:
     """Show a robot in three dimensions with sliders, a closed chain as a drawing, or anything that this package draws.
 
-    In a notebook it is displayed below the cell. Elsewhere it is saved as a page in a temporary folder, which the web browser
-    opens; where there is no browser, the name of the file is printed.
+    In a notebook it is displayed below the cell. Elsewhere the web browser opens it as a page in a temporary folder.
 
     shown  a chain, a table or a frame assignment, which are drawn with their frames, a tree, a closed chain, or what a function of
            kinlib.view returns

@@ -18,7 +18,7 @@ from pathlib import Path, PurePosixPath
 from urllib.parse import quote
 from zipfile import ZipFile, ZipInfo
 
-from misstep.catalog import Course, add_course_argument, find_course
+from misstep.catalog import Course, find_course
 from misstep.grading.collect.roster import export, read_roster
 from misstep.grading.collect.submissions import CANVAS, MOODLE, Gathered, gather
 from misstep.grading.escape import csv_text, format_points, printable
@@ -60,14 +60,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--scheduler", metavar="tcp://HOST:PORT", help="the scheduler of a Dask cluster, instead of workers here"
     )
     parser.add_argument("--seconds", type=float, default=60.0, help="how long one student may take (default: 60)")
-    add_course_argument(parser)
 
 
 def run(options: argparse.Namespace) -> int:
     """Grade, and return the exit code: 0 done, 1 something needs the eyes of the instructor, 2 impossible request."""
     if options.workers < 1 or options.seconds <= 0:
         raise ValueError(f"--workers and --seconds must be positive; got {options.workers} and {options.seconds:g}.")
-    name = sheet_name(find_course(options.course), options.sheet, options.site)
+    name = sheet_name(find_course(), options.sheet, options.site)
     sheet = name.find()
     roster = read_roster(options.roster, options.id_column) if options.roster else None
     gathered = gather(options.submissions, sheet.name, roster)
@@ -110,7 +109,7 @@ def sheet_name(course: Course, text: str, site: str) -> SheetName:
     folder, stem = (str(path.parent.resolve()), path.stem) if is_file else (str(Path.cwd()), text.strip("/"))
     matching = [name for name in course.sheets() if name == stem or name.partition("_")[0] == stem]
     name = matching[0] if len(matching) == 1 else stem
-    return SheetName(name, course.package, "" if matching else folder, site or course.site)
+    return SheetName(name, "" if matching else folder, site or course.site)
 
 
 def grade_all(requests: Sequence[Request], options: argparse.Namespace) -> list[Result]:

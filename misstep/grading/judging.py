@@ -36,7 +36,6 @@ class SheetName:
     """A sheet, as another process finds it."""
 
     name: str
-    course: str  # a reference for find_course
     folder: str = ""  # where the file of a robot's own sheet is, "" for a sheet of a lecture
     site: str = ""  # the address of the course's site, "" if it has none
 
@@ -44,7 +43,7 @@ class SheetName:
     def find(self) -> Sheet:
         """Return the sheet itself."""
         with chdir(self.folder) if self.folder else nullcontext():
-            return find_course(self.course).find_sheet(self.name)
+            return find_course().find_sheet(self.name)
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,7 @@ from misstep.answers.base import Answer, Unreadable
 from misstep.answers.choice import Choice, ReasonedChoice
 from misstep.answers.groups.ordering import Ordering
 from misstep.answers.prose import Prose
-from misstep.catalog import Course, add_course_argument, find_course
+from misstep.catalog import Course, find_course
 from misstep.judge import judge
 from misstep.problem import Problem, Template
 from misstep.storage.serialize import to_data
@@ -207,12 +207,11 @@ def add_arguments(parser: ArgumentParser) -> None:
     """Add the arguments of `misstep export`."""
     parser.add_argument("platform", choices=["prairielearn"])
     parser.add_argument("out", type=Path, help="a new folder for the PrairieLearn course")
-    add_course_argument(parser)
 
 
 def run(options: Namespace) -> int:
     """Write the course, and say which problems are left out."""
-    count, left_out = export(find_course(options.course), options.out)
+    count, left_out = export(find_course(), options.out)
     print(f"{options.out} is a PrairieLearn course with {count} questions.")
     if left_out:
         print(f"Left out, because their answer is a function or a text: {', '.join(left_out)}.")

@@ -3,7 +3,7 @@
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator
 
-from misstep.catalog import Course, add_course_argument, find_course
+from misstep.catalog import Course, find_course
 from misstep.judge import judge
 from misstep.problem import Template
 from misstep.verdict import Verdict
@@ -36,11 +36,10 @@ def add_arguments(parser: ArgumentParser) -> None:
     """Add the options of `misstep preview`."""
     parser.add_argument("number", help="the number of the problem, such as 01.2")
     parser.add_argument("--student", default="another student", help="whose numbers to take")
-    add_course_argument(parser)
 
 
 def run(options: Namespace) -> int:
     """Print the problem, and return 0."""
-    template = find_template(find_course(options.course), options.number)
+    template = find_template(find_course(), options.number)
     print(*preview(template, options.student), sep="\n\n")
     return 0

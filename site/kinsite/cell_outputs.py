@@ -27,8 +27,7 @@ from kinsite.html_tree import inner_html, insert_html, read_html
 katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")  # a formula with an error fails the build
 katex.STARTUP_TIMEOUT = 60.0  # a busy machine needs more than the 5 s of the extension
 
-TEXT = " and ".join(f"not(ancestor::{name})" for name in ("script", "style", "pre", "code", "textarea", "svg"))
-"""Which text of a page is read as text, in XPath."""
+NOT_TEXT = ("script", "style", "pre", "code", "textarea", "svg")
 PUNCTUATION = re.compile(r"[.,;:?!)\]’”]+")
 MAX_UNBROKEN_LENGTH = 24
 """Characters of LaTeX that fit on one line of any phone. A longer formula may be broken."""
@@ -80,11 +79,11 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
         image["loading"] = "lazy"  # the gallery alone has more than twenty
     for formula in list(doctree.findall(nodes.math)):
         keep_punctuation(formula)
-    for formula in list(doctree.findall(nodes.math_block)):
-        if found := TAG.search(formula.astext()):
-            formula.parent.insert(formula.parent.index(formula), nodes.raw("", formula_anchor(found[1]), format="html"))
-    up = "../" * page.count("/")
-    folder = Path(app.outdir) / "_images"
+    for block in list(doctree.findall(nodes.math_block)):
+        if found := TAG.search(block.astext()):  # the anchor of a numbered formula comes before it
+            anchor = f'<span class="kinlib-anchor" id="{make_id(f"formula {found[1]}")}"></span>'
+            block.parent.insert(block.parent.index(block), nodes.raw("", anchor, format="html"))
+    up, folder = "../" * page.count("/"), Path(app.outdir) / "_images"
     for cell in doctree.findall(nodes.container):
         if name := cell.get("cell_metadata", {}).get("kinlib-cell"):
             cell["classes"].append(f"kinlib-cell-{name}")  # for live.js, which hands in the cells of a sheet
@@ -99,25 +98,11 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
         typeset_formulas(output)
         extract_images(output, folder, f"{up}_images")
         for viewer in output.xpath(".//div[@data-kinlib-viewer][script]"):
-            reserve_height(viewer)
+            # the style sheet keeps the height free that a viewer will need; one without sliders has other controls
+            sliders = len(json.loads(viewer.find("script").text)["scene"].get("sliders", [])) or 7
+            viewer.set("style", f"--sliders:{sliders}")
         node.rawsource = inner_html(output)
         node.children = [nodes.Text(node.rawsource)]
-
-
-def reserve_height(viewer: HtmlElement) -> None:
-    """Tell the style sheet how many sliders a viewer has, so that the page keeps its height free before the viewer starts."""
-    # a viewer without sliders has other controls in their place
-    sliders = len(json.loads(viewer.find("script").text)["scene"].get("sliders", [])) or 7
-    viewer.set("style", f"--sliders:{sliders}")
-
-
-def formula_anchor(tag: str) -> str:
-    """Write the anchor of a numbered formula, which comes before it.
-
-    >>> formula_anchor("5")
-    '<span class="kinlib-anchor" id="formula-5"></span>'
-    """
-    return f'<span class="kinlib-anchor" id="{make_id(f"formula {tag}")}"></span>'
 
 
 def fold_side_tracks(_: Sphinx, doctree: nodes.document, page: str) -> None:
@@ -143,14 +128,9 @@ def keep_punctuation(formula: nodes.math) -> None:
 
 
 def typeset_formulas(html: HtmlElement) -> None:
-    """Typeset the formulas in HTML: $...$ within the line, $$...$$ on a line of their own.
-
-    >>> code = read_html("<pre>$5</pre><code>$a$</code>")
-    >>> typeset_formulas(code)
-    >>> inner_html(code)
-    '<pre>$5</pre><code>$a$</code>'
-    """
-    for text in html.xpath(f".//text()[contains(., '$')][{TEXT}]"):
+    """Typeset the formulas in HTML: $...$ within the line, $$...$$ on a line of their own; none in code."""
+    outside = " and ".join(f"not(ancestor::{name})" for name in NOT_TEXT)
+    for text in html.xpath(f".//text()[contains(., '$')][{outside}]"):
         element, typeset_text = text.getparent(), FORMULA.sub(typeset, escape(text, quote=False))
         if text.is_text:
             element.text = None

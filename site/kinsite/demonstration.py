@@ -13,7 +13,7 @@ from sphinx.util.docutils import SphinxDirective
 from kincourse import open_sheet
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
-from kinlib.view.drawing.canvas import Canvas
+from kinlib.view.drawing.canvas import Canvas, moved
 from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinsite.html_tree import inner_html, read_html
@@ -71,19 +71,12 @@ def answer_html(sheet: Sheet, code: str, mistake: str, first: bool) -> str:
 
 
 def draw_motions(point: Array, right: Array, typed: Array) -> Picture:
-    """Draw a link on a joint as the joint turns it by 90 degrees, and dashed where the typed screw axis would take it.
-
-    >>> S = np.array([0, 0, 1.0, 0, 0, 0])
-    >>> draw_motions(np.zeros(3), S, -S).alt[:75]
-    'The joint turns its link by 90 degrees. Its tool moves from (2, 0, 0) to (0'
-    """
+    """Draw a link on a joint as the joint turns it by 90 degrees, and dashed where the typed screw axis would take it."""
     across = np.cross(right[:3], (0.0, 0.0, 1.0))
     out = across / np.linalg.norm(across) if np.linalg.norm(across) > 0.1 else np.array([1.0, 0.0, 0.0])
-    start = point + LINK_LENGTH_M * out
-    link = np.stack([np.append(point, 1.0), np.append(start, 1.0)], axis=1)
-    true, said = (
-        np.array([(exp(S * angle) @ link)[:3].T for angle in np.linspace(0.0, TURN_RAD, 25)]) for S in (right, typed)
-    )
+    link = np.array([point, point + LINK_LENGTH_M * out])
+    angles = np.linspace(0.0, TURN_RAD, 25)
+    true, said = (np.array([moved(T, link) for T in exp(S * angles[:, None])]) for S in (right, typed))
     axis = point + np.outer((-1.5, 2.0), right[:3])
     canvas = Canvas(np.concatenate([true.reshape(-1, 3), said.reshape(-1, 3), axis]), size=(780, 460))
     canvas.line(axis, ORANGE, 2.0)
@@ -92,19 +85,14 @@ def draw_motions(point: Array, right: Array, typed: Array) -> Picture:
     canvas.line(true[:, 1], VIOLET, 1.2)
     canvas.line(true[-1], INK, 6.0, level=3)
     canvas.label(true[-1, 1], "as it is", INK)
-    moved = f"The joint turns its link by 90 degrees. Its tool moves from {vector_text(start)} to {vector_text(true[-1, 1])} m."
-    if np.allclose(right, typed):
-        return canvas.picture(
-            f"{moved} The screw axis that was typed says the same.",
-            "The tool goes where the answer says.",
-            cropped=True,
-        )
-    canvas.line(said[:, 1], GHOST_GREY, 1.2, "--")
-    canvas.line(said[-1], GHOST_GREY, 6.0, "--", level=2.5)
-    canvas.label(said[-1, 1], "as typed", GREY)
-    off = float(np.linalg.norm(said[-1, 1] - true[-1, 1]))
-    return canvas.picture(
-        f"{moved} The screw axis that was typed takes the tool to {vector_text(said[-1, 1])} m, {off:.1f} m away.",
-        f"Dashed: where this answer would take the link, {off:.1f} m off.",
-        cropped=True,
-    )
+    ends = f"from {vector_text(link[1])} to {vector_text(true[-1, 1])} m"
+    alt, caption = "The screw axis that was typed says the same.", "The tool goes where the answer says."
+    if not np.allclose(right, typed):
+        canvas.line(said[:, 1], GHOST_GREY, 1.2, "--")
+        canvas.line(said[-1], GHOST_GREY, 6.0, "--", level=2.5)
+        canvas.label(said[-1, 1], "as typed", GREY)
+        off = float(np.linalg.norm(said[-1, 1] - true[-1, 1]))
+        alt = f"The screw axis that was typed takes the tool to {vector_text(said[-1, 1])} m, {off:.1f} m away."
+        caption = f"Dashed: where this answer would take the link, {off:.1f} m off."
+    head = f"The joint turns its link by 90 degrees. Its tool moves {ends}."
+    return canvas.picture(f"{head} {alt}", caption, cropped=True)

@@ -15,7 +15,6 @@ from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 from platform import python_version
-from typing import Any
 
 import nbformat
 from nbclient import NotebookClient
@@ -48,15 +47,14 @@ class NotebookError(Exception):
     """A cell of a notebook raises, or writes to stderr."""
 
 
-def execute_all(paths: Iterable[Path], folder: Path = CACHE) -> dict[Path, NotebookNode]:
-    """Execute notebooks, as many at a time as there are processors. Those whose outputs are cached are not executed.
+def execute_all(paths: Iterable[Path]) -> dict[Path, NotebookNode]:
+    """Execute notebooks, as many at a time as there are processors.
 
     Raises NotebookError with the name of the notebook and the cell, for the first cell that raises or writes to stderr.
     """
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
         paths = list(paths)
-        executed = pool.map(lambda path: execute(path, folder), paths)
-        return dict(zip(paths, tqdm(executed, "Notebooks", len(paths)), strict=True))
+        return dict(zip(paths, tqdm(pool.map(execute, paths), "Notebooks", len(paths)), strict=True))
 
 
 def execute(path: Path, folder: Path = CACHE) -> NotebookNode:
@@ -65,7 +63,7 @@ def execute(path: Path, folder: Path = CACHE) -> NotebookNode:
     Raises NotebookError with the name of the notebook and the cell.
     """
     notebook: NotebookNode = nbformat.read(path, as_version=4)
-    cached = folder / cache_name(notebook, path)
+    cached = cache_path(notebook, path, folder)
     if not cached.exists():
         # execute a copy: a kernel writes more than outputs into a notebook, so the page would differ from the next build's
         executed = deepcopy(notebook)
@@ -83,56 +81,41 @@ def code_cells(notebook: NotebookNode) -> list[NotebookNode]:
     return [cell for cell in notebook.cells if cell.cell_type == "code"]
 
 
-def cache_name(notebook: NotebookNode, path: Path) -> str:
+def cache_path(notebook: NotebookNode, path: Path, folder: Path) -> Path:
     """Name the file of the outputs of a notebook. A lecture and its sheet have the same file name, in other folders."""
-    return (
-        f"{path.relative_to(ROOT).parts[0]}-{path.stem}-{input_hash(cell.source for cell in code_cells(notebook))}.json"
-    )
+    sources = "\0".join([package_hash(), *(cell.source for cell in code_cells(notebook))])
+    name = hashlib.sha256(sources.encode()).hexdigest()[:HASH_LENGTH]
+    return folder / f"{path.relative_to(ROOT).parts[0]}-{path.stem}-{name}.json"
 
 
 def cache_outputs(executed: NotebookNode, path: Path, folder: Path = CACHE) -> None:
-    """Cache the outputs and widgets of a notebook that was executed with ENVIRONMENT_VARIABLE set."""
+    """Cache the outputs and widgets of a notebook that was executed with ENVIRONMENT_VARIABLE set, and delete older ones.
+
+    The file is written in one step, so that nothing reads half of it.
+    """
     outputs = [cell.outputs for cell in code_cells(executed)]
-    kept = {"outputs": outputs, "widgets": executed.metadata.get("widgets", {})}
-    write_cache(folder / cache_name(executed, path), kept)
-
-
-def is_clean(executed: NotebookNode) -> bool:
-    """Whether no cell of an executed notebook has raised or written to stderr."""
-    outputs = [output for cell in code_cells(executed) for output in cell.outputs]
-    return not any(output.output_type == "error" or output.get("name") == "stderr" for output in outputs)
-
-
-def write_cache(path: Path, data: Any) -> None:
-    """Write a cached file in one step, so that nothing reads half of it, and delete older files with other hashes."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    part = path.with_suffix(f".{os.getpid()}")
-    part.write_text(json.dumps(data), "utf-8")
-    part.replace(path)
-    for old in path.parent.glob(f"{path.stem[:-HASH_LENGTH]}{'?' * HASH_LENGTH}.json"):
-        if old != path:
+    file = cache_path(executed, path, folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    part = file.with_suffix(f".{os.getpid()}")
+    part.write_text(json.dumps({"outputs": outputs, "widgets": executed.metadata.get("widgets", {})}), "utf-8")
+    part.replace(file)
+    for old in folder.glob(f"{file.stem[:-HASH_LENGTH]}{'?' * HASH_LENGTH}.json"):
+        if old != file:
             old.unlink(missing_ok=True)
 
 
 def run(notebook: NotebookNode, path: Path) -> None:
     """Run a notebook in a new kernel, in which figures and viewers write their static form."""
-    place = {"metadata": {"path": path.parent}}
+    place, name = {"metadata": {"path": path.parent}}, path.relative_to(ROOT)
     client = NotebookClient(notebook, timeout=TIMEOUT_S, startup_timeout=TIMEOUT_S, resources=place)
     try:
         # only what cells write to stderr matters, and that is among their outputs: hide what the kernel writes at its start
         client.execute(env={**os.environ, ENVIRONMENT_VARIABLE: "1"}, stderr=subprocess.DEVNULL)
     except CellExecutionError as error:
-        raise NotebookError(f"{path.relative_to(ROOT)} raises:\n{without_colours(str(error))}") from None
-    for cell in notebook.cells:
-        for output in cell.get("outputs", []):
-            if output.get("name") == "stderr":
-                text = without_colours(output.text)
-                raise NotebookError(f"{path.relative_to(ROOT)}, cell {cell.id!r}, writes to stderr:\n{text}")
-
-
-def input_hash(sources: Iterable[str]) -> str:
-    """Hash the sources of cells together with the packages."""
-    return hashlib.sha256("\0".join([package_hash(), *sources]).encode()).hexdigest()[:HASH_LENGTH]
+        raise NotebookError(f"{name} raises:\n{without_colours(str(error))}") from None
+    for cell in code_cells(notebook):
+        if wrong := [output.text for output in cell.outputs if output.get("name") == "stderr"]:
+            raise NotebookError(f"{name}, cell {cell.id!r}, writes to stderr:\n{without_colours(wrong[0])}")
 
 
 @cache

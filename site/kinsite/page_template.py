@@ -14,7 +14,7 @@ from kincourse.lecture_00_start_here import planar_arm
 from kincourse.table_of_lectures import sheet_of
 from kinlib import robots
 from kinlib.view import explore
-from kinlib.view.viewer.viewer import STATIC
+from kinlib.view.viewer.widget import STATIC
 from kinsite.demonstration import WrongAnswersDirective
 from kinsite.execute import ROOT, package_hash
 from kinsite.html_tree import inner_html, read_html
@@ -61,23 +61,23 @@ class ArmDirective(SphinxDirective):
 def copy_files(app: Sphinx) -> None:
     """Copy the viewer, KaTeX's style and its fonts as woff2, which every supported browser reads, and the downloads."""
     target = Path(app.outdir) / "_static"
-    (target / "katex" / "fonts").mkdir(parents=True, exist_ok=True)
-    shutil.copy(FONTS / "katex.min.css", target / "katex")
-    for name in ("katex.min.js", "contrib/auto-render.min.js"):  # for outputs of cells that run on the page
-        shutil.copy(FONTS / name, target / "katex")
-    shutil.copy(MODULES / "marked" / "lib" / "marked.umd.js", target)  # likewise
-    for font in (FONTS / "fonts").glob("*.woff2"):
-        shutil.copy(font, target / "katex" / "fonts")
+    # the scripts of KaTeX and marked are for outputs of cells that run on the page
+    katex = [FONTS / name for name in ("katex.min.css", "katex.min.js", "contrib/auto-render.min.js")]
+    copies = {
+        target: [MODULES / "marked" / "lib" / "marked.umd.js", *STATIC.glob("*.js"), *PLANAR_ARM],
+        target / "katex": katex,
+        target / "katex" / "fonts": [*(FONTS / "fonts").glob("*.woff2")],
+        Path(app.outdir): [Path(__file__).parents[1] / "service-worker.js"],  # it answers for its own folder only
+    }
+    for folder, sources in copies.items():
+        folder.mkdir(parents=True, exist_ok=True)
+        for source in sources:
+            shutil.copy(source, folder)
     (target / "fonts").mkdir(exist_ok=True)
     for name, font in TEXT_FONTS.items():
         shutil.copy(font, target / "fonts" / name)
-    for script in [*STATIC.glob("*.js"), *PLANAR_ARM]:
-        shutil.copy(script, target)
-    # a service worker answers for its own folder only
-    shutil.copy(Path(__file__).parents[1] / "service-worker.js", app.outdir)
-    (Path(app.outdir) / "robots.txt").write_text(
-        f"User-agent: *\nSitemap: {app.config.html_baseurl}sitemap.xml\n", "utf-8"
-    )
+    sitemap = f"User-agent: *\nSitemap: {app.config.html_baseurl}sitemap.xml\n"
+    (Path(app.outdir) / "robots.txt").write_text(sitemap, "utf-8")
     files = Path(app.srcdir) / "files"
     if files.exists():
         shutil.copytree(files, Path(app.outdir) / "files", dirs_exist_ok=True)
@@ -106,11 +106,8 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     context["kinlib_kind"] = folder.rstrip("s") if is_notebook else ""
     sheet = sheet_of(name) if folder == "lectures" else ""
     context["kinlib_sheet"] = sheet if f"sheets/{sheet}" in app.env.found_docs else ""
-    context["kinlib_lectures"] = [
-        lecture
-        for lecture in COURSE.lectures
-        if folder == "sheets" and sheet_of(lecture) == name and f"lectures/{lecture}" in app.env.found_docs
-    ]
+    lectures = [lecture for lecture in COURSE.lectures if f"lectures/{lecture}" in app.env.found_docs]
+    context["kinlib_lectures"] = [one for one in lectures if folder == "sheets" and sheet_of(one) == name]
 
 
 def adapt(body: str) -> str:
@@ -135,11 +132,8 @@ def adapt(body: str) -> str:
 def elsewhere(repository: str, path: str) -> dict[str, str]:
     """Return the addresses that open a notebook of a repository on GitHub elsewhere, by the name of the place.
 
-    >>> print(*elsewhere("https://github.com/ada/course", "notebooks/03.ipynb").values())
-    https://mybinder.org/v2/gh/ada/course/main?urlpath=lab/tree/notebooks/03.ipynb
-    https://colab.research.google.com/github/ada/course/blob/main/notebooks/03.ipynb
-    >>> elsewhere("https://example.org/ada/course", "notebooks/03.ipynb")
-    {}
+    >>> elsewhere("https://github.com/ada/course", "03.ipynb")["Binder"], elsewhere("https://example.org/a", "03.ipynb")
+    ('https://mybinder.org/v2/gh/ada/course/main?urlpath=lab/tree/03.ipynb', {})
     """
     name = repository.removeprefix("https://github.com/")
     if name == repository:

@@ -47,12 +47,13 @@ def write_source(folder: Path) -> None:
 
     Raises NotebookError for a notebook that fails, ValueError for a robot without a source.
     """
-    current = set()
-    for name, text in all_pages():
-        write_if_changed(folder / name, text)
-        current.add(folder / name)
+    pages = {folder / name: text for name, text in all_pages()}
+    for path, text in pages.items():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.exists() or path.read_text("utf-8") != text:
+            path.write_text(text, "utf-8")
     for old in folder.rglob("*"):
-        if old.is_file() and old not in current:
+        if old.is_file() and old not in pages:
             old.unlink()
 
 
@@ -62,9 +63,8 @@ def all_pages() -> Iterator[tuple[str, str]]:
     yield from handwritten_pages()
     yield from notebook_pages(executed)
     yield from progress.pages(*({path: executed[path] for path in paths} for paths in (LECTURES, SHEETS)))
-    yield from gallery.pages()
-    yield from reference.pages()
-    yield from mistakes.pages()
+    for generated in (gallery, reference, mistakes):
+        yield from generated.pages()
 
 
 def handwritten_pages() -> Iterator[tuple[str, str]]:
@@ -75,8 +75,7 @@ def handwritten_pages() -> Iterator[tuple[str, str]]:
         complete = {"glossary.md": link_lectures, "index.md": fill_home_page}.get(name, str)
         yield name, complete(text)
     yield "notation.md", (ROOT / "NOTATION.md").read_text("utf-8")
-    guide = (SITE / "instructors.md").read_text("utf-8").replace("](pages/", "](")
-    yield "instructors.md", guide
+    yield "instructors.md", (SITE / "instructors.md").read_text("utf-8").replace("](pages/", "](")
 
 
 def link_lectures(text: str) -> str:
@@ -105,16 +104,19 @@ def notebook_pages(executed: Mapping[Path, NotebookNode]) -> Iterator[tuple[str,
 
 def adapt(notebook: NotebookNode) -> NotebookNode:
     """Make the links of a notebook lead to the pages of the site, and name its cells."""
+
+    def linked(text: str, start: str) -> str:
+        for old, new in LINK_TARGETS.items():
+            text = re.sub(re.escape(start) + old, start + new, text)
+        return text
+
     for cell in notebook.cells:
         if cell.cell_type == "markdown":
-            for old, new in LINK_TARGETS.items():
-                cell.source = re.sub(rf"\]\({old}", f"]({new}", cell.source)
-        else:
-            cell.metadata["kinlib-cell"] = cell.get("id", "")  # names the addresses of its figures
-            for data in (output["data"] for output in cell.outputs if "text/html" in output.get("data", {})):
-                for old, new in LINK_TARGETS.items():
-                    data["text/html"] = re.sub(f'href="{old}', f'href="{new}', data["text/html"])
-                data["text/html"] = OUTPUT_LINK.sub(link_to_page, data["text/html"])
+            cell.source = linked(cell.source, "](")
+            continue
+        cell.metadata["kinlib-cell"] = cell.get("id", "")  # names the addresses of its figures
+        for data in (output["data"] for output in cell.outputs if "text/html" in output.get("data", {})):
+            data["text/html"] = OUTPUT_LINK.sub(link_to_page, linked(data["text/html"], 'href="'))
     notebook.metadata.pop("widgets", None)
     return notebook
 
@@ -143,10 +145,3 @@ def without_cards(notebook: NotebookNode, path: Path) -> NotebookNode:
     note = SAMPLE_NOTE.format(path=f"files/sheets/{path.name}")
     notebook.cells.insert(1, nbformat.v4.new_markdown_cell(note, id="sample"))
     return notebook
-
-
-def write_if_changed(path: Path, text: str) -> None:
-    """Write a file unless it has this text already."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    if not path.exists() or path.read_text("utf-8") != text:
-        path.write_text(text, "utf-8")

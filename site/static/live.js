@@ -273,7 +273,7 @@
     if (cell.role === 'open') executed.clear(); // other numbers for all problems
     executed.set(cell, cell.source());
     cell.madeFrom = madeFrom(cell);
-    worker.postMessage({ source: cell.source(), cell: cell.key });
+    worker.postMessage({ source: cell.source(), cell: cell.key, files: cell.files ?? [] });
   }
 
   /** Show each problem of a sheet when the reader comes to it: some need more of Python than others. */
@@ -822,6 +822,7 @@
   document.addEventListener('kinlib-run', ({ detail }) => {
     const cell = cells.find(({ element }) => element.contains(detail.element));
     if (detail.source) cell.edit(detail.source, false);
+    cell.files = detail.files;
     cell.status.textContent = '';
     run(cell);
   });

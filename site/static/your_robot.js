@@ -7,25 +7,27 @@
     [...document.querySelectorAll('article div.cell')].find((cell) =>
       cell.querySelector('.cell_input pre')?.textContent.includes(text),
     );
-  const compare = cellWith('found = examine(');
-  const picture = cellWith('found.picture()');
+  const [compare, picture] = ['found = examine(', 'found.picture()'].map(cellWith);
   const practise = [cellWith('sheet = practise('), cellWith('sheet.check(')];
   const known = cellWith('known_arms()')?.querySelectorAll('tbody tr') ?? [];
   if (!h || !compare || !document.querySelector('[data-kinlib-lab]')) return;
 
   const MAX_BYTES = 20_000_000; // as in kincourse/your_robot.py
-  const MAX_TABLE = 100_000;
   const MAX_LINKS = 2000;
+  const MAX_FILES = 5000; // of a folder or an archive that is dropped
+  const MAX_MESHES = 80_000_000; // bytes together, as in kinlib/view/viewer/meshes.py
+  const PLACE = 'robot/urdf/robot.urdf'; // where Python finds a dropped file, with its meshes around it
   const EXAMPLE = compare.querySelector('.cell_input pre').textContent.match(/"""\n?([\s\S]*?)"""/)?.[1] ?? '';
   let urdf = '';
+  let meshes = []; // [{ path, file }] of a folder or an archive
 
   const option = (value, text = value) => h('option', { value }, text);
   const select = (label, ...options) => {
     const field = h('select', {}, ...options);
     return { field, row: h('label', {}, `${label} `, field) };
   };
-  const names = [...known].map((row) => row.cells[0].textContent.trim());
-  const arm = select('Arm', option('', 'of a URDF file'), ...names.map((name) => option(name)));
+  const names = [...known].map((row) => option(row.cells[0].textContent.trim()));
+  const arm = select('Arm', option('', 'of a URDF file'), ...names);
   const base = select('from link');
   const tip = select('to link');
   const convention = select(
@@ -39,12 +41,17 @@
   const order = h('input', { placeholder: 'as the text says', size: 18, 'aria-label': 'Order of the columns' });
 
   const said = h('p', { role: 'status', class: 'kinlib-live-note' });
-  const file = h('input', { type: 'file', accept: '.urdf,.xml', 'aria-label': 'A URDF file' });
+  const file = h('input', {
+    type: 'file',
+    accept: '.urdf,.xml,.zip',
+    'aria-label': 'A URDF file, or a zip archive with its meshes',
+  });
   const urdfText = h('textarea', {
     rows: 3,
     spellcheck: 'false',
     'aria-label': 'The text of a URDF file',
-    placeholder: 'Drop a URDF file here, choose one above, or paste its text',
+    placeholder:
+      'Drop a URDF file here, or a folder or zip archive with its meshes; choose one above; or paste its text',
   });
   const table = h('textarea', {
     rows: 9,
@@ -53,12 +60,18 @@
     placeholder:
       'Paste a table: from a PDF, a web page, a spreadsheet, LaTeX, or code such as RevoluteDH(a=0.4, d=0.1)',
   });
+  const which = select('File');
+  which.row.hidden = true;
   const links = h('p', { hidden: true }, base.row, ' ', tip.row, ' ', h('span', {}));
   const button = (label, onclick) => h('button', { type: 'button', class: 'kinlib-button', onclick }, label);
 
+  /** A file as a document, without prefixes such as drake:, which makers write and do not declare. */
+  const parsed = (text) =>
+    new DOMParser().parseFromString(text.replace(/(<\/?|\s)[\w-]+:(?=[\w-]+[\s=>/])/g, '$1'), 'text/xml');
+
   /** The links of a file with the joint above each of them; null if it is no URDF. */
   function treeOf(text) {
-    const robot = new DOMParser().parseFromString(text, 'text/xml').querySelector('robot');
+    const robot = parsed(text).querySelector('robot');
     if (!robot) return null;
     const parents = new Map();
     for (const joint of robot.querySelectorAll(':scope > joint')) {
@@ -85,6 +98,7 @@
 
   function setUrdf(text) {
     urdf = text;
+    meshes = [];
     const tree = text.trim() ? treeOf(text) : null;
     links.hidden = !tree;
     said.textContent = text.trim() && !tree ? 'This text is no URDF file: it has no element <robot>.' : '';
@@ -113,18 +127,122 @@
     say();
   }
 
-  async function readFile(chosen) {
-    if (!chosen) return;
-    if (chosen.size > MAX_BYTES) {
-      said.textContent = `${chosen.name} has ${Math.round(chosen.size / 1e6)} MB; a URDF file may have at most 20 MB.`;
-      return;
+  /** The files below dropped files and folders, each with its path and a function that reads it. */
+  async function filesBelow(entries, folder = '') {
+    const found = [];
+    for (const entry of entries) {
+      const path = `${folder}${entry.name}`;
+      if (entry.isFile) {
+        const file = await new Promise((resolve, reject) => entry.file(resolve, reject));
+        found.push({ path, size: file.size, read: async () => file });
+        continue;
+      }
+      const reader = entry.createReader();
+      for (let some = [null]; some.length && found.length < MAX_FILES; ) {
+        some = await new Promise((resolve, reject) => reader.readEntries(resolve, reject));
+        found.push(...(await filesBelow(some, `${path}/`)));
+      }
     }
-    const text = await chosen.text();
-    urdfText.value = text.length > 4000 ? `${text.slice(0, 4000)}\n...` : text;
-    setUrdf(text);
+    return found;
   }
 
-  file.addEventListener('change', () => readFile(file.files[0]));
+  /** The files of a zip archive, by the table at its end. */
+  async function filesOfArchive(archive) {
+    const view = async (from, to) => new DataView(await archive.slice(from, to).arrayBuffer());
+    const tail = await view(-66_000);
+    let end = tail.byteLength - 22;
+    while (end >= 0 && tail.getUint32(end, true) !== 0x06054b50) end -= 1;
+    if (end < 0) throw new Error('it is no zip archive');
+    const [length, start] = [12, 16].map((place) => tail.getUint32(end + place, true));
+    const table = await view(start, start + length);
+    const found = [];
+    for (let at = 0; at + 46 <= table.byteLength && found.length < MAX_FILES; ) {
+      const [method, name, extra, comment] = [10, 28, 30, 32].map((place) => table.getUint16(at + place, true));
+      const [packed, size, offset] = [20, 24, 42].map((place) => table.getUint32(at + place, true));
+      const path = new TextDecoder().decode(new Uint8Array(table.buffer, at + 46, name));
+      const read = async () => {
+        const head = await view(offset, offset + 30);
+        const from = offset + 30 + head.getUint16(26, true) + head.getUint16(28, true);
+        const body = archive.slice(from, from + packed);
+        if (!method) return body;
+        let left = size; // an archive may lie about its sizes
+        const limit = new TransformStream({
+          transform(chunk, controller) {
+            left -= chunk.byteLength;
+            if (left < 0) throw new Error(`${path} is larger than the archive says`);
+            controller.enqueue(chunk);
+          },
+        });
+        const unpacked = body.stream().pipeThrough(new DecompressionStream('deflate-raw')).pipeThrough(limit);
+        return new Response(unpacked).blob();
+      };
+      found.push({ path, size, read });
+      at += 46 + name + extra + comment;
+    }
+    return found;
+  }
+
+  /** Where Python looks for a mesh beside PLACE; '' if that is nowhere. */
+  function placeOf(name) {
+    const parts = PLACE.split('/').slice(0, -1);
+    for (const part of name.replace(/^package:\/\//, '').split('/')) {
+      if (part === '..') parts.pop();
+      else if (part && part !== '.') parts.push(part);
+    }
+    return parts[0] === 'robot' && !/^(file:\/\/|\/)/.test(name) ? parts.join('/') : '';
+  }
+
+  /** Read the meshes that a URDF names: of the files, those whose paths end most like the names. */
+  async function readMeshes(text, files) {
+    const named = [...parsed(text).querySelectorAll('visual mesh')].map((mesh) => mesh.getAttribute('filename') ?? '');
+    const wanted = [...new Set(named)].filter(placeOf);
+    const common = (name, { path }) => {
+      const [one, other] = [name, path].map((each) => each.split('/').reverse());
+      return [...one, ''].findIndex((part, k) => part !== other[k]);
+    };
+    const read = [];
+    let left = MAX_MESHES;
+    for (const name of wanted) {
+      const [best] = files.filter((one) => common(name, one)).sort((a, b) => common(name, b) - common(name, a));
+      left -= best?.size ?? 0;
+      if (best && left > 0)
+        read.push({ path: placeOf(name), bytes: new Uint8Array(await (await best.read()).arrayBuffer()) });
+    }
+    if (wanted.length)
+      said.textContent = `${read.length} of ${wanted.length} meshes were found${read.length < wanted.length ? '. Drop a folder or a zip archive that contains all' : ''}.`;
+    return read;
+  }
+
+  /** Take the URDF among files, the chosen one or the first, and the meshes that it names. */
+  async function take(files, chosen) {
+    const possible = files.filter(({ path }) => /\.(urdf|xml)$/i.test(path) && !/package\.xml$/.test(path));
+    possible.sort((one, other) => one.path.endsWith('.xml') - other.path.endsWith('.xml'));
+    const one = chosen ?? possible[0] ?? files[0];
+    if (one.size > MAX_BYTES)
+      throw new Error(`${one.path} has ${Math.round(one.size / 1e6)} MB, and the limit is 20 MB`);
+    which.row.hidden = possible.length < 2;
+    which.field.replaceChildren(...possible.map(({ path }) => option(path)));
+    which.field.value = one.path;
+    which.field.onchange = () => reading(() => take(files, possible[which.field.selectedIndex]));
+    const text = await (await one.read()).text();
+    urdfText.value = text.length > 4000 ? `${text.slice(0, 4000)}\n...` : text;
+    setUrdf(text);
+    meshes = await readMeshes(text, files);
+  }
+
+  /** Do something with files, and say why it fails. */
+  const reading = (action) =>
+    action().catch((error) => {
+      said.textContent = `This cannot be read: ${error.message}.`;
+    });
+
+  const takeFile = async (one) =>
+    take(
+      /\.zip$/i.test(one.name)
+        ? await filesOfArchive(one)
+        : [{ path: one.name, size: one.size, read: async () => one }],
+    );
+  file.addEventListener('change', () => file.files[0] && reading(() => takeFile(file.files[0])));
   urdfText.addEventListener('input', () => setUrdf(urdfText.value));
   arm.field.addEventListener('change', () => {
     if (arm.field.value) links.hidden = true;
@@ -139,7 +257,7 @@
       said.textContent = 'Choose an arm or a URDF file, or paste a table.';
       return;
     }
-    if (table.value.length > MAX_TABLE || given.length > MAX_BYTES) {
+    if (table.value.length > 100_000 || given.length > MAX_BYTES) {
       said.textContent = 'This text is too long: a table may have 100,000 characters, and a URDF file 20 million.';
       return;
     }
@@ -156,21 +274,22 @@
       .map(([name, value]) => `, ${name}=${literal(value)}`);
     const source = [
       'from kincourse.your_robot import examine',
-      `arm = ${literal(given)}`,
+      `arm = ${literal(meshes.length && given === urdf ? PLACE : given)}`,
       `table = ${literal(table.value)}`,
       `found = examine(arm, table${options.join('')})`,
       'found',
     ].join('\n');
     for (const cell of [compare, picture]) cell.querySelector('.cell_output')?.replaceChildren(); // of another robot
     for (const section of answer) section.hidden = false;
-    run(compare, source);
+    const text = { path: PLACE, bytes: new TextEncoder().encode(urdf) };
+    run(compare, source, meshes.length ? [text, ...meshes] : []);
     run(picture);
     answer[0].scrollIntoView({ behavior: 'smooth', block: 'start' });
   }
 
-  const run = (cell, source) =>
+  const run = (cell, source, files = []) =>
     document.dispatchEvent(
-      new CustomEvent('kinlib-run', { detail: { element: cell.querySelector('.cell_input'), source } }),
+      new CustomEvent('kinlib-run', { detail: { element: cell.querySelector('.cell_input'), source, files } }),
     );
 
   // The sections of the notebook with these cells show the answer, without their code; what they say of the code is left out.
@@ -183,7 +302,7 @@
   const form = h(
     'form',
     { class: 'your-robot', onsubmit: (event) => event.preventDefault() },
-    h('fieldset', {}, h('legend', {}, '1. The arm'), h('p', {}, arm.row, ' ', file), urdfText, links),
+    h('fieldset', {}, h('legend', {}, '1. The arm'), h('p', {}, arm.row, ' ', file, ' ', which.row), urdfText, links),
     h(
       'fieldset',
       {},
@@ -204,21 +323,18 @@
     h('p', {}, button('Check', check), ' Python runs in this page; nothing that you give leaves your browser.'),
     said,
   );
-  for (const zone of [urdfText, form]) {
-    zone.addEventListener('dragover', (event) => event.preventDefault());
-    zone.addEventListener('drop', (event) => {
-      event.preventDefault();
-      event.stopPropagation();
-      readFile(event.dataTransfer.files[0]);
-    });
-  }
-  const place =
-    document.querySelector('article h1').parentElement.querySelector('ul') ?? document.querySelector('article h1');
-  place.after(form);
-  const start = () => {
-    for (const cell of practise) run(cell);
-  };
-  practise[0].before(h('p', {}, button('Start with the robot of the form', start)));
+  form.addEventListener('dragover', (event) => event.preventDefault());
+  form.addEventListener('drop', (event) => {
+    event.preventDefault();
+    const entries = [...event.dataTransfer.items].map((item) => item.webkitGetAsEntry()).filter(Boolean);
+    const [first] = event.dataTransfer.files;
+    const isOne = entries.length < 2 && !entries[0]?.isDirectory;
+    if (first) reading(isOne ? () => takeFile(first) : async () => take(await filesBelow(entries)));
+  });
+  const title = document.querySelector('article h1');
+  (title.parentElement.querySelector('ul') ?? title).after(form);
+  const start = button('Start with the robot of the form', () => practise.map((cell) => run(cell)));
+  practise[0].before(h('p', {}, start));
 
   // Each corrected table gets a button that copies it.
   const addCopies = () => {

@@ -28,19 +28,13 @@ def lab_address(site_folder, site_address):
     return site_address
 
 
-@pytest.mark.parametrize("reason", ["full", "private"])
-def test_a_browser_that_cannot_store_work_shows_a_message_and_offers_the_download(
-    chromium, lab_address, tmp_path, reason
-):
+def test_a_browser_that_cannot_store_work_shows_a_message_and_offers_the_download(chromium, lab_address, tmp_path):
     with unwatched(chromium, viewport=WINDOW) as page:
         page.add_init_script("delete globalThis.WebAssembly")  # no Python has to start
-        if reason == "private":
-            page.add_init_script("IDBFactory.prototype.open = () => { throw new DOMException('no', 'SecurityError'); }")
         visit(page, lab_address, SHEET)
-        if reason == "full":
-            write(page, cell(page, "screws_1 ="), "screws_1 = 'early words'")
-            wait_for(page, lambda: "early words" in page.evaluate(STORED_NOTEBOOKS), PAGE_TIMEOUT_MS)
-            page.evaluate(STORAGE_FULL)
+        write(page, cell(page, "screws_1 ="), "screws_1 = 'early words'")
+        wait_for(page, lambda: "early words" in page.evaluate(STORED_NOTEBOOKS), PAGE_TIMEOUT_MS)
+        page.evaluate(STORAGE_FULL)
         write(page, cell(page, "screws_1 ="), "screws_1 = 'not to be lost'")
         page.get_by_text("This browser cannot store your work").wait_for(timeout=PAGE_TIMEOUT_MS)
         with page.expect_download() as taken:

@@ -19,12 +19,11 @@ from kincourse import open_sheet
 from kincourse.lecture_01_frames.opening import opening
 from kinlib.chains.robots import pose
 from kinlib.dh.rules import check_frames
-from kinlib.view import assign, explore, play_assignment, play_row, play_walk
+from kinlib.view import assign, explore, play_assignment, play_row
 
 ARM = open_sheet("07_frame_assignment", "ada").problem(2).shown["arm"]
 RIGHT = kl.assign_frames(ARM, convention="standard").frames
 ROW = [0.8, 0.6, 0.6, 1.4]
-WALK = [[0.6, -0.9, 0.4, 0.3], [0.5, 1.6, 0.4, -1.0]]
 DIAL = 0.3
 """The radius of the dial for x, as a share of the size of the arm."""
 
@@ -167,17 +166,6 @@ def test_a_motion_is_animated_unless_reduced_motion_is_preferred(show):
     calm.evaluate(seen)
     calm.get_by_role("button", name="Next motion").click()
     assert calm.evaluate("[...window.seen]") == [4]
-
-
-def test_a_walk_shows_the_frames_of_both_conventions(show):
-    player = at(play_walk(WALK), at=2)
-    page = show(player, reduced_motion="reduce")
-    assert {"{1 mod}", "{1 std}"} <= drawn(page)
-    assert "{2 mod}" not in drawn(page)
-    page.get_by_role("button", name="X2").click()
-    wait_for(page, "at", 4)
-    np.testing.assert_allclose(carried(page, 0), kl.DHTable(WALK, convention="standard").fk([0, 0]), atol=1e-12)
-    assert {"{2 mod}", "{2 std}"} <= drawn(page)
 
 
 # --- films ---

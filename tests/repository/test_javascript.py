@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from kinlib.view.viewer.viewer import STATIC
+from kinlib.view.viewer.widget import STATIC
 
 ROOT = Path(__file__).parents[2]
 NPM = shutil.which("npm")

@@ -2,7 +2,7 @@
 
 import pytest
 from browser import watched
-from built_site import DESKTOP, PHONE
+from built_site import PHONE
 from kinsite import cell_outputs
 from kinsite.html_tree import inner_html, read_html
 
@@ -10,10 +10,9 @@ LONGEST_LECTURE = "lectures/06_dh_modified.html"
 UPPER_PART_PX = 100  # below the bar of a phone, and the margin of a section
 
 
-@pytest.mark.parametrize("size", [PHONE, DESKTOP], ids=["phone", "desktop"])
-def test_a_link_to_a_section_leads_there(chromium, site_address, size):
+def test_a_link_to_a_section_leads_there(chromium, site_address):
     """Viewers above it change their height when they are drawn; it stays in place until the reader scrolls."""
-    with watched(chromium, viewport=size) as page:
+    with watched(chromium, viewport=PHONE) as page:
         page.goto(f"{site_address}/{LONGEST_LECTURE}")
         section = page.locator("article h2[id]").nth(4).get_attribute("id")
         page.goto("about:blank")
@@ -22,7 +21,7 @@ def test_a_link_to_a_section_leads_there(chromium, site_address, size):
         page.wait_for_function(f"{top} > -5 && {top} < {UPPER_PART_PX}")
         page.wait_for_timeout(800)
         assert -5 < page.evaluate(top) < UPPER_PART_PX
-        page.mouse.move(size["width"] / 2, size["height"] / 2)
+        page.mouse.move(PHONE["width"] / 2, PHONE["height"] / 2)
         page.mouse.wheel(0, 2000)
         page.wait_for_function(f"{top} < -500")
 

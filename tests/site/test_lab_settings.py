@@ -3,7 +3,6 @@
 import hashlib
 import importlib
 import json
-from urllib.error import URLError
 from zipfile import ZipFile
 
 import pytest
@@ -112,29 +111,15 @@ def test_loaded_modules_are_compiled_and_nothing_is_kept_that_no_cell_can_use(tm
 # --- the lab ---
 
 
-@pytest.mark.parametrize(("choice", "fails"), [("", False), ("official", True)])
-def test_without_a_network_the_lab_is_left_out_unless_it_was_requested(tmp_path, monkeypatch, capsys, choice, fails):
-    def no_network(address, timeout):
-        raise URLError("no route")
+def test_without_a_network_the_lab_is_left_out_unless_it_was_requested(tmp_path, monkeypatch, capsys):
+    def no_network(kind, folder):
+        raise wheels.Unreachable("no route")
 
-    def no_registry(name, *_, **__):
-        raise wheels.Unreachable(f"pip could not download {name}")
-
-    monkeypatch.setenv(lab.VARIABLE, choice)
-    monkeypatch.setattr(wheels, "download", no_registry)
-    monkeypatch.setattr(lab, "LABS", tmp_path / "built")
-    monkeypatch.setattr(pyodide.urllib.request, "urlopen", no_network)
-    monkeypatch.setattr(pyodide, "DOWNLOADS", tmp_path)
-    monkeypatch.setattr(pyodide, "MODULES", tmp_path)
-    (tmp_path / "pyodide").mkdir()
-    (tmp_path / "pyodide" / "package.json").write_text('{"version": "9.9.9"}')
-    locks = {"info": {"python": "3.14.0"}, "packages": {"numpy": locked("numpy", b"")}}
-    (tmp_path / "pyodide" / "pyodide-lock.json").write_text(json.dumps(locks))
-    monkeypatch.setattr(wheels, "build", lambda _: wheel(tmp_path, "kinlib", requires=["numpy"]))
-    monkeypatch.setattr(lab, "EXTENSIONS", (tmp_path,))
-    if fails:
-        with pytest.raises(wheels.Unreachable, match=r"v9\.9\.9/full/\S+ could not be downloaded: .*no route"):
-            lab.build()
-    else:
-        assert lab.build() is None
-        assert "The site has no lab" in capsys.readouterr().err
+    monkeypatch.setattr(lab, "LABS", tmp_path)
+    monkeypatch.setattr(lab, "build_with_jupyterlite", no_network)
+    monkeypatch.setenv(lab.VARIABLE, "official")
+    with pytest.raises(wheels.Unreachable, match="no route"):
+        lab.build()
+    monkeypatch.setenv(lab.VARIABLE, "")
+    assert lab.build() is None
+    assert "The site has no lab" in capsys.readouterr().err

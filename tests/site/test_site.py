@@ -11,7 +11,7 @@ from accessibility import violations
 from browser import unwatched, watched
 from built_site import DESKTOP, PHONE
 from kinsite import execute
-from lessons import plain_words, words_of
+from lessons import plain_words
 
 from kincourse import COURSE, find_question
 from misstep.questions.item import LETTERS
@@ -201,25 +201,6 @@ def test_a_prediction_uncovers_the_arm_and_the_explanation(page, site_address):
     assert f"{LETTERS[wrong]} is not correct" in page.locator('[data-misstep-explain="03/order"]').inner_text()
 
 
-def test_a_slider_shows_its_images_after_the_prediction(page, site_address):
-    page.goto(f"{site_address}/lectures/04_poe_body.html")
-    slides = page.locator('[data-kinlib-film][data-kinlib-after="04/joint-1"]')
-    slides.scroll_into_view_if_needed()
-    slides.locator(".kv").wait_for()
-    assert slides.locator("img:visible").count() == 0
-    page.locator('[data-misstep-question="04/joint-1"] .kinlib-choice').nth(1).click()
-    seen = []
-    for k in (0, 6):
-        slides.locator("input").fill(str(k))
-        shown = slides.locator("img:visible")
-        shown.scroll_into_view_if_needed()
-        assert shown.count() == 1
-        page.wait_for_function("image => image.complete && image.naturalWidth > 0", arg=shown.element_handle())
-        seen.append(shown.get_attribute("src"))
-    assert seen[0] != seen[1]
-    assert slides.locator("output").inner_text() == "90"
-
-
 def test_progress_is_shown_saved_deleted_and_loaded_again(page, site_address, tmp_path):
     page.goto(f"{site_address}/{LECTURE_03}")
     page.locator(f"{RECALL} .kinlib-choice").nth(RECALL_ITEM.right).click()
@@ -298,26 +279,6 @@ def test_without_javascript_every_explanation_can_be_opened(chromium, site_addre
             assert why.is_visible()
         page.locator('[data-misstep-explain="03/order"] summary').click()
         assert page.get_by_text(plain_words(ORDER_ITEM.options[1].why)).is_visible()
-
-
-PREDICTIONS = [f"00/{key}" for key, item in COURSE.questions()["00"].items() if item.kind == "predict"]
-
-
-def test_no_explanation_is_visible_before_its_prediction(page, site_address):
-    def visible(page):
-        text = page.locator("article").inner_text()
-        return [name for name in PREDICTIONS if words_of(name) in text]
-
-    page.goto(f"{site_address}/lectures/00_start_here.html")
-    assert not visible(page)
-    for k, name in enumerate(PREDICTIONS):
-        explanation = page.locator(f'[data-misstep-explain="{name}"]')
-        if k % 2:
-            explanation.get_by_role("button", name="Show anyway").click()
-            assert "Shown without a prediction" in explanation.inner_text()
-        else:
-            page.locator(f'[data-misstep-question="{name}"] .kinlib-choice').first.click()
-        assert visible(page) == PREDICTIONS[: k + 1]
 
 
 def test_the_keyboard_focus_is_visible_and_the_first_tab_skips_the_navigation(page, site_address):

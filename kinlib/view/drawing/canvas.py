@@ -83,19 +83,18 @@ class Canvas:
         self.eye, self.sheet_axes = view_axes(view)
         around = np.reshape(np.asarray(around, dtype=float), (-1, 3))
         self._extent = max(float(np.ptp(around, axis=0).max()), 1e-3)
-        measured = 0.0 if sizes is None else float(np.ptp(np.reshape(sizes, (-1, 3)), axis=0).max())
+        measured = self._extent if sizes is None else float(np.ptp(np.reshape(sizes, (-1, 3)), axis=0).max())
         # If an arm is small compared with what is shown, its marks must stay large enough to be distinguished.
-        self.size = self._extent if sizes is None else max(measured, 0.6 * self._extent)
+        self.size = max(measured, 0.6 * self._extent)
         """The longest side of what is shown, in metres: the unit of length of everything that is not drawn to scale."""
         self._sheet = np.array(size, dtype=float)
-        flat = self.project(around)
-        lines = [self._tiles(around, side, 0.5) for side in (0, 1)]
-        tiles = self.project([(x, y, 0.0) for x in lines[0] for y in lines[1]])
+        xs, ys = (self._tiles(around, side, 0.5) for side in (0, 1))
+        flat, tiles = self.project(around), self.project([(x, y, 0.0) for x in xs for y in ys])
         low = np.minimum(flat.min(axis=0) - MARGIN_SHARE * self.size, tiles.min(axis=0))
         high = np.maximum(flat.max(axis=0) + MARGIN_SHARE * self.size, tiles.max(axis=0))
         # The same scale in both directions, so that a circle stays a circle.
-        self._scale = float(((self._sheet - 2 * BORDER_PX) / (high - low)).min())
-        self._sheet[1] = (high - low)[1] * self._scale + 2 * BORDER_PX
+        self.pixels_per_metre = float(((self._sheet - 2 * BORDER_PX) / (high - low)).min())
+        self._sheet[1] = (high - low)[1] * self.pixels_per_metre + 2 * BORDER_PX
         self._middle = (low + high) / 2
         self._marks: list[tuple[float, str]] = []
         self._labels: list[Label] = []
@@ -108,13 +107,8 @@ class Canvas:
 
     def to_pixels(self, points: ArrayLike) -> Array:
         """Project points (..., 3) to pixels (..., 2), measured from the upper left corner of the sheet."""
-        pixels: Array = self._sheet / 2 + (self.project(points) - self._middle) * self._scale * (1, -1)
+        pixels: Array = self._sheet / 2 + (self.project(points) - self._middle) * self.pixels_per_metre * (1, -1)
         return pixels
-
-    @property
-    def pixels_per_metre(self) -> float:
-        """The scale of the drawing."""
-        return self._scale
 
     def along(self, start: ArrayLike, end: ArrayLike) -> Array:
         """Return the direction from one point to another on the sheet, (2,), to the right and up; 0 if it is seen end-on."""
@@ -126,7 +120,7 @@ class Canvas:
         """Move a line (m, 3) sideways on the sheet, so that lines that cover each other can be drawn side by side."""
         line = np.asarray(points, dtype=float)
         right, up = self.along(line[0], line[-1])
-        moved: Array = line + (pixels / self._scale) * (np.array([-up, right]) @ self.sheet_axes)
+        moved: Array = line + (pixels / self.pixels_per_metre) * (np.array([-up, right]) @ self.sheet_axes)
         return moved
 
     def line(
@@ -150,7 +144,7 @@ class Canvas:
     ) -> None:
         """Draw an arrow. One that points at the viewer is a ring with a dot, one that points away a ring with a cross."""
         tail, tip = self.to_pixels(start), self.to_pixels(end)
-        true = self._scale * float(np.linalg.norm(np.subtract(end, start)))
+        true = self.pixels_per_metre * float(np.linalg.norm(np.subtract(end, start)))
         seen = float(np.linalg.norm(tip - tail))
         if seen < 0.03 * true:
             self._end_on(tip, max(6.0, 2.3 * width), float(self.eye @ np.subtract(end, start)) > 0, colour, level)
@@ -180,8 +174,8 @@ class Canvas:
     def body(self, corners: ArrayLike, colour: str, level: float = 3.0, edge: str = INK) -> None:
         """Draw the outline of a convex body, given points on its surface."""
         hull = convex_hull(self.to_pixels(corners))
-        self._marks.append((level, svg.polygon(hull, colour, edge)))
-        self._bodies.append(np.array([hull.min(axis=0), hull.max(axis=0)]))
+        self.shape(hull, colour, edge=edge, level=level)
+        self.cover([hull])
 
     def shape(self, pixels: Array, colour: str, *, edge: str = "none", width: float = 1.0, level: float = 3.0) -> None:
         """Fill a polygon that is given in pixels, (m, 2)."""
@@ -217,17 +211,13 @@ class Canvas:
             self.dot(foot, colour, 5, level=6)
             if point[2]:
                 self.label((foot + point) / 2, f"{point[2]:.4g}", colour, HEIGHT_LABEL_OFFSETS, 9)
-            offsets = self._nearest(foot, places * (1, 1, 0), FOOT_LABEL_OFFSETS)
+            # first those offsets at which a label is nearer to its own foot than to any other one
+            steps = self.to_pixels(places * (1, 1, 0)) - self.to_pixels(foot)
+            others, ways = steps[np.abs(steps).max(axis=-1) > 1], np.array(FOOT_LABEL_OFFSETS) * (1, -1)
+            other = np.linalg.norm(ways[:, None] - others, axis=-1).min(axis=1, initial=np.inf)
+            order = np.argsort(np.linalg.norm(ways, axis=-1) >= other, kind="stable")
+            offsets = [FOOT_LABEL_OFFSETS[k] for k in order]
             self.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", colour, offsets, 9)
-
-    def _nearest(self, point: Array, points: Array, offsets: Sequence[Offset]) -> Sequence[Offset]:
-        """Return the offsets in another order: first those at which a label is nearer to its point than to any other one."""
-        steps = self.to_pixels(points) - self.to_pixels(point)
-        others = steps[np.abs(steps).max(axis=-1) > 1]
-        ways = np.array(offsets, dtype=float) * (1, -1)
-        own, other = np.linalg.norm(ways, axis=-1), np.linalg.norm(ways[:, None] - others, axis=-1)
-        far = own >= other.min(axis=1, initial=np.inf)
-        return [offsets[k] for k in np.argsort(far, kind="stable")]
 
     def floor(self, points: ArrayLike, numbers: bool = False, height: float = 0.0) -> None:
         """Draw a grid at a height under the points, in steps of 1, 2 or 5, with numbers along x and y if numbers is true."""
@@ -235,22 +225,19 @@ class Canvas:
         # Numbers are written at the border; half a tile keeps them off joints that are at the border too.
         room = 0.5 if numbers else 0.0
         xs, ys = self._tiles(points, 0, room), self._tiles(points, 1, room)
-        for x in xs:
-            self.line([(x, ys[0], height), (x, ys[-1], height)], PALE_GREY, 1.0, level=0)
-        for y in ys:
-            self.line([(xs[0], y, height), (xs[-1], y, height)], PALE_GREY, 1.0, level=0)
+        for start, end in [*(((x, ys[0]), (x, ys[-1])) for x in xs), *(((xs[0], y), (xs[-1], y)) for y in ys)]:
+            self.line([(*start, height), (*end, height)], PALE_GREY, 1.0, level=0)
         if not numbers:
             places = [(0, -12), (36, -8), (-40, -12), (36, 8)]
             self.label((xs[-1], ys[0], height), f"grid {xs[1] - xs[0]:.3g} m", GREY, places, 8)
             return
+        red, green, _ = AXIS_COLOURS
         for x in xs[:-1]:
-            self.label((x, ys[0], 0), format_number(x, 3), AXIS_COLOURS[0], [(-3, -11), (-3, -22), (-14, -20)], 8)
+            self.label((x, ys[0], 0), format_number(x, 3), red, [(-3, -11), (-3, -22), (-14, -20)], 8)
         for y in ys[1:]:
-            self.label(
-                (xs[-1], y, 0), format_number(y, 3), AXIS_COLOURS[1], [(13, -4), (26, -2), (30, -14), (44, -4)], 8
-            )
-        self.label((xs.mean(), ys[0], 0), "x in m", AXIS_COLOURS[0], [(-8, -28), (-8, -40), (24, -40), (-40, -40)], 9)
-        self.label((xs[-1], ys.mean(), 0), "y in m", AXIS_COLOURS[1], [(42, -8), (60, -8), (48, -24), (66, -24)], 9)
+            self.label((xs[-1], y, 0), format_number(y, 3), green, [(13, -4), (26, -2), (30, -14), (44, -4)], 8)
+        self.label((xs.mean(), ys[0], 0), "x in m", red, [(-8, -28), (-8, -40), (24, -40), (-40, -40)], 9)
+        self.label((xs[-1], ys.mean(), 0), "y in m", green, [(42, -8), (60, -8), (48, -24), (66, -24)], 9)
 
     def triad(
         self,
@@ -305,13 +292,13 @@ class Canvas:
 
     def _end_on(self, centre: Array, radius: float, towards: bool, colour: str, level: float) -> None:
         """Draw an arrow that points towards the viewer or away."""
-        self._marks.append((level, svg.circle(centre, radius, "white", edge=colour)))
+        marks = [svg.circle(centre, radius, "white", edge=colour)]
         if towards:
-            self._marks.append((level, svg.circle(centre, radius / 3, colour)))
-            return
-        for x, y in ((radius, radius), (radius, -radius)):
-            stroke = np.array([x, y]) * 2 / 3
-            self._marks.append((level, svg.polyline(np.array([centre - stroke, centre + stroke]), colour, 1.3)))
+            marks.append(svg.circle(centre, radius / 3, colour))
+        else:
+            strokes = radius * np.array([(1, 1), (1, -1)]) * 2 / 3
+            marks += [svg.polyline(np.array([centre - stroke, centre + stroke]), colour, 1.3) for stroke in strokes]
+        self._marks += [(level, mark) for mark in marks]
 
 
 def _step(rough: float) -> float:

@@ -29,13 +29,11 @@ def crop(pictures: Sequence[Picture], largest: tuple[float, float] = LARGEST_PX)
     """
     boxes = np.array([_content(picture.svg) for picture in pictures])
     low, high = boxes[:, 0].min(axis=0) - BORDER_PX, boxes[:, 1].max(axis=0) + BORDER_PX
-    size = high - low
-    scale = min(MAX_ENLARGEMENT, max(1.0, float((largest / size).min())))
-    place = " ".join(f"{x:.5g}" for x in (*low, *size))
-    paper = 'x="{:.5g}" y="{:.5g}" width="{:.5g}" height="{:.5g}"'.format(*low, *size)
-    head = (
-        f'width="{scale * size[0]:.4g}" height="{scale * size[1]:.4g}" viewBox="{place}"><rect {paper} fill="white"/>'
-    )
+    scale = min(MAX_ENLARGEMENT, max(1.0, float((largest / (high - low)).min())))
+    left, top, width, height = (f"{x:.5g}" for x in (*low, *(high - low)))
+    wide, tall = (f"{x:.4g}" for x in scale * (high - low))
+    head = f'width="{wide}" height="{tall}" viewBox="{left} {top} {width} {height}">'
+    head += f'<rect x="{left}" y="{top}" width="{width}" height="{height}" fill="white"/>'
     return [replace(picture, svg=HEAD.sub(lambda found: found[1] + head, picture.svg, count=1)) for picture in pictures]
 
 

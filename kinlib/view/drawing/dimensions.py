@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays.formatting import format_number
 from kinlib.arrays.validation import Array
+from kinlib.rigid.lie import homogeneous
 from kinlib.view.drawing.canvas import Canvas, moved
 from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GHOST_GREY, GREY, INK, VIOLET
@@ -30,11 +31,12 @@ AXIS_PX, ARROW_PX, ROOM_PX = 34.0, 26.0, 46.0
 WIDE = 3.5
 """The width of an axis that is seen end-on, whose ring must be larger than the mark in it."""
 
-DIMENSION_OFFSETS = {0: [(0, -12), (0, -27), (0, -42)], 1: [(-18, 0), (-48, 0), (-78, 0)]}
-"""Where a number may be placed at a dimension along x, and at one along the sheet's vertical."""
-
 SAME_MM = 0.5
 """Marks that are nearer to each other than this have the same coordinate."""
+
+Arrows = Mapping[str, tuple[ArrayLike, ArrayLike]]
+Steps = Sequence[tuple[float, list[str]]]
+"""The different values of a coordinate in millimetres, in order, each with the marks that have it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +54,7 @@ def draw_dimensions(
     axes: Sequence[DrawnAxis],
     marks: Mapping[str, ArrayLike],
     *,
-    arrows: Mapping[str, tuple[ArrayLike, ArrayLike]] | None = None,
+    arrows: Arrows | None = None,
     origin: str = "{s}",
 ) -> Picture:
     """Draw a machine in a top view and a front view, with the distances between its marks in millimetres.
@@ -70,38 +72,30 @@ def draw_dimensions(
     >>> drawn.alt[drawn.alt.index("Along x") :]
     'Along x: {s}, then 200 mm to A, then 400 mm to B. Along y: {s}, A and B. Along z: {s}, then 500 mm to A and B.'
     """
+    links, arrows = np.asarray(body, dtype=float), arrows or {}
     points = {origin: np.zeros(3), **{name: np.asarray(point, dtype=float) for name, point in marks.items()}}
-    arrows = arrows or {}
-    around = np.array([*np.asarray(body, dtype=float), *points.values(), *(axis.point for axis in axes)])
+    around = np.array([*links, *points.values(), *(axis.point for axis in axes)])
     low, high = around.min(axis=0), around.max(axis=0)
     wide, deep, tall = extent = np.maximum(high - low, 0.05)
     shift = np.array([0.0, 0.0, low[2] + tall + 0.25 * max(wide, deep + tall) - low[1]])
-    above = np.block([[TOP_FROM_FRONT, shift[:, None]], [0, 0, 0, 1]])
-    views = {"Front view": (np.eye(4), 2), "Top view": (above, 1)}
-    corners = [moved(T, corner) for T, _ in views.values() for corner in (low, low + extent)]
-    canvas = Canvas(corners, "front", SHEET_PX)
-    pixel = 1 / canvas.pixels_per_metre
+    views = {"Front view": (np.eye(4), 2), "Top view": (homogeneous(TOP_FROM_FRONT, shift), 1)}
+    canvas = Canvas([moved(T, corner) for T, _ in views.values() for corner in (low, low + extent)], "front", SHEET_PX)
+    room = ROOM_PX / canvas.pixels_per_metre
     for title, (T, up) in views.items():
-        links = moved(T, np.asarray(body, dtype=float))
-        canvas.line(links, GHOST_GREY, 7, level=1)
-        canvas.line(links, "white", 4, level=1.1)
+        canvas.line(moved(T, links), GHOST_GREY, 7, level=1)
+        canvas.line(moved(T, links), "white", 4, level=1.1)
         _draw_view(canvas, T, axes, points, arrows)
-        level = np.array([low[0], 0, moved(T, low)[2]]) - ROOM_PX * pixel * np.array([1, 0, 1])
+        level = np.array([low[0], 0, moved(T, low)[2]]) - room * np.array([1, 0, 1])
         places = {name: moved(T, point) for name, point in points.items()}
-        if title == "Front view":
-            _draw_chain(canvas, places, _steps(points, 0), 0, level)
-        _draw_chain(canvas, places, _steps(points, up), 1, level)
-        head = moved(T, np.where([False, up == 1, up == 2], low + extent, low)) - (ROOM_PX * pixel, 0, 0)
+        for side, coordinate in ((0, 0), (1, up))[title == "Top view" :]:
+            _draw_chain(canvas, places, _steps(points, coordinate), side, level)
+        head = moved(T, np.where([False, up == 1, up == 2], low + extent, low)) - (room, 0, 0)
         canvas.label(head, f"{title}: x →, {'xyz'[up]} ↑", GREY, [(0, 42), (0, 56), (0, 70), (0, 84)], 8)
     return crop([canvas.picture(_describe(axes, points, arrows))], SHEET_PX)[0]
 
 
 def _draw_view(
-    canvas: Canvas,
-    T: Array,
-    axes: Sequence[DrawnAxis],
-    points: Mapping[str, Array],
-    arrows: Mapping[str, tuple[ArrayLike, ArrayLike]],
+    canvas: Canvas, T: Array, axes: Sequence[DrawnAxis], points: Mapping[str, Array], arrows: Arrows
 ) -> None:
     """Draw what one view shows of the machine, but for its dimensions: T takes it to where that view is on the sheet."""
     pixel = 1 / canvas.pixels_per_metre
@@ -109,25 +103,21 @@ def _draw_view(
         centre, way = moved(T, axis.point), T[:3, :3] @ axis.direction
         end_on = abs(way @ canvas.eye) > 0.5
         offsets = [(34, 14), (-34, 14), (34, -14), (-34, -14)] if end_on else [(0, 14), (0, -16), (32, 0), (-32, 0)]
+        half = AXIS_PX * pixel * way
         for back in (0, 7) if axis.slides and not end_on else (0,):  # two heads: it translates
-            canvas.axis(
-                centre - AXIS_PX * pixel * way, centre + (AXIS_PX - back) * pixel * way, width=WIDE if end_on else 1.5
-            )
-        tip = centre + AXIS_PX * pixel * way
-        canvas.label(tip, f"axis {axis.name}", VIOLET, [*offsets, *LABEL_OFFSETS], 9.6)
+            canvas.axis(centre - half, centre + half - back * pixel * way, width=WIDE if end_on else 1.5)
+        canvas.label(centre + half, f"axis {axis.name}", VIOLET, [*offsets, *LABEL_OFFSETS], 9.6)
     for name, (point, direction) in arrows.items():
         start, way = moved(T, np.asarray(point, dtype=float)), T[:3, :3] @ np.asarray(direction, dtype=float)
-        facing = round(float(way @ canvas.eye))
-        if facing:
-            beside = [(0, -28), (0, 28), (60, -16), (-60, -16), (60, 16), (-60, 16), *LABEL_OFFSETS]
-            canvas.label(start, f"{name} {'towards you' if facing > 0 else 'away'}", AXIS_COLOURS[0], beside, 9.6)
-            continue
-        tip = start + ARROW_PX * pixel * way
-        canvas.arrow(start, tip, AXIS_COLOURS[0], 1.8)
-        right, up = 12 * canvas.along(start, tip)
-        canvas.label(
-            tip, name, AXIS_COLOURS[0], [(right, up), (14, 0), (-14, 0), (0, 12), (0, -12), *LABEL_OFFSETS], 9.6
-        )
+        if facing := round(float(way @ canvas.eye)):
+            text, tip = f"{name} {'towards you' if facing > 0 else 'away'}", start
+            offsets = [(0, -28), (0, 28), (60, -16), (-60, -16), (60, 16), (-60, 16)]
+        else:
+            text, tip = name, start + ARROW_PX * pixel * way
+            canvas.arrow(start, tip, AXIS_COLOURS[0], 1.8)
+            right, up = 12 * canvas.along(start, tip)
+            offsets = [(right, up), (14, 0), (-14, 0), (0, 12), (0, -12)]
+        canvas.label(tip, text, AXIS_COLOURS[0], [*offsets, *LABEL_OFFSETS], 9.6)
     together: dict[tuple[int, ...], list[str]] = {}  # marks that cover each other in this view share a label
     for name, point in points.items():
         canvas.dot(moved(T, point), INK, 5)
@@ -136,12 +126,11 @@ def _draw_view(
         canvas.label(moved(T, points[names[0]]), ", ".join(names), INK, LABEL_OFFSETS, 9.6)
 
 
-def _draw_chain(
-    canvas: Canvas, places: Mapping[str, Array], steps: list[tuple[float, list[str]]], up: int, level: Array
-) -> None:
-    """Draw the dimensions along the sheet: below the view if up is 0, at its left if it is 1, where level says."""
-    pixel, along = 1 / canvas.pixels_per_metre, np.array([(1.0, 0, 0), (0, 0, 1)])[up]
-    outwards = np.array([(0.0, 0, -1), (-1, 0, 0)])[up]
+def _draw_chain(canvas: Canvas, places: Mapping[str, Array], steps: Steps, side: int, level: Array) -> None:
+    """Draw the dimensions along the sheet: below the view if side is 0, at its left if it is 1, where level says."""
+    pixel, along = 1 / canvas.pixels_per_metre, np.array([(1.0, 0, 0), (0, 0, 1)])[side]
+    outwards = np.array([(0.0, 0, -1), (-1, 0, 0)])[side]
+    places_of_number = ([(0, -12), (0, -27), (0, -42)], [(-18, 0), (-48, 0), (-78, 0)])[side]
     stops = []
     for _, names in steps:
         here = np.array([places[name] for name in names])
@@ -149,15 +138,15 @@ def _draw_chain(
         stops.append(place + level * np.abs(outwards))
         mark = place + here[np.argmax(here @ outwards)] * np.abs(outwards)
         canvas.line([mark + 5 * pixel * outwards, stops[-1] + 4 * pixel * outwards], GREY, 0.6, level=0)
+    stroke = 3 * pixel * np.array([1, 0, 1])  # across each end: it stays readable if the line is short
     for (start, end), ((one, _), (other, _)) in zip(pairwise(stops), pairwise(steps), strict=True):
         canvas.line([start, end], INK, 0.8)
-        for stop in (start, end):  # a stroke across each end stays readable if the line is short
-            canvas.line([stop - 3 * pixel * np.array([1, 0, 1]), stop + 3 * pixel * np.array([1, 0, 1])], INK, 1.2)
-        canvas.label((start + end) / 2, format_number(other - one, 4), INK, DIMENSION_OFFSETS[up], 8)
+        for stop in (start, end):
+            canvas.line([stop - stroke, stop + stroke], INK, 1.2)
+        canvas.label((start + end) / 2, format_number(other - one, 4), INK, places_of_number, 8)
 
 
-def _steps(shown: Mapping[str, Array], coordinate: int) -> list[tuple[float, list[str]]]:
-    """The different values of a coordinate in millimetres, in order, each with the marks that have it."""
+def _steps(shown: Mapping[str, Array], coordinate: int) -> Steps:
     found: list[tuple[float, list[str]]] = []
     for name, point in sorted(shown.items(), key=lambda item: float(item[1][coordinate])):
         value = 1000 * float(point[coordinate])
@@ -168,28 +157,24 @@ def _steps(shown: Mapping[str, Array], coordinate: int) -> list[tuple[float, lis
     return found
 
 
-def _describe(
-    axes: Sequence[DrawnAxis], points: Mapping[str, Array], arrows: Mapping[str, tuple[ArrayLike, ArrayLike]]
-) -> str:
+def _describe(axes: Sequence[DrawnAxis], points: Mapping[str, Array], arrows: Arrows) -> str:
     joints = [
-        f"Joint {axis.name} {'translates along' if axis.slides else 'rotates about'} {_letter(axis.direction)}."
-        for axis in axes
+        f"Joint {a.name} {'translates along' if a.slides else 'rotates about'} {_letter(a.direction)}." for a in axes
     ]
     directions = [f"{name} is along {_letter(np.asarray(direction))}." for name, (_, direction) in arrows.items()]
     head = (
         "Top view and front view of a machine, with dimensions in millimetres; x is to the right, y up in the top view, "
         "z up in the front view."
     )
-    return " ".join(
-        [head, *joints, *directions, *(f"Along {'xyz'[k]}: {_in_words(_steps(points, k))}." for k in range(3))]
-    )
+    chains = [f"Along {'xyz'[k]}: {_in_words(_steps(points, k))}." for k in range(3)]
+    return " ".join([head, *joints, *directions, *chains])
 
 
-def _in_words(steps: Sequence[tuple[float, list[str]]]) -> str:
+def _in_words(steps: Steps) -> str:
     listed = [" and ".join(filter(None, [", ".join(names[:-1]), names[-1]])) for _, names in steps]
     lengths = [format_number(other - one, 4) for (one, _), (other, _) in pairwise(steps)]
     return ", then ".join(
-        [listed[0], *(f"{length} mm to {there}" for length, there in zip(lengths, listed[1:], strict=True))]
+        [listed[0], *(f"{far} mm to {there}" for far, there in zip(lengths, listed[1:], strict=True))]
     )
 
 

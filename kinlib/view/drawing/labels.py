@@ -17,14 +17,8 @@ LABEL_OFFSETS: tuple[Offset, ...] = (
 )
 """Where a label may be placed: offsets in pixels to the right of what it names and above it, nearer ones first."""
 
-LABEL_OVERLAP_COST, OFF_SHEET_COST, BODY_OVERLAP_COST, LINE_CROSSING_COST, LATER_OFFSET_COST = (
-    100.0,
-    100.0,
-    25.0,
-    8.0,
-    1.0,
-)
-"""What a place costs. An unreadable label costs most; crossing a line costs as much as eight places down the list."""
+OVERLAP_COST, OFF_SHEET_COST, BODY_COST, LINE_CROSSING_COST = 100.0, 100.0, 25.0, 8.0
+"""What a place costs, beside its number in the list; crossing a line costs as much as eight places down the list."""
 
 
 class Label(NamedTuple):
@@ -57,15 +51,10 @@ def place_labels(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: 
         half = np.array([0.29 * len(svg.plain_text(label.text)) + 0.1, 0.5]) * label.size
         centres = label.anchor + np.array(label.offsets, dtype=float) * (1, -1)
         boxes = np.stack([centres - half, centres + half], axis=1)
-        cost = LATER_OFFSET_COST * np.arange(len(boxes)) + OFF_SHEET_COST * (
-            (boxes[:, 0] < 2) | (boxes[:, 1] > sheet - 2)
-        ).any(axis=-1)
-        cost = (
-            cost
-            + LABEL_OVERLAP_COST * _overlaps(boxes, taken)
-            + BODY_OVERLAP_COST * np.minimum(_overlaps(boxes, bodies), 2)
-        )
-        best = int(np.argmin(cost + LINE_CROSSING_COST * _crossings(boxes, strokes)))
+        is_off = ((boxes[:, 0] < 2) | (boxes[:, 1] > sheet - 2)).any(axis=-1)
+        cost = np.arange(len(boxes)) + OFF_SHEET_COST * is_off + OVERLAP_COST * _overlaps(boxes, taken)
+        cost += BODY_COST * np.minimum(_overlaps(boxes, bodies), 2) + LINE_CROSSING_COST * _crossings(boxes, strokes)
+        best = int(np.argmin(cost))
         taken = np.concatenate([taken, boxes[best : best + 1]])
         yield label, centres[best]
 

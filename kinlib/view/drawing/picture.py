@@ -7,6 +7,7 @@ import os
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from importlib import import_module
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,7 +17,6 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.tolerances import TYPED_PI_ERROR
 from kinlib.view.drawing.figure_colours import THEME_CSS, follow_theme
-from kinlib.view.drawing.png import png_bytes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -40,13 +40,11 @@ class Picture:
     >>> nothing = Picture("<svg></svg>", "A drawing with nothing in it.")
     >>> nothing.labelled_svg()
     '<svg role="img"><title>A drawing with nothing in it.</title><desc>A drawing with nothing in it.</desc></svg>'
-    >>> nothing.save("nothing.jpg")
-    Traceback (most recent call last):
-    ValueError: path must end in .svg, .html or .png; got 'nothing.jpg'.
     >>> nothing.html()
     '<figure class="kinlib-figure" ...><style>...</style><img alt="A drawing with nothing in it." ...></figure>'
-    >>> sorted(nothing.contents())
-    ['html', 'png', 'svg']
+    >>> nothing.save("nothing.jpg") if sorted(nothing.contents()) == ["html", "png", "svg"] else None
+    Traceback (most recent call last):
+    ValueError: path must end in .svg, .html or .png; got 'nothing.jpg'.
     """
 
     svg: str
@@ -76,11 +74,10 @@ class Picture:
 
     def contents(self) -> dict[str, Callable[[], str | bytes]]:
         """Return for each kind of file a function that makes its contents, with the text alternative."""
-        title = self.caption or first_sentence(self.alt)
         return {
             "svg": self.labelled_svg,
             "html": lambda: page(self.alt, self.html()),
-            "png": lambda: png_bytes(self.figure or self.svg, title, self.alt),
+            "png": lambda: png_bytes(self),
         }
 
     def save(self, path: str | PathLike[str]) -> None:
@@ -123,12 +120,7 @@ class Gallery:
 
 
 def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Picture:
-    """Convert a matplotlib figure to a picture. Make the figure without pyplot, so that none is left open.
-
-    >>> from matplotlib.figure import Figure
-    >>> picture_from_figure(Figure(figsize=(2, 1)), "An empty figure, two inches wide.").alt
-    'An empty figure, two inches wide.'
-    """
+    """Convert a matplotlib figure to a picture. Make the figure without pyplot, so that none is left open."""
     from matplotlib import rc_context
 
     buffer = io.StringIO()
@@ -139,11 +131,7 @@ def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Pictur
 
 
 def is_without_kernel() -> bool:
-    """Whether outputs must work without a kernel.
-
-    >>> is_without_kernel()
-    False
-    """
+    """Whether outputs must work without a kernel."""
     return os.environ.get(ENVIRONMENT_VARIABLE, "") not in ("", "live")
 
 
@@ -160,10 +148,6 @@ def save(path: str | PathLike[str], contents: Mapping[str, Callable[[], str | by
     """Write a file of the kind that its ending names; contents gives the text or the bytes of each kind.
 
     Raises ValueError for any other ending, with the advice, and for a folder that does not exist.
-
-    >>> save("arm.jpg", {"svg": lambda: "<svg></svg>", "png": lambda: b""})
-    Traceback (most recent call last):
-    ValueError: path must end in .svg or .png; got 'arm.jpg'.
     """
     kind = Path(path).suffix.lower().removeprefix(".")
     if kind not in contents:
@@ -177,20 +161,44 @@ def save(path: str | PathLike[str], contents: Mapping[str, Callable[[], str | by
 
 
 def page(alt: str, body: str) -> str:
-    """Return a stand-alone HTML page, whose title is the first sentence of a text alternative.
-
-    >>> page("A drawing of an arm. It is at home.", "<p>The arm</p>")
-    '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8">...<title>A drawing of an arm.</title>...<p>The arm</p></body></html>'
-    """
-    head = f'<meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>{html.escape(first_sentence(alt))}</title>'
+    """Return a stand-alone HTML page, whose title is the first sentence of a text alternative."""
+    title = f"<title>{html.escape(first_sentence(alt))}</title>"
+    head = f'<meta charset="utf-8"><meta name="viewport" content="width=device-width">{title}'
     style = "<style>body{font-family:system-ui,sans-serif;max-width:60em;margin:1em auto;padding:0 1em}</style>"
     return f'<!DOCTYPE html><html lang="en"><head>{head}{style}</head><body>{body}</body></html>'
 
 
 def first_sentence(text: str) -> str:
-    """Return the first sentence of a text alternative.
-
-    >>> first_sentence("The arm is 0.5 m long. It is at home.")
-    'The arm is 0.5 m long.'
-    """
+    """Return the first sentence of a text alternative."""
     return re.split(r"(?<=\.)\s", text, maxsplit=1)[0]
+
+
+def png_bytes(picture: Picture) -> bytes:
+    """Return a picture as a .png of about 1,300 pixels, with its text alternative in the metadata.
+
+    Raises ValueError where resvg is not installed, as in a browser.
+    """
+    from matplotlib import get_data_path
+    from PIL import Image
+    from PIL.PngImagePlugin import PngInfo
+
+    title, written = picture.caption or first_sentence(picture.alt), io.BytesIO()
+    if picture.figure:
+        about = {"Title": title, "Description": picture.alt}
+        picture.figure.savefig(written, dpi=200, metadata=about, facecolor="white", format="png")
+        return written.getvalue()
+    try:
+        resvg = import_module("resvg_py")
+    except ImportError:
+        raise ValueError(
+            "A drawing needs the package resvg-py to be saved as .png, which a browser does not have. Save it as .svg."
+        ) from None
+    fonts = str(Path(get_data_path(), "fonts", "ttf"))  # the same letters on every system
+    pixels = resvg.svg_to_bytes(
+        svg_string=picture.svg, zoom=2, skip_system_fonts=True, font_dirs=[fonts], font_family="DejaVu Sans"
+    )
+    info = PngInfo()
+    info.add_text("Title", title)
+    info.add_itxt("Description", picture.alt)
+    Image.open(io.BytesIO(bytes(pixels))).save(written, "png", pnginfo=info)
+    return written.getvalue()

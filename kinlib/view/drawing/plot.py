@@ -1,6 +1,7 @@
 """Plots of curves, with matplotlib: lines differ by dash and marker as well as by colour, and each plot has a text alternative."""
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -55,25 +56,12 @@ def plot(
     for (name, y), (colour, dash, marker) in zip(curves.items(), CURVE_STYLES, strict=False):
         if np.shape(y) != x.shape:
             raise ValueError(f"curve {name!r} must have the shape of x, {x.shape}; got {np.shape(y)}.")
-        every = max(1, len(x) // 12)
-        axes.plot(
-            x,
-            np.asarray(y, dtype=float),
-            color=colour,
-            linestyle=dash,
-            marker=marker,
-            markevery=every,
-            markersize=5,
-            label=name,
-        )
+        looks: dict[str, Any] = {"color": colour, "linestyle": dash, "marker": marker, "markersize": 5, "label": name}
+        axes.plot(x, np.asarray(y, dtype=float), markevery=max(1, len(x) // 12), **looks)
     if mark is not None:
         axes.axvline(mark, color="#8c959f", linestyle=(0, (2, 2)), linewidth=1)
-    if "x" in log:
-        axes.set_xscale("log")
-    if "y" in log:
-        axes.set_yscale("log")
-    axes.set_xlabel(xlabel)
-    axes.set_ylabel(ylabel)
+    scales = {f"{side}scale": "log" for side in log}
+    axes.set(xlabel=xlabel, ylabel=ylabel, **scales)
     axes.grid(alpha=0.3)
     axes.spines[["top", "right"]].set_visible(False)
     if len(curves) > 1:

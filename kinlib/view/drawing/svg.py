@@ -27,12 +27,7 @@ def document(marks: Sequence[str], width: float, height: float) -> str:
 
 
 def polyline(points: Array, colour: str, width: float, style: str = "-") -> str:
-    """Return a line through points (m, 2); style is "-", "--" or ":".
-
-    Raises ValueError if the style is another one.
-    """
-    if style not in DASHES:
-        raise ValueError(f"style must be one of {', '.join(DASHES)}; got {style!r}.")
+    """Return a line through points (m, 2); style is "-", "--" or ":"."""
     dash = f' stroke-dasharray="{DASHES[style]}" stroke-linecap="butt"' if DASHES[style] else ""
     return f'<polyline points="{_pairs(points)}" fill="none" stroke="{colour}" stroke-width="{width:g}"{dash}/>'
 
@@ -59,7 +54,7 @@ def text(centre: Sequence[float] | Array, label: str, colour: str, size: float) 
 
 
 def plain_text(text: str) -> str:
-    r"""Return the characters of a label without its markup, for example to estimate its width."""
+    """Return the characters of a label without its markup, for example to estimate its width."""
     return "".join(part for part, _, _ in _parts(text))
 
 

@@ -55,46 +55,36 @@ def draw_arm(
     along x at (0.323, 0, 0.147). The end-effector is at (0.54, 0, 0.147) m.
     """
     if unknown := set(show) - ARM_LAYERS:
-        raise ValueError(
-            f"show may contain {', '.join(sorted(ARM_LAYERS))}; got {', '.join(map(repr, sorted(unknown)))}."
-        )
+        names = ", ".join(map(repr, sorted(unknown)))
+        raise ValueError(f"show may contain {', '.join(sorted(ARM_LAYERS))}; got {names}.")
     validation.instance(chain, "chain", Chain)
-    home = np.zeros(chain.n)
-    q = home if q is None else validation.single(chain.in_order(q), "q")
+    q = np.zeros(chain.n) if q is None else validation.single(chain.in_order(q), "q")
     ghost = None if ghost is None else validation.single(chain.in_order(ghost), "ghost")
-    path, shadow = stations(chain, q), stations(chain, q if ghost is None else ghost)
-    body, links, moved = body_of(chain), chain.link_poses(q), body_motions(chain, q)
-    seen = np.concatenate([path, shadow, body.extent(moved)]) if around is None else np.reshape(around, (-1, 3))
+    shadow, body, moved = stations(chain, q if ghost is None else ghost), body_of(chain), body_motions(chain, q)
+    whole = np.concatenate([stations(chain, q), shadow, body.extent(moved)])
+    seen = whole if around is None else np.reshape(around, (-1, 3))
     canvas = Canvas(seen, view, sizes=stations(chain))
     canvas.floor(seen, height=body.lowest)
     if ghost is not None:
         canvas.line(shadow, GHOST_GREY, 6.0, level=1)
     draw_body(canvas, body, moved)
+    links = chain.link_poses(q)
     if "home axes" in show:
-        _draw_axes(canvas, chain, chain.link_poses(home), "S", GREY)
+        _draw_axes(canvas, chain, chain.link_poses(np.zeros(chain.n)), "S", GREY)
     if "axes" in show or "body axes" in show:
         _draw_axes(canvas, chain, links, "S" if "axes" in show else "B", VIOLET)
-    if "base" in show:
-        canvas.triad(np.eye(4), "s", 0.2 * canvas.size)
-    if "links" in show:
-        for i, T in enumerate(links):
-            canvas.triad(T, str(i + 1), 0.13 * canvas.size)
-    if "tool" in show:
-        canvas.triad(chain.fk(q), "b", 0.2 * canvas.size)
-    for name, T in (frames or {}).items():
-        colours = [GREY] * 3 if name.endswith("'") else AXIS_COLOURS
-        canvas.triad(validation.poses(T, f"frame {name}"), name, 0.17 * canvas.size, colours)
+    triads = [("s", np.eye(4), 0.2)] if "base" in show else []
+    triads += [(str(i), T, 0.13) for i, T in enumerate(links, start=1)] if "links" in show else []
+    triads += [("b", chain.fk(q), 0.2)] if "tool" in show else []
+    triads += [(name, validation.poses(T, f"frame {name}"), 0.17) for name, T in (frames or {}).items()]
+    for name, T, length in triads:
+        canvas.triad(T, name, length * canvas.size, [GREY] * 3 if name.endswith("'") else AXIS_COLOURS)
     text = describe_arm(chain, q, ghost=ghost, home_axes="home axes" in show, frames=frames)
     return canvas.picture(text, caption, cropped=around is None)
 
 
 def body_motions(chain: Chain, q: Array) -> Array:
-    """Return the motion of each body from home to q, (n + 1, 4, 4): body 0 is the base, body i is what joint i moves.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> body_motions(rpr(), np.array([0, 0.5, 0]))[2, :3, 3]
-    array([0. , 0. , 0.5])
-    """
+    """Return the motion of each body from home to q, (n + 1, 4, 4): body 0 is the base, body i is what joint i moves."""
     moved = chain.link_poses(q) @ inverse(chain.link_poses(np.zeros(chain.n)))
     return np.concatenate([np.eye(4)[None], moved])
 
@@ -166,27 +156,21 @@ def draw_lettered_chain(chain: Chain, letters: Sequence[str], home: bool = True)
 
 def _offsets_beside(canvas: Canvas, path: Array, k: int) -> Sequence[Offset]:
     """Return the offsets from the middle of link k at which a letter is nearer to this link than to any other one."""
-    pixels = canvas.to_pixels(path)
-    start, along = pixels[:-1], np.diff(pixels, axis=0)
-    places = [
-        np.array(offset) * (1, -1) + share * along[k]
-        for share in (0, 0.2, -0.2, 0.35, -0.35)
-        for offset in LABEL_OFFSETS
-    ]
-    from_start = start[k] + along[k] / 2 + np.array(places)[:, None] - start
+    start, along = canvas.to_pixels(path)[:-1], np.diff(canvas.to_pixels(path), axis=0)
+    ways = np.concatenate(
+        [LABEL_OFFSETS * np.array([1, -1]) + share * along[k] for share in (0, 0.2, -0.2, 0.35, -0.35)]
+    )
+    from_start = start[k] + along[k] / 2 + ways[:, None] - start
     shares = ((from_start * along).sum(axis=-1) / np.maximum((along**2).sum(axis=-1), 1e-9)).clip(0, 1)
     far = np.linalg.norm(from_start - shares[..., None] * along, axis=-1)
-    others = np.delete(far, k, axis=1).min(axis=1, initial=np.inf)
-    own = [
-        (x, -y) for (x, y), mine, other in zip(places, far[:, k], others, strict=True) if mine + LETTER_LEAD_PX < other
-    ]
-    return own or LABEL_OFFSETS
+    is_own = far[:, k] + LETTER_LEAD_PX < np.delete(far, k, axis=1).min(axis=1, initial=np.inf)
+    return [(x, -y) for x, y in ways[is_own].tolist()] or LABEL_OFFSETS
 
 
 def _describe_lettered(chain: Chain, letters: Sequence[str], steps: Array) -> str:
+    kinds = zip(chain.joint_types, chain.lines.axis, strict=True)
     joints = [
-        f"joint {i} ({JOINT_KINDS[kind]}, axis along {direction_text(axis)})"
-        for i, (kind, axis) in enumerate(zip(chain.joint_types, chain.lines.axis, strict=True), start=1)
+        f"joint {i} ({JOINT_KINDS[kind]}, axis along {direction_text(axis)})" for i, (kind, axis) in enumerate(kinds, 1)
     ]
     walk = "; ".join(
         f"{letter} along {direction_text(step / np.linalg.norm(step))} to {there}" if letter else f"there {there}"
@@ -195,10 +179,8 @@ def _describe_lettered(chain: Chain, letters: Sequence[str], steps: Array) -> st
     axes = ", ".join(
         f"{name} = {vector_text(axis)}" for name, axis in zip("xyz", chain.home[:3, :3].T.round(6), strict=True)
     )
-    return (
-        f"An arm with {chain.n} joints ({chain.joint_types}) at home. From the origin of {{s}}: {walk}. In {{s}}, the axes of "
-        f"{{b}} are {axes}."
-    )
+    head = f"An arm with {chain.n} joints ({chain.joint_types}) at home. From the origin of {{s}}: {walk}."
+    return f"{head} In {{s}}, the axes of {{b}} are {axes}."
 
 
 def describe_arm(
@@ -216,21 +198,9 @@ def describe_arm(
     frames     the frames that are drawn, poses (4, 4) in {s}
 
     js/scene/describe.js says the same of the arm in the viewer.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> print(describe_arm(rpr(), [np.pi / 2, 0, 0], ghost=np.zeros(3)))   # doctest: +NORMALIZE_WHITESPACE
-    RPR, 3 joints (RPR), at q = (1.57, 0, 0). Joint 1 revolute along -y at (-4, -2, 0); joint 2 prismatic along -x at
-    (-4, -2, 0); joint 3 revolute along -y at (-4, -4, 4). The end-effector is at (-5, 0, 4) m. In grey, the arm at home, its
-    end-effector at (0, 0, 1) m.
     """
     q = chain.in_order(q)
-    links = chain.link_poses(q)
-    joints = "; ".join(
-        f"joint {i + 1} {JOINT_KINDS[letter]} along {direction_text(axis)} at {vector_text(point)}"
-        for i, (letter, axis, point) in enumerate(
-            zip(chain.joint_types, carried_axes(chain, links), links[:, :3, 3], strict=True)
-        )
-    )
+    joints = "; ".join(f"joint {i} {text}" for i, text in enumerate(joint_texts(chain, q), start=1))
     sentences = [
         f"{chain.name}, {chain.n} joints ({chain.joint_types}), {configuration_text(q)}.",
         f"{joints.capitalize()}.",
@@ -243,6 +213,13 @@ def describe_arm(
         tool = vector_text(chain.fk(ghost)[:3, 3])
         sentences.append(f"In grey, the arm {configuration_text(ghost)}, its end-effector at {tool} m.")
     return " ".join([*sentences, *map(frame_text, (frames or {}).items())])
+
+
+def joint_texts(chain: Chain, q: Array) -> list[str]:
+    """Write what each joint is at q: its kind, its axis and its point."""
+    links = chain.link_poses(q)
+    rows = zip(chain.joint_types, carried_axes(chain, links), links[:, :3, 3], strict=True)
+    return [f"{JOINT_KINDS[kind]} along {direction_text(axis)} at {vector_text(point)}" for kind, axis, point in rows]
 
 
 def frame_text(frame: tuple[str, ArrayLike]) -> str:

@@ -1,5 +1,7 @@
 """The six ways in which two joint axes can be related, drawn: the axes, their common normals, and what these leave open."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -56,45 +58,28 @@ def draw_axis_relation(first: tuple[ArrayLike, ArrayLike], second: tuple[ArrayLi
     'Axis 1 along z through (0, 0, 0), axis 2 along -z through (2, 0, 1). They are antiparallel: many common normals, all
     alike. The one that is drawn leads from (0, 0, 1) to (2, 0, 1), its length is 2 m, and its x points along x.'
     """
-    (z, origin), (w, point) = ((np.asarray(v, dtype=float) for v in axis) for axis in (first, second))
-    normal = common_normal((z, origin), (w, point), X, at_other_point=True)
+    one, other = ((np.asarray(z, dtype=float), np.asarray(point, dtype=float)) for z, point in (first, second))
+    normal = common_normal(one, other, X, at_other_point=True)
+    (z, origin), (w, point) = one, other
     size = float(np.linalg.norm(point - origin)) + 0.3
-    canvas = Canvas(
-        [origin, origin + 0.7 * size * z, point + 0.3 * size * w, normal.end + 0.3 * size * normal.x], size=(250, 235)
-    )
-    for axis, place, name, reach in ((z, origin, "1", 0.95), (w, point, "2", 0.6)):
-        before = max(0.35, (place - normal.end) @ axis / size + 0.15)
-        canvas.line([place - before * size * axis, place], VIOLET, 1.6, "--", level=2)
-        canvas.axis(place, place + reach * size * axis, f"$z_{name}$", width=2, size=12)
-        draw_joint_body(canvas, "R", axis, place)
-    _draw_normals(canvas, normal, z, size)
-    return canvas.picture(_describe(normal, (z, origin), (w, point)), RELATIONS[normal.case])
-
-
-def _draw_normals(canvas: Canvas, normal: CommonNormal, z: Array, size: float) -> None:
+    tip = normal.end + 0.3 * size * normal.x
+    canvas = Canvas([origin, origin + 0.7 * size * z, point + 0.3 * size * w, tip], size=(250, 235))
+    low = [-max(0.35 * size, (place - normal.end) @ axis + 0.15 * size) for axis, place in (one, other)]
+    _draw_pair(canvas, (one, other), [(low[0], 0.95 * size), (low[1], 0.6 * size)])
     if normal.case in {"parallel", "antiparallel"}:
         for step in (-0.25, 0.25, 0.5):
             canvas.line([normal.start + step * size * z, normal.end + step * size * z], GREY, 1.4, ":", level=2.5)
     if normal.case in {"coincident", "anti-coincident"}:
-        y = np.cross(z, normal.x)
         turn = np.linspace(0, 2 * np.pi, 40)[:, None]
-        canvas.line(normal.start + 0.3 * size * (np.cos(turn) * normal.x + np.sin(turn) * y), GREY, 1.4, ":", level=2.5)
-    canvas.line([normal.start, normal.end], ORANGE, 3.0, level=3.2)
-    tip = normal.end + 0.3 * size * normal.x
+        around = np.cos(turn) * normal.x + np.sin(turn) * np.cross(z, normal.x)
+        canvas.line(normal.start + 0.3 * size * around, GREY, 1.4, ":", level=2.5)
+    _draw_normal(canvas, normal, 3.0, 7)
     canvas.arrow(normal.end, tip, ORANGE, 2.2, level=4)
     canvas.label(tip, "$x$", ORANGE, size=12)
-    for foot in (normal.start, normal.end):
-        canvas.dot(foot, INK, 7)
-
-
-def _describe(normal: CommonNormal, first: tuple[Array, Array], second: tuple[Array, Array]) -> str:
-    axes = [f"along {direction_text(z)} through {vector_text(point)}" for z, point in (first, second)]
-    length = format_number(float(np.linalg.norm(normal.end - normal.start)), 3)
-    return (
-        f"Axis 1 {axes[0]}, axis 2 {axes[1]}. They are {RELATIONS[normal.case]}. The one "
-        f"that is drawn leads from {vector_text(normal.start)} to {vector_text(normal.end)}, its length is {length} m, and its x "
-        f"points along {direction_text(normal.x)}."
-    )
+    axes = [f"along {direction_text(along)} through {vector_text(place)}" for along, place in (one, other)]
+    ways = f"from {vector_text(normal.start)} to {vector_text(normal.end)}, {_length(normal)}"
+    head = f"Axis 1 {axes[0]}, axis 2 {axes[1]}. They are {RELATIONS[normal.case]}. The one that is drawn leads"
+    return canvas.picture(f"{head} {ways}, and its x points along {direction_text(normal.x)}.", RELATIONS[normal.case])
 
 
 def draw_moving_normal(tilt: float, side: float) -> Picture:
@@ -106,26 +91,37 @@ def draw_moving_normal(tilt: float, side: float) -> Picture:
     >>> draw_moving_normal(np.pi / 2, 0.8).alt
     'Axis 1 along z, axis 2 at 90 degrees to it. The common normal leads from (0, 0, 0.5) to (0.8, 0, 0.5), its length is 0.8 m.'
     """
-    w = np.cos(tilt) * Z + np.sin(tilt) * Y
-    point = side * X + 0.4 * Y + 0.5 * Z
-    normal = common_normal((Z, 0 * Z), (w, point), X, at_other_point=True)
+    pair = (Z, 0 * Z), (np.cos(tilt) * Z + np.sin(tilt) * Y, side * X + 0.4 * Y + 0.5 * Z)
+    normal = common_normal(*pair, X, at_other_point=True)
     canvas = Canvas([(-0.3, -0.7, -1.6), (1.3, 1.0, 1.5)])
-    for axis, place, name, ends in ((Z, 0 * Z, "1", (-1.7, 1.5)), (w, point, "2", (-2.2, 1.1))):
-        canvas.line([place + ends[0] * axis, place], VIOLET, 1.6, "--", level=2)
-        canvas.axis(place, place + ends[1] * axis, f"$z_{name}$", width=2, size=12)
-        draw_joint_body(canvas, "R", axis, place)
+    _draw_pair(canvas, pair, [(-1.7, 1.5), (-2.2, 1.1)])
+    feet = f"from {vector_text(normal.start)} to {vector_text(normal.end)}"
     if normal.is_unique and max(abs(normal.start[2]), abs(normal.end[2])) > FARTHEST_FOOT_M:
-        where = f"The common normal is outside of the picture, from {vector_text(normal.start)} to {vector_text(normal.end)}"
+        where = f"The common normal is outside of the picture, {feet}"
     elif normal.is_unique:
-        canvas.line([normal.start, normal.end], ORANGE, 3.2, level=3.2)
-        for foot in (normal.start, normal.end):
-            canvas.dot(foot, INK, 9)
-        where = f"The common normal leads from {vector_text(normal.start)} to {vector_text(normal.end)}"
+        _draw_normal(canvas, normal, 3.2, 9)
+        where = f"The common normal leads {feet}"
     else:
         for height in np.linspace(-1.2, 1.2, 7):
             canvas.line([normal.start + height * Z, normal.end + height * Z], ORANGE, 2.0, ":", level=3.2)
         where = "Every line between them that is perpendicular to both is a common normal"
-    length = format_number(float(np.linalg.norm(normal.end - normal.start)), 3)
-    return canvas.picture(
-        f"Axis 1 along z, axis 2 at {np.degrees(tilt):.0f} degrees to it. {where}, its length is {length} m."
-    )
+    head = f"Axis 1 along z, axis 2 at {np.degrees(tilt):.0f} degrees to it."
+    return canvas.picture(f"{head} {where}, {_length(normal)}.")
+
+
+def _draw_pair(canvas: Canvas, axes: Sequence[tuple[Array, Array]], ends: Sequence[tuple[float, float]]) -> None:
+    """Draw two axes, each from one end to the other, measured from the point of its joint."""
+    for name, (axis, place), (low, high) in zip("12", axes, ends, strict=True):
+        canvas.line([place + low * axis, place], VIOLET, 1.6, "--", level=2)
+        canvas.axis(place, place + high * axis, f"$z_{name}$", width=2, size=12)
+        draw_joint_body(canvas, "R", axis, place)
+
+
+def _draw_normal(canvas: Canvas, normal: CommonNormal, width: float, foot_px: float) -> None:
+    canvas.line([normal.start, normal.end], ORANGE, width, level=3.2)
+    for foot in (normal.start, normal.end):
+        canvas.dot(foot, INK, foot_px)
+
+
+def _length(normal: CommonNormal) -> str:
+    return f"its length is {format_number(float(np.linalg.norm(normal.end - normal.start)), 3)} m"

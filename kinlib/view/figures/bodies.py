@@ -7,6 +7,7 @@ The links of a URDF show the boxes, cylinders and spheres of their <visual> elem
 
 import json
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
@@ -105,24 +106,17 @@ def visual_solids(link: Element, T: Array) -> list[Primitive]:
     """Return what a link shows, at the pose T of its frame; nothing of meshes, nor of elements that are not as they should be."""
     found = []
     for visual, shape in shapes(link):
-        try:
-            found += _visual_solid(shape, visual_pose(visual, T))
-        except ValueError:
-            continue
+        with suppress(ValueError):
+            pose = visual_pose(visual, T)
+            at, z = pose[:3, 3], pose[:3, 2]
+            if shape.tag == "box":
+                found.append(box(at, np.array(shape.numbers("size", 3)) / 2, axes=pose[:3, :3]))
+            elif shape.tag == "cylinder":
+                (radius,), (length,) = shape.numbers("radius", 1), shape.numbers("length", 1)
+                found.append(drum(z, at, radius, -length / 2, length / 2))
+            elif shape.tag == "sphere":
+                found.append(ball(at, shape.numbers("radius", 1)[0]))
     return found
-
-
-def _visual_solid(shape: Element, T: Array) -> list[Primitive]:
-    at, z = T[:3, 3], T[:3, 2]
-    if shape.tag == "box":
-        return [box(at, np.array(shape.numbers("size", 3)) / 2, axes=T[:3, :3])]
-    if shape.tag == "cylinder":
-        (radius,), (length,) = shape.numbers("radius", 1), shape.numbers("length", 1)
-        return [drum(z, at, radius, -length / 2, length / 2)]
-    if shape.tag == "sphere":
-        (radius,) = shape.numbers("radius", 1)
-        return [ball(at, radius)]
-    return []
 
 
 @lru_cache(maxsize=32)
@@ -130,12 +124,6 @@ def body_of(chain: Chain, *, hand: bool = True) -> Body:
     """Return the body of an arm: the one in bodies.json if it has the same screws as a known robot, or else one by rule.
 
     hand  whether an arm by rule has a gripper
-
-    >>> from kinlib.chains.robots import panda, rpr
-    >>> body_of(panda()).source[:52]
-    'Link lengths: Franka Emika, Control Parameters Docum'
-    >>> len(body_of(rpr()).links)
-    4
     """
     for known, described in _known_robots():
         if known.shape == chain.screws.shape and np.allclose(known, chain.screws, atol=SAME_AXES_TOL_M):
@@ -168,7 +156,7 @@ CORNERS = np.stack(np.meshgrid(*[(-1.0, 1.0)] * 3), axis=-1).reshape(-1, 3)
 
 def circle(z: Array, count: int) -> Array:
     """Return points (count, 3) of the unit circle perpendicular to a unit vector."""
-    a, b, c = z.tolist()
+    a, b, c = z.tolist()  # plain numbers are faster here than arrays
     far = np.hypot(a, b) if abs(c) < 0.9 else np.hypot(b, c)
     x = (b / far, -a / far, 0.0) if abs(c) < 0.9 else (0.0, c / far, -b / far)
     y = (b * x[2] - c * x[1], c * x[0] - a * x[2], a * x[1] - b * x[0])
@@ -206,17 +194,25 @@ def box(centre: ArrayLike, half: ArrayLike, colour: str = "body", axes: Array | 
     return Primitive("box", np.array([centre], dtype=float), np.array(half, dtype=float), colour, own)
 
 
+def slab(axis: Array, point: Array, half: float, *ends: float, colour: str = "body") -> Primitive:
+    """Return a square bar along an axis through a point, with half its side; its ends are measured from there."""
+    x, (low, high) = perpendicular(axis), ends
+    axes = np.stack([x, np.cross(axis, x), axis], axis=1)
+    return box(point + (low + high) / 2 * axis, (half, half, (high - low) / 2), colour, axes)
+
+
 def gripper(point: Array, direction: ArrayLike, opening: ArrayLike, size: float) -> list[Primitive]:
     """Return a gripper with two fingers: a palm at a point, fingers along a direction, which open along another one."""
     z, y = np.asarray(direction, dtype=float), np.asarray(opening, dtype=float)
     axes = np.stack([np.cross(y, z), y, z], axis=1)
 
-    def part(across: float, along: float, half: Sequence[float], colour: str) -> Primitive:
-        return box(point + size * (across * y + along * z), size * np.array(half), colour, axes)
-
-    fingers: list[Any] = [(s * 0.37, 0.6, (0.17, 0.14, 0.14), "dark") for s in (-1, 1)]
-    fingers += [(s * 0.32, 1.08, (0.12, 0.07, 0.42), "metal") for s in (-1, 1)]
-    return [part(0, 0.27, (0.25, 0.56, 0.23), "grip"), *(part(*finger) for finger in fingers)]
+    parts: list[Any] = [(0, 0.27, (0.25, 0.56, 0.23), "grip")]
+    parts += [(s * 0.37, 0.6, (0.17, 0.14, 0.14), "dark") for s in (-1, 1)]
+    parts += [(s * 0.32, 1.08, (0.12, 0.07, 0.42), "metal") for s in (-1, 1)]
+    return [
+        box(point + size * (across * y + along * z), size * np.array(half), colour, axes)
+        for across, along, half, colour in parts
+    ]
 
 
 def _axis(name: Any) -> Array:
@@ -340,24 +336,14 @@ class _Builder:
         u = way / length if length > 1e-9 else a
         before, after = self.links[i], self.links[i + 1]
         if self.slides[i]:
-            x = perpendicular(a)
-            axes = np.stack([x, np.cross(a, x), a], axis=1)
-
-            def slab(low: float, high: float, half: float, colour: str) -> Primitive:
-                return box(p + (low + high) / 2 * a, (half, half, (high - low) / 2), colour, axes)
-
             half, S = 0.74 * r, self.sleeve
             out = max(float(way @ a), 0.62 * S)
-            before += [
-                slab(-S / 2, S / 2, half, "body"),
-                *(slab(q * S, (q + 0.07) * S, 1.12 * half, "cap") for q in (-0.52, 0.45)),
-            ]
-            after.append(slab(-0.45 * S, out, 0.56 * half, "metal"))
+            before.append(slab(a, p, half, -S / 2, S / 2))
+            before += [slab(a, p, 1.12 * half, q * S, (q + 0.07) * S, colour="cap") for q in (-0.52, 0.45)]
+            after.append(slab(a, p, 0.56 * half, -0.45 * S, out, colour="metal"))
             if np.linalg.norm(way - (way @ a) * a) > 0.3 * r:
-                after += [
-                    slab(out - 0.1 * S, out + 0.1 * S, 0.95 * half, "cap"),
-                    tube([*(p + out * a), 0.6 * r], [*there, thin]),
-                ]
+                after.append(slab(a, p, 0.95 * half, out - 0.1 * S, out + 0.1 * S, colour="cap"))
+                after.append(tube([*(p + out * a), 0.6 * r], [*there, thin]))
             elif length > out + r:
                 after.append(tube([*(p + out * a), 0.5 * half], [*there, thin]))
             return

@@ -7,12 +7,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.assignment import AssignmentStep, FrameAssignment
+from kinlib.dh.assignment import FrameAssignment
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import describe_arm, pose_text
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
-from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part
+from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, ranks
 
 MAX_DISTANCE_IN_ARM_SIZES = 4.0
 """Frames and normals farther from the arm than this are left out, as those of nearly parallel axes can be."""
@@ -28,16 +28,13 @@ STEP_TITLES = {
     "row": "Row {i} of the table",
     "accuracy": "The table and the arm",
 }
-"""The heading of each kind of step."""
 
 MARKED_PARTS = {"origin": "O", "x": "x", "y": "y", "first": "Oxyz", "last": "Oxyz"}
 """The parts of its frame that a step is about: O for the origin, and axes."""
 
 
 def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, caption: str = "") -> Picture:
-    """Draw a frame assignment after some of its steps: what the last step names is strong, what came before is pale.
-
-    until  the index in assignment.steps of the last step drawn; None for the finished assignment
+    """Draw a frame assignment after the step `until` of its steps, counted from 0: that is strong, what came before is pale.
 
     Joint axes are violet and dashed, common normals orange; a normal of length zero is a short line along its direction.
     y is drawn only while its frame is strong. While a row is read off, its a is a thick orange line and its d a violet one.
@@ -64,12 +61,10 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
         canvas, [part | {"name": part["name"] * (part.get("width") == 4)} for part in stop["parts"]], canvas.size
     )
     if until is None:
-        finished = stop["alt"].partition("Drawn so far")
         head = f"{chain.name}, {assignment.table.convention} convention, all {len(steps)} steps."
-        return canvas.picture(f"{head} {finished[1]}{finished[2]}", caption, cropped=True)
-    step = steps[until]
-    others = f" Also valid: {step.others}" if step.others else ""
-    return canvas.picture(stop["alt"], caption or f"Step {until + 1} of {len(steps)}. {step.text}{others}")
+        return canvas.picture(f"{head} {stop['alt'][stop['alt'].index('Drawn so far') :]}", caption, cropped=True)
+    others = f" Also valid: {steps[until].others}" if steps[until].others else ""
+    return canvas.picture(stop["alt"], caption or f"Step {until + 1} of {len(steps)}. {steps[until].text}{others}")
 
 
 def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
@@ -81,9 +76,9 @@ def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
     >>> [part["letters"] for part in stop["parts"] if part["kind"] == "frame"], len(stop["marks"])
     (['Oxz', 'Oz'], 1)
     """
-    steps, chain, n = assignment.steps, assignment.chain, assignment.chain.n
-    step, i = steps[k], steps[k].frame
-    done = {(one.kind, one.frame) for one in steps[: k + 1]}
+    chain, frames, n = assignment.chain, assignment.frames, assignment.chain.n
+    step, i = assignment.steps[k], assignment.steps[k].frame
+    done = {(one.kind, one.frame) for one in assignment.steps[: k + 1]}
     finished = step.kind == "accuracy"
     beside = () if i is None else (i - 1, i)
     near, feet = visible_features(assignment)
@@ -105,24 +100,24 @@ def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
         for name, start, end in _row_segments(assignment, i):
             parts.append(line_part(start, end, "axis" if name[0] == "d" else "normal", name=name, width=4))
             marks.append(_mark(start, end))
-    origins: list[Array] = []
-    for j, T in enumerate(assignment.frames):
-        letters = _assigned(j, n, done)
-        strong = finished or j == i or (step.kind == "row" and j in beside)
-        if letters and near[j]:
-            rank = sum(bool(np.linalg.norm(T[:3, 3] - origin) < 1e-6) for origin in origins)
-            origins.append(T[:3, 3])
-            # y follows from z and x
-            shown = letters if strong and not finished else letters.replace("y", "")
-            parts.append(frame_part(T, shown, sub=str(j), rank=rank, strong=strong))
-            for letter in MARKED_PARTS.get(step.kind, "") if j == i else "":
-                along = 0 if letter == "O" else T[:3, "xyz".index(letter)]
-                marks.append(_mark(T[:3, 3], T[:3, 3] + (0.2 + 0.07 * rank) * size * along))
+    assigned = {j: _assigned(j, n, done) for j in range(n + 1)}
+    shown = [j for j in range(n + 1) if assigned[j] and near[j]]
+    for j, rank in zip(shown, ranks(frames[shown, :3, 3]), strict=True):
+        T, strong = frames[j], finished or j == i or (step.kind == "row" and j in beside)
+        # y follows from z and x
+        letters = assigned[j] if strong and not finished else assigned[j].replace("y", "")
+        parts.append(frame_part(T, letters, sub=str(j), rank=rank, strong=strong))
+        for letter in MARKED_PARTS.get(step.kind, "") if j == i else "":
+            along = 0 if letter == "O" else T[:3, "xyz".index(letter)]
+            marks.append(_mark(T[:3, 3], T[:3, 3] + (0.2 + 0.07 * rank) * size * along))
+    axes = f" {describe_arm(chain, np.zeros(n))}" if step.kind == "axes" else ""
+    whole = "; ".join(f"frame {j} {pose_text(frames[j])}" for j in assigned if "y" in assigned[j])
+    head = f"{chain.name}, {assignment.table.convention} convention, step {k + 1} of {len(assignment.steps)}."
     return {
         "title": STEP_TITLES[step.kind].format(i=i, j=None if i is None else i + 1),
         "texts": [step.text],
         "others": step.others,
-        "alt": _describe(assignment, k, step, [j for j in range(n + 1) if "y" in _assigned(j, n, done)]),
+        "alt": f"{head} {step.text}{axes} Drawn so far: {whole or 'the joints and their axes'}.",
         "parts": parts,
         "marks": marks,
         "row": i if step.kind == "row" else None,
@@ -143,10 +138,9 @@ def _row_segments(assignment: FrameAssignment, row: int) -> list[tuple[str, Arra
 def visible_features(assignment: FrameAssignment) -> tuple[NDArray[np.bool_], Array]:
     """Return which frames are near enough to the arm to be shown, (n + 1,), and the feet of normals that are, (m, 3)."""
     chain = assignment.chain
-    room = np.concatenate([chain.joint_points, chain.home[None, :3, 3]])
+    middle = np.concatenate([chain.joint_points, chain.home[None, :3, 3]]).mean(axis=0)
     radius = MAX_DISTANCE_IN_ARM_SIZES * max(arm_size(chain), 0.1)
-    middle = room.mean(axis=0)
-    feet = np.array([foot for normal in assignment.normals for foot in (normal.start, normal.end)]).reshape(-1, 3)
+    feet = np.reshape([foot for normal in assignment.normals for foot in (normal.start, normal.end)], (-1, 3))
     near: NDArray[np.bool_] = np.linalg.norm(assignment.frames[:, :3, 3] - middle, axis=-1) < radius
     return near, feet[np.linalg.norm(feet - middle, axis=-1) < radius]
 
@@ -176,17 +170,8 @@ def _assigned(i: int, n: int, done: set[tuple[str, int | None]]) -> str:
     """Return which of O, x, y, z of frame i are assigned. The first and the last frame are assigned in one step."""
     if i in (0, n):
         return "Oxyz" if ("first" if i == 0 else "last", i) in done else ""
-    letters = "".join(letters for kind, letters in {"origin": "Oz", "x": "x", "y": "y"}.items() if (kind, i) in done)
-    return "".join(sorted(letters))
+    return "".join(sorted("".join(on for kind, on in (("origin", "Oz"), ("x", "x"), ("y", "y")) if (kind, i) in done)))
 
 
 def _mark(start: Array, end: Array) -> Part:
     return {"from": (start.round(6) + 0.0).tolist(), "to": (end.round(6) + 0.0).tolist()}
-
-
-def _describe(assignment: FrameAssignment, k: int, step: AssignmentStep, whole: list[int]) -> str:
-    chain = assignment.chain
-    head = f"{chain.name}, {assignment.table.convention} convention, step {k + 1} of {len(assignment.steps)}."
-    axes = f" {describe_arm(chain, np.zeros(chain.n))}" if step.kind == "axes" else ""
-    frames = "; ".join(f"frame {i} {pose_text(assignment.frames[i])}" for i in whole)
-    return f"{head} {step.text}{axes} Drawn so far: {frames or 'the joints and their axes'}."

@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
-from kinlib.arrays.validation import Array
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
@@ -46,13 +45,10 @@ def draw_frames(
         canvas.measure(np.array([origin for origin in origins if origin.any()]).reshape(-1, 3), ORANGE)
     for start, end in pairwise(origins if arrows else []):
         canvas.arrow(start, end, GREY, 1.2, level=1)
+    said = []
     for name, T in poses.items():
         canvas.triad(T, name, axis_length or 0.25 * canvas.size)
-    described = " ".join(f"Frame {{{name}}} at {vector_text(T[:3, 3])}{_directions(T)}." for name, T in poses.items())
-    return canvas.picture(alt or described, caption, cropped=True)
-
-
-def _directions(T: Array) -> str:
-    if np.allclose(T[:3, :3], np.eye(3)):
-        return ""
-    return f", its x along {vector_text(T[:3, 0])}, its z along {vector_text(T[:3, 2])}"
+        directions = f", its x along {vector_text(T[:3, 0])}, its z along {vector_text(T[:3, 2])}"
+        is_parallel = np.allclose(T[:3, :3], np.eye(3))
+        said.append(f"Frame {{{name}}} at {vector_text(T[:3, 3])}{'' if is_parallel else directions}.")
+    return canvas.picture(alt or " ".join(said), caption, cropped=True)

@@ -14,13 +14,13 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array, JointValues
 from kinlib.mechanisms.mechanism import Mechanism
-from kinlib.rigid.lie import exp, inverse, perpendicular
+from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.screw import line
 from kinlib.view.drawing.canvas import Canvas, moved
 from kinlib.view.drawing.figure_colours import GHOST_GREY, INK, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.drawing.svg import GREEK
-from kinlib.view.figures.bodies import Body, Primitive, ball, box, drum, tube
+from kinlib.view.figures.bodies import Body, Primitive, ball, drum, slab, tube
 from kinlib.view.figures.body_drawing import draw_body
 from kinlib.view.figures.joint_bodies import JOINT_RADIUS, NUMBER_OFFSETS
 
@@ -60,43 +60,33 @@ class LinkageGeometry:
 
 
 def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None = None) -> LinkageGeometry:
-    """Compute where joints, bodies and named points are in a configuration; the arguments are those of `draw_linkage`.
-
-    >>> from kinlib.mechanisms.linkages import four_bar
-    >>> linkage_geometry(four_bar(4, 1, 3.5, 3), [np.pi / 2, 0, 0, 0]).gap.round(3)      # at q = 0 it is drawn open
-    array([0.   , 0.   , 0.   , 8.322])
-    """
+    """Compute where joints, bodies and named points are in a configuration; the arguments are those of `draw_linkage`."""
     validation.instance(mechanism, "mechanism", Mechanism)
     values = validation.single(mechanism.in_order(q), "q")
     poses = mechanism.poses(values)
     if wrong := [body for body, _ in (points or {}).values() if body not in poses]:
         raise ValueError(f"{mechanism.name} has the bodies {', '.join(poses)}; got {wrong[0]!r}.")
-    named = {
-        name: moved(poses[body], validation.vectors(p, f"point {name}", 3))
-        for name, (body, p) in (points or {}).items()
-    }
-    home = body_points(mechanism)
-    corners = {body: moved(T, home[body]) for body, T in poses.items()}
+    corners = {body: moved(poses[body], ends) for body, ends in body_points(mechanism, points).items()}
+    named = {name: moved(poses[body], np.asarray(p, dtype=float)) for name, (body, p) in (points or {}).items()}
     first, second = [], []
     own_values = np.split(values, np.cumsum([joint.dof for joint in mechanism.joints])[:-1])
     for joint, own in zip(mechanism.joints, own_values, strict=True):
         here, there = (poses[body] for body in joint.bodies)
-        carried = reduce(np.matmul, exp(joint.screws * own[:, None]), here)
         # A prismatic joint moves its second body along; the other joints keep both bodies at one point.
-        first.append(moved(carried, joint.position))
+        first.append(moved(reduce(np.matmul, exp(joint.screws * own[:, None]), here), joint.position))
         second.append(moved(there @ inverse(joint.closing_offset), joint.position))
-    for name, (body, _) in (points or {}).items():
-        corners[body] = np.concatenate([corners[body], named[name][None]])
     moves = np.array([poses[body] for body in mechanism.bodies])
     return LinkageGeometry(values, moves, np.array(first), np.array(second), corners, named)
 
 
-def body_points(mechanism: Mechanism) -> dict[str, Array]:
-    """Return for each body the points of its joints, (k, 3), which move with it."""
+def body_points(mechanism: Mechanism, points: Points | None = None) -> dict[str, Array]:
+    """Return for each body the points of its joints, and its named points, (k, 3), which move with it."""
     found: dict[str, list[Array]] = {body: [] for body in mechanism.bodies}
     for joint in mechanism.joints:
         found[joint.bodies[0]].append(joint.position)
         found[joint.bodies[1]].append(moved(inverse(joint.closing_offset), joint.position))
+    for name, (body, point) in (points or {}).items():
+        found[body].append(validation.vectors(point, f"point {name}", 3))
     return {body: np.array(places) for body, places in found.items()}
 
 
@@ -122,8 +112,7 @@ def draw_linkage(
 
     An orange dotted line connects the two halves of a joint that is not closed.
 
-    Raises ValueError if q or ghost does not have n values or contains NaN, if the linkage has no body of a given name, or if
-    the view is unknown.
+    Raises ValueError if q or ghost does not have n values or contains NaN, or if the linkage has no body of a given name.
 
     >>> from kinlib.mechanisms.linkages import slider_crank
     >>> print(draw_linkage(slider_crank(1, 3), [0, 0, 4, 0]).alt)       # doctest: +NORMALIZE_WHITESPACE
@@ -134,18 +123,16 @@ def draw_linkage(
     geometry = linkage_geometry(mechanism, q, points)
     shade = None if ghost is None else linkage_geometry(mechanism, ghost)
     planar = is_planar(mechanism)
-    view = "top" if planar else "default"
-    seen = np.concatenate([geometry.all, *([] if shade is None else [shade.all])])
-    seen = seen if around is None else np.reshape(np.asarray(around, dtype=float), (-1, 3))
+    drawn = [geometry.all] if shade is None else [geometry.all, shade.all]
+    seen = np.reshape(np.concatenate(drawn) if around is None else np.asarray(around, dtype=float), (-1, 3))
     # No axis or frame extends beyond the joints, so the margin can be smaller, most of all for a planar linkage.
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
-    canvas = Canvas(middle + (0.72 if planar else 0.9) * (seen - middle), view, size)
+    canvas = Canvas(middle + (0.72 if planar else 0.9) * (seen - middle), "top" if planar else "default", size)
     body = linkage_body(mechanism, geometry.q[None], points)
     canvas.floor(seen, height=body.lowest)
-    if shade is not None:
-        for name, corners in shade.corners.items():
-            if name != mechanism.ground:
-                canvas.line([*corners, corners[0]], GHOST_GREY, 6.0, level=1)
+    for name, corners in shade.corners.items() if shade else ():
+        if name != mechanism.ground:
+            canvas.line([*corners, corners[0]], GHOST_GREY, 6.0, level=1)
     draw_body(canvas, body, geometry.poses)
     for joint, here, there in zip(mechanism.joints, geometry.first, geometry.second, strict=True):
         if np.linalg.norm(here - there) > GAP_TOL_M:
@@ -160,10 +147,7 @@ def draw_linkage(
 
 
 def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry, ghost: LinkageGeometry | None = None) -> str:
-    """Return the text alternative of a drawing of a linkage: its bodies, where its joints are, and whether it is closed.
-
-    ghost  the configuration that is drawn in grey
-    """
+    """Return the text alternative of a drawing of a linkage: its bodies, where its joints are, and whether it is closed."""
     shown = slice(2) if is_planar(mechanism) else slice(3)
     joints = [
         f"{joint.name} joins {' and '.join(joint.bodies)} at {vector_text(place[shown])}"
@@ -174,11 +158,11 @@ def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry, ghost: Lin
     closed = "It is closed."
     if geometry.gap[widest] > GAP_TOL_M:
         closed = f"It is open: at {mechanism.joints[widest].name} a gap of {geometry.gap[widest]:.2g} is left."
-    bodies = ", ".join(mechanism.bodies)
     if ghost is not None:
         places = zip(mechanism.joints, ghost.first, strict=True)
         closed += f" In grey: {', '.join(f'{joint.name} at {vector_text(place[shown])}' for joint, place in places)}."
-    return f"{mechanism.name} with the bodies {bodies}. {'; '.join(joints)}.{named} All lengths in metres. {closed}"
+    head = f"{mechanism.name} with the bodies {', '.join(mechanism.bodies)}."
+    return f"{head} {'; '.join(joints)}.{named} All lengths in metres. {closed}"
 
 
 def is_planar(mechanism: Mechanism) -> bool:
@@ -193,71 +177,49 @@ def _joint_label(name: str) -> str:
     return rf"$\{head}_{{{low}}}$" if low and head in GREEK else name.removeprefix("joint ")
 
 
-def linkage_body(mechanism: Mechanism, configurations: ArrayLike, points: Points | None = None) -> Body:
+def linkage_body(mechanism: Mechanism, configurations: Array, points: Points | None = None) -> Body:
     """Return the body of a linkage: its ground, and what joints and links look like; bodies move from home by their poses.
 
     configurations  (m, n) those in which it is drawn: rails and rods are as long as they need
     points          named points of bodies, as `draw_linkage` takes them; the links extend to them
-
-    >>> from kinlib.mechanisms.linkages import stewart_gough
-    >>> len(linkage_body(stewart_gough(), np.zeros((1, 36))).links)
-    14
     """
-    q = np.atleast_2d(configurations)
-    names, ends = mechanism.bodies, body_points(mechanism)
-    links: dict[str, list[Primitive]] = {body: [] for body in names}
+    q, ends, ground = configurations, body_points(mechanism, points), mechanism.ground
+    links: dict[str, list[Primitive]] = {body: [] for body in mechanism.bodies}
     size = max(float(np.ptp(linkage_geometry(mechanism, q[0], points).all, axis=0).max()), 1e-3)
     planar, R = is_planar(mechanism), JOINT_RADIUS * size
-    for body, (_, point) in ((where, (where, p)) for where, p in (points or {}).values()):
-        ends[body] = np.concatenate([ends[body], [point]])
     columns = np.cumsum([0, *(joint.dof for joint in mechanism.joints)])
     standing: list[Array] = []
     for joint, column in zip(mechanism.joints, columns, strict=False):
         first, second = joint.bodies
         p, there = joint.position, moved(inverse(joint.closing_offset), joint.position)
         axis, slides = line(joint.screws[0]).axis, not joint.screws[0, :3].any()
-        if mechanism.ground in joint.bodies and not slides:
-            standing.append(p if first == mechanism.ground else there)
+        if ground in joint.bodies and not slides:
+            standing.append(p if first == ground else there)
         if joint.dof > 1:
             links[first].append(ball(p, 1.1 * R, "metal"))
         elif not slides:
             links[first].append(drum(axis, p, R, -1.3 * R, 1.3 * R))
-            links[second] += [
-                drum(axis, there, 0.8 * R, *(s * far * R for far in (1.3, 1.6)), colour="blue") for s in (-1, 1)
-            ]
+            links[second] += [drum(axis, there, 0.8 * R, s * 1.3 * R, s * 1.6 * R, colour="blue") for s in (-1, 1)]
         else:
-            low, high = sorted([0.0, *(float(end) for end in (q[:, column].min(), q[:, column].max()))])[::2]
-            is_rail = first == mechanism.ground
-            links[first] += _guide(p - is_rail * 0.9 * R * np.eye(3)[2], axis, (low, high), R, rail=is_rail)
-            links[second].append(box(there, (0.75 * R, 0.75 * R, 1.4 * R), "blue", _along(axis)))
-            if not is_rail:
+            low, high = min(0.0, float(q[:, column].min())), max(0.0, float(q[:, column].max()))
+            links[second].append(slab(axis, there, 0.75 * R, -1.4 * R, 1.4 * R, colour="blue"))
+            if first == ground:  # a rail as long as the way of the slider, or else a sleeve and a rod
+                rail = p - (0, 0, 0.9 * R)
+                links[first].append(slab(axis, rail, 0.4 * R, low - 3 * R, high + 3 * R, colour="dark"))
+            else:
+                links[first] += [drum(axis, p, 0.8 * R, -3 * R, 0), drum(axis, p, R, -1.2 * R, 0, colour="blue")]
                 links[second].append(drum(axis, there, 0.42 * R, -high - R, 0))
-    for body in names:
-        if body != mechanism.ground:
-            links[body] += _link(ends[body], R)
-    ground = np.unique(np.round(standing or ends[mechanism.ground], 9), axis=0)
-    low = float(ground[:, 2].min()) - (0.1 if planar else 0.06) * size
-    links[mechanism.ground] += _base(ground, low, R, plate=not planar and _span(ground) > 1)
-    return Body(tuple(tuple(links[body]) for body in names), q[0], "By rule, from the joints.")
+    for body in mechanism.bodies:
+        links[body] += [] if body == ground else _link(ends[body], R)
+    places = np.unique(np.round(standing or ends[ground], 9), axis=0)
+    low = float(places[:, 2].min()) - (0.1 if planar else 0.06) * size
+    links[ground] += _base(places, low, R, plate=not planar and _span(places) > 1)
+    return Body(tuple(tuple(links[body]) for body in mechanism.bodies), q[0], "By rule, from the joints.")
 
 
 def _span(points: Array) -> int:
     """Return the dimension of what contains points: 0 a point, 1 a line, 2 a plane."""
     return int(np.linalg.matrix_rank(points - points[0], tol=1e-6 * max(float(np.ptp(points)), 1e-9)))
-
-
-def _along(axis: Array) -> Array:
-    """Return the axes of a box, the third along an axis."""
-    x = perpendicular(axis)
-    return np.stack([x, np.cross(axis, x), axis], axis=1)
-
-
-def _guide(p: Array, axis: Array, reach: tuple[float, float], R: float, *, rail: bool) -> list[Primitive]:
-    """Return what a slider slides in: a rail on the ground as long as its way, or else a sleeve."""
-    if not rail:
-        return [drum(axis, p, 0.8 * R, -3 * R, 0), drum(axis, p, R, -1.2 * R, 0, colour="blue")]
-    low, high = reach[0] - 3 * R, reach[1] + 3 * R
-    return [box(p + (low + high) / 2 * axis, (0.4 * R, 0.4 * R, (high - low) / 2), "dark", _along(axis))]
 
 
 def _link(ends: Array, R: float) -> list[Primitive]:

@@ -3,7 +3,7 @@
 A part names its colour as colours.json does. What the current stop is not about is pale.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -53,6 +53,12 @@ def frame_part(
     return {"kind": "frame", "pose": pose, "letters": letters, **looks}
 
 
+def ranks(origins: ArrayLike) -> list[int]:
+    """Return for each of the origins (m, 3) of frames how many before it are at the same place."""
+    points = np.reshape(np.asarray(origins, dtype=float), (-1, 3))
+    return [int((np.linalg.norm(points[:i] - point, axis=1) < 1e-6).sum()) for i, point in enumerate(points)]
+
+
 def name_part(at: ArrayLike, text: str) -> Part:
     """Return a name at a point."""
     return {"kind": "name", "at": np.asarray(at, dtype=float).tolist(), "text": text}
@@ -78,7 +84,9 @@ def _draw_line(canvas: Canvas, part: Part) -> None:
     elif np.linalg.norm(end - start) > 1e-9:
         canvas.line([start, end], colour, WIDTHS_PX[part["width"]], style, level=level)
     if part["name"] and (strong or part["tip"]):
-        canvas.label(end if part["tip"] else (start + end) / 2, _label(part["name"]), colour)
+        head, _, low = part["name"].partition("_")
+        name = f"${head}_{{{low}}}$" if low else head
+        canvas.label(end if part["tip"] else (start + end) / 2, name, colour)
 
 
 def _draw_frame(canvas: Canvas, part: Part, size: float) -> None:
@@ -99,15 +107,7 @@ def _draw_frame(canvas: Canvas, part: Part, size: float) -> None:
         canvas.label(T[:3, 3], f"{{{part['name']}}}")
 
 
-def _label(name: str) -> str:
-    head, _, low = name.partition("_")
-    return f"${head}_{{{low}}}$" if low else name
-
-
 def _ink(name: str, strong: bool) -> str:
     """Return a colour on white paper, or mixed with white if it is pale."""
-    colour = LIGHT_AND_DARK[name][0]
-    if strong:
-        return colour
-    values: Sequence[int] = [int(colour[k : k + 2], 16) for k in (1, 3, 5)]
-    return "#" + "".join(f"{round(255 - PALE_SHARE * (255 - value)):02x}" for value in values)
+    colour, share = LIGHT_AND_DARK[name][0], 1.0 if strong else PALE_SHARE
+    return "#" + "".join(f"{round(255 - share * (255 - int(colour[k : k + 2], 16))):02x}" for k in (1, 3, 5))

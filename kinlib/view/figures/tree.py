@@ -17,7 +17,7 @@ from kinlib.urdf.xml_elements import Element
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK
 from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.figures.arm import JOINT_KINDS, body_motions, configuration_text, direction_text
+from kinlib.view.figures.arm import body_motions, configuration_text, joint_texts
 from kinlib.view.figures.bodies import Body, Primitive, body_of, visual_solids
 from kinlib.view.figures.body_drawing import draw_body
 from kinlib.view.figures.joint_bodies import NUMBER_OFFSETS, carried_axes, stations
@@ -116,21 +116,17 @@ def links_of_bodies(tree: Tree, found: list[Branch]) -> list[list[list[Element]]
     return bodies
 
 
-@dataclass(frozen=True, eq=False)
-class BranchBody:
-    """The solids of each body of a branch, and whether they are by rule because the file shows none."""
-
-    links: tuple[tuple[Primitive, ...], ...]
-    by_rule: tuple[bool, ...]
+BranchBody = tuple[tuple[tuple[Primitive, ...], ...], tuple[bool, ...]]
+"""The solids of each body of a branch, and whether they are by rule because the file shows none."""
 
 
 def robot_body(robot: Chain | Tree, found: list[Branch]) -> tuple[Body, list[BranchBody]]:
-    """Return the body of a robot, with the links of all its branches in a row, and the body of each branch.
+    """Return the body of a robot, with the links of all its branches in a row, and of each branch its solids and which are by rule.
 
     A link of a tree shows what the file shows; where no link of a body shows more than a mesh, it gets the body of any arm.
     """
     if isinstance(robot, Chain):
-        return body_of(robot), [BranchBody(body_of(robot).links, ())]
+        return body_of(robot), [(body_of(robot).links, ())]
     home = home_poses(robot)
     bodies: list[BranchBody] = []
     for branch, links in zip(found, links_of_bodies(robot, found), strict=True):
@@ -138,8 +134,8 @@ def robot_body(robot: Chain | Tree, found: list[Branch]) -> tuple[Body, list[Bra
         rule = body_of(branch.chain, hand=len(found) == 1).links
         first = branch.shared or int(bool(bodies))
         drawn = tuple(tuple(solids) or (rule[i] if i >= first else ()) for i, solids in enumerate(own))
-        bodies.append(BranchBody(drawn, tuple(not solids for solids in own)))
-    return Body(tuple(link for body in bodies for link in body.links), np.zeros(robot.n), "The file."), bodies
+        bodies.append((drawn, tuple(not solids for solids in own)))
+    return Body(tuple(link for drawn, _ in bodies for link in drawn), np.zeros(robot.n), "The file."), bodies
 
 
 def joint_share(found: list[Branch]) -> float:
@@ -148,33 +144,25 @@ def joint_share(found: list[Branch]) -> float:
 
 
 def draw_tree(tree: Tree, q: JointValues | None = None) -> Picture:
-    """Draw a tree in a configuration: links, joints with the number of their value in q, axes, and the frames of root and tips.
-
-    q  (n,) of the independent joints, or a mapping from their names to values; home by default
+    """Draw a tree at q (n,): links, joints with the number of their value in q, axes, and the frames of root and tips.
 
     Raises ValueError if q has another size, and if no joint moves by one value.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> from kinlib.urdf.chains import to_urdf
-    >>> draw_tree(Tree.from_urdf(to_urdf(rpr()))).alt[:45]
-    'RPR, 3 independent joints, 1 branch, at home.'
     """
     values = np.zeros(tree.n) if q is None else tree.in_order(q)
     found = branches(tree)
     body, _ = robot_body(tree, found)
     moved = np.concatenate([branch.motions(values) for branch in found])
     seen = np.concatenate([*(branch.stations(values) for branch in found), body.extent(moved)])
-    canvas = Canvas(seen, sizes=np.concatenate([branch.stations(np.zeros(tree.n)) for branch in found]))
+    canvas = Canvas(seen, sizes=np.concatenate([stations(branch.chain) for branch in found]))
     canvas.floor(seen, height=body.lowest)
     canvas.size *= joint_share(found)
     draw_body(canvas, body, moved)
     for branch in found:
         frames = branch.chain.link_poses(branch.values(values))
-        axes = carried_axes(branch.chain, frames)
-        for i in range(branch.shared, branch.chain.n):
-            axis, point = axes[i], frames[i, :3, 3]
+        shown = zip(branch.columns, carried_axes(branch.chain, frames), frames[:, :3, 3], strict=True)
+        for column, axis, point in list(shown)[branch.shared :]:
             canvas.axis(point - 0.1 * canvas.size * axis, point + 0.2 * canvas.size * axis)
-            canvas.label(point, str(branch.columns[i] + 1), INK, NUMBER_OFFSETS, 11)
+            canvas.label(point, str(column + 1), INK, NUMBER_OFFSETS, 11)
         if len(found) <= MAX_NAMED_TIPS:
             canvas.triad(branch.chain.fk(branch.values(values)), branch.tip, 0.1 * canvas.size)
     canvas.triad(np.eye(4), "s", 0.15 * canvas.size)
@@ -182,9 +170,7 @@ def draw_tree(tree: Tree, q: JointValues | None = None) -> Picture:
 
 
 def describe_tree(tree: Tree, q: ArrayLike) -> str:
-    """Return the text alternative of a drawing of a tree: each joint with its axis, and the end of each branch, at q.
-
-    q  (n,) of the independent joints
+    """Return the text alternative of a drawing of a tree: each joint with its axis, and the end of each branch, at q (n,).
 
     js/scene/describe.js says the same of the tree in the viewer.
     """
@@ -192,13 +178,8 @@ def describe_tree(tree: Tree, q: ArrayLike) -> str:
     count = f"{len(found)} branch{'es'[: 2 * (len(found) != 1)]}"
     sentences = [f"{tree.name}, {tree.n} independent joint{'s'[: tree.n != 1]}, {count}, {configuration_text(q)}."]
     for branch in found:
-        frames = branch.chain.link_poses(branch.values(q))
-        axes = carried_axes(branch.chain, frames)
-        parts = [
-            f"joint {branch.columns[i] + 1} {branch.names[i]} {JOINT_KINDS[branch.chain.joint_types[i]]} along "
-            f"{direction_text(axes[i])} at {vector_text(frames[i, :3, 3])}"
-            for i in range(branch.shared, branch.chain.n)
-        ]
+        told = zip(branch.columns, branch.names, joint_texts(branch.chain, branch.values(q)), strict=True)
+        parts = [f"joint {column + 1} {name} {text}" for column, name, text in told][branch.shared :]
         end = vector_text(branch.chain.fk(branch.values(q))[:3, 3])
         sentences.append(f"To {branch.tip}: {'; '.join([*parts, f'its end is at {end} m'])}.")
     return " ".join(sentences)

@@ -5,7 +5,8 @@ the scene graph that moves a robot also plays a row, in the order of its convent
 """
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple, get_args
+from itertools import accumulate
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,51 +14,46 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.assignment import FrameAssignment, assign_frames
-from kinlib.dh.table import Convention, DHTable, dh_transform, format_rows, validate_convention
-from kinlib.rigid.lie import adjoint, homogeneous
+from kinlib.dh.assignment import assign_frames
+from kinlib.dh.table import Convention, DHTable, format_rows, validate_convention
+from kinlib.rigid.lie import adjoint, exp, homogeneous
 from kinlib.view.drawing.canvas import Canvas, view_axes
 from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import frame_text
-from kinlib.view.figures.dh_table import MOTION_ORDER, ROTATE_X, ROTATE_Z, TRANSLATE_X, TRANSLATE_Z, poses_along_row
 from kinlib.view.figures.frame_assignment import assignment_stop, axis_ends, draw_assignment, visible_features
 from kinlib.view.figures.joint_bodies import stations
 from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, name_part
 from kinlib.view.viewer.scene import bare_scene, still_room
 from kinlib.view.viewer.steps import Steps, Stop, frame_arm
 
-CONVENTIONS: tuple[Convention, ...] = get_args(Convention)
-
-SYMBOLS = {ROTATE_Z: "R_z(theta)", TRANSLATE_Z: "T_z(d)", TRANSLATE_X: "T_x(a)", ROTATE_X: "R_x(alpha)"}
-NAMES = {ROTATE_Z: "theta", TRANSLATE_Z: "d", TRANSLATE_X: "a", ROTATE_X: "alpha"}
-
-MOTION_TEXTS: dict[Convention, dict[int, str]] = {
-    "standard": {
-        ROTATE_Z: "Rotate about z by theta, {value}: x becomes parallel to the common normal.",
-        TRANSLATE_Z: "Translate along z by d, {value}: the origin moves to the foot of the normal.",
-        TRANSLATE_X: "Translate along x by a, {value}: along the common normal, to the next axis.",
-        ROTATE_X: "Rotate about x by alpha, {value}: z becomes parallel to axis i+1. This is frame i.",
-    },
-    "modified": {
-        ROTATE_X: "Rotate about x by alpha, {value}: z becomes parallel to axis i.",
-        TRANSLATE_X: "Translate along x by a, {value}: along the common normal, to axis i.",
-        ROTATE_Z: "Rotate about z by theta, {value}: the rotation of joint i about its own axis.",
-        TRANSLATE_Z: "Translate along z by d, {value}: to the foot of the next normal. This is frame i.",
-    },
+MOTIONS: dict[Convention, tuple[tuple[str, str, str], ...]] = {
+    "standard": (
+        ("theta", "R_z(theta)", "Rotate about z by theta, {}: x becomes parallel to the common normal."),
+        ("d", "T_z(d)", "Translate along z by d, {}: the origin moves to the foot of the normal."),
+        ("a", "T_x(a)", "Translate along x by a, {}: along the common normal, to the next axis."),
+        ("alpha", "R_x(alpha)", "Rotate about x by alpha, {}: z becomes parallel to axis i+1. This is frame i."),
+    ),
+    "modified": (
+        ("alpha", "R_x(alpha)", "Rotate about x by alpha, {}: z becomes parallel to axis i."),
+        ("a", "T_x(a)", "Translate along x by a, {}: along the common normal, to axis i."),
+        ("theta", "R_z(theta)", "Rotate about z by theta, {}: the rotation of joint i about its own axis."),
+        ("d", "T_z(d)", "Translate along z by d, {}: to the foot of the next normal. This is frame i."),
+    ),
 }
-"""The text of each motion of a row, in each convention."""
+"""The motions of a row in the order of each convention: the name, the factor and the text, in which the value is still missing."""
 
-AXIS_NAMES: dict[Convention, tuple[str, str]] = {"standard": ("axis i", "axis i+1"), "modified": ("axis i−1", "axis i")}
-"""The axes on which the z of frame i-1 and of frame i lie."""
+AXIS_SPANS: dict[Convention, tuple[tuple[str, int, int], ...]] = {
+    "standard": (("axis i", 0, 2), ("axis i+1", 4, 4)),
+    "modified": (("axis i−1", 0, 0), ("axis i", 2, 4)),
+}
+"""The axes on which the z of frame i-1 and of frame i lie, and between which motions the frame moves along them."""
 
 FRAME_LENGTH = 0.34
 """The length of the axes of a frame, as a share of the size of the motions."""
 
 VIEW_RADIUS_SHARE = {0: 0.84, 1: 0.94, 2: 0.79}
 """The radius in view, as a share of the sphere around all that is drawn: of an assignment, and of one track or two side by side."""
-
-AT_THE_START = "No motion is complete yet: the frame is at its start."
 
 
 class Motion(NamedTuple):
@@ -71,28 +67,42 @@ class Motion(NamedTuple):
     text: str
 
     @property
+    def twist(self) -> Array:
+        """The motion as a twist (6,) in the moving frame."""
+        return np.kron([self.angle, self.distance], np.eye(3)["x z".index(self.axis)])
+
+    @property
     def value(self) -> float:
         """The value of the joint that makes this motion: its angle, or else its distance."""
         return self.angle if abs(self.angle) > tolerances.UNIT_LENGTH_TOL else self.distance
 
     def screw(self, T: Array) -> Array:
         """Return the screw axis (6,) of that joint, for a frame at T."""
-        unit = np.eye(3)["xz".index(self.axis) * 2]
-        own = np.array([self.angle, self.distance]) / self.value if self.value else np.array([0.0, 1.0])
-        return np.asarray(adjoint(T) @ np.concatenate([own[0] * unit, own[1] * unit]))
+        own = self.twist / self.value if self.value else self._replace(distance=1.0).twist
+        return np.asarray(adjoint(T) @ own)
 
 
 class Track(NamedTuple):
-    """Motions one after the other: the poses (m + 1, 4, 4) before and after them, the axes drawn, and the frames that stay.
+    """Motions one after the other, the pose (4, 4) before them, and the axes drawn.
 
     names  for each number of motions done, the index and the name of the frame that is then reached
     """
 
     title: str
     motions: Sequence[Motion]
-    poses: Array
+    start: Array
     axes: Sequence[Part]
     names: dict[int, tuple[str, str]]
+
+    @property
+    def poses(self) -> Array:
+        """The pose of the frame before and after each motion, (m + 1, 4, 4)."""
+        return poses_after(self.motions, self.start)
+
+
+def poses_after(motions: Sequence[Motion], start: Array) -> Array:
+    """Return the pose of a frame after 0, 1, ..., m motions, (m + 1, 4, 4)."""
+    return np.array([*accumulate((exp(motion.twist) for motion in motions), np.matmul, initial=start)])
 
 
 def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any = None) -> Steps:
@@ -112,11 +122,27 @@ def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any
     values = validation.vectors(row, "row", 4)
     if values.ndim != 1:
         raise ValueError(f"row must be one row, of shape (4,); got {values.shape}. For several rows, use play_walk.")
-    shown: list[Convention] = list(MOTION_ORDER) if convention is None else [validate_convention(convention)]
-    ends = [poses_along_row(values, name)[:, :3, 3] for name in MOTION_ORDER]
-    size = max(float(np.ptp(ends, axis=(0, 1)).max()), 0.2)
+    shown: list[Convention] = list(MOTIONS) if convention is None else [validate_convention(convention)]
+    motions = {name: _row_motions(values, name) for name in MOTIONS}
+    size = _size(np.array([poses_after(each, np.eye(4)) for each in motions.values()]))
     apart = 1.9 * size * view_axes("default")[1][0]
-    return _player([_row_track(values, name, k * apart, size) for k, name in enumerate(shown)], size, after)
+    tracks = []
+    for k, name in enumerate(shown):
+        start = homogeneous(np.eye(3), k * apart)
+        poses = poses_after(motions[name], start)
+        axes = [_axis(poses[i], poses[j], text, size, strong=text == "axis i") for text, i, j in AXIS_SPANS[name]]
+        tracks.append(Track(name, motions[name], start, axes, {0: ("i−1", ""), 4: ("i", "")}))
+    return _player(tracks, size, after)
+
+
+def _row_motions(row: Array, convention: Convention) -> list[Motion]:
+    values, motions = dict(zip(("a", "alpha", "d", "theta"), row.tolist(), strict=True)), []
+    for name, symbol, text in MOTIONS[convention]:
+        value, rotates = values[name], symbol[0] == "R"
+        shown = f"{np.degrees(value):.4g}°" if rotates else f"{value:.4g} m"
+        told = text.format(shown.replace("-", "−"))
+        motions.append(Motion(symbol[2], value * rotates, value * (not rotates), symbol, name, told))
+    return motions
 
 
 def play_walk(rows: ArrayLike, *, after: Any = None) -> Steps:
@@ -134,20 +160,22 @@ def play_walk(rows: ArrayLike, *, after: Any = None) -> Steps:
     >>> player.alt
     'Motions that move a frame: 2 of 2 done. The moving frame is at (0.4, 0, 0.1), x along x, y along y, z along z. Reached: {0} at ...'
     """
-    values = np.atleast_2d(validation.vectors(rows, "rows", 4))
-    poses, motions, names = [np.eye(4)], [], {0: ("0", "0")}
-    for i, (a, alpha, d, theta) in enumerate(values, start=1):
-        poses.append(poses[-1] @ dh_transform(0, 0, d, theta, convention="standard"))
-        poses.append(poses[-1] @ dh_transform(a, alpha, 0, 0, convention="standard"))
+    motions, names = [], {0: ("0", "0")}
+    for i, (a, alpha, d, theta) in enumerate(np.atleast_2d(validation.vectors(rows, "rows", 4)), start=1):
         along, across = f"Z_{i}: along and about the axis of joint {i}.", f"X_{i}: along and about the common normal."
         motions += [
             Motion("z", theta, d, f"Z_{i}", f"Z{i}", f"{along} Frame {i} of the modified convention is here."),
             Motion("x", alpha, a, f"X_{i}", f"X{i}", f"{across} Frame {i} of the standard convention is here."),
         ]
         names |= {2 * i - 1: (f"{i}", f"{i} mod"), 2 * i: (f"{i}", f"{i} std")}
-    size = max(float(np.ptp([T[:3, 3] for T in poses], axis=0).max()), 0.2)
-    axes = [_axis(poses[2 * i], poses[2 * i + 1], f"axis {i + 1}", size) for i in range(len(values))]
-    return _player([Track("", motions, np.array(poses), axes, names)], size, after)
+    poses = poses_after(motions, np.eye(4))
+    size = _size(poses)
+    axes = [_axis(poses[k], poses[k + 1], f"axis {k // 2 + 1}", size) for k in range(0, len(motions), 2)]
+    return _player([Track("", motions, np.eye(4), axes, names)], size, after)
+
+
+def _size(poses: Array) -> float:
+    return max(float(np.ptp(poses[..., :3, 3].reshape(-1, 3), axis=0).max()), 0.2)
 
 
 def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = None, after: Any = None) -> Steps:
@@ -168,7 +196,7 @@ def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = 
     if rows is not None and rows not in range(chain.n + 1):
         raise ValueError(f"rows must be the number of rows to show, 0 to {chain.n}; got {rows!r}.")
     validate_convention(convention)
-    assignments: dict[str, FrameAssignment] = {name: assign_frames(chain, convention=name) for name in CONVENTIONS}
+    assignments = {str(name): assign_frames(chain, convention=name) for name in MOTIONS}
     points, variants = [stations(chain)], {}
     for name, one in assignments.items():
         near, feet = visible_features(one)
@@ -192,24 +220,6 @@ def table_cells(table: DHTable) -> list[list[str]]:
     return [[cell.replace("-", "−") for cell in row] for row in format_rows(table, variable="q_{}".format)]
 
 
-def _row_track(row: Array, convention: Convention, place: Array, size: float) -> Track:
-    poses = homogeneous(np.eye(3), place) @ poses_along_row(row, convention)
-    motions = []
-    for kind in MOTION_ORDER[convention]:
-        value, rotates = float(row[kind]), kind in (ROTATE_X, ROTATE_Z)
-        shown = f"{np.degrees(value):.4g}°" if rotates else f"{value:.4g} m"
-        text = MOTION_TEXTS[convention][kind].format(value=shown.replace("-", "−"))
-        axis = "x" if kind in (TRANSLATE_X, ROTATE_X) else "z"
-        motions.append(Motion(axis, value * rotates, value * (not rotates), SYMBOLS[kind], NAMES[kind], text))
-    # The d of a standard row runs along the axis where it starts, that of a modified one where it ends.
-    spans = ((0, 2), (4, 4)) if convention == "standard" else ((0, 0), (2, 4))
-    axes = [
-        _axis(poses[i], poses[j], name, size, strong=name == "axis i")
-        for (i, j), name in zip(spans, AXIS_NAMES[convention], strict=True)
-    ]
-    return Track(convention, motions, poses, axes, {0: ("i−1", ""), 4: ("i", "")})
-
-
 def _axis(one: Array, other: Array, name: str, size: float, *, strong: bool = True) -> Part:
     """Return the line along the z of a frame, long enough to contain two origins."""
     z, distance = one[:3, 2], float((other - one)[:3, 3] @ one[:3, 2])
@@ -225,27 +235,24 @@ def _player(tracks: Sequence[Track], size: float, after: Any) -> Steps:
     for track in tracks:
         still += [*track.axes, frame_part(track.poses[-1], "Oxyz", length=0.9 * FRAME_LENGTH, strong=False)]
         if track.title:
-            still.append(name_part(track.poses[0, :3, 3] - (0, 0, 0.5 * size), track.title))
+            still.append(name_part(track.start[:3, 3] - (0, 0, 0.5 * size), track.title))
     stops = []
     for k in range(count + 1):
         merged = [_track_stop(track, k) for track in tracks]
-        stop: Stop = {
-            key: [x for one in merged for x in one[key]] for key in ("texts", "poses", "parts", "ways", "turns")
-        }
+        stop: Stop = {key: [x for one in merged for x in one[key]] for key in merged[0] if key != "alt"}
         stop["alt"] = f"Motions that move a frame: {k} of {count} done. {' '.join(one['alt'] for one in merged)}"
         stop["q"] = np.where(np.arange(count) < k, values, 0.0).ravel().tolist()
         stops.append(stop | {"reached": k in tracks[0].names})
     arms = [
-        frame_arm(track.poses[0], [motion.screw(track.poses[0]) for motion in track.motions], k * count)
+        frame_arm(track.start, [motion.screw(track.start) for motion in track.motions], k * count)
         for k, track in enumerate(tracks)
     ]
     origins = np.concatenate([track.poses[:, :3, 3] for track in tracks])
-    points = np.array(
-        [*(end for track in tracks for line in track.axes for end in (line["from"], line["to"])), *origins]
-    )
+    points = np.array([*(line[end] for track in tracks for line in track.axes for end in ("from", "to")), *origins])
     room, floor = still_room(points, VIEW_RADIUS_SHARE[len(tracks)]), float(points[:, 2].min()) - 0.1 * size
-    name = "a row of a DH table"
-    scene = {"name": name, "size": size, "arms": arms, "room": room, "floor": floor, "offered": []}
+    scene = {"name": "a row of a DH table", "size": size, "arms": arms, "room": room, "floor": floor, "offered": []}
+    symbols = [[motion.symbol for motion in track.motions] for track in tracks]
+    titles = [f"{track.title} convention" * bool(track.title) for track in tracks]
     mode = {
         "variants": {"": {"stops": stops}},
         "name": "motion",
@@ -253,13 +260,7 @@ def _player(tracks: Sequence[Track], size: float, after: Any) -> Steps:
         "movers": [""] * len(tracks),
         "length": FRAME_LENGTH,
         "still": still,
-        "product": [
-            {
-                "title": f"{track.title} convention" * bool(track.title),
-                "symbols": [motion.symbol for motion in track.motions],
-            }
-            for track in tracks
-        ],
+        "product": [{"title": title, "symbols": row} for title, row in zip(titles, symbols, strict=True)],
     }
 
     def draw(player: Steps) -> Picture:
@@ -276,18 +277,16 @@ def _player(tracks: Sequence[Track], size: float, after: Any) -> Steps:
 
 def _track_stop(track: Track, k: int) -> Stop:
     """Return what a track shows after k motions; its ways and turns are those of the motion that follows."""
-    start, here = track.poses[0, :3, 3], track.poses[k]
+    start, here = track.start[:3, 3], track.poses[k]
     parts, places = [], []
     for reached, (sub, name) in track.names.items():
-        if reached > k:
-            continue
-        T, length = track.poses[reached], FRAME_LENGTH * (1 if reached else 0.9)
-        shown = name if " " in name else ""
-        parts.append(frame_part(T, "Oxz", sub=sub, name=shown, length=length, strong=reached == k))
-        places.append(f"{{{name or sub}}} at {vector_text(T[:3, 3] - start)}")
+        if reached <= k:
+            T, length = track.poses[reached], FRAME_LENGTH * (1 if reached else 0.9)
+            shown = name if " " in name else ""
+            parts.append(frame_part(T, "Oxz", sub=sub, name=shown, length=length, strong=reached == k))
+            places.append(f"{{{name or sub}}} at {vector_text(T[:3, 3] - start)}")
     ways, turns = [], []
-    if k < len(track.motions):
-        motion = track.motions[k]
+    for motion in track.motions[k : k + 1]:
         if motion.distance:
             colour, name = ("axis", "d") if motion.axis == "z" else ("normal", "a")
             name = name if motion.name in "da" else motion.name
@@ -298,7 +297,7 @@ def _track_stop(track: Track, k: int) -> Stop:
     of = f", {track.title} convention," if track.title else ""
     moving = frame_text(("", homogeneous(here[:3, :3], here[:3, 3] - start)))
     return {
-        "texts": [track.motions[k - 1].text if k else AT_THE_START],
+        "texts": [track.motions[k - 1].text if k else "No motion is complete yet: the frame is at its start."],
         "poses": [here.ravel().tolist()],
         "parts": parts,
         "ways": ways,

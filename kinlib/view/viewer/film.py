@@ -5,11 +5,11 @@ through for readers who prefer reduced motion; their text alternatives together 
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from kinlib.view.drawing.crop import crop
-from kinlib.view.drawing.figure_colours import follow_theme
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.viewer.pictures import Pictures
 
@@ -46,24 +46,18 @@ def film(draw: Callable[[float], Picture], scenes: Sequence[tuple[float, str]]) 
     ends = np.round(np.cumsum(durations) * FRAMES_PER_SECOND).astype(int).tolist()
     pictures = crop([draw(k / FRAMES_PER_SECOND) for k in range(ends[-1] + 1)])
     keys = [
-        Picture(pictures[end].svg, f"{caption} {pictures[end].alt}", caption)
+        replace(pictures[end], alt=f"{caption} {pictures[end].alt}", caption=caption)
         for end, (_, caption) in zip(ends, scenes, strict=True)
     ]
-    shown = [keys[int(np.searchsorted(ends, k))] for k in range(len(pictures))]
-    # Where nothing moves, the same drawing is shown again.
-    drawn = list(dict.fromkeys(picture.svg for picture in pictures))
-    times = [f"{k / FRAMES_PER_SECOND:.0f} of {durations.sum():.0f} s" for k in range(len(pictures))]
-    texts = [{"caption": k.caption, "alt": k.alt, "label": time} for k, time in zip(shown, times, strict=True)]
-    frames, order = list(map(follow_theme, drawn)), [drawn.index(picture.svg) for picture in pictures]
+    # the text of a picture is that of its scene
+    told = [keys[int(np.searchsorted(ends, k))] for k in range(len(pictures))]
+    shown = [replace(one, alt=key.alt, caption=key.caption) for one, key in zip(pictures, told, strict=True)]
+    labels = [f"{k / FRAMES_PER_SECOND:.0f} of {durations.sum():.0f} s" for k in range(len(pictures))]
     looks = {"label": "Time", "rate": FRAMES_PER_SECOND, "ends": ends}
-    return Film(keys, pictures.__getitem__, texts, frames=frames, order=order, looks=looks)
+    return Film(keys, shown.__getitem__, dict(enumerate(shown)), labels, looks)
 
 
 def share(t: float, start: float, end: float) -> float:
-    """Return how much of a motion from one time to another has been made at t, from 0 to 1, with a gentle start and end.
-
-    >>> share(0, 1, 2), share(1.5, 1, 2), share(9, 1, 2)
-    (0.0, 0.5, 1.0)
-    """
+    """Return how much of a motion from one time to another has been made at t, from 0 to 1, with a gentle start and end."""
     x = min(1.0, max(0.0, (t - start) / (end - start)))
     return x * x * (3 - 2 * x)

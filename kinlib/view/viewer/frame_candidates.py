@@ -35,75 +35,79 @@ def frame_candidates(chain: Chain) -> dict[str, Any]:
     >>> frame_candidates(rpr())["points"][0]["text"]
     'joint 1; joint 2; intersection of axes 1 and 2; foot of normal 2–3 on axis 2'
     """
-    size, points = extent(*branches(chain)), _origins(chain)
-    lines = []
+    reach, points, axes = 0.3 * extent(*branches(chain)), _merge(_origins(chain)), []
     for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
         low, high = span_on_axis(z, point, [at for at, _ in points])
-        ends = point + (low - 0.3 * size) * z, point + (high + 0.3 * size) * z
-        lines.append({"point": _list(point), "along": _list(z), "from": _list(ends[0]), "to": _list(ends[1])})
+        axes.append((point, z, point + (low - reach) * z, point + (high + reach) * z))
+    tool, z = chain.home[:3, 3], chain.home[:3, 2]
+    ends = [*enumerate(axes), (None, (tool, z, tool - reach * z, tool + reach * z))]
     return {
-        "axes": lines,
-        "z": [*_z_directions(chain, lines, size)],
+        "axes": [
+            {"point": _list(point), "along": _list(z), "from": _list(low), "to": _list(high)}
+            for point, z, low, high in axes
+        ],
+        "z": [
+            {"axis": i, "at": _list(end), "along": _list(sign * z), "text": f"{word} {_axis_name(i)}"}
+            for i, (_, z, low, high) in ends
+            for sign, end, word in ((1, high, "along"), (-1, low, "opposite to"))
+        ],
         "points": [{"at": _list(at), "text": text} for at, text in points],
-        "x": [{"along": _list(along), "text": text} for along, text in _x_directions(chain)],
+        "x": [
+            {"along": _list(along), "text": f"{vector_text(along)}: {text}"}
+            for along, text in _merge(
+                (s * x, text) for x, *texts in _lines_for_x(chain) for s, text in zip((1, -1), texts, strict=True)
+            )
+        ],
     }
 
 
-def _z_directions(chain: Chain, lines: list[dict[str, Any]], size: float) -> Iterator[dict[str, Any]]:
-    tool, z = chain.home[:3, 3], chain.home[:3, 2]
-    ends = {"to": _list(tool + 0.3 * size * z), "from": _list(tool - 0.3 * size * z), "along": _list(z)}
-    for axis, line in [*enumerate(lines), (None, ends)]:
-        name = "z of {b}" if axis is None else f"axis {axis + 1}"
-        for sign, end, word in ((1, "to", "along"), (-1, "from", "opposite to")):
-            along = _list(sign * np.array(line["along"]))
-            yield {"axis": axis, "at": line[end], "along": along, "text": f"{word} {name}"}
+def _axis_name(i: int | None) -> str:
+    return "z of {b}" if i is None else f"axis {i + 1}"
 
 
-def _origins(chain: Chain) -> list[tuple[Array, str]]:
-    candidates: list[tuple[Array, str]] = [(at, f"joint {i + 1}") for i, at in enumerate(chain.joint_points)]
+def _ends(chain: Chain) -> list[tuple[int, str, Array]]:
+    """Return the first and the last axis, counted from 0, with the frame beyond it and that frame's origin."""
+    return [(0, "{s}", np.zeros(3)), (chain.n - 1, "{b}", chain.home[:3, 3])]
+
+
+def _origins(chain: Chain) -> Iterator[tuple[Array, str]]:
+    for i, at in enumerate(chain.joint_points, start=1):
+        yield at, f"joint {i}"
     for i, normal in _normals(chain):
-        pair = f"{i + 1}–{i + 2}"
         if normal.case == "intersecting":
-            candidates.append((normal.start, f"intersection of axes {i + 1} and {i + 2}"))
+            yield normal.start, f"intersection of axes {i} and {i + 1}"
         elif normal.case in {"skew", "parallel", "antiparallel"}:
-            candidates.append((normal.start, f"foot of normal {pair} on axis {i + 1}"))
-            candidates.append((normal.end, f"foot of normal {pair} on axis {i + 2}"))
-    tool = chain.home[:3, 3]
-    candidates += [(np.zeros(3), "origin of {s}"), (tool, "origin of {b}")]
-    for i, name in ((0, "{s}"), (chain.n - 1, "{b}")):
+            yield normal.start, f"foot of normal {i}–{i + 1} on axis {i}"
+            yield normal.end, f"foot of normal {i}–{i + 1} on axis {i + 1}"
+    for _, name, there in _ends(chain):
+        yield there, f"origin of {name}"
+    for i, name, there in _ends(chain):
         z, point = chain.lines.axis[i], chain.joint_points[i]
-        there = np.zeros(3) if name == "{s}" else tool
-        candidates.append((point + z * (z @ (there - point)), f"point of axis {i + 1} nearest to {name}"))
-    return _merge(candidates)
-
-
-def _x_directions(chain: Chain) -> list[tuple[Array, str]]:
-    both = [one for along, to, fro in _lines_for_x(chain) for one in ((along, to), (-along, fro))]
-    return [(along, f"{vector_text(along)}: {text}") for along, text in _merge(both)]
+        yield point + z * (z @ (there - point)), f"point of axis {i + 1} nearest to {name}"
 
 
 def _lines_for_x(chain: Chain) -> Iterator[tuple[Array, str, str]]:
     """Yield the unit vectors of normals, frames, axes and links, each with its description and that of the opposite one."""
     for i, normal in _normals(chain):
-        one, other = i + 1, i + 2
         if normal.case == "intersecting":
-            text = f"perpendicular to axes {one} and {other}"
+            text = f"perpendicular to axes {i} and {i + 1}"
             yield normal.x, text, f"{text}, opposite"
         elif normal.case in {"skew", "parallel", "antiparallel"}:
-            yield normal.x, f"normal {one}–{other}, to axis {other}", f"normal {one}–{other}, to axis {one}"
+            pair = f"normal {i}–{i + 1}, to axis"
+            yield normal.x, f"{pair} {i + 1}", f"{pair} {i}"
     for name, R in (("{s}", np.eye(3)), ("{b}", chain.home[:3, :3])):
         for letter, along in zip("xyz", R.T, strict=True):
             yield along, f"{letter} of {name}", f"−{letter} of {name}"
     for i, axis in enumerate(chain.lines.axis, start=1):
         yield axis, f"along axis {i}", f"opposite to axis {i}"
-    for i, name, there in ((0, "{s}", np.zeros(3)), (chain.n - 1, "{b}", chain.home[:3, 3])):
+    for i, name, there in _ends(chain):
         z, off = chain.lines.axis[i], there - chain.joint_points[i]
-        across = off - z * (z @ off)
+        across, axis_name = off - z * (z @ off), f"axis {i + 1}"
         if (length := float(np.linalg.norm(across))) > COINCIDENT_TOL:
             yield (
                 across / length,
-                f"from axis {i + 1} perpendicularly to {name}",
-                f"from {name} perpendicularly to axis {i + 1}",
+                f"from {axis_name} perpendicularly to {name}",
+                f"from {name} perpendicularly to {axis_name}",
             )
     names = [*(f"joint {i + 1}" for i in range(chain.n)), "{b}"]
     for (start, end), link in zip(pairwise(names), np.diff(stations(chain)[1:], axis=0), strict=True):
@@ -112,17 +116,16 @@ def _lines_for_x(chain: Chain) -> Iterator[tuple[Array, str, str]]:
 
 
 def _normals(chain: Chain) -> Iterator[tuple[int, CommonNormal]]:
-    """Yield the common normals of consecutive axes. If the axes are parallel, the normals at both joints are candidates."""
-    axes = [*zip(chain.lines.axis, chain.joint_points, strict=True)]
-    for i in range(chain.n - 1):
-        across = perpendicular(axes[i][0])
-        at_next = common_normal(axes[i], axes[i + 1], across, at_other_point=True)
+    """Yield the common normals of axes i and i + 1, with i. If the axes are parallel, the normals at both joints are candidates."""
+    for i, (first, second) in enumerate(pairwise(zip(chain.lines.axis, chain.joint_points, strict=True)), start=1):
+        across = perpendicular(first[0])
+        at_next = common_normal(first, second, across, at_other_point=True)
         yield i, at_next
         if not at_next.is_unique:
-            yield i, common_normal(axes[i], axes[i + 1], across, at_other_point=False)
+            yield i, common_normal(first, second, across, at_other_point=False)
 
 
-def _merge(candidates: list[tuple[Array, str]]) -> list[tuple[Array, str]]:
+def _merge(candidates: Iterator[tuple[Array, str]]) -> list[tuple[Array, str]]:
     """Merge equal points or directions, and join their descriptions."""
     places: list[tuple[Array, list[str]]] = []
     for at, text in candidates:

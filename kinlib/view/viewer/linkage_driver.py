@@ -19,7 +19,7 @@ from kinlib.rigid.screw import line
 from kinlib.view.figures.bodies import solid_data
 from kinlib.view.figures.linkage import draw_linkage, is_planar, linkage_body, linkage_geometry
 from kinlib.view.viewer.scene import half_height
-from kinlib.view.viewer.steps import Steps
+from kinlib.view.viewer.steps import Steps, frame_arm
 
 POINTS_PER_CURVE = 240
 """The number of configurations of a curve; a full revolution has steps of one and a half degrees."""
@@ -105,9 +105,10 @@ def drive(
 
 def _curves(mechanism: Mechanism, start: Array) -> list[tuple[Array, bool]]:
     """Return the curve through a configuration, and those of the other assembly modes with the same first joint value."""
-    curves = [_traced(mechanism, start)]
+    curves, angles = [_traced(mechanism, start)], _angles(mechanism)
     for other in mechanism.assembly_modes(hold={mechanism.names[0]: float(start[0])}):
-        if all(_distance(curve, other, mechanism) > ON_CURVE_TOL for curve, _ in curves):
+        gaps = [np.where(angles, wrap_angle(curve - other), curve - other) for curve, _ in curves]
+        if all(np.linalg.norm(gap, axis=1).min() > ON_CURVE_TOL for gap in gaps):
             curves.append(_traced(mechanism, other))
     return curves
 
@@ -125,13 +126,8 @@ def _traced(mechanism: Mechanism, start: Array) -> tuple[Array, bool]:
     return q - revolutions * angles, curve.closed
 
 
-def _distance(curve: Array, configuration: Array, mechanism: Mechanism) -> float:
-    """Return the distance of a configuration to the nearest point of a curve, with angles modulo a full revolution."""
-    gap = curve - configuration
-    return float(np.linalg.norm(np.where(_angles(mechanism), wrap_angle(gap), gap), axis=1).min())
-
-
 def _angles(mechanism: Mechanism) -> Array:
+    """Return which joint values are angles, (n,)."""
     screws = np.concatenate([joint.screws for joint in mechanism.joints])
     are_angles: Array = (screws[:, :3] != 0).any(axis=1) & (np.abs(line(screws).pitch) <= tolerances.UNIT_LENGTH_TOL)
     return are_angles
@@ -142,30 +138,22 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
     paths = spanning_tree(mechanism.joints, mechanism.ground)
     names = [body for body in paths if body != mechanism.ground]
     arms = [chain_along(mechanism.joints, paths[body], body) for body in names]
-    stations = np.concatenate(
-        [linkage_geometry(mechanism, q).all for q in configurations[:: max(1, len(configurations) // 60)]]
-    )
+    some = configurations[:: max(1, len(configurations) // 60)]
+    stations = np.concatenate([linkage_geometry(mechanism, q).all for q in some])
     size = max(float(np.ptp(linkage_geometry(mechanism, begin).all, axis=0).max()), 1e-3)
-    planar = is_planar(mechanism)
-    look = PLANAR_VIEW_DEG if planar else SPATIAL_VIEW_DEG
+    look = PLANAR_VIEW_DEG if is_planar(mechanism) else SPATIAL_VIEW_DEG
     body = linkage_body(mechanism, np.concatenate([begin[None], configurations]))
-    places: list[dict[str, Any]] = [{"arm": 0, "body": 0}, *({"arm": k, "body": "tool"} for k in range(len(names)))]
-    on = dict(zip([mechanism.ground, *names], places, strict=True))
+    on: dict[str, dict[str, Any]] = {mechanism.ground: {"arm": 0, "body": 0}}
+    on |= {name: {"arm": k, "body": "tool"} for k, name in enumerate(names)}
     shown = np.concatenate([stations, stations * (1, 1, 0) + (0, 0, body.lowest)])
     middle = (shown.min(axis=0) + shown.max(axis=0)) / 2
+    radius = half_height(shown - middle, look) + VIEW_MARGIN * size
     return {
         "name": mechanism.name,
         "bodies": list(mechanism.bodies),
-        "planar": planar,
+        "planar": is_planar(mechanism),
         "size": size,
-        "arms": [
-            {
-                "columns": arm.columns.tolist(),
-                "joints": [{"screw": screw.tolist(), "point": [0.0, 0.0, 0.0]} for screw in arm.chain.screws],
-                "home": arm.chain.home.ravel().tolist(),
-            }
-            for arm in arms
-        ],
+        "arms": [frame_arm(arm.chain.home, arm.chain.screws) | {"columns": arm.columns.tolist()} for arm in arms],
         "solids": [
             {**on[name], "parts": parts} for name, parts in zip(mechanism.bodies, solid_data(body.links), strict=True)
         ],
@@ -179,10 +167,6 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
             }
             for joint in mechanism.joints
         ],
-        "room": {
-            "centre": middle.tolist(),
-            "radius": half_height(shown - middle, look) + VIEW_MARGIN * size,
-            "look": look,
-        },
+        "room": {"centre": middle.tolist(), "radius": radius, "look": look},
         "floor": body.lowest,
     }

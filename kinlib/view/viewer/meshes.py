@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from kinlib.arrays.validation import Array
 from kinlib.urdf.robot_tree import Tree
 from kinlib.urdf.xml_elements import Element
 from kinlib.view.figures.bodies import shapes, visual_pose
@@ -29,18 +28,28 @@ KINDS = (".stl", ".obj", ".dae", ".glb")
 Packages = Mapping[str, str | os.PathLike[str]] | Sequence[str | os.PathLike[str]]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class Meshes:
     """The meshes of a robot.
 
-    files  the bytes of each file by a short name
-    arms   for each body of each branch its meshes: {"file", "name", "pose" at home in {s}, "scale", "colour"}
-    notes  a sentence for each file that is not shown
+    files    the bytes of each file by a short name
+    arms     for each body of each branch its meshes: {"file", "name", "pose" at home in {s}, "scale", "colour"}
+    refused  for each reason the names of what is not shown
     """
 
     files: dict[str, bytes] = field(default_factory=dict)
     arms: list[list[list[dict[str, Any]]]] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
+    refused: dict[str, list[str]] = field(default_factory=dict)
+
+    @property
+    def notes(self) -> list[str]:
+        """A sentence for each reason for which meshes are not shown, with some of their names."""
+        sentences = []
+        for why, names in self.refused.items():
+            listed = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
+            meshes = "A mesh is" if len(names) == 1 else f"{len(names)} meshes are"
+            sentences.append(f"{meshes} not shown, {listed}: {why}")
+        return sentences
 
 
 def read_meshes(tree: Tree, found: list[Branch], packages: Packages = ()) -> Meshes:
@@ -49,25 +58,42 @@ def read_meshes(tree: Tree, found: list[Branch], packages: Packages = ()) -> Mes
     packages  folders of packages, or {name: folder}. Those in ROS_PACKAGE_PATH, and the package that contains the URDF, are found
               without it
     """
-    home, library = home_poses(tree), _Library(tree.folder, packages)
-    arms = [[[*_shown(links, home, library)] for links in bodies] for bodies in links_of_bodies(tree, found)]
-    return Meshes(library.files, arms, library.notes())
+    read, home, known = Meshes(), home_poses(tree), dict[str, str]()
+    folder = _real(tree.folder) if tree.folder else None
+    named = packages.items() if isinstance(packages, Mapping) else [(_real(path).name, path) for path in packages]
+    roots = [(str(name), _real(path)) for name, path in named]
+    paths = [Path(path) for path in os.environ.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if path]
+    roots += [(path.name, _real(path)) for path in paths]
 
+    def file_of(name: str) -> str:
+        if name not in known:
+            known[name] = ""
+            try:
+                content = _content(_places(name, folder, roots), name, sum(map(len, read.files.values())))
+                known[name] = f"{len(read.files)}{Path(name).suffix.lower()}"
+                read.files[known[name]] = content
+            except (OSError, ValueError) as error:
+                why = str(error) if type(error) is ValueError else "it cannot be opened."
+                read.refused.setdefault(why, []).append(name[-200:])
+        return known[name]
 
-def _shown(links: list[Element], home: Mapping[str, Array], library: "_Library") -> Iterator[dict[str, Any]]:
-    shown = [(link, visual, shape) for link in links for visual, shape in shapes(link)]
-    for link, visual, mesh in (one for one in shown if one[2].tag == "mesh"):
-        try:
-            name, pose = mesh.text("filename"), visual_pose(visual, home[link.text("name")]) + 0.0
-            scale = mesh.numbers("scale", 3) if "scale" in mesh.attributes else [1.0, 1.0, 1.0]
-            if not np.all(scale):
-                raise mesh.error("its scale must not be 0.")
-        except ValueError as error:
-            library.refused.setdefault(str(error), []).append(f"in line {mesh.line}")
-            continue
-        if file := library.find(name):
-            place = {"pose": pose.ravel().tolist(), "scale": scale}
-            yield {"file": file, "name": name, "colour": _colour(visual), **place}
+    def shown(link: Element) -> Iterator[dict[str, Any]]:
+        for visual, mesh in (one for one in shapes(link) if one[1].tag == "mesh"):
+            try:
+                name, pose = mesh.text("filename"), visual_pose(visual, home[link.text("name")]) + 0.0
+                scale = mesh.numbers("scale", 3) if "scale" in mesh.attributes else [1.0, 1.0, 1.0]
+                if not np.all(scale):
+                    raise mesh.error("its scale must not be 0.")
+            except ValueError as error:
+                read.refused.setdefault(str(error), []).append(f"in line {mesh.line}")
+                continue
+            if file := file_of(name):
+                place = {"pose": pose.ravel().tolist(), "scale": scale}
+                yield {"file": file, "name": name, "colour": _colour(visual), **place}
+
+    for bodies in links_of_bodies(tree, found):
+        read.arms.append([[mesh for link in links for mesh in shown(link)] for links in bodies])
+    return read
 
 
 def _colour(visual: Element) -> str | None:
@@ -90,88 +116,48 @@ def _real(path: str | os.PathLike[str]) -> Path:
     return Path(os.path.realpath(path))
 
 
-class _Library:
-    """The folders in which meshes may be, and what has been read of them."""
-
-    def __init__(self, folder: Path | None, packages: Packages) -> None:
-        self.folder = _real(folder) if folder else None
-        named = packages.items() if isinstance(packages, Mapping) else [(_real(path).name, path) for path in packages]
-        self.packages = [(str(name), _real(path)) for name, path in named]
-        paths = [Path(path) for path in os.environ.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if path]
-        self.packages += [(path.name, _real(path)) for path in paths]
-        # The packages that contain the file: folders above it with a package.xml, and that of a folder "urdf".
-        above = [self.folder, *self.folder.parents] if self.folder else []
-        usual = [path.parent for path in above[:1] if path.name in FOLDERS_OF_URDF]
-        self.own = [path for path in above if path == self.folder or path in usual or (path / "package.xml").is_file()]
-        self.files: dict[str, bytes] = {}
-        self.refused: dict[str, list[str]] = {}
-        self._names: dict[str, str] = {}
-
-    def find(self, name: str) -> str:
-        """Return the short name of the file of a mesh, which is read if it has not been, or "" with a note."""
-        if name not in self._names:
-            try:
-                content, kind = self._read(name)
-                self._names[name] = f"{len(self.files)}{kind}"
-                self.files[self._names[name]] = content
-            except (OSError, ValueError) as error:
-                self._names[name] = ""
-                why = str(error) if type(error) is ValueError else "it cannot be opened."
-                self.refused.setdefault(why, []).append(name[-200:])
-        return self._names[name]
-
-    def notes(self) -> list[str]:
-        """Return a sentence for each reason for which meshes are not shown, with some of their names."""
-        sentences = []
-        for why, names in self.refused.items():
-            listed = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
-            meshes = "A mesh is" if len(names) == 1 else f"{len(names)} meshes are"
-            sentences.append(f"{meshes} not shown, {listed}: {why}")
-        return sentences
-
-    def _read(self, name: str) -> tuple[bytes, str]:
-        kind = Path(name).suffix.lower()
-        if kind not in KINDS:
-            raise ValueError(f"a file of a mesh must end in {', '.join(KINDS[:-1])} or {KINDS[-1]}.")
-        outside = False
-        for root, path in self._places(name):
-            if "\0" in str(path) or not (real := _real(path)).is_file():
-                continue
-            if not real.is_relative_to(root):
-                outside = True
-                continue
-            size = real.stat().st_size
-            if size > MAX_FILE_BYTES:
-                raise ValueError(f"it has {size / 1e6:.0f} MB; at most {MAX_FILE_BYTES / 1e6:.0f} MB are read.")
-            if size + sum(map(len, self.files.values())) > MAX_ALL_BYTES:
-                raise ValueError(
-                    f"the meshes before it have almost {MAX_ALL_BYTES / 1e6:.0f} MB, the most that is shown."
-                )
-            with real.open("rb") as file:
-                return file.read(MAX_FILE_BYTES), kind
-        if outside:
-            raise ValueError(
-                "it is outside of the folder of the file. If it may be read, pass packages=[...] with a folder that contains it."
-            )
-        raise ValueError("it was not found. Pass packages=[...] with the folder of its package.")
-
-    def _places(self, name: str) -> Iterator[tuple[Path, Path]]:
-        """Yield where a file may be, each place with the folder that it must not leave."""
-        if name.startswith("package://"):
-            package, _, rest = name.removeprefix("package://").partition("/")
-            if package in ("", ".", ".."):
-                return
-            for own, root in [*self.packages, *((path.name, path) for path in self.own)]:
-                if own == package:
-                    yield root, root / rest
-            for root in [path for _, path in self.packages] + ([self.folder] if self.folder else []):
-                yield root, root / package / rest
+def _places(name: str, folder: Path | None, packages: list[tuple[str, Path]]) -> Iterator[tuple[Path, Path]]:
+    """Yield where a file may be, each place with the folder that it must not leave."""
+    # The packages that contain the URDF: folders above it with a package.xml, and that of a folder "urdf".
+    above = [folder, *folder.parents] if folder else []
+    usual = [path.parent for path in above[:1] if path.name in FOLDERS_OF_URDF]
+    own = [path for path in above if path == folder or path in usual or (path / "package.xml").is_file()]
+    if name.startswith("package://"):
+        package, _, rest = name.removeprefix("package://").partition("/")
+        if package in ("", ".", ".."):
             return
-        if "://" in name and not name.startswith("file://"):
-            raise ValueError("it is an address, and nothing is downloaded. Download it, and write its path.")
-        path = name.removeprefix("file://")
-        if self.folder:
-            for root in self.own:
-                yield root, self.folder / path
-        for _, root in self.packages:
-            yield root, root / path
+        yield from (
+            (root, root / rest) for known, root in [*packages, *((at.name, at) for at in own)] if known == package
+        )
+        yield from ((root, root / package / rest) for root in [*(root for _, root in packages), *above[:1]])
+        return
+    if "://" in name and not name.startswith("file://"):
+        raise ValueError("it is an address, and nothing is downloaded. Download it, and write its path.")
+    path = name.removeprefix("file://")
+    yield from ((root, folder / path) for root in own if folder)
+    yield from ((root, root / path) for _, root in packages)
+
+
+def _content(places: Iterator[tuple[Path, Path]], name: str, read_bytes: int) -> bytes:
+    """Return the bytes of a mesh, at the first of the places where it is. Raises ValueError if it must not be read or is not there."""
+    if Path(name).suffix.lower() not in KINDS:
+        raise ValueError(f"a file of a mesh must end in {', '.join(KINDS[:-1])} or {KINDS[-1]}.")
+    outside = False
+    for root, path in places:
+        if "\0" in str(path) or not (real := _real(path)).is_file():
+            continue
+        if not real.is_relative_to(root):
+            outside = True
+            continue
+        size = real.stat().st_size
+        if size > MAX_FILE_BYTES:
+            raise ValueError(f"it has {size / 1e6:.0f} MB; at most {MAX_FILE_BYTES / 1e6:.0f} MB are read.")
+        if size + read_bytes > MAX_ALL_BYTES:
+            raise ValueError(f"the meshes before it have almost {MAX_ALL_BYTES / 1e6:.0f} MB, the most that is shown.")
+        with real.open("rb") as file:
+            return file.read(MAX_FILE_BYTES)
+    if outside:
+        raise ValueError(
+            "it is outside of the folder of the file. If it may be read, pass packages=[...] with a folder that contains it."
+        )
+    raise ValueError("it was not found. Pass packages=[...] with the folder of its package.")

@@ -12,6 +12,7 @@ from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import frame_text
 from kinlib.view.figures.frames import draw_frames
 from kinlib.view.figures.parts import line_part
+from kinlib.view.viewer.pictures import value_text
 from kinlib.view.viewer.scene import half_height
 from kinlib.view.viewer.steps import Steps, frame_arm
 
@@ -26,7 +27,7 @@ def slide_frames(
     label: str,
     values: Sequence[V],
     *,
-    caption: Callable[[V], str] | None = None,
+    caption: Callable[[V], str] = lambda _: "",
     arrows: bool = False,
     after: Any = None,
 ) -> Steps:
@@ -56,33 +57,37 @@ def slide_frames(
     poses = np.array([[validation.poses(T, f"frame {name}") for name, T in one.items()] for one in frames]) + 0.0
     origins = poses[..., :3, 3].reshape(-1, 3)
     extent = max(float(np.ptp(origins, axis=0).max()), SMALLEST_M)
-    tips = (poses[..., :3, 3, None] + AXIS_SHARE * extent * poses[..., :3, :3]).swapaxes(-1, -2).reshape(-1, 3)
+    length = AXIS_SHARE * extent
+    tips = (poses[..., :3, 3, None] + length * poses[..., :3, :3]).swapaxes(-1, -2).reshape(-1, 3)
     points = np.concatenate([origins, tips])
-    low, high = points.min(axis=0), points.max(axis=0)
-    radius = half_height(points - (low + high) / 2) + 0.12 * extent
+    low, centre = points.min(axis=0), (points.min(axis=0) + points.max(axis=0)) / 2
+    radius = half_height(points - centre) + 0.12 * extent
     stops = []
     for value, shown in zip(values, poses, strict=True):
-        said = caption(value) if caption else ""
-        ends = pairwise([T[:3, 3] for T in shown] if arrows else [])
-        lines = [line_part(a, b, "quiet", tip=True) for a, b in ends if np.linalg.norm(b - a) > 1e-6 * radius]
-        alt = " ".join([said, *map(frame_text, zip(names, shown, strict=True))]).strip()
-        title = f"{value:.4g}" if isinstance(value, float) else str(value)
-        stop = {"title": title, "texts": [said], "alt": alt, "poses": shown.reshape(-1, 16).tolist(), "parts": lines}
-        stops.append(stop)
+        said, ends = caption(value), pairwise(shown[:, :3, 3] if arrows else [])
+        stops.append(
+            {
+                "title": value_text(value),
+                "texts": [said],
+                "alt": " ".join([said, *map(frame_text, zip(names, shown, strict=True))]).strip(),
+                "poses": shown.reshape(-1, 16).tolist(),
+                "parts": [line_part(a, b, "quiet", tip=True) for a, b in ends if np.linalg.norm(b - a) > 1e-6 * radius],
+            }
+        )
 
     def draw(player: Steps) -> Picture:
         stop = player.stop
         shown = dict(zip(names, np.reshape(stop["poses"], (-1, 4, 4)), strict=True))
-        lines, length = bool(stop["parts"]), AXIS_SHARE * extent
-        return draw_frames(shown, arrows=lines, axis_length=length, alt=player.alt, caption=stop["texts"][0])
+        lines, said = bool(stop["parts"]), stop["texts"][0]
+        return draw_frames(shown, arrows=lines, axis_length=length, alt=player.alt, caption=said)
 
     scene = {
         "name": "frames",
         "size": radius,
         "arms": [frame_arm(T) for T in poses[0]],
-        "room": {"centre": ((low + high) / 2).tolist(), "radius": radius, "constant": True},
+        "room": {"centre": centre.tolist(), "radius": radius, "constant": True},
         "floor": float(low[2]) - 0.1 * extent,
         "offered": [],
     }
-    mode = {"variants": {"": {"stops": stops}}, "label": label, "movers": names, "length": AXIS_SHARE * extent / radius}
+    mode = {"variants": {"": {"stops": stops}}, "label": label, "movers": names, "length": length / radius}
     return Steps(scene, mode, draw, after=after)

@@ -1,6 +1,6 @@
 """The player of pictures: a film (see film.py), or a slider through the pictures of several values, made by `slide`."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
 import traitlets
@@ -8,7 +8,7 @@ import traitlets
 from kinlib.view.drawing.crop import crop, is_croppable
 from kinlib.view.drawing.figure_colours import follow_theme
 from kinlib.view.drawing.picture import Gallery, Picture, is_without_kernel
-from kinlib.view.viewer.viewer import Covered
+from kinlib.view.viewer.widget import Covered
 
 ONE_PICTURE_ON_SCREEN = (
     "<style>@media screen and (scripting:enabled){.kinlib-film-frames figure:not(:first-child){display:none}"
@@ -18,7 +18,7 @@ ONE_PICTURE_ON_SCREEN = (
 
 
 class Pictures(Covered):
-    """Pictures on the page, of which one is shown.
+    """Pictures on the page, of which one is shown. Make them with `film` or `slide`.
 
     frames   the drawings as SVG, each once; empty for one that is made when it is selected
     order    the drawing of each stop
@@ -27,7 +27,7 @@ class Pictures(Covered):
     at       the stop that is shown; the page and Python can both set it
     still    the pictures for print, and for a page without a script
 
-    Make them with `film` or `slide`.
+    It is made of these, a function that draws a stop, what has been drawn already, the label of each stop, and its looks.
     """
 
     frames = traitlets.List(traitlets.Unicode()).tag(sync=True)
@@ -38,10 +38,21 @@ class Pictures(Covered):
     set_by_reader = ("at",)
 
     def __init__(
-        self, still: Sequence[Picture], draw: Callable[[int], Picture], texts: Sequence[dict[str, Any]], **traits: Any
+        self,
+        still: Sequence[Picture],
+        draw: Callable[[int], Picture],
+        drawn: Mapping[int, Picture],
+        labels: Sequence[str],
+        looks: dict[str, Any],
+        **traits: Any,
     ) -> None:
         self.still, self._draw = tuple(still), draw
-        super().__init__((list(texts), traits.get("looks")), texts=list(texts), **traits)
+        texts = [{"label": label} | (_said(drawn[k]) if k in drawn else {}) for k, label in enumerate(labels)]
+        # Where nothing moves, the same drawing is shown again; what has not been drawn yet gets a place of its own.
+        kinds = list(dict.fromkeys(drawn[k].svg if k in drawn else k for k in range(len(labels))))
+        order = [kinds.index(drawn[k].svg if k in drawn else k) for k in range(len(labels))]
+        frames = [follow_theme(kind) if isinstance(kind, str) else "" for kind in kinds]
+        super().__init__((texts, looks), texts=texts, looks=looks, order=order, frames=frames, **traits)
         self._fill(None)
         self.observe(self._fill, "at")
 
@@ -56,10 +67,9 @@ class Pictures(Covered):
         """Draw the selected picture if it has not been drawn yet."""
         k = self.order[self.at]
         if not self.frames[k]:
-            picture = self._draw(k)
+            picture = self._draw(self.at)
             self.frames = [*self.frames[:k], follow_theme(picture.svg), *self.frames[k + 1 :]]
-            said = {"caption": picture.caption, "alt": picture.alt}
-            self.texts = [said | {"label": one["label"]} if i == self.at else one for i, one in enumerate(self.texts)]
+            self.texts = [one | (_said(picture) if i == self.at else {}) for i, one in enumerate(self.texts)]
 
     @property
     def alt(self) -> str:
@@ -80,7 +90,16 @@ class Pictures(Covered):
         Gallery(self.still).save(path)
 
 
+def _said(picture: Picture) -> dict[str, str]:
+    return {"caption": picture.caption, "alt": picture.alt}
+
+
 V = TypeVar("V")
+
+
+def value_text(value: Any) -> str:
+    """Write the value of a slider."""
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
 def slide(
@@ -113,16 +132,4 @@ def slide(
     if is_croppable(drawn[start]) or is_without_kernel():
         pictures = [drawn[start] if index == start else at(index) for index in range(len(values))]
         drawn = dict(enumerate(crop(pictures) if all(map(is_croppable, pictures)) else pictures))
-    texts = [{"label": f"{value:.4g}" if isinstance(value, float) else str(value)} for value in values]
-    for k, picture in drawn.items():
-        texts[k] |= {"caption": picture.caption, "alt": picture.alt}
-    return Pictures(
-        [drawn[start]],
-        at,
-        texts,
-        frames=[follow_theme(drawn[k].svg) if k in drawn else "" for k in range(len(values))],
-        order=list(range(len(values))),
-        looks={"label": label},
-        at=start,
-        after=after,
-    )
+    return Pictures([drawn[start]], at, drawn, list(map(value_text, values)), {"label": label}, at=start, after=after)

@@ -34,22 +34,25 @@ class Poses(traitlets.TraitType[Any, Any]):
 
     def __init__(self) -> None:
         super().__init__(np.zeros((0, 4, 4)))
-        self.tag(sync=True, to_json=_to_page, from_json=_from_page)
+        self.tag(sync=True, to_json=_to_page, from_json=lambda poses, _: _from_page(poses))
 
     def validate(self, obj: Any, value: Any) -> Array:
         return _from_page(value)
 
 
-def _to_page(poses: Array, _: Any) -> list[Any]:
-    return [[[None if np.isnan(x) else float(x) for x in row] for row in T] for T in poses]
+def _to_page(poses: Array, _: Any) -> Any:
+    numbers = poses.astype(object)
+    numbers[np.isnan(poses)] = None
+    return numbers.tolist()
 
 
-def _from_page(poses: Any, _: Any = None) -> Array:
+def _from_page(poses: Any) -> Array:
     try:
         return np.array(poses, dtype=float)  # None becomes NaN
     except (TypeError, ValueError) as error:
+        shown = validation.describe(poses)
         raise ValueError(
-            f"frames must be an array of numbers, one pose of shape (4, 4) per frame; got {validation.describe(poses)}."
+            f"frames must be an array of numbers, one pose of shape (4, 4) per frame; got {shown}."
         ) from error
 
 

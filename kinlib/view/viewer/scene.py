@@ -1,8 +1,4 @@
-"""A robot as data for the viewer: its geometry at home, which the page moves by the exponentials of the screws.
-
-Each branch of a robot is an arm on the page; most robots have one. Every part is fixed to a body of its arm: body 0 is the base,
-body i is what joint i moves. Parts are given at home, in {s}.
-"""
+"""A robot as data for the page: joints, links, frames and common normals, sliders, and the region in view."""
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
@@ -23,6 +19,7 @@ from kinlib.view.figures.arm import body_motions
 from kinlib.view.figures.bodies import solid_data
 from kinlib.view.figures.frame_assignment import MAX_DISTANCE_IN_ARM_SIZES
 from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes, stations
+from kinlib.view.figures.parts import ranks
 from kinlib.view.figures.tree import Branch, branches, joint_share, robot_body
 
 MAX_DETOUR_RATIO = 2.5
@@ -33,8 +30,6 @@ MIN_SIZE_IN_ROOM_RADII = 0.95
 
 HEIGHT_PER_WIDTH = 0.78
 """The shape of the picture on the page, as in js/viewer.js."""
-
-COINCIDENT_TOL_M = 1e-9
 
 FRAME_LAYERS = ("base", "tool", "links", "standard", "modified")
 LAYERS = (*("axes", "body axes", "home axes"), *FRAME_LAYERS, *("normals", "dimensions", "trail"))
@@ -52,23 +47,14 @@ def scene(
     span: tuple[float, float] | None = None,
     frames: Mapping[str, ArrayLike] | None = None,
 ) -> dict[str, Any]:
-    """Return all that the page needs of a robot: its geometry, its sliders, and the region in view.
-
-    start   (n,) the first values of the (independent) joints
-    joints  the joints that get a slider, counted from 1
-    span    the range of the sliders; by default the limits of each joint, or 180 degrees or one metre if it has none
-    frames  {"0": T, "1": T, ...} poses (4, 4) at start of frames that replace those of an arm; each is a layer "frame i"
+    """Return all that the page needs of a robot at start (n,); the arguments are those of `explore`.
 
     Raises ValueError if the robot does not have one of the joints, span does not contain the start, or a frame is not a pose or is
     named otherwise than by its link.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> scene(rpr(), np.zeros(3), joints=[2])["sliders"][0]["unit"]
-    'm'
     """
     found = branches(robot)
-    slides = {int(k): kind == "P" for one in found for k, kind in zip(one.columns, one.chain.joint_types, strict=True)}
-    joints = [column + 1 for column in sorted(slides)] if joints is None else list(joints)
+    kinds = {int(k): kind for one in found for k, kind in zip(one.columns, one.chain.joint_types, strict=True)}
+    joints = [column + 1 for column in sorted(kinds)] if joints is None else list(joints)
     if wrong := [joint for joint in joints if joint not in range(1, robot.n + 1)]:
         raise ValueError(f"{robot.name} has joints 1 to {robot.n}; got {wrong[0]!r}.")
     limits = np.full((robot.n, 2), (-np.inf, np.inf)) if robot.limits is None else robot.limits
@@ -84,24 +70,26 @@ def scene(
     points = np.concatenate(seen)
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
     radius = half_height(points - centre) + 0.1 * size  # a margin for labels
-    arms = [arm_data(branch) | {"body": solid_data(own.links)} for branch, own in zip(found, bodies, strict=True)]
+    arms = [arm_data(branch) | {"body": solid_data(links)} for branch, (links, _) in zip(found, bodies, strict=True)]
     if frames and isinstance(robot, Chain):
         arms[0]["frames"] = frames_on_links(robot, start, frames)
     elif isinstance(robot, Tree):
         arms[0]["frames"]["base"] = [frame_data("s", 0, np.eye(4))]
-        for arm, own in zip(arms, bodies, strict=True):
-            arm["rule"] = list(own.by_rule)
+        for arm, (_, by_rule) in zip(arms, bodies, strict=True):
+            arm["rule"] = list(by_rule)
     return {
         "name": robot.name,
         # If an arm is small compared with what is in view, its marks must stay large enough to be distinguished.
         "size": max(size, MIN_SIZE_IN_ROOM_RADII * radius) * joint_share(found),
         "arms": arms,
         "sliders": [
-            _slider(k, slides[k], limits[k], float(start[k]), span) | {"title": titles[k]}
+            _slider(k, kinds[k] == "P", limits[k], float(start[k]), span) | {"title": titles[k]}
             for k in (joint - 1 for joint in joints)
         ],
         # JSON has no infinity
-        "limits": [] if robot.limits is None else [[_finite(end) for end in pair] for pair in limits],
+        "limits": [[end if np.isfinite(end) else None for end in pair] for pair in limits.tolist()]
+        if robot.limits is not None
+        else [],
         "room": {"centre": centre.tolist(), "radius": radius},
         "floor": body.lowest,
         **({"offered": ["axes", "dimensions"]} if isinstance(robot, Tree) else {}),
@@ -126,20 +114,26 @@ def arm_data(branch: Branch) -> dict[str, Any]:
     """
     chain, is_arm = branch.chain, not branch.tip
     size = extent(branch)
-    tool = {"tool": [frame_data(branch.tip or "b", chain.n, chain.home)]}
     paths = _link_paths(chain) if is_arm else skeleton(chain)
-    return {
-        **({} if is_arm else {"tip": branch.tip}),
+    tip = {} if is_arm else {"tip": branch.tip}
+    return tip | {
         "columns": branch.columns.tolist(),
         "joints": _joints(branch),
         "links": [[] if i < branch.shared else path for i, path in enumerate(paths)],
         "home": chain.home.ravel().tolist(),
-        "frames": _frames(chain, size) if is_arm else {"base": [], **tool},
-        "normals": _normals(chain, size) if is_arm else [],
+        "frames": _frames(chain, size)
+        if is_arm
+        else {"base": [], "tool": [frame_data(branch.tip, chain.n, chain.home)]},
+        # the normal from axis i to axis i + 1 is fixed to body i
+        "normals": [
+            {"body": i, "from": normal.start.tolist(), "to": normal.end.tolist(), "along": normal.x.tolist()}
+            for i, normal in enumerate(_normals(chain), start=1)
+            if is_arm and _near(normal.start, size) and _near(normal.end, size)
+        ],
     }
 
 
-def skeleton(chain: Chain) -> list[list[list[float]]]:
+def skeleton(chain: Chain) -> list[Any]:
     """Return the lines of links 0 to n at home, straight from joint to joint: a bend would show a common normal."""
     return [np.array(pair).tolist() for pair in pairwise(stations(chain))]
 
@@ -152,10 +146,10 @@ def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> 
 
     Raises ValueError if a frame is not a pose, or its name is not a number, with or without a prime, "s" or "b".
     """
-    moved = body_motions(chain, q)
-    layers: dict[str, Any] = {}
-    origins: list[Array] = []
-    for name, T in frames.items():
+    moved, layers = body_motions(chain, q), {}
+    poses = {name: validation.poses(T, f"frame {name}") for name, T in frames.items()}
+    # Frames with the same origin have arrows of different length, so that none hides another.
+    for (name, pose), rank in zip(poses.items(), ranks([T[:3, 3] for T in poses.values()]), strict=True):
         link = name.removesuffix("'")
         if not (link.isdigit() or name in {"s", "b"}):
             raise ValueError(
@@ -163,20 +157,15 @@ def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> 
                 'Name the frame on link 1 "1": frames={"1": T_01}.'
             )
         body = min(int(link), chain.n) if link.isdigit() else {"s": 0, "b": chain.n}[name]
-        pose = validation.poses(T, f"frame {name}")
-        # Frames with the same origin have arrows of different length, so that none hides another.
-        rank = sum(bool(np.allclose(pose[:3, 3], origin, atol=1e-6)) for origin in origins)
-        origins.append(pose[:3, 3])
-        layers[f"frame {name}"] = [
-            {**frame_data(name, body, inverse(moved[body]) @ pose), "rank": rank, "grey": name != link}
-        ]
+        data = frame_data(name, body, inverse(moved[body]) @ pose)
+        layers[f"frame {name}"] = [{**data, "rank": rank, "grey": name != link}]
     return layers
 
 
 def extent(*arms: Branch) -> float:
     """Return the longest side of a robot at home, in metres: the unit of length of what is not drawn to scale; 1 if it is 0."""
     side = float(np.ptp(np.concatenate([stations(branch.chain) for branch in arms]), axis=0).max())
-    return side if side > COINCIDENT_TOL_M else 1.0
+    return side if side > 1e-9 else 1.0
 
 
 def half_height(points: Array, look: Sequence[float] = VIEWS["default"]) -> float:
@@ -198,53 +187,31 @@ def frame_data(name: str, body: int, pose: Array) -> dict[str, Any]:
     return {"name": name, "body": body, "pose": (np.asarray(pose) + 0.0).ravel().tolist()}
 
 
-def _slider(
-    column: int, is_prismatic: bool, limits: Array, value: float, span: tuple[float, float] | None
-) -> dict[str, Any]:
-    far = DEFAULT_TRAVEL_M if is_prismatic else DEFAULT_ANGLE_RAD
-    least, most = np.asarray(limits, dtype=float)
-    low, high = span or (
-        least if np.isfinite(least) else min(-far, value),
-        most if np.isfinite(most) else max(far, value),
-    )
+def _slider(column: int, slides: bool, limits: Array, value: float, span: tuple[float, float] | None) -> dict[str, Any]:
+    far = DEFAULT_TRAVEL_M if slides else DEFAULT_ANGLE_RAD
+    usual = (min(-far, value), max(far, value))
+    low, high = span or np.where(np.isfinite(limits), limits, usual)
     if span and not low <= value <= high:
         raise ValueError(
             f"span must contain the start of joint {column + 1}, {value:.3g}; got {low:.3g} to {high:.3g}. "
             "Is one of them in degrees?"
         )
-    unit = "m" if is_prismatic else "rad"
-    ends = {"low": float(low), "high": float(high)}
-    return {"column": column, "name": f"q_{column + 1}", "unit": unit, **ends}
+    unit = "m" if slides else "rad"
+    return {"column": column, "name": f"q_{column + 1}", "unit": unit, "low": float(low), "high": float(high)}
 
 
-def _finite(end: float) -> float | None:
-    return float(end) if np.isfinite(end) else None
-
-
-def _link_paths(chain: Chain) -> list[list[list[float]]]:
-    """Return the lines of links 0 to n at home: along an axis, along the common normal, along the next axis."""
+def _link_paths(chain: Chain) -> list[Any]:
+    """Return the lines of links 0 to n at home, along an axis, the common normal and the next axis, or straight if that is a detour."""
     z, last, tool = chain.lines.axis[-1], chain.joint_points[-1], chain.home[:3, 3]
     first = _normal((np.eye(3)[2], np.zeros(3)), (chain.lines.axis[0], chain.joint_points[0]))
-    paths = [
-        [start, normal.start, normal.end, end]
-        for (start, end), normal in zip(
-            pairwise([np.zeros(3), *chain.joint_points]), [first, *_consecutive(chain)], strict=True
-        )
-    ]
-    return [_path(path).tolist() for path in [*paths, [last, last + z * (z @ (tool - last)), tool]]]
-
-
-def _path(points: list[Array]) -> Array:
-    """Return the path through points without repeated ones, or the straight line if the path is a detour."""
-    corners = [points[0]]
-    for point in points[1:]:
-        if np.linalg.norm(point - corners[-1]) > COINCIDENT_TOL_M:
-            corners.append(point)
-    path = np.array(corners)
-    straight = float(np.linalg.norm(points[-1] - points[0]))
-    if np.linalg.norm(np.diff(path, axis=0), axis=-1).sum() > MAX_DETOUR_RATIO * straight:
-        path = np.array([points[0], points[-1]] if straight > COINCIDENT_TOL_M else [points[0]])
-    return path + 0.0
+    bends = [(normal.start, normal.end) for normal in (first, *_normals(chain))] + [(last + z * (z @ (tool - last)),)]
+    paths = []
+    for (start, end), bend in zip(pairwise(stations(chain)), bends, strict=True):
+        path = np.array([start, *bend, end]) + 0.0
+        straight = float(np.linalg.norm(end - start))
+        is_detour = np.linalg.norm(np.diff(path, axis=0), axis=-1).sum() > MAX_DETOUR_RATIO * straight
+        paths.append((path[[0, -1]] if is_detour else path).tolist())
+    return paths
 
 
 def _joints(branch: Branch) -> list[dict[str, Any]]:
@@ -252,8 +219,10 @@ def _joints(branch: Branch) -> list[dict[str, Any]]:
     chain = branch.chain
     axis, _, pitch = chain.lines
     shifts = axial_offsets(axis, chain.joint_points)
-    return [
-        {
+    found = []
+    for i, letter in enumerate(chain.joint_types):
+        named = {"number": int(branch.columns[i]) + 1, "name": branch.names[i], "hidden": i < branch.shared}
+        joint = {
             "kind": letter,
             "screw": (branch.multipliers[i] * chain.screws[i]).tolist(),
             "axis": axis[i].tolist(),
@@ -261,43 +230,27 @@ def _joints(branch: Branch) -> list[dict[str, Any]]:
             "shift": float(shifts[i]),
             # JSON has no infinity; a prismatic joint translates by 1 for each unit of its value
             "travel": float(branch.multipliers[i]) * {"P": 1.0, "R": 0.0}.get(letter, float(pitch[i])),
-            **(
-                {"number": int(branch.columns[i]) + 1, "name": branch.names[i], "hidden": i < branch.shared}
-                if branch.tip
-                else {}
-            ),
         }
-        for i, letter in enumerate(chain.joint_types)
-    ]
+        found.append(joint | (named if branch.tip else {}))
+    return found
 
 
 def _frames(chain: Chain, size: float) -> dict[str, Any]:
     """Return the frames of an arm that can be shown, each with its name, its body and its pose at home."""
-    n = chain.n
-    ends = {"s": frame_data("s", 0, np.eye(4)), "b": frame_data("b", n, chain.home)}
-    on_links = homogeneous(np.eye(3), chain.joint_points)
-    links = [frame_data(str(i + 1), i + 1, T) for i, T in enumerate(on_links)]
-    shown: dict[str, Any] = {"base": [ends["s"]], "tool": [ends["b"]], "links": links}
+    base, tool = frame_data("s", 0, np.eye(4)), frame_data("b", chain.n, chain.home)
+    links = enumerate(homogeneous(np.eye(3), chain.joint_points), start=1)
+    shown: dict[str, Any] = {"base": [base], "tool": [tool], "links": [frame_data(str(i), i, T) for i, T in links]}
     # A DH row has one variable, and a helical joint would need two.
     for convention in () if "H" in chain.joint_types else ("standard", "modified"):
         frames = assign_frames(chain, convention=convention).frames
         drawable = [frame_data(str(i), i, T) for i, T in enumerate(frames) if _near(T[:3, 3], size)]
-        drawable += [ends["s"]] * (not np.allclose(frames[0], np.eye(4)))
-        drawable += [ends["b"]] * (not np.allclose(frames[-1], chain.home))
-        shown[convention] = drawable
+        drawable += [base] * (not np.allclose(frames[0], np.eye(4)))
+        shown[convention] = drawable + [tool] * (not np.allclose(frames[-1], chain.home))
     return shown
 
 
-def _normals(chain: Chain, size: float) -> list[dict[str, Any]]:
-    """Return the common normals of consecutive axes; the one from axis i to axis i + 1 is fixed to body i."""
-    return [
-        {"body": i, "from": normal.start.tolist(), "to": normal.end.tolist(), "along": normal.x.tolist()}
-        for i, normal in enumerate(_consecutive(chain), start=1)
-        if _near(normal.start, size) and _near(normal.end, size)
-    ]
-
-
-def _consecutive(chain: Chain) -> list[CommonNormal]:
+def _normals(chain: Chain) -> list[CommonNormal]:
+    """Return the common normals of consecutive axes."""
     return [_normal(*pair) for pair in pairwise(zip(chain.lines.axis, chain.joint_points, strict=True))]
 
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import traitlets
 
+from kinlib.arrays.validation import Array
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.viewer.viewer import ViewerBase
 
@@ -86,11 +87,8 @@ class Steps(ViewerBase):
         return value
 
 
-def frame_arm(T: Any, screws: Sequence[Any] = (), first: int = 0) -> dict[str, Any]:
-    """Return a frame that starts at the pose T and is moved by screws (n, 6), as an arm without links.
-
-    first  the column of q that moves its first joint
-    """
+def frame_arm(T: Array, screws: Sequence[Array] | Array = (), first: int = 0) -> dict[str, Any]:
+    """Return a frame at T that screws (n, 6) move, as an arm without links, whose first joint value is in the column `first` of q."""
     joints = [{"screw": np.asarray(screw).tolist(), "point": [0.0, 0.0, 0.0]} for screw in screws]
     columns = [first + i for i in range(len(joints))]
     return {"columns": columns, "joints": joints, "home": (np.asarray(T) + 0.0).ravel().tolist()}

@@ -4,12 +4,8 @@ Python describes the robot once, as data (kinlib.view.viewer.scene). The page mo
 its scene graph, so a slider needs no answer from Python. Both sides share the traits below, and either side can set them.
 """
 
-import base64
-import html
-import json
 from collections.abc import Collection, Mapping, Sequence
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import anywidget
@@ -21,15 +17,12 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
 from kinlib.urdf.robot_tree import Tree
-from kinlib.view.drawing.picture import Picture, is_without_kernel, page, save
+from kinlib.view.drawing.picture import Picture, page, save
 from kinlib.view.figures.arm import ARM_LAYERS, body_motions, describe_arm, draw_arm
 from kinlib.view.figures.tree import MAX_NAMED_TIPS, branches, describe_tree, draw_tree, joint_share
-from kinlib.view.viewer.cell_memory import keep_in_cell
 from kinlib.view.viewer.meshes import Meshes, Packages, read_meshes
 from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, scene
-
-STATIC = Path(__file__).parents[1] / "static"
-"""The bundle viewer.js, built from kinlib/view/js by `npm run build`, and loader.js, which loads it if a page has a viewer."""
+from kinlib.view.viewer.widget import STATIC, Covered
 
 
 class Values(traitlets.List[float]):
@@ -37,67 +30,6 @@ class Values(traitlets.List[float]):
 
     def validate(self, obj: Any, value: Any) -> list[float] | None:
         return super().validate(obj, np.asarray(value, dtype=float).tolist())
-
-
-class Covered(anywidget.AnyWidget):
-    """The base of viewers and films: the script of the page, and a cover until a prediction is committed.
-
-    covered  whether the picture is covered until the question given as `after` is committed
-
-    made_of is the data of which the widget is made: if the cell is run again with the same, the widget is shown as the reader has
-    left it.
-
-    >>> from traitlets import Bool, HasTraits
-    >>> class Question(HasTraits):
-    ...     committed = Bool(False)
-    >>> from kinlib.chains.robots import rpr
-    >>> arm = explore(rpr(), after=(question := Question()))
-    >>> arm.on_page("viewer", {}, "<svg></svg>")[67:]
-    '<div data-kinlib-drawing><p>Commit to your prediction first; then the picture appears here.</p></div></div>'
-    >>> question.committed = True
-    >>> arm.covered, arm.html()[:25]
-    (False, '<div data-kinlib-viewer><')
-    """
-
-    # The bundle defines one global object, so that a page without modules can run it too; a widget needs a default export.
-    _esm = (STATIC / "viewer.js").read_text("utf-8") + "\nexport default kinlib.widget;"
-
-    covered = traitlets.Bool(False).tag(sync=True)
-    set_by_reader: Sequence[str] = ()
-    """The traits that survive running the cell again."""
-
-    def __init__(self, made_of: Any, *, after: Any = None, **traits: Any) -> None:
-        super().__init__(**traits)
-        keep_in_cell(self, self.set_by_reader, made_of)
-        self._after = ""  # the name of the question that uncovers the picture; the page has that question too
-        if after is not None and not after.committed:
-            self.covered = True
-            self._after = getattr(after, "name", "")
-            after.observe(lambda _: self.set_trait("covered", False), "committed")
-
-    @property
-    def alt(self) -> str:
-        """The text alternative of what is shown."""
-        raise NotImplementedError
-
-    def html(self, whole: bool = True) -> str:
-        """Return the widget for a page without a kernel."""
-        raise NotImplementedError
-
-    def on_page(self, kind: str, state: Mapping[str, Any], drawing: str) -> str:
-        """Return the element of a viewer or a film: its state as JSON, and the drawing that loader.js replaces, or its cover."""
-        text = "Commit to your prediction first; then the picture appears here."
-        if self.covered and is_without_kernel():  # a click opens it
-            drawing = f"<details><summary>{text}</summary>{drawing}</details>"
-        elif self.covered:
-            drawing = f"<p>{text}</p>"
-        after = f' data-kinlib-after="{html.escape(self._after)}"' if self._after else ""
-        return f"<div data-kinlib-{kind}{after}>{as_script(state)}<div data-kinlib-drawing>{drawing}</div></div>"
-
-    def _repr_mimebundle_(self, **options: Any) -> Any:
-        data, metadata = super()._repr_mimebundle_(**options) or ({}, {})
-        # A notebook with a kernel need not save the megabytes of meshes as HTML too.
-        return {**data, "text/plain": self.alt, "text/html": self.html(whole=is_without_kernel())}, metadata
 
 
 class ViewerBase(Covered):
@@ -116,11 +48,9 @@ class ViewerBase(Covered):
 
     >>> from kinlib.chains.robots import rpr
     >>> arm = explore(rpr(), frames={"1": np.eye(4)})
+    >>> arm.check([0, 0.5, 0])
     >>> arm.html()[:25], arm.own_frames(), arm.picture().alt[:3]
     ('<div data-kinlib-viewer><', ['frame 1'], 'RPR')
-    >>> arm.check([1, 2])
-    Traceback (most recent call last):
-    ValueError: RPR has 3 joints (RPR), so q must have shape (..., 3); got (2,). Pass one value per joint.
     >>> arm.save("arm.jpg")
     Traceback (most recent call last):
     ValueError: path must end in .svg, .html or .png; got 'arm.jpg'.
@@ -205,28 +135,12 @@ class ViewerBase(Covered):
         return self.on_page("viewer", self.get_state(sorted(own)), self.picture().html())
 
 
-def as_script(state: Mapping[str, Any]) -> str:
-    r"""Return the state of a widget as JSON in an element of HTML, from which a script on the page reads it.
-
-    >>> as_script({"text": "<b>"})
-    '<script type="application/json">{"text":"\\u003cb>"}</script>'
-    """
-    # A "<" could end the script or begin another one; JSON allows this escape for it.
-    data = json.dumps(state, separators=(",", ":"), allow_nan=False, default=_base64).replace("<", "\\u003c")
-    return f'<script type="application/json">{data}</script>'
-
-
-def _base64(content: bytes) -> str:
-    return base64.b64encode(content).decode()
-
-
 class Viewer(ViewerBase):
     """A robot on the page, an arm or a tree. Make one with `explore`.
 
     >>> from kinlib.chains.robots import rpr
     >>> arm = explore(rpr())
-    >>> arm.check([0, 0.5, 0])
-    >>> arm.picture().alt[:13]
+    >>> arm.check([0, 0.5, 0]) or arm.picture().alt[:13]
     'RPR, 3 joints'
     """
 

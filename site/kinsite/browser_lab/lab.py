@@ -66,7 +66,9 @@ LATER = ("matplotlib", "mpmath", "sympy")
 """What these require, but a page loads only when a cell uses it: together they are larger than the rest."""
 
 APPS = ("tree", "notebooks")
-"""The applications of JupyterLite that the lab has: the list of files, and the notebook."""
+
+HASH_FILE = "input_hash.txt"
+"""Contains the hash of what a finished lab was built from; while the lab is being built it does not exist."""
 
 DISABLED = (
     "@jupyter-notebook/notebook-extension:trusted",
@@ -88,11 +90,11 @@ def build() -> Path | None:
     if choice not in ("", *DISTRIBUTIONS):
         raise ValueError(f"{VARIABLE} must be one of {', '.join([*DISTRIBUTIONS, 'none'])}; got {choice!r}.")
     for kind in [choice] if choice else DISTRIBUTIONS:
-        folder = LABS / kind
+        folder, current = LABS / kind, input_hash()
         try:
-            if not hash_file(folder).exists() or hash_file(folder).read_text("utf-8") != input_hash():
+            if not (folder / HASH_FILE).exists() or (folder / HASH_FILE).read_text("utf-8") != current:
                 build_with_jupyterlite(kind, folder)
-                hash_file(folder).write_text(input_hash(), "utf-8")
+                (folder / HASH_FILE).write_text(current, "utf-8")
             return folder / "html"
         except Unreachable as error:
             if choice:
@@ -119,33 +121,27 @@ def build_with_jupyterlite(kind: str, folder: Path) -> None:
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(path, target)
     shutil.copy(SITE / "lab" / "overrides.json", folder)
-    kernel_settings = {
-        "disablePyPIFallback": True,
-        "loadPyodideOptions": {"packages": [name for name in pyodide.KERNEL if name in packages]},
-    }
+    loaded = {"packages": [name for name in pyodide.KERNEL if name in packages]}
+    kernel_settings = {"disablePyPIFallback": True, "loadPyodideOptions": loaded}
     settings = {
-        "jupyter-lite-schema-version": 0,
-        "jupyter-config-data": {
-            "appName": "Forward kinematics",
-            "appUrl": "./tree/",
-            "disabledExtensions": DISABLED,
-            "litePluginSettings": {"@jupyterlite/pyodide-kernel-extension:kernel": kernel_settings},
-        },
+        "appName": "Forward kinematics",
+        "appUrl": "./tree/",
+        "disabledExtensions": DISABLED,
+        "litePluginSettings": {"@jupyterlite/pyodide-kernel-extension:kernel": kernel_settings},
     }
-    (folder / "jupyter-lite.json").write_text(json.dumps(settings), "utf-8")
+    whole = {"jupyter-lite-schema-version": 0, "jupyter-config-data": settings}
+    (folder / "jupyter-lite.json").write_text(json.dumps(whole), "utf-8")
     config = {
-        "LiteBuildConfig": {
-            "apps": APPS,
-            "cache_dir": str(folder / "cache"),
-            "contents": [str(folder / "contents")],
-            "federated_extensions": [str(path) for path in EXTENSIONS],
-            "ignore_sys_prefix": ["federated_extensions"],
-            "no_sourcemaps": True,
-            "no_unused_shared_packages": True,
-            "output_dir": str(folder / "html"),
-        }
+        "apps": APPS,
+        "cache_dir": str(folder / "cache"),
+        "contents": [str(folder / "contents")],
+        "federated_extensions": [str(path) for path in EXTENSIONS],
+        "ignore_sys_prefix": ["federated_extensions"],
+        "no_sourcemaps": True,
+        "no_unused_shared_packages": True,
+        "output_dir": str(folder / "html"),
     }
-    (folder / "jupyter_lite_config.json").write_text(json.dumps(config), "utf-8")
+    (folder / "jupyter_lite_config.json").write_text(json.dumps({"LiteBuildConfig": config}), "utf-8")
     done = subprocess.run(
         [sys.executable, "-m", "jupyterlite_core", "build", f"--lite-dir={folder}"],
         cwd=folder, capture_output=True, text=True, check=False,
@@ -228,20 +224,11 @@ def add_own_files(built: Path) -> None:
     (live / "live-lock.json").write_text(json.dumps(whole), "utf-8")
     files = [*live.glob("*.json"), *live.glob("*.packed"), *python.glob("*.packed"), *python.glob("*.*js")]
     sizes = {path.name: path.stat().st_size for path in files}
-    (live / "load.json").write_text(
-        json.dumps(
-            {
-                "total": sum(sizes.values()),
-                "modules": sum(size for name, size in sizes.items() if name.endswith("js")),
-                "later": {
-                    name: [lock[other]["file_name"] for other in sorted(required(lock, [name], {name}) - needed)]
-                    for name in LATER
-                    if name in lock
-                },
-            }
-        ),
-        "utf-8",
-    )
+    modules = sum(size for name, size in sizes.items() if name.endswith("js"))
+    later = {name: sorted(required(lock, [name], {name}) - needed) for name in LATER if name in lock}
+    named = {name: [lock[other]["file_name"] for other in others] for name, others in later.items()}
+    load = {"total": sum(sizes.values()), "modules": modules, "later": named}
+    (live / "load.json").write_text(json.dumps(load), "utf-8")
 
 
 def required(lock: dict[str, Any], names: Iterable[str], wanted: Iterable[str] = ()) -> set[str]:
@@ -272,12 +259,13 @@ def complete_page(page: Path) -> None:
 
 def copy_to_site(built: Path | None, target: Path) -> None:
     """Copy the lab into the site unless it is up to date there; if there is no lab, delete the old one."""
-    if built and hash_file(target).exists() and hash_file(target).read_bytes() == hash_file(built.parent).read_bytes():
+    there, here = target / HASH_FILE, built.parent / HASH_FILE if built else None
+    if here and there.exists() and there.read_bytes() == here.read_bytes():
         return
     shutil.rmtree(target, ignore_errors=True)
-    if built:
+    if built and here:
         shutil.copytree(built, target)
-        shutil.copy(hash_file(built.parent), target)
+        shutil.copy(here, target)
 
 
 def contents() -> Iterable[Path]:
@@ -296,8 +284,3 @@ def input_hash() -> str:
     for path in (*contents(), *sorted(extension), *modules, SITE / "package-lock.json"):
         digest.update(path.read_bytes())
     return digest.hexdigest()
-
-
-def hash_file(folder: Path) -> Path:
-    """The file that contains the input hash of a finished lab; while the lab is being built it does not exist."""
-    return folder / "input_hash.txt"

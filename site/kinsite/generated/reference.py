@@ -32,7 +32,7 @@ MODULES = {
         *("kinlib.mechanisms.mobility", "kinlib.mechanisms.linkages"),
     ],
     "Files and symbols": ["kinlib.urdf.chains", "kinlib.urdf.robot_tree", "kinlib.symbolic"],
-    "Figures": ["kinlib.view", "kinlib.view.drawing.picture", "kinlib.view.viewer.viewer"],
+    "Figures": ["kinlib.view", "kinlib.view.viewer.viewer"],
     "Drawings of one lecture": [
         f"kincourse.lecture_{name}.drawings"
         for name in COURSE.lectures
@@ -57,7 +57,8 @@ def pages() -> Iterator[tuple[str, str]]:
         for name in names:
             module = importlib.import_module(name)
             yield f"reference/{name}.md", page(module)
-            lists.append(f"- [`{name}`]({name}.md): {escape(first_line(module))}")
+            first_line = (inspect.getdoc(module) or "").partition("\n")[0]
+            lists.append(f"- [`{name}`]({name}.md): {escape(first_line)}")
         lists.append("")
     jobs = next(block for block in re.split(r"\n\s*\n", inspect.getdoc(kinlib) or "") if block.startswith(">>>"))
     tree = "\n".join(name for names in MODULES.values() for name in names)
@@ -99,19 +100,17 @@ def page(module: ModuleType) -> str:
 def members(module: ModuleType) -> list[tuple[str, Any]]:
     """List the public classes and functions that a module defines; of a package, those that it exports."""
     if hasattr(module, "__path__"):
-        found = [(name, getattr(module, name)) for name in module.__all__]
-        return [(name, member) for name, member in found if inspect.isclass(member) or inspect.isfunction(member)]
+        return [(name, one) for name in module.__all__ if is_member(one := getattr(module, name))]
     package = importlib.import_module(module.__name__.rpartition(".")[0])
     exported = getattr(package, "__all__", ()) if package.__name__ not in ("kinlib", "misstep", "kincourse") else ()
-    own = [
-        (name, member)
-        for name, member in vars(module).items()
-        if not name.startswith("_")
-        and name not in exported
-        and (inspect.isclass(member) or inspect.isfunction(member))
-        and member.__module__ == module.__name__
-    ]
+    found = [(name, one) for name, one in vars(module).items() if not name.startswith("_") and name not in exported]
+    own = [(name, one) for name, one in found if is_member(one) and one.__module__ == module.__name__]
     return sorted(own, key=lambda pair: inspect.getsourcelines(pair[1])[1])
+
+
+def is_member(value: Any) -> bool:
+    """Whether a value has a place in the reference."""
+    return inspect.isclass(value) or inspect.isfunction(value)
 
 
 def describe(module: ModuleType, name: str, member: Any) -> str:
@@ -134,10 +133,8 @@ def attributes(kind: type) -> Iterator[tuple[str, str, Any]]:
             continue
         if isinstance(value, classmethod | staticmethod):
             yield name, "py:classmethod", value.__func__
-        elif inspect.isfunction(value) and value.__doc__:
-            yield name, "py:method", value
-        elif (isinstance(value, property) or hasattr(value, "func")) and value.__doc__:
-            yield name, "py:property", value
+        elif value.__doc__ and (inspect.isfunction(value) or isinstance(value, property) or hasattr(value, "func")):
+            yield name, "py:method" if inspect.isfunction(value) else "py:property", value
 
 
 def signature(member: Any) -> str:
@@ -175,8 +172,3 @@ def directive(kind: str, head: str, content: str, module: str = "") -> str:
     fence = ":" * (max([2, *(len(colons) for colons in re.findall(r"^:{3,}", content, re.MULTILINE))]) + 1)
     options = f"\n:module: {module}" if module else ""
     return f"{fence}{{{kind}}} {head}{options}\n\n{content}\n{fence}"
-
-
-def first_line(module: ModuleType) -> str:
-    """The first line of a module's docstring."""
-    return (inspect.getdoc(module) or "").split("\n", 1)[0]

@@ -96,7 +96,7 @@ def watched(browser, **settings):
 
 def static_page(folder: Path, *viewers, style="background:white") -> Path:
     """Write a page with viewers and without a kernel, and the files that it loads."""
-    from kinlib.view.viewer.viewer import STATIC
+    from kinlib.view.viewer.widget import STATIC
 
     shutil.copytree(STATIC, folder / "static", dirs_exist_ok=True)
     page = folder / "page.html"

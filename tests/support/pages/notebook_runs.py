@@ -11,7 +11,7 @@ from unittest.mock import Mock
 
 import nbformat
 import pytest
-from kinsite.execute import ROOT, cache_outputs, code_cells, is_clean
+from kinsite.execute import ROOT, cache_outputs, code_cells
 from nbclient import NotebookClient
 from nbval.plugin import IPyNbCell, IPyNbFile
 
@@ -39,7 +39,8 @@ class Recorder:
             result = yield
         if isinstance(item, IPyNbCell) and item.path.is_relative_to(ROOT):
             executed = executed_notebook(item.path)
-            if executed and is_clean(executed):
+            outputs = [output for one in code_cells(executed) for output in one.outputs] if executed else []
+            if executed and not any(one.output_type == "error" or one.get("name") == "stderr" for one in outputs):
                 cache_outputs(executed, item.path)
         return result
 

@@ -27,8 +27,8 @@ def run(monkeypatch):
         monkeypatch.setattr(IPython, "get_ipython", lambda: shell)
         return function()
 
-    monkeypatch.setattr("kinlib.view.viewer.cell_memory._kept", {})
-    monkeypatch.setattr("kinlib.view.viewer.cell_memory._made", {})
+    monkeypatch.setattr("kinlib.view.viewer.widget._kept", {})
+    monkeypatch.setattr("kinlib.view.viewer.widget._made", {})
     return run_cell
 
 

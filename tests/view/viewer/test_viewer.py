@@ -10,7 +10,7 @@ from strategies import ROBOTS
 
 import kinlib as kl
 from kinlib.view import explore
-from kinlib.view.viewer.viewer import STATIC
+from kinlib.view.viewer.widget import STATIC
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 

@@ -8,7 +8,7 @@ const TYPED =
   /^(?<sign>[-+\u2212]?)(?<number>\d*[.,]?\d+(?:e[-+]?\d+)?|\d+[.,])?\*?(?<pi>pi|\u03c0)?(?:\/(?<below>\d+(?:\.\d+)?))?(?<unit>\u00b0|deg|degrees?|rad|radians?|m)?$/;
 
 /** Read a typed number: { value, unit }, where the unit is 'deg', 'rad', 'm' or ''; nothing if it is no number. */
-export function readTyped(text) {
+function readTyped(text) {
   const found = TYPED.exec(text.toLowerCase().replace(/\s/g, ''))?.groups;
   if (!found || (found.number === undefined && !found.pi)) return null;
   const number = Number((found.number ?? '1').replace(',', '.'));
@@ -21,12 +21,14 @@ export function readTyped(text) {
 /** @param set is given the value, in radians or metres. @returns { element, hint, show(value) } */
 export function typedNumber(isAngle, label, current, set) {
   const hint = h('span', { class: 'kv-ask', role: 'status' });
-  const say = (...content) => hint.replaceChildren(...content);
   let asked = ''; // what the question is about: when the focus moves to its button, it must stay
+  const say = (...content) => {
+    hint.replaceChildren(...content);
+    asked = '';
+  };
   const apply = () => {
     if (asked && field.value === asked) return;
     say();
-    asked = '';
     const typed = readTyped(field.value);
     if (!typed) show(current());
     else if (!isAngle && ['deg', 'rad'].includes(typed.unit)) say('a length, in m');
@@ -35,14 +37,13 @@ export function typedNumber(isAngle, label, current, set) {
     else if (typed.unit === 'm') say('an angle: 1.57, pi/2 or 90°');
     else if (Math.abs(typed.value) <= TURN) set(typed.value);
     else {
-      asked = field.value;
       const degrees = button(`${typed.value}°?`, () => {
         say();
-        asked = '';
         set(typed.value * DEGREE);
         field.focus();
       });
       say(degrees, ` or ${typed.value} rad`);
+      asked = field.value;
     }
   };
   const field = h('input', {

@@ -105,13 +105,7 @@ export function steps({ model, stage, data }) {
     });
     const { convention, rows } = variant().table ?? {};
     if (!rows) return;
-    const read =
-      now.row ??
-      (stops()
-        .slice(0, passed())
-        .some(({ row }) => row)
-        ? rows.length
-        : 0);
+    const read = now.row ?? (done('row').length ? rows.length : 0);
     table.hidden = !read;
     table.replaceChildren(dhTable(convention, rows, { read, lit: now.row, label: 'DH table so far' }));
   }

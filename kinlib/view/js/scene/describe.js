@@ -10,9 +10,7 @@ function numberText(value) {
   return Math.abs(value) > ROUNDING ? `${Number(value.toPrecision(3))}` : '0';
 }
 
-export function vectorText(values) {
-  return `(${values.map(numberText).join(', ')})`;
-}
+const vectorText = (values) => `(${values.map(numberText).join(', ')})`;
 
 /** A direction as x, -z, or by its components. */
 function directionText(axis) {
@@ -63,13 +61,10 @@ export function describeTree(data, tree, q) {
 const placeText = (tree, k) => vectorText([0, 1, 2].map((row) => tree.pose(k)[row][3]));
 
 /** Where the ends of all branches are. */
-export function tipsText(data, tree) {
-  return data.arms.map(({ tip }, k) => `${tip} is at ${placeText(tree, k)} m.`).join(' ');
-}
+export const tipsText = (data, tree) =>
+  data.arms.map(({ tip }, k) => `${tip} is at ${placeText(tree, k)} m.`).join(' ');
 
-export function endEffectorText(tree) {
-  return `The end-effector is at ${placeText(tree, 0)} m.`;
-}
+export const endEffectorText = (tree) => `The end-effector is at ${placeText(tree, 0)} m.`;
 
 /** A linkage as it is at q on its curve, where it is closed: its bodies, and where its joints are. */
 export function describeLinkage(data, tree) {

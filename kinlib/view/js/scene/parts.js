@@ -31,13 +31,9 @@ function jointCentre(joint, size) {
   return add(joint.point, joint.axis, 3.3 * JOINT * size * joint.shift);
 }
 
-export function links(arm, size, colours) {
-  return arm.links.flatMap((path, body) =>
-    path
-      .slice(1)
-      .map((to, k) => ({ body, shape: 'capsule', from: path[k], to, radius: LINK * size, colour: colours.link })),
-  );
-}
+/** The links of an arm without a body, straight from joint to joint. */
+export const links = ({ links: lines }, size, { link: colour }) =>
+  lines.map(([from, to], body) => ({ body, shape: 'capsule', from, to, radius: LINK * size, colour }));
 
 export function joints(arm, size, colours) {
   const r = JOINT * size;
