@@ -54,8 +54,9 @@ OPERATORS: dict[type[ast.operator], Callable[[complex, complex], complex]] = {
     ast.Div: operator.truediv,
 }
 
-MAX_ENTRY_LENGTH, MAX_LENGTH_M = 200, 1e12
-"""The maximum number of characters of an entry, and of a and d in metres: beyond it a pose resolves no millimetre."""
+MAX_ENTRY_LENGTH, MAX_LENGTH_M, MIN_LENGTH_MM = 200, 1e12, 5.0
+"""The maximum number of characters of an entry; of a and d in metres, beyond which a pose resolves no millimetre; and the smallest
+length that is taken as one in millimetres."""
 
 
 def joint_entries(joints: str) -> list[tuple[int, int]]:
@@ -84,12 +85,11 @@ def respelled(text: str) -> str:
 
 
 class Heading(NamedTuple):
-    """A heading: the name of its column, or its own text if that is no column of a table; its unit, and its indices "i" or "i-1"."""
+    """A heading: the name of its column, or its own words if that is no column; its unit, and its indices "i" or "i-1"."""
 
     name: str
     unit: str = ""
     indices: str = ""
-    text: str = ""
 
 
 def parse_headings(cells: Sequence[str]) -> list[Heading]:
@@ -103,7 +103,7 @@ def parse_heading(head: str) -> Heading:
     """Read a single heading."""
     plain = head.strip().strip("\"'`*:").replace("\\", "").replace("$", "")
     if re.search(r"[⁻⁺]|min|max|lim|range", plain):  # of a joint
-        return Heading(plain.lower(), text=head)
+        return Heading(plain.lower())
     unit = ""
     if found := HEADING_UNIT.search(plain):
         unit = {"°": "deg", "mi": "mm", "me": "m", "ra": "rad", "de": "deg"}.get((found[1] or "°")[:2], found[1])
@@ -113,9 +113,8 @@ def parse_heading(head: str) -> Heading:
     index = HEADING_INDEX.search(plain)
     whole, bare = (re.sub("[^a-z0]", "", text) for text in (plain, plain[: index.start()] if index else plain))
     name = COLUMN_NAMES.get(whole) or COLUMN_NAMES.get(bare) or plain
-    return Heading(
-        name, unit, "i-1" if index and index[1] else "i" if index and re.search("[ijkn]", index[0]) else "", head
-    )
+    indices = "i-1" if index and index[1] else "i" if index and re.search("[ijkn]", index[0]) else ""
+    return Heading(name, unit, indices)
 
 
 class Entry(NamedTuple):
@@ -186,8 +185,6 @@ def evaluate_entry(entry: str, column: str, lengths: Mapping[str, float]) -> Ent
 def _hint(text: str, column: str, error: Exception) -> str:
     if comma := re.search(r"(\d*),(\d+)", text):
         return f"The decimal sign is a point: write {comma[1] or 0}.{comma[2]}"
-    if unit := re.search(r"\d\s*([mc]?m)\b", text):
-        return f"Lengths are in metres: write 0.4 for 400 mm, without {unit[1]}"
     if isinstance(error, KeyError):
         name = error.args[0]
         variable = f"If {name} is the joint variable, write q{re.sub(r'[^0-9]', '', name)}; if not, give"

@@ -15,7 +15,7 @@ import numpy as np
 from kinlib.arrays.formatting import format_degrees, format_different, format_number
 from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array
-from kinlib.dh.parsing import COLUMNS, joint_entries
+from kinlib.dh.parsing import COLUMNS, MIN_LENGTH_MM, joint_entries
 from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.angles import wrap_angle
 
@@ -26,9 +26,6 @@ OTHER_CONVENTION: dict[Convention, Convention] = {"standard": "modified", "modif
 
 NUMBERS = {"wrong number", "offset forgotten"}
 """The faults that are corrected by a number that the table does not suggest; so they could explain almost anything."""
-
-MIN_LENGTH_MM = 5
-"""The smallest length that is taken as one in millimetres."""
 
 Change = Callable[[Array], Array]
 

@@ -19,6 +19,7 @@ from kinlib.arrays.validation import Array, array, describe
 from kinlib.dh.parsing import (
     COLUMN_NAMES,
     COLUMNS,
+    MIN_LENGTH_MM,
     NUMBER,
     Entry,
     evaluate_entry,
@@ -37,9 +38,6 @@ ORDERS = ("theta d a alpha", "a alpha d theta", "alpha a theta d", "alpha a d th
 """The orders of columns in books and toolboxes, the most usual ones first."""
 
 LENGTH_UNITS, ANGLE_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}, {"rad": 1.0, "deg": np.pi / 180}
-
-MIN_MILLIMETRES = 5.0
-"""Lengths of arms in metres are smaller."""
 
 NEEDED, ALL_COLUMNS = {"a", "alpha", "d"}, {*COLUMNS, "offset"}
 
@@ -574,7 +572,7 @@ def _scale(  # noqa: PLR0917
     unit = given or (said.pop() if len(said) == 1 and not strict else basic if strict else "")
     if not unit and plain:
         sizes = [abs(float(numbers[place])) for place in plain]
-        is_large = max(sizes) > (MIN_MILLIMETRES if is_length else 2 * np.pi + 0.01)
+        is_large = max(sizes) > (MIN_LENGTH_MM if is_length else 2 * np.pi + 0.01)
         unit = (("m", "mm") if is_length else ("rad", "deg"))[is_large]
         is_sure = not is_length and any(abs(size - np.pi / 2) < 1e-2 for size in sizes)
         what = (
