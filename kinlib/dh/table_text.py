@@ -166,7 +166,10 @@ def read_rows(
     for unit, units, argument in ((length_unit, LENGTH_UNITS, "length_unit"), (angle_unit, ANGLE_UNITS, "angle_unit")):
         _scale(grid, entries, numbers, unit, units, argument, strict)
     if strict and grid.guesses:
-        raise ValueError(f"{grid.guesses[0]} A DHTable assumes nothing: write it in the table, or try kl.read_table.")
+        raise ValueError(
+            f"A DHTable takes only what its rows say; kl.read_table reads these, and assumes: {grid.guesses[0]} Correct the rows, or use "
+            "read_table."
+        )
     return Rows(numbers, letters, signs, _said_convention(plain, grid), ends, grid.assumed)
 
 
