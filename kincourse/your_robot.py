@@ -26,7 +26,7 @@ from kinlib.dh.table import Convention, DHTable, format_rows, table_frames
 from kinlib.dh.table_text import Assumption
 from kinlib.urdf.chains import load_urdf
 from kinlib.urdf.robot_tree import Tree
-from kinlib.view.viewer.viewer import Viewer, explore
+from kinlib.view.viewer.viewer import Viewer, explore, opening
 from misstep.sheet import OpenSheet
 
 MAX_URDF_LENGTH = 20_000_000
@@ -104,6 +104,8 @@ class Examination:
     free, strict   the diagnosis with all choices free, and with all fixed: the second is right only if the same q gives the same pose
     unread         why a table or a file could not be read; then the rest is what could
     notes          what else was decided, for example which joints are left at 0
+    visuals        the file of the arm as a tree, and its base, so that the picture shows what the file shows
+    visuals        the file of the arm, and its base link, for `explore`
     """
 
     arm: Chain | None = None
@@ -113,6 +115,7 @@ class Examination:
     strict: Diagnosis | None = None
     unread: str = ""
     notes: Sequence[str] = ()
+    visuals: tuple[Tree, str] | None = None
 
     @property
     def sentence(self) -> str:
@@ -188,14 +191,15 @@ class Examination:
         """
         arm = self.arm or (self.table.to_chain() if self.table else None)
         if arm is None or not self.table or self.table.n != arm.n:
-            return None if arm is None else explore(arm, show=("axes", "base", "tool", "standard"))
-        row = self.wrong_rows[0] if self.wrong_rows else 0
-        frames = table_frames(self.table, np.zeros(arm.n))
+            layers = ("axes", "base", "tool", "standard")
+            return None if arm is None else explore(arm, show=layers, visuals=self.visuals)
+        row, q = self.wrong_rows[0] if self.wrong_rows else 0, opening(arm)
+        frames = table_frames(self.table, q)
         if self.corrected and self.wrong_rows:
-            right = table_frames(self.corrected, np.zeros(arm.n))
+            right = table_frames(self.corrected, q)
             frames |= {f"{name}'": T for name, T in right.items() if not np.allclose(T, frames[name], atol=1e-6)}
         shown = [f"frame {name}" for name in (row, row + 1, f"{row}'", f"{row + 1}'") if str(name) in frames]
-        return explore(arm, show=("axes", *shown), frames=frames)
+        return explore(arm, show=("axes", *shown), start=q, frames=frames, visuals=self.visuals)
 
     def _repr_html_(self) -> str:
         return "".join(self._blocks())
@@ -307,8 +311,8 @@ def examine(
     found = Examination()
     try:
         if arm != "":
-            chain, notes = _read_arm(arm, base, tip)
-            found = replace(found, arm=chain, notes=notes)
+            chain, notes, visuals = _read_arm(arm, base, tip)
+            found = replace(found, arm=chain, notes=notes, visuals=visuals)
         if table != "":
             reading = (
                 (table, ()) if isinstance(table, DHTable) else read_table(table, **{k: v for k, v in how.items() if v})
@@ -338,27 +342,25 @@ def practise(arm: str | Chain | DHTable | Examination, student: str, *, base: st
         if chain is None:
             raise ValueError(f"An exercise sheet needs a robot. {arm.sentence}")
     else:
-        chain, _ = _read_arm(arm, base, tip)
+        chain, *_ = _read_arm(arm, base, tip)
     robot = with_plain_name(chain)
     return OpenSheet(robot_sheet("your_robot", robot, tasks_for(robot)), student)
 
 
-def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, list[str]]:
+def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, list[str], tuple[Tree, str] | None]:
     if isinstance(arm, Chain):
-        return arm, []
+        return arm, [], None
     if isinstance(arm, DHTable) or arm in KNOWN:
         table, source = (arm, "") if isinstance(arm, DHTable) else KNOWN[arm]
-        return table.to_chain().changed(name="arm" if isinstance(arm, DHTable) else arm), [f"Source: {source}"] * bool(
-            source
-        )
+        chain = table.to_chain().changed(name="arm" if isinstance(arm, DHTable) else arm)
+        return chain, [f"Source: {source}"] * bool(source), None
     if len(arm) > MAX_URDF_LENGTH:
         raise ValueError(
             f"A URDF file must have at most {MAX_URDF_LENGTH // 10**6} million characters; got {len(arm)}."
         )
     if "<" not in arm and not arm.strip().endswith((".urdf", ".xml")):
         raise ValueError(f"{arm!r:.60} is neither a URDF file nor a known arm. Known are {', '.join(KNOWN)}.")
-    options = {key: value for key, value in (("base", base), ("tip", tip)) if value}
-    chain = load_urdf(arm, **options)
-    others = [name for name in Tree.from_urdf(arm).joint_names if name not in (chain.joint_names or ())]
+    chain, tree = load_urdf(arm, base or None, tip or None), Tree.from_urdf(arm)
+    others = [name for name in tree.joint_names if name not in (chain.joint_names or ())]
     left = f"Joints that are not on the way from base to tip are left at 0: {', '.join(others[:12])}" if others else ""
-    return chain, [f"{left}{' and more' if len(others) > 12 else ''}."] if left else []
+    return chain, [f"{left}{' and more' if len(others) > 12 else ''}."] if left else [], (tree, base or tree.root)

@@ -1,8 +1,11 @@
 """The page Your robot: a URDF file and a table with a wrong sign, from the form to the corrected table and the first problem."""
 
+from zipfile import ZIP_DEFLATED, ZipFile
+
 import pytest
 from browser import watched
 from lab_page import PYTHON_TIMEOUT_MS
+from mesh_files import crane, stl, visual
 from playwright.sync_api import expect
 
 import kinlib as kl
@@ -23,7 +26,7 @@ def test_a_table_with_a_wrong_sign_is_explained_and_corrected(
         page.goto(f"{site_address}/lectures/your_robot.html")
         answer, drawing = page.locator(".your-robot-result").all()
         expect(answer).to_be_hidden()
-        page.get_by_label("A URDF file", exact=True).set_input_files(file)
+        page.get_by_label("A URDF file").set_input_files(file)
         expect(page.locator("form.your-robot")).to_contain_text("6 joints lie between them.")
         page.get_by_label("A DH table").fill(TABLE.replace("-0.425", "0.425"))
         page.get_by_role("button", name="Check", exact=True).click()
@@ -37,3 +40,15 @@ def test_a_table_with_a_wrong_sign_is_explained_and_corrected(
         page.get_by_role("button", name="Start with the robot of the form").click()
         problem = page.locator("div.cell", has_text="sheet = practise(")
         expect(problem.locator(".cell_output")).to_contain_text("points)", timeout=PYTHON_TIMEOUT_MS)
+        archive = tmp_path / "robot.zip"
+        mesh = "package://crane_description/meshes/arm.stl"
+        with ZipFile(archive, "w", ZIP_DEFLATED) as files:
+            files.writestr("crane-main/urdf/crane.urdf", crane(visual(mesh), '<drake:name value="not declared"/>'))
+            files.writestr("crane-main/meshes/arm.stl", stl())
+        page.get_by_label("A URDF file").set_input_files(archive)
+        expect(page.locator("form.your-robot")).to_contain_text("1 of 1 meshes were found.")
+        page.get_by_label("A DH table").fill("")
+        page.get_by_role("button", name="Check", exact=True).click()
+        expect(answer).to_contain_text("crane: 1 joint", timeout=PYTHON_TIMEOUT_MS)
+        expect(drawing.locator("[data-kinlib-viewer]")).to_have_count(1, timeout=PYTHON_TIMEOUT_MS)
+        expect(drawing).not_to_contain_text("not shown")

@@ -129,3 +129,25 @@ def test_the_frames_of_the_arm_are_beside_those_of_a_wrong_row_and_named_with_a_
         np.abs(np.cross(z, arm.lines.axis[4])).max() < 1e-9
     )  # on the next joint axis, as the wrong one is, but along it
     assert z @ arm.lines.axis[4] > 0
+
+
+def test_the_picture_shows_what_the_links_of_the_file_show():
+    """From a base in the middle of the file, with the links that hang below joints that are not on the way."""
+    picture = examine(shipped("airo_models", "ur5e.urdf"), base="shoulder_link", tip="wrist_1_link").picture()
+    assert picture.notes == []
+    [arm] = picture.scene["arms"]
+    named = [[mesh["name"].removeprefix("visual/") for mesh in body] for body in arm["meshes"]]
+    assert named == [["shoulder.obj"], ["upperarm.obj"], ["forearm.obj"], ["wrist1.obj", "wrist2.obj", "wrist3.obj"]]
+    assert np.reshape(arm["meshes"][0][0]["pose"], (4, 4)) == pytest.approx(np.diag([-1, -1, 1, 1]))
+
+
+def test_the_picture_opens_within_the_limits_of_the_joints():
+    arm = kl.robots.rpr().changed(limits=[[0.5, 1.5], [-1, 1], [-3, -1]])
+    assert examine(kl.to_urdf(arm)).picture().q == [1, 0, -2]
+    rows = [(0, 0, 0.123, 0), (0.234, 0, 0, 0)]
+    table = kl.DHTable(rows, convention="standard")
+    limited = kl.to_urdf(table.to_chain().changed(limits=[[0.5, 1.5], [-1, 1]]))
+    picture = examine(limited, str(kl.DHTable([rows[0], (0.345, 0, 0, 0)], convention="standard"))).picture()
+    assert picture.q == [1, 0]
+    frames = picture.scene["arms"][0]["frames"]
+    assert np.reshape(frames["frame 2'"][0]["pose"], (4, 4)) == pytest.approx(table.to_chain().home)

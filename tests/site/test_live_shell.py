@@ -80,7 +80,9 @@ placed = run("from kinlib import robots\\nfrom kinlib.view.viewer.place_frames i
 judged = tell(placed, {"frames": [crossed, unplaced, unplaced, unplaced], "asked": 1})
 slider = "import ipywidgets\\none = ipywidgets.IntSlider()\\none.observe(lambda change: print('now', change.new), 'value')\\none"
 moved = tell(run(slider), {"value": 7})
-sys.__stdout__.write(json.dumps([placed, judged, moved]))
+files = "class Files(ipywidgets.DOMWidget):\\n    files = __import__('traitlets').Dict().tag(sync=True)\\n\\nFiles(files={'a': b'abc'})"
+sent = run(files)
+sys.__stdout__.write(json.dumps([placed, judged, moved, sent]))
 """
 
 
@@ -88,7 +90,7 @@ def test_a_widget_hears_the_page_and_answers_it():
     """The frames of the page are judged by the rules; what a widget prints is marked as its own."""
     command = [sys.executable, "-c", WIDGETS, SHELL]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
-    placed, (_, judged), (slider, moved) = json.loads(done.stdout)
+    placed, (_, judged), (slider, moved), sent = json.loads(done.stdout)
     assert any("application/vnd.jupyter.widget-view+json" in one.get("data", {}) for one in placed)
     assert not any("_esm" in one["data"].get("state", {}) for one in placed if one["kind"] == "comm")  # the page has it
     verdict, heard = judged
@@ -98,3 +100,4 @@ def test_a_widget_hears_the_page_and_answers_it():
         ("stream", "now 7\n", slider),
         ("heard", None, slider),
     ]
+    assert {"a": "YWJj"} in [one["data"]["state"].get("files") for one in sent if one["kind"] == "comm"]  # abc

@@ -3,6 +3,7 @@
 An arm has one branch. In a tree, joints that an earlier branch has too are drawn with that one only.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import adjoint
+from kinlib.rigid.lie import adjoint, inverse
 from kinlib.urdf.links_and_joints import UrdfJoint
 from kinlib.urdf.robot_tree import Tree
 from kinlib.urdf.xml_elements import Element
@@ -118,6 +119,23 @@ def links_of_bodies(tree: Tree, found: list[Branch]) -> list[list[list[Element]]
 
 BranchBody = tuple[tuple[tuple[Primitive, ...], ...], tuple[bool, ...]]
 """The solids of each body of a branch, and whether they are by rule because the file shows none."""
+
+
+def links_of_arm(tree: Tree, base: str, names: Sequence[str]) -> tuple[list[list[Element]], dict[str, Array]]:
+    """Return the links of each body of an arm that is a part of a tree, and the pose of each link in the frame of the base.
+
+    base   the link whose frame is {s}
+    names  of the joints of the arm; all others are at 0, so what hangs below them is fixed to a body
+    """
+    poses = home_poses(tree)
+    home = {link: inverse(poses[base]) @ T for link, T in poses.items()}
+    bodies: list[list[Element]] = [[] for _ in range(len(names) + 1)]
+    index, above = {base: 0}, tree.parent_joints.items()
+    while found := [(link, one) for link, one in above if link not in index and one.parent in index]:
+        index |= {link: index[joint.parent] + (joint.name in names) for link, joint in found}
+    for link, body in index.items():
+        bodies[body].append(tree.link_elements[link])
+    return bodies, home
 
 
 def robot_body(robot: Chain | Tree, found: list[Branch]) -> tuple[Body, list[BranchBody]]:

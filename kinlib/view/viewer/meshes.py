@@ -12,10 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from kinlib.urdf.robot_tree import Tree
+from kinlib.arrays.validation import Array
 from kinlib.urdf.xml_elements import Element
 from kinlib.view.figures.bodies import shapes, visual_pose
-from kinlib.view.figures.tree import Branch, home_poses, links_of_bodies
 
 MAX_FILE_BYTES, MAX_ALL_BYTES = 40_000_000, 80_000_000
 """The largest mesh, and the largest sum of all meshes of a robot, that a page is given."""
@@ -52,14 +51,19 @@ class Meshes:
         return sentences
 
 
-def read_meshes(tree: Tree, found: list[Branch], packages: Packages = ()) -> Meshes:
-    """Read the files of the meshes that the links of a tree show.
+def read_meshes(
+    arms: Sequence[Sequence[Sequence[Element]]], home: Mapping[str, Array], folder: Path | None, packages: Packages = ()
+) -> Meshes:
+    """Read the files of the meshes that links show.
 
+    arms      for each arm the links of each of its bodies
+    home      the poses of the links
+    folder    where the URDF is, if it was read from a file
     packages  folders of packages, or {name: folder}. Those in ROS_PACKAGE_PATH, and the package that contains the URDF, are found
               without it
     """
-    read, home, known = Meshes(), home_poses(tree), dict[str, str]()
-    folder = _real(tree.folder) if tree.folder else None
+    read, known = Meshes(), dict[str, str]()
+    folder = _real(folder) if folder else None
     named = packages.items() if isinstance(packages, Mapping) else [(_real(path).name, path) for path in packages]
     roots = [(str(name), _real(path)) for name, path in named]
     paths = [Path(path) for path in os.environ.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if path]
@@ -91,7 +95,7 @@ def read_meshes(tree: Tree, found: list[Branch], packages: Packages = ()) -> Mes
                 place = {"pose": pose.ravel().tolist(), "scale": scale}
                 yield {"file": file, "name": name, "colour": _colour(visual), **place}
 
-    for bodies in links_of_bodies(tree, found):
+    for bodies in arms:
         read.arms.append([[mesh for link in links for mesh in shown(link)] for links in bodies])
     return read
 

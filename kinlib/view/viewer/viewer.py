@@ -19,7 +19,17 @@ from kinlib.chains.chain import Chain
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.picture import Picture, page, save
 from kinlib.view.figures.arm import ARM_LAYERS, body_motions, describe_arm, draw_arm
-from kinlib.view.figures.tree import MAX_NAMED_TIPS, branches, describe_tree, draw_tree, joint_share
+from kinlib.view.figures.bodies import body_of, solid_data, visual_solids
+from kinlib.view.figures.tree import (
+    MAX_NAMED_TIPS,
+    branches,
+    describe_tree,
+    draw_tree,
+    home_poses,
+    joint_share,
+    links_of_arm,
+    links_of_bodies,
+)
 from kinlib.view.viewer.meshes import Meshes, Packages, read_meshes
 from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, scene
 from kinlib.view.viewer.widget import STATIC, Covered
@@ -175,9 +185,14 @@ class Viewer(ViewerBase):
         return {frame["name"]: moved[frame["body"]] @ np.reshape(frame["pose"], (4, 4)) for frame in single}
 
 
-def _opening(robot: Chain | Tree) -> Array:
-    """Return 0 for each joint of a robot; in a tree, the middle of its limits if 0 is outside of them."""
-    if isinstance(robot, Chain):
+def opening(robot: Chain | Tree) -> Array:
+    """Return 0 for each (independent) joint of a robot, or the middle of its limits if 0 is outside of them.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> opening(rpr().changed(limits=[[-1, 1], [0.5, 1.5], [0, 1]]))
+    array([0., 1., 0.])
+    """
+    if robot.limits is None:
         return np.zeros(robot.n)
     low, high = robot.limits.T
     q, bounded = np.clip(0.0, low, high), np.isfinite(low) & np.isfinite(high)
@@ -196,6 +211,7 @@ def explore(
     frames: Mapping[str, ArrayLike] | None = None,
     readout: bool | None = None,
     packages: Packages = (),
+    visuals: tuple[Tree, str] | None = None,
 ) -> Viewer:
     """Show a robot in three dimensions, with sliders for its joints and, for an arm, the pose of its end-effector.
 
@@ -216,6 +232,7 @@ def explore(
     readout  whether the pose of the end-effector is shown beside the picture; by default that of an arm
     packages folders of packages, or {name: folder}, in which the meshes of a tree are looked for; its own package and those of the
              environment variable ROS_PACKAGE_PATH are found without it. What is not found is said, and drawn by rule
+    visuals  the file of which an arm is a part, as a tree, and the name of the link whose frame is {s}: the arm looks as the file says
 
     Raises ValueError if the robot does not have one of the joints, values do not have shape (n,) or contain NaN, span does not
     contain the start, a layer is unknown, a frame is not a pose or is not named by its link, or no joint moves by one value.
@@ -235,7 +252,7 @@ def explore(
     ['axes', 'frame 0', 'frame 1']
     """
     validation.instance(robot, "robot", Chain, Tree)
-    home = _opening(robot) if start is None else validation.single(robot.in_order(start), "q")
+    home = opening(robot) if start is None else validation.single(robot.in_order(start), "q")
     found = branches(robot)
     few_joints, few_tips = joint_share(found) == 1, len(found) <= MAX_NAMED_TIPS
     layers = [*["axes"] * few_joints, "base", *["tool"] * few_tips] if show is None else list(show)
@@ -245,7 +262,16 @@ def explore(
         layers += [] if named else [f"frame {next(iter(frames))}"]
     whole = scene(robot, home, joints=joints, span=span, frames=frames)
     shows_pose = isinstance(robot, Chain) if readout is None else readout
-    read = read_meshes(robot, found, packages) if isinstance(robot, Tree) else Meshes()
+    read = Meshes()
+    if isinstance(robot, Tree):
+        read = read_meshes(links_of_bodies(robot, found), home_poses(robot), robot.folder, packages)
+    elif visuals:
+        tree, base = visuals
+        bodies, at = links_of_arm(tree, base, robot.joint_names or ())
+        solids = [[solid for link in one for solid in visual_solids(link, at[link.text("name")])] for one in bodies]
+        shown = [own or rule for own, rule in zip(solids, body_of(robot).links, strict=True)]
+        whole["arms"][0] |= {"body": solid_data(shown), "rule": [not own for own in solids]}
+        read = read_meshes([bodies], at, tree.folder, packages)
     for arm, meshes in zip(whole["arms"], read.arms, strict=False):
         arm["meshes"] = meshes
     loaders = (STATIC / "meshes.js").read_text("utf-8") if read.files else ""

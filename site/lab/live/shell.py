@@ -11,6 +11,7 @@ import site
 import sys
 import time
 import zipfile
+from base64 import b64encode
 from collections.abc import Callable
 from importlib import invalidate_caches
 from importlib.abc import Loader, MetaPathFinder
@@ -108,6 +109,11 @@ class PageComm(BaseComm):
         data = dict(data or {})
         if data.get("state", {}).get("_anywidget_id", "").startswith("kinlib."):
             data["state"] = {name: value for name, value in data["state"].items() if name != "_esm"}  # the page has it
+        for path, content in zip(data.pop("buffer_paths", ()), buffers or (), strict=True):
+            place = data["state"]
+            for name in path[:-1]:
+                place = place[name]
+            place[path[-1]] = b64encode(content).decode()  # JSON has no bytes, and a saved page has them like this too
         report(kind="comm", type=msg_type, id=self.comm_id, data=data)
 
 
