@@ -19,11 +19,17 @@ from kinlib.arrays.formatting import format_number
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
+from kinlib.dh.alignment.invariants import neighbours
 from kinlib.dh.equivalence import CHOICES, NEARLY_PARALLEL_LOSS, Equivalence, equivalent, measured_difference
-from kinlib.dh.invariants import neighbours
+from kinlib.dh.explanation.rounding import entries_off, nearest_rows, nearest_table, rounding_effect, typed_half_units
+from kinlib.dh.explanation.search import (
+    TableExplanation,
+    cheapest,
+    choices_as_faults,
+    explain_by_choices,
+    explain_by_slips,
+)
 from kinlib.dh.parsing import COLUMNS, MIN_LENGTH_MM
-from kinlib.dh.rounding import entries_off, nearest_rows, nearest_table, rounding_effect, typed_half_units
-from kinlib.dh.search import TableExplanation, cheapest, choices_as_faults, explain_by_choices, explain_by_slips
 from kinlib.dh.slips import NUMBERS, SLIPS_OF_A_TABLE, Fault, wrong_number
 from kinlib.dh.table import Convention, DHTable
 from kinlib.urdf.chains import load_urdf

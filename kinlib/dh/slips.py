@@ -1,7 +1,7 @@
 """The slips that people make in DH tables: one table of them, used in both directions.
 
 Forwards, `slip.change` makes the slip in the rows of a right table. Backwards, `corrections` undoes every slip in every place where it
-could have been made, for `kinlib.dh.search`. All changes take rows (..., m, 4), so that many tables are changed at once.
+could have been made, for `kinlib.dh.explanation.search`. All changes take rows (..., m, 4), so that many tables are changed at once.
 """
 
 from __future__ import annotations

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
+from kinlib.dh.alignment.invariants import AxisInvariants
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import CHOICES, Equivalence, describe_pose, equivalent, format_offset
-from kinlib.dh.invariants import AxisInvariants
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.slips import NUMBERS, Fault, corrections, starting_tables, wrong_number
 from kinlib.dh.table import DHTable, joint_axes, table_poses

@@ -17,7 +17,7 @@ from kinlib.arrays import validation
 from kinlib.arrays.tolerances import SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.invariants import AxisInvariants, Booleans
+from kinlib.dh.alignment.invariants import AxisInvariants, Booleans
 from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import adjoint, cross, exp, hat, homogeneous, inverse, perpendicular, vee
 
