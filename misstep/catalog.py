@@ -53,6 +53,10 @@ class Course:
     >>> sheet = course.open_sheet("03_poe_space", "ada")
     >>> sheet.check(1, None).judgement.state, course.attempt("03.a", None).judgement.state
     ('blank', 'blank')
+    >>> course.questions()["03"]["order"] is course.find_question("03/order")
+    True
+    >>> type(course.ask("03/order")).__name__, type(course.explain("03/order")).__name__
+    ('Question', 'Explanation')
     """
 
     package: str

@@ -1,4 +1,4 @@
-"""Prepare notebooks for a page: typeset formulas in outputs, write images to files, fold side tracks, drop widget state.
+"""Prepare notebooks for a page: typeset formulas in outputs, write images to files, fold side tracks.
 
 In JupyterLab, formulas in HTML are typeset by JupyterLab. Here they are typeset during the build, as in the text.
 """
@@ -69,7 +69,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     katex.render_latex = cached(katex.render_latex)
     app.connect("doctree-resolved", prepare_page)
     app.connect("doctree-resolved", fold_side_tracks)
-    app.connect("html-page-context", remove_widget_state, priority=900)
     return {"parallel_read_safe": True, "parallel_write_safe": False}
 
 
@@ -161,12 +160,6 @@ def extract_images(html: HtmlElement, folder: Path, address: str) -> None:
             for side, size in etree.fromstring(data).attrib.items():
                 if side in ("width", "height") and (length := LENGTH.fullmatch(size)):
                     image.set(side, str(round(float(length[1]))))
-
-
-def remove_widget_state(_: Sphinx, *arguments: Any) -> None:
-    """Remove the state of widgets from a page: nothing uses it where there is no kernel."""
-    files = arguments[2].get("script_files", [])
-    files[:] = [file for file in files if "widget-state" not in str(getattr(file, "attributes", {}).get("type", ""))]
 
 
 def cached(render: Any) -> Any:

@@ -70,9 +70,8 @@ def execute(path: Path, folder: Path = CACHE) -> NotebookNode:
         run(executed, path)
         cache_outputs(executed, path, folder)
     kept = nbformat.from_dict(json.loads(cached.read_text("utf-8")))
-    for number, (cell, outputs) in enumerate(zip(code_cells(notebook), kept.outputs, strict=True), start=1):
+    for number, (cell, outputs) in enumerate(zip(code_cells(notebook), kept, strict=True), start=1):
         cell.outputs, cell.execution_count = outputs, number
-    notebook.metadata["widgets"] = kept.widgets
     return notebook
 
 
@@ -89,7 +88,7 @@ def cache_path(notebook: NotebookNode, path: Path, folder: Path) -> Path:
 
 
 def cache_outputs(executed: NotebookNode, path: Path, folder: Path = CACHE) -> None:
-    """Cache the outputs and widgets of a notebook that was executed with ENVIRONMENT_VARIABLE set, and delete older ones.
+    """Cache the outputs of a notebook that was executed with ENVIRONMENT_VARIABLE set, and delete older ones.
 
     The file is written in one step, so that nothing reads half of it.
     """
@@ -97,7 +96,7 @@ def cache_outputs(executed: NotebookNode, path: Path, folder: Path = CACHE) -> N
     file = cache_path(executed, path, folder)
     folder.mkdir(parents=True, exist_ok=True)
     part = file.with_suffix(f".{os.getpid()}")
-    part.write_text(json.dumps({"outputs": outputs, "widgets": executed.metadata.get("widgets", {})}), "utf-8")
+    part.write_text(json.dumps(outputs), "utf-8")
     part.replace(file)
     for old in folder.glob(f"{file.stem[:-HASH_LENGTH]}{'?' * HASH_LENGTH}.json"):
         if old != file:

@@ -117,7 +117,6 @@ def adapt(notebook: NotebookNode) -> NotebookNode:
         cell.metadata["kinlib-cell"] = cell.get("id", "")  # names the addresses of its figures
         for data in (output["data"] for output in cell.outputs if "text/html" in output.get("data", {})):
             data["text/html"] = OUTPUT_LINK.sub(link_to_page, linked(data["text/html"], 'href="'))
-    notebook.metadata.pop("widgets", None)
     return notebook
 
 

@@ -21,6 +21,7 @@
   let urdf = '';
   let meshes = []; // [{ path, file }] of a folder or an archive
 
+  const inWords = (joints) => `${joints} joint${joints === 1 ? '' : 's'}`;
   const option = (value, text = value) => h('option', { value }, text);
   const select = (label, ...options) => {
     const field = h('select', {}, ...options);
@@ -111,7 +112,7 @@
     tip.field.replaceChildren(
       ...[...tree.all]
         .sort((one, other) => tips.includes(other) - tips.includes(one))
-        .map((link) => option(link, `${link} (${count(link)} joints from the root)`)),
+        .map((link) => option(link, `${link} (${inWords(count(link))} from the root)`)),
     );
     tip.field.value = longest;
     base.field.replaceChildren(...tree.all.map((link) => option(link)));
@@ -120,7 +121,7 @@
       const { joints } = way(tree, base.field.value, tip.field.value);
       links.lastChild.textContent = Number.isNaN(joints)
         ? 'There is no way between these links: choose a base above the tip.'
-        : `${joints} joints lie between them.`;
+        : `Between them: ${inWords(joints)}.`;
     };
     base.field.onchange = say;
     tip.field.onchange = say;
@@ -218,6 +219,7 @@
     const possible = files.filter(({ path }) => /\.(urdf|xml)$/i.test(path) && !/package\.xml$/.test(path));
     possible.sort((one, other) => one.path.endsWith('.xml') - other.path.endsWith('.xml'));
     const one = chosen ?? possible[0] ?? files[0];
+    if (!one) throw new Error('there is no file in it');
     if (one.size > MAX_BYTES)
       throw new Error(`${one.path} has ${Math.round(one.size / 1e6)} MB, and the limit is 20 MB`);
     which.row.hidden = possible.length < 2;

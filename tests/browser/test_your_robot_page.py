@@ -27,7 +27,7 @@ def test_a_table_with_a_wrong_sign_is_explained_and_corrected(
         answer, drawing = page.locator(".your-robot-result").all()
         expect(answer).to_be_hidden()
         page.get_by_label("A URDF file").set_input_files(file)
-        expect(page.locator("form.your-robot")).to_contain_text("6 joints lie between them.")
+        expect(page.locator("form.your-robot")).to_contain_text("Between them: 6 joints.")
         page.get_by_label("A DH table").fill(TABLE.replace("-0.425", "0.425"))
         page.get_by_role("button", name="Check", exact=True).click()
         page.get_by_role("button", name="Load Python and run").click()

@@ -59,11 +59,7 @@ def view_axes(view: str) -> tuple[Array, Array]:
 
 
 def axes_of_view(azimuth: float, elevation: float) -> tuple[Array, Array]:
-    """Return the unit vector towards the viewer, (3,), and those that point right and up, (2, 3), for two angles in degrees.
-
-    >>> axes_of_view(0, 90)[0].round(3) + 0.0
-    array([0., 0., 1.])
-    """
+    """Return the unit vector towards the viewer, (3,), and those that point right and up, (2, 3), for two angles in degrees."""
     (ca, ce), (sa, se) = (f(np.radians([azimuth, elevation])) for f in (np.cos, np.sin))
     return np.array([ce * ca, ce * sa, se]), np.array([[-sa, ca, 0.0], [-se * ca, -se * sa, ce]])
 
@@ -107,21 +103,18 @@ class Canvas:
 
     def to_pixels(self, points: ArrayLike) -> Array:
         """Project points (..., 3) to pixels (..., 2), measured from the upper left corner of the sheet."""
-        pixels: Array = self._sheet / 2 + (self.project(points) - self._middle) * self.pixels_per_metre * (1, -1)
-        return pixels
+        return np.asarray(self._sheet / 2 + (self.project(points) - self._middle) * self.pixels_per_metre * (1, -1))
 
     def along(self, start: ArrayLike, end: ArrayLike) -> Array:
         """Return the direction from one point to another on the sheet, (2,), to the right and up; 0 if it is seen end-on."""
         way = self.project(end) - self.project(start)
-        direction: Array = way / max(float(np.linalg.norm(way)), 1e-9)
-        return direction
+        return np.asarray(way / max(float(np.linalg.norm(way)), 1e-9))
 
     def beside(self, points: ArrayLike, pixels: float) -> Array:
         """Move a line (m, 3) sideways on the sheet, so that lines that cover each other can be drawn side by side."""
         line = np.asarray(points, dtype=float)
         right, up = self.along(line[0], line[-1])
-        moved: Array = line + (pixels / self.pixels_per_metre) * (np.array([-up, right]) @ self.sheet_axes)
-        return moved
+        return np.asarray(line + (pixels / self.pixels_per_metre) * (np.array([-up, right]) @ self.sheet_axes))
 
     def line(
         self, points: ArrayLike, colour: str = INK, width: float = 1.0, style: str = "-", level: float = 2.0
@@ -287,8 +280,7 @@ class Canvas:
         low, high = np.floor(low + 0.01), np.ceil(high - 0.01)
         if high - low < 2:
             low, high = low - 1, high + 1
-        lines: Array = np.arange(low, high + 0.5) * step
-        return lines
+        return np.asarray(np.arange(low, high + 0.5) * step)
 
     def _end_on(self, centre: Array, radius: float, towards: bool, colour: str, level: float) -> None:
         """Draw an arrow that points towards the viewer or away."""
@@ -309,8 +301,7 @@ def _step(rough: float) -> float:
 
 def moved(T: Array, points: Array) -> Array:
     """Return points (..., 3) after the motion T."""
-    places: Array = points @ T[:3, :3].T + T[:3, 3]
-    return places
+    return np.asarray(points @ T[:3, :3].T + T[:3, 3])
 
 
 def convex_hull(points: Array) -> Array:

@@ -44,11 +44,7 @@ BODY_COLOURS = ("body", "metal", "grip", "dark", "blue", "white", "slate", "crea
 
 @cache
 def shade(colour: str, level: int, page: int) -> str:
-    """Return a colour in one of LEVELS shades, from the dark side to the highlight, on a light (0) or a dark page (1).
-
-    >>> shade("body", 4, 0), shade("body", 8, 1)
-    ('#b9c2d0', '#dee3e8')
-    """
+    """Return a colour in one of LEVELS shades, from the dark side to the highlight, on a light (0) or a dark page (1)."""
     base = np.array([int(LIGHT_AND_DARK[colour][page][k : k + 2], 16) / 255 for k in (1, 3, 5)])
     cool = base * ([0.5, 0.56, 0.66], [0.34, 0.38, 0.46])[page]
     k = level / (LEVELS - 1)

@@ -36,11 +36,6 @@ def place_labels(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: 
 
     strokes (m, 2, 2) from point to point; bodies (k, 2, 2) upper left and lower right corners; sheet (2,).
     A label with the same text at the same point as an earlier one is left out.
-
-    >>> name = Label(np.array([50.0, 50.0]), "S", "black", [(9, 0), (-9, 0)], 10)
-    >>> wall = np.array([[[59.0, 0.0], [59.0, 99.0]]])
-    >>> [centre.tolist() for _, centre in place_labels([name, name], wall, np.zeros((0, 2, 2)), np.array([99.0, 99.0]))]
-    [[41.0, 50.0]]
     """
     taken = np.zeros((0, 2, 2))
     kept: list[Label] = []
@@ -62,8 +57,7 @@ def place_labels(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: 
 def _overlaps(boxes: Array, others: Array) -> Array:
     """Count how many of the other boxes each box overlaps."""
     apart = (boxes[:, None, 0] >= others[None, :, 1]) | (others[None, :, 0] >= boxes[:, None, 1])
-    count: Array = (~(apart[..., 0] | apart[..., 1])).sum(axis=-1).astype(float)
-    return count
+    return np.asarray((~(apart[..., 0] | apart[..., 1])).sum(axis=-1).astype(float))
 
 
 def _crossings(boxes: Array, strokes: Array) -> Array:
@@ -74,5 +68,4 @@ def _crossings(boxes: Array, strokes: Array) -> Array:
     first, last = np.minimum(one, other), np.maximum(one, other)  # where it passes the borders of x and those of y
     enters = np.maximum(first[..., 0], first[..., 1]).clip(min=0.0)
     leaves = np.minimum(last[..., 0], last[..., 1]).clip(max=1.0)
-    count: Array = (enters < leaves).sum(axis=-1).astype(float)
-    return count
+    return np.asarray((enters < leaves).sum(axis=-1).astype(float))

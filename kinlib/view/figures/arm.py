@@ -245,11 +245,7 @@ def pose_text(T: Array) -> str:
 
 
 def direction_text(axis: Array) -> str:
-    """Write a direction as "x", "-z", or by its components.
-
-    >>> direction_text(np.array([0, 0, -1])), direction_text(np.array([0, 0.6, 0.8]))
-    ('-z', '(0, 0.6, 0.8)')
-    """
+    """Write a direction as "x", "-z", or by its components."""
     for letter, unit in zip("xyz", np.eye(3), strict=True):
         if np.abs(np.abs(axis) - unit).max() < tolerances.TYPED_PI_ERROR:
             return letter if axis @ unit > 0 else f"-{letter}"

@@ -68,14 +68,7 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
 
 
 def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
-    """Return what is drawn and said after step k of an assignment, counted from 0: a stop for the page.
-
-    >>> from kinlib.dh.assignment import assign_frames
-    >>> from kinlib.chains.robots import youbot
-    >>> stop = assignment_stop(assign_frames(youbot(), convention="standard"), 3)
-    >>> [part["letters"] for part in stop["parts"] if part["kind"] == "frame"], len(stop["marks"])
-    (['Oxz', 'Oz'], 1)
-    """
+    """Return what is drawn and said after step k of an assignment, counted from 0: a stop for the page."""
     chain, frames, n = assignment.chain, assignment.frames, assignment.chain.n
     step, i = assignment.steps[k], assignment.steps[k].frame
     done = {(one.kind, one.frame) for one in assignment.steps[: k + 1]}

@@ -51,8 +51,7 @@ class Branch:
 
     def values(self, q: ArrayLike) -> Array:
         """Return the values of its own joints for values (n,) of the independent ones."""
-        values: Array = self.multipliers * np.asarray(q, dtype=float)[self.columns]
-        return values
+        return np.asarray(self.multipliers * np.asarray(q, dtype=float)[self.columns])
 
     def stations(self, q: ArrayLike) -> Array:
         """Return the points (k + 2, 3) through which its k joints run: the root, every joint, the tip."""
@@ -67,11 +66,6 @@ def branches(robot: Chain | Tree) -> list[Branch]:
     """Return the branches of a robot. Planar and floating joints stay at the identity.
 
     Raises ValueError if no joint moves by one value.
-
-    >>> from kinlib.chains.robots import youbot
-    >>> from kinlib.urdf.chains import to_urdf
-    >>> [(branch.tip, branch.chain.n) for robot in (youbot(), Tree.from_urdf(to_urdf(youbot()))) for branch in branches(robot)]
-    [('', 5), ('tool', 5)]
     """
     if isinstance(robot, Chain):
         return [Branch("", robot, np.arange(robot.n), np.ones(robot.n), robot.joint_names or ("",) * robot.n, 0)]

@@ -129,8 +129,7 @@ def _traced(mechanism: Mechanism, start: Array) -> tuple[Array, bool]:
 def _angles(mechanism: Mechanism) -> Array:
     """Return which joint values are angles, (n,)."""
     screws = np.concatenate([joint.screws for joint in mechanism.joints])
-    are_angles: Array = (screws[:, :3] != 0).any(axis=1) & (np.abs(line(screws).pitch) <= tolerances.UNIT_LENGTH_TOL)
-    return are_angles
+    return np.asarray((screws[:, :3] != 0).any(axis=1) & (np.abs(line(screws).pitch) <= tolerances.UNIT_LENGTH_TOL))
 
 
 def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[str, Any]:

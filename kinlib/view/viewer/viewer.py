@@ -196,8 +196,7 @@ def opening(robot: Chain | Tree) -> Array:
         return np.zeros(robot.n)
     low, high = robot.limits.T
     q, bounded = np.clip(0.0, low, high), np.isfinite(low) & np.isfinite(high)
-    middle: Array = np.where((q != 0) & bounded, (np.nan_to_num(low) + np.nan_to_num(high)) / 2, q)
-    return middle
+    return np.asarray(np.where((q != 0) & bounded, (np.nan_to_num(low) + np.nan_to_num(high)) / 2, q))
 
 
 def explore(

@@ -20,6 +20,7 @@ from kinlib.view.drawing.figure_colours import follow_theme
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.drawing.svg import GREEK
 from kinlib.view.figures.arm import draw_arm
+from kinlib.view.figures.bodies import body_of
 from kinlib.view.figures.linkage import draw_linkage
 from kinsite.markdown import escape, prose
 
@@ -41,21 +42,6 @@ START_CONFIGURATIONS: dict[str, ArrayLike] = {
     "ten_links": [1.9, -0.5, -0.4, -0.4, -0.3, 1.2, 0.5, 0.4, 0.4, 0.3, 0],
 }
 """The guesses from which linkages are assembled that do not close at 0, or that look flat there."""
-
-POSES: dict[str, ArrayLike] = {
-    "youbot": [0.5, 1.3, -1.1, -0.9, 0],
-    "puma560": [0.4, -0.9, 0.5, 0, 0.6, 0],
-    "ur5e": [-2.3, -1.1, 1.3, -1.7, -1.57, 0],
-    "panda": [0.5, -0.3, 0, -2.1, 0, 1.9, 0.8],
-    "scara": [-0.5, 0.9, 0.15, 0],
-    "rprr": [0.6, 0.15, 0.4, 0.5],
-    "rpr_lecture7": [0.4, 0.25, 0.5],
-    "plain_arm": [0.5, 0.5, 0.1, 0],
-    "angled_arm": [0.4, 0.5, 0.15, 0.3],
-    "mid_formula_arm": [0.4, -0.4, 0.3, 0.6],
-    "hrr": [2.0, -0.8, 1.0],
-}
-"""Where the gallery shows an arm; every other arm is shown at home, where some look flat."""
 
 LEADING = ("youbot", "puma560", "ur5e", "panda", "scara")
 """What the gallery begins with: arms that readers know."""
@@ -99,7 +85,7 @@ def public_functions(module: Any) -> list[tuple[str, Callable[..., Any]]]:
 
 
 def entry(name: str, make: Callable[..., Chain | Mechanism]) -> Entry:
-    """Make the entry of a robot; an arm is drawn at home or as POSES says, a linkage where it closes.
+    """Make the entry of a robot; an arm is drawn where its shape is seen, a linkage where it closes.
 
     Raises ValueError if it has no source, or a linkage does not close from the guess in START_CONFIGURATIONS.
     """
@@ -107,7 +93,7 @@ def entry(name: str, make: Callable[..., Chain | Mechanism]) -> Entry:
     if not robot.source.strip():
         raise ValueError(f"{name} must have a source; got none. Name the document that it comes from.")
     if isinstance(robot, Chain):
-        q = np.array(POSES.get(name, np.zeros(robot.n)), dtype=float)
+        q = body_of(robot).pose
         return Entry(name, robot, inspect.getdoc(make) or "", q, draw_arm(robot, q, show={"tool"}))
     found = robot.assemble(START_CONFIGURATIONS.get(name, np.zeros(robot.n)))
     if not found.converged:
@@ -183,12 +169,12 @@ def figure(entry: Entry) -> str:
 
 def arm_tables(chain: Chain) -> str:
     """Write the axes, the screws and both DH tables of an arm, these as a notebook shows them."""
-    parts = ["## Axes at home", joint_table(chain), "## Screw axes", raw_html(chain._repr_html_())]
+    parts = ["## Axes at home", joint_table(chain), "## Screw axes", shown(chain)]
     if "H" in chain.joint_types:
         note = "A helical joint has no row in a DH table, because a row cannot couple a rotation with a translation."
         return "\n\n".join([*parts, "## DH tables", note])
     for convention in ("standard", "modified"):
-        parts += [f"## A {convention} DH table", raw_html(assign_frames(chain, convention=convention)._repr_html_())]
+        parts += [f"## A {convention} DH table", shown(assign_frames(chain, convention=convention))]
     return "\n\n".join([*parts, "These are the tables that `kl.assign_frames` finds. Other tables can be right, too."])
 
 
@@ -199,7 +185,13 @@ def linkage_tables(mechanism: Mechanism, q: Array) -> str:
         f"It has {mechanism.n} joint values. Degrees of freedom by the Grübler-Kutzbach formula: {found.kutzbach}; "
         f"infinitesimal (first-order) mobility in this configuration: {found.infinitesimal}; finite mobility: {found.finite}."
     )
-    return "\n\n".join(["## Joints", raw_html(mechanism._repr_html_()), "## Mobility", counts])
+    return "\n\n".join(["## Joints", shown(mechanism), "## Mobility", counts])
+
+
+def shown(value: Any) -> str:
+    """Write a value as a notebook shows it, as a table of this site."""
+    html = value._repr_html_().replace("<table>", '<table class="docutils">')
+    return raw_html(re.sub("alpha|theta|omega", lambda found: GREEK[found[0]], html))
 
 
 def raw_html(html: str) -> str:

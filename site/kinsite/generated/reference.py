@@ -161,9 +161,7 @@ def link_targets() -> dict[str, str]:
     """Map each documented name, in the module that defines it, to the name under which its page is found."""
     modules = [importlib.import_module(name) for names in MODULES.values() for name in names]
     return {
-        f"{member.__module__}.{part}": f"~{module.__name__}.{part}"
-        for module in modules
-        for part, member in members(module)
+        f"{member.__module__}.{part}": f"~{one.__name__}.{part}" for one in modules for part, member in members(one)
     }
 
 

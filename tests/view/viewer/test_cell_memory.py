@@ -42,7 +42,7 @@ WIDGETS = {
     "frames": (lambda: slide_frames(lambda x: {"s": np.eye(4), "b": kl.exp([0, 0, x, 0, 0, x])}, "x", [0, 1]), "at", 1),
     "steps": (lambda: play_assignment(ARM, convention="standard"), "at", 5),
     "motions": (lambda: play_row([0.8, 0.6, 0.6, 1.4]), "at", 2.0),
-    "linkage": (lambda: drive(LINKAGE, CLOSED[0]), "variant", "assembly mode 2"),
+    "linkage": (lambda: drive(LINKAGE, CLOSED[0], curves=[CLOSED[:1], CLOSED[1:]]), "variant", "assembly mode 2"),
     "placed by hand": (lambda: assign(ARM, "standard"), "frames", FRAMES),
     "pictures": (pictures, "at", 2),
 }

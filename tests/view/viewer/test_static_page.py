@@ -63,11 +63,6 @@ def test_every_question_is_complete_on_a_static_page(page):
         assert (question["data-misstep-question"], int(question["data-right"])) == (name, item.right)
 
 
-def test_a_prediction_does_not_include_its_explanations(page):
-    item = find("03/order")
-    assert not any(option.why in Tags(still(ask("03/order"))).words for option in item.options)
-
-
 def test_a_notebook_in_a_lab_does_not_contain_the_answers(monkeypatch):
     """Students save their notebooks, and the explanations must not be in the file beside the question."""
     monkeypatch.delenv(ENVIRONMENT_VARIABLE, raising=False)
@@ -79,10 +74,3 @@ def test_what_is_covered_names_its_question(page):
     for waiting in (slide(line, "slope", [1, 2], after=question), explore(rpr(), after=question)):
         assert Tags(still(waiting)).attributes[0]["data-kinlib-after"] == "03/order"
     assert "data-kinlib-after" not in still(explore(rpr()))
-
-
-def test_both_packages_use_the_same_environment_variable():
-    from kinlib.view.drawing import picture
-    from misstep.display import static_output
-
-    assert picture.ENVIRONMENT_VARIABLE == static_output.ENVIRONMENT_VARIABLE
