@@ -21,8 +21,9 @@ from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import CHOICES, measured_difference
 from kinlib.dh.formatting import headings
-from kinlib.dh.read_table import Assumption, read_table
+from kinlib.dh.read_table import read_table
 from kinlib.dh.table import Convention, DHTable, format_rows, table_frames
+from kinlib.dh.table_text import Assumption
 from kinlib.urdf.chains import load_urdf
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.viewer.viewer import Viewer, explore, opening

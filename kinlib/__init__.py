@@ -78,40 +78,11 @@ if TYPE_CHECKING:
 
     # For type checkers only: `help` would print every class and function named here, 1,700 lines.
     __all__ = [
-        "Breach",
-        "Chain",
-        "Convention",
-        "DHTable",
-        "Diagnosis",
-        "Equivalence",
-        "FrameAssignment",
-        "Joint",
-        "Line",
-        "Mechanism",
-        "Tree",
-        "adjoint",
-        "assign_frames",
-        "check_frames",
-        "dh_transform",
-        "diagnose",
-        "equivalent",
-        "exp",
-        "hat",
-        "inverse",
-        "line",
-        "linkages",
-        "load_urdf",
-        "log",
-        "nearest_rotation",
-        "read_table",
-        "robots",
-        "screw",
-        "show",
-        "symbolic",
-        "to_urdf",
-        "vee",
-        "view",
-    ]
+        "Breach", "Chain", "Convention", "DHTable", "Diagnosis", "Equivalence", "FrameAssignment", "Joint", "Line",
+        "Mechanism", "Tree", "adjoint", "assign_frames", "check_frames", "dh_transform", "diagnose", "equivalent",
+        "exp", "hat", "inverse", "line", "linkages", "load_urdf", "log", "nearest_rotation", "read_table", "robots",
+        "screw", "show", "symbolic", "to_urdf", "vee", "view",
+    ]  # fmt: skip
 else:
 
     def __getattr__(name: str) -> Any:

@@ -40,9 +40,7 @@ def array(x: ArrayLike, name: str) -> Array:
 def real_array(x: ArrayLike, name: str) -> Array:
     """Read x as an array of real numbers, infinity included, for values where infinity has a meaning.
 
-    If x is such an array, it is returned itself: copy it before you write to it.
-
-    Raises ValueError for anything else, for a masked array and for a np.matrix.
+    Raises ValueError for anything else.
     """
     if isinstance(x, np.matrix | np.ma.MaskedArray):  # np.asarray would drop what makes them different
         raise ValueError(
@@ -64,10 +62,7 @@ def real_array(x: ArrayLike, name: str) -> Array:
 
 
 def vectors(x: ArrayLike, name: str, size: int) -> Array:
-    """Read x as vectors of one size, shape (..., size).
-
-    Raises ValueError for another last dimension; the message says when the transpose would fit.
-    """
+    """Read x as vectors of one size, shape (..., size); ValueError for another one, and a hint if the transpose would fit."""
     values = array(x, name)
     if values.shape[-1:] != (size,):
         fits = values.ndim > 1 and values.shape[-2] == size
@@ -77,10 +72,7 @@ def vectors(x: ArrayLike, name: str, size: int) -> Array:
 
 
 def single(values: Array, name: str) -> Array:
-    """Return one configuration (n,) unchanged.
-
-    Raises ValueError for several of them, (m, n).
-    """
+    """Return one configuration (n,) unchanged; ValueError for several of them."""
     if values.ndim != 1:
         raise ValueError(
             f"{name} must have shape ({values.shape[-1]},); got {values.shape}. Pass one configuration at a time, {name}[0]."
@@ -89,10 +81,7 @@ def single(values: Array, name: str) -> Array:
 
 
 def unit_vectors(x: ArrayLike, name: str) -> Array:
-    """Read x as unit vectors in space, shape (..., 3), and scale them to length 1 exactly.
-
-    Raises ValueError for a length that differs from 1 by more than the tolerance, and says which length it is.
-    """
+    """Read x as unit vectors (..., 3), and scale them to length 1 exactly; ValueError if they are not about that long."""
     values = vectors(x, name, 3)
     length = np.linalg.norm(values, axis=-1)
     if (wrong := np.abs(length - 1) > UNIT_LENGTH_TOL).any():
@@ -112,10 +101,7 @@ def divide_by_length(values: Array, length: Array) -> Array:
 
 
 def rotation_angles(angle: Array) -> Array:
-    """Return rotation angles in radians unchanged, if double precision can resolve them.
-
-    Raises ValueError for an angle above `MAX_ROTATION_RAD`.
-    """
+    """Return rotation angles in radians unchanged, if double precision can resolve them; ValueError if not."""
     if (angle > MAX_ROTATION_RAD).any():
         raise ValueError(
             f"A rotation angle must be at most {MAX_ROTATION_RAD:.0e} rad, because double precision cannot resolve its direction "
@@ -125,11 +111,7 @@ def rotation_angles(angle: Array) -> Array:
 
 
 def rotations_or_poses(x: ArrayLike, name: str) -> Array:
-    """Read x as rotations (..., 3, 3) or poses (..., 4, 4).
-
-    Raises ValueError for another shape, NaN or infinity, a block that is not orthonormal, a reflection, and a last row that
-    is not 0 0 0 1.
-    """
+    """Read x as rotations (..., 3, 3) or poses (..., 4, 4); ValueError for anything else, with the likely cause."""
     values = real_array(x, name)
     if values.shape[-2:] not in {(3, 3), (4, 4)}:
         raise ValueError(f"{name} must be a rotation (..., 3, 3) or a pose (..., 4, 4); got shape {values.shape}.")
@@ -139,10 +121,7 @@ def rotations_or_poses(x: ArrayLike, name: str) -> Array:
 
 
 def poses(x: ArrayLike, name: str) -> Array:
-    """Read x as poses, shape (..., 4, 4).
-
-    Raises ValueError for anything that is not an element of SE(3).
-    """
+    """Read x as poses, shape (..., 4, 4); ValueError for anything that is not an element of SE(3)."""
     values = rotations_or_poses(x, name)
     if values.shape[-1] != 4:
         raise ValueError(
@@ -151,11 +130,25 @@ def poses(x: ArrayLike, name: str) -> Array:
     return values
 
 
-def whole_number(x: Any, name: str, most: float = np.inf) -> int:
-    """Read x as a whole number from 0 to `most`.
+def single_pose(x: ArrayLike, name: str) -> Array:
+    """Read x as one pose, (4, 4); ValueError for anything else."""
+    if (pose := poses(x, name)).ndim != 2:
+        raise ValueError(f"{name} must be a single pose, (4, 4); got {pose.shape}.")
+    return pose
 
-    Raises ValueError for a float, for text, and for a number beyond this range.
-    """
+
+def keys(data: Any, what: str, required: Sequence[str], optional: Sequence[str] = ()) -> None:
+    """Check that data are a dictionary with these keys; ValueError if not."""
+    if not isinstance(data, dict) or not set(required) <= set(data) <= {*required, *optional}:
+        given = ", ".join(map(str, data)) or "no key" if isinstance(data, dict) else describe(data)
+        possibly = f", and possibly {', '.join(optional)}" if optional else ""
+        raise ValueError(
+            f"{what} as data must be a dictionary with the keys {', '.join(required)}{possibly}; got {given:.200}."
+        )
+
+
+def whole_number(x: Any, name: str, most: float = np.inf) -> int:
+    """Read x as a whole number from 0 to `most`; ValueError for anything else."""
     if not isinstance(x, int | np.integer) or not 0 <= x <= most:
         end = "on" if most == np.inf else f"to {most}"
         raise ValueError(
@@ -182,10 +175,7 @@ ADVICE = {
 
 
 def instance(x: object, name: str, *kinds: type) -> None:
-    """Check that an argument is of one of these types.
-
-    Raises ValueError for any other one, with what can be made of it.
-    """
+    """Check that an argument is of one of these types; ValueError for another one, with what can be made of it."""
     if isinstance(x, kinds):
         return
     needed = [kind.__name__ for kind in kinds]
@@ -268,11 +258,7 @@ def _stacked(values: Mapping[str, ArrayLike], names: Sequence[str], robot: str) 
 
 
 def suggest_name(name: object, names: Sequence[str], what: str) -> str:
-    """Return a sentence with the name that a wrong one may mean, or with all names if none is similar.
-
-    >>> suggest_name("bsae", ["base", "tool"], "links"), suggest_name("hand", ["base", "tool"], "links")
-    (' Did you mean base?', ' The links are base, tool.')
-    """
+    """Return a sentence with the name that a wrong one may mean, or with all names if none is similar."""
     from difflib import get_close_matches
 
     close = get_close_matches(str(name), names, n=1)
@@ -305,22 +291,19 @@ class ReadOnly:
     def __hash__(self) -> int:
         return hash(_comparable(self))
 
-    def _compared_fields(self) -> dict[str, Any]:
-        """What decides whether two are equal: the fields, without those that have compare=False."""
-        return {one.name: getattr(self, one.name) for one in fields(self) if one.compare}  # type: ignore[arg-type]
-
     def _fields(self) -> dict[str, Any]:
-        return {one.name: getattr(self, one.name) for one in fields(self) if one.init}  # type: ignore[arg-type]
+        return {each.name: getattr(self, each.name) for each in fields(self) if each.init}  # type: ignore[arg-type]
 
 
 def _comparable(value: Any) -> Any:
     """Convert a value to one that can be compared and hashed: arrays to their shape and their numbers."""
     if isinstance(value, ReadOnly):
-        return type(value), *map(_comparable, value._compared_fields().values())  # noqa: SLF001
+        compared = [each.name for each in fields(value) if each.compare]  # type: ignore[arg-type]
+        return type(value), *(_comparable(getattr(value, name)) for name in compared)
     if isinstance(value, np.ndarray):
         return value.shape, tuple(value.ravel().tolist())
     if isinstance(value, Mapping):
-        return frozenset((key, _comparable(one)) for key, one in value.items())
+        return frozenset((key, _comparable(each)) for key, each in value.items())
     return tuple(map(_comparable, value)) if isinstance(value, tuple | list) else value
 
 

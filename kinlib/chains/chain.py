@@ -40,7 +40,8 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
     link_names       the n + 1 names of its links from the base on, and one more if the tool is a link of its own; optional
 
     Raises ValueError if there are no joints, if the screws are in columns or not normalized, if home is not rigid, if a point
-    is not on its axis, if a lower limit is above the upper one, or if the limits of a revolute joint look like degrees.
+    is not on its axis, if a lower limit is above the upper one, or if the limits of a revolute joint look like degrees. Methods do for
+    joint values of another size, for NaN, and for a missing or an unknown name.
     Source: Modern Robotics, 4.1; Chapter 4 review.
 
     >>> from kinlib import exp, screw
@@ -73,14 +74,11 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         ) -> None: ...
 
     def __post_init__(self) -> None:
-        screws = validation.array(self.screws, "screws")
+        screws = axes(self.screws, "screws")
         if screws.ndim != 2 or len(screws) == 0:
             raise ValueError(f"screws must have shape (n, 6), one row per joint; got {screws.shape}.")
-        home = validation.poses(self.home, "home")
-        if home.ndim != 2:
-            raise ValueError(f"home must be a single pose, (4, 4); got {home.shape}.")
-        self._set("screws", axes(screws, "screws"))
-        self._set("home", home)
+        self._set("screws", screws)
+        self._set("home", validation.single_pose(self.home, "home"))
         if self.points is not None:
             self._set("points", _validate_points(self.screws, self.points))
         if self.limits is not None:
@@ -202,7 +200,6 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         q (..., n) in radians and metres -> T_sb (..., 4, 4), for any number of configurations at once. Here and in the other
         methods, q may also be a mapping from the name of each joint to its value.
 
-        Raises ValueError for joint values of another size, for NaN, and for a missing or an unknown name.
         Source: Modern Robotics, (4.14).
 
         >>> from kinlib.chains.robots import rprr
@@ -216,8 +213,6 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         """Compute the pose of the tool by the body form: T(q) = M e^[B1]q1 ... e^[Bn]qn.
 
         q (..., n) -> (..., 4, 4), equal to fk(q).
-
-        Raises ValueError for joint values of another size, and for NaN.
         Source: Modern Robotics, (4.16); Chapter 4 review.
 
         >>> from kinlib.chains.robots import rppr
@@ -232,7 +227,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
 
         q (..., n) -> (..., 4, 4), equal to fk(q) for every k from 0, the body form, to n, the space form.
 
-        Raises ValueError for joint values of another size, for NaN, and for a k outside 0 ... n.
+        Raises ValueError for a k outside 0 ... n.
         Source: Chapter 4 review, "PoE with a Mid-Formula Matrix".
 
         >>> from kinlib.chains.robots import youbot
@@ -251,8 +246,6 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         q (..., n) -> (..., n, 4, 4):  T_i(q) = e^[S1]q1 ... e^[Si]qi M_i, with M_i the translation to joint_points[i].
 
         These are not the link frames of a URDF file, which may be rotated; those are `Tree.poses`.
-
-        Raises ValueError for joint values of another size, and for NaN.
         Source: Modern Robotics, 4.1.2 (the links of figure 4.2), with frames of our choice.
 
         >>> from kinlib.chains.robots import youbot
@@ -270,8 +263,6 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         q (..., n) -> (..., 6, n). Column i is the screw axis of joint i, moved by the joints before it:
         J_i = Ad(e^[S1]q1 ... e^[Si-1]qi-1) S_i. Its v is the velocity of the point that is at the origin of {s}; the origin of the
         tool has the velocity fk(q)[..., :3, :3] @ body_jacobian(q)[..., 3:, :] @ qdot, in {s}.
-
-        Raises ValueError for joint values of another size, and for NaN.
         Source: Modern Robotics, (5.11).
 
         >>> from kinlib.chains.robots import rpr
@@ -289,8 +280,6 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
 
         q (..., n) -> (..., 6, n). Column i is the screw axis of joint i in {b}, moved back by the joints after it:
         J_bi = Ad(e^-[Bn]qn ... e^-[Bi+1]qi+1) B_i.
-
-        Raises ValueError for joint values of another size, and for NaN.
         Source: Modern Robotics, (5.18) and (5.22).
 
         >>> from kinlib.chains.robots import rpr
@@ -337,13 +326,8 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         >>> bool((arm.fk([1, 2, 3, 4, 5]) == youbot().fk([1, 2, 3, 4, 5])).all())
         True
         """
-        required, optional = {"screws", "home"}, {"points", "name", "source", "limits", "joint_names", "link_names"}
-        if not isinstance(data, dict) or not required <= set(data) <= required | optional:
-            given = ", ".join(map(str, data)) or "no key" if isinstance(data, dict) else validation.describe(data)
-            raise ValueError(
-                f"A chain as data must be a dictionary with the keys {', '.join(sorted(required))}, and possibly "
-                f"{', '.join(sorted(optional))}; got {given:.200}."
-            )
+        required, optional = ("screws", "home"), ("points", "name", "source", "limits", "joint_names", "link_names")
+        validation.keys(data, "A chain", required, optional)
         if (limits := data.get("limits")) is not None:
             infinite = (-np.inf, np.inf)
             limits = [[end if x is None else x for x, end in zip(pair, infinite, strict=True)] for pair in limits]

@@ -19,22 +19,9 @@ from kinlib.rigid import lie
 from kinlib.rigid.screw import screw
 
 __all__ = [
-    "angled_arm",
-    "arm",
-    "hrr",
-    "mid_formula_arm",
-    "panda",
-    "plain_arm",
-    "pose",
-    "puma560",
-    "rppr",
-    "rpr",
-    "rpr_lecture7",
-    "rprr",
-    "scara",
-    "ur5e",
-    "youbot",
-]
+    "angled_arm", "arm", "hrr", "mid_formula_arm", "panda", "plain_arm", "pose", "puma560", "rppr", "rpr",
+    "rpr_lecture7", "rprr", "scara", "ur5e", "youbot",
+]  # fmt: skip
 """The functions, without X, Y, Z and SLIDE, so that `help` does not print what NumPy says about arrays."""
 
 X, Y, Z = np.eye(3)

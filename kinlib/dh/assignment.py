@@ -58,18 +58,7 @@ class FrameAssignment(validation.ReadOnly):
         object.__setattr__(self, "frames", validation.read_only_copy(self.frames))
 
     def __str__(self) -> str:
-        """Write the table, with base and tool unless they are the identity.
-
-        >>> from kinlib.chains.robots import rpr
-        >>> print(assign_frames(rpr(), convention="modified"))
-        RPR, modified convention
-        i | a_{i-1} | alpha_{i-1} | d_i | theta_i
-        1 | 0       | 0           | 0   | q1
-        2 | 0       | -90°        | q2  | 0
-        3 | 4       | 90°         | 0   | q3
-        base = [[1, 0, 0, -4], [0, 0, -1, -2], [0, 1, 0, 0], [0, 0, 0, 1]]
-        tool = [[0, 1, 0, 0], [1, 0, 0, 1], [0, 0, -1, -2], [0, 0, 0, 1]]
-        """
+        """Write the table, with base and tool unless they are the identity."""
         return f"{self.table.name}, {self.table.convention} convention\n{self.table}"
 
     def _repr_html_(self) -> str:

@@ -19,18 +19,18 @@ from kinlib.arrays.formatting import format_number
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.equivalence import (
-    CHOICES,
-    NEARLY_PARALLEL_LOSS,
-    Equivalence,
-    equivalent,
-    measured_difference,
-    neighbours,
+from kinlib.dh.alignment.invariants import neighbours
+from kinlib.dh.equivalence import CHOICES, NEARLY_PARALLEL_LOSS, Equivalence, equivalent, measured_difference
+from kinlib.dh.explanation.rounding import entries_off, nearest_rows, nearest_table, rounding_effect, typed_half_units
+from kinlib.dh.explanation.search import (
+    TableExplanation,
+    cheapest,
+    choices_as_faults,
+    explain_by_choices,
+    explain_by_slips,
 )
-from kinlib.dh.parsing import COLUMNS, joint_entries
-from kinlib.dh.rounding import nearest_rows, nearest_table, rounding_effect, typed_half_units
-from kinlib.dh.search import TableExplanation, cheapest, choices_as_faults, explain_by_choices, explain_by_slips
-from kinlib.dh.slips import MIN_LENGTH_MM, NUMBERS, SLIPS_OF_A_TABLE, Fault, wrong_number
+from kinlib.dh.parsing import COLUMNS, MIN_LENGTH_MM
+from kinlib.dh.slips import NUMBERS, SLIPS_OF_A_TABLE, Fault, wrong_number
 from kinlib.dh.table import Convention, DHTable
 from kinlib.urdf.chains import load_urdf
 
@@ -141,7 +141,7 @@ class Diagnosis:
         yield from (fault.text for fault in choices_as_faults(self.table, found))
         if kinds & {"zeros", "signs"}:
             fixed = frozenset(CHOICES) - ({"base", "tool"} & kinds)
-            one_slip = explain_by_slips(self.table, self.arm, fixed, frozenset(), found.tolerance, 1)
+            one_slip = explain_by_slips(self.table, self.arm, fixed, found.tolerance, 1)
             texts = [each.faults[0].text for each in one_slip if each.faults[0].name not in NUMBERS]
             if texts:
                 yield f"If q is meant to be the same: {' Or: '.join(texts[:MAX_TOLD])}"
@@ -208,15 +208,15 @@ def diagnose(
     if np.abs(table.rows[:, [0, 2]]).max() > MIN_LENGTH_MM and noise > exact:  # in case that they are in millimetres
         metres = table.changed(rows=table.rows * (1e-3, 1, 1e-3, 1))
         noise = max(rounding_effect(metres, typed_half_units(metres.rows)[0]), exact)
-    has_noise = near.verdict != "same" and exact < noise <= MAX_ROUNDED_TOL
-    for bound in [exact, noise] if has_noise else [exact]:
-        explained = _explanations(table, reference, fixed, half, bound, in_pairs, bound == exact)
-        found = replace(found, explanations=found.explanations or explained)
+    explanations = _explanations(table, reference, fixed, half, exact, in_pairs)
+    if not explanations and near.verdict != "same" and exact < noise <= MAX_ROUNDED_TOL:
+        explanations = _explanations(table, reference, fixed, half, noise, in_pairs, max_slips=1)
+    found = replace(found, explanations=explanations)
     # Where rounding may be the cause, only a single usual mistake outweighs it.
-    is_usual = any(len(each.faults) == 1 and each.faults[0].name in USUAL_SLIPS for each in found.explanations)
+    is_usual = any(len(each.faults) == 1 and each.faults[0].name in USUAL_SLIPS for each in explanations)
     if rounding == "possible" and not is_usual:
         return replace(found, verdict="undecided")
-    return found if found.explanations or not in_pairs else _with_nearest(found, fixed, half, noise)
+    return found if explanations or not in_pairs else _with_nearest(found, fixed, half, noise)
 
 
 def _table_or_arm(given: Any, convention: Convention | None) -> Any:
@@ -237,9 +237,7 @@ def _judge_rounding(
     fit = nearest_rows(table, arm, near, fixed, half_unit, few=False)
     if fit is None or fit[1] > max(EQUIVALENCE_TOL, 1e-2 * near.tolerance):
         return "possible"
-    off = np.abs(fit[0] - table.rows) / half_unit
-    for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
-        off[entry] = 0.0
+    off = entries_off(table, fit[0], fixed, half_unit)
     # The sum of squares is smallest, not the largest change. No numbers within their half units have a smaller sum.
     is_excluded = np.linalg.norm(off) > 1.05 * math.sqrt(off.size) and smallest > 0.1
     return "rounded" if off.max() <= 2.0 else "excluded" if is_excluded else "possible"
@@ -252,17 +250,17 @@ def _explanations(  # noqa: PLR0917
     half: Array,
     bound: float,
     in_pairs: bool,
-    is_exact: bool,
+    max_slips: int = 2,
 ) -> list[TableExplanation]:
     """Explain a table by one slip; or by choices that are fixed, or two slips, whichever changes less."""
-    found = _with_enough_digits(explain_by_slips(table, reference, fixed, frozenset(), bound, 1), table, half)
+    found = _with_enough_digits(explain_by_slips(table, reference, fixed, bound, 1), table, half)
     if not in_pairs or any(each.edits <= 1 for each in found):
         return found
     choice = explain_by_choices(table, equivalent(table, reference, tolerance=bound)) if fixed else None
-    if not found and is_exact and not (choice and choice.edits <= 2):
-        pairs = explain_by_slips(table, reference, fixed, frozenset(), bound, 2)
+    if not found and max_slips > 1 and not (choice and choice.edits <= 2):
+        pairs = explain_by_slips(table, reference, fixed, bound, 2)
         if ends := fixed & {"base", "tool"}:
-            pairs += explain_by_slips(table, reference, fixed, ends, bound, 1)
+            pairs += explain_by_slips(table, reference, fixed, bound, 1, ends)
         found = _with_enough_digits(cheapest(pairs), table, half)
     if choice and not any(each.says_as_much(choice) for each in found):
         is_pair = bool(found) and len(found[0].faults) > 1

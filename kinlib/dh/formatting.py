@@ -18,9 +18,6 @@ def headings(convention: str) -> tuple[str, ...]:
     """Return the headings of a table, which show its convention: row i of a modified table has a and alpha of the link before.
 
     The page of the 3-D viewer reads them from the same file.
-
-    >>> headings("modified")
-    ('i', 'a_{i-1}', 'alpha_{i-1}', 'd_i', 'theta_i')
     """
     import json  # for tables that are printed; `import kinlib` loads no more than NumPy
 
@@ -29,22 +26,14 @@ def headings(convention: str) -> tuple[str, ...]:
 
 
 def add_variable(variable: str, constant: str) -> str:
-    """Write the sum of a joint variable and a constant, which is left out if it is 0.
-
-    >>> add_variable("q1", "-90°"), add_variable("-q2", "0.3"), add_variable("q3", "0°")
-    ('q1 - 90°', '-q2 + 0.3', 'q3')
-    """
+    """Write the sum of a joint variable and a constant, which is left out if it is 0."""
     if constant in {"0", "0°"}:
         return variable
     return f"{variable} - {constant[1:]}" if constant.startswith("-") else f"{variable} + {constant}"
 
 
 def in_latex(heading: str) -> str:
-    r"""Write a heading in LaTeX.
-
-    >>> in_latex("alpha_{i-1}")
-    '\\alpha_{i-1}'
-    """
+    r"""Write a heading in LaTeX."""
     return heading.replace("alpha", r"\alpha").replace("theta", r"\theta")
 
 
@@ -52,11 +41,6 @@ def markdown_table(rows: Sequence[Sequence[str]], heads: Sequence[str] = ("i", *
     """Write rows of entries as a table in Markdown, with the rows numbered from 1.
 
     heads  the headings of all columns, including the column of row numbers
-
-    >>> print(markdown_table([["0.4", "90°", "0", "q1"]]))
-    | i | a | alpha | d | theta |
-    | --- | --- | --- | --- | --- |
-    | 1 | 0.4 | 90° | 0 | q1 |
     """
     lines = [" | ".join(cells) for cells in (heads, ["---"] * len(heads))]
     lines += [" | ".join([str(i), *row]) for i, row in enumerate(rows, start=1)]

@@ -1,14 +1,12 @@
 """The slips that people make in DH tables: one table of them, used in both directions.
 
-Forwards, `slip.change` makes the slip in the rows of a right table; `tables_with_a_slip` does so in every place. Backwards,
-`corrections` undoes every slip in every place where it could have been made, for `kinlib.dh.diagnosis`. All changes take rows
-(..., m, 4), so that many tables are changed at once.
+Forwards, `slip.change` makes the slip in the rows of a right table. Backwards, `corrections` undoes every slip in every place where it
+could have been made, for `kinlib.dh.explanation.search`. All changes take rows (..., m, 4), so that many tables are changed at once.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from itertools import combinations, permutations
 
@@ -17,7 +15,7 @@ import numpy as np
 from kinlib.arrays.formatting import format_degrees, format_different, format_number
 from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array
-from kinlib.dh.parsing import COLUMNS, joint_entries
+from kinlib.dh.parsing import COLUMNS, MIN_LENGTH_MM, joint_entries
 from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.angles import wrap_angle
 
@@ -28,9 +26,6 @@ OTHER_CONVENTION: dict[Convention, Convention] = {"standard": "modified", "modif
 
 NUMBERS = {"wrong number", "offset forgotten"}
 """The faults that are corrected by a number that the table does not suggest; so they could explain almost anything."""
-
-MIN_LENGTH_MM = 5
-"""The smallest length that is taken as one in millimetres."""
 
 Change = Callable[[Array], Array]
 
@@ -51,11 +46,6 @@ class Slip:
     change: Change
     undo: Change | None = None
     column: int | None = None
-
-    @property
-    def correction(self) -> Change:
-        """The change that undoes the slip."""
-        return self.undo or self.change
 
 
 def scale(columns: Sequence[int], factor: float) -> Change:
@@ -184,21 +174,7 @@ class Correction:
     reversed: frozenset[int] = frozenset()
 
 
-def tables_with_a_slip(table: DHTable) -> Iterator[tuple[str, DHTable]]:
-    """Yield the names of slips, and the tables to which each of them leads from a right one where it is made once.
-
-    >>> tables = tables_with_a_slip(DHTable([[1, 0, 2, 0]], convention="standard"))
-    >>> next(table.columns["a"] for name, table in tables if name == "a and d swapped")
-    array([2.])
-    """
-    for slip, places in _slips_in_places(len(table.rows)):
-        rows = _changed(slip.change, places)(table.rows)
-        with suppress(ValueError):  # no table has an angle of many turns
-            if (rows != table.rows).any():
-                yield slip.name, table.changed(rows=rows)
-
-
-def _slips_in_places(m: int) -> Iterator[tuple[Slip, list[int]]]:
+def slips_in_places(m: int) -> Iterator[tuple[Slip, list[int]]]:
     """Yield every slip with the rows in which it can be made, [] for the whole table, whose slips come first."""
     yield from ((slip, []) for slip in SLIPS_OF_A_TABLE)
     yield from ((slip, [row]) for row in range(m) for slip in SLIPS_OF_A_ROW)
@@ -206,8 +182,8 @@ def _slips_in_places(m: int) -> Iterator[tuple[Slip, list[int]]]:
         yield from ((slip, [one, two]) for slip in SLIPS_OF_TWO_ROWS[: None if two == one + 1 else 1])
 
 
-def _changed(change: Change, places: list[int]) -> Change:
-    """Return the change of the whole rows that a change of some rows is."""
+def changed_in(places: list[int], change: Change) -> Change:
+    """Return the change of the whole rows that a change of some of them is; [] are all."""
     if not places:
         return change
 
@@ -227,10 +203,10 @@ def corrections(table: DHTable, right: Array, zeros_are_fixed: bool, signs_are_f
     """
     variables = [] if zeros_are_fixed else joint_entries(table.joints)
     found = list[Correction]()
-    for slip, places in _slips_in_places(len(table.rows)):
+    for slip, places in slips_in_places(len(table.rows)):
         if len(places) == 1 and ((places[0], slip.column) in variables or not _is_likely(slip, table.rows[places[0]])):
             continue
-        found.append(Correction(_fault(slip, places, table), _changed(slip.correction, places)))
+        found.append(Correction(_fault(slip, places, table), changed_in(places, slip.undo or slip.change)))
     if signs_are_fixed:
         found += _corrections_of_signs(table)
     return [*found, *_corrections_of_a_number(table, right, zeros_are_fixed)]
@@ -261,9 +237,6 @@ def starting_tables(table: DHTable, joint_types: str) -> Iterator[tuple[list[Fau
     """Yield a table in both conventions and with the joint types of an arm, and the faults that were corrected.
 
     Variables belong in the other column, or two rows are swapped.
-
-    >>> [(len(faults), table.joints) for faults, table in starting_tables(DHTable([[1, 0, 0, 0]], "standard"), "P")]
-    [(1, 'P'), (2, 'P')]
     """
     other, ways = OTHER_CONVENTION[table.convention], [(list[Fault](), table)]
     right, moving = [*table.joints], [row for row, _ in joint_entries(table.joints)]
@@ -298,7 +271,7 @@ def _corrections_of_signs(table: DHTable) -> Iterator[Correction]:
     turning = [row for row, letter in enumerate(table.joints) if letter == "R"]
     if len(turning) > 1:
         fault = Fault("sign of theta", "Every theta has the wrong sign, with its q.", None, "theta")
-        yield Correction(fault, _changed(scale([THETA], -1), turning), reversed=frozenset(turning))
+        yield Correction(fault, changed_in(turning, scale([THETA], -1)), reversed=frozenset(turning))
 
 
 def _corrections_of_a_number(table: DHTable, right: Array, zeros_are_fixed: bool) -> Iterator[Correction]:
@@ -327,12 +300,7 @@ def _corrections_of_a_number(table: DHTable, right: Array, zeros_are_fixed: bool
 
 
 def wrong_number(table: DHTable, right: DHTable, row: int, column: int) -> Fault:
-    """Describe a number of a table that differs from that of the right one, with as many digits as it takes to tell them apart.
-
-    >>> one, other = (DHTable([[a, 0, 0, 0]], convention="standard") for a in (0.36442, 0.36435))
-    >>> wrong_number(one, other, 0, A).text
-    'Row 1: a should be 0.36435; the table has 0.36442.'
-    """
+    """Describe a number of a table that differs from that of the right one, with as many digits as it takes to tell them apart."""
     factor, unit = (180 / np.pi, "°") if column in ANGLES else (1.0, "")
     typed, value, name = float(table.rows[row, column]), float(right.rows[row, column]), COLUMNS[column]
     numbers = round(factor * value, 9), round(factor * typed, 9)

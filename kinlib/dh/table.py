@@ -13,7 +13,6 @@ converted into the other by moving alpha and a by one row, and the constants tha
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial, reduce
@@ -36,16 +35,14 @@ from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
 from kinlib.dh.formatting import PRINTED_DIGITS, add_variable, headings
-from kinlib.dh.parsing import COLUMNS, Rows, joint_entries, read_rows
+from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, MAX_LENGTH_M, is_plausible_angle, joint_entries
+from kinlib.dh.table_text import read_rows
 from kinlib.rigid.screw import screw
 
 Convention = Literal["standard", "modified"]
 
 TableRows = str | Sequence[Mapping[str, Any]] | ArrayLike
 """What a table is made from: text, dictionaries by column name, or numbers (m, 4)."""
-
-MAX_END_LENGTH = 2000
-"""The maximum length of the line of a base or a tool, in characters."""
 
 DICT_KEYS = ("rows", "convention", "joints", "signs", "base", "tool")
 """The keys of `DHTable.to_dict`."""
@@ -93,7 +90,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 
     Wherever q is an argument, it may also be a mapping from "q1", "q2", ... to values.
 
-    Raises ValueError for a table that cannot be read; the message names the row and the column.
+    Raises ValueError for a table that cannot be read; the message names the row and the column. Methods do for another size of q.
     Source: EduFill manipulation module (standard), DH example with n = 5 and Kinematics under DH (modified).
 
     >>> table = DHTable("a | alpha | d | theta \n 0.4 | 0 | 0 | q1 \n 0.3 | 0 | 0 | q2", convention="standard")
@@ -127,19 +124,16 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 
     def __post_init__(self) -> None:
         convention = validate_convention(self.convention)
-        given: Any = self.rows
-        rows, ends = _split_ends(given) if isinstance(given, str) else (given, {})
-        read = read_rows(rows, self.joints or None, self.lengths, convention)
-        arrays = {"rows": read.numbers, "signs": _signs(self.signs, read)}
+        rows, joints, signs, ends = _read(self.rows, self.lengths, self.joints, convention)
+        _validate_rows(rows, joints)
+        arrays = {"rows": rows, "signs": _signs(self.signs, signs, len(rows))}
         for name, value in (("base", self.base), ("tool", self.tool)):
             if name in ends and not np.array_equal(value, np.eye(4)):
                 raise ValueError(f"{name} must be given once; got it in the text and as an argument. Remove one.")
-            arrays[name] = validation.poses(ends.get(name, value), name)
-            if arrays[name].ndim != 2:
-                raise ValueError(f"{name} must be a single pose, (4, 4); got {arrays[name].shape}.")
+            arrays[name] = validation.single_pose(ends.get(name, value), name)
         for name, array in arrays.items():
             object.__setattr__(self, name, validation.read_only_copy(array))
-        object.__setattr__(self, "joints", read.joints)
+        object.__setattr__(self, "joints", joints)
 
     def __str__(self) -> str:
         r"""Write the table as text that DHTable reads back; the indices in the headings show the convention.
@@ -165,12 +159,10 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 
     def _ends(self, digits: int = PRINTED_DIGITS) -> list[str]:
         """Base and tool as text, those that are not the identity."""
-        ends = [
-            (name, T)
-            for name, T in (("base", self.base), ("tool", self.tool))
-            if np.abs(T - np.eye(4)).max() > ROUNDING_ERROR
+        ends = {"base": self.base, "tool": self.tool}.items()
+        return [
+            f"{name} = {format_matrix(T, digits)}" for name, T in ends if np.abs(T - np.eye(4)).max() > ROUNDING_ERROR
         ]
-        return [f"{name} = {format_matrix(T, digits)}" for name, T in ends]
 
     def _numbered_rows(self) -> list[list[str]]:
         length, angle = (partial(write, digits=PRINTED_DIGITS) for write in (format_number, format_degrees))
@@ -202,8 +194,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         """Compute the pose of each frame in the one before it: A_i or T_i, one for each row.
 
         q (..., n) in radians and metres -> (..., m, 4, 4).
-
-        Raises ValueError for joint values of another size, and for NaN.
         Source: DH example with n = 5, which prints them for its RPRR arm.
 
         >>> DHTable([[0.4, 0, 0, 0]], convention="standard").link_transforms([np.pi / 2])[0, :3, 3].round(3) + 0.0
@@ -215,8 +205,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         """Compute the pose of the tool: base A_1(q_1) ... A_m tool.
 
         q (..., n) -> T_sb (..., 4, 4).
-
-        Raises ValueError for joint values of another size, and for NaN.
         Source: Chapter 4 review, step 7.
 
         >>> DHTable([[0.4, 0, 0, 0]], convention="modified").fk(np.zeros((1000, 1))).shape
@@ -228,8 +216,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         """Compute the space Jacobian: column i is the twist of the tool, in {s}, at unit speed of joint i.
 
         q (..., n) -> (..., 6, n), that of the chain: J_i is the z axis of joint i at q, as a screw axis.
-
-        Raises ValueError for joint values of another size, and for NaN.
         Source: Modern Robotics, (5.11).
 
         >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard").jacobian([0, 0])[:, 1] + 0.0
@@ -293,14 +279,9 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         >>> data["base"] == data["tool"] == np.eye(4).tolist()
         True
         """
-        return {
-            "rows": self.rows.tolist(),
-            "convention": self.convention,
-            "joints": self.joints,
-            "signs": self.signs.astype(int).tolist(),
-            "base": self.base.tolist(),
-            "tool": self.tool.tolist(),
-        }
+        lists = {name: getattr(self, name).tolist() for name in ("rows", "base", "tool")}
+        signs = self.signs.astype(int).tolist()
+        return lists | {"convention": self.convention, "joints": self.joints, "signs": signs}
 
     @classmethod
     def from_dict(cls, data: Any) -> DHTable:
@@ -312,11 +293,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         >>> DHTable.from_dict(table.to_dict()).to_dict() == table.to_dict()
         True
         """
-        if not isinstance(data, dict) or set(data) != set(DICT_KEYS):
-            given = ", ".join(map(str, data)) or "no key" if isinstance(data, dict) else validation.describe(data)
-            raise ValueError(
-                f"A table as data must be a dictionary with the keys {', '.join(DICT_KEYS)}; got {given:.200}."
-            )
+        validation.keys(data, "A table", DICT_KEYS)
         for name in ("rows", "signs", "base", "tool"):
             if not isinstance(data[name], list) or not data[name]:
                 raise ValueError(f"{name} must be a list of numbers or of rows; got {validation.describe(data[name])}.")
@@ -410,34 +387,58 @@ def format_rows(
     return rows
 
 
-def _split_ends(text: str) -> tuple[str, dict[str, Any]]:
-    """Split the lines `base = [[...]]` and `tool = [[...]]` from the text of a table."""
-    import json  # for tables that were printed
-
-    ends, lines = dict[str, Any](), text.splitlines()
-    while lines and (found := re.fullmatch(r"\s*(base|tool)\s*=\s*(\[.*\])\s*|\s*", lines[-1][:MAX_END_LENGTH])):
-        if lines.pop() and found[1]:
-            try:
-                ends[found[1]] = json.loads(found[2])
-            except (ValueError, RecursionError) as error:
-                raise ValueError(
-                    f"{found[1]} must be a pose, [[1, 0, 0, 0], [0, 1, 0, 0], ...]; got {found[2]!r:.80}. Pass {found[1]}=... instead."
-                ) from error
-    return "\n".join(lines), ends
-
-
-def _signs(given: Array, read: Rows) -> Array:
-    """The signs of the rows: the given ones, or else those of the variables."""
-    own = np.ones(len(read.numbers)) if read.signs is None else read.signs
-    signs = validation.array(given, "signs") if np.size(given) else own
-    if signs.shape != own.shape or (np.abs(signs) != 1).any():
+def _read(given: Any, lengths: Mapping[str, float] | None, joints: str, convention: str) -> tuple[Array, str, Any, Any]:
+    """Read rows in any form: the numbers, the letters, the signs, and base and tool if the text has them."""
+    if not isinstance(lengths or {}, Mapping):
+        raise ValueError(f"lengths must be a dictionary such as {{'l2': 0.5}}; got {validation.describe(lengths)}.")
+    is_listed = isinstance(given, Sequence) and any(isinstance(row, Mapping) for row in given)
+    if not isinstance(given, str) and not is_listed:
+        numbers = validation.vectors(cast("ArrayLike", given), "rows", 4)
+        if numbers.ndim != 2 or not len(numbers):
+            raise ValueError(
+                f"rows must have shape (m, 4), one row of a, alpha, d, theta per frame; got {numbers.shape}."
+            )
+        return numbers, joints or "R" * len(numbers), (), {}
+    values = {name: float(validation.array(value, f"lengths[{name!r:.60}]")) for name, value in (lengths or {}).items()}
+    read = read_rows(given, strict=True, lengths=values, joints=joints)
+    if read.convention not in {None, convention}:
         raise ValueError(
-            f"signs must have an entry 1 or -1 for each of the {len(own)} rows; got {validation.describe(given)}."
+            f"The text is that of a {read.convention} table, but convention is {convention!r}. These two are often confused: row i has a_i "
+            f"and alpha_i in the standard convention, and a_{{i-1}} and alpha_{{i-1}} in the modified one (Craig). Write "
+            f"convention={read.convention!r}, or, if the numbers are those of a {convention} table, write a and alpha without an index."
         )
-    if read.signs is not None and (signs != own).any():
+    return read.numbers, read.joints, read.signs, read.ends
+
+
+def _validate_rows(numbers: Array, joints: Any) -> None:
+    if not isinstance(joints, str) or len(joints) != len(numbers) or set(joints) - set("RPF"):
         raise ValueError(
-            f"signs must agree with the variables in the rows, {own.astype(int).tolist()}; got "
-            f"{signs.astype(int).tolist()}. If the rows have variables, leave signs out."
+            f"joints must have a letter R, P or F for each of the {len(numbers)} rows; got {joints!r:.60}."
+        )
+    if set(joints) <= {"F"}:
+        raise ValueError("A table must have at least one joint, but every row is fixed. Is q1 missing from an entry?")
+    for (row, column), value in np.ndenumerate(numbers):
+        name = COLUMNS[column]
+        if name in ANGLE_COLUMNS and not is_plausible_angle(value):
+            raise ValueError(
+                f"Row {row + 1}, {name}: an angle must be at most a full turn, 2 pi, or at most ten turns in whole degrees; got "
+                f"{value:g} rad. If the number is in degrees, write {value:g}°; if not, subtract full turns."
+            )
+        if name not in ANGLE_COLUMNS and abs(value) > MAX_LENGTH_M:
+            raise ValueError(f"Row {row + 1}: {name} must be at most {MAX_LENGTH_M:g} m; got {value:g} m.")
+
+
+def _signs(given: Array, own: Sequence[float], count: int) -> Array:
+    """The signs of the rows: those of the variables, the given ones, or 1."""
+    signs = validation.array(given, "signs") if np.size(given) else np.array(own) if len(own) else np.ones(count)
+    if signs.shape != (count,) or (np.abs(signs) != 1).any():
+        raise ValueError(
+            f"signs must have an entry 1 or -1 for each of the {count} rows; got {validation.describe(given)}."
+        )
+    if len(own) and (signs != own).any():
+        raise ValueError(
+            f"signs must agree with the variables in the rows, {[*map(int, own)]}; got {signs.astype(int).tolist()}. If the rows have "
+            "variables, leave signs out."
         )
     return signs
 

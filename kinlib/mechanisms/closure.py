@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms.continuation import Curve, CurveTracer
 from kinlib.mechanisms.levenberg_marquardt import Equations, null_space, on_planes, solve
@@ -34,32 +33,8 @@ MOVES_TOL, DIFFERENCE_STEP = 1e-6, 1e-5
 """A body moves with a joint velocity of length 1 if its pose changes at more than the first rate, which central differences
 with the second as step find to about 1e-10."""
 
-NOT_CLOSED = (
-    "the residual is {residual:.2g}, in metres and radians together, and no small change of the joint values decreases it. Try "
-    "another guess, because this one may be singular, with links in one line; assembly_modes(hold={{...}}) tries many. If none "
-    "closes, the links are not long enough to meet."
-)
-
 WRAPPING_TOL = 1e-6
 """An angle nearer to pi than this is written as -pi."""
-
-
-@dataclass(frozen=True, eq=False)
-class Assembly:
-    """The result of an attempt to close a linkage.
-
-    q           (n,)  the configuration reached
-    residual    the norm of its residual, radians and metres together
-    iterations  the number of steps taken
-    converged   whether the linkage is closed in it
-    message     the same in words, or why it is not closed
-    """
-
-    q: Array
-    residual: float
-    iterations: int
-    converged: bool
-    message: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,18 +47,6 @@ class Closure:
     is_angle       (n,)   which values are angles, and so the same again after 2 pi
     search_range   (n,)   the values are sought in [-search_range, search_range]
     tolerance             the linkage is closed if the norm of the residual is at most this
-
-    >>> def circle(x):  # x^2 + y^2 = 1, and its derivative
-    ...     return (x**2).sum(-1, keepdims=True) - 1, 2 * x[:, None]
-    >>> held = Closure(circle, np.array([0.5, 0.0]), np.array([0]), np.zeros(2, bool), np.full(2, 2.0), 1e-9)
-    >>> held.assemble().q.round(9)
-    array([1., 0.])
-    >>> held.search_modes(poses=lambda q: q).round(9)
-    array([[-1.,  0.],
-           [ 1.,  0.]])
-    >>> free = Closure(circle, np.array([1.0, 0.0]), np.array([0, 1]), np.zeros(2, bool), np.full(2, 2.0), 1e-9)
-    >>> bool(np.allclose((free.trace(0.1, 8).q ** 2).sum(axis=1), 1))
-    True
     """
 
     equations: Equations
@@ -93,15 +56,10 @@ class Closure:
     search_range: Array
     tolerance: float
 
-    def assemble(self) -> Assembly:
-        """Close the linkage near the configuration, or come as near to a closed one as possible."""
+    def assemble(self) -> tuple[Array, float, int]:
+        """Come as near to a closed configuration as possible: the configuration (n,), its residual, and the steps taken."""
         found = solve(self._free_equations, self.configuration[None, self.free], self.tolerance)
-        q, residual = self._with_held_values(found.x)[0], float(found.residual[0])
-        steps = f"after {found.iterations} step{'s' * (found.iterations != 1)}"
-        message = f"Closed to {residual:.1g} {steps}."
-        if residual > self.tolerance:
-            message = f"Not closed {steps}: {NOT_CLOSED.format(residual=residual)}"
-        return Assembly(validation.read_only_copy(q), residual, found.iterations, residual <= self.tolerance, message)
+        return self._with_held_values(found.x)[0], float(found.residual[0]), found.iterations
 
     def search_modes(self, poses: Callable[[Array], Array]) -> Array:
         """Search for all configurations (k, n) that close, from random guesses, until nothing new is found.

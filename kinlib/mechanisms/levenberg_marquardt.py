@@ -45,10 +45,6 @@ def solve(equations: Equations, guess: Array, tolerance: float, iterations: int 
 
     Source: Fan and Yuan, On the quadratic convergence of the Levenberg-Marquardt method without nonsingularity
     assumption (2005).
-
-    >>> circle = lambda x: ((x * x).sum(-1, keepdims=True) - 1, 2 * x[:, None, :])      # one equation for two unknowns
-    >>> solve(circle, np.array([[3.0, 4.0]]), tolerance=1e-12).x.round(9)               # the nearest point of the circle
-    array([[0.6, 0.8]])
     """
     x = np.array(guess, dtype=float)
     r, J = equations(x)
@@ -72,12 +68,7 @@ def solve(equations: Equations, guess: Array, tolerance: float, iterations: int 
 
 
 def null_space(J: Array) -> tuple[Array, Array]:
-    """Find an orthonormal basis (n, k) of the null space of a Jacobian (e, n), and all its n singular values, the largest first.
-
-    >>> directions, singular_values = null_space(np.array([[1.0, 0.0]]))
-    >>> np.abs(directions.T), singular_values
-    (array([[0., 1.]]), array([1., 0.]))
-    """
+    """Find an orthonormal basis (n, k) of the null space of a Jacobian (e, n), and all its n singular values, the largest first."""
     _, s, Vt = np.linalg.svd(J)
     values = np.zeros(J.shape[-1])
     values[: len(s)] = s
@@ -85,23 +76,13 @@ def null_space(J: Array) -> tuple[Array, Array]:
 
 
 def is_nonzero(singular_values: Array) -> NDArray[np.bool_]:
-    """Find which singular values (..., k), the largest first, are more than rounding errors relative to the largest.
-
-    >>> is_nonzero(np.array([2.0, 1e-3, 1e-15]))
-    array([ True,  True, False])
-    """
+    """Find which singular values (..., k), the largest first, are more than rounding errors relative to the largest."""
     mask: NDArray[np.bool_] = singular_values > RANK_RTOL * np.maximum(singular_values[..., :1], 1e-300)
     return mask
 
 
 def on_planes(equations: Equations, x: Array, normals: Array, offsets: Array) -> Equations:
-    """Add to equations those of hyperplanes, normals.T (y - x) = offsets, with normals (n, k) and offsets (k,).
-
-    >>> circle = lambda x: ((x * x).sum(-1, keepdims=True) - 1, 2 * x[:, None, :])
-    >>> above = on_planes(circle, np.zeros(2), normals=np.array([[1.0], [0.0]]), offsets=np.array([0.6]))
-    >>> solve(above, np.array([[0.0, 1.0]]), tolerance=1e-12).x.round(9)
-    array([[0.6, 0.8]])
-    """
+    """Add to equations those of hyperplanes, normals.T (y - x) = offsets, with normals (n, k) and offsets (k,)."""
 
     def with_planes(y: Array) -> tuple[Array, Array]:
         r, J = equations(y)

@@ -23,10 +23,12 @@ from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_vector, html_table
 from kinlib.arrays.validation import Array, JointValues, TakesJointValues
 from kinlib.chains.chain import Chain
-from kinlib.mechanisms.closure import Assembly, Closure
+from kinlib.mechanisms.closure import Closure
 from kinlib.mechanisms.continuation import Curve
-from kinlib.mechanisms.joints import (
-    Joint,
+from kinlib.mechanisms.joints import Joint
+from kinlib.mechanisms.levenberg_marquardt import START_TOL_FACTOR, null_space
+from kinlib.mechanisms.mobility import Mobility, finite_mobility, group_dimension
+from kinlib.mechanisms.paths import (
     JointPath,
     Traversal,
     chain_along,
@@ -34,8 +36,6 @@ from kinlib.mechanisms.joints import (
     joints_of_chain,
     spanning_tree,
 )
-from kinlib.mechanisms.levenberg_marquardt import START_TOL_FACTOR, null_space
-from kinlib.mechanisms.mobility import Mobility, finite_mobility, group_dimension
 from kinlib.rigid.lie import inverse, log
 from kinlib.rigid.screw import line
 from kinlib.rigid.se3_jacobians import left_jacobian_inverse
@@ -44,7 +44,31 @@ CLOSURE_TOL = 1e-13
 """A linkage is closed if the norm of all its residuals, each expressed about the centre of its loop, is at most (1 + d) times
 this, where d is the distance in metres from the origin to its farthest joint: rounding errors grow with d."""
 
+NOT_CLOSED = (
+    "the residual is {residual:.2g}, in metres and radians together, and no small change of the joint values decreases it. Try "
+    "another guess, because this one may be singular, with links in one line; assembly_modes(hold={{...}}) tries many. If none "
+    "closes, the links are not long enough to meet."
+)
+
 JOINT_HEADINGS = ["joint", "bodies", "omega", "v"]
+
+
+@dataclass(frozen=True, eq=False)
+class Assembly:
+    """The result of an attempt to close a linkage.
+
+    q           (n,)  the configuration reached
+    residual    the norm of its residual, radians and metres together
+    iterations  the number of steps taken
+    converged   whether the linkage is closed in it
+    message     the same in words, or why it is not closed
+    """
+
+    q: Array
+    residual: float
+    iterations: int
+    converged: bool
+    message: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,9 +157,7 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
     def from_chain(cls, chain: Chain) -> Self:
         """Close an open chain by fixing its end-effector to its base: the loop e^[S1]q1 ... e^[Sn]qn M = I.
 
-        A closed chain has no limits, so those of the open one are not kept.
-
-        Raises ValueError for anything but a chain, and for one of one joint, because both its bodies would be the ground.
+        A closed chain has no limits. Raises ValueError for a chain of one joint, because both its bodies would be the ground.
 
         >>> from kinlib.chains.robots import puma560
         >>> Mechanism.from_chain(puma560()).kutzbach()
@@ -237,26 +259,28 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
 
         hold  the names of joint values (see `names`), and the values at which they are held
 
-        If no configuration near the guess closes, then `converged` of the result is False, `residual` says by how much, and
-        `message` says so in words.
+        If no configuration near the guess closes, then `converged` of the result is False, and `message` says so in words.
 
-        Raises ValueError if the guess has another size or contains NaN, and if a held name is not that of a joint value.
+        Raises ValueError if a held name is not that of a joint value.
 
         >>> from kinlib.mechanisms.linkages import four_bar
         >>> four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0]).converged        # the three short links do not reach
         False
         """
-        return self._closure(guess, hold, "guess").assemble()
+        closure = self._closure(guess, hold, "guess")
+        q, residual, iterations = closure.assemble()
+        converged, steps = residual <= closure.tolerance, f"after {iterations} step{'s' * (iterations != 1)}"
+        message = f"Closed to {residual:.1g} {steps}."
+        if not converged:
+            message = f"Not closed {steps}: {NOT_CLOSED.format(residual=residual)}"
+        return Assembly(validation.read_only_copy(q), residual, iterations, converged, message)
 
     def assembly_modes(self, hold: Mapping[str, float] | None = None) -> Array:
         """Find the ways of assembling the linkage while some joint values are held: configurations (m, n), each once.
 
-        If none closes, for example because the links are too short to meet, the array is empty, (0, n).
-
-        Two configurations are the same mode if all bodies have the same poses. The search is damped Gauss-Newton from random
-        guesses, the same ones at every call; it ends after 3 rounds of 64 guesses without a new mode, or after 30 while some
-        mode has been found only once. So the modes that it returns exist, but modes to which few guesses lead, such as those
-        that are almost singular, may be missing.
+        If none closes, the array is empty, (0, n). Two configurations are the same mode if all bodies have the same poses. The
+        search begins at random guesses, the same ones at every call: the modes that it returns exist, but modes to which few
+        guesses lead, such as those that are almost singular, may be missing.
 
         Raises ValueError if the bodies can still move with these values held, because then the modes form curves.
 
@@ -271,11 +295,7 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
         return self._closure(np.zeros(self.n), hold).search_modes(poses)
 
     def trace(
-        self,
-        start: JointValues,
-        hold: Mapping[str, float] | None = None,
-        step: float = 0.2,
-        points: int | None = None,
+        self, start: JointValues, hold: Mapping[str, float] | None = None, step: float = 0.2, points: int | None = None
     ) -> Curve:
         """Follow the motion from a configuration (n,) in both directions, through dead points, until it closes or ends.
 
@@ -285,8 +305,7 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
         A curve ends where no configuration closes further on, or after 5000 steps; its `ends` say which. It goes
         straight on where it crosses another curve, for example where a parallelogram lies flat.
 
-        Raises ValueError if the start does not close, if the linkage does not have exactly one degree of
-        freedom there, and if step or points is too small for a curve.
+        Raises ValueError if the start does not close, or the linkage does not have exactly one degree of freedom there.
         Source: pseudo-arclength continuation, as in Allgower and Georg, Numerical Continuation Methods (1990).
 
         >>> from kinlib.mechanisms.linkages import four_bar

@@ -12,9 +12,6 @@ def wrap_angle(angle: ArrayLike) -> Array:
     """Wrap angles into the interval (-pi, pi] by adding multiples of a full turn.
 
     angle (...) in radians -> (...). An angle that is in the interval already is returned unchanged, to the last bit.
-
-    >>> wrap_angle([np.pi, -np.pi, 3 * np.pi / 2, 0.5])
-    array([ 3.14159265,  3.14159265, -1.57079633,  0.5       ])
     """
     angle = np.asarray(angle, dtype=float)
     # Near -pi the quotient is rounded to -1/2, so the formula would change angles that are in the interval already.

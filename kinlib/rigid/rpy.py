@@ -22,8 +22,10 @@ def origin(xyz: ArrayLike = (0.0, 0.0, 0.0), rpy: ArrayLike = (0.0, 0.0, 0.0)) -
     >>> origin(rpy=(np.pi / 2, 0, np.pi / 2))[:3, 2].round(6) + 0.0      # roll takes z to -y, and yaw takes that to x
     array([1., 0., 0.])
     """
-    roll, pitch, yaw = _three_numbers(rpy, "rpy")
-    return homogeneous(exp([0, 0, yaw]) @ exp([0, pitch, 0]) @ exp([roll, 0, 0]), _three_numbers(xyz, "xyz"))
+    xyz, (roll, pitch, yaw) = (
+        validation.single(validation.vectors(x, n, 3), n) for x, n in ((xyz, "xyz"), (rpy, "rpy"))
+    )
+    return homogeneous(exp([0, 0, yaw]) @ exp([0, pitch, 0]) @ exp([roll, 0, 0]), xyz)
 
 
 def roll_pitch_yaw(R: ArrayLike) -> Array:
@@ -46,10 +48,3 @@ def roll_pitch_yaw(R: ArrayLike) -> Array:
     roll = np.arctan2(-pitch_and_roll[1, 2], pitch_and_roll[1, 1])
     pitch = np.arctan2(-pitch_and_roll[2, 0], pitch_and_roll[0, 0])
     return np.array([roll, pitch, yaw])
-
-
-def _three_numbers(x: ArrayLike, name: str) -> Array:
-    values = validation.vectors(x, name, 3)
-    if values.ndim != 1:
-        raise ValueError(f"{name} must have shape (3,); got {values.shape}.")
-    return values

@@ -10,8 +10,7 @@ There is no log here, because its arccosine loses full turns and signs, and SymP
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from itertools import chain
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -24,23 +23,7 @@ from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.symbolic.merge_rotations import AxisRotation, Factors, homogeneous, multiply, rotation, skew_symmetric
 from kinlib.symbolic.numbers import exact, joints, shorthand
 
-__all__ = [
-    "adjoint",
-    "exact",
-    "exp",
-    "fk",
-    "fk_body",
-    "hat",
-    "inverse",
-    "jacobian",
-    "joints",
-    "screw",
-    "shorthand",
-    "table_fk",
-]
-
-
-# --- rigid motions ---
+__all__ = ["exact", "exp", "fk", "hat", "joints", "screw", "shorthand", "table_fk"]
 
 
 def hat(x: Any) -> sp.Matrix:
@@ -83,34 +66,6 @@ def exp(x: Any) -> sp.Matrix:
     return homogeneous(R, (G * (x[3:, 0] / theta)).applyfunc(sp.expand))
 
 
-def inverse(motion: Any) -> sp.Matrix:
-    """Invert a rotation or a rigid motion: T_ab becomes T_ba, as kl.inverse.
-
-    Raises ValueError for another shape or a last row that is not 0 0 0 1.
-
-    >>> inverse(exp((0, 0, 0, *sp.symbols("x y z"))))[:3, 3].T
-    Matrix([[-x, -y, -z]])
-    """
-    motion = _rotation_or_pose(motion, "motion")
-    Rt = motion[:3, :3].T
-    return Rt if motion.rows == 3 else homogeneous(Rt, -Rt * motion[:3, 3])
-
-
-def adjoint(motion: Any) -> sp.Matrix:
-    """Write the adjoint matrix, which transforms twists to another frame: 3x3 -> 3x3, 4x4 -> 6x6, as kl.adjoint.
-
-    Raises ValueError for another shape or a last row that is not 0 0 0 1.
-
-    >>> (adjoint(exp((0, 0, 0, sp.Symbol("x"), 0, 0))) * sp.Matrix([0, 0, 1, 0, 0, 0])).T
-    Matrix([[0, 0, 1, 0, -x, 0]])
-    """
-    motion = _rotation_or_pose(motion, "motion")
-    R = motion[:3, :3]
-    if motion.rows == 3:
-        return R
-    return R.row_join(sp.zeros(3)).col_join((skew_symmetric(motion[:3, 3]) * R).row_join(R))
-
-
 def screw(axis: Any, point: Any = (0, 0, 0), pitch: Any = 0) -> sp.Matrix:
     """Write the screw axis of a joint from a direction, a point on its axis and a pitch, as kl.screw: a column of 6.
 
@@ -129,9 +84,6 @@ def screw(axis: Any, point: Any = (0, 0, 0), pitch: Any = 0) -> sp.Matrix:
     return axis.col_join(point.cross(axis) + exact(pitch) * axis)
 
 
-# --- arms ---
-
-
 def fk(arm: Chain | Iterable[Any], home: Any = None) -> sp.Matrix:
     """Compute the forward kinematics in the space form: T(q) = e^[S1]q1 ... e^[Sn]qn M, 4x4.
 
@@ -146,42 +98,13 @@ def fk(arm: Chain | Iterable[Any], home: Any = None) -> sp.Matrix:
     Matrix([[a_1*c_1 + a_1*c_12, a_1*s_1 + a_1*s_12]])
     """
     screws, M = _screws_and_home(arm, home)
-    return multiply(chain.from_iterable(_screw_factors(screws)), M)
-
-
-def fk_body(arm: Chain | Iterable[Any], home: Any = None) -> sp.Matrix:
-    """Compute the forward kinematics in the body form: T(q) = M e^[B1]q1 ... e^[Bn]qn, 4x4.
-
-    arm   a Chain, or screw axes in {b}, six entries each, numbers or symbols
-    home  if arm is not a Chain: the home pose M, 4x4
-
-    Raises ValueError as fk does.
-    Source: Modern Robotics, (4.16).
-
-    >>> from kinlib.chains.robots import rppr
-    >>> fk_body(rppr())[:3, 3].T
-    Matrix([[q_2 + 2, -q_3*sin(q_1) - 2*cos(q_1 + q_4) + 2, q_3*cos(q_1) - 2*sin(q_1 + q_4)]])
-    """
-    screws, M = _screws_and_home(arm, home)
-    body = [adjoint(inverse(M)) * S for S in screws] if isinstance(arm, Chain) else screws
-    return M * multiply(chain.from_iterable(_screw_factors(body)), sp.eye(4))
-
-
-def jacobian(arm: Chain | Iterable[Any]) -> sp.Matrix:
-    """Compute the space Jacobian, 6 x n: column i is Ad(e^[S1]q1 ... e^[Si-1]qi-1) S_i.
-
-    arm  a Chain, or screw axes in {s}, six entries each, numbers or symbols
-
-    Raises ValueError if a screw axis is not valid.
-    Source: Modern Robotics, (5.11).
-
-    >>> shorthand(jacobian([screw((0, 0, 1)), screw((0, 0, 1), point=(sp.Symbol("a_1"), 0, 0))]))[3:, 1].T
-    Matrix([[a_1*s_1, -a_1*c_1, 0]])
-    """
-    screws, _ = _screws_and_home(arm, None if isinstance(arm, Chain) else sp.eye(4))
-    factors = _screw_factors(screws)
-    before = [multiply(chain.from_iterable(factors[:i]), sp.eye(4)) for i in range(len(screws))]
-    return sp.Matrix.hstack(*(adjoint(T) * S for T, S in zip(before, screws, strict=True)))
+    factors: Factors = []
+    for S, q in zip(screws, joints(len(screws)), strict=True):
+        w, v = S[:3, 0], S[3:, 0]
+        point, pitch = w.cross(v), w.dot(v)
+        # Each exponential is a translation to the axis, the motion about and along it, and the translation back.
+        factors += [v * q] if w.is_zero_matrix else [point + pitch * q * w, AxisRotation(w, q), -point]
+    return multiply(factors, M)
 
 
 def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = None) -> sp.Matrix:
@@ -218,16 +141,6 @@ def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = Non
     return base * multiply(factors, tool)
 
 
-def _screw_factors(screws: Sequence[sp.Matrix]) -> list[Factors]:
-    """Write each exponential as rotations and translations: to the axis, the motion about and along it, and back."""
-    factors: list[Factors] = []
-    for S, q in zip(screws, joints(len(screws)), strict=True):
-        w, v = S[:3, 0], S[3:, 0]
-        point, pitch = w.cross(v), w.dot(v)
-        factors.append([v * q] if w.is_zero_matrix else [point + pitch * q * w, AxisRotation(w, q), -point])
-    return factors
-
-
 def _screws_and_home(arm: Chain | Iterable[Any], home: Any) -> tuple[list[sp.Matrix], sp.Matrix]:
     if isinstance(arm, Chain):
         return [exact(S) for S in arm.screws], exact(arm.home)
@@ -238,23 +151,21 @@ def _screws_and_home(arm: Chain | Iterable[Any], home: Any) -> tuple[list[sp.Mat
     validation.instance(arm, "arm", Chain, Iterable)
     if home is None:
         raise ValueError("Screw axes must be given with the home pose of the arm; got no home. Write fk(screws, home).")
-    M = _rotation_or_pose(home, "home")
-    if M.rows == 3:
-        raise ValueError("home must be a pose, 4x4; got a rotation, 3x3. Add its position.")
-    screws = [arm[i, :] for i in range(arm.rows)] if isinstance(arm, sp.MatrixBase) else arm
-    return [_screw_axis(S, f"screw {number}") for number, S in enumerate(screws, start=1)], M
-
-
-def _screw_axis(S: Any, name: str) -> sp.Matrix:
-    S = _matrix(S, name, (6, 1))
-    if not _is_unit(size := _length(S[3:, 0] if S[:3, 0].is_zero_matrix else S[:3, 0])):
-        raise ValueError(
-            f"{name} must have |omega| = 1, or omega = 0 and |v| = 1; this length is {size}. Divide it by its length."
-        )
-    return S
-
-
-# --- helpers ---
+    M = _matrix(home, "home", (4, 4))
+    if list(M[3, :]) != [0, 0, 0, 1]:
+        raise ValueError(f"home must be a pose with last row 0 0 0 1; got {list(M[3, :])}.")
+    if not M.free_symbols:
+        validation.poses(np.array(M.evalf(), dtype=float), "home")
+    screws = []
+    for number, row in enumerate(
+        [arm[i, :] for i in range(arm.rows)] if isinstance(arm, sp.MatrixBase) else arm, start=1
+    ):
+        screws.append(S := _matrix(row, f"screw {number}", (6, 1)))
+        if not _is_unit(size := _length(S[3:, 0] if S[:3, 0].is_zero_matrix else S[:3, 0])):
+            raise ValueError(
+                f"screw {number} must have |omega| = 1, or omega = 0 and |v| = 1; this length is {size}. Divide it by its length."
+            )
+    return screws, M
 
 
 def _length(vector: sp.Matrix) -> sp.Expr:
@@ -276,12 +187,3 @@ def _matrix(x: Any, name: str, *shapes: tuple[int, int]) -> sp.Matrix:
         given = "x".join(map(str, values.shape)) if isinstance(values, sp.MatrixBase) else "one number"
         raise ValueError(f"{name} must have {expected} entries; got {given}.")
     return values
-
-
-def _rotation_or_pose(x: Any, name: str) -> sp.Matrix:
-    motion = _matrix(x, name, (3, 3), (4, 4))
-    if motion.rows == 4 and list(motion[3, :]) != [0, 0, 0, 1]:
-        raise ValueError(f"{name} must be a pose with last row 0 0 0 1; got {list(motion[3, :])}.")
-    if not motion.free_symbols:
-        validation.rotations_or_poses(np.array(motion.evalf(), dtype=float), name)
-    return motion

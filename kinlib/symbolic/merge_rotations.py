@@ -38,12 +38,7 @@ Factors: TypeAlias = "list[AxisRotation | sp.Matrix]"
 
 
 def multiply(factors: Iterable[AxisRotation | sp.Matrix], end: sp.Matrix) -> sp.Matrix:
-    """Multiply rotations and translations, from left to right, and a pose at the right end: 4x4.
-
-    >>> x, z, (a, b, c) = sp.Matrix([1, 0, 0]), sp.Matrix([0, 0, 1]), sp.symbols("a b c")
-    >>> multiply([AxisRotation(z, a), x, AxisRotation(z, b), c * x], sp.eye(4))[:2, 3].T
-    Matrix([[c*cos(a + b) + cos(a), c*sin(a + b) + sin(a)]])
-    """
+    """Multiply rotations and translations, from left to right, and a pose at the right end: 4x4."""
     groups, constant = [_RotationGroup()], sp.eye(3)
     for factor in factors:
         if not isinstance(factor, AxisRotation):
@@ -101,30 +96,19 @@ def rotation(axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
     """Write the rotation about a unit vector w: R = I + sin(angle) [w] + (1 - cos(angle)) [w]^2, 3x3.
 
     Source: Modern Robotics, (3.51), Rodrigues' formula.
-
-    >>> rotation(sp.Matrix([0, 0, 1]), sp.Symbol("q"))[0, :]
-    Matrix([[cos(q), -sin(q), 0]])
     """
     W = skew_symmetric(axis)
     return sp.eye(3) + sp.sin(angle) * W + (1 - sp.cos(angle)) * W * W
 
 
 def skew_symmetric(w: sp.Matrix) -> sp.Matrix:
-    """Write the cross product with w as a skew-symmetric matrix, 3x3.
-
-    >>> (skew_symmetric(sp.Matrix([0, 0, 1])) * sp.Matrix([1, 0, 0])).T
-    Matrix([[0, 1, 0]])
-    """
+    """Write the cross product with w as a skew-symmetric matrix, 3x3."""
     a, b, c = w
     return sp.Matrix([[0, -c, b], [c, 0, -a], [-b, a, 0]])
 
 
 def homogeneous(R: sp.Matrix, p: sp.Matrix) -> sp.Matrix:
-    """Write the homogeneous transformation with a rotation and a position, 4x4.
-
-    >>> homogeneous(sp.eye(3), sp.Matrix([1, 2, 3]))[:, 3].T
-    Matrix([[1, 2, 3, 1]])
-    """
+    """Write the homogeneous transformation with a rotation and a position, 4x4."""
     return R.row_join(p).col_join(sp.Matrix([[0, 0, 0, 1]]))
 
 

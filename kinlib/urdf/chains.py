@@ -12,18 +12,17 @@ A fixed joint contributes a T_i and no screw. Meshes, masses and colours do not 
 from __future__ import annotations
 
 import os
-from collections.abc import Collection
-from itertools import pairwise
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
 from kinlib.arrays import validation
+from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import homogeneous
 from kinlib.rigid.rpy import roll_pitch_yaw
-from kinlib.urdf.links_and_joints import MAX_NUMBER, UrdfJoint
+from kinlib.urdf.links_and_joints import MAX_NUMBER
 from kinlib.urdf.robot_tree import Tree
-from kinlib.urdf.xml_elements import Element
 
 
 def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip: str | None = None) -> Chain:
@@ -43,9 +42,8 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
     `Tree.from_urdf(file).poses(q)` has the frames as in the file, and `Chain.link_poses` others. No other file is opened, and nothing
     is downloaded.
 
-    Readers check different rules. This one also refuses what urdfdom, the parser of ROS, reads: a second parent that closes a
-    loop, lower > upper, an axis of length 0, and angles that look like degrees. It does not need the effort and velocity of a
-    limit, without which urdfdom refuses a file.
+    Readers check different rules. This one also refuses what urdfdom, the parser of ROS, reads: a second parent that closes a loop,
+    lower > upper, an axis of length 0, and angles that look like degrees; and it does not need effort and velocity.
     Source: the URDF specification, "link" and "joint"; the meaning of its elements as in urdfdom.
 
     >>> text = '''<robot name="crane">
@@ -59,84 +57,69 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
     return Tree.from_urdf(path_or_text).chain(base, tip)
 
 
-def to_urdf(robot: Chain | Tree) -> str:
-    """Write a chain or a tree as the text of a URDF, which load_urdf or Tree.from_urdf reads.
+def to_urdf(chain: Chain) -> str:
+    """Write a chain as the text of a URDF; what load_urdf reads back has the same motion of the tool.
 
-    A chain that is read back has the same motion of the tool, and a tree the same poses of all links.
-    At the home position of a chain every frame is parallel to {s}, so an axis has the same components as in the base, and an origin
-    is the vector from one joint's point to the next. A fixed joint at the end completes the home pose, unless the last link of the
-    chain is the tool itself. Joints without names are called joint_1, joint_2, ..., and links base_link, link_1, ..., tool. The
-    limits of effort and velocity, which URDF requires and kinlib does not have, are 1. Meshes and masses are not written.
+    At the home position every frame is parallel to {s}, so an axis has the same components as in the base, and an origin is the
+    vector from one joint's point to the next. A fixed joint at the end completes the home pose, unless the last link of the chain
+    is the tool itself. Joints without names are called joint_1, joint_2, ..., and links base_link, link_1, ..., tool. The limits of
+    effort and velocity, which URDF requires and kinlib does not have, are 1.
 
-    Raises ValueError for anything but a chain or a tree, if a joint is helical, because URDF has no such joint, and if names of
-    joints or of links are equal, not printable, or those of a macro.
+    Raises ValueError for anything but a chain, if a joint is helical, because URDF has no such joint, and if names of joints or of
+    links are equal, not printable, or those of a macro.
     Source: the URDF specification, "joint".
 
     >>> from kinlib.chains.robots import youbot
     >>> np.allclose(load_urdf(to_urdf(youbot())).screws, youbot().screws, atol=1e-15)
     True
     """
-    validation.instance(robot, "robot", Chain, Tree)
-    tree = robot if isinstance(robot, Tree) else _tree_of_chain(robot)
-    parts = [f"<robot name={_quoted(tree.name)}>", *(f"  <link name={_quoted(link)}/>" for link in tree.links)]
-    for joint in tree.parent_joints.values():
-        rotation, position = joint.origin[:3, :3], joint.origin[:3, 3]
-        is_rotated = joint.type == "fixed" or (rotation != np.eye(3)).any()
-        rpy = f' rpy="{_numbers(*roll_pitch_yaw(rotation))}"' if is_rotated else ""
-        parts += [
-            f'  <joint name={_quoted(joint.name)} type="{joint.type}">',
-            f"    <parent link={_quoted(joint.parent)}/> <child link={_quoted(joint.child)}/>",
-            f'    <origin xyz="{_numbers(*position)}"{rpy}/>',
-        ]
-        if joint.axis.any():
-            parts += [f'    <axis xyz="{_numbers(*joint.axis)}"/>']
-        if joint.type in ("revolute", "prismatic"):
-            lower, upper = np.clip(joint.limits, -MAX_NUMBER, MAX_NUMBER)
-            parts += [f'    <limit lower="{_numbers(lower)}" upper="{_numbers(upper)}" effort="1" velocity="1"/>']
-        if joint.mimic:
-            multiplier, offset = map(_numbers, joint.mimic[1:])
-            parts += [f'    <mimic joint={_quoted(joint.mimic.joint)} multiplier="{multiplier}" offset="{offset}"/>']
-        parts += ["  </joint>"]
-    return "\n".join([*parts, "</robot>\n"])
-
-
-def _tree_of_chain(chain: Chain) -> Tree:
+    validation.instance(chain, "chain", Chain)
     if "H" in chain.joint_types:
         raise ValueError(
             f"The joints must be revolute or prismatic, because URDF has no helical joint; "
             f"joint {chain.joint_types.index('H') + 1} of {chain.name} is helical."
         )
-    names = list(chain.joint_names or (f"joint_{i + 1}" for i in range(chain.n)))
-    links = list(chain.link_names or ("base_link", *(f"link_{i + 1}" for i in range(chain.n)), "tool"))
+    names = [*(chain.joint_names or (f"joint_{i + 1}" for i in range(chain.n)))]
+    links = [*(chain.link_names or ("base_link", *(f"link_{i + 1}" for i in range(chain.n)), "tool"))]
     if len(set(links)) < len(links):
         raise ValueError(
             f"The names of the links must be different; got {', '.join(links)}. Pass other link_names to the chain."
         )
     limits = np.full((chain.n, 2), (-np.inf, np.inf)) if chain.limits is None else chain.limits
-    kinds = [
-        "prismatic" if letter == "P" else "revolute" if np.isfinite(pair).any() else "continuous"
-        for letter, pair in zip(chain.joint_types, limits, strict=True)
-    ]
     steps = np.diff([np.zeros(3), *chain.joint_points, chain.home[:3, 3]], axis=0)
-    origins = [*homogeneous(np.eye(3), steps[:-1]), homogeneous(chain.home[:3, :3], steps[-1])]
-    axes = [*chain.lines.axis, np.zeros(3)]
-    limits = np.append(limits, [(-np.inf, np.inf)], axis=0)
-    if len(links) == chain.n + 1 and not steps[-1].any():
-        # The tool is the frame of the last joint, so this joint's own frame has the rotation of the home pose.
-        axes[-2:] = [chain.home[:3, :3].T @ axes[-2]]
-        origins[-2:] = [origins[-2] @ origins[-1]]
-    else:
-        links[-1:-1] = [_unused(f"link_{chain.n}", links)] if len(links) == chain.n + 1 else []
-        names, kinds = [*names, _unused("weld", names)], [*kinds, "fixed"]
-    frames_and_axes = [[validation.read_only_copy(array) for array in arrays] for arrays in (origins, axes)]
-    joints = [
-        UrdfJoint(Element("joint", 0, {"name": name}), name, kind, parent, child, T, axis, (lower, upper), None)
-        for name, kind, (parent, child), T, axis, (lower, upper) in zip(
-            names, kinds, pairwise(links), *frames_and_axes, limits, strict=False
-        )
+    axes, R = [*chain.lines.axis], chain.home[:3, :3]
+    # If the tool is the frame of the last joint, this joint's own frame has the rotation of the home pose.
+    is_tool = len(links) == chain.n + 1 and not steps[-1].any()
+    if is_tool:
+        axes[-1] = R.T @ axes[-1]
+    elif len(links) == chain.n + 1:
+        links[-1:-1] = [_unused(f"link_{chain.n}", links)]
+    parts = [f"<robot name={_quoted(chain.name)}>", *(f"  <link name={_quoted(link)}/>" for link in links)]
+    for i, (name, letter, axis, pair) in enumerate(zip(names, chain.joint_types, axes, limits, strict=True)):
+        kind = "prismatic" if letter == "P" else "revolute" if np.isfinite(pair).any() else "continuous"
+        inside = [f'    <axis xyz="{_numbers(*axis)}"/>']
+        if kind != "continuous":
+            lower, upper = np.clip(pair, -MAX_NUMBER, MAX_NUMBER)
+            inside += [f'    <limit lower="{_numbers(lower)}" upper="{_numbers(upper)}" effort="1" velocity="1"/>']
+        origin = homogeneous(R if is_tool and i == chain.n - 1 else np.eye(3), steps[i])
+        parts += _joint(name, kind, links[i : i + 2], origin, inside)
+    if not is_tool:
+        parts += _joint(_unused("weld", names), "fixed", links[-2:], homogeneous(R, steps[-1]), [])
+    return "\n".join([*parts, "</robot>\n"])
+
+
+def _joint(name: str, kind: str, links: Sequence[str], origin: Array, inside: Sequence[str]) -> list[str]:
+    """Write a joint in lines: between a parent and a child link, with its origin, and what else is inside."""
+    R, xyz = origin[:3, :3], origin[:3, 3]
+    rpy = f' rpy="{_numbers(*roll_pitch_yaw(R))}"' if kind == "fixed" or (np.eye(3) != R).any() else ""
+    parent, child = map(_quoted, links)
+    return [
+        f'  <joint name={_quoted(name)} type="{kind}">',
+        f"    <parent link={parent}/> <child link={child}/>",
+        f'    <origin xyz="{_numbers(*xyz)}"{rpy}/>',
+        *inside,
+        "  </joint>",
     ]
-    elements = {link: Element("link", 0, {"name": link}) for link in links}
-    return Tree(chain.name, elements, {joint.child: joint for joint in joints})
 
 
 def _unused(name: str, names: Collection[str]) -> str:

@@ -121,15 +121,6 @@ def resolve_mimic_joints(joints: Mapping[str, UrdfJoint]) -> dict[str, Coupling]
     """Find the independent joint that each joint follows, over any number of mimic joints: itself if it mimics no other.
 
     Raises ValueError, with element and line, if a mimic joint follows no joint that moves, or itself.
-
-    >>> from kinlib.urdf.xml_elements import read_robot
-    >>> gears = '''<robot name="r"><link name="a"/><link name="b"/><link name="c"/>
-    ...   <joint name="crank" type="continuous"><parent link="a"/><child link="b"/></joint>
-    ...   <joint name="gear" type="continuous"><parent link="a"/><child link="c"/><mimic joint="crank" multiplier="-2"/></joint>
-    ... </robot>'''
-    >>> _, joints = read_tree(read_robot(gears))
-    >>> resolve_mimic_joints({joint.name: joint for joint in joints.values()})["gear"]
-    Coupling(joint='crank', multiplier=-2.0, offset=0.0)
     """
     found: dict[str, Coupling] = {}
     for start in joints.values():

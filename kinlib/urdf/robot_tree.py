@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,13 +23,7 @@ from kinlib.arrays.validation import Array, JointValues, suggest_name
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.screw import screw
-from kinlib.urdf.links_and_joints import (
-    MOVING_TYPES,
-    Coupling,
-    UrdfJoint,
-    read_tree,
-    resolve_mimic_joints,
-)
+from kinlib.urdf.links_and_joints import MOVING_TYPES, Coupling, UrdfJoint, read_tree, resolve_mimic_joints
 from kinlib.urdf.xml_elements import Element, read_robot
 
 HEADINGS = ["link", "joint", "type", "value"]
@@ -80,17 +74,13 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
     """
 
     name: str
-    link_elements: Mapping[str, Element] = field(default_factory=dict, repr=False)
+    link_elements: Mapping[str, Element] = field(default_factory=dict, repr=False, compare=False)
     parent_joints: Mapping[str, UrdfJoint] = field(default_factory=dict, repr=False)
-    folder: Path | None = field(default=None, repr=False)
+    folder: Path | None = field(default=None, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if not self.link_elements:
             raise ValueError("A tree must have at least one link; got none. Try Tree.from_urdf(file), or its text.")
-
-    def _compared_fields(self) -> dict[str, Any]:
-        """The name, the names of the links, and the joints with all that is theirs."""
-        return {"name": self.name, "links": self.links, "parent_joints": self.parent_joints}
 
     @classmethod
     def from_urdf(cls, path_or_text: str | os.PathLike[str]) -> Tree:
@@ -213,25 +203,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
 
     @cached_property
     def _couplings(self) -> dict[str, Coupling]:
-        # Resolved at first use, because a faulty mimic joint, for example of a hand, does not affect the chains of an arm.
         return resolve_mimic_joints(self._moving_joints)
-
-    def _coupling(self, joint: UrdfJoint) -> Coupling:
-        return self._couplings[joint.name] if joint.mimic else Coupling(joint.name, 1.0, 0.0)
-
-    def joint_values(self, q: JointValues) -> Array:
-        """Compute the values of all moving joints from those of the independent ones: C q + c.
-
-        q (..., n) in radians and metres -> (..., m), in the order of `moving_joint_names`.
-
-        Raises ValueError for values of another size, for NaN, and if a mimic joint follows no joint that moves, or itself.
-
-        >>> text = '<robot name="ground"><link name="floor"/></robot>'
-        >>> Tree.from_urdf(text).joint_values([])
-        array([], dtype=float64)
-        """
-        values: Array = self.in_order(q) @ self.coupling.T + self.offsets
-        return values
 
     def poses(
         self, q: JointValues, base: ArrayLike | None = None, joint_poses: Mapping[str, ArrayLike] | None = None
@@ -258,10 +230,9 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         ((10, 4, 4), True)
         """
         q = self.in_order(q)
-        values = self.joint_values(q)
-        origins, screws = self._origins_and_screws
-        moved = np.moveaxis(origins @ exp(screws * values[..., None]), -3, 0)
-        steps = dict(zip(self.moving_joint_names, moved, strict=True))
+        values = q @ self.coupling.T + self.offsets
+        joints = self._moving_joints.values()
+        steps = {each.name: each.origin @ exp(each.screw * values[..., i, None]) for i, each in enumerate(joints)}
         root = np.eye(4) if base is None else validation.poses(base, "base")
         free = self._validate_joint_poses(joint_poses or {})
         try:
@@ -278,47 +249,14 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
                 found[link] = found[joint.parent] @ step
         return {link: found[link] for link in self.links}
 
-    def pose(self, base: str, tip: str, q: JointValues | None = None) -> Array:
-        """Compute the pose of one link in the frame of another one; without q, the constant pose if no joint moves between them.
-
-        q (..., n) of the independent joints -> (..., 4, 4). Each link may be anywhere in the tree, and mimic joints follow.
-
-        Raises ValueError for a name that is no link, if q is missing although a joint moves between the links, for joint values of
-        another size, for NaN, and if a planar or a floating joint is between the links.
-        Source: the URDF specification, "joint".
-
-        >>> text = '''<robot name="rig"> <link name="table"/> <link name="post"/> <link name="camera"/>
-        ...   <joint name="foot" type="fixed"> <parent link="table"/> <child link="post"/> <origin xyz="1 0 0"/> </joint>
-        ...   <joint name="clamp" type="fixed"> <parent link="post"/> <child link="camera"/> <origin xyz="0 0 2"/> </joint>
-        ... </robot>'''
-        >>> Tree.from_urdf(text).pose("camera", "table")[:3, 3].tolist()
-        [-1.0, 0.0, -2.0]
-        """
-        path = self._single_joints(base, tip)
-        if q is None and (moving := [joint.name for joint, _ in path if joint.moves]):
-            raise ValueError(
-                f"q must be given if a joint moves between the links; between {base} and {tip} {', '.join(moving[:12])} "
-                f"{'moves' if len(moving) == 1 else 'move'}. Pass the values of the {self._values_in_words}."
-            )
-        q = self.in_order(np.zeros(self.n) if q is None else q)
-        T = np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4)).copy()
-        for joint, sign in path:
-            step = joint.origin
-            if joint.moves:
-                driver, multiplier, offset = self._coupling(joint)
-                values = multiplier * q[..., self._numbers[driver]] + offset
-                step = step @ exp(joint.screw * values[..., None])
-            T = T @ (step if sign > 0 else inverse(step))
-        return T
-
     def chain(self, base: str | None = None, tip: str | None = None) -> Chain:
         """Build a chain from the joints on the path from one link to another: up the tree, and down again.
 
         base  the link whose frame is {s}; by default the root
         tip   the link whose frame is {b}; by default the only end of the tree that moves relative to the base
 
-        A mimic joint that is +-1 times an independent joint, plus an offset, takes the name and the limits of that joint. `pose` has
-        no such condition, and also gives the constant pose of links between which no joint moves.
+        A mimic joint that is +-1 times an independent joint, plus an offset, takes the name and the limits of that joint. `poses` has
+        no such condition.
 
         Raises ValueError for a name that is no link, if several links could be the tip, if no joint moves between base and tip, if
         a joint between them is planar or floating, and if two of them follow the same joint, or one has another multiplier.
@@ -332,7 +270,13 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         base = self.root if base is None else base
         tip = self._only_tip(base) if tip is None else tip
         T, screws, points, moving, links = np.eye(4), [], [], [], [base]
-        for joint, sign in self._single_joints(base, tip):
+        for joint, sign in self.path(base, tip):
+            if joint.type in DEGREES_OF_FREEDOM:
+                raise joint.element.error(
+                    f"a joint between base and tip must have one degree of freedom; a {joint.type} joint has "
+                    f"{DEGREES_OF_FREEDOM[joint.type]}. Choose a base beyond it, such as {joint.child}, or pass its pose to "
+                    "kl.Tree.from_urdf(...).poses(q, joint_poses=...)."
+                )
             # The axis is given in the joint frame: the frame after this joint if the path goes down, and before it if it goes up.
             before, T = T, T @ (joint.origin if sign > 0 else inverse(joint.origin))
             if joint.moves:
@@ -344,10 +288,11 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
                 links.append(joint.child if sign > 0 else joint.parent)
         if not moving:
             raise self.link_elements[tip].error(
-                f"a joint must move between base and tip; none does between {base} and {tip}. Their constant pose is "
-                f'kl.Tree.from_urdf(...).pose("{base}", "{tip}"). For a chain, pass other links as base or tip.'
+                f"a joint must move between base and tip; none does between {base} and {tip}. Their constant pose is in "
+                "kl.Tree.from_urdf(...).poses(q). For a chain, pass other links as base or tip."
             )
-        couplings = [self._coupling(joint) for joint in moving]
+        # A faulty mimic joint elsewhere does not affect this chain.
+        couplings = [self._couplings[m.name] if m.mimic else Coupling(m.name, 1.0, 0.0) for m in moving]
         drivers = [driver for driver, _, _ in couplings]
         for joint, (driver, multiplier, _) in zip(moving, couplings, strict=True):
             if joint.mimic and (drivers.count(driver) > 1 or abs(multiplier) != 1):
@@ -355,7 +300,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
                 why = f"moves with {', '.join(others)}" if others else f"has the multiplier {multiplier:g}, not 1 or -1"
                 raise joint.element.error(
                     f"the joints of a chain must move independently; joint {joint.name} mimics joint {driver}, and {why}. Compute "
-                    f'with kl.Tree.from_urdf(...).pose("{base}", "{tip}", q), or pass other links as base or tip.'
+                    "with kl.Tree.from_urdf(...).poses(q), or pass other links as base or tip."
                 )
         limits = self.limits[[self._numbers[driver] for driver in drivers]]
         chain = Chain(
@@ -434,25 +379,6 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         raise self.link_elements[base].error(
             f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
         )
-
-    def _single_joints(self, base: str, tip: str) -> list[PathStep]:
-        """The joints between two links, each of which has at most one degree of freedom."""
-        path = self.path(base, tip)
-        for joint, _ in path:
-            if joint.type in DEGREES_OF_FREEDOM:
-                raise joint.element.error(
-                    f"a joint between base and tip must have one degree of freedom; a {joint.type} joint has "
-                    f"{DEGREES_OF_FREEDOM[joint.type]}. Choose a base beyond it, such as {joint.child}, or pass its pose to "
-                    "kl.Tree.from_urdf(...).poses(q, joint_poses=...)."
-                )
-        return path
-
-    @cached_property
-    def _origins_and_screws(self) -> tuple[Array, Array]:
-        """The origins (m, 4, 4) and the screw axes (m, 6) of the moving joints, each axis in the frame of its joint."""
-        joints = self._moving_joints.values()
-        origins = np.reshape([joint.origin for joint in joints], (-1, 4, 4))
-        return origins, np.reshape([joint.screw for joint in joints], (-1, 6))
 
     def _validate_joint_poses(self, given: Mapping[str, ArrayLike]) -> dict[str, Array]:
         needed = [joint.name for joint in self.parent_joints.values() if joint.type in DEGREES_OF_FREEDOM]

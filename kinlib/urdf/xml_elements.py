@@ -28,6 +28,13 @@ OTHER_FORMATS = {"sdf": "an SDF file", "mujoco": "a MuJoCo file", "COLLADA": "a 
 """Kinds of files by their first element, for files that are often passed instead of a URDF."""
 
 
+LIKELY_CAUSES = {
+    "invalid token": " Is a quote missing, is there a bare & or <, or is the file not saved as UTF-8?",
+    "mismatched tag": " An element opened above is not closed, or closed with another name.",
+    "no element found": " Does the file end too early?",
+}
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Element:
     """An XML element: its tag, the line where it begins, its attributes, its parent element and its child elements."""
@@ -39,12 +46,7 @@ class Element:
     children: list["Element"] = field(default_factory=list, repr=False)
 
     def error(self, why: str) -> ValueError:
-        """Build the error to raise for this element: its message has the line, the element, its parent and the reason.
-
-        >>> elbow = Element("joint", 7, {"name": "elbow"})
-        >>> Element("axis", 8, {"xyz": "0 0"}, elbow).error("it is too short.")
-        ValueError('Line 8, <axis> in <joint name="elbow">: it is too short.')
-        """
+        """Build the error to raise for this element: its message has the line, the element, its parent and the reason."""
         part_of = f" in {self.parent}" if self.parent and "name" not in self.attributes else ""
         return ValueError(f"Line {self.line}, {self}{part_of}: {why}")
 
@@ -75,11 +77,7 @@ class Element:
         return value
 
     def numbers(self, attribute: str, count: int) -> list[float]:
-        """Read the finite numbers of an attribute. Raises ValueError for anything else, and for another count.
-
-        >>> Element("axis", 7, {"xyz": "0 0 1"}).numbers("xyz", 3)
-        [0.0, 0.0, 1.0]
-        """
+        """Read the finite numbers of an attribute. Raises ValueError for anything else, and for another count."""
         words = self.text(attribute).split()
         for word in words:
             if not re.fullmatch(NUMBER_PATTERN, word, re.ASCII) or not math.isfinite(float(word)):
@@ -98,9 +96,6 @@ def read_robot(path_or_text: str | os.PathLike[str]) -> Element:
 
     Raises ValueError, with the line if there is one, if the file is missing, a directory, empty, too large or not XML, if its
     root is another element, if it is nested too deeply, and if it has a document type or macros of xacro.
-
-    >>> read_robot('<robot name="arm"><link name="base"/></robot>').children
-    [Element(tag='link', line=1, attributes={'name': 'base'})]
     """
     text = _text(path_or_text)
     # A text in triple quotes often begins with an empty line, but XML must begin with its declaration: remove and count it.
@@ -141,7 +136,8 @@ def _parsed(document: str | bytes, above: int) -> Element:
         parser.Parse(document, True)
     except expat.ExpatError as error:
         why = expat.ErrorString(error.code)
-        raise ValueError(f"Line {above + error.lineno}: the file must be XML; {why}.{_likely_cause(why)}") from error
+        cause = next((cause for words, cause in LIKELY_CAUSES.items() if words in why), "")
+        raise ValueError(f"Line {above + error.lineno}: the file must be XML; {why}.{cause}") from error
     except (LookupError, UnicodeError) as error:
         raise ValueError(
             f"Line {above + parser.CurrentLineNumber}: {error}. Save the file as UTF-8, and declare this encoding."
@@ -155,14 +151,15 @@ def _text(path_or_text: str | os.PathLike[str]) -> str | bytes:
         raise ValueError(
             f"path_or_text must be the path or the text of a URDF; got {validation.describe(path_or_text)}."
         )
-    if isinstance(path_or_text, str):
-        text = path_or_text.removeprefix("\ufeff")
-        if not text.strip():
-            raise ValueError("A URDF must begin with <robot name=...>; got an empty text.")
-        if text.lstrip().startswith("<"):
-            _check_size(len(text), "text")
-            return text
-    return _bytes(path_or_text)
+    if isinstance(path_or_text, str) and path_or_text.lstrip("\ufeff \t\r\n")[:1] in {"<", ""}:
+        content: str | bytes = path_or_text.removeprefix("\ufeff")
+    else:
+        content = _bytes(path_or_text)
+    if not content.strip():
+        raise ValueError("A URDF must begin with <robot name=...>; got an empty text or file.")
+    if len(content) > MAX_BYTES:
+        raise ValueError(f"A URDF must have at most {MAX_BYTES / 1e6:.0f} MB; this one has more. Remove embedded data.")
+    return content
 
 
 def _bytes(path: str | os.PathLike[str]) -> bytes:
@@ -174,30 +171,7 @@ def _bytes(path: str | os.PathLike[str]) -> bytes:
         if not Path(path).is_file():
             found = f"{path!r:.200} is a directory" if Path(path).is_dir() else f"There is no file {path!r:.200}"
             raise ValueError(f"{found}. Pass the path of a URDF, or its text, which begins with <.")
-        _check_size(Path(path).stat().st_size, "file")
         with Path(path).open("rb") as file:
-            # The file may have grown since its size was read.
-            content = file.read(MAX_BYTES + 1)
+            return file.read(MAX_BYTES + 1)
     except OSError as error:
         raise ValueError(f"{path!r:.200} cannot be read: {error.strerror}.") from error
-    _check_size(len(content), "file")
-    if not content.strip():
-        raise ValueError(f"A URDF must begin with <robot name=...>; the file {path!r:.200} is empty.")
-    return content
-
-
-def _check_size(size: int, what: str) -> None:
-    if size > MAX_BYTES:
-        raise ValueError(
-            f"A URDF must have at most {MAX_BYTES / 1e6:.0f} MB; this {what} has {size / 1e6:.1f} MB. Remove embedded data."
-        )
-
-
-def _likely_cause(why: str) -> str:
-    if "invalid token" in why:
-        return " Is a quote missing, is there a bare & or <, or is the file not saved as UTF-8?"
-    if "mismatched tag" in why:
-        return " An element opened above is not closed, or closed with another name."
-    if "no element found" in why:
-        return " Does the file end too early?"
-    return ""

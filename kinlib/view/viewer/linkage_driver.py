@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array, JointValues
-from kinlib.mechanisms.joints import chain_along, spanning_tree
 from kinlib.mechanisms.mechanism import Mechanism
+from kinlib.mechanisms.paths import chain_along, spanning_tree
 from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.screw import line
 from kinlib.view.figures.bodies import solid_data

@@ -28,7 +28,7 @@ MODULES = {
         *("kinlib.dh.table", "kinlib.dh.assignment", "kinlib.dh.rules", "kinlib.dh.equivalence", "kinlib.dh.diagnosis"),
     ],
     "Closed chains": [
-        *("kinlib.mechanisms.joints", "kinlib.mechanisms.mechanism", "kinlib.mechanisms.closure"),
+        *("kinlib.mechanisms.joints", "kinlib.mechanisms.mechanism"),
         *("kinlib.mechanisms.mobility", "kinlib.mechanisms.linkages"),
     ],
     "Files and symbols": ["kinlib.urdf.chains", "kinlib.urdf.robot_tree", "kinlib.symbolic"],

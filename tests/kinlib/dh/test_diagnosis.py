@@ -1,5 +1,7 @@
 """Diagnosis: right tables are right, each slip is told with its place, and rounding is not called a mistake."""
 
+from contextlib import suppress
+
 import numpy as np
 import pytest
 from example_arms import arm
@@ -9,8 +11,8 @@ from hypothesis import strategies as st
 import kinlib as kl
 from kinlib import DHTable, assign_frames, diagnose, equivalent
 from kinlib.dh.equivalence import CHOICES
-from kinlib.dh.rounding import rounding_effect, typed_half_units
-from kinlib.dh.slips import tables_with_a_slip
+from kinlib.dh.explanation.rounding import rounding_effect, typed_half_units
+from kinlib.dh.slips import changed_in, slips_in_places
 
 PUMA = kl.robots.puma560()
 STANDARD = assign_frames(PUMA, convention="standard").table
@@ -82,7 +84,11 @@ def test_with_fixed_choices_these_are_the_corrections_with_their_numbers():
 @pytest.mark.parametrize("right", [UR5, STANFORD, STANDARD.converted("modified")], ids=["UR5", "Stanford", "PUMA"])
 def test_slips_are_mended(right):
     """One in twelve of the slips in every place of a published table: as a rule the numbers come back, and always the poses."""
-    wrong = [table for _, table in tables_with_a_slip(right) if differ(table, right)][::12]
+    wrong = []
+    for slip, places in slips_in_places(len(right.rows)):
+        with suppress(ValueError):  # no table has an angle of many turns
+            wrong.append(right.changed(rows=changed_in(places, slip.change)(right.rows)))
+    wrong = [table for table in wrong if differ(table, right)][::12]
     found = [diagnose(table, right, CHOICES) for table in wrong]
     mended = [any(not differ(each.corrected, right) for each in one.explanations) for one in found]
     restored = [any(np.abs(e.corrected.rows - right.rows).max() < 1e-9 for e in one.explanations) for one in found]
@@ -154,7 +160,7 @@ def test_what_cannot_be_compared_is_refused():
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_no_assigned_table_is_accused_at_any_angle_and_with_any_number_of_digits(convention):
     rng = np.random.default_rng(29)
-    for angle in np.concatenate([[0.0], np.logspace(-14, -2, 13)]):
+    for angle in np.concatenate([[0.0], np.logspace(-14, -2, 9)]):
         cases = {"cases": ()} if rng.random() < 0.5 else {}
         chain = arm(rng, int(rng.integers(2, 8)), angle=angle, slides=rng.choice([0, 0.25]), **cases)[0]
         table = assign_frames(chain, convention=convention).table

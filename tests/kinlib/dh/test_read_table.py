@@ -124,7 +124,7 @@ def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
     [
         ("", "No table was found: no line has four numbers"),
         ("a alpha d theta\n0 90° 0.1 q1\n0 0 abc 0 0 1 2", r"Line 3, .* cannot be read: it has another number of"),
-        ("a alpha d theta\n0 90° 0.1 q1*q2\n0 0 0 q2", r"Line 2, .* cannot be read"),
+        ("a alpha d theta\n0 90° 0.1 q1*q2\n0 0 0 q2", r"Line 2, .*, theta: an entry must be a number"),
         ("a = [0, 1]\nalpha = [0, 0]\nd = [1]", r"The lists must have the same length, 2; d \(1\) has another"),
         ("x" * 200_000, "must have at most 100000 characters; got 200000"),
     ],

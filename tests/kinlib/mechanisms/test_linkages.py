@@ -61,7 +61,7 @@ def test_a_non_grashof_curve_contains_both_modes_and_has_dead_points():
     """There the crank's triangle has the sides 4, 2 and 2.5 + 3: the law of cosines."""
     linkage = linkages.four_bar(*FOUR_BARS["non-Grashof"])
     one, other = linkage.assembly_modes(hold={"A": 0.5})
-    curve = linkage.trace(one, points=4000)
+    curve = linkage.trace(one, points=2000)
     assert curve.closed
     close(curve.q[-1], curve.q[0])
     assert apart(other, curve.q) < 0.01
@@ -71,7 +71,7 @@ def test_a_non_grashof_curve_contains_both_modes_and_has_dead_points():
     close_angles(turned[:, 3], np.pi, atol=0.02)
 
 
-@settings(max_examples=5)
+@settings(max_examples=3)
 @given(st.tuples(*[st.floats(0.5, 4.0)] * 4), st.floats(0, 2 * np.pi), st.integers(0, 1))
 def test_grashof_s_condition_predicts_the_curves_of_any_four_bar(links, A, mode):
     """If s + l < p + q there are two curves, each the mirror image of the other, and otherwise one that is its own.
@@ -86,7 +86,7 @@ def test_grashof_s_condition_predicts_the_curves_of_any_four_bar(links, A, mode)
     assume(abs(crank * np.exp(1j * A) - ground) > 1e-3)  # where B is at D, the rocker is free
     configurations = list(four_bar_configurations(*links, A))
     assume(len(configurations) == 2)
-    curve = linkages.four_bar(*links).trace(configurations[mode], step=0.2, points=2000)
+    curve = linkages.four_bar(*links).trace(configurations[mode], step=0.2, points=1000)
     assert curve.closed
     assert curve.residual < 1e-12
     assert (apart(-configurations[mode], curve.q) < 0.02) == (margin < 0)
@@ -94,9 +94,9 @@ def test_grashof_s_condition_predicts_the_curves_of_any_four_bar(links, A, mode)
     assert (abs(curve.q[-1, 0] - curve.q[0, 0]) > 1) == goes_round
 
 
-@pytest.mark.parametrize("offset", [0.0, 0.4])
-def test_the_slider_is_where_the_textbook_says(offset):
+def test_the_slider_is_where_the_textbook_says():
     """x = r cos A +- sqrt(l^2 - (e - r sin A)^2): the slider-crank of every book on engines."""
+    offset = 0.4
     linkage = linkages.slider_crank(1, 3, offset)
     for A in (0.9, np.pi):
         modes = linkage.assembly_modes(hold={"A": A})

@@ -13,11 +13,7 @@ from scipy.spatial.transform import Rotation
 from strategies import points
 
 from kinlib import Mechanism, exp, linkages, robots, screw
-from kinlib.mechanisms.joints import (
-    Joint,
-    spherical,
-    universal,
-)
+from kinlib.mechanisms.joints import Joint, spherical, universal
 
 EXACT = 1e-12
 X, Y, Z = np.eye(3)
@@ -40,12 +36,7 @@ def jack(pitch=0.01):
     )
 
 
-LINKAGES = [
-    linkages.four_bar(0.4, 0.1, 0.35, 0.3),
-    linkages.slider_crank(1, 3, 0.2),
-    jack(0.3),
-    linkages.sarrus(),
-]
+LINKAGES = [linkages.four_bar(0.4, 0.1, 0.35, 0.3), linkages.slider_crank(1, 3, 0.2), jack(0.3), linkages.sarrus()]
 FOUR_BAR = linkages.four_bar(4, 1, 3.5, 3)
 each_linkage = pytest.mark.parametrize("linkage", LINKAGES, ids=lambda linkage: linkage.name)
 

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from hypothesis import given, settings
-from strategies import ROBOTS, configurations, poses, twists
+from strategies import ROBOTS, configurations, twists
 from sympy.physics.vector import Point, ReferenceFrame
 
 import kinlib as kl
@@ -35,27 +35,23 @@ def close(got, expected, atol=AGREES):
 
 @robots
 def test_every_robot_of_the_course_moves_as_its_numbers_do(robot):
-    tables = []
+    forms, (values,) = [symbolic.fk(robot)], configurations(robot, 1)
     if "H" not in robot.joint_types:
-        tables = [kl.assign_frames(robot, convention=name).table for name in ("standard", "modified")]
-    forms = [symbolic.fk(robot), symbolic.fk_body(robot), *map(symbolic.table_fk, tables)]
-    for values in configurations(robot, 2):
-        for form in forms:
-            assert not form.atoms(sp.Float)
-            close(at(form, values), mr.FKinBody(robot.home, robot.body_screws.T, values), 1e-11)
+        convention = ("standard", "modified")[robot.n % 2]
+        forms.append(symbolic.table_fk(kl.assign_frames(robot, convention=convention).table))
+    for form in forms:
+        assert not form.atoms(sp.Float)
+        close(at(form, values), mr.FKinBody(robot.home, robot.body_screws.T, values), 1e-11)
 
 
 @settings(max_examples=15, deadline=None)
-@given(twists(), poses())
-def test_hat_exp_inverse_and_adjoint_are_those_of_modern_robotics(x, T):
+@given(twists())
+def test_hat_and_exp_are_those_of_modern_robotics(x):
     if np.linalg.norm(x[:3]) > 1e-5:  # it takes smaller turns for none
         close(numbers(symbolic.exp(x)), mr.MatrixExp6(mr.VecTose3(x)), 1e-11)
         close(numbers(symbolic.exp(x[:3])), mr.MatrixExp3(mr.VecToso3(x[:3])), 1e-11)
     close(numbers(symbolic.hat(x)), mr.VecTose3(x))
     close(numbers(symbolic.hat(x[:3])), mr.VecToso3(x[:3]))
-    close(numbers(symbolic.inverse(T)), mr.TransInv(T))
-    close(numbers(symbolic.adjoint(T)), mr.Adjoint(T))
-    close(numbers(symbolic.adjoint(T[:3, :3])), kl.adjoint(T[:3, :3]))
 
 
 def test_puma_with_symbolic_lengths_agrees_with_sympy_mechanics():
@@ -98,7 +94,7 @@ def test_parallel_joints_give_sums_and_antiparallel_joints_differences_of_angles
     ("call", "words"),
     [
         (lambda: exact(sp.zoo), "division by zero"),
-        (lambda: symbolic.inverse(sp.diag(1, 1, 1, 2)), "must be a pose with last row 0 0 0 1"),
+        (lambda: symbolic.fk([[0, 0, 1, 0, 0, 0]], sp.diag(1, 1, 1, 2)), "must be a pose with last row 0 0 0 1"),
         (lambda: symbolic.screw((1, 1, 0)), r"axis must be a unit vector; its length is sqrt\(2\)"),
         (lambda: symbolic.fk([[0, 0, 2, 0, 0, 0]], sp.eye(4)), "screw 1 must have"),
         (lambda: symbolic.table_fk([(0, 10, 0, q)], "standard"), "got 10 rad. If it is in degrees, write"),

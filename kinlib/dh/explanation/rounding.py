@@ -13,14 +13,8 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.equivalence import (
-    COMPARED_CONFIGURATIONS,
-    ROUGH,
-    Equivalence,
-    equivalent,
-    linearized,
-    nearest_maps,
-)
+from kinlib.dh.alignment.maps import COMPARED_CONFIGURATIONS, Map, linearized, nearest_maps
+from kinlib.dh.equivalence import ROUGH, equivalent
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.table import DHTable, rows_at
 from kinlib.rigid.lie import exp
@@ -28,11 +22,8 @@ from kinlib.rigid.lie import exp
 ALL_DECIMALS = 12
 """A number with as many decimals was not rounded by a person."""
 
-FIT_STEPS = 20
-"""How many least-squares steps lead to the nearest numbers."""
-
-LARGEST_FIT = 1e3
-"""If a number has to change by more than this, in metres and radians, the fit does not converge."""
+FIT_STEPS, LARGEST_FIT = 20, 1e3
+"""How many least-squares steps lead to the nearest numbers; if one has to change by more, in metres or radians, the fit diverges."""
 
 FACTORS = {"standard": ("theta", "d", "a", "alpha"), "modified": ("alpha", "a", "theta", "d")}
 """The order of the four motions of a row, by convention."""
@@ -42,12 +33,7 @@ ROW_SCREWS = {"theta": np.eye(6)[2], "d": np.eye(6)[5], "a": np.eye(6)[3], "alph
 
 
 def typed_half_units(rows: Array) -> tuple[Array, str]:
-    """Read from the digits of a table how far its numbers may be off, (m, 4) -> half units (m, 4), and the units in words.
-
-    >>> half, words = typed_half_units(np.array([[0.425, np.pi / 2, 0.1, 0.12]]))
-    >>> half[0, 0], words
-    (np.float64(0.0005), 'lengths to 0.001 m, angles to 0.01 rad')
-    """
+    """Read from the digits of a table how far its numbers may be off, (m, 4) -> half units (m, 4), and the units in words."""
     lengths, angles = rows[:, [0, 2]], rows[:, [1, 3]]
     # Nobody rounds right angles; but the files of arms have pi / 2 with five digits.
     is_right = (np.abs(np.sin(2 * angles)) < TYPED_PI_ERROR) & (angles != 0)
@@ -63,14 +49,11 @@ def typed_half_units(rows: Array) -> tuple[Array, str]:
         angle_decimals = ALL_DECIMALS if is_right.any() else length_decimals
     if not lengths.any():
         length_decimals = angle_decimals
+    # Programs print four significant digits: if no number has more, one with four of them may end there.
+    digits = [len(_shortest(x).replace(".", "").lstrip("0")) for x in lengths.ravel()]
+    ends = [max(digits) == count == 4 for count in digits]
+    own = [_decimals([x]) if end else length_decimals for x, end in zip(lengths.ravel(), ends, strict=True)]
     half = np.empty(rows.shape)
-    # Programs print four significant digits: a number with the most of them may end there.
-    texts = [*map(_shortest, lengths.ravel())]
-    digits = [len(text.replace(".", "").lstrip("0")) for text in texts]
-    own = [
-        _decimals([x]) if max(digits) == n == 4 else length_decimals
-        for x, n in zip(lengths.ravel(), digits, strict=True)
-    ]
     half[:, [0, 2]] = (0.5 * 10.0 ** -np.array(own, dtype=float)).reshape(-1, 2)
     half[:, [1, 3]] = np.maximum(0.5 * unit * 10.0**-angle_decimals, TYPED_PI_ERROR * (is_right | (not typed.size)))
     words = [f"lengths to {10.0**-length_decimals:g} m"] if length_decimals < ALL_DECIMALS else []
@@ -103,7 +86,7 @@ def rounding_effect(table: DHTable, half_unit: Array) -> float:
 
 
 def nearest_rows(
-    table: DHTable, arm: Chain, start: Equivalence, fixed: frozenset[str], half_unit: Array, *, few: bool
+    table: DHTable, arm: Chain, start: Map, fixed: frozenset[str], half_unit: Array, *, few: bool
 ) -> tuple[Array, float] | None:
     """Find the rows (m, 4) nearest to those of a table with which it describes an arm, and the largest difference that they leave.
 
@@ -121,26 +104,37 @@ def nearest_rows(
     q = random_configurations(arm.n, COMPARED_CONFIGURATIONS)
     values = rows_at(table, table.rows, start.signs * q + start.offsets)[..., order].reshape(len(q), -1)
     unit = half_unit.copy()
-    for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
-        unit[entry] = 1.0  # these are free
+    for entry in _free_entries(table, fixed):
+        unit[entry] = 1.0
     units, X, Y, target = unit[:, order].ravel(), start.base @ table.base, table.tool @ start.tool, arm.fk(q)
-    free = [np.full(6, float(name not in fixed)) for name in ("base", "tool")]
-    change, weight = np.zeros(units.size), np.ones(units.size)
-    if few:  # of parallel axes, any d can change; it is the one that is given
-        weight = np.where(table.rows[:, order].ravel() == 0, 0.1, 1.0)
+    base, tool = (np.full(6, float(name not in fixed)) for name in ("base", "tool"))
+    # Of parallel axes, any d can change; it is the one that is given.
+    weight = np.where(table.rows[:, order].ravel() == 0, 0.1, 1.0) if few else np.ones(units.size)
+    change = np.zeros(units.size)
     for _ in range(FIT_STEPS):
         error, J = linearized(X, motions, values + change, Y, target)
-        scale = np.concatenate([free[0], units * weight, free[1]])
-        wanted = J[:, 6:-6] @ change - error
-        step = np.linalg.lstsq(J * scale, wanted, rcond=1e-10)[0] * scale
+        scale = np.concatenate([base, units * weight, tool])
+        step = np.linalg.lstsq(J * scale, J[:, 6:-6] @ change - error, rcond=1e-10)[0] * scale
         if not np.isfinite(step).all() or np.abs(step).max() > LARGEST_FIT:
             return None
         X, Y, change = exp(step[:6]) @ X, Y @ exp(step[-6:]), step[6:-6]
-        if few:
-            weight = np.abs(change / units) + 1e-2
-    difference = largest_difference(X @ motions.fk(values + change) @ Y, target)
+        weight = np.abs(change / units) + 1e-2 if few else weight
     rows = table.rows + change.reshape(-1, 4)[:, np.argsort(order)]
+    difference = largest_difference(X @ motions.fk(values + change) @ Y, target)
     return np.where(np.abs(rows) < ROUNDING_ERROR, 0.0, rows), difference
+
+
+def _free_entries(table: DHTable, fixed: frozenset[str]) -> list[tuple[int, int]]:
+    """The entries that the joints change, if the zeros are not fixed."""
+    return joint_entries(table.joints) if "zeros" not in fixed else []
+
+
+def entries_off(table: DHTable, rows: Array, fixed: frozenset[str], half_unit: Array) -> Array:
+    """Compute by how many half units the entries of other rows are off, (m, 4); those that are free are not."""
+    off = np.abs(rows - table.rows) / half_unit
+    for entry in _free_entries(table, fixed):
+        off[entry] = 0.0
+    return off
 
 
 def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: Array, noise: float) -> DHTable | None:
@@ -148,17 +142,14 @@ def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: 
     if table.joints.replace("F", "") != arm.joint_types:
         return None
     tolerance, unit = max(noise, 1e-6), np.maximum(half_unit, 1e-6)
-    identity = Equivalence("same", signs=np.ones(arm.n), offsets=np.zeros(arm.n))
     rough = sorted(nearest_maps(table.to_chain(), arm, fixed, ROUGH), key=lambda each: each.difference)[:2]
-    for start in [identity, *rough]:
+    for start in [Map(np.ones(arm.n), np.zeros(arm.n)), *rough]:
         fit = nearest_rows(table, arm, start, fixed, unit, few=True)
         if fit and fit[1] <= tolerance:
             # A change below half a unit of the last digit is none, and two digits more than the table has are enough.
             finest = 10.0 ** np.floor(np.log10(unit / 50))
             rows = np.where(np.arange(4) % 2, fit[0], np.round(fit[0] / finest) * finest)
-            rows = np.where(np.abs(fit[0] - table.rows) <= 1.05 * half_unit, table.rows, rows)
-            for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
-                rows[entry] = table.rows[entry]
+            rows = np.where(entries_off(table, fit[0], fixed, half_unit) <= 1.05, table.rows, rows)
             nearest = table.changed(rows=rows)
             if equivalent(nearest, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
                 return nearest

@@ -7,11 +7,9 @@ numbers that it invents, because some number explains almost anything; then how 
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,25 +17,11 @@ from numpy.typing import NDArray
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
+from kinlib.dh.alignment.invariants import AxisInvariants
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.equivalence import (
-    CHOICES,
-    AxisInvariants,
-    Booleans,
-    Equivalence,
-    describe_pose,
-    equivalent,
-    format_offset,
-)
+from kinlib.dh.equivalence import CHOICES, Equivalence, describe_pose, equivalent, format_offset
 from kinlib.dh.parsing import COLUMNS, joint_entries
-from kinlib.dh.slips import (
-    NUMBERS,
-    Correction,
-    Fault,
-    corrections,
-    starting_tables,
-    wrong_number,
-)
+from kinlib.dh.slips import NUMBERS, Fault, corrections, starting_tables, wrong_number
 from kinlib.dh.table import DHTable, joint_axes, table_poses
 
 MAX_COMPARED, MAX_COMPARED_WITH_SLIDES, MAX_PAIRS = 20, 60, 20_000
@@ -80,26 +64,32 @@ def explain_by_slips(  # noqa: PLR0917
     table: DHTable,
     reference: Chain | DHTable,
     fixed: frozenset[str],
-    free_ends: frozenset[str],
     tolerance: float,
     count: int,
+    free_ends: frozenset[str] = frozenset(),
 ) -> list[TableExplanation]:
-    """Return the explanations of a table by so many slips with the smallest price.
+    """Return the explanations of a table by so many slips with the fewest edits, those with the smallest price first.
 
     free_ends   of the fixed choices, a base or a tool that may be wrong as well; then it is told, too
     """
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
-    found = list[tuple[Price, TableExplanation]]()
+    found, wrong_ends = list[tuple[Price, TableExplanation]](), {f"wrong {end}" for end in free_ends}
     for faults, start in starting_tables(table, arm.joint_types):
-        if len(faults) <= count:
-            right = assign_frames(arm, convention=start.convention).table
-            if isinstance(reference, DHTable) and len(reference.rows) == len(table.rows):
-                right = reference.converted(start.convention)
-            search = _Search(start, arm, right.rows, fixed - free_ends, free_ends, tolerance)
-            for price, each in search.explanations(faults, count - len(faults)):
-                if not any(each.says_as_much(other) for _, other in found):
-                    found.append((price, each))
-    return cheapest([each for _, each in sorted(found, key=operator.itemgetter(0))])
+        if len(faults) > count:
+            continue
+        right = assign_frames(arm, convention=start.convention).table
+        if isinstance(reference, DHTable) and len(reference.rows) == len(table.rows):
+            right = reference.converted(start.convention)
+        search = _Search(start, arm, right.rows, fixed - free_ends, tolerance)
+        for price, slips, corrected, compared in search.explanations(count - len(faults)):
+            ends = [fault for fault in choices_as_faults(corrected, compared) if fault.name in wrong_ends]
+            poses = {"base": compared.base @ corrected.base, "tool": corrected.tool @ compared.tool}
+            mended = corrected.changed(**{end: poses[end] for end in free_ends})
+            edits = price[0] + len(faults) + sum(map(_weight, ends))
+            each = TableExplanation([*faults, *slips, *ends], mended, edits)
+            if not any(each.says_as_much(other) for _, other in found):
+                found.append(((edits, *price[1:]), each))
+    return cheapest([each for _, each in sorted(found, key=lambda pair: pair[0])])
 
 
 def cheapest(found: Sequence[TableExplanation]) -> list[TableExplanation]:
@@ -132,12 +122,14 @@ def choices_as_faults(table: DHTable, found: Equivalence) -> list[Fault]:
             sign = "-" if table.signs[row] > 0 else "+"
             text = f"{place}: write {sign}q in {name}, because q counts in the opposite direction."
             faults.append(Fault("sign of q", text, row + 1, name))
-    for end, own, T in (("base", table.base, found.base @ table.base), ("tool", table.tool, table.tool @ found.tool)):
+    for end, name, own, T in (
+        ("base", "The base T_s0", table.base, found.base @ table.base),
+        ("tool", "The tool transform", table.tool, table.tool @ found.tool),
+    ):
         if np.abs(T - own).max() > found.tolerance:
             is_missing = np.abs(own - np.eye(4)).max() < EQUIVALENCE_TOL
             is_inverted = np.abs(own @ T - np.eye(4)).max() < TYPED_POSE_TOL
             what = "is missing" if is_missing else "is inverted" if is_inverted else "is wrong"
-            name = {"base": "The base T_s0", "tool": "The tool transform"}[end]
             faults.append(Fault(f"wrong {end}", f"{name} {what}: it should be {describe_pose(T, found.tolerance)}."))
     return faults
 
@@ -147,19 +139,30 @@ def _weight(fault: Fault) -> int:
     return 2 if fault.name in {"wrong base", "wrong tool"} else 1
 
 
-@dataclass(frozen=True, eq=False)
 class _Search:
-    """The search for corrections of a table that has the joint types of the arm."""
+    """The corrections of a table that has the joint types of the arm, with the rows and the signs (N, m) that each leads to."""
 
-    table: DHTable
-    arm: Chain
-    right: Array
-    fixed: frozenset[str]
-    free_ends: frozenset[str]
-    tolerance: float
+    def __init__(self, table: DHTable, arm: Chain, right: Array, fixed: frozenset[str], tolerance: float) -> None:
+        self.table, self.arm, self.fixed, self.tolerance = table, arm, fixed, tolerance
+        known = corrections(table, right, "zeros" in fixed, "signs" in fixed)
+        rows = np.array([each.change(table.rows) for each in known])
+        differs = np.abs(rows - table.rows) > 1e-12
+        kept = [k for k, each in enumerate(known) if each.reversed or differs[k].any()]
+        self.singles, self.rows = [known[k] for k in kept], rows[kept]
+        m = range(len(table.rows))
+        self.flips = np.array([[-1.0 if row in each.reversed else 1.0 for row in m] for each in self.singles])
+        self.invents = np.array([each.fault.name in NUMBERS for each in self.singles])
+        # Two rows that change places are two edits, and labels and invented numbers one more. Every entry of a column has to be wrong
+        # in the same way, which is one more as well: a single entry is the simpler explanation.
+        self.edits = differs[kept].sum(axis=(1, 2)) + self.invents
+        for k, each in enumerate(self.singles):
+            is_column = each.fault.row is None and each.fault.name.startswith("sign of")
+            edits = min(self.edits[k], 2) if each.fault.name == "rows swapped" else self.edits[k] + is_column
+            self.edits[k] = edits + bool(each.reversed)
+        self.invariants = AxisInvariants(arm, FILTER_TOL_FACTOR * tolerance)
 
-    def explanations(self, faults: Sequence[Fault], count: int) -> Iterator[tuple[Price, TableExplanation]]:
-        """Yield the explanations by so many corrections with the fewest edits; `faults` were corrected before."""
+    def explanations(self, count: int) -> Iterator[tuple[Price, list[Fault], DHTable, Equivalence]]:
+        """Yield the explanations by so many corrections with the fewest edits: price, faults, corrected table, its comparison."""
         least, most = None, MAX_COMPARED_WITH_SLIDES if "P" in self.arm.joint_types else MAX_COMPARED
         for price, places, rows, signs in self._candidates(count)[:most]:
             if least is not None and price[0] > least:
@@ -169,13 +172,12 @@ class _Search:
                 compared = equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance)
                 if compared.verdict == "same":
                     least = price[0]
-                    told = [*faults, *(self._described(self._singles[place].fault, corrected) for place in places)]
-                    wrong = {f"wrong {end}" for end in self.free_ends}
-                    ends = [fault for fault in choices_as_faults(corrected, compared) if fault.name in wrong]
-                    poses = {"base": compared.base @ corrected.base, "tool": corrected.tool @ compared.tool}
-                    corrected = corrected.changed(**{end: poses[end] for end in self.free_ends})
-                    edits = price[0] + len(faults) + sum(map(_weight, ends))
-                    yield (edits, *price[1:]), TableExplanation(told + ends, corrected, edits)
+                    yield (
+                        price,
+                        [self._described(self.singles[k].fault, corrected) for k in places],
+                        corrected,
+                        compared,
+                    )
 
     def _described(self, fault: Fault, corrected: DHTable) -> Fault:
         if fault.text or not fault.row or not fault.column:
@@ -183,79 +185,35 @@ class _Search:
         return wrong_number(self.table, corrected, fault.row - 1, COLUMNS.index(fault.column))
 
     def _candidates(self, count: int) -> list[tuple[Price, list[int], Array, Array]]:
-        """Return the candidates of so many corrections that can be the arm, the cheapest first: the places of the corrections in
-        the list of singles, rows and signs.
+        """Return the corrections that can lead to the arm, the cheapest first: price, places in the singles, rows, signs.
 
-        Invariants decide, and if nothing is free, the poses of a few q. A correction of a row comes after one of the whole
-        table, as the singles are sorted.
+        Invariants decide, and if nothing is free, the poses of a few q. A correction of a row comes after one of the whole table, as
+        the singles are sorted.
         """
         places = (
-            self._pairs if count > 1 else np.arange(len(self._singles))[:, None] if count else np.zeros((1, 0), int)
+            self._pairs() if count > 1 else np.arange(len(self.singles))[:, None] if count else np.zeros((1, 0), int)
         )
-        rows = np.repeat(self.table.rows[None], len(places), axis=0)
-        signs = self.table.signs * self._flips[places].prod(axis=1)
-        for at, column in enumerate(places.T):
-            rows = self._known[1][column] if at == 0 else rows
-            for place in np.unique(column) if at else ():
-                rows[column == place] = self._singles[place].change(rows[column == place])
-        agree = self._invariants.agree(self._invariants.of(*joint_axes(self.table, rows, signs)), "signs" in self.fixed)
+        rows = self.rows[places[:, 0]] if count else self.table.rows[None]
+        for place in np.unique(places[:, 1]) if count > 1 else ():
+            is_here = places[:, 1] == place
+            rows[is_here] = self.singles[place].change(rows[is_here])
+        signs = self.table.signs * self.flips[places].prod(axis=1)
+        agree = self.invariants.agree(self.invariants.of(*joint_axes(self.table, rows, signs)), "signs" in self.fixed)
         if self.fixed >= {*CHOICES} and agree.any():
             q = random_configurations(self.arm.n, 4)
             off = table_poses(self.table, rows[agree, None], q, signs[agree, None]) - self.arm.fk(q)
             agree[agree] = np.abs(off).max(axis=(1, 2, 3)) <= FILTER_TOL_FACTOR * self.tolerance
-        numbers, edits = self._numbers[places].sum(axis=1), self._edits[places].sum(axis=1)
+        numbers, edits = self.invents[places].sum(axis=1), self.edits[places].sum(axis=1)
         sizes = np.where(numbers > 0, np.abs(rows - self.table.rows).sum(axis=(1, 2)), 0.0)
         sizes += 1e-3 * (rows[:, :, [0, 2]] < 0).sum(axis=(1, 2))  # in most tables the lengths have one sign
         order = sorted((int(edits[k]), int(numbers[k]), round(float(sizes[k]), 9), k) for k in np.flatnonzero(agree))
         return [((e, n, size), places[k].tolist(), rows[k], signs[k]) for e, n, size, k in order]
 
-    @cached_property
-    def _known(self) -> tuple[list[Correction], Array]:
-        """The corrections that change something, and the rows that each of them leads to, (N, m, 4)."""
-        known = corrections(self.table, self.right, "zeros" in self.fixed, "signs" in self.fixed)
-        rows = np.array([each.change(self.table.rows) for each in known])
-        differs = np.abs(rows - self.table.rows).max(axis=(1, 2)) > 1e-12
-        kept = [k for k, each in enumerate(known) if differs[k] or each.reversed]
-        return [known[k] for k in kept], rows[kept]
-
-    @property
-    def _singles(self) -> list[Correction]:
-        return self._known[0]
-
-    @cached_property
-    def _flips(self) -> Array:
-        """Which signs each correction changes, (N, m)."""
-        m = len(self.table.rows)
-        return np.array([[-1.0 if row in each.reversed else 1.0 for row in range(m)] for each in self._singles])
-
-    @cached_property
-    def _numbers(self) -> Booleans:
-        return np.array([each.fault.name in NUMBERS for each in self._singles])
-
-    @cached_property
-    def _edits(self) -> NDArray[np.int_]:
-        """The entries that each correction changes; two rows that change places are two, and labels and invented numbers one more.
-
-        Every entry of a column has to be wrong in the same way, which is one more as well: a single entry is the simpler explanation.
-        """
-        edits = (np.abs(self._known[1] - self.table.rows) > 1e-12).sum(axis=(1, 2)) + self._numbers
-        for k, each in enumerate(self._singles):
-            is_column = each.fault.row is None and each.fault.name.startswith("sign of")
-            edits[k] = min(edits[k], 2) if each.fault.name == "rows swapped" else edits[k] + is_column
-            edits[k] += bool(each.reversed)
-        return np.asarray(edits)
-
-    @cached_property
-    def _invariants(self) -> AxisInvariants:
-        return AxisInvariants(self.arm, FILTER_TOL_FACTOR * self.tolerance)
-
-    @cached_property
-    def _pairs(self) -> NDArray[np.int_]:
-        """The pairs of which each one changes every invariant that is wrong without it, (N, 2)."""
-        signs = self.table.signs * self._flips
-        values = self._invariants.of(*joint_axes(self.table, self._known[1], signs))
-        own = self._invariants.of(*joint_axes(self.table, self.table.rows))
-        violated = self._invariants.violated(values).astype(float)
+    def _pairs(self) -> NDArray[np.intp]:
+        """Return the pairs of which each one changes every invariant that is wrong without it, (N, 2)."""
+        values = self.invariants.of(*joint_axes(self.table, self.rows, self.table.signs * self.flips))
+        own = self.invariants.of(*joint_axes(self.table, self.table.rows))
+        violated = self.invariants.violated(values).astype(float)
         unchanged = np.isclose(values, own, rtol=1e-9, atol=1e-10).astype(float)
         possible = violated @ unchanged.T == 0
         return np.argwhere(np.triu(possible & possible.T, 1))[:MAX_PAIRS]

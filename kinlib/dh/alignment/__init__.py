@@ -1,0 +1,1 @@
+"""How two descriptions of a mechanism are aligned: invariants of axes, and maps."""

@@ -1,0 +1,1 @@
+"""What explains a wrong table: slips, and what its digits say."""

@@ -1,0 +1,608 @@
+r"""Read the rows of a DH table from text, in any form in which people write one, or from dictionaries.
+
+The text becomes rows of cells by one of three readers: calls and dictionaries by row, such as RevoluteDH(a=0.4); lists by column and
+names with indices, such as d1 = 0.3; or lines of cells. Then the columns, the units, the joints and the convention are found. What the
+text says is taken; what it only suggests is assumed with a sentence, or refused if the reader is strict, as that of `DHTable` is.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+
+from kinlib.arrays.formatting import format_vector
+from kinlib.arrays.validation import Array, array, describe
+from kinlib.dh.parsing import (
+    COLUMN_NAMES,
+    COLUMNS,
+    MIN_LENGTH_MM,
+    NUMBER,
+    Entry,
+    evaluate_entry,
+    joint_of_row,
+    parse_heading,
+    parse_headings,
+    respelled,
+)
+from kinlib.rigid.lie import homogeneous
+
+MAX_TEXT_LENGTH, MAX_LINES, MAX_CELLS, MAX_ROWS = 100_000, 2000, 40, 60
+"""The maximum number of characters of a text, of its lines and of the cells in a line that are read, and of rows of a table."""
+
+ORDERS = ("theta d a alpha", "a alpha d theta", "alpha a theta d", "alpha a d theta", "d a alpha theta", "a d alpha theta",
+          "d theta a alpha", "theta a d alpha", "alpha a offset d", "theta alpha a d", "a alpha theta d")  # fmt: skip
+"""The orders of columns in books and toolboxes, the most usual ones first."""
+
+LENGTH_UNITS, ANGLE_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}, {"rad": 1.0, "deg": np.pi / 180}
+
+NEEDED, ALL_COLUMNS = {"a", "alpha", "d"}, {*COLUMNS, "offset"}
+
+TOOL_WORDS = re.compile(r"\b(flange|tool|hand|tcp|end.?effector|ee|fixed|gripper|base)\b", re.IGNORECASE)
+
+LABEL = re.compile(r"\b(joint|link|axis|j|l|link_?joint|row|frame)[\s_-]?(\d+)\b", re.IGNORECASE)
+
+REPLACEMENTS = [
+    (r"\x1b\[[0-9;]*m|[\u200b\u200e\ufeff]", ""),
+    (r"<\w+\s([^<>]*\balpha\s*=[^<>]*?)/?>", r"{\1}"), (r"</t[dh]>\s*<t[dh][^>]*>", " | "), (r"</?(?:tr|table|br|p)\b[^>]*>", "\n"),
+    (r"<su[bp]>(.*?)</su[bp]>", r"_\1"), (r"<[a-zA-Z/][^>]{0,200}>", " "),
+    (r"\\(?:begin|end)\{\w+\*?\}(?:\{[^}]*\})?|\\(?:hline|(?:top|mid|bottom)rule|cline\{[^}]*\})", "\n"),
+    (r"\\(?:text|mathrm|textbf|mathbf|mathit)\{([^{}]*)\}", r"\1"), (r"\^\{?\s*\\circ\s*\}?|\\degree", "°"),
+    (r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}", r"(\1)/(\2)"), (r"\\\\(?:\[[^]]*\])?", "\n"), (r"\\,|\$", ""),
+    (r"(?m)^\s*(?:\{\|.*|\|[-}]\s*)$", ""), (r"!!|\|\|", "|"), (r"(?m)^\s*!", "|"),  # of a wiki
+    (r"\\(?:cdot|times)\b", "*"), (r"\\(alpha|theta|psi|pi)(?![a-zA-Z])", r"\1"), ("&", " | "), (r"\(\*|\*\)", "\n"),
+    ("⍺", "alpha"), ("ⱼ", "_j"), ("ₙ", "_n"), ("’", "'"), ("\xa0", " "), ("½", "1/2"), ("[┃│║]", "|"), ("[\u2500-\u257f]+", ""),
+    (r"\b(?:M_PI|PI)_([24])\b", r"pi/\1"), (r"\b(?:M_PI|(?:np|numpy|math|Math|sp|sympy)\.(?:pi|PI)|PI|Pi)\b(?:\(\))?", "pi"),
+    (r"\b(?:(?:np|numpy|math)\.)?(?:deg2rad|radians|RADIANS)\(([^()]*)\)", r"\1°"),
+    (r"(?m)(^|[\t;,|])[ ]*=", r"\1"),  # of a cell in a spreadsheet
+    (r"\b((?:theta|q|d)_?\{?\d+\}?)\*(?![\w(.]|-1\b)", r"\1"),  # the sign of a variable
+]  # fmt: skip
+"""What terminals, HTML, LaTeX and code write for signs and separators, and what a keyboard has for them."""
+
+CALL = re.compile(r"\b(?!\w*Robot)((?:Frame\W+)?\w*(?:Revolute|Prismatic|Link|DH)\w*)\s*\(((?:[^()]|\([^()]*\))*)\)")
+
+PAIR = re.compile(
+    r"(?:\b([a-zA-Z]\w*)\s*[:=]|['\"](\w+)['\"]\s*(?:[:=]|,(?=\s*[^\s'\"])))\s*['\"]?([^,=\[\]{}'\"\n;]+?)"
+    r"(?=\s*(?:[,\[\]{}'\"\n;]|$)|\s+[a-zA-Z]\w*\s*[:=])"
+)
+
+LIST = re.compile(r"['\"]?\b([a-zA-Z][\w.]*)['\"]?(?:\[?\d*\])?\s*[=:]\s*(?:\w+\.\w+\()?[\[({]([^\[\](){}]*)[\])}]")
+
+END = re.compile(r"^[ \t]*(base|tool)\s*=\s*(\[\[.*)$", re.MULTILINE)
+"""A base or a tool as `print(table)` writes it."""
+
+
+class Assumption(NamedTuple):
+    """What was assumed: a sentence; and if the numbers alone suggest it, the argument that says otherwise, and its values."""
+
+    text: str
+    argument: str = ""
+    options: Sequence[str] = ()
+
+
+class Rows(NamedTuple):
+    """The rows that were read: a, alpha, d, theta (m, 4), a letter and a sign per row; convention and ends only as the text says."""
+
+    numbers: Array
+    joints: str
+    signs: Sequence[float]
+    convention: Literal["standard", "modified"] | None
+    ends: Mapping[str, Any]
+    assumed: Sequence[Assumption]
+
+
+@dataclass
+class _Grid:
+    """Rows of cells by column name, or in an order that is not known, with their places in the text and the units of the columns.
+
+    names    that have values
+    guesses  what a strict reader refuses
+    """
+
+    names: Mapping[str, float]
+    rows: list[dict[str, str]] = field(default_factory=list)
+    places: list[str] = field(default_factory=list)
+    cells: list[list[str]] = field(default_factory=list)
+    units: dict[str, str] = field(default_factory=dict)
+    modified: bool | None = None
+    assumed: list[Assumption] = field(default_factory=list)
+    guesses: list[str] = field(default_factory=list)
+
+    def assume(self, text: str, argument: str = "", options: Sequence[str] = ()) -> None:
+        self.assumed.append(Assumption(text, argument, options))
+        self.guesses.append(text)
+
+    def is_entry(self, cell: str) -> bool:
+        """Whether a cell can be an entry, with whatever values its names have."""
+        found = {name for name in re.findall(r"\b[a-zA-Z]_?\{?\d+\}?", cell) if name[0] not in "qt"}
+        try:
+            _entry(cell, "theta", {**_in_all_spellings(dict.fromkeys(found, 1.0)), **self.names})
+        except ValueError:
+            return False
+        return bool(cell.strip())
+
+
+def read_rows(
+    given: str | Sequence[Any],
+    *,
+    strict: bool,
+    lengths: Mapping[str, float],
+    joints: str = "",
+    order: str = "",
+    length_unit: str = "",
+    angle_unit: str = "",
+) -> Rows:
+    """Read rows from text or from dictionaries by column name; the arguments are those of `read_table`.
+
+    strict  whether what the text only suggests is refused; numbers without a unit are metres and radians then
+
+    Raises ValueError for anything else, with the place of what cannot be read.
+    """
+    own, ends = _in_all_spellings(lengths), dict[str, Any]()
+    plain = ""
+    if isinstance(given, str):
+        plain, ends, told = _without_ends(given)
+        readers = (_from_calls, _from_columns, _from_pairs, _from_lines)
+        names = _in_all_spellings(_definitions(plain)) | own
+        grid = next((g for reader in readers if (g := reader(plain, names)) and (g.rows or g.cells)), None)
+        if grid is None:
+            raise ValueError(
+                "No table was found: no line has four numbers, and no call or list names a, alpha, d and theta. Paste the rows with a "
+                "heading such as 'a alpha d theta', one row in a line."
+            )
+        grid.assumed += told
+    else:
+        grid = _from_dictionaries(given, own)
+    if not grid.rows:
+        _name_columns(grid, order)
+    if len(grid.rows) > MAX_ROWS:
+        raise ValueError(f"A table must have at most {MAX_ROWS} rows; got {len(grid.rows)}.")
+    entries = _evaluate(grid)
+    letters, signs = _joints(grid, entries, joints, strict)
+    numbers = np.array([[row[column].value.real for column in COLUMNS] for row in entries])
+    for unit, units, argument in ((length_unit, LENGTH_UNITS, "length_unit"), (angle_unit, ANGLE_UNITS, "angle_unit")):
+        _scale(grid, entries, numbers, unit, units, argument, strict)
+    if strict and grid.guesses:
+        raise ValueError(
+            f"A DHTable takes only what its rows say; kl.read_table reads these, and assumes: {grid.guesses[0]} Correct the rows, or use "
+            "read_table."
+        )
+    return Rows(numbers, letters, signs, _said_convention(plain, grid), ends, grid.assumed)
+
+
+def _without_ends(text: str) -> tuple[str, dict[str, Any], list[Assumption]]:
+    """Write a text as with a keyboard, and split off a base and a tool, as `print(table)` or the Robotics Toolbox prints them."""
+    import json  # for tables that were printed; `import kinlib` loads no more than NumPy
+
+    if len(text) > MAX_TEXT_LENGTH:
+        raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
+    ends, told = dict[str, Any](), list[Assumption]()
+    for end, matrix in END.findall(text):
+        try:
+            ends[end] = json.loads(matrix)
+        except (ValueError, RecursionError) as error:
+            raise ValueError(
+                f"{end} must be a pose, [[1, 0, 0, 0], [0, 1, 0, 0], ...]; got {matrix!r:.80}. Pass {end}=... instead."
+            ) from error
+    plain = _plain(END.sub("", text))
+    for end, place, angles in re.findall(r"\b(base|tool)\s*\|\s*t = ([-\d., ]+);\s*rpy/xyz = ([-\d.°, ]+)\|?", plain):
+        if not re.search("[1-9]", angles):
+            ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
+            told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
+            plain = re.sub(rf"^.*\b{end}\s*\|\s*t = .*$", "", plain, flags=re.MULTILINE)
+    return plain, ends, told
+
+
+def _plain(text: str) -> str:
+    """Write a text as with a keyboard, a row in each line, also if each cell is in a line of its own, as copied from a PDF."""
+    import html
+
+    text = respelled(html.unescape(text))
+    if re.search(r"<t[dh][\s>]", text):
+        text = re.sub(r"\s*\n\s*", " ", text)
+    for pattern, plain in REPLACEMENTS:
+        text = re.sub(pattern, plain, text)
+    lines = [line.strip() for line in text.splitlines() if line.strip()]
+    heads = [parse_heading(line).name for line in lines[:8]]
+    count = next((k for k, line in enumerate(lines[:8]) if re.fullmatch(NUMBER, line)), 0)
+    if not {*heads[:count]} >= {*COLUMNS} or len(lines) % count or any("\t" in line or "|" in line for line in lines):
+        return text
+    return "\n".join("\t".join(lines[k : k + count]) for k in range(0, len(lines), count))
+
+
+def _column(name: str) -> str:
+    """Return the column that a name stands for; "" if there is none."""
+    found = parse_heading(name).name
+    return found if found in COLUMN_NAMES.values() else ""
+
+
+def _from_dictionaries(given: Sequence[Any], names: Mapping[str, float]) -> _Grid:
+    grid = _Grid(names)
+    for number, row in enumerate(given, start=1):
+        missing = [column for column in COLUMNS if column not in row] if isinstance(row, Mapping) else [COLUMNS[0]]
+        if missing:
+            it_is = "" if isinstance(row, Mapping) else f"; it is {describe(row)}"
+            raise ValueError(
+                f"Row {number} has no {missing[0]}{it_is}. Each row must have all of {', '.join(COLUMNS)}; write 0 for an empty entry."
+            )
+        cells = {column: row[column] for column in COLUMNS}
+        for column, cell in cells.items():
+            if not isinstance(cell, str):
+                value = array(cell, f"Row {number}, {column}")
+                if value.ndim:
+                    raise ValueError(f"Row {number}, {column} must be a single number; got {describe(cell)}.")
+                cells[column] = repr(float(value))
+        grid.rows.append(cells)
+        grid.places.append(f"Row {number}")
+    return grid
+
+
+def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
+    """Read calls, RevoluteDH(d=0.1, a=0.2) or Link([0 0.1 0.2 pi/2])."""
+    grid, note = _Grid(names), ""
+    for found in CALL.finditer(text):
+        kind, inside = found[1], found[2]
+        named = {column: value.strip() for n, quoted, value in PAIR.findall(inside) if (column := _column(n or quoted))}
+        cells = re.sub(r"[\[\]{},]", " ", inside).split()
+        if (named or not cells) and not re.match(r"\s*[\[{]", inside):
+            row = {column: named.get(column, "0") for column in (*COLUMNS, "offset")}
+        elif len(cells) >= 4 and all(map(grid.is_entry, cells[:4])):
+            columns = ("a", "alpha", "d", "theta") if re.search("Frame|Craig", kind) else ("theta", "d", "a", "alpha")
+            row = dict(zip((*columns, "type"), cells[: 4 + (cells[4:5] in (["0"], ["1"]))], strict=False)) | {
+                "offset": "0"
+            }
+            note = f"{kind.rpartition(':')[2]}(...) was read as ({', '.join(columns)})."
+        else:
+            continue
+        before = text[text.rfind("\n", 0, found.start()) + 1 : found.start()]  # Joint(Joint::TransZ) of KDL
+        is_link = kind.endswith("Link") and bool(named)  # of MATLAB: what is not given is the variable
+        if re.search(r"revolute|\bRot", before + kind, re.IGNORECASE) or (is_link and "theta" not in named):
+            row["type"] = "R"
+        elif re.search(r"\bNone\b|\bFixed\b", before):
+            row["type"] = "F"
+        elif re.search(r"prismatic|\bTrans", before + kind, re.IGNORECASE) or (is_link and "d" not in named):
+            row |= {"type": "P", "d": row["offset"] if row["offset"] != "0" else row["d"], "offset": "0"}
+        grid.rows.append(row)
+        grid.places.append(f"Call {len(grid.rows)}, {found[0].strip():.60}")
+        if re.search("MDH|Craig|modified", kind):
+            grid.modified = True
+        elif kind.endswith("DH"):
+            grid.modified = bool(grid.modified)
+    if note:
+        grid.assume(note)
+    return _uniform(grid) if len(grid.rows) > 1 else None
+
+
+def _from_pairs(text: str, names: Mapping[str, float]) -> _Grid | None:
+    """Read names with values, row by row: dictionaries, items of YAML or TOML, attributes of XML, or lines."""
+    grid, end = _Grid(names, rows=[{}]), 0
+    for found in PAIR.finditer(text):
+        if column := _column(found[1] or found[2]):
+            if column in grid.rows[-1] or re.search("[)}]", text[end : found.start()]):
+                grid.rows.append({})
+            grid.rows[-1][column], end = found[3].strip(), found.end()
+    grid.places = [f"Row {k + 1}" for k in range(len(grid.rows))]
+    return _uniform(grid) if all({*row} >= NEEDED for row in grid.rows) else None
+
+
+def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
+    """Read lists by column, a = [0, -0.425, ...]; names with indices, d1 = 0.1; or lines that begin with the names of columns."""
+    lists, grid = dict[str, list[str]](), _Grid(names)
+    for name, inside in LIST.findall(text):
+        column = _column(name.rpartition(".")[2]) or _column(name.rpartition("_")[2])
+        cells = [cell for cell in re.split(r"[,;]|\s+(?![*/+-]\s)", inside.strip()) if cell.strip()]
+        if column and cells and all(map(grid.is_entry, cells)):
+            lists[column] = cells
+    if not {*lists} >= NEEDED:
+        by_index = dict[str, dict[int, str]]()
+        for name, number, value in re.findall(r"\b([a-zA-Z]+)_?(\d{1,2})\s*[=:]\s*([^,;\n}]+)", text):
+            if (column := _column(name)) and grid.is_entry(value):
+                by_index.setdefault(column, {})[int(number)] = value
+        lists = {}
+        if {*by_index} >= NEEDED:
+            if min(*by_index["a"], *by_index["alpha"]) < min(by_index["d"]) == 1:  # a_0 and alpha_0, but d_1
+                grid.modified = True
+                for column in ("a", "alpha"):
+                    by_index[column] = {k + 1: value for k, value in by_index[column].items()}
+            indices = sorted({k for cells in by_index.values() for k in cells})
+            lists = {column: [cells.get(k, "") for k in indices] for column, cells in by_index.items()}
+    if not lists:
+        lines = [cells for line in text.splitlines()[:MAX_LINES] for cells in _splits(line.strip())[::-1]]
+        heads = [
+            (parse_heading(line[0]), line[1:]) for line in lines if len(line) > 2 and all(map(grid.is_entry, line[1:]))
+        ]
+        named = {head.name: cells for head, cells in heads if head.name in ALL_COLUMNS}
+        if not {*named} >= NEEDED or len({len(named[column]) for column in NEEDED}) > 1:
+            return None
+        lists = {name: cells for name, cells in named.items() if len(cells) == len(named["a"])}
+        grid.units = {head.name: head.unit for head, _ in heads if head.unit}
+        grid.assume("Each row is a column of the text.")
+    count = max(map(len, lists.values()))
+    if short := [f"{column} ({len(cells)})" for column, cells in lists.items() if len(cells) != count]:
+        raise ValueError(
+            f"The lists must have the same length, {count}; {', '.join(short)} has another. Is an entry missing?"
+        )
+    grid.rows = [{column: cells[k] for column, cells in lists.items()} for k in range(count)]
+    grid.places = [f"Entry {k + 1} of the lists" for k in range(count)]
+    return _uniform(grid)
+
+
+def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
+    """Read lines of cells, with a heading or without one."""
+    if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]*;", text) and not re.search(r"\[(?:mm?|cm|rad|deg|°)\]", text):
+        text = re.sub(r"^[^\n#%/]*?[=(]\s*(?=[\[{])", "", text, flags=re.MULTILINE)  # the name of an array
+        text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
+    grid, heads, is_after_gap, is_spreadsheet, widths = _Grid(names), list[str](), False, False, set[int]()
+    for number, raw in enumerate(text.splitlines()[:MAX_LINES], start=1):
+        line = _plain_line(raw)
+        if not re.sub(r"[|\s:+=-]", "", line):
+            is_after_gap = True
+            continue
+        place, splits = f"Line {number}, {raw.strip()!r:.80}", _splits(line)
+        if is_after_gap and widths:  # another table may follow
+            splits = [cells for cells in splits if len(cells) in widths]
+        numbers = len(re.findall(rf"(?<![\w.])-?{NUMBER}", line))
+        if is_spreadsheet and "\t" in line:  # a spreadsheet drops empty cells at the end
+            splits[0] += [""] * (len(heads) - len(splits[0]))
+        read = [(cells, row) for cells in splits if (row := _row(cells, heads, grid))] if heads else []
+        plain = [] if heads else [entries for cells in splits if len(entries := _entries(cells, grid)) >= 4]
+        if not grid.rows and (named := next(filter(None, (_heading(cells, grid) for cells in splits)), None)):
+            heads, grid.cells, grid.places = named, [], []
+            is_spreadsheet = "\t" in line
+        elif read:
+            grid.rows.append(read[0][1])
+            grid.places.append(place)
+            widths |= {len(cells) for cells, row in read if row == read[0][1]}
+        elif plain:
+            grid.cells.append(plain[0])
+            grid.places.append(place)
+        elif grid.rows and (
+            any(cells[0].rstrip(".") == str(len(grid.rows) + 1) for cells in splits)
+            or (not is_after_gap and re.fullmatch(rf"[+-]?{NUMBER}", line))
+        ):
+            raise ValueError(f"{place} cannot be read: a cell is no number and no variable. Correct it, or write 0.")
+        elif (grid.rows or grid.cells) and (is_after_gap or (numbers and ("=" in line or numbers < 3))):
+            grid.assume(f"What follows the table was not read, from line {number}: {raw.strip()!r:.60}.")
+            break
+        elif (heads or grid.cells) and numbers >= 3:
+            raise ValueError(
+                f"{place} cannot be read: it has another number of cells than the heading, or cells that are no numbers. Write 0 into "
+                "empty cells, and one cell for each heading."
+            )
+        is_after_gap = False
+    return _uniform(grid) if grid.rows else grid
+
+
+def _plain_line(raw: str) -> str:
+    """Remove from a line what code and lists write around the cells, and the space before a unit."""
+    line = LABEL.sub(r"\1\2", re.sub(r"^\s*(?:#+|%+|//+|/?\*+|>+)\s*", "", raw)).strip(" \r").rstrip(",")
+    line = line.rstrip("); ") if line.count(")") > line.count("(") else line
+    line = re.sub(r"^[^()|\t]*\(((?:[^(),]*,){3}[^(),]*)\):?$", r"\1", line)  # parameters (theta, d, a, alpha):
+    line = re.sub(r"^(\w+):\s+(?=.*,)", r"\1, ", line)
+    line = re.sub(r"\s+in\s+(?=(?:mm?|cm|rad|deg\w*|°)(?!\w))", "/", line)
+    return re.sub(r"\s+(?=[\[(](?:mm?|cm|rad|deg\w*|°|i|i-1)[\])])", "", line)
+
+
+def _heading(cells: list[str], grid: _Grid) -> list[str]:
+    """Return the names of the columns if the cells are a heading, and keep their units and their convention."""
+    heads = parse_headings(cells)
+    names = [head.name for head in heads if head.name in ALL_COLUMNS]
+    if len({*names}) < max(3, len(names)) or any(re.fullmatch(NUMBER, cell) for cell in cells):
+        return []
+    grid.units = {head.name: head.unit for head in heads if head.name in ALL_COLUMNS and head.unit}
+    indices = {head.indices for head in heads if head.name in {"a", "alpha"} and head.indices}
+    grid.modified = "i-1" in indices if indices else None
+    return [head.name if head.name in {*ALL_COLUMNS, "type"} else "" for head in heads]
+
+
+def _row(cells: list[str], heads: list[str], grid: _Grid) -> dict[str, str] | None:
+    """Return the cells of a row by column name; the label of a row may have no heading. None if the line is no row."""
+    label = cells[0] if not heads[0] else ""
+    if len(cells) == len(heads) + 1 and (not grid.is_entry(cells[0]) or re.fullmatch(r"[A-Za-z]*\d+\.?", cells[0])):
+        label, cells = cells[0], cells[1:]
+    is_short = heads[0] == "" and len(cells) >= len(heads) - 1
+    row = {name: cell for name, cell in zip(heads, cells, strict=False) if name}
+    readable = sum(grid.is_entry(cell) or not cell.strip() for name, cell in row.items() if name != "type")
+    if (
+        not (len(cells) == len(heads) or is_short) or readable < 3
+    ):  # a single cell that cannot be read is told with its column
+        return None
+    return row | ({"label": label} if label else {})
+
+
+def _entries(cells: list[str], grid: _Grid) -> list[str]:
+    """Return the cells of a line that are entries, without the label of the row."""
+    entries = [cell for cell in cells if grid.is_entry(cell)]
+    return entries[len(entries) > 4 and bool(re.fullmatch(r"[A-Za-z]+\d+", entries[0])) :]
+
+
+def _splits(line: str) -> list[list[str]]:
+    """Split a line into cells at the separators that it may have, the surest first."""
+    if separator := next((sign for sign in "|\t;" if sign in line), ""):
+        cells = (line.strip().strip("|") if separator == "|" else line).split(separator)
+        split = [[_cell(cell, decimal_comma=True) for cell in cells[:MAX_CELLS]]]
+        return split + ([line.split()[:MAX_CELLS]] if separator == "\t" else [])
+    found = []
+    has_decimal_commas = re.fullmatch(r"(?:\S*\d,\d\S*|[^,\s]+)(?:\s+(?:\S*\d,\d\S*|[^,\s]+))*", line)
+    if ("," in line and not has_decimal_commas) or (line.count(",") >= 3 and " " not in line):
+        found.append([_cell(cell) for cell in line.split(",")[:MAX_CELLS]])
+    spaced = re.sub(r"\s+([+*/])\s+|\s*([*/])\s*|(?<=[\w°)])\s+(-)\s+(?=\d|pi)", lambda f: f[1] or f[2] or f[3], line)
+    splits = (re.split(pattern, spaced)[:MAX_CELLS] for pattern in (r"\s{2,}", r"\s+"))
+    return found + [[_cell(cell, decimal_comma=True) for cell in cells] for cells in splits]
+
+
+def _cell(cell: str, decimal_comma: bool = False) -> str:
+    cell = cell.strip().strip("\"'`").strip("*").strip()
+    for bracket, other in ("()", ")("):
+        if cell.count(bracket) > cell.count(other):
+            cell = cell.strip(bracket).strip()
+    return re.sub(r"(?<=\d),(?=\d)", ".", cell) if decimal_comma else cell
+
+
+def _entry(cell: str, column: str, names: Mapping[str, float]) -> Entry:
+    """Evaluate a cell: an empty one is 0, "theta" or "var" is a variable, and a length may have its unit, in metres then."""
+    cell = re.sub(r"\(\s*var\w*\s*\)|\*$|\b(?:rad|radians)$", "", _cell(respelled(cell))).strip()
+    if cell in {"", "-", "/", "n.a.", "n/a", "None", "none"}:
+        return Entry(0j)
+    if re.fullmatch(r"(?:var\w*|joint\w*|theta[_{]*[ijkn]?\}*|q[_{]*[ijkn]?\}*|d_?[ijkn])", cell, re.IGNORECASE):
+        cell = "q"
+    if unit := re.fullmatch(rf"(-?\s*{NUMBER})\s*(mm|cm|m)", cell):
+        return Entry(complex(float(unit[1].replace(" ", "")) * LENGTH_UNITS[unit[2]]), (), unit[2])
+    cell = re.sub(r"(theta|q|d)_?\{?(\d+)\}?", r"\1\2", cell).replace("degrees", "°").replace("deg", "°")
+    return evaluate_entry(cell.lstrip("+"), column, names)
+
+
+def _uniform(grid: _Grid) -> _Grid:
+    """Give all rows the columns that any of them has; a column that no row has is 0, and theta then is the variable."""
+    columns = {name for row in grid.rows for name in row} & ALL_COLUMNS
+    if missing := [name for name in ("a", "alpha", "d") if name not in columns]:
+        grid.assume(f"There is no column {' and '.join(missing)}: it was read as 0.")
+    if not columns & {"theta", "offset"}:
+        grid.assume("There is no column theta: each theta was read as the joint variable.")
+    filled = {name: "" if name in columns else "0" for name in (*COLUMNS, *columns)}
+    grid.rows = [filled | row for row in grid.rows]
+    labels = [row.get("label", "").rstrip(".") for row in grid.rows]
+    numbers = [int(label) for label in labels if re.fullmatch(r"\d{1,2}", label, re.ASCII)]
+    if len(numbers) == len(labels) and numbers != [*range(numbers[0], numbers[0] + len(numbers))]:
+        grid.assume(
+            f"The rows have the numbers {', '.join(map(str, numbers))}: they were read in the order in which they stand."
+        )
+    return grid
+
+
+def _name_columns(grid: _Grid, order: str) -> None:
+    """Name the columns of cells without a heading: as `order` says, or in the usual order that suits the numbers best."""
+    labels, numbers = [row[0] for row in grid.cells], range(len(grid.cells) + 1)
+    if min(map(len, grid.cells)) > 4 and labels in ([*map(str, numbers[:-1])], [*map(str, numbers[1:])]):
+        grid.cells = [row[1:] for row in grid.cells]
+    if order and sorted(order.split()) not in [sorted(known.split()) for known in ORDERS]:
+        raise ValueError(f'order must name the columns, such as "theta d a alpha"; got {order!r:.60}.')
+    suits = []
+    for texts in zip(*(row[:4] for row in grid.cells), strict=True):
+        text, known = " ".join(texts), dict.fromkeys(re.findall(r"[a-z]\w*", " ".join(texts)), 1.0) | {**grid.names}
+        column = np.array([_entry(cell, "theta", known).value.real for cell in texts])
+        has_right_angles = np.isin(np.abs(column).round(2), (1.57, 90, 180, 3.14, 45)).any()
+        is_angle, is_variable = bool(re.search("pi|°", text) or has_right_angles), bool(re.search(r"\bq|theta", text))
+        length = 2 * is_angle - bool((column % 1 != 0).any() and not is_angle)
+        suits.append({"a": -length, "alpha": length, "d": -length, "theta": length + 4 * is_variable})
+    best = order or max(ORDERS, key=lambda names: sum(suits[k].get(n, 0) for k, n in enumerate(names.split())))
+    names = best.replace("offset", "theta").split()
+    grid.rows = [dict(zip(names, row, strict=False)) for row in grid.cells]
+    if not order:
+        words = f"The columns have no heading: they were read as {', '.join(names)}."
+        grid.assume(words, "order", [best, *(known for known in ORDERS if known != best)][:6])
+
+
+def _evaluate(grid: _Grid) -> list[dict[str, Entry]]:
+    """Evaluate all cells, and add the offset of theta to it; the place of a cell that cannot be read is told."""
+    entries, empty = [], 0
+    for row, place in zip(grid.rows, grid.places, strict=False):
+        read = dict[str, Entry]()
+        for column in [name for name in row if name in ALL_COLUMNS]:
+            empty += not row[column].strip()
+            try:
+                read[column] = _entry(row[column], "theta" if column == "offset" else column, grid.names)
+            except ValueError as error:
+                raise ValueError(f"{place}, {column}: {error}") from error
+            if column in {"a", "d"} and read[column].unit == "°":
+                raise ValueError(
+                    f"{place}, {column}: {row[column]!r} is an angle, but {column} is a length. Are two columns swapped?"
+                )
+        offset, theta = read.pop("offset", Entry(0j)), read["theta"]
+        variables, unit = [*theta.variables, *offset.variables], theta.unit or offset.unit
+        entries.append(read | {"theta": Entry(theta.value + offset.value, variables, unit)})
+    if empty and not any("There is no column" in each.text for each in grid.assumed):
+        grid.assume(f"{empty} empty cells were read as 0." if empty > 1 else "An empty cell was read as 0.")
+    return entries
+
+
+def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str, strict: bool) -> tuple[str, list[float]]:
+    """Find the letter and the sign of the joint of each row: from its variable, a column of types, or because all rows have one.
+
+    If no row has a variable, the signs are [].
+    """
+    letters, signs, variables = "", list[float](), list[str]()
+    for row, cells, place in zip(entries, grid.rows, grid.places, strict=False):
+        letter, sign, variable = joint_of_row(row, place)
+        kind = {"r": "R", "0": "R", "p": "P", "1": "P", "f": "F"}.get(cells.get("type", "").strip().lower()[:1], "?")
+        letters, signs = letters + (letter if variable else kind), [*signs, sign]
+        variables += [variable] if variable else []
+    if given:
+        if strict and variables and given != (own := letters.replace("?", "F")):
+            raise ValueError(
+                f"joints must agree with the variables in the rows, {own}; got {given!r:.60}. Which rows have a joint?"
+            )
+        return given, signs if variables else []
+    numbers = [int(number) for name in variables if (number := re.sub(r"\D", "", name))]
+    if numbers and numbers != [*range(1, len(variables) + 1)]:
+        grid.assume(
+            f"The variables are {', '.join(variables)}, not 1, 2, ... in the order of the rows: each is the joint of its row."
+        )
+    if "?" in letters and set(letters) <= {"?", "P"}:
+        others = "each row" if "P" not in letters else "each row that is not prismatic"
+        words = f"theta has no variable: {others} is a revolute joint, with the number as its offset."
+        fixed = [k for k, row in enumerate(grid.rows) if TOOL_WORDS.search(row.get("label", "")) and k]
+        letters = "".join("F" if k in fixed else letter.replace("?", "R") for k, letter in enumerate(letters))
+        if fixed:
+            words = f"{words[:-1]}; row {fixed[0] + 1} is fixed, as its name says."
+        if not any("There is no column theta" in each.text for each in grid.assumed):
+            grid.assume(words)
+    elif "?" in letters:
+        rows = ", ".join(str(k + 1) for k, letter in enumerate(letters) if letter == "?")
+        grid.assumed.append(Assumption(f"Row {rows} has no variable: it was read as fixed, without a joint."))
+    return letters.replace("?", "F"), signs
+
+
+def _scale(  # noqa: PLR0917
+    grid: _Grid,
+    entries: list[dict[str, Entry]],
+    numbers: Array,
+    given: str,
+    units: Mapping[str, float],
+    argument: str,
+    strict: bool,
+) -> None:
+    """Convert the lengths or the angles to metres or radians: by their own unit, the argument, the heading, or their sizes."""
+    if given and given not in units:
+        raise ValueError(f"{argument} must be one of {', '.join(units)}; got {given!r:.60}.")
+    is_length = argument == "length_unit"
+    columns, basic = ((0, 2), "m") if is_length else ((1, 3), "rad")
+    plain = [(i, k) for i, row in enumerate(entries) for k in columns if not row[COLUMNS[k]].unit and numbers[i, k]]
+    said = {unit for k in columns if (unit := grid.units.get(COLUMNS[k], "")) in units}
+    unit = given or (said.pop() if len(said) == 1 and not strict else basic if strict else "")
+    if not unit and plain:
+        sizes = [abs(float(numbers[place])) for place in plain]
+        is_large = max(sizes) > (MIN_LENGTH_MM if is_length else 2 * np.pi + 0.01)
+        unit = (("m", "mm") if is_length else ("rad", "deg"))[is_large]
+        is_sure = not is_length and any(abs(size - np.pi / 2) < 1e-2 for size in sizes)
+        what = (
+            f"The text does not say the unit of its {'lengths' if is_length else 'angles'}: {unit} was taken, because"
+        )
+        options = (unit, *(other for other in units if other != unit))
+        grid.assume(f"{what} the largest is {max(sizes):.6g}.", *(() if is_sure else (argument, options)))
+    for i, k in plain:
+        own = grid.units.get(COLUMNS[k], "")
+        numbers[i, k] *= units[given or (own if own in units else unit)]
+
+
+def _said_convention(text: str, grid: _Grid) -> Literal["standard", "modified"] | None:
+    """The convention that the text names, in words, in the indices of its headings, or in the names of its calls."""
+    if grid.modified is not None:
+        return "modified" if grid.modified else "standard"
+    modified = re.search(r"\b(modified|craig|mdh|proximal)\b", text, re.IGNORECASE)
+    standard = re.search(r"\b(standard|classic|distal)\b", text, re.IGNORECASE)
+    return None if bool(modified) == bool(standard) else "modified" if modified else "standard"
+
+
+def _definitions(text: str) -> dict[str, float]:
+    """Read the values of names, l1 = 0.3 or d1 = 89.2 mm, that stand beside a table."""
+    found = re.findall(rf"\b([a-zA-Z]+_?\{{?\d+\}}?)\s*=\s*(-?{NUMBER})\s*(mm|cm|m)?\b", text)
+    return {name: float(value) * LENGTH_UNITS[unit or "m"] for name, value, unit in found}
+
+
+def _in_all_spellings(names: Mapping[str, float]) -> dict[str, float]:
+    """Return the values by name also without the underscore and the braces: l_{1}, l_1, l1."""
+    return {re.sub(left_out, "", name): value for name, value in names.items() for left_out in ("", "[{}]", "[_{}]")}
