@@ -240,7 +240,7 @@ def _judge_rounding(
     off = entries_off(table, fit[0], fixed, half_unit)
     # The sum of squares is smallest, not the largest change. No numbers within their half units have a smaller sum.
     is_excluded = np.linalg.norm(off) > 1.05 * math.sqrt(off.size) and smallest > 0.1
-    return "rounded" if off.max() <= 2.0 else "excluded" if is_excluded else "possible"
+    return "rounded" if off.max() <= 1.05 else "excluded" if is_excluded else "possible"
 
 
 def _explanations(  # noqa: PLR0917

@@ -197,3 +197,10 @@ def test_rounded_numbers_are_right_to_their_digits_and_a_mistake_is_found_throug
     noise = np.random.default_rng(0).normal(size=(6, 4)) * 2e-5
     found = diagnose(with_entries(UR5, (5, "d", 0.11465)), UR5.changed(rows=UR5.rows + noise), CHOICES)
     assert (found.faults[0].row, found.faults[0].column) == (5, "d")
+
+
+@pytest.mark.parametrize(("printed", "true"), [((1, 2), (1, 3)), ((0.3, 0.2), (0.3, 0.3)), ((0.4, 0.2), (0.5, 0.2))])
+def test_few_digits_are_no_excuse_for_a_number_that_does_not_round_to_them(printed, true):
+    """The sum of all rounding would allow these differences; no number within half of its last digit does."""
+    table, arm = (published(*((length, 0, 0, 0) for length in lengths)) for lengths in (printed, true))
+    assert diagnose(table, arm, fixed=CHOICES).verdict == "undecided"
