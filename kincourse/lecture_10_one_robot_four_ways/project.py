@@ -168,10 +168,12 @@ class Project:
         poses = {name: chain.fk(self.log.q) for name, chain in chains.items()}
         rows = ["".join(f"{head:>14}" for head in ("", *poses, "the log"))]
         for name, one in poses.items():
-            gaps = [1000 * np.linalg.norm(one[:, :3, 3] - other[:, :3, 3], axis=-1).max() for other in poses.values()]
-            far, turned = self.log.distances_mm(one).max(), self.log.angles_deg(one).max()
-            cells = ["agrees" if gap <= POSITION_MM else f"{gap:.0f} mm" for gap in gaps]
-            cells.append("agrees" if far <= POSITION_MM and turned <= ANGLE_DEG else f"{far:.0f} mm, {turned:.0f}°")
+            cells = []
+            for others in (*poses.values(), self.log.poses):
+                other = Log(self.log.q, others)
+                far, turned = other.distances_mm(one).max(), other.angles_deg(one).max()
+                is_same = far <= POSITION_MM and turned <= ANGLE_DEG
+                cells.append("agrees" if is_same else f"{far:.0f} mm, {turned:.0f}°")
             rows.append(f"{name:<14}" + "".join(f"{cell:>14}" for cell in cells))
         return "\n".join(rows)
 
