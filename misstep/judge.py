@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from misstep.answers.base import Answer, Unreadable
+from misstep.answers.base import Answer, Remarking, Unreadable
 from misstep.answers.prose import Prose
 from misstep.diagnosis.explanation import MAX_LENGTH, Explanation, explain, name_of
 from misstep.display.sentences import STEP_BY_STEP, UNKNOWN
@@ -72,7 +72,7 @@ def judge(problem: Problem, given: Any) -> Judgement:
     right = answer.agrees(value, answer.value)
     wrong = [part for part, is_right in enumerate(right) if not is_right]
     if not wrong:
-        remark = answer.remark(value)
+        remark = answer.remark(value) if isinstance(answer, Remarking) else ""
         return Judgement("right", 1.0, answer.parts, [Finding(answer.parts, remark)] if remark else [])
     return _partly(answer, right, explain(problem, value, wrong), value)
 

@@ -18,7 +18,16 @@ from typing import Any, Literal, TypeVar
 import numpy as np
 
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, Unreadable, seen_at_sight
+from misstep.answers.base import (
+    Answer,
+    AtInputs,
+    Quantifier,
+    Unreadable,
+    at_inputs,
+    collect,
+    has_alike_rows,
+    seen_at_sight,
+)
 from misstep.answers.choice import Choice, ReasonedChoice
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
@@ -89,7 +98,7 @@ class Problem:
         found = []
         for slip in self.answer.slips:
             try:
-                value = self.answer.collect([slip.wrong(right) for right in self.answer.at_inputs()])
+                value = collect(self.answer, [slip.wrong(right) for right in at_inputs(self.answer)])
             except Unreadable:
                 continue
             if not all(self.answer.agrees(value, self.answer.value)):
@@ -105,7 +114,7 @@ class Problem:
 
     def mutants_near(self, given: Any) -> Iterator[Mistake]:
         """Yield the mutants that may share a part with an answer that was read, without computing the others at all inputs."""
-        return self._mistakes(partial(self.answer.may_share, given))
+        return self._mistakes(self._near(given))
 
     @cached_property
     def names_of_mutants(self) -> Collection[str]:
@@ -115,7 +124,7 @@ class Problem:
             return names
         for mutation in solution.mutations:
             with suppress(Unreadable):
-                self.answer.collect([value_of(solution.mutant(mutation))])
+                collect(self.answer, [value_of(solution.mutant(mutation))])
                 names.add(mutation.slip.name)
         return names
 
@@ -185,8 +194,7 @@ class Problem:
 
     def _hidden_mutants(self) -> Iterator[Mistake]:
         tolerance = SEPARATION_TOLERANCES * TOLERANCE
-        near = partial(self.answer.may_share, self.answer.value, tolerance=tolerance, parts=all)
-        for wrong in self._mistakes(near, separating=True):
+        for wrong in self._mistakes(self._near(self.answer.value, tolerance, all), separating=True):
             if wrong.name not in self.invisible and self._same(wrong.value, self.answer.value):
                 yield wrong
 
@@ -195,8 +203,8 @@ class Problem:
         """The solution at the first input, which is often enough to see that a mistake is not the one that was made."""
         if self.solution is None:
             return None
-        first = next(self.answer.at_inputs(self.solution))
-        if not self.answer.may_share(self.answer.value, first.value, SEPARATION_TOLERANCES * TOLERANCE, all):
+        first = next(at_inputs(self.answer, self.solution))
+        if not self._near(self.answer.value, SEPARATION_TOLERANCES * TOLERANCE, all)(first.value):
             raise self._wrong_solution(first.value)
         return MutableSolution(first)
 
@@ -205,8 +213,8 @@ class Problem:
         """The solution at each input."""
         if self._first_solution is None:
             return []
-        others = list(map(MutableSolution, islice(self.answer.at_inputs(self.solution), 1, None)))
-        reached = self.answer.collect([solution.root.value for solution in (self._first_solution, *others)])
+        others = list(map(MutableSolution, islice(at_inputs(self.answer, self.solution), 1, None)))
+        reached = collect(self.answer, [solution.root.value for solution in (self._first_solution, *others)])
         if not self._same(reached, self.answer.value):
             raise self._wrong_solution(reached)
         return [self._first_solution, *others]
@@ -235,11 +243,17 @@ class Problem:
                 raise ValueError("The solution must have the same changes at each input; their numbers differ.")
             others = [other.mutant(other.mutations[k]) for other in self._solutions[1:]]
             try:
-                value = self.answer.collect([value_of(root) for root in (first, *others)])
+                value = collect(self.answer, [value_of(root) for root in (first, *others)])
             except Unreadable:
                 continue
-            spoils = slip.spoils or (self.answer.rows_are_alike and solution.is_in_every_row(mutation))
+            spoils = slip.spoils or (has_alike_rows(self.answer) and solution.is_in_every_row(mutation))
             yield mutant(slip, value, self.advice, first.key, spoils=spoils)
+
+    def _near(self, given: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> Callable[[Any], bool]:
+        """Return the function that says whether a value at the first input may be part of an answer that was read."""
+        if not isinstance(self.answer, AtInputs):
+            return lambda _: True
+        return partial(self.answer.may_share, given, tolerance=tolerance, parts=parts)
 
     def _same(self, one: Any, other: Any) -> bool:
         return all(self.answer.agrees(one, other, SEPARATION_TOLERANCES * TOLERANCE))
@@ -341,6 +355,11 @@ def problem(
 
 
 def templates_in(module: ModuleType) -> list[Template]:
-    """Return the problems of a module, in the order of their numbers: "03.2" comes before "03.10"."""
+    """Return the problems of a module, in the order of their numbers: "03.2" comes before "03.10".
+
+    >>> from kincourse.lecture_03_poe_space import problems
+    >>> [template.number for template in templates_in(problems)][::9]
+    ['03.1', '03.10']
+    """
     found = [value for value in vars(module).values() if isinstance(value, Template)]
     return sorted(found, key=lambda template: (len(template.number), template.number))

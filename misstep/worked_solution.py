@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from misstep.answers.base import at_inputs
 from misstep.answers.choice import Choice, ReasonedChoice
 from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
@@ -53,7 +54,7 @@ def worked_solution(problem: Problem) -> Sequence[str]:
     if isinstance(solution, Expression):
         return list(dict.fromkeys(_steps(solution)))
     if solution is not None:
-        root = next(iter(answer.at_inputs(solution)))
+        root = next(at_inputs(answer, solution))
         named = [node for node in dict.fromkeys(_in_order(root)) if node.arguments and node.label and node is not root]
         steps = list(dict.fromkeys(f"${node.label} = {node.formula}$" for node in named[-MAX_STEPS:]))
         steps.append(f"${root.formula}$")

@@ -12,7 +12,7 @@ from kincourse.mistakes.dh import slips_of_rows, symbol
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, is_plausible_angle
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Named
+from misstep.answers.base import AlikeRows, Named
 from misstep.answers.likeness import Likeness
 from misstep.answers.number import LENGTH, PURE, Numbers
 from misstep.display.sentences import IN_DEGREES, IN_DEGREES_WITH_WRONG_SIGN, LIKE_DEGREES, OTHER_UNIT
@@ -97,7 +97,7 @@ class DHRowAnswer(DHEntriesAnswer):
 
 
 @dataclass(frozen=True, eq=False)
-class DHRowsAnswer(_DHNumbers):
+class DHRowsAnswer(AlikeRows, _DHNumbers):
     """Rows of a DH table at q = 0, shape (m, 4): a, alpha, d, theta, in metres and radians. Each row is a part.
 
     The numbers may also be listed one after the other.
@@ -123,10 +123,6 @@ class DHRowsAnswer(_DHNumbers):
 
     def place(self, index: Sequence[Any]) -> str:
         return f"{symbol(COLUMNS[index[1]])} in row {index[0] + 1}"
-
-    @property
-    def rows_are_alike(self) -> bool:
-        return True
 
     @property
     def slips(self) -> Sequence[Slip]:

@@ -7,23 +7,19 @@ from typing import Any
 import numpy as np
 
 from kincourse.answers.screws import CHECK_TOLERANCE, THUMB
-from misstep.answers.base import Named
+from misstep.answers.base import AlikeRows, Named
 from misstep.answers.expression import ClosedForm
 from misstep.formulas.evaluation import Formula
 
 
 @dataclass(frozen=True, eq=False)
-class ScrewExpressionsAnswer(ClosedForm):
+class ScrewExpressionsAnswer(AlikeRows, ClosedForm):
     """Screw axes (omega, v) as rows of formulas, shape (n, 6); each screw axis is a part.
 
     >>> import sympy as sp
     >>> ScrewExpressionsAnswer(sp.eye(2, 6)).parts
     ['screw 1', 'screw 2']
     """
-
-    @property
-    def rows_are_alike(self) -> bool:
-        return True
 
     @property
     def parts(self) -> Sequence[str]:

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from misstep.answers.base import Named
+from misstep.answers.base import AlikeRows, Named
 from misstep.answers.likeness import ROUND_OFF, Likeness
 from misstep.answers.number import LENGTH, PURE, Numbers
 from misstep.mutants.expression import Slip
@@ -58,7 +58,7 @@ SLIPS = (
 
 
 @dataclass(frozen=True, eq=False)
-class ScrewsAnswer(Numbers):
+class ScrewsAnswer(AlikeRows, Numbers):
     """Screw axes (omega, v) in rows, shape (n, 6), or a single one, shape (6,); each screw axis is a part.
 
     >>> ScrewsAnswer(np.eye(2, 6)).parts
@@ -83,10 +83,6 @@ class ScrewsAnswer(Numbers):
         """Return whether more is right than translations, beside whose screws a rotation is wrong."""
         rotates = np.abs(np.atleast_2d(self.value)[:, :3]).max(axis=1) > ROUND_OFF
         return bool(rotates[np.array(right)].any() or not rotates[~np.array(right)].any())
-
-    @property
-    def rows_are_alike(self) -> bool:
-        return bool(self.value.ndim > 1)
 
     def length_entries(self) -> NDArray[np.bool_]:
         return np.asarray(self.kinds() == LENGTH)

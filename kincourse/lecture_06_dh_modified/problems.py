@@ -36,7 +36,7 @@ from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.lie import homogeneous
 from kinlib.view import draw_arm, draw_frames, draw_joints
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Named
+from misstep.answers.base import Named, Remarking
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
@@ -98,7 +98,7 @@ def _moved(rows: Array, by: int, columns: list[int]) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class WristAnglesAnswer(EulerAnglesAnswer):
+class WristAnglesAnswer(Remarking, EulerAnglesAnswer):
     """Angles theta_4, theta_5, theta_6 of a wrist in rows, in radians; the second row is at the singular configuration.
 
     >>> answer = WristAnglesAnswer(np.array([[0.1, 0.2, 0.3], [0, 0, 0.5]]))

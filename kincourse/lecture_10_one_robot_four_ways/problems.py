@@ -34,7 +34,7 @@ from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import inverse as inverted
 from kinlib.rigid.rpy import roll_pitch_yaw
 from misstep.answers.angle import Angles
-from misstep.answers.base import Named
+from misstep.answers.base import AlikeRows, Named
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
@@ -184,7 +184,7 @@ def one_of_four(sampler: ArmSampler) -> Problem:
 
 
 @dataclass(frozen=True, eq=False)
-class OriginsAnswer(Numbers):
+class OriginsAnswer(AlikeRows, Numbers):
     """Poses of frames, each in the frame before it, (k, 4, 4), as the origins of a URDF file; each pose is a part.
 
     >>> OriginsAnswer(np.array([np.eye(4)] * 2)).parts
@@ -196,10 +196,6 @@ class OriginsAnswer(Numbers):
     @property
     def parts(self) -> Sequence[str]:
         return [*(f"the origin of joint {i}" for i in range(1, len(self.value))), "the origin of the tool"]
-
-    @property
-    def rows_are_alike(self) -> bool:
-        return True
 
     def resemblance(self, given: Array, part: int | None) -> Named | None:
         """Return what is to be said of this pose alone."""

@@ -36,7 +36,6 @@ class Answer(ABC):
     and a mistake in one part does not cost the points of the others.
 
     value   the right answer
-    inputs  the arguments of each call, if the answer is a function
 
     >>> class Gain:
     ...     def __init__(self, decibel): self.decibel = decibel
@@ -58,7 +57,6 @@ class Answer(ABC):
     """
 
     value: Any
-    inputs: Sequence[Any] = ()
 
     @property
     @abstractmethod
@@ -104,28 +102,60 @@ class Answer(ABC):
         """Return whether the right parts of a partly right answer earn their share: what a wrong method gives does not."""
         return True
 
-    @property
-    def rows_are_alike(self) -> bool:
-        """Whether one method gives all parts, as the rows of a table of screws: a wrong method earns nothing for one of them."""
-        return False
 
+class Remarking(ABC):
+    """A kind of answer of which several are right."""
+
+    @abstractmethod
     def remark(self, given: Any) -> str:
         """Return a sentence on how a right answer differs from ours; "" if there is nothing to say."""
-        return ""
 
-    # --- a solution, at each input of a function or a formula ---
 
+class AlikeRows:
+    """A kind of answer whose parts come from one method, as the rows of a table of screws do, so that none counts alone."""
+
+
+def has_alike_rows(answer: Answer) -> bool:
+    """Whether one method gives all parts of an answer, of which there are several."""
+    return isinstance(answer, AlikeRows) and len(answer.parts) > 1
+
+
+class AtInputs(Answer):
+    """A function or a formula, whose solution is an expression at each of some inputs.
+
+    inputs  the arguments of each call, if the answer is a function
+    """
+
+    inputs: Sequence[Any] = ()
+
+    @abstractmethod
     def at_inputs(self, solution: Any = None) -> Iterator[Expression | Any]:
         """Yield the solution as an expression at each input, or without one the right value."""
-        yield self.value if solution is None else solution
 
+    @abstractmethod
     def collect(self, values: Sequence[Any]) -> Any:
         """Return the answer that has these values at the inputs, as if it had been read. Raises Unreadable if there is none."""
-        return self.read(values[0])
 
+    @abstractmethod
     def may_share(self, given: Any, value: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> bool:
         """Return whether any part of an answer, or all of them, may be those of one that has a value at the first input."""
-        return True
+
+
+def inputs_of(answer: Answer) -> Sequence[Any]:
+    """Return the arguments of each call, if an answer is a function."""
+    return answer.inputs if isinstance(answer, AtInputs) else ()
+
+
+def at_inputs(answer: Answer, solution: Any = None) -> Iterator[Expression | Any]:
+    """Yield a solution at each input, or without one the right value; the only one, if the answer is no function of inputs."""
+    if isinstance(answer, AtInputs):
+        return answer.at_inputs(solution)
+    return iter([answer.value if solution is None else solution])
+
+
+def collect(answer: Answer, values: Sequence[Any]) -> Any:
+    """Return the answer that has these values at the inputs. Raises Unreadable if there is none."""
+    return answer.collect(values) if isinstance(answer, AtInputs) else answer.read(values[0])
 
 
 def seen_at_sight(answer: Answer, given: Any) -> Named | None:

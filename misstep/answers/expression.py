@@ -13,7 +13,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, Named, Quantifier, Unreadable
+from misstep.answers.base import AtInputs, Named, Quantifier, Unreadable, has_alike_rows
 from misstep.answers.likeness import Likeness, entries_hint, place_of
 from misstep.answers.number import scale_of
 from misstep.display.text import number
@@ -26,7 +26,7 @@ EXACT_TOLERANCE = 1e-10
 
 
 @dataclass(frozen=True, eq=False)
-class ClosedForm(Answer):
+class ClosedForm(AtInputs):
     """A formula, or a vector or matrix of formulas, given as SymPy or as text.
 
     value    the right formula; its symbols may be used
@@ -84,7 +84,7 @@ class ClosedForm(Answer):
 
     def resemblance(self, given: Formula, part: int | None) -> Named | None:
         if part is None:
-            return self.likeness(given, None).order() if self.rows_are_alike else None
+            return self.likeness(given, None).order() if has_alike_rows(self) else None
         if found := self.likeness(given, part).resemblance():
             return found
         same = self.same_entries(given, self.value)[self.core_indices()[part]]

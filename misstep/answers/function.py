@@ -10,7 +10,7 @@ import numpy as np
 
 from misstep import validation
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, Named, Quantifier, Unreadable
+from misstep.answers.base import Answer, AtInputs, Named, Quantifier, Unreadable
 from misstep.answers.likeness import Likeness
 from misstep.answers.number import Numbers
 from misstep.mutants.expression import Expression, Slip
@@ -32,7 +32,7 @@ class FunctionCalls:
 
 
 @dataclass(frozen=True, eq=False)
-class Function(Answer):
+class Function(AtInputs):
     """A function, judged by its outputs at random inputs.
 
     value   the right function

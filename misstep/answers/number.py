@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from misstep import validation
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import MAX_NUMBER, Answer, Named, Unreadable
+from misstep.answers.base import MAX_NUMBER, Answer, Named, Unreadable, has_alike_rows
 from misstep.answers.likeness import LENGTH_UNITS, ROUND_OFF, Likeness, entries_hint, place_of
 from misstep.formulas.evaluation import numeral
 from misstep.validation import Array
@@ -181,7 +181,7 @@ class Numbers(Answer):
 
     def _order(self, given: Array) -> Named | None:
         likeness = self.likeness(given, None)
-        if self.rows_are_alike or len(self.parts) == len(np.atleast_2d(self.value)) > 1:
+        if has_alike_rows(self) or len(self.parts) == len(np.atleast_2d(self.value)) > 1:
             return likeness.order()
         is_list = np.ndim(self.value) == 1 and len(self.parts) == np.size(self.value) > 1
         if not is_list or (self.same_entries(given, self.value) & (np.abs(self.value) > TOLERANCE)).any():
@@ -191,7 +191,7 @@ class Numbers(Answer):
 
     def _place(self, given: Array, part: int) -> Named | None:
         """Return which row belongs here instead, or where few entries are wrong."""
-        for other, name in enumerate(self.parts) if self.rows_are_alike else ():
+        for other, name in enumerate(self.parts) if has_alike_rows(self) else ():
             order = [other if k == part else k for k in range(len(self.parts))]
             if other != part and self.agrees(given, self.value[order])[part]:
                 return "another row", f"This is what belongs to {name}."

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Any
 
-from misstep.answers.base import Answer, Named, seen_at_sight
+from misstep.answers.base import Answer, Named, has_alike_rows, seen_at_sight
 from misstep.answers.likeness import REORDERED
 from misstep.mistakes import Mistake
 from misstep.problem import Problem
@@ -93,7 +93,7 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Explanat
 
 
 def _is_reordered(answer: Answer, value: Any, wrong: Sequence[int]) -> bool:
-    return answer.rows_are_alike and len(wrong) >= len(answer.parts) - 1 > 1 and bool(answer.resemblance(value, None))
+    return has_alike_rows(answer) and len(wrong) >= len(answer.parts) - 1 > 1 and bool(answer.resemblance(value, None))
 
 
 def _seen(parts: Sequence[int], value: Any, seen: Named, *, spoils: bool = False) -> Explanation:

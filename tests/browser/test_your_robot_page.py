@@ -26,7 +26,7 @@ def test_a_table_with_a_wrong_sign_is_explained_and_corrected(
         page.goto(f"{site_address}/lectures/your_robot.html")
         answer, drawing = page.locator(".your-robot-result").all()
         expect(answer).to_be_hidden()
-        page.get_by_label("A URDF file").set_input_files(file)
+        page.get_by_label("A URDF file, or a zip archive with its meshes").set_input_files(file)
         expect(page.locator("form.your-robot")).to_contain_text("Between them: 6 joints.")
         page.get_by_label("A DH table").fill(TABLE.replace("-0.425", "0.425"))
         page.get_by_role("button", name="Check", exact=True).click()
@@ -45,7 +45,7 @@ def test_a_table_with_a_wrong_sign_is_explained_and_corrected(
         with ZipFile(archive, "w", ZIP_DEFLATED) as files:
             files.writestr("crane-main/urdf/crane.urdf", crane(visual(mesh), '<drake:name value="not declared"/>'))
             files.writestr("crane-main/meshes/arm.stl", stl())
-        page.get_by_label("A URDF file").set_input_files(archive)
+        page.get_by_label("A URDF file, or a zip archive with its meshes").set_input_files(archive)
         expect(page.locator("form.your-robot")).to_contain_text("1 of 1 meshes were found.")
         page.get_by_label("A DH table").fill("")
         page.get_by_role("button", name="Check", exact=True).click()

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from misstep.answers.base import Unreadable
+from misstep.answers.base import Remarking, Unreadable
 from misstep.answers.choice import Choice
 from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
@@ -178,7 +178,7 @@ def test_a_card_names_score_mistake_and_section_and_its_findings_are_in_the_orde
         assert verdict.judgement.mistakes == [row_1.name, row_2.name]
 
 
-class Remarked(Numbers):
+class Remarked(Remarking, Numbers):
     """Numbers with a remark on every right answer."""
 
     def remark(self, given):
