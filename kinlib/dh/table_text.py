@@ -62,7 +62,7 @@ REPLACEMENTS = [
     (r"(?<=\d)f\b|(?<=\d\.)f\b", ""), (r"(?<=\d)\s*\*\s*([mc]m)(?:_?(?:2|to)_?m)?\b", r" \1"),  # 0.1f and 145 * mm2m of code
     (r"\((?:float|double|real_t)\)", ""), (r"\b\w+[(\[](\d+)[)\]]\.(\w+)\s*=(?!=)", r"\2\1 ="),  # L(1).a = 0.1
     (r"\b([a-zA-Z]\w*)\[(\d+)\](?!\s*[\[.])", r"\1\2"), (r"(?<=[\[,])\s*\[([^\[\],]*\d[^\[\],]*)\](?=\s*[,\]])", r"\1"),
-    (r"\bth_?(\d+)\b", r"theta\1"),
+    (r"\bth_?(\d+)\b", r"theta\1"), (r"(?m)^[ \t]*#define\s+(\w+)\s+", r"\1 = "), (r"\b\w+\s*<<\s*(?=\S)", ""),
 ]  # fmt: skip
 """What terminals, HTML, LaTeX and code write for signs and separators, and what a keyboard has for them."""
 
@@ -376,8 +376,9 @@ def _by_index(text: str, grid: _Grid) -> dict[str, list[str]]:
 def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
     """Read lines of cells, with a heading or without one."""
     if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]*;", text) and not re.search(r"\[(?:mm?|cm|rad|deg|°)\]", text):
-        text = re.sub(r"^[^\n#%/]*?[=(]\s*(?=[\[{])", "", text, flags=re.MULTILINE)  # the name of an array
+        text = re.sub(r"^[^\n#%/]*?[=(:]\s*(?=[\[{])", "", text, flags=re.MULTILINE)  # the name of an array
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
+    text = re.sub(r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.*\balpha\b)", "\n", text)  # a heading as the comment of a row
     grid, heads, is_after_gap, is_spreadsheet, widths = _Grid(names), list[str](), False, False, set[int]()
     for number, raw in enumerate(text.splitlines()[:MAX_LINES], start=1):
         line = _plain_line(raw)
@@ -426,7 +427,7 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
 def _plain_line(raw: str) -> str:
     """Remove from a line what code and lists write around the cells, and the space before a unit."""
     line = LABEL.sub(r"\1\2", re.sub(r"^\s*(?:#+|%+|//+|/?\*+|>+)\s*", "", raw)).strip(" \r").rstrip(",")
-    line = line.rstrip("); ") if line.count(")") > line.count("(") else line
+    line = line.rstrip("); ") if line.count(")") > line.count("(") or line.find(";") == len(line) - 1 else line
     line = re.sub(r"^[^()|\t]*\(((?:[^(),]*,){3}[^(),]*)\):?$", r"\1", line)  # parameters (theta, d, a, alpha):
     line = re.sub(r"^(\w+):\s+(?=.*,)", r"\1, ", line)
     line = re.sub(r"\s+in\s+(?=(?:mm?|cm|rad|deg\w*|°)(?!\w))", "/", line)
@@ -451,6 +452,10 @@ def _row(cells: list[str], heads: list[str], grid: _Grid) -> dict[str, str] | No
     if len(cells) == len(heads) + 1 and (not grid.is_entry(cells[0]) or re.fullmatch(r"[A-Za-z]*\d+\.?", cells[0])):
         label, cells = cells[0], cells[1:]
     is_short = heads[0] == "" and len(cells) >= len(heads) - 1
+    if is_short and len(cells) < len(heads):  # without its label, or without its last cell
+        count = len(grid.rows)
+        is_label = re.fullmatch(rf"(?!q|theta)[A-Za-z]*(?:{count}|{count + 1})\.?", cells[0])
+        label, heads = (label, heads) if is_label else ("", heads[1:])
     row = {name: cell for name, cell in zip(heads, cells, strict=False) if name}
     readable = sum(grid.is_entry(cell) or not cell.strip() for name, cell in row.items() if name != "type")
     if (

@@ -148,6 +148,10 @@ SAME_ARM = {
     "\t{ 0.0f, 0.0f, 0.2f, 0.0f }\n}; // home, d, a, alpha",
     "fields by number": "L(1).a = 0; L(1).alpha = pi/2; L(1).d = 0.3; L(1).offset = 0;\n"
     "L(2).a = 0.4; L(2).alpha = 0; L(2).d = 0; L(2).offset = pi/2;\nL(3).a = 0.2; L(3).alpha = 0; L(3).d = 0; L(3).offset = 0;",
+    "JSON with a comment": '{"dh_params": [[0.0, 1.5707963267948966, 0.3, 0.0], [0.4, 0.0, 0.0, 1.5707963267948966], [0.2, 0, 0, 0]]}'
+    "  # [a, alpha, d, theta]",
+    "Eigen": "Eigen::MatrixXd dh(3,4);\ndh << 0, 0.3, 0, M_PI/2,\n      M_PI/2, 0, 0.4, 0,\n      0, 0, 0.2, 0; // theta, d, a, alpha",
+    "definitions of C": "#define d1 0.3\n#define a2 0.4\n#define a3 0.2\ntable: theta d a alpha\nq1 d1 0 pi/2\nq2+pi/2 0 a2 0\nq3 0 a3 0",
     "a list of lengths in calls": "length = [0.3, 0.4, 0.2]\nRevoluteDH(d=length[0], alpha=pi/2), RevoluteDH(a=length[1], offset=pi/2), "
     "RevoluteDH(a=length[2])",
 }
