@@ -466,8 +466,10 @@ def _row(cells: list[str], heads: list[str], grid: _Grid) -> dict[str, str] | No
 
 
 def _entries(cells: list[str], grid: _Grid) -> list[str]:
-    """Return the cells of a line that are entries, without the label of the row."""
+    """Return the cells of a line that are entries, without the label of the row; none of a sentence with numbers."""
     entries = [cell for cell in cells if grid.is_entry(cell)]
+    if 2 * len(entries) <= len([cell for cell in cells if cell]):
+        return []
     return entries[len(entries) > 4 and bool(re.fullmatch(r"[A-Za-z]+\d+", entries[0])) :]
 
 

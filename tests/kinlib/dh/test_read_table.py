@@ -183,3 +183,9 @@ def test_a_flipped_joint_counts_the_other_way_also_beside_another_call():
 def test_a_number_that_cannot_be_read_is_never_taken_for_zero(text, words):
     with pytest.raises(ValueError, match=words):
         read_table(text, convention="standard")
+
+
+def test_a_sentence_with_numbers_above_the_rows_is_no_row():
+    text = "Robot: UR5, 6 joints, 850 mm reach, 18.4 kg, 5 kg payload\n0 0.089159 0 pi/2\n0 0 -0.425 0\n0 0 -0.39225 0"
+    table, _ = read_table(text, convention="standard")
+    assert table.rows[:, 0] == pytest.approx([0, -0.425, -0.39225])
