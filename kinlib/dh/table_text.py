@@ -391,13 +391,15 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
         numbers = len(re.findall(rf"(?<![\w.])-?{NUMBER}", line))
         if is_spreadsheet and "\t" in line:  # a spreadsheet drops empty cells at the end
             splits[0] += [""] * (len(heads) - len(splits[0]))
-        read = [(cells, row) for cells in splits if (row := _row(cells, heads, grid))] if heads else []
+        exact = sorted(splits, key=lambda cells: len(cells) != len(heads))
+        read = [(cells, row) for cells in exact if (row := _row(cells, heads, grid))] if heads else []
         plain = [] if heads else [entries for cells in splits if len(entries := _entries(cells, grid)) >= 4]
         if not grid.rows and (named := next(filter(None, (_heading(cells, grid) for cells in splits)), None)):
             if grid.cells and all(len(cells) == len(named) for cells in grid.cells):  # a comment below the rows
                 named = ["offset" if name == "" and "theta" not in named else name for name in named]
                 grid.rows, grid.cells = [dict(zip(named, cells, strict=True)) for cells in grid.cells], []
-                break
+                heads = named
+                continue
             heads, grid.cells, grid.places = named, [], []
             is_spreadsheet = "\t" in line
         elif read:

@@ -152,6 +152,9 @@ SAME_ARM = {
     "  # [a, alpha, d, theta]",
     "Eigen": "Eigen::MatrixXd dh(3,4);\ndh << 0, 0.3, 0, M_PI/2,\n      M_PI/2, 0, 0.4, 0,\n      0, 0, 0.2, 0; // theta, d, a, alpha",
     "definitions of C": "#define d1 0.3\n#define a2 0.4\n#define a3 0.2\ntable: theta d a alpha\nq1 d1 0 pi/2\nq2+pi/2 0 a2 0\nq3 0 a3 0",
+    "a heading beside the first row": "links = [\n  (0.0, 0.3, 0.0, pi/2),   # theta, d, a, alpha\n  (pi/2, 0.0, 0.4, 0.0),\n"
+    "  (0.0, 0.0, 0.2, 0.0),\n]",
+    "one space between two cells": "i  a   alpha  d    theta\n1  0   90     0.3  q1*\n2  0.4 0      0 q2+90\n3  0.2   0      0  q3*",
     "a list of lengths in calls": "length = [0.3, 0.4, 0.2]\nRevoluteDH(d=length[0], alpha=pi/2), RevoluteDH(a=length[1], offset=pi/2), "
     "RevoluteDH(a=length[2])",
 }
