@@ -12,27 +12,25 @@ os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
 
 BROWSER = ("tests/browser/", "tests/site/")
-"""The folders whose tests use one browser and one built site; one worker runs them, so that each of the two starts once."""
+"""The folders whose tests use a browser."""
 
-WITHOUT_SITE = tuple(f"tests/browser/test_{name}.py" for name in ("viewer_browser", "players_browser", "jupyterlab"))
-FIRST = (*WITHOUT_SITE, "notebooks/", "exercises/", *BROWSER, "tests/kincourse/sheets/")
-"""What starts first, so that all workers end at about the same time: of the tests in the browser those that need no site, while
-another worker runs the notebooks, whose outputs the site takes; and then what takes longest."""
+WITHOUT_SITE = [
+    f"tests/browser/test_{name}.py" for name in ("viewer_browser", "players_browser", "jupyterlab", "planar_arm")
+]
+FIRST = ("notebooks/", "exercises/", WITHOUT_SITE[0], "tests/browser/test_browser_lab.py", *WITHOUT_SITE[1:], *BROWSER)
+"""What starts first, so that workers seldom wait for each other: the notebooks, whose outputs the site takes; one file while
+another worker runs the last of them; a file that builds the site; what needs no site, meanwhile; and then what needs it."""
 
 
 def group(nodeid):
-    """Which tests a worker takes together: those in the browser, of a file, of one notebook, or of one problem of a sheet.
+    """Which tests a worker takes together: those of a file, of one notebook, or of one problem of a sheet.
 
     >>> group("tests/kinlib/test_chain.py::test_fk[rpr]")
     'tests/kinlib/test_chain.py'
-    >>> group("tests/site/test_site.py::test_links")
-    'browser'
     >>> group("tests/kincourse/sheets/test_sheets.py::test_a_blank_stub_earns_a_friendly_zero[None-07.4]")
     'tests/kincourse/sheets/test_sheets.py 07.4'
     """
     file, _, test = nodeid.partition("::")
-    if file.startswith(BROWSER):
-        return "browser"
     if file.endswith("/test_sheets.py"):
         return f"{file} {test.partition('[')[2].removesuffix(']').rpartition('-')[2]}".strip()
     return file
@@ -40,7 +38,7 @@ def group(nodeid):
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection_modifyitems(items):
-    """Start with what takes longest, in the order of FIRST."""
+    """Start with the tests in FIRST, in this order."""
     items.sort(key=lambda item: [not item.nodeid.startswith(start) for start in FIRST])
     return (yield)
 

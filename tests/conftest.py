@@ -28,7 +28,7 @@ def pytest_configure(config):
 
 
 # --- the browser and the site ---
-# conftest.py of the repository gives these tests to one worker, one after the other, so that each browser starts once.
+# conftest.py of the repository puts these tests one after the other, so that a browser starts once in each worker.
 
 
 def pytest_sessionfinish():
