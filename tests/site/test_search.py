@@ -15,11 +15,13 @@ QUERIES = json.loads(Path(__file__).with_name("search_queries.json").read_text("
 def search(chromium, site_address):
     """A function that types a query and returns the addresses of the first page and of the places on it."""
     with watched(chromium) as page:
+        page.clock.install()
         page.goto(f"{site_address}/search.html")
         box = page.locator("#search input")
 
         def addresses(query):
             box.fill(query)
+            page.clock.run_for(1000)  # the page searches when the reader has stopped typing
             page.get_by_text(re.compile(rf"^(No|\d+) results? for {re.escape(query)}|^Nothing")).wait_for()
             first = page.locator(".pagefind-ui__result").first
             return [link.get_attribute("href").lstrip("/") for link in first.locator("a").all()]
