@@ -313,7 +313,10 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
             [np.array(sampler.shuffled(pair)) * (sampler.choice((-1, 1)), sampler.choice((-1, 1))) for pair in pairs]
         )
     climbs = sampler.choice(CLIMBS)
-    first = np.array((0, 0, sampler.choice((4, 6, 7))), dtype=float)
+    free = [
+        z for z in range(6, 13) if not {z, z + climbs[0], z + sum(climbs)} & {5, 10, 13}
+    ]  # no height is as large as a step
+    first = np.array((0, 0, sampler.choice(free)), dtype=float)
     second = first + np.append(sides[0], climbs[0])
     third = second + np.append(sides[1], climbs[1])
     points = np.array([first, second, third])
