@@ -107,7 +107,7 @@ def _draw_view(
         for back in (0, 7) if axis.slides and not is_end_on else (0,):  # two heads: it translates
             canvas.axis(centre - half, centre + half - back * pixel * way, width=WIDE if is_end_on else 1.5)
         for k, (tip, other, names) in enumerate(shown):
-            along = (centre + half - tip) @ way
+            along = float((centre + half - tip) @ way)
             apart = canvas.to_pixels(centre + half - along * way) - canvas.to_pixels(tip)
             if other @ way > 0.5 and np.abs(apart).max() < 1 and (is_end_on or abs(along) < 2 * AXIS_PX * pixel):
                 shown[k] = (tip + max(0.0, along) * way, way, [*names, axis.name])
