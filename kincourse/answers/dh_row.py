@@ -151,7 +151,12 @@ class DHRowsAnswer(AlikeRows, _DHNumbers):
             if one:
                 places.setdefault(one, []).append(symbol(COLUMNS[k]))
         if seen and all(seen.values()) and len(places) <= 2:
-            text = " ".join(f"{text}\nLook at {' and '.join(names)}." for (_, text), names in places.items())
+            text = " ".join(
+                f"{text[:-1]} of {' and '.join(names)}."
+                if name == "signs"
+                else f"{text}\nLook at {' and '.join(names)}."
+                for (name, text), names in places.items()
+            )
             return " and ".join(dict.fromkeys(name for name, _ in places)), text
         if found := self.likeness(given, part).resemblance():
             return found
@@ -177,7 +182,7 @@ def _entry_mistake(mine: float, right: float, is_angle: bool) -> Named | None:
     cases: tuple[tuple[Any, str, str], ...]
     if is_angle:
         cases = (
-            (_same_angle(mine, -right), "signs", "The size is right, the sign is not."),
+            (_same_angle(mine, -right), "signs", "The size is right.\nLook at the sign."),
             (_same_angle(np.radians(mine), right), "degrees", IN_DEGREES),
             (_same_angle(np.radians(mine), -right), "an entry in degrees and its sign", IN_DEGREES_WITH_WRONG_SIGN),
             (abs(mine) <= TOLERANCE, "left out", "This is 0, but the angle is not 0."),
@@ -185,7 +190,7 @@ def _entry_mistake(mine: float, right: float, is_angle: bool) -> Named | None:
         )
     else:
         cases = (
-            (abs(mine + right) <= TOLERANCE, "signs", "The size is right, the sign is not."),
+            (abs(mine + right) <= TOLERANCE, "signs", "The size is right.\nLook at the sign."),
             (
                 abs(mine - 1000 * right) <= min(1, 100 * abs(right)),
                 "millimetres",

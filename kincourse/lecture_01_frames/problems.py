@@ -367,8 +367,8 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
             "axis": np.eye(3)[k],
             "degrees": degrees,
             "shift": far * np.eye(3)[along],
-            "own": "turn" if turn_is_own else "shift",
         },
+        shown={"own": "turn" if turn_is_own else "shift"},
         answer=PoseAnswer(moved),
         advice=dict.fromkeys(("order", "first factor", "last factor", "reversed"), LEFT_OR_RIGHT)
         | {

@@ -48,6 +48,7 @@ from misstep.answers.function import Function
 from misstep.answers.groups.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
+from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, negative, product, total
 from misstep.mutants.operations import ANGLE, LENGTH, radians, stack
 
@@ -592,7 +593,8 @@ def ur5e_on_a_stand(sampler: ArmSampler) -> Problem:
         ("sign of a length", "lay both steps of the wrist to the other side", 2 * points[[0, 1, 2, 3, 3, 3]] - points),
     ):  # fmt: skip
         S = S.mistaken_for((name, text, joint_screws(axes, other, np.zeros(6)).value))
-    drawn = [DrawnAxis(str(i), axis, p) for i, (axis, p) in enumerate(zip(axes, points, strict=True), start=1)]
+    apart = points - np.outer((1, 0, 0, 0, 0, 0), place * Z / 2) + np.outer((0, 0, 0, 0, 1, 0), 0.24 * Z)
+    drawn = [DrawnAxis(str(i), axis, p) for i, (axis, p) in enumerate(zip(axes, apart, strict=True), start=1)]
     body = [place * (1, 1, 0), *points]
     ways = {tuple(way): name for way, name in ((X, "+x"), (-X, "-x"), (Y, "+y"), (-Y, "-y"), (Z, "+z"), (-Z, "-z"))}
     first, second, third = (f"${ways[tuple((heading @ way).round() + 0.0)]}$" for way in (upper, fore, -Y))
@@ -604,6 +606,15 @@ def ur5e_on_a_stand(sampler: ArmSampler) -> Problem:
         figure=lambda: draw_dimensions(body, drawn, {"base": place}),
         shown={"axes": axes, "points": points},
         answer=ScrewsAnswer(S),
+        mistakes=[
+            mistake(
+                "sign of a coordinate",
+                joint_screws(axes, points - 2 * place * along, np.zeros(6)).value,
+                f"You put the base on the wrong side of the origin of {{s}}.\nLook at its coordinate along {letter}.",
+                "This comes from a base on the wrong side of the origin of {s}.",
+            )
+            for letter, along in (("x", X), ("y", Y))
+        ],
         invisible={"another point"},
     )
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import combinations_with_replacement
 
 import numpy as np
 import sympy as sp
@@ -406,8 +407,8 @@ def planar_arm(sampler: ArmSampler) -> Problem:
         ("squares", "give the squares of the distances", np.sort(reach) ** 2),
         ("not sized", "leave a negative distance", np.sort([L @ w for w in ((1, 1, 1), (1, 1, -1), (1, -1, 1), (1, -1, -1))])),
         ("links themselves", "give the three links and their sum", np.sort([*L, L.sum()])),
-        ("term left out", "leave out the last link", np.sort([L[0] + L[1], abs(L[0] - L[1])] * 2)),
-        ("term left out", "leave out the first link", np.sort([L[1] + L[2], abs(L[1] - L[2])] * 2)),
+        ("term left out", "stop at joint 3, without the last link", np.sort([L[0] + L[1], abs(L[0] - L[1])] * 2)),
+        ("term left out", "begin at joint 2, without the first link", np.sort([L[1] + L[2], abs(L[1] - L[2])] * 2)),
         may_coincide=True,
     )  # fmt: skip
     return Problem(
@@ -417,6 +418,15 @@ def planar_arm(sampler: ArmSampler) -> Problem:
         further="Now the direction of the last link counts as well. Which of these configurations are still singular, and which are new?",
         given={"links": L},
         answer=Numbers(distances, unit="m"),
+        mistakes=[
+            mistake(
+                "counted twice",
+                np.array(some),
+                "Each of these distances is right, but two of the four are the same configuration.",
+            )
+            for some in combinations_with_replacement(np.sort(reach), 4)
+            if 1 < len(set(some)) < 4
+        ],
     )
 
 

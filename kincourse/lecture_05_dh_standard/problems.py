@@ -32,7 +32,7 @@ from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mutants.expression import Expression, given, product
-from misstep.mutants.operations import ANGLE, radians, sqrt, square, stack
+from misstep.mutants.operations import ANGLE, arctan2, radians, sqrt, square, stack
 
 TITLE = "Denavit-Hartenberg tables in the standard convention"
 
@@ -307,23 +307,26 @@ def _format_row(row: list[float], i: int) -> str:
 @problem("05.7", "Parallel axes", points=4, lecture="05_dh_standard#Special cases", level="Hard")
 def parallel_axes(sampler: ArmSampler) -> Problem:
     sides = np.zeros((2, 2))
-    while np.abs(sides.sum(axis=0)).max() < 1:  # axis 3 must not coincide with axis 1
+    while abs(np.linalg.det(sides)) < 1 or abs(sides[0] @ sides[1]) < 1:  # no angle between them is a multiple of 90°
         pairs = sampler.shuffled([(3, 4), (6, 8), (5, 12)])[:2]  # of different lengths
         sides = np.array(
             [np.array(sampler.shuffled(pair)) * (sampler.choice((-1, 1)), sampler.choice((-1, 1))) for pair in pairs]
         )
     climbs = sampler.choice(CLIMBS)
-    first = np.array((0, 0, sampler.choice((4, 6, 7))), dtype=float)
+    free = [
+        z for z in range(6, 13) if not {z, z + climbs[0], z + sum(climbs)} & {5, 10, 13}
+    ]  # no height is as large as a step
+    first = np.array((0, 0, sampler.choice(free)), dtype=float)
     second = first + np.append(sides[0], climbs[0])
     third = second + np.append(sides[1], climbs[1])
     points = np.array([first, second, third])
     robot = arm([(Z, point) for point in points], pose((X, Y, Z), third), "Three upright joints", "drawn for you")
     z = [given(f"z_{i}", height) for i, height in enumerate(points[:, 2], start=1)]
     steps = [_axis_distance(i, *step) for i, step in enumerate(np.diff(points, axis=0), start=1)]
-    a, d = [a for a, _ in steps], [z[1] - z[0], z[2] - z[1]]
+    a, d, theta = [a for a, _, _ in steps], [z[1] - z[0], z[2] - z[1]], steps[1][2] - steps[0][2]
     far, rise = float(np.hypot(*(third - first)[:2])), z[2] - z[0]
     d[1] = d[1].mistaken_for(("measured from joint 1", "measure $d_2$ from joint 1", rise, "Row 2 begins at joint 2."))
-    answer = stack(a[0], d[0], a[1], d[1])
+    answer = stack(a[0], d[0], a[1], d[1], theta)
     for name, text, wrong, advice in (
         ("off the normal", "measure $a$ from joint to joint", (steps[0][1], 0.0, steps[1][1], 0.0), NORMAL_ADVICE),
         ("a and d swapped", "swap $a$ and $d$", (d[0], a[0], d[1], a[1]), "$d$ is measured along $z$, and $a$ along $x$."),
@@ -336,17 +339,19 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         ("measured from joint 1", "measure both rows from joint 1", (a[0], d[0], far, rise), "Row 2 begins at joint 2."),
     ):  # fmt: skip
         answer = answer.mistaken_for(
-            (name, text, stack(*wrong), advice), spoils=name in {"measured from joint 1", "order of the numbers"}
+            (name, text, stack(*wrong, theta), advice), spoils=name in {"measured from joint 1", "order of the numbers"}
         )
     return Problem(
         statement="Three parallel joint axes point up. The table gives a point of each joint. For parallel axes, the origin may be "
         "anywhere on its axis; here $O_0$ is at joint 1, $O_1$ at joint 2 and $O_2$ at joint 3. Each $x_i$ points from axis $i$ "
-        f"to axis $i + 1$. Give $a_1, d_1, a_2, d_2$.\n\n{joint_table(robot)}",
+        f"to axis $i + 1$. Give $a_1, d_1, a_2, d_2$ and the angle $\\theta_2$ of this configuration, in metres and radians."
+        f"\n\n{joint_table(robot)}",
         further="Move every origin to the height 0. What do the rows say now?",
         figure=partial(draw_joints, robot),
         given={"points": points},
-        answer=DHEntriesAnswer(answer, names=["a_1", "d_1", "a_2", "d_2"]),
+        answer=DHEntriesAnswer(answer, names=["a_1", "d_1", "a_2", "d_2", "theta_2"]),
         advice={
+            "leave out $-\\varphi_1$": "$\\theta_2$ is the angle from $x_1$ to $x_2$, and $x_1$ is not the $x$ axis of {s}.",
             "root left out": NORMAL_ADVICE,
             "square left out": NORMAL_ADVICE,
             **{f"leave out $-z_{i}$": HEIGHT_ADVICE for i in (1, 2)},
@@ -354,8 +359,8 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
     )
 
 
-def _axis_distance(i: int, x: float, y: float, z: float) -> tuple[Expression, float]:
-    """The distance of two vertical axes, and that of two points on them, from the step between the points."""
+def _axis_distance(i: int, x: float, y: float, z: float) -> tuple[Expression, float, Expression]:
+    """The distance of two vertical axes, that of two points on them, and the direction of their normal, from the step between them."""
     dx, dy, between = given(f"\\Delta x_{i}", x), given(f"\\Delta y_{i}", y), float(np.linalg.norm((x, y, z)))
     a = sqrt(square(dx) + square(dy)).named(f"a_{i}")
     a = a.mistaken_for(
@@ -365,7 +370,7 @@ def _axis_distance(i: int, x: float, y: float, z: float) -> tuple[Expression, fl
         ("one step alone", f"take the step along $y$ alone as $a_{i}$", dy),
         advice=NORMAL_ADVICE,
     )
-    return a, between
+    return a, between, arctan2(dy, dx).named(f"\\varphi_{i}")
 
 
 @problem(

@@ -40,7 +40,7 @@ def draw_nearly_parallel_axes(degrees: float) -> Picture:
     reach = min(TOP_M / np.cos(tilt), height + 0.5)
     for foot, axis, end, name in ((0 * Y, Z, TOP_M, "1"), (DISTANCE_M * Y, tilted, reach, "2")):
         canvas.line([foot - 0.3 * axis, foot + end * axis], VIOLET, 2, "--")
-        canvas.label(foot - 0.3 * axis, f"$z_{name}$", VIOLET, size=14)
+        canvas.label(foot - 0.3 * axis, f"axis {name}", VIOLET, size=14)
     arm = np.array([0 * Z, 0.5 * Z, 0.5 * Z + (DISTANCE_M - 0.5 * np.tan(tilt)) * Y])
     canvas.line(arm, LINK_GREY, 7, level=1)
     for joint in arm[1:]:

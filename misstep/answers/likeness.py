@@ -29,7 +29,7 @@ ROUND_OFF = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Likeness:
-    """A part of an answer and of the right one, shape (..., inputs), and what is known about its entries.
+    r"""A part of an answer and of the right one, shape (..., inputs), and what is known about its entries.
 
     lengths, angles  which entries are lengths, and angles in radians
     unit             the unit of the lengths
@@ -43,7 +43,7 @@ class Likeness:
     >>> Likeness(0 * right, right).at_sight(), Likeness(1000 * right, right, lengths=np.ones(3, bool)).at_sight()[0]
     (('placeholder', 'Every number is 0. Put in the numbers that you find.'), 'millimetres')
     >>> Likeness(np.abs(right), right).resemblance()
-    ('signs', 'The sizes are right, but no minus sign is left.')
+    ('signs', 'The sizes are right.\nLook at the signs: no minus sign is left.')
     >>> Likeness(right[[1, 2, 0]], right).resemblance()[1]
     'These are the right numbers, but not in the right order.'
     """
@@ -147,27 +147,18 @@ class Likeness:
             return None
         count, seen = np.count_nonzero(wrong), np.count_nonzero(self._is_seen(right).any(axis=-1))
         if is_one or count == seen:
-            return "all signs", self._all_signs(is_one)
-        places = " and ".join(self.place(index) for index in np.argwhere(wrong).tolist())
-        if self.is_formula:  # which may contain further signs
-            return "signs", f"Only signs are wrong.\nLook at {places if count <= MAX_PLACES else f'{count} formulas'}."
-        if (mine >= 0).all():
-            return "signs", "The sizes are right, but no minus sign is left."
-        if count > MAX_PLACES:
-            return "signs", f"The sizes are right, but {count} signs are wrong."
-        return (
-            "signs",
-            f"The sizes are right, but {'one sign is' if count == 1 else 'some signs are'} wrong.\nLook at {places}.",
-        )
-
-    def _all_signs(self, is_one: bool) -> str:
-        if not self.is_formula:
-            return (
-                "The size is right, but the sign is wrong."
+            text = (
+                "The size is right.\nLook at the sign."
                 if is_one
-                else "The sizes are right, but every sign is wrong."
+                else "The sizes are right.\nLook at the signs: every one is wrong."
             )
-        return "Your formula has the wrong sign." if is_one else sentences.NEGATED_FORMULAS
+            return "all signs", text
+        if (mine >= 0).all() and not self.is_formula:
+            return "signs", "The sizes are right.\nLook at the signs: no minus sign is left."
+        if count > MAX_PLACES:
+            return "signs", f"The sizes are right.\nLook at the signs: {count} are wrong."
+        places = " and ".join(self.place(index) for index in np.argwhere(wrong).tolist())
+        return "signs", f"The sizes are right.\nLook at the sign{'' if count == 1 else 's'} of {places}."
 
     def factor(self) -> Named | None:
         """Return whether these are the right numbers, multiplied by a factor."""

@@ -18,8 +18,6 @@ ROUNDED = "These are the right numbers, but rounded too much. {}"
 
 FOUR_DIGITS = "Keep at least four significant digits."
 
-NEGATED_FORMULAS = "Every formula has the wrong sign."
-
 ZERO = "This is 0, and the right number is not."
 
 UNTOUCHED = "{}. Put in the numbers that you find."

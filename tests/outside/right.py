@@ -327,7 +327,8 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "05.7": (
         "vector",
         lambda g: np.array([
-            x for i in (0, 1) for x in (np.hypot(*(np.diff(g.points, axis=0)[i, :2])), np.diff(g.points, axis=0)[i, 2])
+            *(x for i in (0, 1) for x in (np.hypot(*(np.diff(g.points, axis=0)[i, :2])), np.diff(g.points, axis=0)[i, 2])),
+            np.angle(np.dot(np.diff(g.points, axis=0)[1], (1, 1j, 0)) / np.dot(np.diff(g.points, axis=0)[0], (1, 1j, 0))),
         ]),
     ),
     "05.6": ("pose", lambda g: product(g.base, chain(at(g.rows, "RR", g.q), "standard"), g.tool)),

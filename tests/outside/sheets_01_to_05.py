@@ -454,3 +454,17 @@ def offsets(g: Any, X: Any) -> Kinds:
         "added neighbours": (np.array([h[0], h[0] + h[1], h[1] + h[2]]), SIGN + "|add|sum"),
         "subtracted the first": (np.array([h[0], h[1] - h[0], h[2] - h[0]]), "first|link 1|x_0|before|previous|heading|x_1"),
     }
+
+
+@kinds_of("05.7")
+def parallel_axes(g: Any, X: Any) -> Kinds:
+    first, second = np.diff(np.asarray(g.points), axis=0)[:, :2]
+    phi = np.arctan2(first[1], first[0]), np.arctan2(second[1], second[0])
+    angle = "theta|angle|phi|sign|half a turn|quadrant"
+    return {
+        "measured theta from x of {s}": (np.array([*X[:4], phi[1]]), angle),
+        "gave the direction of x_1 as theta": (np.array([*X[:4], phi[0]]), angle),
+        "measured theta from x_2 to x_1": (X * (1, 1, 1, 1, -1), SIGN),
+        "measured theta to the reversed x_2": (X + np.array([0, 0, 0, 0, np.pi]), angle),
+        "measured d_2 from joint 1": (X + np.array([0, 0, 0, X[1], 0]), "joint 1|" + PLACE),
+    }

@@ -89,8 +89,8 @@ def draw_dimensions(
         places = {name: moved(T, point) for name, point in points.items()}
         for side, coordinate in ((0, 0), (1, up))[title == "Top view" :]:
             _draw_chain(canvas, places, _steps(points, coordinate), side, level)
-        head = moved(T, np.where([False, up == 1, up == 2], low + extent, low)) - (room, 0, 0)
-        canvas.label(head, f"{title}: x →, {'xyz'[up]} ↑", GREY, [(0, 42), (0, 56), (0, 70), (0, 84)], 8)
+        head = moved(T, np.where([False, up == 1, up == 2], low + extent, low)) + room * np.array([-1, 0, 1])
+        canvas.label(head, f"{title}: x →, {'xyz'[up]} ↑", GREY, [(0, -4), (0, 10), (0, 22)], 8)
     return crop([canvas.picture(_describe(axes, points, arrows))], SHEET_PX)[0]
 
 
@@ -99,14 +99,26 @@ def _draw_view(
 ) -> None:
     """Draw what one view shows of the machine, but for its dimensions: T takes it to where that view is on the sheet."""
     pixel = 1 / canvas.pixels_per_metre
+    shown: list[tuple[Array, Array, list[str]]] = []  # axes that cover each other in this view share a label
     for axis in axes:
         centre, way = moved(T, axis.point), T[:3, :3] @ axis.direction
-        end_on = abs(way @ canvas.eye) > 0.5
-        offsets = [(34, 14), (-34, 14), (34, -14), (-34, -14)] if end_on else [(0, 14), (0, -16), (32, 0), (-32, 0)]
         half = AXIS_PX * pixel * way
-        for back in (0, 7) if axis.slides and not end_on else (0,):  # two heads: it translates
-            canvas.axis(centre - half, centre + half - back * pixel * way, width=WIDE if end_on else 1.5)
-        canvas.label(centre + half, f"axis {axis.name}", VIOLET, [*offsets, *LABEL_OFFSETS], 9.6)
+        is_end_on = abs(way @ canvas.eye) > 0.5
+        for back in (0, 7) if axis.slides and not is_end_on else (0,):  # two heads: it translates
+            canvas.axis(centre - half, centre + half - back * pixel * way, width=WIDE if is_end_on else 1.5)
+        for k, (tip, other, names) in enumerate(shown):
+            along = float((centre + half - tip) @ way)
+            apart = canvas.to_pixels(centre + half - along * way) - canvas.to_pixels(tip)
+            if other @ way > 0.5 and np.abs(apart).max() < 1 and (is_end_on or abs(along) < 2 * AXIS_PX * pixel):
+                shown[k] = (tip + max(0.0, along) * way, way, [*names, axis.name])
+                break
+        else:
+            shown.append((centre + half, way, [axis.name]))
+    for tip, way, names in shown:
+        end_on = [(34, 14), (-34, 14), (34, -14), (-34, -14)]
+        offsets = end_on if abs(way @ canvas.eye) > 0.5 else [(0, 14), (0, -16), (32, 0), (-32, 0)]
+        text = f"{'axis' if len(names) == 1 else 'axes'} {', '.join(names)}"
+        canvas.label(tip, text, VIOLET, [*offsets, *LABEL_OFFSETS], 9.6)
     for name, (point, direction) in arrows.items():
         start, way = moved(T, np.asarray(point, dtype=float)), T[:3, :3] @ np.asarray(direction, dtype=float)
         if facing := round(float(way @ canvas.eye)):

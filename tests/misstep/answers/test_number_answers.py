@@ -64,11 +64,15 @@ MATRIX = np.array([[1.0, 2.0, 0.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]])
 def test_what_an_answer_resembles_is_named_and_true():
     for typed, name, words in [
         (MATRIX.T, "transposed", "transpose of the right one"),
-        (-MATRIX, "all signs", "every sign is wrong"),
+        (-MATRIX, "all signs", "every one is wrong"),
         (1000 * MATRIX, "millimetres", "right in millimetres"),
         (MATRIX[[0, 2, 1]], "rows in another order", "Two rows are swapped.\nThey are rows 2 and 3."),
         (MATRIX[:, [1, 0, 2]], "columns in another order", "They are columns 1 and 2."),
-        (MATRIX * [[1, -1, 1], [1, 1, 1], [1, 1, 1]], "signs", "one sign is wrong.\nLook at row 1, column 2."),
+        (
+            MATRIX * [[1, -1, 1], [1, 1, 1], [1, 1, 1]],
+            "signs",
+            "The sizes are right.\nLook at the sign of row 1, column 2.",
+        ),
         (2 * MATRIX, "doubled", "twice"),
         (MATRIX / 2, "halved", "half"),
         (MATRIX**2 + 1, None, "We do not recognise"),
