@@ -247,7 +247,7 @@ class Problem:
             except Unreadable:
                 continue
             spoils = slip.spoils or (has_alike_rows(self.answer) and solution.is_in_every_row(mutation))
-            yield mutant(slip, value, self.advice, first.key, spoils=spoils)
+            yield mutant(slip, value, self.advice, spoils=spoils)
 
     def _near(self, given: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> Callable[[Any], bool]:
         """Return the function that says whether a value at the first input may be part of an answer that was read."""

@@ -8,9 +8,10 @@ from typing import Any
 
 from misstep.answers.base import inputs_of
 from misstep.diagnosis.bugs import recurrences
+from misstep.diagnosis.explanation import Finding
 from misstep.display.failed_answer import FailedAnswer, watch_cells
 from misstep.display.lecture_address import lecture_address
-from misstep.judge import Finding, Judgement, judge
+from misstep.judge import Judgement, judge
 from misstep.problem import Problem, Template
 from misstep.storage.serialize import to_data
 from misstep.verdict import Tally, Verdict, observation

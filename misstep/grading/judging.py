@@ -13,6 +13,7 @@ from typing import Any
 from misstep.answers.base import inputs_of
 from misstep.catalog import find_course
 from misstep.diagnosis.bugs import Observation
+from misstep.diagnosis.explanation import Finding
 from misstep.display.card import Link
 from misstep.display.lecture_address import page_address
 from misstep.grading import result as states
@@ -22,7 +23,7 @@ from misstep.grading.overrides import Override
 from misstep.grading.pages import feedback_page
 from misstep.grading.result import ProblemResult, Result
 from misstep.grading.similarity import relation
-from misstep.judge import Finding, Judgement, judge
+from misstep.judge import Judgement, judge
 from misstep.problem import Problem, Template
 from misstep.sheet import SAMPLE_ID, Sheet
 from misstep.storage.deserialize import Malformed, Opaque, from_data

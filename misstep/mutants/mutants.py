@@ -110,11 +110,10 @@ def mutations(root: Expression) -> list[Mutation]:
     return [*single, *detours]
 
 
-def mutant(slip: Slip, value: Any, advice: Mapping[str, str], key: Any = None, *, spoils: bool = False) -> Mistake:
+def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = False) -> Mistake:
     """Return the mistake of a change that leads to a value.
 
     advice  for names or texts of changes, a sentence on what is right, instead of their own
-    key     equal for mutants that are the same expression
     spoils  whether it belongs to the method for all parts of the answer
 
     >>> mutant(Slip("degrees", "use degrees as radians"), 3.0, {}).message
@@ -125,7 +124,7 @@ def mutant(slip: Slip, value: Any, advice: Mapping[str, str], key: Any = None, *
     message = slip.did if is_sentence else f"This is what you get if you {slip.did}. {further}".rstrip()
     part = message * slip.in_parts
     did = "" if is_sentence else slip.did
-    return Mistake(slip.name, value, message, part, did, further, key=key, spoils=spoils, credit=slip.credit)
+    return Mistake(slip.name, value, message, part, did, further, spoils=spoils, credit=slip.credit)
 
 
 def value_of(expression: Expression) -> Any:

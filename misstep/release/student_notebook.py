@@ -49,7 +49,7 @@ def student_version(source: Path) -> str:
 
 def find_stale(root: Path) -> dict[Path, str]:
     """Return the files that are missing or stale, with what they must be: of students, and solutions without worked ones."""
-    course, stale = find_course(), {}
+    course, stale = find_course(), dict[Path, str]()
     for source in sorted([*(root / "solutions").glob("*/*.ipynb"), *(root / "solutions").glob("*/*.json")]):
         wanted = {root / "exercises" / source.relative_to(root / "solutions"): student_version(source)}
         if source.suffix == ".ipynb" and source.stem in course.sheets():
