@@ -6,7 +6,6 @@ changes by which people go wrong are made in it (`misstep.mutants`). A problem a
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from importlib import import_module
@@ -70,8 +69,8 @@ class Problem:
     [('forget to divide by $2$', 6.0), ('multiply by $2$ instead of dividing by it', 12.0)]
     >>> [float(mistake.value) for mistake in drawn.mutants_near(np.array(12.0))]
     [6.0, 12.0]
-    >>> drawn.is_discriminating(), drawn.collision(), drawn.without_duplicates().mistakes
-    (True, None, [])
+    >>> drawn.collision(), drawn.without_duplicates().mistakes
+    (None, [])
     """
 
     statement: str
@@ -116,32 +115,16 @@ class Problem:
         """Yield the mutants that may share a part with an answer that was read, without computing the others at all inputs."""
         return self._mistakes(self._near(given))
 
-    @cached_property
-    def names_of_mutants(self) -> Collection[str]:
-        """The names of the mutants that lead to an answer, as far as the first input shows."""
-        names = set[str]()
-        if (solution := self._first_solution) is None:
-            return names
-        for mutation in solution.mutations:
-            with suppress(Unreadable):
-                collect(self.answer, [value_of(solution.mutant(mutation))])
-                names.add(mutation.slip.name)
-        return names
-
     @property
     def known_mistakes(self) -> Sequence[Mistake]:
         """The mistakes of the author, and the mutants."""
         return [*self.mistakes, *self.mutants]
 
-    def is_discriminating(self) -> bool:
-        """Return whether the right answer and the answers of all mistakes differ from each other.
+    def collision(self) -> tuple[str, str] | None:
+        """Return what gives the same answer: two mistakes of the author, or one mistake and the solution; None if nothing does.
 
         Mutants need to differ from the right answer only: where two of them lead to the same answer, feedback names both.
         """
-        return self.collision() is None
-
-    def collision(self) -> tuple[str, str] | None:
-        """Return what gives the same answer: two mistakes of the author, or one mistake and the solution; None if nothing does."""
         named = [
             ("the right answer", self.answer.value),
             *((f"the mistake {one.name!r}", one.value) for one in self.mistakes),
@@ -204,25 +187,23 @@ class Problem:
         if self.solution is None:
             return None
         first = next(at_inputs(self.answer, self.solution))
-        if not self._near(self.answer.value, SEPARATION_TOLERANCES * TOLERANCE, all)(first.value):
-            raise self._wrong_solution(first.value)
+        self._check(first.value, self._near(self.answer.value, SEPARATION_TOLERANCES * TOLERANCE, all)(first.value))
         return MutableSolution(first)
 
     @cached_property
     def _solutions(self) -> Sequence[MutableSolution]:
-        """The solution at each input."""
-        if self._first_solution is None:
-            return []
+        """The solution at each input, of which there is one."""
         others = list(map(MutableSolution, islice(at_inputs(self.answer, self.solution), 1, None)))
-        reached = collect(self.answer, [solution.root.value for solution in (self._first_solution, *others)])
-        if not self._same(reached, self.answer.value):
-            raise self._wrong_solution(reached)
-        return [self._first_solution, *others]
+        solutions = [*filter(None, [self._first_solution]), *others]
+        reached = collect(self.answer, [solution.root.value for solution in solutions])
+        self._check(reached, self._same(reached, self.answer.value))
+        return solutions
 
-    def _wrong_solution(self, reached: Any) -> ValueError:
-        return ValueError(
-            f"The solution must lead to the answer; it gives {reached}, and the answer is {self.answer.value}."
-        )
+    def _check(self, reached: Any, is_right: bool) -> None:
+        if not is_right:
+            raise ValueError(
+                f"The solution must lead to the answer; it gives {reached}, and the answer is {self.answer.value}."
+            )
 
     def _mistakes(
         self, is_near: Callable[[Any], bool] = lambda _: True, *, separating: bool = False
@@ -305,16 +286,16 @@ class Template:
 
         Raises ValueError if there is no such variant in MAX_DRAWS draws, because then the problem itself is degenerate.
         """
+        one = other = ""
         for attempt in range(MAX_DRAWS):
             problem = self.make_problem(self.sampler(student, self.number, attempt))
-            if problem.is_discriminating():
+            if (same := problem.collision()) is None:
                 return problem
-        one, other = problem.collision() or ("", "")
+            one, other = same
         raise ValueError(
             f"Problem {self.number}: in each of {MAX_DRAWS} draws, two answers that must differ were the same. In the last draw, "
             f"{other} gave the same answer as {one}. Draw from a wider range, or remove a mistake that does not change the "
-            "answer; a mutant that never does "
-            "is declared as invisible."
+            "answer; a mutant that never does is declared as invisible."
         )
 
 

@@ -122,7 +122,7 @@ def observation(template: Template, problem: Problem, judgements: Sequence[Judge
     read = [judgement for judgement in judgements if judgement.state in {"right", "partly", "wrong"}]
     possible = set[str]()
     if read:
-        possible.update(problem.names_of_mutants, *(wrong.names for wrong in [*problem.mistakes, *problem.slips]))
+        possible.update(*(wrong.names for wrong in [*problem.known_mistakes, *problem.slips]))
     explanations = [
         finding.alternatives for judgement in read for finding in judgement.findings if finding.alternatives
     ]

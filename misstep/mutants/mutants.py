@@ -48,31 +48,22 @@ class MutableSolution:
 
     def mutant(self, mutation: Mutation) -> Expression:
         """Return the solution with a slip."""
-        return mutate(self.root, mutation.replaced, built=self.built)
+        return mutate(self.root, mutation.replaced, self.built)
 
 
-def mutate(root: Expression, replaced: Mapping[int, Expression], built: Built | None = None) -> Expression:
+def mutate(root: Expression, replaced: Mapping[int, Expression], built: Built) -> Expression:
     """Return the expression with some of its parts replaced; all other parts are shared with the original one.
 
     built  the parts that were built for other mutants of the same expression; they are shared too, and new ones are added
     """
     if replaced.keys().isdisjoint(root.part_ids):
         return root
-    return _replace_parts(root, replaced, {} if built is None else built)
-
-
-def _replace_parts(root: Expression, replaced: Mapping[int, Expression], built: Built) -> Expression:
     # A replacement is searched for further parts to replace, but not for the part that it replaces: that may stand within it.
     new = root
     while id(new) in replaced:
         done, new = id(new), replaced[id(new)]
         replaced = {key: node for key, node in replaced.items() if key != done}
-    if not replaced:
-        return new
-    ids = replaced.keys()
-    arguments = tuple(
-        [node if ids.isdisjoint(node.part_ids) else _replace_parts(node, replaced, built) for node in new.arguments]
-    )
+    arguments = tuple([mutate(node, replaced, built) for node in new.arguments])
     if all(map(is_, arguments, new.arguments)):
         return new
     key = (new.operation, *map(id, arguments))
@@ -102,7 +93,7 @@ def mutations(root: Expression) -> list[Mutation]:
             single = [mutation for mutation in single if mutation not in several or mutation.slip.one_by_one]
             single.append(Mutation(Slip(name, text, advice=first.advice, in_parts=first.in_parts), replaced))
     detours = [
-        Mutation(mutation.slip, {id(node): mutate(way, mutation.replaced)})
+        Mutation(mutation.slip, {id(node): mutate(way, mutation.replaced, {})})
         for node in nodes
         for way in node.ways
         for mutation in mutations(way)
