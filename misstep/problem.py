@@ -60,17 +60,6 @@ class Problem:
 
     Raises ValueError for a mistake whose value is not an answer of this kind, because no student could give it, and if the
     solution does not lead to the answer.
-
-    >>> import numpy as np
-    >>> from misstep.answers.number import Numbers
-    >>> from misstep.mutants.expression import given
-    >>> drawn = Problem("How many?", Numbers(np.array(3.0)), solution=given("n", 6.0) / 2)
-    >>> [(mutant.did, float(mutant.value)) for mutant in drawn.mutants]
-    [('forget to divide by $2$', 6.0), ('multiply by $2$ instead of dividing by it', 12.0)]
-    >>> [float(mistake.value) for mistake in drawn.mutants_near(np.array(12.0))]
-    [6.0, 12.0]
-    >>> drawn.collision(), drawn.without_duplicates().mistakes
-    (None, [])
     """
 
     statement: str
@@ -253,15 +242,6 @@ class Template:
     make_problem  the function from a sampler to a Problem
     sampler       the class of the sampler that the function gets
     level         how hard it is; a hard one has no hints, and an open one is marked by an instructor
-
-    >>> import numpy as np
-    >>> from misstep.answers.number import Numbers
-    >>> def make_problem(sampler):
-    ...     x = sampler.integer(1, 9)
-    ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), [])
-    >>> half = Template("01.1", "A half", points=1, lecture="01_fractions#Halves", make_problem=make_problem)
-    >>> half.variant("ada").statement == half.variant("Ada ").statement, half.lecture_name
-    (True, 'lecture 01')
     """
 
     number: str
@@ -308,13 +288,7 @@ def problem(
     *,
     level: Level = "Usual",
 ) -> Callable[[Callable[[S], Problem]], Template]:
-    """Decorate a function from a sampler to a Problem, and so make it a Template.
-
-    number   sheet and position, "03.2"; the student's numbers depend on it
-    points   the full score, shared equally among the parts of the answer
-    lecture  where to re-read, "01_ohm#Parallel circuits": notebook and heading
-    sampler  the class of the sampler that the function gets
-    level    how hard it is
+    """Decorate a function from a sampler to a Problem, and so make it a Template, whose fields the arguments are.
 
     >>> import numpy as np
     >>> from misstep.answers.number import Numbers

@@ -38,14 +38,6 @@ class Likeness:
     columns          the names of the columns, if they have any
     tolerance        how far a number may be off: nothing is said of a number that is hidden in it
     is_formula       whether the entries are formulas, which are compared exactly
-
-    >>> right = np.array([[0.5], [-0.25], [0.0]])
-    >>> Likeness(0 * right, right).at_sight(), Likeness(1000 * right, right, lengths=np.ones(3, bool)).at_sight()[0]
-    (('placeholder', 'Every number is 0. Put in the numbers that you find.'), 'millimetres')
-    >>> Likeness(np.abs(right), right).resemblance()
-    ('signs', 'The sizes are right, but no minus sign is left.')
-    >>> Likeness(right[[1, 2, 0]], right).resemblance()[1]
-    'These are the right numbers, but not in the right order.'
     """
 
     mine: Array

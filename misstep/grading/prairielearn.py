@@ -25,7 +25,7 @@ import numpy as np
 
 from misstep.answers.base import Answer, Unreadable, inputs_of
 from misstep.answers.choice import Choice, ReasonedChoice
-from misstep.answers.groups.ordering import Ordering
+from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.catalog import Course, find_course
 from misstep.judge import judge
@@ -230,7 +230,7 @@ def export(course: Course, out: Path) -> tuple[int, list[str]]:
                 left_out.append(template.number)
                 continue
             id_ = f"{name}/{index + 1:02}"
-            info = {"uuid": _uuid(course, id_), "title": f"{template.number} {template.title}", "type": "v3"}
+            info: Data = {"uuid": _uuid(course, id_), "title": f"{template.number} {template.title}", "type": "v3"}
             info |= {"topic": sheet.title, "tags": [name], "singleVariant": False}
             code = SERVER.format(package=course.package, sheet=name, index=index)
             for file, content in (("info.json", info), ("question.html", QUESTION), ("server.py", code)):

@@ -7,8 +7,8 @@ import pytest
 
 from misstep.answers.base import Remarking, Unreadable
 from misstep.answers.choice import Choice
-from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
+from misstep.answers.ordering import Ordering
 from misstep.diagnosis.explanation import Finding
 from misstep.display.sentences import STEP_BY_STEP, UNKNOWN
 from misstep.judge import Judgement, judge
