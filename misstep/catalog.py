@@ -143,14 +143,12 @@ class Course:
         Raises ValueError for an unknown name; the message lists those that exist.
         """
         lecture, _, key = name.partition("/")
-        items = self.questions().get(lecture)
-        if items is None:
-            raise ValueError(
-                f"A question must be named lecture/question, for example 03/order; got {name!r}, and there are no "
-                f"questions of a lecture {lecture!r}."
-            )
+        items = self.questions().get(lecture, {})
         if key not in items:
-            raise ValueError(f"Lecture {lecture} has no question {key!r}. It has: {', '.join(items)}.")
+            known = ", ".join(items) or "no questions"
+            raise ValueError(
+                f"A question must be named lecture/question, for example 03/order; got {name!r}. Lecture {lecture} has: {known}."
+            )
         return items[key]
 
     def ask(self, name: str) -> "Question":

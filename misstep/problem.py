@@ -302,11 +302,7 @@ def problem(
     >>> half.title, len(half.variant("ada").mistakes)
     ('A half', 3)
     """
-
-    def decorate(make_problem: Callable[[S], Problem]) -> Template:
-        return Template(number, title, points, lecture, make_problem, sampler, level)
-
-    return decorate
+    return lambda make_problem: Template(number, title, points, lecture, make_problem, sampler, level)
 
 
 def templates_in(module: ModuleType) -> list[Template]:

@@ -119,7 +119,7 @@ def test_an_error_in_a_file_of_questions_is_named():
 
 
 def test_unknown_names_of_questions_are_refused(course):
-    with pytest.raises(ValueError, match=r"has no question 'nothing'. It has: "):
+    with pytest.raises(ValueError, match=r"got '01/nothing'\. Lecture 01 has: "):
         course.find_question("01/nothing")
 
 
