@@ -59,6 +59,10 @@ REPLACEMENTS = [
     (r"\b(?:(?:np|numpy|math)\.)?(?:deg2rad|radians|RADIANS)\(([^()]*)\)", r"\1°"),
     (r"(?m)(^|[\t;,|])[ ]*=", r"\1"),  # of a cell in a spreadsheet
     (r"\b((?:theta|q|d)_?\{?\d+\}?)\*(?![\w(.]|-1\b)", r"\1"),  # the sign of a variable
+    (r"(?<=\d)f\b|(?<=\d\.)f\b", ""), (r"(?<=\d)\s*\*\s*([mc]m)(?:_?(?:2|to)_?m)?\b", r" \1"),  # 0.1f and 145 * mm2m of code
+    (r"\((?:float|double|real_t)\)", ""), (r"\b\w+[(\[](\d+)[)\]]\.(\w+)\s*=(?!=)", r"\2\1 ="),  # L(1).a = 0.1
+    (r"\b([a-zA-Z]\w*)\[(\d+)\](?!\s*[\[.])", r"\1\2"), (r"(?<=[\[,])\s*\[([^\[\],]*\d[^\[\],]*)\](?=\s*[,\]])", r"\1"),
+    (r"\bth_?(\d+)\b", r"theta\1"), (r"(?m)^[ \t]*#define\s+(\w+)\s+", r"\1 = "), (r"\b\w+\s*<<\s*(?=\S)", ""),
 ]  # fmt: skip
 """What terminals, HTML, LaTeX and code write for signs and separators, and what a keyboard has for them."""
 
@@ -69,7 +73,12 @@ PAIR = re.compile(
     r"(?=\s*(?:[,\[\]{}'\"\n;]|$)|\s+[a-zA-Z]\w*\s*[:=])"
 )
 
-LIST = re.compile(r"['\"]?\b([a-zA-Z][\w.]*)['\"]?(?:\[?\d*\])?\s*[=:]\s*(?:\w+\.\w+\()?[\[({]([^\[\](){}]*)[\])}]")
+LIST = re.compile(
+    r"['\"]?\b([a-zA-Z][\w.]*)['\"]?(?:\[?\d*\])?\s*[=:]\s*(?:\w+\.\w+\()?(?:[\[{]([^\[\]{}]*)[\]}]|\(([^\[\](){}]*)\))"
+)
+
+TUPLE = re.compile(r"(?m)^[ \t]*(\w+(?:[ \t]*,[ \t]*\w+)+)[ \t]*=[ \t]*(\S.*)$")
+"""Values for several names in a line: a1, a2 = 0.4, 0.3, or a, d = [...], [...]."""
 
 END = re.compile(r"^[ \t]*(base|tool)\s*=\s*(\[\[.*)$", re.MULTILINE)
 """A base or a tool as `print(table)` writes it."""
@@ -205,12 +214,27 @@ def _plain(text: str) -> str:
         text = re.sub(r"\s*\n\s*", " ", text)
     for pattern, plain in REPLACEMENTS:
         text = re.sub(pattern, plain, text)
+    text = TUPLE.sub(_one_by_one, text)
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     heads = [parse_heading(line).name for line in lines[:8]]
     count = next((k for k, line in enumerate(lines[:8]) if re.fullmatch(NUMBER, line)), 0)
     if not {*heads[:count]} >= {*COLUMNS} or len(lines) % count or any("\t" in line or "|" in line for line in lines):
         return text
     return "\n".join("\t".join(lines[k : k + count]) for k in range(0, len(lines), count))
+
+
+def _one_by_one(found: re.Match[str]) -> str:
+    """Return values for several names as a line for each of them."""
+    values = re.split(r",\s*(?![^\[\]{}()]*[\])}])", found[2].strip())
+    names = re.split(r"\s*,\s*", found[1])
+    return "\n".join(map(" = ".join, zip(names, values, strict=True))) if len(names) == len(values) else found[0]
+
+
+def _column_in(name: str) -> str:
+    """Return the column that a part of a name stands for, as in arm.dh_alpha_values; "" if there is none, or several."""
+    whole = name.rpartition(".")[2]
+    found = {column for part in whole.split("_") if (column := _column(part) or _column(part.removesuffix("s")))}
+    return _column(whole) or ("offset" if "offset" in found else found.pop() if len(found) == 1 else "")
 
 
 def _column(name: str) -> str:
@@ -242,7 +266,7 @@ def _from_dictionaries(given: Sequence[Any], names: Mapping[str, float]) -> _Gri
 
 def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
     """Read calls, RevoluteDH(d=0.1, a=0.2) or Link([0 0.1 0.2 pi/2])."""
-    grid, note = _Grid(names), ""
+    grid, note, end = _Grid(names), "", 0
     for found in CALL.finditer(text):
         kind, inside = found[1], found[2]
         named = {column: value.strip() for n, quoted, value in PAIR.findall(inside) if (column := _column(n or quoted))}
@@ -257,7 +281,8 @@ def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
             note = f"{kind.rpartition(':')[2]}(...) was read as ({', '.join(columns)})."
         else:
             continue
-        before = text[text.rfind("\n", 0, found.start()) + 1 : found.start()]  # Joint(Joint::TransZ) of KDL
+        before = text[max(end, text.rfind("\n", 0, found.start()) + 1) : found.start()]  # Joint(Joint::TransZ) of KDL
+        end = found.end()
         is_link = kind.endswith("Link") and bool(named)  # of MATLAB: what is not given is the variable
         if re.search(r"revolute|\bRot", before + kind, re.IGNORECASE) or (is_link and "theta" not in named):
             row["type"] = "R"
@@ -265,6 +290,8 @@ def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
             row["type"] = "F"
         elif re.search(r"prismatic|\bTrans", before + kind, re.IGNORECASE) or (is_link and "d" not in named):
             row |= {"type": "P", "d": row["offset"] if row["offset"] != "0" else row["d"], "offset": "0"}
+        if re.search(r"\bflip\s*[=:]\s*(?:[Tt]rue|1)", inside):
+            row |= {"d": f"-q + {row['d']}"} if row.get("type") == "P" else {"theta": f"-q + {row['theta']}"}
         grid.rows.append(row)
         grid.places.append(f"Call {len(grid.rows)}, {found[0].strip():.60}")
         if re.search("MDH|Craig|modified", kind):
@@ -291,24 +318,21 @@ def _from_pairs(text: str, names: Mapping[str, float]) -> _Grid | None:
 def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
     """Read lists by column, a = [0, -0.425, ...]; names with indices, d1 = 0.1; or lines that begin with the names of columns."""
     lists, grid = dict[str, list[str]](), _Grid(names)
-    for name, inside in LIST.findall(text):
-        column = _column(name.rpartition(".")[2]) or _column(name.rpartition("_")[2])
-        cells = [cell for cell in re.split(r"[,;]|\s+(?![*/+-]\s)", inside.strip()) if cell.strip()]
+    for name, square, round_ in LIST.findall(text):
+        inside, column = square or round_, _column_in(name)
+        cells = [
+            cell for cell in re.split("[,;]" if re.search("[,;]", inside) else r"\s+", inside.strip()) if cell.strip()
+        ]
         if column and cells and all(map(grid.is_entry, cells)):
             lists[column] = cells
     if not {*lists} >= NEEDED:
-        by_index = dict[str, dict[int, str]]()
-        for name, number, value in re.findall(r"\b([a-zA-Z]+)_?(\d{1,2})\s*[=:]\s*([^,;\n}]+)", text):
-            if (column := _column(name)) and grid.is_entry(value):
-                by_index.setdefault(column, {})[int(number)] = value
-        lists = {}
-        if {*by_index} >= NEEDED:
-            if min(*by_index["a"], *by_index["alpha"]) < min(by_index["d"]) == 1:  # a_0 and alpha_0, but d_1
-                grid.modified = True
-                for column in ("a", "alpha"):
-                    by_index[column] = {k + 1: value for k, value in by_index[column].items()}
-            indices = sorted({k for cells in by_index.values() for k in cells})
-            lists = {column: [cells.get(k, "") for k in indices] for column, cells in by_index.items()}
+        found = _by_index(text, grid)
+        if len(lists) > 1 and not found:
+            missing = ", ".join(sorted(NEEDED - {*lists}))
+            raise ValueError(
+                f"The lists {', '.join(lists)} were found, and {missing} was not. Paste all of a, alpha and d."
+            )
+        lists = found
     if not lists:
         lines = [cells for line in text.splitlines()[:MAX_LINES] for cells in _splits(line.strip())[::-1]]
         heads = [
@@ -330,11 +354,31 @@ def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
     return _uniform(grid)
 
 
+def _by_index(text: str, grid: _Grid) -> dict[str, list[str]]:
+    """Return the columns of names with indices, d1 = 0.1; {} if there are none."""
+    found, unread = dict[str, dict[int, str]](), list[str]()
+    for name, number, value in re.findall(r"\b([a-zA-Z]+(?:_[a-zA-Z]+)*)_?(\d{1,2})\s*[=:]\s*([^,;\n}]+)", text):
+        if column := _column_in(name):
+            found.setdefault(column, {})[int(number)] = value
+            unread += [] if grid.is_entry(value) else [f"{name}{number} = {value.strip()}"]
+    if not {*found} >= NEEDED:
+        return {}
+    if unread:
+        raise ValueError(f"{unread[0]!r:.80} cannot be read: it is no number and no variable. Write the number.")
+    if min(*found["a"], *found["alpha"]) < min(found["d"]) == 1:  # a_0 and alpha_0, but d_1
+        grid.modified = True
+        for column in ("a", "alpha"):
+            found[column] = {k + 1: value for k, value in found[column].items()}
+    indices = sorted({k for cells in found.values() for k in cells})
+    return {column: [cells.get(k, "") for k in indices] for column, cells in found.items()}
+
+
 def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
     """Read lines of cells, with a heading or without one."""
     if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]*;", text) and not re.search(r"\[(?:mm?|cm|rad|deg|°)\]", text):
-        text = re.sub(r"^[^\n#%/]*?[=(]\s*(?=[\[{])", "", text, flags=re.MULTILINE)  # the name of an array
+        text = re.sub(r"^[^\n#%/]*?[=(:]\s*(?=[\[{])", "", text, flags=re.MULTILINE)  # the name of an array
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
+    text = re.sub(r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.*\balpha\b)", "\n", text)  # a heading as the comment of a row
     grid, heads, is_after_gap, is_spreadsheet, widths = _Grid(names), list[str](), False, False, set[int]()
     for number, raw in enumerate(text.splitlines()[:MAX_LINES], start=1):
         line = _plain_line(raw)
@@ -347,9 +391,15 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
         numbers = len(re.findall(rf"(?<![\w.])-?{NUMBER}", line))
         if is_spreadsheet and "\t" in line:  # a spreadsheet drops empty cells at the end
             splits[0] += [""] * (len(heads) - len(splits[0]))
-        read = [(cells, row) for cells in splits if (row := _row(cells, heads, grid))] if heads else []
+        exact = sorted(splits, key=lambda cells: len(cells) != len(heads))
+        read = [(cells, row) for cells in exact if (row := _row(cells, heads, grid))] if heads else []
         plain = [] if heads else [entries for cells in splits if len(entries := _entries(cells, grid)) >= 4]
         if not grid.rows and (named := next(filter(None, (_heading(cells, grid) for cells in splits)), None)):
+            if grid.cells and all(len(cells) == len(named) for cells in grid.cells):  # a comment below the rows
+                named = ["offset" if name == "" and "theta" not in named else name for name in named]
+                grid.rows, grid.cells = [dict(zip(named, cells, strict=True)) for cells in grid.cells], []
+                heads = named
+                continue
             heads, grid.cells, grid.places = named, [], []
             is_spreadsheet = "\t" in line
         elif read:
@@ -379,7 +429,7 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
 def _plain_line(raw: str) -> str:
     """Remove from a line what code and lists write around the cells, and the space before a unit."""
     line = LABEL.sub(r"\1\2", re.sub(r"^\s*(?:#+|%+|//+|/?\*+|>+)\s*", "", raw)).strip(" \r").rstrip(",")
-    line = line.rstrip("); ") if line.count(")") > line.count("(") else line
+    line = line.rstrip("); ") if line.count(")") > line.count("(") or line.find(";") == len(line) - 1 else line
     line = re.sub(r"^[^()|\t]*\(((?:[^(),]*,){3}[^(),]*)\):?$", r"\1", line)  # parameters (theta, d, a, alpha):
     line = re.sub(r"^(\w+):\s+(?=.*,)", r"\1, ", line)
     line = re.sub(r"\s+in\s+(?=(?:mm?|cm|rad|deg\w*|°)(?!\w))", "/", line)
@@ -404,6 +454,10 @@ def _row(cells: list[str], heads: list[str], grid: _Grid) -> dict[str, str] | No
     if len(cells) == len(heads) + 1 and (not grid.is_entry(cells[0]) or re.fullmatch(r"[A-Za-z]*\d+\.?", cells[0])):
         label, cells = cells[0], cells[1:]
     is_short = heads[0] == "" and len(cells) >= len(heads) - 1
+    if is_short and len(cells) < len(heads):  # without its label, or without its last cell
+        count = len(grid.rows)
+        is_label = re.fullmatch(rf"(?!q|theta)[A-Za-z]*(?:{count}|{count + 1})\.?", cells[0])
+        label, heads = (label, heads) if is_label else ("", heads[1:])
     row = {name: cell for name, cell in zip(heads, cells, strict=False) if name}
     readable = sum(grid.is_entry(cell) or not cell.strip() for name, cell in row.items() if name != "type")
     if (
@@ -414,8 +468,10 @@ def _row(cells: list[str], heads: list[str], grid: _Grid) -> dict[str, str] | No
 
 
 def _entries(cells: list[str], grid: _Grid) -> list[str]:
-    """Return the cells of a line that are entries, without the label of the row."""
+    """Return the cells of a line that are entries, without the label of the row; none of a sentence with numbers."""
     entries = [cell for cell in cells if grid.is_entry(cell)]
+    if 2 * len(entries) <= len([cell for cell in cells if cell]):
+        return []
     return entries[len(entries) > 4 and bool(re.fullmatch(r"[A-Za-z]+\d+", entries[0])) :]
 
 
@@ -424,7 +480,8 @@ def _splits(line: str) -> list[list[str]]:
     if separator := next((sign for sign in "|\t;" if sign in line), ""):
         cells = (line.strip().strip("|") if separator == "|" else line).split(separator)
         split = [[_cell(cell, decimal_comma=True) for cell in cells[:MAX_CELLS]]]
-        return split + ([line.split()[:MAX_CELLS]] if separator == "\t" else [])
+        others = [line.split(",")] * (line.count(",") >= len(COLUMNS) - 1) + [line.split()]
+        return split + [[_cell(cell) for cell in cells[:MAX_CELLS]] for cells in others if separator == "\t"]
     found = []
     has_decimal_commas = re.fullmatch(r"(?:\S*\d,\d\S*|[^,\s]+)(?:\s+(?:\S*\d,\d\S*|[^,\s]+))*", line)
     if ("," in line and not has_decimal_commas) or (line.count(",") >= 3 and " " not in line):
@@ -599,8 +656,13 @@ def _said_convention(text: str, grid: _Grid) -> Literal["standard", "modified"] 
 
 def _definitions(text: str) -> dict[str, float]:
     """Read the values of names, l1 = 0.3 or d1 = 89.2 mm, that stand beside a table."""
-    found = re.findall(rf"\b([a-zA-Z]+_?\{{?\d+\}}?)\s*=\s*(-?{NUMBER})\s*(mm|cm|m)?\b", text)
-    return {name: float(value) * LENGTH_UNITS[unit or "m"] for name, value, unit in found}
+    found = re.findall(rf"\b([a-zA-Z]+_?\{{?\d+\}}?)\s*[=:]\s*(-?{NUMBER})\s*(mm|cm|m)?\b", text)
+    values = {name: float(value) * LENGTH_UNITS[unit or "m"] for name, value, unit in found}
+    for name, *inside in LIST.findall(text):  # L = [0.2, 0.3], of which L0 was L[0]
+        numbers = re.split(r"[,\s]+", "".join(inside).strip())
+        if all(re.fullmatch(rf"-?{NUMBER}", number) for number in numbers):
+            values |= {f"{name}{k}": float(number) for k, number in enumerate(numbers)}
+    return values
 
 
 def _in_all_spellings(names: Mapping[str, float]) -> dict[str, float]:

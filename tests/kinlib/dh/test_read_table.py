@@ -132,3 +132,63 @@ def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
 def test_what_is_no_table_is_refused_with_its_line(text, words):
     with pytest.raises(ValueError, match=words):
         read_table(text)
+
+
+SAME_ARM = {
+    "values for several names": "a1, a2, a3 = 0.0, 0.4, 0.2\nalpha1, alpha2, alpha3 = pi / 2, 0, 0\nd1, d2, d3 = 0.3, 0, 0\n"
+    "theta1, theta2, theta3 = q1, q2 + pi/2, q3",
+    "lists for several names": "a, d = [0, 0.4, 0.2], [0.3, 0, 0]\nalpha = [np.pi / 2, 0, 0]\noffset = [0, np.pi / 2, 0]",
+    "names with more words": "arm_alpha_vals = [(math.pi/2), 0, 0]\narm_a_vals = [0, 0.4, 0.2]\narm_d_vals = [0.3, 0, 0]\n"
+    "arm_theta_offsets = [0, math.pi/2, 0]",
+    "columns of columns": "L = np.array([0.3, 0.4, 0.2])\ntheta = np.array([[q[1]], [q[2]+pi/2.0], [q[3]]])\n"
+    "d = np.array([[L[0]], [0], [0]])\na = np.array([[0], [L[1]], [L[2]]])\nalpha = np.array([[pi/2.0], [0], [0]])",
+    "a factor for millimetres": "alpha1 = pi / 2; a1 = 0; d1 = 300.0 * mm2m; theta_offset1 = 0\n"
+    "alpha2 = 0; a2 = 400 * mm2m; d2 = 0; theta_offset2 = 0 + pi / 2\nalpha3 = 0; a3 = 200.0*mm; d3 = 0; theta_offset3 = 0",
+    "numbers of C": "static float dh[3][4] = {\n\t{ 0.0f,\t0.3f, 0.f,\t(float)M_PI_2 },\n\t{ (float)M_PI_2, 0.0f, 0.4f, 0.0f },\n"
+    "\t{ 0.0f, 0.0f, 0.2f, 0.0f }\n}; // home, d, a, alpha",
+    "fields by number": "L(1).a = 0; L(1).alpha = pi/2; L(1).d = 0.3; L(1).offset = 0;\n"
+    "L(2).a = 0.4; L(2).alpha = 0; L(2).d = 0; L(2).offset = pi/2;\nL(3).a = 0.2; L(3).alpha = 0; L(3).d = 0; L(3).offset = 0;",
+    "JSON with a comment": '{"dh_params": [[0.0, 1.5707963267948966, 0.3, 0.0], [0.4, 0.0, 0.0, 1.5707963267948966], [0.2, 0, 0, 0]]}'
+    "  # [a, alpha, d, theta]",
+    "Eigen": "Eigen::MatrixXd dh(3,4);\ndh << 0, 0.3, 0, M_PI/2,\n      M_PI/2, 0, 0.4, 0,\n      0, 0, 0.2, 0; // theta, d, a, alpha",
+    "definitions of C": "#define d1 0.3\n#define a2 0.4\n#define a3 0.2\ntable: theta d a alpha\nq1 d1 0 pi/2\nq2+pi/2 0 a2 0\nq3 0 a3 0",
+    "a heading beside the first row": "links = [\n  (0.0, 0.3, 0.0, pi/2),   # theta, d, a, alpha\n  (pi/2, 0.0, 0.4, 0.0),\n"
+    "  (0.0, 0.0, 0.2, 0.0),\n]",
+    "one space between two cells": "i  a   alpha  d    theta\n1  0   90     0.3  q1*\n2  0.4 0      0 q2+90\n3  0.2   0      0  q3*",
+    "a list of lengths in calls": "length = [0.3, 0.4, 0.2]\nRevoluteDH(d=length[0], alpha=pi/2), RevoluteDH(a=length[1], offset=pi/2), "
+    "RevoluteDH(a=length[2])",
+}
+
+
+@pytest.mark.parametrize("form", SAME_ARM)
+def test_code_is_read_in_whatever_way_it_names_its_numbers(form):
+    table, _ = read_table(SAME_ARM[form], convention="standard")
+    assert table.joints == "RRR"
+    assert table.rows == pytest.approx(
+        np.array([(0, np.pi / 2, 0.3, 0), (0.4, 0, 0, np.pi / 2), (0.2, 0, 0, 0)]), abs=1e-12
+    )
+
+
+def test_a_flipped_joint_counts_the_other_way_also_beside_another_call():
+    text = "[RevoluteDH(d=0.1, flip=True), RevoluteDH(a=0.2), PrismaticDH(alpha=0, offset=0.1, flip=True)]"
+    table, _ = read_table(text, convention="standard")
+    assert (table.joints, table.signs.tolist()) == ("RRP", [-1, 1, -1])
+    assert table.rows[2] == pytest.approx([0, 0, 0.1, 0])
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("a = [0, 0.4]\nd = [0.3, 0]", "alpha was not"),
+        ("a1 = 0; alpha1 = pi/2; d1 = 0.3 * SCALE\na2 = 1; alpha2 = 0; d2 = 0", "d1 = 0.3 [*] SCALE"),
+    ],
+)
+def test_a_number_that_cannot_be_read_is_never_taken_for_zero(text, words):
+    with pytest.raises(ValueError, match=words):
+        read_table(text, convention="standard")
+
+
+def test_a_sentence_with_numbers_above_the_rows_is_no_row():
+    text = "Robot: UR5, 6 joints, 850 mm reach, 18.4 kg, 5 kg payload\n0 0.089159 0 pi/2\n0 0 -0.425 0\n0 0 -0.39225 0"
+    table, _ = read_table(text, convention="standard")
+    assert table.rows[:, 0] == pytest.approx([0, -0.425, -0.39225])
