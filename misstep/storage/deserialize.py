@@ -125,11 +125,11 @@ def register_object(kind: type, read: Callable[[Mapping[str, Any]], Any]) -> Non
     kind  the class; its objects are stored by its name and the fields that their method to_dict() returns
     read  makes an object from these fields, and raises ValueError for fields that to_dict() never returns
 
-    >>> class Resistor:
-    ...     def __init__(self, ohm):
-    ...         self.ohm = ohm
-    >>> register_object(Resistor, lambda fields: Resistor(fields["ohm"]))
-    >>> from_data({"object": "Resistor", "fields": {"ohm": 5.0}}).ohm
+    >>> class Coil:
+    ...     def __init__(self, henry):
+    ...         self.henry = henry
+    >>> register_object(Coil, lambda fields: Coil(fields["henry"]))
+    >>> from_data({"object": "Coil", "fields": {"henry": 5.0}}).henry
     5.0
     """
     OBJECTS[kind.__name__] = read
