@@ -12,20 +12,18 @@ A lecture is imported only when it is used.
 
 import importlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
 from importlib.metadata import entry_points
 from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from misstep.display.lecture_address import lecture_address
-from misstep.judge import judge
+from misstep.display.failed_answer import watch_cells
 from misstep.problem import Template, templates_in
 from misstep.questions.item import Item, read_questions
 from misstep.sheet import SAMPLE_ID, OpenSheet, Sheet
 from misstep.verdict import Verdict
-from misstep.worked_solution import steps_after
 
 if TYPE_CHECKING:
     from misstep.questions.widget import Explanation, Question
@@ -65,7 +63,6 @@ class Course:
     fallback_hint: str = ""
     site: str = ""
     _asked: dict[str, Any] = field(default_factory=dict, init=False, repr=False)
-    _tried: set[str] = field(default_factory=set, init=False, repr=False)
 
     @property
     def folder(self) -> Path:
@@ -104,7 +101,9 @@ class Course:
 
         Raises ValueError for an unknown sheet, and for an empty id.
         """
-        return OpenSheet(self.find_sheet(name), student, self.site)
+        sheet = OpenSheet(self.find_sheet(name), student, self.site)
+        watch_cells()
+        return sheet
 
     def blanks(self) -> dict[str, Template]:
         """The steps that the lectures leave blank, by number: "03.a" is the first one of lecture 03."""
@@ -119,14 +118,12 @@ class Course:
         blanks = self.blanks()
         if number not in blanks:
             raise ValueError(f"There is no blank step {number!r}. The blank steps are: {', '.join(blanks)}.")
-        template, is_first = blanks[number], number not in self._tried
-        problem = template.variant(SAMPLE_ID)
-        judgement = judge(problem, answer)
-        if judgement.state in {"partly", "wrong"}:
-            self._tried.add(number)
-        address = lecture_address(template.lecture, self.site)
-        worked = steps_after(problem, judgement)
-        return Verdict(template, judgement, address=address, is_first=is_first, worked=worked)
+        checked = self._blank_steps.check([*blanks].index(number) + 1, answer)
+        return replace(checked, emission=None)  # nobody grades a lecture
+
+    @cached_property
+    def _blank_steps(self) -> OpenSheet:
+        return OpenSheet(Sheet("blanks", "Blank steps", [*self.blanks().values()]), SAMPLE_ID, self.site)
 
     def questions(self) -> dict[str, dict[str, Item]]:
         """The questions of each lecture, by the number of the lecture and the name of the question.
@@ -146,14 +143,12 @@ class Course:
         Raises ValueError for an unknown name; the message lists those that exist.
         """
         lecture, _, key = name.partition("/")
-        items = self.questions().get(lecture)
-        if items is None:
-            raise ValueError(
-                f"A question must be named lecture/question, for example 03/order; got {name!r}, and there are no "
-                f"questions of a lecture {lecture!r}."
-            )
+        items = self.questions().get(lecture, {})
         if key not in items:
-            raise ValueError(f"Lecture {lecture} has no question {key!r}. It has: {', '.join(items)}.")
+            known = ", ".join(items) or "no questions"
+            raise ValueError(
+                f"A question must be named lecture/question, for example 03/order; got {name!r}. Lecture {lecture} has: {known}."
+            )
         return items[key]
 
     def ask(self, name: str) -> "Question":

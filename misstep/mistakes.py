@@ -16,7 +16,6 @@ class Mistake:
     did      what leads to the answer, from the verb on, if it is a slip in the solution; the message is made of it
     advice   a sentence on what is right
     names    the names of the errors, if several of them lead to this answer together
-    key      equal for two mistakes that are the same one, described in two ways
     spoils   whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
     credit   the fraction of the points for what follows rightly, if it is a mistake of a problem before
     """
@@ -28,13 +27,11 @@ class Mistake:
     did: str = ""
     advice: str = ""
     names: tuple[str, ...] = ()
-    key: Any = None
     spoils: bool = False
     credit: float = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "names", self.names or (self.name,))
-        object.__setattr__(self, "key", id(self) if self.key is None else self.key)
 
 
 def mistake(name: str, value: Any, message: str, part: str = "", *, spoils: bool = False) -> Mistake:

@@ -1,12 +1,10 @@
 """The paragraphs of a card: what the findings say, each sentence once, and not more than a student reads."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from itertools import groupby
+from dataclasses import replace
 
-from misstep.diagnosis.explanation import MAX_LENGTH, SENTENCE_END
+from misstep.diagnosis.explanation import MAX_LENGTH, SENTENCE_END, Finding
 from misstep.display.sentences import RIGHT
-from misstep.judge import Finding
 
 MANY = 3
 """More parts of one kind than this are listed with the name of the kind said once."""
@@ -19,19 +17,6 @@ AND_MORE = "Other parts are not right either; begin with this one."
 
 THE_SAME = "The same is true here."
 """What is said of parts of which everything has been said of others already."""
-
-
-@dataclass(frozen=True)
-class _Paragraph:
-    """What is said of some parts: their names, the sentences, and what the student can check."""
-
-    parts: Sequence[str]
-    sentences: Sequence[str]
-    check: str = ""
-
-    def text(self, is_on_whole: bool) -> str:
-        said = " ".join(filter(None, [*self.sentences, self.check]))
-        return said if is_on_whole else f"{_capitalized(enumeration(self.parts))}: {said}"
 
 
 def paragraphs(
@@ -65,23 +50,28 @@ def paragraphs(
     if len(merged) == 1 and right_parts and len(enumeration(merged[0].parts)) > MAX_LIST:
         merged[0] = replace(merged[0], parts=["the others"])
 
-    def texts(some: Sequence[_Paragraph]) -> list[str]:
-        return before + [one.text(is_on_whole) for one in some]
+    def texts() -> list[str]:
+        return before + [_text(one, is_on_whole) for one in merged]
 
     def is_long(*further: str) -> bool:
-        return sum(map(len, [*texts(merged), *further])) > MAX_LENGTH
+        return sum(map(len, [*texts(), *further])) > MAX_LENGTH
 
     for k in reversed(range(len(merged))):
         if is_long():
             merged[k] = replace(merged[k], check="")
     for k in reversed(range(1, len(merged))):
         if is_long():
-            merged[k] = replace(merged[k], sentences=merged[k].sentences[:1])
+            merged[k] = replace(merged[k], message=SENTENCE_END.split(merged[k].message)[0])
     if len(merged) == 1 or not is_long():
-        return texts(merged)
+        return texts()
     while len(merged) > 1 and is_long(AND_MORE):
         merged.pop()
-    return [*texts(merged), AND_MORE]
+    return [*texts(), AND_MORE]
+
+
+def _text(one: Finding, is_on_whole: bool) -> str:
+    said = f"{one.message} {one.check}".strip()
+    return said if is_on_whole else f"{_capitalized(enumeration(one.parts))}: {said}"
 
 
 def enumeration(names: Sequence[str]) -> str:
@@ -98,28 +88,27 @@ def enumeration(names: Sequence[str]) -> str:
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
-def _merged(findings: Sequence[Finding]) -> list[_Paragraph]:
-    """Return one paragraph for all findings with the same message, with the first check among them."""
+def _merged(findings: Sequence[Finding]) -> list[Finding]:
+    """Return one finding for all with the same message, with the first check among them."""
     merged = []
-    order = {finding.message: k for k, finding in reversed(list(enumerate(findings)))}
-    by_message = sorted(findings, key=lambda finding: order[finding.message])
-    for message, group in groupby(by_message, key=lambda finding: finding.message):
-        several = list(group)
+    for message in dict.fromkeys(finding.message for finding in findings):
+        several = [finding for finding in findings if finding.message == message]
         parts = [part for finding in several for part in finding.parts]
         name, check = next(((one.parts[0], one.check) for one in several if one.check), ("", ""))
         if check and len({one.check for one in several}) > 1:
             check = f"{_capitalized(name)}: {check}"
-        merged.append(_Paragraph(parts, SENTENCE_END.split(message), check))
+        merged.append(Finding(parts, message, check=check))
     return merged
 
 
-def _each_sentence_once(said: Sequence[_Paragraph]) -> list[_Paragraph]:
+def _each_sentence_once(said: Sequence[Finding]) -> list[Finding]:
     told: set[str] = set()
     kept = []
     for one in said:
-        sentences = [sentence for sentence in one.sentences if sentence not in told] or [THE_SAME]
-        kept.append(replace(one, sentences=sentences, check=one.check if one.check not in told else ""))
-        told.update([*one.sentences, one.check])
+        sentences = SENTENCE_END.split(one.message)
+        new = [sentence for sentence in sentences if sentence not in told] or [THE_SAME]
+        kept.append(replace(one, message=" ".join(new), check=one.check if one.check not in told else ""))
+        told.update([*sentences, one.check])
     return kept
 
 

@@ -6,7 +6,6 @@ changes by which people go wrong are made in it (`misstep.mutants`). A problem a
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from importlib import import_module
@@ -61,17 +60,6 @@ class Problem:
 
     Raises ValueError for a mistake whose value is not an answer of this kind, because no student could give it, and if the
     solution does not lead to the answer.
-
-    >>> import numpy as np
-    >>> from misstep.answers.number import Numbers
-    >>> from misstep.mutants.expression import given
-    >>> drawn = Problem("How many?", Numbers(np.array(3.0)), solution=given("n", 6.0) / 2)
-    >>> [(mutant.did, float(mutant.value)) for mutant in drawn.mutants]
-    [('forget to divide by $2$', 6.0), ('multiply by $2$ instead of dividing by it', 12.0)]
-    >>> [float(mistake.value) for mistake in drawn.mutants_near(np.array(12.0))]
-    [6.0, 12.0]
-    >>> drawn.is_discriminating(), drawn.collision(), drawn.without_duplicates().mistakes
-    (True, None, [])
     """
 
     statement: str
@@ -116,32 +104,16 @@ class Problem:
         """Yield the mutants that may share a part with an answer that was read, without computing the others at all inputs."""
         return self._mistakes(self._near(given))
 
-    @cached_property
-    def names_of_mutants(self) -> Collection[str]:
-        """The names of the mutants that lead to an answer, as far as the first input shows."""
-        names = set[str]()
-        if (solution := self._first_solution) is None:
-            return names
-        for mutation in solution.mutations:
-            with suppress(Unreadable):
-                collect(self.answer, [value_of(solution.mutant(mutation))])
-                names.add(mutation.slip.name)
-        return names
-
     @property
     def known_mistakes(self) -> Sequence[Mistake]:
         """The mistakes of the author, and the mutants."""
         return [*self.mistakes, *self.mutants]
 
-    def is_discriminating(self) -> bool:
-        """Return whether the right answer and the answers of all mistakes differ from each other.
+    def collision(self) -> tuple[str, str] | None:
+        """Return what gives the same answer: two mistakes of the author, or one mistake and the solution; None if nothing does.
 
         Mutants need to differ from the right answer only: where two of them lead to the same answer, feedback names both.
         """
-        return self.collision() is None
-
-    def collision(self) -> tuple[str, str] | None:
-        """Return what gives the same answer: two mistakes of the author, or one mistake and the solution; None if nothing does."""
         named = [
             ("the right answer", self.answer.value),
             *((f"the mistake {one.name!r}", one.value) for one in self.mistakes),
@@ -204,25 +176,23 @@ class Problem:
         if self.solution is None:
             return None
         first = next(at_inputs(self.answer, self.solution))
-        if not self._near(self.answer.value, SEPARATION_TOLERANCES * TOLERANCE, all)(first.value):
-            raise self._wrong_solution(first.value)
+        self._check(first.value, self._near(self.answer.value, SEPARATION_TOLERANCES * TOLERANCE, all)(first.value))
         return MutableSolution(first)
 
     @cached_property
     def _solutions(self) -> Sequence[MutableSolution]:
-        """The solution at each input."""
-        if self._first_solution is None:
-            return []
+        """The solution at each input, of which there is one."""
         others = list(map(MutableSolution, islice(at_inputs(self.answer, self.solution), 1, None)))
-        reached = collect(self.answer, [solution.root.value for solution in (self._first_solution, *others)])
-        if not self._same(reached, self.answer.value):
-            raise self._wrong_solution(reached)
-        return [self._first_solution, *others]
+        solutions = [*filter(None, [self._first_solution]), *others]
+        reached = collect(self.answer, [solution.root.value for solution in solutions])
+        self._check(reached, self._same(reached, self.answer.value))
+        return solutions
 
-    def _wrong_solution(self, reached: Any) -> ValueError:
-        return ValueError(
-            f"The solution must lead to the answer; it gives {reached}, and the answer is {self.answer.value}."
-        )
+    def _check(self, reached: Any, is_right: bool) -> None:
+        if not is_right:
+            raise ValueError(
+                f"The solution must lead to the answer; it gives {reached}, and the answer is {self.answer.value}."
+            )
 
     def _mistakes(
         self, is_near: Callable[[Any], bool] = lambda _: True, *, separating: bool = False
@@ -247,7 +217,7 @@ class Problem:
             except Unreadable:
                 continue
             spoils = slip.spoils or (has_alike_rows(self.answer) and solution.is_in_every_row(mutation))
-            yield mutant(slip, value, self.advice, first.key, spoils=spoils)
+            yield mutant(slip, value, self.advice, spoils=spoils)
 
     def _near(self, given: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> Callable[[Any], bool]:
         """Return the function that says whether a value at the first input may be part of an answer that was read."""
@@ -272,15 +242,6 @@ class Template:
     make_problem  the function from a sampler to a Problem
     sampler       the class of the sampler that the function gets
     level         how hard it is; a hard one has no hints, and an open one is marked by an instructor
-
-    >>> import numpy as np
-    >>> from misstep.answers.number import Numbers
-    >>> def make_problem(sampler):
-    ...     x = sampler.integer(1, 9)
-    ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), [])
-    >>> half = Template("01.1", "A half", points=1, lecture="01_fractions#Halves", make_problem=make_problem)
-    >>> half.variant("ada").statement == half.variant("Ada ").statement, half.lecture_name
-    (True, 'lecture 01')
     """
 
     number: str
@@ -305,16 +266,16 @@ class Template:
 
         Raises ValueError if there is no such variant in MAX_DRAWS draws, because then the problem itself is degenerate.
         """
+        one = other = ""
         for attempt in range(MAX_DRAWS):
             problem = self.make_problem(self.sampler(student, self.number, attempt))
-            if problem.is_discriminating():
+            if (same := problem.collision()) is None:
                 return problem
-        one, other = problem.collision() or ("", "")
+            one, other = same
         raise ValueError(
             f"Problem {self.number}: in each of {MAX_DRAWS} draws, two answers that must differ were the same. In the last draw, "
             f"{other} gave the same answer as {one}. Draw from a wider range, or remove a mistake that does not change the "
-            "answer; a mutant that never does "
-            "is declared as invisible."
+            "answer; a mutant that never does is declared as invisible."
         )
 
 
@@ -327,13 +288,7 @@ def problem(
     *,
     level: Level = "Usual",
 ) -> Callable[[Callable[[S], Problem]], Template]:
-    """Decorate a function from a sampler to a Problem, and so make it a Template.
-
-    number   sheet and position, "03.2"; the student's numbers depend on it
-    points   the full score, shared equally among the parts of the answer
-    lecture  where to re-read, "01_ohm#Parallel circuits": notebook and heading
-    sampler  the class of the sampler that the function gets
-    level    how hard it is
+    """Decorate a function from a sampler to a Problem, and so make it a Template, whose fields the arguments are.
 
     >>> import numpy as np
     >>> from misstep.answers.number import Numbers
@@ -347,11 +302,7 @@ def problem(
     >>> half.title, len(half.variant("ada").mistakes)
     ('A half', 3)
     """
-
-    def decorate(make_problem: Callable[[S], Problem]) -> Template:
-        return Template(number, title, points, lecture, make_problem, sampler, level)
-
-    return decorate
+    return lambda make_problem: Template(number, title, points, lecture, make_problem, sampler, level)
 
 
 def templates_in(module: ModuleType) -> list[Template]:

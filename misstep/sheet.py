@@ -8,13 +8,14 @@ from typing import Any
 
 from misstep.answers.base import inputs_of
 from misstep.diagnosis.bugs import recurrences
-from misstep.display.failed_answer import FailedAnswer, watch_cells
+from misstep.diagnosis.explanation import Finding
+from misstep.display.failed_answer import FailedAnswer
 from misstep.display.lecture_address import lecture_address
-from misstep.judge import Finding, Judgement, judge
+from misstep.judge import Judgement, judge
 from misstep.problem import Problem, Template
 from misstep.storage.serialize import to_data
 from misstep.verdict import Tally, Verdict, observation
-from misstep.worked_solution import steps_after
+from misstep.worked_solution import worked_solution
 
 SAMPLE_ID = "your id"
 """The id in a sheet as it is released. Its numbers are valid, but they are the same for everybody."""
@@ -79,7 +80,6 @@ class OpenSheet:
         self.verdicts: dict[int, Verdict] = {}
         self._judgements: dict[int, list[Judgement]] = defaultdict(list)
         self._drawn: dict[int, Problem] = {}
-        watch_cells()
 
     def problem(self, k: int) -> Problem:
         """Return problem k with this student's numbers.
@@ -129,7 +129,8 @@ class OpenSheet:
         is_first = not any(one.state in {"partly", "wrong"} for one in self._judgements[k])
         self._judgements[k].append(judgement)
         address = lecture_address(template.lecture, self.site)
-        worked = steps_after(problem, judgement)
+        has_steps = problem.solution is not None and judgement.state == "right"
+        worked = worked_solution(problem) if has_steps else ()
         self.verdicts[k] = Verdict(template, judgement, emission, address, is_first, worked, problem.further)
         return self.verdicts[k]
 

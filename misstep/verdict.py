@@ -105,24 +105,11 @@ class Tally:
 
 
 def observation(template: Template, problem: Problem, judgements: Sequence[Judgement]) -> Observation:
-    """Return what a student's answers to a problem show about mistakes: nothing if none of them could be read.
-
-    >>> import numpy as np
-    >>> from misstep import Problem, problem
-    >>> from misstep.answers.number import Numbers
-    >>> from misstep.judge import judge
-    >>> from misstep.mutants.expression import given
-    >>> @problem("01.1", "A half", points=1, lecture="01_halves#Halves")
-    ... def half(sampler):
-    ...     return Problem("Halve 6.", Numbers(np.array(3.0)), solution=given("x", 6.0) / 2)
-    >>> asked = half.variant("ada")
-    >>> observation(half, asked, [judge(asked, 6)]).explanations
-    [(('divisor left out',),)]
-    """
+    """Return what a student's answers to a problem show about mistakes: nothing if none of them could be read."""
     read = [judgement for judgement in judgements if judgement.state in {"right", "partly", "wrong"}]
     possible = set[str]()
     if read:
-        possible.update(problem.names_of_mutants, *(wrong.names for wrong in [*problem.mistakes, *problem.slips]))
+        possible.update(*(wrong.names for wrong in [*problem.known_mistakes, *problem.slips]))
     explanations = [
         finding.alternatives for judgement in read for finding in judgement.findings if finding.alternatives
     ]

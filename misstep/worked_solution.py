@@ -9,26 +9,12 @@ from misstep.answers.base import at_inputs
 from misstep.answers.choice import Choice, ReasonedChoice
 from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
-from misstep.judge import Judgement
 from misstep.mutants.expression import Expression
 from misstep.mutants.operations import radians
 from misstep.problem import Problem
 
 MAX_GIVEN, MAX_STEPS, MAX_ENTRIES = 14, 8, 42
 """How many given values and steps are written, and the entries of the largest array."""
-
-
-def steps_after(problem: Problem, judgement: Judgement) -> Sequence[str]:
-    """Return what the card of an answer shows: the worked solution after a right one, if an expression judges it.
-
-    >>> from misstep.answers.number import Numbers
-    >>> from misstep.judge import judge
-    >>> from misstep.mutants.expression import given
-    >>> problem = Problem("", Numbers(np.array(3.0)), solution=given("x", 6.0) / 2)
-    >>> [len(steps_after(problem, judge(problem, answer))) for answer in (3, 6)]
-    [2, 0]
-    """
-    return worked_solution(problem) if problem.solution is not None and judgement.state == "right" else ()
 
 
 def worked_solution(problem: Problem) -> Sequence[str]:

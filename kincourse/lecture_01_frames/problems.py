@@ -32,8 +32,8 @@ from kinlib.chains.robots import pose as frame
 from kinlib.rigid.lie import exp, homogeneous
 from kinlib.view import draw_frames
 from misstep.answers.choice import Choice
-from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
+from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.display.text import matrix, vector
 from misstep.mistakes import mistake

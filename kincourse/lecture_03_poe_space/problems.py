@@ -45,7 +45,7 @@ from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.function import Function
-from misstep.answers.groups.ordering import Ordering
+from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
 from misstep.mistakes import mistake

@@ -41,8 +41,8 @@ from kinlib.symbolic.formulas import screw as symbolic_screw
 from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
-from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
+from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number
 from misstep.mistakes import mistake

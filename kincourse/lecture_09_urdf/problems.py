@@ -31,8 +31,8 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.base import Named
-from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
+from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.display.text import number, vector
 from misstep.mistakes import mistake

@@ -204,7 +204,7 @@ class OriginsAnswer(AlikeRows, Numbers):
         pose = PoseAnswer(self.value[part])
         wrong = [k for k, is_right in enumerate(pose.agrees(given[part], pose.value)) if not is_right]
         found = explain(Problem("", pose), given[part], wrong)
-        told = [f"{pose.parts[k].capitalize()}: {one.message}" for one in found for k in one.parts]
+        told = [f"{name.capitalize()}: {one.message}" for one in found for name in one.parts]
         if len(found) == 1 and (found[0].is_whole or len(found[0].parts) > 1):
             told = [found[0].message]
         return (" and ".join(one.mistakes[0].name for one in found), " ".join(told)) if found else None

@@ -38,14 +38,6 @@ class Likeness:
     columns          the names of the columns, if they have any
     tolerance        how far a number may be off: nothing is said of a number that is hidden in it
     is_formula       whether the entries are formulas, which are compared exactly
-
-    >>> right = np.array([[0.5], [-0.25], [0.0]])
-    >>> Likeness(0 * right, right).at_sight(), Likeness(1000 * right, right, lengths=np.ones(3, bool)).at_sight()[0]
-    (('placeholder', 'Every number is 0. Put in the numbers that you find.'), 'millimetres')
-    >>> Likeness(np.abs(right), right).resemblance()
-    ('signs', 'The sizes are right.\nLook at the signs: no minus sign is left.')
-    >>> Likeness(right[[1, 2, 0]], right).resemblance()[1]
-    'These are the right numbers, but not in the right order.'
     """
 
     mine: Array
@@ -124,7 +116,7 @@ class Likeness:
         return None
 
     def _rounded(self) -> Named | None:
-        if self.is_formula or self._equal(self.mine, self.right).all() or not self.mine.any():
+        if self.is_formula or not self.mine.any():
             return None
         mine, right = (x.reshape(-1, x.shape[-1]) for x in (self.mine, self.right))
         wrong = np.ravel(~self._equal(mine, right))
@@ -177,9 +169,13 @@ class Likeness:
         """Return whether these are the right numbers in another order."""
         if self.mine.ndim == 1 or self._equal(self.mine, self.right).all():
             return None
-        return (
-            self._arranged() or self._permuted_rows() or self._exchanged() or self._renumbered() or self._moved_rows()
+        arranged = (
+            (name, text)
+            for name, text, changed in _arrangements(self.right, self.columns)
+            if changed.shape == self.mine.shape and self._equal(self.mine, changed).all()
         )
+        further = (self._permuted_rows, self._exchanged, self._renumbered, self._moved_rows)
+        return next(arranged, None) or next(filter(None, (find() for find in further)), None)
 
     def _exchanged(self) -> Named | None:
         """Return whether two entries stand in each other's place."""
@@ -194,13 +190,6 @@ class Likeness:
                 "two entries swapped",
                 f"Two entries are swapped.\nThey are {self.place(one)} and {self.place(other)}.",
             )
-        return None
-
-    def _arranged(self) -> Named | None:
-        mine = self.mine
-        for name, text, changed in _arrangements(self.right, self.columns):
-            if changed.shape == mine.shape and self._equal(mine, changed).all():
-                return name, text
         return None
 
     def _renumbered(self) -> Named | None:

@@ -68,20 +68,10 @@ class Recurrence:
 
 
 def recurrences(observations: Sequence[Observation]) -> list[Recurrence]:
-    r"""Return each recognised mistake with its problems and opportunities, the most frequent first.
+    """Return each recognised mistake with its problems and opportunities, the most frequent first.
 
     Of the alternatives for an answer, those are kept whose mistakes were recognised in the most problems on average, and among
     these the ones that were possible in the fewest. A mistake in all kept alternatives is certain; the rest stays undecided.
-
-    >>> seen = [
-    ...     Observation("03.1", {"omega x q", "sign"}, [[["omega x q"], ["sign"]]]),
-    ...     Observation("03.2", {"omega x q", "degrees"}, [[["omega x q", "degrees"]]]),
-    ...     Observation("03.3", {"omega x q", "degrees", "sign"}),
-    ...     Observation("03.4", {"degrees"}),
-    ... ]
-    >>> print(*recurrences(seen), sep="\n")
-    Returning mistake: “omega x q” explains answers in 2 of the 3 answered problems in which it can be made (03.1, 03.2).
-    Probably a slip: “degrees” explains answers in 1 of the 3 answered problems in which it can be made (03.2).
     """
 
     def support(names: Sequence[str]) -> tuple[float, float]:

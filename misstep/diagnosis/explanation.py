@@ -1,4 +1,4 @@
-"""Explanations of a wrong answer, in four stages.
+"""Findings on a wrong answer, in four stages.
 
 What is seen at sight comes first: a placeholder, another unit, too few digits are no method, and a method must not be told for
 them. Then one slip for the whole answer, because one slip is more likely than one in each part; then one for each wrong part;
@@ -30,91 +30,94 @@ MAX_LENGTH = 400
 
 
 @dataclass(frozen=True)
-class Explanation:
-    """Wrong parts, the mistakes each of which explains them, and the message.
+class Finding:
+    """Why some parts of an answer are wrong: the mistakes each of which explains them, or a hint if none does.
 
-    is_whole      whether they explain the whole answer
-    is_reordered  whether the rows are the right ones in an order in which at most one keeps its place
-    is_method     whether it says how the answer came about, and not only how it differs from the right one
-    check         what the student can check on the own numbers
+    message    its first line is the idea; what follows is the place, or the number itself, which is told from the second try on
+    check      what the student can check on the own numbers, and what these numbers give
+    is_whole   whether they explain the whole answer
+    is_method  whether it says how the answer came about, and not only how it differs from the right one
+    spoils     whether the parts that are right are what a wrong method gives as well
     """
 
-    parts: Sequence[int]
-    mistakes: Sequence[Mistake]
+    parts: Sequence[str]
     message: str
-    is_whole: bool = False
-    is_reordered: bool = False
-    is_method: bool = False
+    mistakes: Sequence[Mistake] = ()
     check: str = ""
+    is_whole: bool = False
+    is_method: bool = False
+    spoils: bool = False
 
     @property
-    def spoils(self) -> bool:
-        """Whether the parts that are right are what a wrong method gives as well."""
-        return self.is_reordered or (self.is_whole and all(mistake.spoils for mistake in self.mistakes))
+    def mistake(self) -> str | None:
+        """The name; "a or b" if the answer does not show which mistake was made, "a and b" if both were."""
+        return " or ".join(dict.fromkeys(one.name for one in self.mistakes[:MAX_ALTERNATIVES])) or None
+
+    @property
+    def alternatives(self) -> tuple[tuple[str, ...], ...]:
+        """The names as data: for each explanation that fits, the mistakes that were made together."""
+        return tuple(dict.fromkeys(one.names for one in self.mistakes)) if self.mistake else ()
+
+    @property
+    def text(self) -> str:
+        """What a student reads: the message, and the check if there is room."""
+        message = self.message.replace("\n", " ")
+        both = f"{message} {self.check}".strip()
+        return both if len(both) <= MAX_LENGTH else message
 
 
-def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Explanation]:
-    """Return explanations of wrong parts. Parts that nothing explains are in none of them.
+def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Finding]:
+    """Return findings on wrong parts. Parts that nothing explains are in none of them.
 
     value  an answer that was read
     wrong  the indices of its wrong parts, at least one
     """
-    answer = problem.answer
+    answer, names = problem.answer, [problem.answer.parts[part] for part in wrong]
     if seen := seen_at_sight(answer, value):
-        return [_seen(wrong, value, seen, spoils=True)]
+        return [replace(_seen(names, seen), is_whole=True, spoils=True)]
     groups = [problem.mistakes, list(problem.mutants_near(value)), problem.slips]
+    is_moved = has_alike_rows(answer) and len(wrong) >= len(answer.parts) - 1 > 1
     for group in groups:
-        if whole := [one for one in group if all(answer.agrees(value, one.value))]:
-            mistakes = _distinct(whole)
-            text = message_of(mistakes, whole=True)
-            is_general = group is problem.slips
-            told = Explanation(list(wrong), mistakes, text, True, _is_reordered(answer, value, wrong), not is_general)
-            return [_checked(answer, value, told) if is_general else told]
+        if mistakes := _distinct([one for one in group if all(answer.agrees(value, one.value))]):
+            is_method, is_reordered = group is not problem.slips, is_moved and bool(answer.resemblance(value, None))
+            told = Finding(names, message_of(mistakes, whole=True), mistakes, is_whole=True, is_method=is_method)
+            told = replace(told, spoils=is_reordered or all(one.spoils for one in mistakes))
+            return [told if is_method or is_reordered else _checked(answer, value, told)]
     sights = {part: seen for part in wrong if (seen := answer.seen(value, part))}
-    is_single, order = len(answer.parts) == 1, None
-    if not is_single and all(
-        name == "placeholder" for name, _ in sights.values()
-    ):  # as is the gap where rows are moved
-        order = answer.resemblance(value, None)
-    elif not is_single and (order := answer.resemblance(value, None)) and order[0] not in REORDERED:
-        order = None
-    if order:
-        is_reordered = order[0] in REORDERED or _is_reordered(answer, value, wrong)
-        return [replace(_checked(answer, value, _seen(wrong, value, order)), is_whole=True, is_reordered=is_reordered)]
-    found, left = _joined(sights, value), [part for part in wrong if part not in sights]
-    for parts, mistakes in () if is_single else _explain_parts(answer, value, set(left), groups):
-        told = Explanation(
-            parts, mistakes, message_of(mistakes, whole=False), is_method=mistakes[0] not in problem.slips
-        )
+    is_single = len(answer.parts) == 1
+    if not is_single and (order := answer.resemblance(value, None)):
+        is_reordered = order[0] in REORDERED
+        if is_reordered or all(
+            name == "placeholder" for name, _ in sights.values()
+        ):  # as is the gap where rows are moved
+            told = _checked(answer, value, _seen(names, order))
+            return [replace(told, is_whole=True, spoils=is_reordered or is_moved)]
+    found, left = _joined(answer, sights), [part for part in wrong if part not in sights]
+    for parts, mistakes in () if is_single else _explain_parts(answer, value, left, groups):
+        told = Finding(parts, message_of(mistakes, whole=False), mistakes, is_method=mistakes[0] not in problem.slips)
         found.append(told if told.is_method else _checked(answer, value, told))
     explained = {part for one in found for part in one.parts}
-    alike = {part: seen for part in left if part not in explained and (seen := answer.resemblance(value, part))}
-    return found + [_checked(answer, value, one) for one in _joined(alike, value)]
+    left = [part for part in left if answer.parts[part] not in explained]
+    alike = {part: seen for part in left if (seen := answer.resemblance(value, part))}
+    return found + [_checked(answer, value, one) for one in _joined(answer, alike)]
 
 
-def _is_reordered(answer: Answer, value: Any, wrong: Sequence[int]) -> bool:
-    return has_alike_rows(answer) and len(wrong) >= len(answer.parts) - 1 > 1 and bool(answer.resemblance(value, None))
-
-
-def _seen(parts: Sequence[int], value: Any, seen: Named, *, spoils: bool = False) -> Explanation:
+def _seen(parts: Sequence[str], seen: Named) -> Finding:
     name, text = seen
-    return Explanation(list(parts), [Mistake(name, value, text, text, spoils=spoils)], text, is_whole=spoils)
+    return Finding(list(parts), text, [Mistake(name, None, text)])
 
 
-def _joined(seen: dict[int, Named], value: Any) -> list[Explanation]:
-    """Return one explanation for all parts of which the same is to be said."""
-    by_text = sorted(seen.items(), key=lambda item: item[1])
-    return [
-        _seen([part for part, _ in group], value, text) for text, group in groupby(by_text, key=lambda item: item[1])
-    ]
+def _joined(answer: Answer, seen: dict[int, Named]) -> list[Finding]:
+    """Return one finding for all parts of which the same is to be said."""
+    groups = groupby(sorted(seen.items(), key=lambda item: item[1]), key=lambda item: item[1])
+    return [_seen([answer.parts[part] for part, _ in group], text) for text, group in groups]
 
 
-def _checked(answer: Answer, value: Any, told: Explanation) -> Explanation:
-    """Return an explanation with what the student can check, of the first of its parts that does not pass."""
-    if told.mistakes[0].name in UNCHECKED or told.is_reordered:
-        return told
-    found = [(answer.parts[part], check) for part in told.parts if (check := answer.check(value, part))]
-    if not found:
+def _checked(answer: Answer, value: Any, told: Finding) -> Finding:
+    """Return a finding with what the student can check, of the first of its parts that does not pass."""
+    checks = [(part, answer.check(value, answer.parts.index(part))) for part in told.parts]
+    found = [(part, check) for part, check in checks if check]
+    if told.mistakes[0].name in UNCHECKED or not found:
         return told
     name, check = found[0]
     is_clear = len(told.parts) == 1 or (len(found) > 1 and len({text for _, text in found}) == 1)
@@ -123,7 +126,7 @@ def _checked(answer: Answer, value: Any, told: Explanation) -> Explanation:
 
 def _explain_parts(
     answer: Answer, value: Any, left: Collection[int], groups: Iterable[Sequence[Mistake]]
-) -> Iterator[tuple[list[int], list[Mistake]]]:
+) -> Iterator[tuple[list[str], list[Mistake]]]:
     """Explain each wrong part by the mistakes that explain the most of the parts that are left."""
     left = set(left)
     matching = [
@@ -143,7 +146,8 @@ def _explain_parts(
             break
         candidates = [(mistake, parts & left) for mistake, parts in matching[-rank] if len(parts & left) == count]
         explained = candidates[0][1]
-        yield sorted(explained), _distinct([mistake for mistake, parts in candidates if parts == explained])
+        names = [answer.parts[part] for part in sorted(explained)]
+        yield names, _distinct([mistake for mistake, parts in candidates if parts == explained])
         left -= explained
 
 
@@ -152,15 +156,6 @@ def _distinct(mistakes: Sequence[Mistake]) -> list[Mistake]:
     by_name = {mistake.names: mistake for mistake in reversed(mistakes) if mistake.spoils}
     by_name |= {mistake.names: mistake for mistake in reversed(mistakes) if not mistake.spoils}
     return [mistake for mistake in mistakes if by_name[mistake.names] is mistake]
-
-
-def name_of(mistakes: Sequence[Mistake]) -> str:
-    """Return the name of mistakes that cannot be told apart: "reversed or order".
-
-    >>> name_of([Mistake("order", 1, ""), Mistake("sign", 1, "")])
-    'order or sign'
-    """
-    return " or ".join(dict.fromkeys(mistake.name for mistake in mistakes[:MAX_ALTERNATIVES]))
 
 
 def message_of(mistakes: Sequence[Mistake], whole: bool) -> str:

@@ -90,10 +90,8 @@ def run(options: argparse.Namespace) -> int:
         points = {one.student: one.points for one in results if one.status != ABSENT or one.points}
         text = export(roster, points, sheet.points, sheet.name, options.column)
         write(options.out / f"{roster.kind}.csv", text.encode())
-    counts = Counter(result.status for result in results)
-    summary = (
-        f"{len(results)} students: {', '.join(f'{number} {status}' for status, number in sorted(counts.items()))}."
-    )
+    counts = sorted(Counter(result.status for result in results).items())
+    summary = f"{len(results)} students: {', '.join(f'{number} {status}' for status, number in counts)}."
     for line in [summary, *attention, f"The results are in {options.out}: open report.html, then grades.csv."]:
         print(printable(line))  # the one place from which names of files and students reach the terminal
     return 1 if attention else 0
@@ -117,31 +115,29 @@ def grade_all(requests: Sequence[Request], options: argparse.Namespace) -> list[
     from tqdm import tqdm
 
     with open_executor(options.workers, options.scheduler) as executor:
-        futures = {executor.submit(grade_within, request, options.seconds): k for k, request in enumerate(requests)}
-        results: dict[int, Result] = {}
+        futures = [executor.submit(grade_within, request, options.seconds) for request in requests]
         try:
             for future in tqdm(as_completed(futures), total=len(futures), desc=requests[0].sheet.name, disable=None):
-                results[futures[future]] = future.result()
+                future.result()
+            return [future.result() for future in futures]
         except BaseException:
             for future in futures:
                 future.cancel()
             raise
-    return [results[k] for k in range(len(requests))]
 
 
 def with_flags_of_class(results: Sequence[Result]) -> list[Result]:
     """Return the results with the flags that need a look at several students."""
-    owners: dict[str, list[str]] = defaultdict(list)
+    owners: dict[str, set[str]] = defaultdict(set)
     for result in results:
         for id_ in result.typed:
-            owners[id_.casefold()].append(result.student)
+            owners[id_.casefold()].add(result.student)
     shared = shared_answers(results)
     flagged = []
     for result in results:
         others = sorted({who for id_ in result.typed for who in owners[id_.casefold()]} - {result.student})
         added = {"same id": f"also {', '.join(others[:5])}"} if others else {}
-        if result.student in shared:
-            added["same answers"] = shared[result.student]
+        added |= {"same answers": shared[result.student]} if result.student in shared else {}
         flagged.append(replace(result, flags={**result.flags, **added}))
     return flagged
 

@@ -13,6 +13,7 @@ from typing import Any
 from misstep.answers.base import inputs_of
 from misstep.catalog import find_course
 from misstep.diagnosis.bugs import Observation
+from misstep.diagnosis.explanation import Finding
 from misstep.display.card import Link
 from misstep.display.lecture_address import page_address
 from misstep.grading import result as states
@@ -22,7 +23,7 @@ from misstep.grading.overrides import Override
 from misstep.grading.pages import feedback_page
 from misstep.grading.result import ProblemResult, Result
 from misstep.grading.similarity import relation
-from misstep.judge import Finding, Judgement, judge
+from misstep.judge import Judgement, judge
 from misstep.problem import Problem, Template
 from misstep.sheet import SAMPLE_ID, Sheet
 from misstep.storage.deserialize import Malformed, Opaque, from_data
@@ -64,10 +65,9 @@ def grade(request: Request) -> Result:
         return ungraded(request, states.ABSENT, "Nothing was handed in.", "absent")
     try:
         chosen = choose(one.files, sheet.name)
-    except Unreadable as error:
-        return ungraded(request, states.UNREADABLE, str(error), "unreadable")
-    except MemoryError:
-        reason = "The notebook needs too much memory. Clear all outputs, run all cells, and save."
+    except (Unreadable, MemoryError) as error:
+        too_large = "The notebook needs too much memory. Clear all outputs, run all cells, and save."
+        reason = str(error) if isinstance(error, Unreadable) else too_large
         return ungraded(request, states.UNREADABLE, reason, "unreadable")
     work, typed = chosen.work, chosen.work.ids
     # The id that was typed last, if several were, because its numbers are those that the student saw last.
@@ -119,16 +119,15 @@ def finished(result: Result, request: Request) -> Result:
 
 
 def _flags(one: Submission, problems: Sequence[ProblemResult], work: Work, id_: str) -> dict[str, str]:
-    flags = {}
-    missing = [problem.number for problem in problems if problem.state == "missing"]
+    flags, ids = {}, {typed.casefold() for typed in work.ids}
+    missing = ", ".join(problem.number for problem in problems if problem.state == "missing")
     if not work.answers:
         flags["not run"] = ""
     elif missing:
-        flags["partly run"] = ", ".join(missing)
+        flags["partly run"] = missing
     if stale := [problems[k - 1].number for k in work.stale if 1 <= k <= len(problems)]:
         flags["changed"] = ", ".join(stale)
-    expected = {(one.id or id_).casefold()}
-    if {typed.casefold() for typed in work.ids} - expected or SAMPLE_ID in {typed.casefold() for typed in work.ids}:
+    if ids - {(one.id or id_).casefold()} or SAMPLE_ID in ids:
         flags["other id"] = ""
     return flags
 

@@ -110,28 +110,20 @@ def report_page(results: Sequence[Result], sheet: str, attention: Sequence[str])
         returning.update(one.name for one in result.recurrences if one.returns)
     problems = []
     for alike in zip(*(result.problems for result in present), strict=True):
-        states, mistakes = (
-            Counter(one.state for one in alike),
-            Counter(name for one in alike for name in set(one.mistakes)),
-        )
+        states = Counter(one.state for one in alike)
+        mistakes = Counter(name for one in alike for name in set(one.mistakes))
         number, title, maximum = alike[0].number, alike[0].title, alike[0].max
         unnamed, judged = sum(one.unnamed is not None for one in alike), [one for one in alike if one.state != "open"]
         mean = sum(one.points for one in judged) / len(judged) if judged else None
         counted = [(state, states[state]) for state in STATES if states[state]]
         ordered = sorted(mistakes.items(), key=lambda item: (-item[1], item[0]))
         problems.append((number, title, maximum, mean, counted, ordered, unnamed))
-    figures = {"sheet": sheet, "count": count, "max": present[0].max, "problems": problems, "attention": attention}
-    return (
-        _environment()
-        .get_template("report.html")
-        .render(
-            **figures,
-            absent=len(results) - count,
-            mean=sum(result.points for result in present) / count,
-            totals=sorted(Counter(int(result.points) for result in present).items()),
-            returning=sorted(returning.items(), key=lambda item: (-item[1], item[0])),
-        )
-    )
+    template = _environment().get_template("report.html")
+    totals = sorted(Counter(int(result.points) for result in present).items())
+    returned = sorted(returning.items(), key=lambda item: (-item[1], item[0]))
+    figures: dict[str, Any] = {"count": count, "absent": len(results) - count, "max": present[0].max, "totals": totals}
+    figures["mean"] = sum(result.points for result in present) / count
+    return template.render(figures, sheet=sheet, problems=problems, attention=attention, returning=returned)
 
 
 @cache

@@ -25,7 +25,7 @@ import numpy as np
 
 from misstep.answers.base import Answer, Unreadable, inputs_of
 from misstep.answers.choice import Choice, ReasonedChoice
-from misstep.answers.groups.ordering import Ordering
+from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.catalog import Course, find_course
 from misstep.judge import judge
@@ -101,25 +101,26 @@ class Question:
             options = answer.options.items()
             shown = [{"text": f"{name}: {text}", "right": str(name == answer.value).lower()} for name, text in options]
             inputs["choices"].append({"name": f"choice_{len(inputs['choices']) + 1}", "options": shown})
-        elif isinstance(answer, Ordering):
+            return
+        if isinstance(answer, Ordering):
             names = [*answer.value, *(name for name in answer.among if name not in answer.value)]
             inputs["blocks"] = [
                 {"text": name, "place": place, "right": str(name in answer.value).lower()}
                 for place, name in enumerate(names, start=1)
             ]
-        else:
-            right = _right(answer)
-            if right.dtype == object:
-                rows = [[f"entry_{i + 1}_{j + 1}" for j in range(right.shape[1])] for i in range(right.shape[0])]
-                inputs["formulas"] = [{"cells": [{"name": name} for name in row]} for row in rows]
-                data["correct_answers"].update(zip(chain(*rows), map(str, right.ravel()), strict=True))
-            else:
-                for k, matrix in enumerate(_matrices(right), start=1):
-                    name, label = f"answer_{k}_", "" if right.ndim < 3 else f"{k}: "
-                    rows, columns = matrix.shape
-                    inputs["matrices"].append({"name": name, "label": label, "rows": rows, "columns": columns})
-                    value = {"_type": "ndarray", "_value": matrix.tolist(), "_dtype": "float64"}
-                    data["correct_answers"][name] = value
+            return
+        right = _right(answer)
+        if right.dtype == object:
+            rows = _cells(right)
+            inputs["formulas"] = [{"cells": [{"name": name} for name in row]} for row in rows]
+            data["correct_answers"].update(zip(chain(*rows), map(str, right.ravel()), strict=True))
+            return
+        # An array is a stack of matrices, and a vector is one row.
+        for k, matrix in enumerate(right.reshape(-1, *np.atleast_2d(right).shape[-2:]), start=1):
+            name, label, (rows, columns) = f"answer_{k}_", "" if right.ndim < 3 else f"{k}: ", matrix.shape
+            inputs["matrices"].append({"name": name, "label": label, "rows": rows, "columns": columns})
+            value = {"_type": "ndarray", "_value": matrix.tolist(), "_dtype": "float64"}
+            data["correct_answers"][name] = value
 
     def parse(self, data: Data) -> None:
         """Say of an answer that is none why it cannot be read; PrairieLearn then counts no attempt."""
@@ -150,7 +151,6 @@ class Question:
 
 
 def _answers(answer: Answer) -> Sequence[Answer]:
-    """Return the answers that have inputs of their own."""
     return (answer.choice, answer.reason) if isinstance(answer, ReasonedChoice) else (answer,)
 
 
@@ -166,13 +166,13 @@ def _right(answer: Answer) -> np.ndarray[Any, Any]:
     raise ValueError(f"There is no input for an answer such as {answer.expected}.")
 
 
-def _matrices(right: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """Return an array as a stack of matrices: a vector is one row."""
-    return right.reshape(-1, *np.atleast_2d(right).shape[-2:])
+def _cells(formulas: np.ndarray[Any, Any]) -> list[list[str]]:
+    """Return the names of the inputs for formulas, by row."""
+    rows, columns = formulas.shape
+    return [[f"entry_{i}_{j}" for j in range(1, columns + 1)] for i in range(1, rows + 1)]
 
 
 def _submitted(problem: Problem, data: Data) -> Any:
-    """Return what was answered, as a student would give it to a check."""
     names = iter(choice["name"] for choice in data["params"]["choices"])
     submitted = [_value(answer, data, names) for answer in _answers(problem.answer)]
     return submitted if isinstance(problem.answer, ReasonedChoice) else submitted[0]
@@ -188,19 +188,14 @@ def _value(answer: Answer, data: Data, names: Iterator[str]) -> Any:
         return [block["inner_html"].strip() for block in given["answer"]]
     right = _right(answer)
     if right.dtype == object:
-        rows, columns = (range(1, size + 1) for size in right.shape)
-        entries = [[given[f"entry_{i}_{j}"] for j in columns] for i in rows]
+        entries = [[given[name] for name in row] for row in _cells(right)]
         return [row[0] for row in entries] if right.shape[1] == 1 else entries
-    return np.array([given[one["name"]]["_value"] for one in data["params"]["matrices"]], dtype=float).reshape(
-        right.shape
-    )
+    values = [given[one["name"]]["_value"] for one in data["params"]["matrices"]]
+    return np.array(values, dtype=float).reshape(right.shape)
 
 
 def _literal(value: Any) -> str:
     return f"np.array({value.tolist()})" if isinstance(value, np.ndarray) else repr(value)
-
-
-# --- the command ---
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -235,12 +230,11 @@ def export(course: Course, out: Path) -> tuple[int, list[str]]:
                 left_out.append(template.number)
                 continue
             id_ = f"{name}/{index + 1:02}"
-            folder = out / "questions" / id_
-            info = {"uuid": _uuid(course, id_), "title": f"{template.number} {template.title}", "type": "v3"}
-            _write(folder / "info.json", {**info, "topic": sheet.title, "tags": [name], "singleVariant": False})
-            (folder / "question.html").write_text(QUESTION, "utf-8")
+            info: Data = {"uuid": _uuid(course, id_), "title": f"{template.number} {template.title}", "type": "v3"}
+            info |= {"topic": sheet.title, "tags": [name], "singleVariant": False}
             code = SERVER.format(package=course.package, sheet=name, index=index)
-            (folder / "server.py").write_text(code, "utf-8")
+            for file, content in (("info.json", info), ("question.html", QUESTION), ("server.py", code)):
+                _write(out / "questions" / id_ / file, content)
             questions.append({"id": id_, "autoPoints": template.points, "maxAutoPoints": template.points})
         number, count = name.partition("_")[0], count + len(questions)
         assessment = {"uuid": _uuid(course, name), "type": "Homework", "title": sheet.title, "set": "Homework"}
@@ -263,6 +257,6 @@ def _uuid(course: Course, name: str) -> str:
     return str(uuid5(NAMESPACE_URL, f"https://misstep/{course.package}/{name}"))
 
 
-def _write(path: Path, content: Data) -> None:
+def _write(path: Path, content: Data | str) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(content, indent=2) + "\n", "utf-8")
+    path.write_text(content if isinstance(content, str) else json.dumps(content, indent=2) + "\n", "utf-8")

@@ -323,35 +323,32 @@ def _quoted(*nodes: Expression) -> str:
     return " and ".join(f"${node.latex}$" for node in nodes)
 
 
-def _moved(items: tuple[Expression, ...], start: int, end: int) -> tuple[Expression, ...]:
-    """Return the items with the one at `start` taken out and put in at `end`."""
-    rest = items[:start] + items[start + 1 :]
-    return (*rest[:end], items[start], *rest[end:])
+def _put(items: tuple[Expression, ...], i: int, *instead: Expression) -> tuple[Expression, ...]:
+    """Return the items with others in the place of one."""
+    return (*items[:i], *instead, *items[i + 1 :])
 
 
 def _product_slips(node: Expression) -> Slips:
     factors, last = node.arguments, len(node.arguments) - 1
     advice = "A product of matrices depends on the order of its factors."
-    if last > 1:
-        yield Slip("reversed", "multiply the factors in the reverse order", product(*factors[::-1]), advice=advice)
-    if last > 2:
-        text = f"multiply the factors after {_quoted(factors[0])} in the reverse order"
-        yield Slip("reversed", text, product(factors[0], *factors[:0:-1]), advice=advice)
-        text = f"multiply the factors before {_quoted(factors[-1])} in the reverse order"
-        yield Slip("reversed", text, product(*factors[-2::-1], factors[-1]), advice=advice)
+    first, end = _quoted(factors[0]), _quoted(factors[-1])
+    for place, order in (
+        ("", factors[::-1]),
+        (f"after {first} ", (factors[0], *factors[:0:-1])),
+        (f"before {end} ", (*factors[-2::-1], factors[-1])),
+    ):
+        if last > (2 if place else 1):
+            text = f"multiply the factors {place}in the reverse order"
+            yield Slip("reversed", text, product(*order), advice=advice)
     for i in range(last):
-        swapped = (*factors[:i], factors[i + 1], factors[i], *factors[i + 2 :])
-        yield Slip("order", f"swap {_quoted(*factors[i : i + 2])}", product(*swapped), advice=advice)
+        swapped = product(*factors[:i], factors[i + 1], factors[i], *factors[i + 2 :])
+        yield Slip("order", f"swap {_quoted(*factors[i : i + 2])}", swapped, advice=advice)
     for i, factor in enumerate(factors):
-        yield Slip("factor left out", f"leave out {_quoted(factor)}", product(*factors[:i], *factors[i + 1 :]))
-        for end, place in ((0, "first"), (last, "last")):
-            if abs(end - i) > 1:
-                yield Slip(
-                    f"{place} factor",
-                    f"put {_quoted(factor)} {place}",
-                    product(*_moved(factors, i, end)),
-                    advice=advice,
-                )
+        rest = _put(factors, i)
+        yield Slip("factor left out", f"leave out {_quoted(factor)}", product(*rest))
+        for place, to, moved in (("first", 0, (factor, *rest)), ("last", last, (*rest, factor))):
+            if abs(to - i) > 1:
+                yield Slip(f"{place} factor", f"put {_quoted(factor)} {place}", product(*moved), advice=advice)
     yield from _factors_confused(factors)
     if all(np.ndim(factor.value) == 2 for factor in factors):
         by_entry = "multiply entry by entry (`*` instead of `@`)"
@@ -369,31 +366,23 @@ def _factors_confused(factors: tuple[Expression, ...]) -> Slips:
             is_sibling = other.operation is factor.operation and np.shape(other.value) == np.shape(factor.value)
             if other is not factor and factor.arguments and is_sibling and len(factors) <= MAX_FACTORS:
                 text = f"use {_quoted(other)}, where {_quoted(factor)} belongs"
-                taken = product(*factors[:i], other, *factors[i + 1 :])
-                yield Slip("another factor", text, taken, may_coincide=True)
+                yield Slip("another factor", text, product(*_put(factors, i, other)), may_coincide=True)
 
 
 def _sum_slips(node: Expression) -> Slips:
     for i, term in enumerate(node.arguments):
-        others = node.arguments[:i], node.arguments[i + 1 :]
-        yield Slip(
-            "sign", f"take {_quoted(term)} with the opposite sign", total(*others[0], negative(term), *others[1])
-        )
-        yield Slip("term left out", f"leave out {_quoted(term)}", total(*others[0], *others[1]))
+        negated = total(*_put(node.arguments, i, negative(term)))
+        yield Slip("sign", f"take {_quoted(term)} with the opposite sign", negated)
+        yield Slip("term left out", f"leave out {_quoted(term)}", total(*_put(node.arguments, i)))
 
 
 def _multiple_slips(node: Expression) -> Slips:
     for i, factor in enumerate(node.arguments):
-        yield Slip(
-            "factor left out",
-            f"leave out the factor {_quoted(factor)}",
-            multiple(*node.arguments[:i], *node.arguments[i + 1 :]),
-        )
+        others = multiple(*_put(node.arguments, i))
+        yield Slip("factor left out", f"leave out the factor {_quoted(factor)}", others)
         if np.ndim(factor.value) == 0 and len(node.arguments) > 1:
             text = f"divide by {_quoted(factor)} instead of multiplying by it"
-            yield Slip(
-                "division for product", text, quotient(multiple(*node.arguments[:i], *node.arguments[i + 1 :]), factor)
-            )
+            yield Slip("division for product", text, quotient(others, factor))
 
 
 def _joined_sum(*terms: str) -> str:

@@ -48,31 +48,22 @@ class MutableSolution:
 
     def mutant(self, mutation: Mutation) -> Expression:
         """Return the solution with a slip."""
-        return mutate(self.root, mutation.replaced, built=self.built)
+        return mutate(self.root, mutation.replaced, self.built)
 
 
-def mutate(root: Expression, replaced: Mapping[int, Expression], built: Built | None = None) -> Expression:
+def mutate(root: Expression, replaced: Mapping[int, Expression], built: Built) -> Expression:
     """Return the expression with some of its parts replaced; all other parts are shared with the original one.
 
     built  the parts that were built for other mutants of the same expression; they are shared too, and new ones are added
     """
     if replaced.keys().isdisjoint(root.part_ids):
         return root
-    return _replace_parts(root, replaced, {} if built is None else built)
-
-
-def _replace_parts(root: Expression, replaced: Mapping[int, Expression], built: Built) -> Expression:
     # A replacement is searched for further parts to replace, but not for the part that it replaces: that may stand within it.
     new = root
     while id(new) in replaced:
         done, new = id(new), replaced[id(new)]
         replaced = {key: node for key, node in replaced.items() if key != done}
-    if not replaced:
-        return new
-    ids = replaced.keys()
-    arguments = tuple(
-        [node if ids.isdisjoint(node.part_ids) else _replace_parts(node, replaced, built) for node in new.arguments]
-    )
+    arguments = tuple([mutate(node, replaced, built) for node in new.arguments])
     if all(map(is_, arguments, new.arguments)):
         return new
     key = (new.operation, *map(id, arguments))
@@ -102,7 +93,7 @@ def mutations(root: Expression) -> list[Mutation]:
             single = [mutation for mutation in single if mutation not in several or mutation.slip.one_by_one]
             single.append(Mutation(Slip(name, text, advice=first.advice, in_parts=first.in_parts), replaced))
     detours = [
-        Mutation(mutation.slip, {id(node): mutate(way, mutation.replaced)})
+        Mutation(mutation.slip, {id(node): mutate(way, mutation.replaced, {})})
         for node in nodes
         for way in node.ways
         for mutation in mutations(way)
@@ -110,11 +101,10 @@ def mutations(root: Expression) -> list[Mutation]:
     return [*single, *detours]
 
 
-def mutant(slip: Slip, value: Any, advice: Mapping[str, str], key: Any = None, *, spoils: bool = False) -> Mistake:
+def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = False) -> Mistake:
     """Return the mistake of a change that leads to a value.
 
     advice  for names or texts of changes, a sentence on what is right, instead of their own
-    key     equal for mutants that are the same expression
     spoils  whether it belongs to the method for all parts of the answer
 
     >>> mutant(Slip("degrees", "use degrees as radians"), 3.0, {}).message
@@ -125,7 +115,7 @@ def mutant(slip: Slip, value: Any, advice: Mapping[str, str], key: Any = None, *
     message = slip.did if is_sentence else f"This is what you get if you {slip.did}. {further}".rstrip()
     part = message * slip.in_parts
     did = "" if is_sentence else slip.did
-    return Mistake(slip.name, value, message, part, did, further, key=key, spoils=spoils, credit=slip.credit)
+    return Mistake(slip.name, value, message, part, did, further, spoils=spoils, credit=slip.credit)
 
 
 def value_of(expression: Expression) -> Any:

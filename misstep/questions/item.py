@@ -67,13 +67,7 @@ class Item:
         return next(index for index, option in enumerate(self.options) if option.right)
 
     def shuffled(self, seed: str) -> "Item":
-        """Return the question with its options in another order, which depends on the seed and the texts of the options.
-
-        >>> options = [Option(text, "", last=text == "none of them") for text in ("none of them", "1", "2", "3")]
-        >>> item = Item("count", "check", "How many?", options)
-        >>> [option.text for option in item.shuffled("03/count").options]
-        ['2', '1', '3', 'none of them']
-        """
+        """Return the question with its options in another order, which depends on the seed and the texts of the options."""
         order = sorted(
             self.options, key=lambda option: (option.last, sha256(f"{seed}\0{option.text}".encode()).digest())
         )
@@ -81,14 +75,9 @@ class Item:
 
 
 def read_questions(text: str, file: str) -> dict[str, Item]:
-    r"""Read the questions of one file.
+    """Read the questions of one file.
 
     Raises ValueError for an invalid file; the message names the file, the question and the error.
-
-    >>> order = "[order]\nkind = 'check'\ntext = '?'"
-    >>> options = [f"[[order.options]]\ntext = '{n}'\nwhy = '!'\nright = {n}" for n in ("true", "false")]
-    >>> sorted(option.text for option in read_questions("\n".join([order, *options]), "03.toml")["order"].options)
-    ['false', 'true']
     """
     try:
         tables = tomllib.loads(text)
@@ -98,33 +87,20 @@ def read_questions(text: str, file: str) -> dict[str, Item]:
 
 
 def _item(key: str, table: Any, place: str) -> Item:
-    is_prediction = isinstance(table, dict) and table.get("kind") == "predict"
-    explained = {"explanation"} if is_prediction else set()
-    _keys(table, place, required={"kind", "text", "options"} | explained, allowed={"explanation"})
-    if table["kind"] not in KINDS:
-        raise ValueError(f"{place}: kind must be one of {', '.join(KINDS)}; got {table['kind']!r}.")
-    if "explanation" in table and not is_prediction:
+    try:
+        options = [Option(**option) for option in table.pop("options")]
+        item = Item(key, options=options, **table)
+        markdown_html(item.explanation)
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        missing = f"{error} is missing." if isinstance(error, KeyError) else error
+        raise ValueError(f"{place}: {missing}") from error
+    if item.kind not in KINDS:
+        raise ValueError(f"{place}: kind must be one of {', '.join(KINDS)}; got {item.kind!r}.")
+    if bool(item.explanation) != (item.kind == "predict"):
         raise ValueError(
-            f"{place}: explanation is a key of kind 'predict' only; got kind {table['kind']!r}. "
+            f"{place}: explanation is a key of kind 'predict' only, and required there; got kind {item.kind!r}. "
             "Write the reasons into why of each option."
         )
-    explanation = table.get("explanation", "")
-    try:
-        markdown_html(explanation)
-    except ValueError as error:
-        raise ValueError(f"{place}: {error}") from error
-    options = []
-    for number, option in enumerate(table["options"], start=1):
-        _keys(option, f"{place}, option {number}", required={"text", "why"}, allowed={"right", "last"})
-        options.append(Option(**option))
     if sum(option.right for option in options) != 1 or not 2 <= len(options) <= len(LETTERS):
         raise ValueError(f"{place}: there must be 2 to {len(LETTERS)} options, exactly one of them with right = true.")
-    return Item(key, table["kind"], table["text"], options, explanation).shuffled(place)
-
-
-def _keys(table: Any, place: str, required: set[str], allowed: set[str]) -> None:
-    keys = set(table) if isinstance(table, dict) else set()
-    if missing := sorted(required - keys):
-        raise ValueError(f"{place}: {missing[0]} is missing.")
-    if unknown := sorted(keys - required - allowed):
-        raise ValueError(f"{place}: {unknown[0]!r} is not a key of a question. Is it misspelt?")
+    return item.shuffled(place)

@@ -12,12 +12,7 @@ from misstep.questions.item import KINDS, Item, Option
 
 
 def question_html(name: str, item: Item) -> str:
-    """Return a question and its options with their explanations; the options of a prediction are without explanations.
-
-    >>> options = [Option("3", "One more."), Option("4", "Yes.", right=True)]
-    >>> "2 + 2" in question_html("00/sum", Item("sum", "check", "2 + 2?", options))
-    True
-    """
+    """Return a question and its options with their explanations; the options of a prediction are without explanations."""
     options = "".join(f"<li>{_option(option, item.kind)}</li>" for option in item.options)
     kind = KINDS[item.kind]
     return (
@@ -32,10 +27,6 @@ def explanation_html(name: str, item: Item, output: str = "") -> str:
     """Return the explanation of a prediction and the reasons of all its options, closed until the reader has made it.
 
     output  text that a computation has given, shown below the explanation
-
-    >>> options = [Option("3", "One more."), Option("4", "Yes.", right=True)]
-    >>> explanation_html("00/sum", Item("sum", "predict", "2 + 2?", options)).count("<li>")
-    2
     """
     shown = f"<pre>{escape(output)}</pre>" if output else ""
     explanations = "".join(f"<li><p>{inline(option.text)}</p>{_why(option)}</li>" for option in item.options)

@@ -23,13 +23,12 @@ class Entry(NamedTuple):
     solution: str
 
 
-def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str, after: Mapping[int, str] = {}) -> str:
+def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str) -> str:
     """Write the notebook of a sheet, as the text of a file.
 
     entries  one for each problem
     intro    the paragraph below the title
     imports  the first lines of the first code cell, before those that open the sheet
-    after    remarks, by the number of the problem that they follow
 
     Raises ValueError if there is not one entry for each problem.
 
@@ -44,34 +43,15 @@ def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str, a
     title = f"# Sheet {number}: {sheet.title[0].lower()}{sheet.title[1:]}"
     cells = [_markdown("title", f"{title}\n\n{intro}"), _code("open", "\n".join(opening))]
     for k, (template, entry) in enumerate(zip(sheet.problems, entries, strict=True), start=1):
-        cells += problem_cells(k, template.title, template.points, entry)
-        if k in after:
-            cells.append(_markdown(f"note-{k}", after[k]))
+        cells += _problem_cells(k, template.title, template.points, entry)
     cells.append(_markdown("together", "## Together\n\nRun this cell last: it counts what you have."))
     cells.append(_code("tally", "sheet.tally()"))
-    return _with_metadata(cells)
-
-
-def notebook_of(text: str) -> str:
-    r"""Write a notebook of a text in Markdown, whose Python blocks are its code cells.
-
-    >>> [cell["cell_type"] for cell in json.loads(notebook_of("# Title\n\n```python\n1 + 1\n```\n"))["cells"]]
-    ['markdown', 'code']
-    """
-    parts = re.split(r"^```python\n(.*?)^```$", text, flags=re.MULTILINE | re.DOTALL)
-    return _with_metadata(
-        [(_markdown, _code)[k % 2](f"cell-{k}", part.strip()) for k, part in enumerate(parts) if part.strip()]
-    )
-
-
-def _with_metadata(cells: Sequence[dict[str, Any]]) -> str:
     kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
     metadata = {"kernelspec": kernel, "language_info": {"name": "python"}}
-    content = {"cells": cells, "metadata": metadata, "nbformat": 4, "nbformat_minor": 5}
-    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    return _dumps({"cells": cells, "metadata": metadata, "nbformat": 4, "nbformat_minor": 5})
 
 
-def problem_cells(k: int, title: str, points: int, entry: Entry) -> list[dict[str, Any]]:
+def _problem_cells(k: int, title: str, points: int, entry: Entry) -> list[dict[str, Any]]:
     """The four cells of problem k: heading, statement, answer and check."""
     name = f"{entry.answer}_{k}"
     given = [f"given = sheet.given({k})"] if "given." in entry.solution else []
@@ -104,7 +84,11 @@ def with_worked_solutions(text: str, sheet: Sheet) -> str:
             cells.append(
                 _markdown(f"{WORKED}{found[1]}", f"{what}, with the numbers of “{SAMPLE_ID}”:\n\n{steps}{further}")
             )
-    return json.dumps(content | {"cells": cells}, indent=1, ensure_ascii=False) + "\n"
+    return _dumps(content | {"cells": cells})
+
+
+def _dumps(content: dict[str, Any]) -> str:
+    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
 
 
 def _markdown(name: str, text: str) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator
 
-from misstep.catalog import Course, find_course
+from misstep.catalog import find_course
 from misstep.judge import judge
 from misstep.problem import Template
 from misstep.verdict import Verdict
@@ -21,17 +21,6 @@ def preview(template: Template, student: str) -> Iterator[str]:
         yield "\n    ".join([f"Mistake {k}: {mistake.name}, {mistake.value}", card.title, *lines])
 
 
-def find_template(course: Course, number: str) -> Template:
-    """Find a problem by its number.
-
-    Raises ValueError for an unknown number; the message lists those that exist.
-    """
-    templates = {one.number: one for sheet in course.sheets() for one in course.find_sheet(sheet).problems}
-    if number not in templates:
-        raise ValueError(f"There is no problem {number!r}. The problems are: {', '.join(templates)}.")
-    return templates[number]
-
-
 def add_arguments(parser: ArgumentParser) -> None:
     """Add the options of `misstep preview`."""
     parser.add_argument("number", help="the number of the problem, such as 01.2")
@@ -39,7 +28,10 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(options: Namespace) -> int:
-    """Print the problem, and return 0."""
-    template = find_template(find_course(), options.number)
-    print(*preview(template, options.student), sep="\n\n")
+    """Print the problem, and return 0. Raises ValueError for an unknown number; the message lists those that exist."""
+    course = find_course()
+    templates = {one.number: one for sheet in course.sheets() for one in course.find_sheet(sheet).problems}
+    if options.number not in templates:
+        raise ValueError(f"There is no problem {options.number!r}. The problems are: {', '.join(templates)}.")
+    print(*preview(templates[options.number], options.student), sep="\n\n")
     return 0

@@ -8,7 +8,6 @@ All steps are nbgrader's own, so `nbgrader generate_assignment` and this command
 
 import argparse
 from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
 
 from misstep.catalog import find_course
@@ -48,31 +47,17 @@ def student_version(source: Path) -> str:
     return str(nbformat.writes(notebook)) + "\n"
 
 
-def sheet_files(root: Path) -> Iterator[tuple[Path, Path]]:
-    """Yield each notebook and JSON file in solutions/, with the path of its student's version in exercises/."""
+def find_stale(root: Path) -> dict[Path, str]:
+    """Return the files that are missing or stale, with what they must be: of students, and solutions without worked ones."""
+    course, stale = find_course(), dict[Path, str]()
     for source in sorted([*(root / "solutions").glob("*/*.ipynb"), *(root / "solutions").glob("*/*.json")]):
-        yield source, root / "exercises" / source.relative_to(root / "solutions")
-
-
-def find_unworked(root: Path) -> dict[Path, str]:
-    """Return the notebooks in solutions/ of the course's sheets whose worked solutions are stale, with what they must be."""
-    course = find_course()
-    found = {}
-    for source, _ in sheet_files(root):
+        wanted = {root / "exercises" / source.relative_to(root / "solutions"): student_version(source)}
         if source.suffix == ".ipynb" and source.stem in course.sheets():
-            text = source.read_text(encoding="utf-8")
-            if (worked := with_worked_solutions(text, course.find_sheet(source.stem))) != text:
-                found[source] = worked
-    return found
-
-
-def find_stale(root: Path) -> list[Path]:
-    """Return the student's files that are missing, or that differ from what their source releases."""
-    return [
-        target
-        for source, target in sheet_files(root)
-        if not target.exists() or target.read_text(encoding="utf-8") != student_version(source)
-    ]
+            wanted[source] = with_worked_solutions(source.read_text("utf-8"), course.find_sheet(source.stem))
+        stale.update(
+            (path, text) for path, text in wanted.items() if not path.exists() or path.read_text("utf-8") != text
+        )
+    return stale
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -83,22 +68,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Write the notebooks that are stale, or list them. The exit code is 1 for --check with stale notebooks."""
-    if not any(sheet_files(options.root)):
+    if not any((options.root / "solutions").glob("*/*.ipynb")):
         raise ValueError(
             f"{options.root.resolve()} has no solutions/*/*.ipynb. Give the folder that contains solutions/ by --root."
         )
-    unworked = find_unworked(options.root)
-    for source, text in unworked.items():
-        print(f"{'stale' if options.check else 'written'}: {source.relative_to(options.root)}")
+    stale = find_stale(options.root)
+    for path, text in stale.items():
+        print(f"{'stale' if options.check else 'written'}: {path.relative_to(options.root)}")
         if not options.check:
-            source.write_text(text, encoding="utf-8", newline="\n")
-    for target in (stale := find_stale(options.root)):
-        source = options.root / "solutions" / target.relative_to(options.root / "exercises")
-        released = student_version(source)
-        print(f"{'stale' if options.check else 'written'}: {target.relative_to(options.root)}")
-        if not options.check:
-            target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_text(released, encoding="utf-8", newline="\n")
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8", newline="\n")
     if not stale and not options.check:
         print(f"Nothing to write: the notebooks in {options.root / 'exercises'} are those of solutions.")
-    return 1 if (stale or unworked) and options.check else 0
+    return int(bool(stale) and options.check)

@@ -31,6 +31,9 @@ MAX_ENTRIES = 4096
 MAX_DEPTH = 5
 """The most levels of nested lists."""
 
+OBJECTS: dict[str, Callable[[Mapping[str, Any]], Any]] = {}
+"""For each registered class, by its name, the function that makes an object from its fields."""
+
 
 class Malformed(ValueError):
     """JSON that has none of the forms of an answer."""
@@ -53,93 +56,67 @@ class Outputs:
     values: Sequence[Any]
 
 
-def from_data(data: Any) -> Any:
+def from_data(data: Any, depth: int = 0) -> Any:  # noqa: PLR0911 - one for each form
     """Read a stored answer: arrays as NumPy arrays, formulas as SymPy, and what could not be stored as Opaque.
+
+    depth  in how many lists it is
 
     Raises Malformed for JSON of any other form.
 
     >>> from_data({"array": [1.0, None], "shape": [2]})
     array([ 1., nan])
     """
-    return _read(data, 0)
-
-
-def _read(data: Any, depth: int) -> Any:
     if data is None:
         return None
-    if not isinstance(data, dict) or depth > MAX_DEPTH + 1:
-        raise Malformed("An answer must be null or a JSON object of a known form, and not nested without end.")
-    read = READERS.get(frozenset(data))
-    if read is None:
-        raise Malformed(f"An answer has none of the forms with the keys {', '.join(sorted(map(str, data)))!r:.80}.")
-    return read(next(iter(data.values())) if len(data) == 1 else data, depth)
+    match data, len(data) if isinstance(data, dict) and depth <= MAX_DEPTH + 1 else 0:
+        case {"number": number}, 1:
+            return _numbers([number], [])[()]
+        case {"text": str(text)}, 1 if len(text) <= MAX_CHARACTERS:
+            return text
+        case {"truth": bool(is_true)}, 1:
+            return is_true
+        case {"array": list(flat), "shape": list(shape)}, 2:
+            return _numbers(flat, shape)
+        case {"list": list(items)}, 1 if len(items) <= MAX_ENTRIES:
+            return [from_data(item, depth + 1) for item in items]
+        case {"map": list(pairs)}, 1 if len(pairs) <= MAX_ENTRIES and all(map(_is_named, pairs)):
+            return {name[:80]: from_data(item, depth + 1) for name, item in pairs}
+        case {"object": str(name), "fields": dict(fields)}, 2 if all(isinstance(key, str) for key in fields):
+            return _object(name[:80], fields)
+        case {"function": str(name)}, 1:
+            return Opaque(f"function {name[:80]}")
+        case {"function": str(), "outputs": list(items)}, 2 if len(items) <= MAX_ENTRIES:
+            return Outputs([from_data(item, depth + 1) for item in items])
+        case {"other": str(name)}, 1:
+            return Opaque(name[:200])
+    raise Malformed("An answer must be null or a JSON object of a known form and size.")
 
 
-def _string(text: Any, _: int) -> str:
-    if not isinstance(text, str) or len(text) > MAX_CHARACTERS:
-        raise Malformed(f"A text must be a string of at most {MAX_CHARACTERS} characters.")
-    return text
+def _is_named(pair: Any) -> bool:
+    return isinstance(pair, list) and len(pair) == 2 and isinstance(pair[0], str)
 
 
-def _items(items: Any, depth: int) -> list[Any]:
-    if not isinstance(items, list) or len(items) > MAX_ENTRIES:
-        raise Malformed(f"A list must be a JSON list of at most {MAX_ENTRIES} entries.")
-    return [_read(item, depth + 1) for item in items]
-
-
-def _entries(entries: Any, depth: int) -> dict[str, Any]:
-    if not isinstance(entries, list) or len(entries) > MAX_ENTRIES:
-        raise Malformed("A map must be a list of pairs of a name and a value.")
-    return dict(_entry(entry, depth) for entry in entries)
-
-
-def _numbers(flat: Any, shape: Any) -> Array:
-    if not isinstance(flat, list) or not isinstance(shape, list):
-        raise Malformed("An array must be a list of numbers, with the list of its sizes.")
+def _numbers(flat: list[Any], shape: list[Any]) -> Array:
     sizes = [size for size in shape if isinstance(size, int) and not isinstance(size, bool) and size >= 0]
-    if len(flat) > MAX_ENTRIES or len(sizes) != len(shape) or len(shape) > MAX_DEPTH + 1:
-        raise Malformed(f"An array must have a shape of whole numbers, and at most {MAX_ENTRIES} numbers.")
-    if any(x is not None and (isinstance(x, bool) or not isinstance(x, int | float)) for x in flat):
-        raise Malformed("An array must contain numbers only.")
+    is_small = len(flat) <= MAX_ENTRIES and len(shape) <= MAX_DEPTH + 1
+    are_numbers = all(x is None or (isinstance(x, int | float) and not isinstance(x, bool)) for x in flat)
+    if not (is_small and are_numbers and sizes == shape):
+        raise Malformed(f"An array must have at most {MAX_ENTRIES} numbers, and a shape of whole numbers.")
     try:
-        values = np.array([np.nan if x is None else float(x) for x in flat])
-        return values.reshape(sizes)
+        return np.array([np.nan if x is None else float(x) for x in flat]).reshape(sizes)
     except (OverflowError, ValueError) as error:
         raise Malformed("The numbers of an array must fill its shape.") from error
 
 
-def _truth(is_true: Any, _: int) -> bool:
-    if not isinstance(is_true, bool):
-        raise Malformed("A truth must be true or false.")
-    return is_true
-
-
-def _entry(entry: Any, depth: int) -> tuple[str, Any]:
-    match entry:
-        case [str() as key, value]:
-            return key[:80], _read(value, depth + 1)
-    raise Malformed("A map must be a list of pairs of a name and a value.")
-
-
-def _object(data: dict[str, Any], depth: int) -> Any:
+def _object(name: str, fields: dict[str, Any]) -> Any:
     """Return an object of a registered class, or Opaque for any other class."""
-    name = _string(data["object"], depth)[:80]
-    read = OBJECTS.get(name)
-    fields = data["fields"]
-    if not isinstance(fields, dict) or not all(isinstance(key, str) for key in fields):
-        raise Malformed("An object must have the name of its class, and its fields by name.")
-    if read is None:
+    if name not in OBJECTS:
         return Opaque(name)
     try:
-        return read(fields)
-    except KeyError as error:
-        raise Malformed(f"This is not a {name}: the field {error} is missing.") from error
-    except (ValueError, TypeError) as error:
-        raise Malformed(f"This is not a {name}: {str(error)[:1000]}") from error
-
-
-OBJECTS: dict[str, Callable[[Mapping[str, Any]], Any]] = {}
-"""For each registered class, by its name, the function that makes an object from its fields."""
+        return OBJECTS[name](fields)
+    except (KeyError, ValueError, TypeError) as error:
+        missing = f"the field {error} is missing." if isinstance(error, KeyError) else str(error)[:1000]
+        raise Malformed(f"This is not a {name}: {missing}") from error
 
 
 def register_object(kind: type, read: Callable[[Mapping[str, Any]], Any]) -> None:
@@ -148,26 +125,11 @@ def register_object(kind: type, read: Callable[[Mapping[str, Any]], Any]) -> Non
     kind  the class; its objects are stored by its name and the fields that their method to_dict() returns
     read  makes an object from these fields, and raises ValueError for fields that to_dict() never returns
 
-    >>> class Resistor:
-    ...     def __init__(self, ohm):
-    ...         self.ohm = ohm
-    >>> register_object(Resistor, lambda fields: Resistor(fields["ohm"]))
-    >>> from_data({"object": "Resistor", "fields": {"ohm": 5.0}}).ohm
+    >>> class Coil:
+    ...     def __init__(self, henry):
+    ...         self.henry = henry
+    >>> register_object(Coil, lambda fields: Coil(fields["henry"]))
+    >>> from_data({"object": "Coil", "fields": {"henry": 5.0}}).henry
     5.0
     """
     OBJECTS[kind.__name__] = read
-
-
-READERS: dict[frozenset[str], Callable[[Any, int], Any]] = {
-    frozenset({"number"}): lambda number, _: _numbers([number], [])[()],
-    frozenset({"text"}): _string,
-    frozenset({"array", "shape"}): lambda data, _: _numbers(data["array"], data["shape"]),
-    frozenset({"truth"}): _truth,
-    frozenset({"list"}): _items,
-    frozenset({"map"}): _entries,
-    frozenset({"object", "fields"}): _object,
-    frozenset({"function"}): lambda name, depth: Opaque(f"function {_string(name, depth)[:80]}"),
-    frozenset({"function", "outputs"}): lambda data, depth: Outputs(_items(data["outputs"], depth)),
-    frozenset({"other"}): lambda name, depth: Opaque(_string(name, depth)[:200]),
-}
-"""How each form is read, by its set of keys. A form with a single key gets the value, other forms get the whole object."""

@@ -54,7 +54,7 @@ def to_data(value: Any, inputs: Sequence[Any] = ()) -> Data:
         return {"other": f"{type(value).__name__} that raises {type(error).__name__} when it is read"}
 
 
-def _serialized(value: Any, depth: int, parts: Iterator[int]) -> Data:  # noqa: PLR0911 - one for each form
+def _serialized(value: Any, depth: int, parts: Iterator[int]) -> Data:  # noqa: PLR0911, PLR0912 - one for each form
     """Write a value.
 
     depth  in how many lists it is
@@ -68,9 +68,7 @@ def _serialized(value: Any, depth: int, parts: Iterator[int]) -> Data:  # noqa: 
         return {"other": f"{_kind(value)}, nested deeper than {MAX_DEPTH}"}
     match value:
         case str():
-            return (
-                {"text": str(value)} if len(value) <= MAX_CHARACTERS else {"other": f"text of {len(value)} characters"}
-            )
+            return _text(str(value), "text")
         case _ if isinstance(value, TRUTH):
             return {"truth": bool(value)}
         case int() | float() | np.integer() | np.floating() | Fraction() | Decimal():
@@ -83,11 +81,8 @@ def _serialized(value: Any, depth: int, parts: Iterator[int]) -> Data:  # noqa: 
             return {"map": [[str(key)[:80], _serialized(item, depth + 1, parts)] for key, item in value.items()]}
         case list() | tuple():
             return _list([_serialized(item, depth + 1, parts) for item in value])
-    return _symbolic(value, depth, parts) or _other(value, depth, parts)
-
-
-def _other(value: Any, depth: int, parts: Iterator[int]) -> Data:
-    """Write a function, an object that converts to an array, or an object with a method to_dict()."""
+    if symbolic := _symbolic(value, depth, parts):
+        return symbolic
     if callable(value):
         return {"function": str(getattr(value, "__name__", _kind(value)))[:80]}
     if hasattr(value, "__array__"):
@@ -104,6 +99,10 @@ def _kind(value: Any) -> str:
     return type(value).__name__[:80]
 
 
+def _text(text: str, kind: str) -> Data:
+    return {"text": text} if len(text) <= MAX_CHARACTERS else {"other": f"{kind} of {len(text)} characters"}
+
+
 def _number(x: float) -> float | None:
     return x if np.isfinite(x) else None
 
@@ -114,23 +113,18 @@ def _array(values: NDArray[Any], depth: int, parts: Iterator[int]) -> Data:
     if values.dtype.kind == "c" and not np.any(values.imag):  # as np.linalg.eigvals gives them
         values = values.real
     if values.dtype.kind in "iuf":
-        flat = [_number(x) for x in values.astype(float).ravel().tolist()]
-        return {"array": flat, "shape": list(values.shape)}
-    return (
-        _serialized(values.tolist(), depth, parts)
-        if values.dtype.kind in "bOU"
-        else {"other": f"array of {values.dtype}"}
-    )
+        return {"array": [_number(x) for x in values.astype(float).ravel().tolist()], "shape": list(values.shape)}
+    is_of_objects = values.dtype.kind in "bOU"
+    return _serialized(values.tolist(), depth, parts) if is_of_objects else {"other": f"array of {values.dtype}"}
 
 
-def _list(items: Sequence[Data]) -> Data:
+def _list(items: list[Data]) -> Data:
+    """Rows of the same length are an array, whether they were typed as lists or as arrays."""
     rows = [item for item in items if item and ("number" in item or "array" in item)]
     shapes = {tuple(row.get("shape", ())) for row in rows}
     flat = [x for row in rows for x in row.get("array", [row.get("number")])]
-    if len(rows) == len(items) and len(shapes) == 1 and len(flat) <= MAX_ENTRIES:
-        # Rows of the same length are an array, whether they were typed as lists or as arrays.
-        return {"array": flat, "shape": [len(items), *min(shapes)]}
-    return {"list": list(items)}
+    is_array = len(rows) == len(items) and len(shapes) == 1 and len(flat) <= MAX_ENTRIES
+    return {"array": flat, "shape": [len(items), *min(shapes)]} if is_array else {"list": items}
 
 
 def _symbolic(value: Any, depth: int, parts: Iterator[int]) -> Data:
@@ -143,10 +137,7 @@ def _symbolic(value: Any, depth: int, parts: Iterator[int]) -> Data:
 
     if isinstance(value, sp.MatrixBase):
         return {"list": [_serialized(row, depth + 1, parts) for row in value.tolist()]}
-    if not isinstance(value, sp.Expr):
-        return None
     try:
-        text = text_of(value)
+        return _text(text_of(value), "formula") if isinstance(value, sp.Expr) else None
     except ValueError as error:
         return {"other": f"a formula that cannot be written: {error}"}
-    return {"text": text} if len(text) <= MAX_CHARACTERS else {"other": f"formula of {len(text)} characters"}

@@ -7,10 +7,11 @@ import pytest
 
 from misstep.answers.base import Remarking, Unreadable
 from misstep.answers.choice import Choice
-from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
+from misstep.answers.ordering import Ordering
+from misstep.diagnosis.explanation import Finding
 from misstep.display.sentences import STEP_BY_STEP, UNKNOWN
-from misstep.judge import Finding, Judgement, judge
+from misstep.judge import Judgement, judge
 from misstep.mistakes import mistake
 from misstep.mutants.expression import given as of_solution
 from misstep.problem import Problem, problem
@@ -74,8 +75,9 @@ def test_right_blank_and_unreadable_answers_are_judged_in_all_parts():
 
 def test_a_mistake_in_all_parts_is_one_finding_and_each_unexplained_part_is_one():
     p = two_rows([SHIFTED, NEGATED])
-    whole = Finding(["row 1", "row 2"], "You reversed the axes.", "negated", (("negated",),))
+    whole = Finding(["row 1", "row 2"], "You reversed the axes.", [p.mistakes[1]], is_whole=True, is_method=True)
     assert judge(p, NEGATED.value) == Judgement("wrong", 0.0, [], [whole])
+    assert (whole.mistake, whole.alternatives) == ("negated", (("negated",),))
     unforeseen = judge(p, [[0, 1, 0, 0, -2, 0], [1, 0, 0, 3, 0, 0]])
     assert unforeseen.findings[0].message == "Its second half is right."
     nowhere = [Finding([f"row {k}"], UNKNOWN, check=STEP_BY_STEP) for k in (1, 2)]

@@ -135,7 +135,7 @@ def test_json_of_any_other_form_is_refused_with_a_sentence():
         assert str(refused.value).encode().endswith((b".", b"?")), "a sentence that a screen can show, to its end"
     for data, message in [
         (resistor({"ohm": "4.7"}), "This is not a Resistor: The resistance must be a number in ohms."),
-        ({"b": 1, "a": 2}, "An answer has none of the forms with the keys 'a, b'."),
+        ({"b": 1, "a": 2}, "An answer must be null or a JSON object of a known form and size."),
     ]:
         with pytest.raises(Malformed, match=f"^{message}"):
             from_data(data)

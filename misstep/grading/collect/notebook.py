@@ -49,11 +49,12 @@ ANSWER_CELL = re.compile(r"answer-(\d{1,3})\n|.*\ngiven = sheet\.given\((\d{1,3}
 
 CONFLICT = re.compile(rb"^(<{7} |={7}$|>{7} )", re.MULTILINE)
 
+NOTEBOOK = "Hand in the notebook itself, the file that ends in .ipynb"
 OTHER_FORMATS = {
-    b"%PDF": "a PDF. Hand in the notebook itself, the file that ends in .ipynb.",
-    b"PK\x03\x04": "a zip archive. Hand in the notebook itself, the file that ends in .ipynb.",
-    b"\x1f\x8b": "a compressed archive. Hand in the notebook itself, the file that ends in .ipynb.",
-    b"<": "a web page. Hand in the notebook itself, the file that ends in .ipynb, not its export.",
+    b"%PDF": f"a PDF. {NOTEBOOK}.",
+    b"PK\x03\x04": f"a zip archive. {NOTEBOOK}.",
+    b"\x1f\x8b": f"a compressed archive. {NOTEBOOK}.",
+    b"<": f"a web page. {NOTEBOOK}, not its export.",
 }
 
 
@@ -175,12 +176,8 @@ def _stored(output: Any, sheet: str) -> tuple[int, str, str] | None:
             name == sheet
         ):
             with suppress(RecursionError):
-                text = json.dumps(one)
-                return (
-                    (k, text, id_[:MAX_ID].encode(errors="replace").decode().strip())
-                    if len(text) <= MAX_ANSWER
-                    else None
-                )
+                if len(text := json.dumps(one)) <= MAX_ANSWER:
+                    return k, text, id_[:MAX_ID].encode(errors="replace").decode().strip()
     return None
 
 

@@ -3,6 +3,7 @@
 worker.js loads this file in Pyodide.
 """
 
+import builtins
 import io
 import json
 import logging
@@ -17,7 +18,7 @@ from importlib import invalidate_caches
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec, PathFinder
 from traceback import format_exception
-from types import ModuleType, TracebackType
+from types import ModuleType
 from typing import Any, ClassVar
 
 os.environ["NOTEBOOK_STATIC_PAGE"] = (
@@ -28,16 +29,17 @@ os.environ["MPLBACKEND"] = "agg"
 sys.modules["jedi"] = None  # type: ignore[assignment]  # only completion needs it, and its import takes a second
 sys.modules["IPython.terminal.embed"] = terminal = ModuleType("IPython.terminal.embed")  # there is no terminal
 terminal.embed = None  # type: ignore[attr-defined]
-# IPython would keep a history with SQLite, half a megabyte, which CellShell switches off; a cell may import it all the same
+# IPython would keep a history with SQLite, half a megabyte, which the shell below switches off; a cell may import it all the same
 sys.modules["sqlite3"] = history = ModuleType("sqlite3")
 history.__getattr__ = lambda _: Exception  # type: ignore[method-assign]
 
 import comm  # noqa: E402
 from comm.base_comm import BaseComm  # noqa: E402
+from IPython.core.displayhook import DisplayHook  # noqa: E402
 from IPython.core.displaypub import DisplayPublisher  # noqa: E402
+from IPython.core.interactiveshell import InteractiveShell  # noqa: E402
 from traitlets import Type  # noqa: E402
-
-from misstep.display.shell import CellShell  # noqa: E402
+from traitlets.config import Config  # noqa: E402
 
 del sys.modules["sqlite3"]
 logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # "building the font cache"
@@ -160,14 +162,36 @@ class PagePublisher(DisplayPublisher):
         report(kind="display", data=data)
 
 
-class PageShell(CellShell):
-    """An IPython shell whose displays and errors are reported to the page."""
+class PageDisplayHook(DisplayHook):
+    """Publishes the value of a cell's last line like any other display."""
+
+    def write_output_prompt(self) -> None:
+        pass
+
+    def write_format_data(self, format_dict: dict[str, Any], md_dict: dict[str, Any] | None = None) -> None:
+        shell.display_pub.publish(format_dict, md_dict)
+
+
+class PageShell(InteractiveShell):
+    """An IPython shell without a kernel, a window and a keyboard, whose displays and errors are reported to the page."""
 
     display_pub_class = Type(PagePublisher)
-    no_input = "input() cannot ask on this page. Write the value into the cell, for example name = 'Ada'."
+    displayhook_class = Type(PageDisplayHook)
 
-    def report_error(self, error: BaseException, trace: TracebackType | None) -> None:
-        """Report an error: its text, the line of the cell that led to it, and the traceback from there on."""
+    def enable_gui(self, gui: str | None = None) -> None:
+        """Do nothing, because there is no window."""
+
+    def showtraceback(self, *_: Any, **__: Any) -> None:
+        """Report the current error: its text, the line of the cell that led to it, and the traceback from the cell on.
+
+        IPython would print it in colours, which takes a second for a deep recursion.
+        """
+        error = sys.exception()
+        if error is None:
+            return
+        trace = error.__traceback__
+        while trace and trace.tb_frame.f_globals is not self.user_ns:
+            trace = trace.tb_next
         own, frame = trace, trace
         while frame:
             own, frame = (frame if frame.tb_frame.f_globals is self.user_ns else own), frame.tb_next
@@ -178,6 +202,13 @@ class PageShell(CellShell):
             line=own.tb_lineno if own else getattr(error, "lineno", None),
             traceback="".join(format_exception(type(error), error, trace)),
         )
+
+    showsyntaxerror = showindentationerror = showtraceback
+
+
+def refuse_input(*_: object) -> str:
+    """Raise EOFError, because there is no keyboard."""
+    raise EOFError("input() cannot ask on this page. Write the value into the cell, for example name = 'Ada'.")
 
 
 def display_figures() -> None:
@@ -220,6 +251,7 @@ def hear(text: str) -> None:
         PageKernel.widget = ""
 
 
-shell = PageShell.start()
+builtins.input = refuse_input
+shell = PageShell.instance(config=Config({"HistoryManager": {"enabled": False}}))
 shell.kernel = PageKernel()  # type: ignore[attr-defined]
 sys.stdout, sys.stderr = PageStream("stdout"), PageStream("stderr")

@@ -27,5 +27,5 @@ def test_every_change_of_an_exponential_is_wrong(parts):
     omega, v, theta = given("\\omega", parts[0]), given("v", parts[1]), angle_symbol(parts[2])
     for right in (rotation_exp(omega, theta), position_exp(omega, v, theta)):
         for mutation in mutations(right):
-            wrong = mutate(right, mutation.replaced)
+            wrong = mutate(right, mutation.replaced, {})
             assert not np.allclose(wrong.value, right.value), mutation.slip.did

@@ -157,7 +157,7 @@ def test_the_students_copy_runs_in_its_folder_and_contains_no_solution(project, 
     (project / "ur5e.urdf").write_text(ur5e_urdf(), "utf-8")
     assert main(["new-sheet", "ur5e.urdf", "--out", "solutions/lab_arm", "--name", "UR5e"]) == 0
     assert release(["release"]) == 0
-    assert student_notebook.find_stale(project) == []
+    assert student_notebook.find_stale(project) == {}
     folder = project / "exercises" / "lab_arm"
     assert {path.name for path in folder.iterdir()} == {"lab_arm.ipynb", "lab_arm.json"}
     text = (folder / "lab_arm.ipynb").read_text("utf-8")

@@ -18,8 +18,8 @@ from misstep.answers.base import inputs_of
 from misstep.answers.choice import Choice
 from misstep.answers.equivalent import Equivalent
 from misstep.answers.expression import ClosedForm
-from misstep.answers.groups.ordering import Ordering
 from misstep.answers.number import Numbers
+from misstep.answers.ordering import Ordering
 from misstep.judge import judge
 from misstep.storage.deserialize import from_data
 from misstep.storage.serialize import to_data

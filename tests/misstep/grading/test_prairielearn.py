@@ -12,7 +12,7 @@ import pytest
 
 from kincourse import COURSE, find_sheet
 from misstep.answers.choice import Choice, ReasonedChoice
-from misstep.answers.groups.ordering import Ordering
+from misstep.answers.ordering import Ordering
 from misstep.cli import main
 from misstep.grading.prairielearn import export
 from misstep.problem import Problem

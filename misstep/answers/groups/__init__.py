@@ -1,1 +1,0 @@
-"""Answers that are made of others: intervals, orders, sets and tables."""
