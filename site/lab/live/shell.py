@@ -41,6 +41,8 @@ from IPython.core.interactiveshell import InteractiveShell  # noqa: E402
 from traitlets import Type  # noqa: E402
 from traitlets.config import Config  # noqa: E402
 
+from misstep.display.failed_answer import error_name  # noqa: E402
+
 del sys.modules["sqlite3"]
 logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # "building the font cache"
 
@@ -197,7 +199,7 @@ class PageShell(InteractiveShell):
             own, frame = (frame if frame.tb_frame.f_globals is self.user_ns else own), frame.tb_next
         report(
             kind="error",
-            name=type(error).__name__,
+            name=error_name(error),
             text=getattr(error, "msg", "") or str(error),
             line=own.tb_lineno if own else getattr(error, "lineno", None),
             traceback="".join(format_exception(type(error), error, trace)),
