@@ -60,6 +60,14 @@ class Problem:
 
     Raises ValueError for a mistake whose value is not an answer of this kind, because no student could give it, and if the
     solution does not lead to the answer.
+
+    >>> from misstep.answers.number import Numbers
+    >>> from misstep.mutants.expression import given
+    >>> drawn = Problem("How many?", Numbers(given("n", 6.0) / 2))
+    >>> [(one.did, float(one.value)) for one in drawn.mutants_near(np.array(12.0))]
+    [('forget to divide by $2$', 6.0), ('multiply by $2$ instead of dividing by it', 12.0)]
+    >>> drawn.collision(), drawn.without_duplicates().mistakes
+    (None, [])
     """
 
     statement: str
@@ -242,6 +250,11 @@ class Template:
     make_problem  the function from a sampler to a Problem
     sampler       the class of the sampler that the function gets
     level         how hard it is; a hard one has no hints, and an open one is marked by an instructor
+
+    >>> from kincourse.lecture_03_poe_space import problems
+    >>> first = templates_in(problems)[0]
+    >>> first.variant("ada").statement == first.variant("Ada ").statement, first.number
+    (True, '03.1')
     """
 
     number: str

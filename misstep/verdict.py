@@ -105,7 +105,13 @@ class Tally:
 
 
 def observation(template: Template, problem: Problem, judgements: Sequence[Judgement]) -> Observation:
-    """Return what a student's answers to a problem show about mistakes: nothing if none of them could be read."""
+    """Return what a student's answers to a problem show about mistakes: nothing if none of them could be read.
+
+    >>> from kincourse import find_sheet
+    >>> template = find_sheet("03_poe_space").problems[0]
+    >>> observation(template, template.variant("ada"), []).possible
+    []
+    """
     read = [judgement for judgement in judgements if judgement.state in {"right", "partly", "wrong"}]
     possible = set[str]()
     if read:

@@ -18,6 +18,14 @@ class Question(HasTraits):
 
     committed  whether the reader has committed to an option
     choice     the index of this option, or -1
+
+    >>> from misstep.questions.item import Option
+    >>> question = Question(Item("sum", "check", "2 + 2?", [Option("3", "One more."), Option("4", "Yes.", right=True)]))
+    >>> print(question.text().splitlines()[2])
+    B  4
+    >>> question.commit(1)
+    >>> question.explanation().title
+    'You said B, and B is right'
     """
 
     committed = Bool(False)

@@ -30,4 +30,4 @@ def test_everything_in_the_reference_has_an_example_that_runs():
             examples = executed(value) or executed(member)
             if kind != "py:property" and not re.search(rf"\.{method}\(", examples):
                 missing.append(f"{module.__name__}.{name}.{method}")
-    assert not missing, "these have no example"
+    assert not missing, f"{len(missing)} have no example: {missing}"
