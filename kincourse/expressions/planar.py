@@ -156,8 +156,8 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
     >>> kutzbach(3, [(1, 1, 1), (1, 1)]).value
     2.0
     """
-    freedoms = [float(f) for leg in legs for f in leg]
-    J, F = float(len(freedoms)), sum(freedoms)
+    degrees_of_freedom = [float(f) for leg in legs for f in leg]
+    J, F = float(len(degrees_of_freedom)), sum(degrees_of_freedom)
     N = 2 + J - len(legs)
     dimension = given("d", float(d)).mistaken_for(("another d", f"take $d = {9 - d}$", 9.0 - d))
     bodies = given("N", N).mistaken_for(
@@ -171,7 +171,7 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
         ("loops", "add up the degrees of freedom of the joints, without the equations of the loops", F),
         ("loops", "close one loop only", F - d),
         ("loops", "close one loop for each leg, although the first leg closes no loop", F - d * len(legs)),
-        ("joint left out", "leave out one joint", M.value + d - freedoms[-1]),
+        ("joint left out", "leave out one joint", M.value + d - degrees_of_freedom[-1]),
         may_coincide=True,
     )
 
