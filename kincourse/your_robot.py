@@ -191,7 +191,7 @@ class Examination:
         """
         arm = self.arm or (self.table.to_chain() if self.table else None)
         if arm is None or not self.table or self.table.n != arm.n:
-            layers = ("axes", "base", "tool", "standard")
+            layers = ("axes", "base", "tool")
             return None if arm is None else explore(arm, show=layers, visuals=self.visuals)
         row, q = self.wrong_rows[0] if self.wrong_rows else 0, opening(arm)
         frames = table_frames(self.table, q)
