@@ -112,12 +112,12 @@ def test_loaded_modules_are_compiled_and_nothing_is_kept_that_no_cell_can_use(tm
 
 
 def test_without_a_network_the_lab_is_left_out_unless_it_was_requested(tmp_path, monkeypatch, capsys):
-    def no_network(kind, folder):
+    def no_network(folder):
         raise wheels.Unreachable("no route")
 
-    monkeypatch.setattr(lab, "LABS", tmp_path)
+    monkeypatch.setattr(lab, "LAB", tmp_path)
     monkeypatch.setattr(lab, "build_with_jupyterlite", no_network)
-    monkeypatch.setenv(lab.VARIABLE, "official")
+    monkeypatch.setenv(lab.VARIABLE, "offline")
     with pytest.raises(wheels.Unreachable, match="no route"):
         lab.build()
     monkeypatch.setenv(lab.VARIABLE, "")
