@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from html import escape
 from typing import Any
 
@@ -20,7 +21,7 @@ from kinlib.chains.chain import Chain
 from kinlib.chains.robots import youbot
 from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.diagnosis import Diagnosis, diagnose
-from kinlib.dh.equivalence import CHOICES, measured_difference
+from kinlib.dh.equivalence import CHOICES, equivalent, measured_difference
 from kinlib.dh.formatting import headings
 from kinlib.dh.read_table import read_table
 from kinlib.dh.table import Convention, DHTable, format_rows, table_frames
@@ -45,6 +46,11 @@ FORM_WORDS = {
     "give lengths={&#x27;": "write its value in a line above the table, as in a1 = 0.3, for {&#x27;",
 }  # fmt: skip
 """What the form says for the arguments of functions."""
+
+
+JOINT_CHOICES = ("zeros", "signs")
+
+SLIP_WORDS = "If only base and tool may be other ones: "
 
 
 class KnownArms:
@@ -169,14 +175,20 @@ class Examination:
             texts.append(str(self.free))
         strict = str(self.strict)
         is_choice = bool(self.strict.explanations) and self.strict.explanations[0].is_a_choice
-        if is_right and is_choice and len(self.strict.faults) > 1:  # perhaps a slip, and an end that differs
-            slip = diagnose(self.strict.table, self.strict.arm, ("zeros", "signs"))
-            if slip.explanations and not slip.explanations[0].is_a_choice:
-                texts.append(f"If only base and tool may be other ones: {slip}")
+        if self.slip:
+            texts.append(f"{SLIP_WORDS}{self.slip}")
         elif strict not in texts and not (is_right and is_choice):
             same = "If q, base and tool are meant to be the same: " if texts else ""
             texts.append(same + strict)
         return sorted(texts, key=lambda text: (text.count("\n"), len(text)))
+
+    @cached_property
+    def slip(self) -> Diagnosis | None:
+        """What is wrong if base and tool may be other ones, where only choices of several zeros and signs were found else."""
+        if not self.strict or len(self.strict.faults) < 2 or not self.strict.explanations[0].is_a_choice:
+            return None
+        slip = diagnose(self.strict.table, self.strict.arm, JOINT_CHOICES)
+        return slip if slip.explanations and not slip.explanations[0].is_a_choice else None
 
     @property
     def corrected(self) -> DHTable | None:
@@ -189,6 +201,10 @@ class Examination:
     @property
     def _changed(self) -> DHTable | None:
         """The given table with few other numbers that has the poses of the arm; None if none was found."""
+        if self.slip and self.slip.corrected:
+            right = self.slip.corrected
+            found = equivalent(right, self.slip.arm, fixed=JOINT_CHOICES)
+            return right.changed(base=found.base @ right.base, tool=right.tool @ found.tool)
         if not self.strict or self.strict.up_to:
             return self.strict.corrected if self.strict else None
         return self.strict.corrected or self.strict.nearest
@@ -263,12 +279,8 @@ class Examination:
         off = f"{format_number(metres, 2, zero=1e-9)} m and {format_number(math.degrees(radians), 2, zero=1e-7)}°"
         follows = "The corrected table is a new one, with frames assigned to the arm, because no small change was found"
         if self._changed is not None:
-            others = (
-                ("If only base", "The table describes the same")
-                if str(self.strict) in "".join(readings)
-                else ("If only base",)
-            )
-            number = next((k for k, text in enumerate(readings) if not text.startswith(others)), 0)
+            right = SLIP_WORDS if self.slip else str(self.strict)
+            number = next((k for k, text in enumerate(readings) if right in text), 0)
             which = ("the first reading", "the second reading")[number] if len(readings) > 1 else "these changes"
             first = ", and of these its first line" * any("\nor: " in text for text in readings[number : number + 1])
             follows = f"The corrected table has {which}{first}"
