@@ -41,8 +41,9 @@ CORKE = "as in Corke's Robotics Toolbox"
 FORM_WORDS = {
     "pass order (": "write the right order under “Columns” (", "pass length_unit (": "choose “Lengths in” (",
     "pass angle_unit (": "choose “Angles in” (", "pass convention (": "choose “Convention” (",
-    "Pass tip=..., one of": "Choose “to link”: one of", "Pass a base with": "Choose “from link” with",
+    "(pass tip)": "(choose “to link”)", "Pass tip=..., one of": "Choose “to link”: one of", "Pass a base with": "Choose “from link” with",
     "Pass base=... instead": "Leave this line out", "Pass tool=... instead": "Leave this line out",
+    "Pass packages=[...] with the folder of its package": "Drop a folder or a zip archive that contains it on the form",
     "give lengths={&#x27;": "write its value in a line above the table, as in a1 = 0.3, for {&#x27;",
 }  # fmt: skip
 """What the form says for the arguments of functions."""
@@ -50,7 +51,7 @@ FORM_WORDS = {
 
 JOINT_CHOICES = ("zeros", "signs")
 
-SLIP_WORDS = "If only base and tool may be other ones: "
+SLIP_WORDS = "If only base and tool may differ: "
 
 
 class KnownArms:
@@ -228,22 +229,31 @@ class Examination:
         They can be switched on one by one. Those of the first wrong row are on: that of the row, and the one before it.
         """
         arm = self.arm or (self.table.to_chain() if self.table else None)
-        if arm is None or not self.table or self.table.n != arm.n:
-            layers = ("axes", "base", "tool")
-            return None if arm is None else explore(arm, show=layers, visuals=self.visuals)
+        if arm is None:
+            return None
+        if not self.table or self.table.n != arm.n:
+            return self._in_words_of_the_form(explore(arm, show=("axes", "base", "tool"), visuals=self.visuals))
         row, q = self.wrong_rows[0] if self.wrong_rows else 0, opening(arm)
         frames = table_frames(self.table, q)
         if self.corrected and self.wrong_rows:
             right = table_frames(self.corrected, q)
             frames |= {f"{name}'": T for name, T in right.items() if not np.allclose(T, frames[name], atol=1e-6)}
         shown = [f"frame {name}" for name in (row, row + 1, f"{row}'", f"{row + 1}'") if str(name) in frames]
-        return explore(arm, show=("axes", *shown), start=q, frames=frames, visuals=self.visuals)
+        picture = explore(arm, show=("axes", *shown), start=q, frames=frames, visuals=self.visuals)
+        return self._in_words_of_the_form(picture)
+
+    def _in_words_of_the_form(self, picture: Viewer) -> Viewer:
+        picture.notes = [self._said(note) for note in picture.notes]
+        return picture
+
+    def _said(self, text: str) -> str:
+        """The text, with the names of the form's fields for arguments if the form asks."""
+        for argument, field_name in FORM_WORDS.items() if self.form else ():
+            text = text.replace(argument, field_name)
+        return text
 
     def _repr_html_(self) -> str:
-        html = "".join(self._blocks())
-        for argument, field_name in FORM_WORDS.items() if self.form else ():
-            html = html.replace(argument, field_name)
-        return html
+        return self._said("".join(self._blocks()))
 
     def _blocks(self) -> Iterator[str]:
         readings = self.readings
@@ -443,6 +453,9 @@ def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, l
     ends = [f"{end} ({count} joint{'s'[: count != 1]})" for end, count in counts.items()]
     notes = [f"The arm is from link {base} to link {tip}: {', '.join(chain.joint_names or ())}."]
     others = [name for name in tree.joint_names if name not in (chain.joint_names or ())]
-    for text, names in (("Other ends are", ends), ("Joints that are not on the way are left at 0:", others)):
+    for text, names in (
+        ("Other ends of the file, if yours is one of them (pass tip):", ends),
+        ("Joints that are not on the way are left at 0:", others),
+    ):
         notes += [f"{text} {', '.join(names[:12])}{' and more' * (len(names) > 12)}."] * bool(names)
     return chain, notes, (tree, base)

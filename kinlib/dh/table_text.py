@@ -385,7 +385,10 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
     text = re.sub(r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.*\balpha\b)", "\n", text)  # a heading as the comment of a row
     grid, heads, is_after_gap, is_spreadsheet, widths = _Grid(names), list[str](), False, False, set[int]()
-    for number, raw in enumerate(text.splitlines()[:MAX_LINES], start=1):
+    lines = text.splitlines()
+    if len(lines) > MAX_LINES:
+        raise ValueError(f"A table must have at most {MAX_ROWS} rows; the text has {len(lines)} lines.")
+    for number, raw in enumerate(lines, start=1):
         line = _plain_line(raw)
         if not re.sub(r"[|\s:+=-]", "", line):
             is_after_gap = True
