@@ -338,7 +338,7 @@ def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
             )
         lists = found
     if not lists:
-        lines = [cells for line in text.splitlines()[:MAX_LINES] for cells in _splits(line.strip())[::-1]]
+        lines = [cells for line in _lines(text) for cells in _splits(line.strip())[::-1]]
         heads = [
             (parse_heading(line[0]), line[1:]) for line in lines if len(line) > 2 and all(map(grid.is_entry, line[1:]))
         ]
@@ -385,10 +385,7 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
     text = re.sub(r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.*\balpha\b)", "\n", text)  # a heading as the comment of a row
     grid, heads, is_after_gap, is_spreadsheet, widths = _Grid(names), list[str](), False, False, set[int]()
-    lines = text.splitlines()
-    if len(lines) > MAX_LINES:
-        raise ValueError(f"A table must have at most {MAX_ROWS} rows; the text has {len(lines)} lines.")
-    for number, raw in enumerate(lines, start=1):
+    for number, raw in enumerate(_lines(text), start=1):
         line = _plain_line(raw)
         if not re.sub(r"[|\s:+=-]", "", line):
             is_after_gap = True
@@ -433,6 +430,13 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
             )
         is_after_gap = False
     return _uniform(_with_labels(grid, heads)) if grid.rows else grid
+
+
+def _lines(text: str) -> list[str]:
+    """Return the lines of a text, which must not have more than a table can have."""
+    if len(lines := text.splitlines()) > MAX_LINES:
+        raise ValueError(f"A table must have at most {MAX_ROWS} rows; the text has {len(lines)} lines.")
+    return lines
 
 
 def _with_labels(grid: _Grid, heads: list[str]) -> _Grid:

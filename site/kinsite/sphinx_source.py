@@ -140,8 +140,7 @@ def link_to_page(found: re.Match[str]) -> str:
 
 
 def without_cards(notebook: NotebookNode, path: Path) -> NotebookNode:
-    """Remove the cards of a sheet, which only say that no problem has been answered yet, and how a notebook is answered, and add a
-    note on the numbers."""
+    """Remove from a sheet the cards, which only say that nothing is answered yet, and how a notebook is answered; add a note."""
     for cell in notebook.cells:
         if cell.get("id", "").startswith(("check-", "tally", "open")):
             cell.outputs = []

@@ -304,7 +304,10 @@
     for (const cell of cells) {
       if (cell.role === 'show') cell.cover(cell.madeFrom !== madeFrom(cell));
       if (cell.role !== 'check') continue;
-      if (cell.madeFrom?.split('\0')[0] !== cells[0].source()) cell.dropCard(); // of another id
+      if (cell.madeFrom !== undefined && cell.madeFrom.split('\0')[0] !== cells[0].source()) {
+        cell.dropCard(); // of another id
+        cell.status.textContent = '';
+      }
       cell.markCard(cell.madeFrom !== madeFrom(cell));
     }
   }
@@ -453,10 +456,12 @@
       const id = ownId();
       const toField = () => document.querySelector('#your-id input').focus();
       const link = h('button', { type: 'button', class: 'kinlib-button', onclick: toField }, 'at the top');
-      const what = ['This problem will have the numbers of the id ', h('strong', {}, id)];
-      const later = id === shown ? [' when you come here.'] : [': press Show my numbers ', link, '.'];
+      const own = h('strong', {}, id);
+      const later = ['This problem will have the numbers of the id ', own, ': press Show my numbers ', link, '.'];
+      const coming = ['The numbers of the id ', own, ' appear here when you come to this problem.'];
+      const asked = id === shown ? coming : later;
       const todo = id
-        ? [...what, ...later]
+        ? asked
         : ['This problem has numbers of your own: type your id ', link, ', and press Show my numbers.'];
       const look = () => {
         this.isExample = true;
@@ -482,7 +487,6 @@
     dropCard() {
       this.output?.replaceChildren();
       this.output?.classList.remove('kinlib-stale');
-      if (this.status.textContent === STALE) this.status.textContent = '';
       this.madeFrom = undefined;
     }
 
