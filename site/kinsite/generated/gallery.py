@@ -38,7 +38,8 @@ START_CONFIGURATIONS: dict[str, ArrayLike] = {
     "bricard": [1, -2, 1, -2, 1, -2],
     "four_bar": [1, 0, 2, 0],
     "five_bar": [1.8, -1, 1.3, 1, 0],
-    "bennett": [1, 2, 1, 2],
+    "slider_crank": [1, -1.5, 0.5, 0.5],
+    "bennett": [-1.94, 2.2, 1.94, -2.2],
     "ten_links": [1.9, -0.5, -0.4, -0.4, -0.3, 1.2, 0.5, 0.4, 0.4, 0.3, 0],
 }
 """The guesses from which linkages are assembled that do not close at 0, or that look flat there."""
