@@ -161,7 +161,7 @@ def page(entry: Entry) -> str:
 def figure(entry: Entry) -> str:
     """Show a robot in the viewer or, if a linkage has more than one degree of freedom, as a drawing."""
     if isinstance(entry.robot, Chain):
-        return explore(entry.robot).html()
+        return explore(entry.robot, start=entry.q).html()
     if entry.robot.mobility(entry.q).finite == 1:
         curve = entry.robot.trace(entry.q, points=CURVE_POINTS).q
         return drive(entry.robot, entry.q, curves=[curve], labels=["as it is assembled"]).html()
