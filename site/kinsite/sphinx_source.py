@@ -98,7 +98,7 @@ def link_lectures(text: str) -> str:
 def notebook_pages(executed: Mapping[Path, NotebookNode]) -> Iterator[tuple[str, str]]:
     """Yield the executed lectures, the sheets without answers, and the file of each notebook for download."""
     for path in LECTURES:
-        yield f"lectures/{path.name}", nbformat.writes(without_image(adapt(executed[path])))
+        yield f"lectures/{path.name}", nbformat.writes(picture_first(adapt(executed[path])))
         yield f"files/lectures/{path.name}", nbformat.writes(without_image(nbformat.read(path, as_version=4)))
     for path in SHEETS:
         yield f"sheets/{path.name}", nbformat.writes(without_cards(adapt(executed[path]), path))
@@ -123,8 +123,18 @@ def adapt(notebook: NotebookNode) -> NotebookNode:
     return notebook
 
 
+def picture_first(notebook: NotebookNode) -> NotebookNode:
+    """Show the film of a lecture directly below its title, where a notebook that has not run has a still picture."""
+    first = notebook.cells[0]
+    if IMAGE.search(first.source):
+        title, _, text = IMAGE.sub("", first.source).partition("\n\n")
+        first.source = title
+        notebook.cells.insert(2, nbformat.v4.new_markdown_cell(text, id=f"{first.id}-text"))
+    return notebook
+
+
 def without_image(notebook: NotebookNode) -> NotebookNode:
-    """Remove the picture below the title: a page shows the film at once, and the file of the picture is not downloaded."""
+    """Remove the picture below the title, because the file of the picture is not downloaded."""
     notebook.cells[0].source = IMAGE.sub("", notebook.cells[0].source)
     return notebook
 

@@ -19,11 +19,9 @@
   const h = window.kinlibElement; // of course.js
 
   const PYTHON_SIZE = `${note.dataset.megabytes} MB`;
-  const INTRODUCTION =
-    'The code runs on this page: press Run below a cell, or Shift + Enter in it. ' +
-    `The first run loads Python, ${PYTHON_SIZE}, which this browser keeps. Until then nothing is loaded. `;
   const CONSENT = 'kinlib-python'; // in localStorage, once the reader has agreed
   const DIFFERENCES = [
+    'Press Run below a cell, or Shift + Enter in it. The first run loads Python, which this browser keeps; until then nothing is loaded.',
     'The results that you see first were computed when the page was built; your own replace them.',
     'Before a cell runs, the cells above it run, if they have not run yet or have changed.',
     'Code that you change is kept in this browser, and handed in nowhere.',
@@ -871,11 +869,10 @@
     ...(SHEET
       ? [SHEET_INTRODUCTION]
       : [
-          INTRODUCTION,
           h(
             'details',
             {},
-            h('summary', {}, 'What is different from the lab'),
+            h('summary', {}, `The code runs on this page. The first run loads ${PYTHON_SIZE}.`),
             h('ul', {}, ...DIFFERENCES.map((text) => h('li', {}, text))),
             h('p', {}, 'To have all of it:', ' ', labLink()),
           ),
