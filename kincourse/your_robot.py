@@ -6,6 +6,7 @@ The notebook and the page of that name show what `examine` returns. Everything t
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -38,16 +39,15 @@ UR_SOURCE = 'Universal Robots, "DH parameters for calculations of kinematics and
 CORKE = "as in Corke's Robotics Toolbox"
 
 
-FORM_WORDS = {
-    "pass order (": "write the right order under “Columns” (", "pass length_unit (": "choose “Lengths in” (",
-    "pass angle_unit (": "choose “Angles in” (", "pass convention (": "choose “Convention” (",
-    "(pass tip)": "(choose “to link”)", "Pass tip=..., one of": "Choose “to link”: one of", "Pass a base with": "Choose “from link” with",
-    "Pass base=... instead": "Leave this line out", "Pass tool=... instead": "Leave this line out",
-    "Pass packages=[...] with the folder of its package": "Drop a folder or a zip archive that contains it on the form",
-    "give lengths={&#x27;": "write its value in a line above the table, as in a1 = 0.3, for {&#x27;",
-}  # fmt: skip
+FORM_WORDS = [
+    (r"pass order \(", "write the right order under “Columns” ("), (r"pass length_unit \(", "choose “Lengths in” ("),
+    (r"pass angle_unit \(", "choose “Angles in” ("), (r"pass convention \(", "choose “Convention” ("),
+    (r"\(pass tip\)", "(choose “to link”)"), (r"Pass tip=\.\.\., one of", "Choose “to link”: one of"),
+    (r"Pass a base with", "Choose “from link” with"), (r"Pass (?:base|tool)=\.\.\. instead", "Leave this line out"),
+    (r"Pass packages=\[\.\.\.\] with the folder of its package", "Drop a folder or a zip archive with it on the form"),
+    (r"[Gg]ive lengths=\{(?:'|&#x27;)(\w+)(?:'|&#x27;): \.\.\.\}", r"Write \1 = and its value in a line above the table"),
+]  # fmt: skip
 """What the form says for the arguments of functions."""
-
 
 JOINT_CHOICES = ("zeros", "signs")
 
@@ -150,9 +150,10 @@ class Examination:
             )
             return f"{given.name}: {given.n} joints{ends}." if given else "Give a URDF file, a table, or both."
         if self.strict is None:
+            letters, count = self.table.joints.replace("F", ""), f"{self.table.n} joint{'s'[: self.table.n != 1]}"
             return (
-                f"The table has {self.table.n} joints ({self.table.joints.replace('F', '')}), and the arm has {self.arm.n} "
-                f"({self.arm.joint_types}), so they cannot be compared. Choose another tip or base, or look for a missing row."
+                f"The table has {count} ({letters}), and the arm has {self.arm.n} ({self.arm.joint_types}), so they cannot be "
+                "compared. Choose another tip or base, or look for a missing row."
             )
         metres, radians = measured_difference(self.table.to_chain(), self.arm)
         size = f"{format_number(metres, 3)} m and {format_number(math.degrees(radians), 3, zero=1e-6)}°"
@@ -248,8 +249,8 @@ class Examination:
 
     def _said(self, text: str) -> str:
         """The text, with the names of the form's fields for arguments if the form asks."""
-        for argument, field_name in FORM_WORDS.items() if self.form else ():
-            text = text.replace(argument, field_name)
+        for argument, field_name in FORM_WORDS if self.form else ():
+            text = re.sub(argument, field_name, text)
         return text
 
     def _repr_html_(self) -> str:
@@ -258,6 +259,8 @@ class Examination:
     def _blocks(self) -> Iterator[str]:
         readings = self.readings
         yield f'<p class="your-robot-answer{" your-robot-unread" * bool(self.unread)}"><strong>{escape(self.sentence)}</strong></p>'
+        if self.unread:
+            return
         for number, text in enumerate(readings):
             head, *changes = map(escape, text.splitlines())
             lead = ("Either: ", "Or: ")[number] if len(readings) > 1 else ""
