@@ -32,6 +32,9 @@ LINK_TARGETS = {
 OUTPUT_LINK = re.compile(r'href="([\w./]+)\.(?:ipynb|md)(?:#([^"]*))?"')
 """A link in the output of a cell: to a section to re-read, or in an explanation. Sphinx does not resolve links in HTML."""
 
+TO_RUN = re.compile(r"Replace the `\.\.\.` in each answer cell, run the cell, and then run the check below it\.\s+")
+"""What a sheet says to do in Jupyter; its page says at the top what to do there."""
+
 SAMPLE_NOTE = """\
 :::{{note}}
 :class: kinlib-sample
@@ -147,10 +150,11 @@ def link_to_page(found: re.Match[str]) -> str:
 
 
 def without_cards(notebook: NotebookNode, path: Path) -> NotebookNode:
-    """Remove the cards of a sheet, which only say that no problem has been answered yet, and add a note on the numbers."""
+    """Remove from a sheet the cards, which only say that nothing is answered yet, and how a notebook is answered; add a note."""
     for cell in notebook.cells:
         if cell.get("id", "").startswith(("check-", "tally", "open")):
             cell.outputs = []
+    notebook.cells[0].source = TO_RUN.sub("", notebook.cells[0].source)
     note = SAMPLE_NOTE.format(path=f"files/sheets/{path.name}")
     notebook.cells.insert(1, nbformat.v4.new_markdown_cell(note, id="sample"))
     return notebook

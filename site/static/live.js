@@ -32,7 +32,7 @@
     stores()
       ? 'Your answers are kept in this browser.'
       : 'This browser keeps no answers: do not close this page before the end.',
-    'When you are done, download the notebook with your answers and hand it in.',
+    'When you are done, download the notebook with your answers at the end of this page, and hand it in.',
     `The first check loads Python, ${PYTHON_SIZE}, which this browser keeps.`,
   ].join(' ');
   const SAMPLE_ID = /^(student = )"([^"\\\n]*)"$/m; // in the cell that opens the sheet
@@ -130,7 +130,7 @@
   }
 
   /** Say how much will be loaded, and go on with `then` if the reader agrees. */
-  function ask(cell, then, refused = () => {}) {
+  function ask(cell, then, refused = () => {}, place = (box) => cell.place(box)) {
     const before = document.activeElement;
     document.querySelector('.kinlib-live-ask')?.remove();
     const button = (label, onclick) => h('button', { type: 'button', class: 'kinlib-button', onclick }, label);
@@ -155,7 +155,7 @@
       else cell.runButton.focus();
       next();
     }
-    cell.place(box);
+    place(box);
     box.querySelector('button').focus();
   }
 
@@ -167,6 +167,7 @@
   let executed = new Map(); // each cell that this Python has run, with the code that it had
   let widgets = null;
   let inView; // what observes the problems of a sheet
+  let shown = ''; // the id whose numbers each problem gets when the reader comes to it
 
   function startPython(cell) {
     if (worker) return;
@@ -203,6 +204,7 @@
     worker = null;
     executed = new Map();
     inView?.disconnect();
+    shown = '';
     for (const { kinlibModel } of document.querySelectorAll('[data-kinlib-viewer], [data-kinlib-film]'))
       kinlibModel?.connect(null);
     clearTimeout(stalled);
@@ -299,7 +301,12 @@
   function markStale() {
     for (const cell of cells) {
       if (cell.role === 'show') cell.cover(cell.madeFrom !== madeFrom(cell));
-      if (cell.role === 'check') cell.markCard(cell.madeFrom !== madeFrom(cell));
+      if (cell.role !== 'check') continue;
+      if (cell.madeFrom !== undefined && cell.madeFrom.split('\0')[0] !== cells[0].source()) {
+        cell.dropCard(); // of another id
+        cell.status.textContent = '';
+      }
+      cell.markCard(cell.madeFrom !== madeFrom(cell));
     }
   }
 
@@ -311,9 +318,12 @@
 
   /** Show the numbers of the id at the top, if the reader has typed one and has agreed to load Python. */
   function showMyNumbers() {
+    for (const cell of cells) if (cell.role === 'check' && cell.madeFrom === undefined) cell.restore();
     if (!ownId() || !hasAgreed()) return;
+    shown = ownId();
     run(cells.find(({ role }) => role === 'show'));
     showInView();
+    markStale();
   }
 
   const isCurrent = (cell) => executed.get(cell) === cell.source();
@@ -384,8 +394,13 @@
     /** A field for the id of the student, from which the numbers of the sheet come. */
     askForId() {
       const id = () => SAMPLE_ID.exec(this.source())?.[2] ?? '';
-      const field = h('input', { autocomplete: 'off', value: id() });
+      const field = h('input', { id: 'your-id-field', autocomplete: 'off', value: id() });
+      let edited = false; // since the numbers were asked for: then nothing is written into the field
+      field.addEventListener('input', () => {
+        edited = true;
+      });
       const use = () => {
+        edited = false;
         const text = this.source().replace(SAMPLE_ID, (_, before) => `${before}${JSON.stringify(field.value.trim())}`);
         this.edit(text, false);
         if (!ownId()) said.textContent = 'Type your own id first.';
@@ -402,18 +417,30 @@
       const said = h('span', { class: 'kinlib-live-note', role: 'status' });
       this.sayId = (text) => {
         said.textContent = text;
-        if (field.value !== id()) field.value = id(); // typed in another tab, or in the cell
+        if (!edited) field.value = id(); // typed in another tab, or in the cell
       };
       const row = h(
         'p',
         { class: 'kinlib-live-id', id: 'your-id' },
-        h('label', {}, 'Your id ', field),
+        h('label', { for: 'your-id-field' }, 'Your id'),
+        ' ',
+        field,
         ' ',
         button,
         ' ',
         said,
       );
       this.element.before(row);
+      this.element.replaceWith(
+        h('details', { class: 'kinlib-opening' }, h('summary', {}, 'The code that opens the sheet')),
+      );
+      row.nextElementSibling.append(this.element);
+      const skip = document.querySelector('.skip-to-content');
+      skip?.replaceChildren('Skip to your id');
+      skip?.addEventListener('click', (event) => {
+        event.preventDefault();
+        field.focus();
+      });
     }
 
     /** Cover a problem whose numbers belong to another id, and say what to do; or uncover it. */
@@ -427,8 +454,12 @@
       const id = ownId();
       const toField = () => document.querySelector('#your-id input').focus();
       const link = h('button', { type: 'button', class: 'kinlib-button', onclick: toField }, 'at the top');
+      const own = h('strong', {}, id);
+      const later = ['This problem will have the numbers of the id ', own, ': press Show my numbers ', link, '.'];
+      const coming = ['The numbers of the id ', own, ' appear here when you come to this problem.'];
+      const asked = id === shown ? coming : later;
       const todo = id
-        ? ['This problem will have the numbers of the id ', h('strong', {}, id), ': press Show my numbers ', link, '.']
+        ? asked
         : ['This problem has numbers of your own: type your id ', link, ', and press Show my numbers.'];
       const look = () => {
         this.isExample = true;
@@ -459,7 +490,8 @@
 
     /** Put a message where it is seen, also if the code is folded. */
     place(message) {
-      if (this.output) this.output.before(message);
+      if (this.role === 'open') document.getElementById('your-id').after(message);
+      else if (this.output) this.output.before(message);
       else this.tools.after(message);
     }
 
@@ -578,6 +610,7 @@
       this.status.textContent = text;
       this.nameButton(this.runLabel);
       this.element.removeAttribute('aria-busy');
+      if (this.failed) this.element.closest('.kinlib-opening')?.setAttribute('open', '');
       if (!ran || this.failed) this.refused?.();
       this.refused = null;
       if (ran && this.asked) spoken.textContent = `Cell ${this.number}: ${text}`;
@@ -816,19 +849,25 @@
     event.preventDefault();
     run(cell, event.detail.refused);
   });
-  // your_robot.js writes what its form says into a cell, and runs it
+  // your_robot.js writes what its form says into a cell, and runs it and others
   document.addEventListener('kinlib-run', ({ detail }) => {
-    const cell = cells.find(({ element }) => element.contains(detail.element));
-    if (detail.source) cell.edit(detail.source, false);
-    cell.files = detail.files;
-    cell.status.textContent = '';
-    run(cell);
+    const some = cells.filter(({ element }) => detail.elements.some((each) => element.contains(each)));
+    const start = () => {
+      detail.start?.();
+      if (detail.source) some[0].edit(detail.source, false);
+      for (const cell of some) cell.status.textContent = '';
+      some[0].files = detail.files;
+      for (const cell of some) run(cell);
+    };
+    if (hasAgreed()) start();
+    else ask(some[0], start, undefined, detail.place);
   });
   const button = h('button', { type: 'button', class: 'kinlib-button', onclick: download }, 'Download with my answers');
   const downloaded = h('p', { role: 'status' });
+  if (SHEET) cells.at(-1).element.after(h('p', {}, button), downloaded);
   note.replaceChildren(
     ...(SHEET
-      ? [SHEET_INTRODUCTION, h('p', {}, button), downloaded]
+      ? [SHEET_INTRODUCTION]
       : [
           h(
             'details',

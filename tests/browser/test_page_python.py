@@ -97,6 +97,8 @@ def test_a_sheet_is_answered_on_its_page_graded_with_its_points_and_opened_witho
         server.shutdown()
         server.server_close()
         page.reload()
+        field = page.get_by_label("Your id")
+        field.fill("grace")
         assert "screws_1 = np.array" in answer.locator("textarea").input_value()
         # the numbers of the id come by themselves, and the card of the answer is there, until the answer changes or fails
         expect(page.locator(".kinlib-live-id")).to_contain_text(
@@ -104,12 +106,23 @@ def test_a_sheet_is_answered_on_its_page_graded_with_its_points_and_opened_witho
         )
         card = check.locator(".cell_output")
         expect(card).to_contain_text("03.1: Right")
+        another_id_and_back(page, field, show, card)
         answer.locator("textarea").fill("screws_1 = [")
         expect(check).to_contain_text("This card belongs to an answer that you have changed since")
         press(page, check.get_by_role("button", name="Check"))
         expect(answer.locator(".cell_output")).to_contain_text("SyntaxError", timeout=PYTHON_TIMEOUT_MS)
         expect(card).to_have_text("")
     assert_graded(folder, "2")
+
+
+def another_id_and_back(page, field, show, card):
+    """An id that was typed while Python loads stays; the card of another id goes, and comes back with it."""
+    assert field.input_value() == "grace"
+    press(page, show)
+    expect(card).to_have_text("")
+    field.fill(STUDENT)
+    press(page, show)
+    expect(card).to_contain_text("03.1: Right")
 
 
 def test_a_problem_is_covered_until_it_has_the_numbers_of_an_id(chromium_without_webgl, pages):
