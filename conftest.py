@@ -14,9 +14,7 @@ sys.dont_write_bytecode = False
 BROWSER = ("tests/browser/", "tests/site/")
 """The folders whose tests use a browser."""
 
-WITHOUT_SITE = [
-    f"tests/browser/test_{name}.py" for name in ("viewer_browser", "players_browser", "jupyterlab", "planar_arm")
-]
+WITHOUT_SITE = [f"tests/browser/test_{name}.py" for name in ("viewers", "jupyterlab", "planar_arm")]
 FIRST = ("notebooks/", "exercises/", WITHOUT_SITE[0], "tests/browser/test_browser_lab.py", *WITHOUT_SITE[1:], *BROWSER)
 """What starts first, so that workers seldom wait for each other: the notebooks, whose outputs the site takes; one file while
 another worker runs the last of them; a file that builds the site; what needs no site, meanwhile; and then what needs it."""
