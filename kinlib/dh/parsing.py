@@ -102,7 +102,7 @@ def parse_headings(cells: Sequence[str]) -> list[Heading]:
 def parse_heading(head: str) -> Heading:
     """Read a single heading."""
     plain = head.strip().strip("\"'`*:").replace("\\", "").replace("$", "")
-    if re.search(r"[⁻⁺]|min|max|lim|range", plain):  # of a joint
+    if len(plain) > MAX_ENTRY_LENGTH or re.search(r"[⁻⁺]|min|max|lim|range", plain):  # limits of a joint
         return Heading(plain.lower())
     unit = ""
     if found := HEADING_UNIT.search(plain):

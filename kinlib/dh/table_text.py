@@ -50,7 +50,7 @@ TOOL_WORDS = re.compile(r"\b(flange|tool|hand|tcp|end.?effector|ee|fixed|gripper
 LABEL = re.compile(r"\b(joint|link|axis|j|l|link_?joint|row|frame)[\s_-]?(\d+)\b", re.IGNORECASE)
 
 REPLACEMENTS = [
-    (r"\x1b\[[0-9;]*m|[\u200b\u200e\ufeff]", ""),
+    (r"\x1b\[[0-9;]*m|[\u200b\u200e\ufeff]|(?<= {99}) +", ""),
     (r"<\w+\s([^<>]*\balpha\s*=[^<>]*?)/?>", r"{\1}"), (r"</t[dh]>\s*<t[dh][^>]*>", " | "), (r"</?(?:tr|table|br|p)\b[^>]*>", "\n"),
     (r"<su[bp]>(.*?)</su[bp]>", r"_\1"), (r"<[a-zA-Z/][^>]{0,200}>", " "),
     (r"\\(?:begin|end)\{\w+\*?\}(?:\{[^}]*\})?|\\(?:hline|(?:top|mid|bottom)rule|cline\{[^}]*\})", "\n"),
@@ -433,11 +433,13 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
 def _in_lines(text: str) -> str:
     """Write each row of an array in a line, without brackets, and a comment only if it is a heading."""
     text = re.sub(r"\[(mm?|cm|rad|deg|°)\]", r"(\1)", text)
-    if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]*;", text):
+    if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]{,999};", text):
         text = re.sub(r"[\]})]\s*,\s*['\"]?\w+['\"]?\s*[:=]\s*(?=[\[{(])", "\n", text)  # another one
         text = re.sub(r"(?m)^(?:[^\n#%/=]*=|[^\n#%/]*?[=(:])\s*(?=[\[{])", "", text)  # the name of an array
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
-    text = re.sub(r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.*\balpha\b)", "\n# ", text)  # a heading as the comment of a row
+    text = re.sub(
+        r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.{,99}\balpha\b)", "\n# ", text
+    )  # a heading as the comment of a row
     return re.sub(r"(?m)(?<=[\d,;i])[ \t]+(?:#|//|%)[ \t].*$", "", text)  # and what is none
 
 
