@@ -99,7 +99,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("robot", metavar="robot.urdf", help="the URDF of the robot")
     parser.add_argument("--out", required=True, metavar="FOLDER", help="the folder of the sheet: solutions/my_robot")
     parser.add_argument("--base", metavar="LINK", help="the link whose frame is the robot's base (default: the root)")
-    parser.add_argument("--tip", metavar="LINK", help="the link whose frame is its flange (default: the end of the arm)")
+    parser.add_argument(
+        "--tip", metavar="LINK", help="the link whose frame is its flange (default: the end of the arm)"
+    )
     parser.add_argument("--name", help="the name of the robot in statements (default: as in its file)")
     parser.add_argument("--force", action="store_true", help="overwrite a sheet that is already there")
 
