@@ -211,7 +211,8 @@ def which_order(sampler: ArmSampler) -> Problem:
         f"joint {names[3]} moves.\n\nLet $e_a = e^{{[S_a]q_a}}$ and so on, with the screw axes in {{s}} at home. Give the "
         f"factors of $T(q)$ from "
         "left to right, as a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
-        further="Which factors move the end-effector if only the first joint of the chain moves?",
+        method=JOINT_ORDER_ADVICE,
+        further="Two neighbouring joints are prismatic. Why may their factors change places?",
         given={"rides_on": dict(rides_on)},
         answer=Ordering([*(f"e_{name}" for name in names), "M"]),
         mistakes=factor_order_mistakes(
@@ -322,7 +323,7 @@ def longer_tool(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The tool of this arm is replaced by a tool that is {number(longer)} m longer along its own $z$ axis. "
         f"Give $T(q)$ of the new tool at $q = {vector(q)}$.\n\n$$S = {matrix(robot.screws)}, \\qquad M = {matrix(robot.home)}$$",
-        further="For which joint values do the old and the new tool have the same orientation?",
+        further="Which column of $T(q)$ does the longer tool change, and by which vector?",
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws, "home": robot.home, "longer": longer, "q": q},
         answer=PoseAnswer(T),
@@ -380,8 +381,9 @@ def screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
                 continue
             # A link along the axis leads to another point of the same axis.
             across = [link for link in links[: i + 1] if abs(link.value @ axis) < 1e-9]
-            point = total(*across).named(f"p_{i + 1}")
+            point = total(*across)
             if len(across) > 1:
+                point = point.named(f"p_{i + 1}")
                 text = f"measure the point of joint {i + 1} from joint {i} instead of from {{s}}"
                 point = point.mistaken_for(("from the joint before", text, links[i]))
             points.append(point)
@@ -444,6 +446,7 @@ def kinematics_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"This is the arm of Problems 9 and 10. Write a function `fk(q, L)` that takes the {n} joint values $q$ ({units}) and "
         f"the lengths {_listed(robot)}, and returns $T(q)$. The check calls it with values of its own.",
+        method="The screws $S_i$ are those of Problem 10, and $M$ is that of Problem 9.",
         further="Which entries of $T(q)$ do not depend on the last joint value?",
         figure=partial(draw_lettered_chain, robot.chain, robot.letters),
         answer=Function(lambda q, lengths: robot.with_lengths(lengths).fk(q), PoseAnswer(robot.chain.home), inputs),
@@ -529,11 +532,11 @@ def _links(robot: LetteredArm, lengths: Mapping[str, float]) -> list[Expression]
     sizes = list(lengths.values())
     links = []
     for i, (letter, along) in enumerate(zip(robot.letters, robot.links, strict=True)):
-        link = given(letter, sizes[i] * along, LENGTH)
+        link = given(f"{letter}\\,{vector(along)}", sizes[i] * along, LENGTH)
         for j in {i - 1, i + 1} & set(range(len(sizes))):
             text = f"use ${robot.letters[j]}$, where ${letter}$ belongs"
             link = link.mistaken_for(("another length", text, sizes[j] * along))
-        links.append(link.mistaken_for(("term left out", f"leave out ${letter}$", 0 * along)))
+        links.append(link.mistaken_for(("term left out", f"leave out ${link.latex}$", 0 * along)))
     return links
 
 

@@ -176,7 +176,7 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Give the position of the origin of `joint_3` in the frame of the base when all joint values are 0. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
-        further="Which `xyz` can you change without moving the origin of joint 3?",
+        further="Which `rpy` can you change without moving the origin of `joint_3`?",
         shown={"urdf": text},
         answer=VectorsAnswer(p, unit="m"),
         advice={
@@ -311,6 +311,12 @@ def which_line(sampler: ArmSampler) -> Problem:
         statement=f"By the URDF specification, exactly one element of this file is wrong. These rules are enough to find it:\n\n{rules}\n\n"
         "In which line is it, and which number must stand there in place of the first wrong one? Give both, such as `[7, 0.5]`. Lines "
         f"count from 1.\n\n{fence_urdf(_number_lines(lines))}",
+        method={
+            "limits swapped": f"In line {wrong} the lower limit, {number(written[0])}, is above the upper one.",
+            "another length": f"The axis in line {wrong} has the length 2.",
+            "degrees": f"The `rpy` in line {wrong} has an angle of 90, which is a right angle in degrees.",
+        }[fault]
+        + " The line, and the number that must be in it:",
         further="Which of the rules would a reader that only draws the robot never check?",
         given={"urdf": text},
         answer=FaultyLineAnswer(at_line(wrong), lines=lines, joint=range(begins[where], line_of(where, "</joint") + 1)),
@@ -444,6 +450,13 @@ def origin_or_axis(sampler: ArmSampler) -> Problem:
         f"lengths are in metres.\n\n{_data_sheet(joints, origins, axes)}\n\nExactly one line of the file is wrong. Which one, and which "
         "three numbers must stand in it, as `rpy` or as `axis`? Give four numbers, such as `[7, 0, 0, 1]`. Lines count from 1. "
         f"{ROUNDING_NOTE}\n\n{fence_urdf(_number_lines(lines))}",
+        method=f"`{joints[k].name}` is the first whose row disagrees with the data sheet: its axis has another direction. "
+        + (
+            "The next origin disagrees as well, so its frame is rotated wrongly: its `rpy` is wrong."
+            if is_origin
+            else "All origins agree, so its frame is right: its `axis` is wrong."
+        )
+        + " The line, and the three numbers:",
         further="Which single measurement tells a wrong origin from a wrong axis?",
         given={"urdf": "\n".join(lines), "origins": np.array(origins), "axes": np.array(axes)},
         answer=FaultyLineAnswer(at_line(answer), lines=lines, joint=range(begins[k], begins[k + 1])),
@@ -560,7 +573,7 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
         ("frame not changed", "take the value of `fold` from the $x$ axis of the base instead of that of `boom`", q_2)
     )
     first, second = polar(length("boom", boom), q), polar(length("forearm", forearm), from_base)
-    in_plane = first.named("\\text{the step along the boom}") + second.named("\\text{the step along the forearm}")
+    in_plane = first.named("p_{\\mathrm{boom}}") + second.named("p_{\\mathrm{forearm}}")
     swapped = polar(forearm, q) + polar(boom, from_base)
     unturned = np.array([boom, 0.0]) + polar(forearm, q_2)
     straight = np.array([boom + forearm, 0.0])
@@ -573,8 +586,8 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
     )
     x = concatenate(in_plane, given("z", height).mistaken_for(("coordinate left out", "take the height as 0", 0.0)))
     return Problem(
-        statement=f"The joint `swing` of this file has the value $q_1 = {number(q_rad)}$ rad. Give the position of the origin of the link "
-        f"`tool` in the frame of the base.\n\n{fence_urdf(text)}",
+        statement=f"The joint `swing` of this file has the value $q_1 = {number(q_rad)}$ rad; call that of `fold` $q_2$. Give the "
+        f"position of the origin of the link `tool` in the frame of the base.\n\n{fence_urdf(text)}",
         further="Which multiplier keeps the direction of the forearm fixed in the base?",
         given={"q": q_rad},
         shown={"urdf": text},
@@ -597,7 +610,7 @@ def _mimic_value(q: Expression, multiplier: Expression, offset: Expression) -> E
         ("radians as degrees", "read the offset as degrees", multiplier * q + np.radians(offset.value)),
         advice=MIMIC_ADVICE,
     )
-    return q_2.named("\\text{the value of fold}")
+    return q_2.named("q_2")
 
 
 WRONG_FRAME_ADVICE = (
@@ -670,6 +683,9 @@ def gantry(sampler: ArmSampler) -> Problem:
         statement="The drawing shows a gantry at home, in millimetres: three prismatic joints, with their frames at F1, F2 and F3, "
         "and the tool at T. All frames are parallel to {s}, which is the root of the file. Give the `xyz` of the origins of joints 1 to 3 "
         "and of the fixed joint to the tool, as rows, in metres.",
+        method="All frames are parallel, so each `xyz` is the step from one mark to the next: "
+        + ", ".join(f"{name} is at ${vector(p)}$" for name, p in zip(("F1", "F2", "F3", "T"), points, strict=True))
+        + ".",
         further="Which of the four steps would change if the third axis were reversed?",
         figure=lambda: draw_dimensions(
             [bridge * (1, 1, 0), *points], drawn, dict(zip(("F1", "F2", "F3", "T"), points, strict=True))
@@ -692,10 +708,10 @@ def accepted_and_wrong(_: ArmSampler) -> Problem:
         "and the robot moves wrongly. Say which line it is, what it does, and with which test a colleague who knows only the "
         "machine would find it. Which line would he suspect first, and why is it innocent?",
         answer=Prose(
-            "Negate the axis of `swing`, or change the multiplier of the mimic joint: at home all joint values are 0, so neither is "
-            "seen there, and each remains a valid number. A colleague moves one joint by a known angle and measures one point: the "
-            "sign of the motion shows the axis, its size the multiplier. He would suspect the origin of the next joint, because the "
-            "tool is off by a length there; but at home that length is right.",
+            "Negate the axis of `swing`, or change the multiplier of the mimic joint: at home `swing` is 0, so its axis is not seen "
+            "there, and neither is the multiplier of this 0; each remains a valid number. A colleague moves one joint by a known angle "
+            "and measures one point: the sign of the motion shows the axis, its size the multiplier. He would suspect the origin of the "
+            "next joint, because the tool is off by a length there; but at home that length is right.",
             {
                 "a line with a fault that is valid and does not change the home pose": 1,
                 "a test that finds it, with what is measured": 1,

@@ -152,7 +152,12 @@ class Expression:
     @property
     def formula(self) -> str:
         """The operation on its arguments in LaTeX, without its own name; "" for a given value."""
-        return self.operation.latex(*map(self._bracketed, self.arguments)) if self.arguments else ""
+        text = self.operation.latex(*map(self._bracketed, self.arguments)) if self.arguments else ""
+        for inner in {self._bracketed(node) for node in self.arguments} - {node.latex for node in self.arguments}:
+            # Between brackets or commas an argument needs no brackets of its own.
+            alone = rf"(?<=[(|{{,])( ?){re.escape(inner)}(?=[)|}},])"
+            text = re.sub(alone, "\\1" + inner[1:-1].replace("\\", "\\\\"), text)
+        return text
 
     def _bracketed(self, node: "Expression") -> str:
         is_loose = not node.label and len(node.arguments) > 1 and node.operation.binds < self.operation.binds
