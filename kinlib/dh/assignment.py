@@ -317,7 +317,7 @@ def _steps(found: FrameAssignment) -> Iterator[AssignmentStep]:
         others = "Any other frame, with other numbers in the base and in the first row."
     yield AssignmentStep("first", 0, text, others)
     for pair, normal in enumerate(normals):
-        yield from _explain_link(chain, frames[pair + 1], pair, normal, standard)
+        yield from _explain_link(chain, frames[pair : pair + 2], pair, normal, standard)
     yield _explain_last_frame(chain, table, frames)
     for i, (a, alpha, d, theta) in enumerate(format_rows(table, variable="q_{}".format), start=1):
         k = i if standard else i - 1
@@ -337,7 +337,10 @@ def _joints(numbers: Sequence[int]) -> str:
     return f"joints {names} are" if len(numbers) > 1 else f"joint {names} is"
 
 
-def _explain_link(chain: Chain, T: Array, pair: int, normal: CommonNormal, standard: bool) -> Iterator[AssignmentStep]:
+def _explain_link(
+    chain: Chain, frames: Array, pair: int, normal: CommonNormal, standard: bool
+) -> Iterator[AssignmentStep]:
+    previous, T = frames
     i, j, frame = pair + 1, pair + 2, pair + 1
     length = format_number(float(np.linalg.norm(normal.end - normal.start)))
     text, others = CASES[normal.case].format(i=i, j=j, a=length), ALTERNATIVES[normal.case]
@@ -359,7 +362,9 @@ def _explain_link(chain: Chain, T: Array, pair: int, normal: CommonNormal, stand
     if has_length:
         direction = "along the common normal, from axis to axis"
     elif normal.case == "intersecting":
-        direction = "perpendicular to both axes, as near the previous x as possible"
+        is_tie = abs(normal.x @ previous[:3, 0]) <= PARALLEL_TOL_RAD
+        which = f"of the two directions that of axis {i} × axis {j}" if is_tie else "as near the previous x as possible"
+        direction = f"perpendicular to both axes, {which}"
     others = "" if normal.case in {"parallel", "antiparallel"} else ALTERNATIVES[normal.case]
     yield AssignmentStep("x", frame, f"x_{frame} is {direction}: {format_vector(normal.x)}.", others)
     text = f"y_{frame} = z_{frame} × x_{frame} completes a right-handed frame: {format_vector(T[:3, 1])}."
