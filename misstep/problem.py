@@ -216,11 +216,13 @@ class Problem:
         """
         if (solution := self._first_solution) is None:
             return
+        told = set[int]()
         for k, mutation in enumerate(solution.mutations):
             slip = mutation.slip
             first = None if separating and slip.may_coincide else solution.mutant(mutation)
-            if first is None or not is_near(value_of(first)):
+            if first is None or id(first) in told or not is_near(value_of(first)):
                 continue
+            told.add(id(first))  # the inverse of an inverse is an inverse left out
             if len({len(solution.mutations) for solution in self._solutions}) > 1:
                 raise ValueError("The solution must have the same changes at each input; their numbers differ.")
             others = [other.mutant(other.mutations[k]) for other in self._solutions[1:]]

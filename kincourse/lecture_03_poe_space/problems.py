@@ -254,7 +254,7 @@ def camera_on_a_link(sampler: ArmSampler) -> Problem:
         *(
             ("another link", f"multiply the factors of joints 1 to {i}", product(*factors[:i], M), f"Joints 1 to {k} move link {k}.")
             for i in (1, 2, 3, 4)
-            if i != k
+            if i not in {k, k - 1}
         ),
         ("joint of the link alone", f"use the factor of joint {k} alone", product(factors[k - 1], M), "All joints below it move it too."),
         ("another joint value", "take for each joint the value of the next one",

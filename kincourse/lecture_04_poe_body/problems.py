@@ -17,14 +17,12 @@ from kincourse.expressions.poses import pose as given_pose
 from kincourse.expressions.screws import (
     change_frame,
     change_frame_of_rows,
-    direction,
     drawn_revolute,
     exponentials,
     forward_kinematics,
     joint_screws,
     joint_values,
     read_screws,
-    revolute,
     screw_axes,
 )
 from kincourse.mistakes.factor_order import factor_order_mistakes
@@ -76,15 +74,16 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
         ("another joint", f"give the body screw of joint {neighbour + 1}", robot.body_screws[neighbour]),
         ("frame not changed", "read the axis in {s}", robot.screws[joint - 1]),
         (
+            "negative for inverse",
+            "negate $M$ instead of inverting it",
+            change_frame(-robot.home, robot.screws[joint - 1]),
+        ),
+        (
             "rotation left out",
             "measure from the origin of {b}, but along the axes of {s}",
             screw(robot.screws[joint - 1, :3], robot.joint_points[joint - 1] - origin),
         ),
     )
-    S = revolute(
-        direction(f"\\omega_{joint}", robot.screws[joint - 1, :3]), given(f"p_{joint}", robot.joint_points[joint - 1])
-    )
-    B = B.also_by(change_frame(inverse(given_pose("M", robot.home)), S.named(f"S_{joint}")))
     return Problem(
         statement=f"Read the body screw of joint {joint} off the drawing: give the direction and the moment of its axis in the frame "
         "{b} of the end-effector. All joints are revolute; coordinates are whole metres.",
@@ -214,11 +213,6 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
             product(*e[k:], home, *e[:k]),
         )
     )
-    for name, text, wrong in (
-        ("M twice", "multiply by $M$ twice, after joint 2 and at the end", [*e[:k], home, *e[k:], home]),
-        ("M twice", "multiply by $M$ twice, in front and after joint 2", [home, *e[:k], home, *e[k:]]),
-    ):
-        T = T.mistaken_for((name, text, product(*wrong).value))
     return Problem(
         statement=f"The screw axes of the first two joints of this arm are given in {{s}}, the others in {{b}}: the rows below are "
         f"$S_1, S_2, B_3, B_4$. The joint values are {words}. Give $T(q)$.\n\n$${matrix(mixed)}$$\n\n$$M = {matrix(robot.home)}$$",

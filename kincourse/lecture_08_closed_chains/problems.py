@@ -89,10 +89,7 @@ def slider(sampler: ArmSampler) -> Problem:
     x = x.mistaken_for(
         ("lengths swapped", "swap crank and rod, and take the root of the size of a negative number", swapped)
     )
-    for text, wrong in (
-        ("measure $x$ from the leftmost place of B", x + crank),
-        ("measure $x$ from B", x - crank * np.cos(np.radians(degrees))),
-    ):
+    for text, wrong in (("measure $x$ from the leftmost place of B", x + crank),):
         x = x.mistaken_for(("another origin", text, wrong, "$x$ is measured from A."))
     linkage = linkages.slider_crank(crank, rod, offset)
     side = "above" if offset > 0 else "below"
@@ -190,11 +187,7 @@ def gap_of_points(sampler: ArmSampler) -> Problem:
     over_D = (D_point + polar(rocker, D)).named("p_2")
     gap = (over_B - over_D).mistaken_for(
         ("sign", "subtract the end of the first branch from that of the second", over_D - over_B),
-        ("one branch", "give the end of the first branch alone", over_B),
         ("one branch", "give the end of the second branch alone", over_D),
-        ("sum for difference", "add the two ends", over_B + over_D),
-        ("coupler left out", "end the first branch at B", polar(crank, A) - over_D),
-        ("crank left out", "begin the first branch at B", polar(coupler, angle) - over_D),
         ("bars added", "lay all bars along $x$", np.array([crank.value + coupler.value - ground.value - rocker.value, 0.0])),
     )  # fmt: skip
     listed = ", ".join(f"${name} = {angle}°$" for name, angle in zip("ABD", degrees, strict=True))
@@ -508,7 +501,6 @@ def wiper(sampler: ArmSampler) -> Problem:
     other_sign = [np.sqrt(ground**2 + rocker**2 - 2 * ground * rocker * np.cos(x)) for x in np.radians(degrees)]
     swing = np.radians(degrees[1] - degrees[0])
     for name, text, wrong in (
-        ("lengths swapped", "give the coupler first", (coupler, crank)),
         ("not halved", "give the difference and the sum, without halving them", (2 * crank, 2 * coupler)),
         ("distances themselves", "give the two distances from A to C", (r_1, r_2)),
         ("another corner", "take the angle at D to the ground line instead of the angle from the $x$ axis",

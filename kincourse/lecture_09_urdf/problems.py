@@ -100,7 +100,6 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
     back = "in the frame of `joint_3`"
     return p.mistaken_for(
         ("frame not changed", "use the `xyz` of `joint_3` as it is, which is in the frame of its parent", p3),
-        ("another joint", "stop at the origin of `joint_2`", p1 + R1 @ p2),
         ("joint left out", "leave out `joint_2`", p1 + R1 @ p3),
         ("joint left out", "leave out `joint_1`", p2 + R2 @ p3),
         ("order", "swap `joint_1` and `joint_2`", p2 + R2 @ (p1 + R1 @ p3)),

@@ -25,6 +25,8 @@ UNCHECKED = {"another row", "millimetres", "degrees"}
 SENTENCE_END = re.compile(r"(?<=[.!?]) ")
 """The space between two sentences."""
 
+FORMULA = re.compile(r"\$([^$]*)\$")
+
 MAX_LENGTH = 400
 """How many characters the message of a finding has; further stories and advice are left out."""
 
@@ -163,6 +165,13 @@ def _distinct(mistakes: Sequence[Mistake]) -> list[Mistake]:
     return [mistake for mistake in mistakes if by_name[mistake.names] is mistake]
 
 
+def _is_same_slip(one: Mistake, other: Mistake) -> bool:
+    """Return whether the same is done to two expressions, one of which is a part of the other: a term, and its first factor."""
+    (did, short), (same, long) = sorted((FORMULA.sub("$", x.did), FORMULA.findall(x.did)) for x in (one, other))
+    contained = all(a in b or b in a for a, b in zip(short, long, strict=False))
+    return bool(did) and contained and same.startswith(did)
+
+
 def message_of(mistakes: Sequence[Mistake], whole: bool) -> str:
     r"""Return the message for mistakes that cannot be told apart: at most two of them, with different names.
 
@@ -174,8 +183,10 @@ def message_of(mistakes: Sequence[Mistake], whole: bool) -> str:
     >>> message_of([Mistake("order", 1, "You swapped them."), Mistake("sign", 1, "You forgot a sign.")], whole=True)
     'You swapped them. Or: You forgot a sign.'
     """
-    first, *others = mistakes
-    other = next((one for one in others if one.did != first.did or not first.did), None)
+    first = min(
+        (one for one in mistakes if _is_same_slip(one, mistakes[0])), key=lambda one: len(one.did), default=mistakes[0]
+    )
+    other = next((one for one in mistakes if one is not first and not _is_same_slip(one, first)), None)
     if other is None:
         return first.message if whole else first.part
     if not (first.did and other.did):

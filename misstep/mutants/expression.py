@@ -86,7 +86,7 @@ class Operation:
             return nodes[0].arguments[0]
         if self.associative:
             # A part with a name of its own stays one part, because the author thinks of it as one.
-            merged = [node.operation is self and not (node.label or node.alternatives or node.ways) for node in nodes]
+            merged = [node.operation is self and not (node.label or node.alternatives) for node in nodes]
             nodes = [
                 part
                 for node, is_merged in zip(nodes, merged, strict=True)
@@ -106,7 +106,6 @@ class Expression:
     known         the value, if it is given
     label         its own name in LaTeX
     alternatives  the changes that belong to this place of this problem alone
-    ways          other expressions for the same value, whose changes are mistakes as well
 
     >>> a, b = given("a", 2.0), given("b", 3.0)
     >>> (a * b - a).value
@@ -120,7 +119,6 @@ class Expression:
     known: Any = field(default=None, repr=False)
     label: str = ""
     alternatives: tuple[Slip, ...] = field(default=(), repr=False)
-    ways: tuple["Expression", ...] = field(default=(), repr=False)
 
     __iter__ = None  # an entry is an expression for every index, so a loop would not end
     __array_ufunc__ = None  # so that an array to the left of an operator leaves the operation to the expression
@@ -197,19 +195,6 @@ class Expression:
             for name, text, other, *why in slips
         ]  # fmt: skip
         return replace(self, alternatives=(*self.alternatives, *further))
-
-    def also_by(self, way: "Expression") -> "Expression":
-        """Return the same expression with another way to its value, which people take as well and in which they go wrong.
-
-        Raises ValueError if it leads to another value.
-
-        >>> a, b = given("a", 2.0), given("b", 3.0)
-        >>> (a * a - b * b).also_by((a - b) * (a + b)).value
-        -5.0
-        """
-        if not np.allclose(way.value, self.value):
-            raise ValueError(f"Both ways must lead to the same value; they lead to {self.value} and to {way.value}.")
-        return replace(self, ways=(*self.ways, way))
 
     @property
     def T(self) -> "Expression":
