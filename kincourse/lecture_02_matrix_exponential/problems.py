@@ -186,7 +186,6 @@ def three_terms(sampler: ArmSampler) -> Problem:
             "add the errors of sine and cosine, which are perpendicular",
             abs(along.value) + abs(across.value),
         ),
-        ("root left out", "leave out the square root", along.value**2 + across.value**2),
         ("chord", "give the distance by which the point moves", 2 * np.sin(angle / 2)),
         ("arc", "give the length of the arc on which the point moves", angle),
         ("scalar series", "take the series of the number $e^\\theta$", np.exp(angle) - 1 - angle - angle**2 / 2),

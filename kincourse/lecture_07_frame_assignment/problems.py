@@ -68,7 +68,6 @@ def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
         ("sign of the displacement", "move joint 2 the other way", (2 * a_1 - x, a_2 + x - a_1), "The new $a_1$ is the new place."),
         ("joint 2 at axis 3", "put joint 2 on axis 3", (a_1 + a_2, 0.0), "The other drawing has it at another place."),
         ("displacement as a_2", "leave $a_1$, and give the displacement as $a_2$", (a_1, x - a_1), "$a_1$ is the new place."),
-        ("sum kept", "give the sum as $a_2$, without subtracting $a_1$", (x, a_1 + a_2), "$a_2$ is measured from the new line."),
         ("position added", "add the new position to $a_2$", (x, x + a_2), "The sum $a_1 + a_2$ stays the same."),
         ("displacement as a_2", "give the displacement of joint 2 as $a_2$", (x, x - a_1), "$a_2$ is measured to axis 3."),
         ("position added", "add the new position to $a_1$", (a_1 + x, a_2 - x), "The new position is $a_1$ itself."),

@@ -178,12 +178,9 @@ def gap_of_points(sampler: ArmSampler) -> Problem:
     angle = (A + B).mistaken_for(
         ("relative angle", "take $B$ as the coupler's angle from the $x$ axis", B),
         ("relative angle", "subtract $B$ from $A$", A - B),
-        ("another angle", "take the coupler along the crank", A),
     )
     over_B = (polar(crank, A) + polar(coupler, angle)).named("p_1")
-    D_point = given("p_D", np.array([four_bar.ground, 0.0])).mistaken_for(
-        ("ground left out", "begin the second branch at A", np.zeros(2))
-    )
+    D_point = given("p_D", np.array([four_bar.ground, 0.0]))
     over_D = (D_point + polar(rocker, D)).named("p_2")
     gap = (over_B - over_D).mistaken_for(
         ("sign", "subtract the end of the first branch from that of the second", over_D - over_B),

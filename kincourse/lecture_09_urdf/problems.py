@@ -103,11 +103,9 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
         ("joint left out", "leave out `joint_2`", p1 + R1 @ p3),
         ("joint left out", "leave out `joint_1`", p2 + R2 @ p3),
         ("order", "swap `joint_1` and `joint_2`", p2 + R2 @ (p1 + R1 @ p3)),
-        ("rotation left out", "rotate each step by the `rpy` of its parent only", p1 + R1 @ p2 + R2 @ p3),
         ("translation rotated", "rotate each step by its own `rpy` alone", R1 @ p1 + R2 @ p2 + R3 @ p3),
         ("translation rotated", "rotate each step by its own `rpy` as well", R1 @ (p1 + R2 @ (p2 + R3 @ p3))),
         ("reversed", "go from the tip to the base", p3 + R3 @ p2 + R3 @ R2 @ p1),
-        ("rotation left out", "leave out $R_2$ for the step of `joint_3`", p1 + R1 @ (p2 + p3)),
         ("rotation left out", "leave out the rotation of the step of `joint_3`", p1 + R1 @ p2 + p3),
         ("rotation transposed", "transpose the rotations", p1 + R1.T @ p2 + (R1 @ R2).T @ p3),
         ("rotation left out", "add the three `xyz` without rotating them", p1 + p2 + p3),
@@ -207,11 +205,9 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
     own = a, 0 * p
     S = S.mistaken_for(
         ("own origin left out", "leave out the `origin` of `joint_3` itself", revolute(R1 @ R2 @ a, p1 + R1 @ p2)),
-        ("rotation left out", "leave out the `rpy` of `joint_3` itself", revolute(R1 @ R2 @ a, p)),
         ("frame not changed", "give the screw axis in the frame of `joint_3`", revolute(*own)),
         ("another joint", "give the screw axis of `joint_2`", revolute(R1 @ R2 @ z, p1 + R1 @ p2)),
         ("another joint", "give the screw axis of `joint_1`", revolute(R1 @ z, p1)),
-        ("sign of a vector", "reverse the axis", -S),
     )
     return Problem(
         statement=f"Give the screw axis of `joint_3` in the frame of the base. "
@@ -522,7 +518,6 @@ def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
         (stack(a + d, 0, 0), "d along x", "translate by $d$ along $x$"),
         (stack(a * cos(alpha), a * sin(alpha), d), "the other convention", "rotate $a$ as well"),
         (stack(0, -(d * sin(alpha)), d * cos(alpha)), "a left out", "leave out $a$"),
-        (stack(-a, -(d * sin(alpha)), d * cos(alpha)), "sign of a length", "take $a$ with the opposite sign"),
         (stack(a, 0, 0), "d left out", "leave out $d$"),
         (
             stack(a, -(d * np.sin(in_degrees)), d * np.cos(in_degrees)),
@@ -632,7 +627,6 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
         ("frame not changed", "use the `rpy` of `joint_3` only", R3.T @ w),
         ("rotation transposed", "use the `rpy` of `joint_3` only, without the transpose", R3 @ w),
         ("frame not changed", "use the `rpy` of `joint_1` only", R1.T @ w),
-        ("frame not changed", "leave out the `rpy` of `joint_3`", transpose(R1 @ R2) @ w),
         ("signs left out", "leave out the signs", absolute(transpose(R1 @ R2 @ R3) @ w)),
         ("another axis", "give the $z$ axis of the joint's frame", R1 @ R2 @ R3 @ given("z", Z)),
         advice=WRONG_FRAME_ADVICE,

@@ -117,7 +117,6 @@ def joint_origin(sampler: ArmSampler) -> Problem:
     step = (given("p_2", there) - given("p_1", here)).named("(p_2 - p_1)")
     step = step.mistaken_for(
         ("order", "take the vector from joint 2 to joint 1", here - given("p_2", there)),
-        ("sign", "add the two positions instead of subtracting them", here + given("p_2", there)),
     )
     xyz = R.T @ step
     for name, text, place in (

@@ -35,7 +35,6 @@ class Slip:
     one_by_one    whether people also do it in one of several places alone
     in_parts      whether one part of an answer can show it; otherwise only the whole answer does
     may_coincide  whether it may lead to the right answer for some numbers
-    credit        the fraction of the points that it leaves, because it is one of a problem before and all that follows is right
     spoils        whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
     """
 
@@ -47,7 +46,6 @@ class Slip:
     one_by_one: bool = True
     in_parts: bool = True
     may_coincide: bool = False
-    credit: float = 0.0
     spoils: bool = False
 
 
@@ -174,14 +172,12 @@ class Expression:
         self,
         *slips: tuple[Any, ...],
         advice: str = "",
-        credit: float = 0.0,
         spoils: bool = False,
         may_coincide: bool = False,
     ) -> "Expression":
         """Return the same expression with further slips: here, and in this problem, people take other values.
 
         slips   (name, text, value) or (name, text, value, advice)
-        credit  the fraction of the points that is left, if it is a mistake of a problem before
         spoils  whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
         may_coincide  whether it may lead to the right answer for some numbers
 
@@ -189,9 +185,8 @@ class Expression:
         >>> [(slip.name, slip.wrong.value) for slip in pitch.slips()]
         [('lead for pitch', 0.6)]
         """
-        coincides = may_coincide or credit > 0
         further = [
-            Slip(name, text, as_expression(other), advice=why[0] if why else advice, may_coincide=coincides, credit=credit, spoils=spoils)
+            Slip(name, text, as_expression(other), advice=why[0] if why else advice, may_coincide=may_coincide, spoils=spoils)
             for name, text, other, *why in slips
         ]  # fmt: skip
         return replace(self, alternatives=(*self.alternatives, *further))

@@ -109,7 +109,7 @@ def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = 
     message = slip.did if is_sentence else f"This is what you get if you {slip.did}. {further}".rstrip()
     part = message * slip.in_parts
     did = "" if is_sentence else slip.did
-    return Mistake(slip.name, value, message, part, did, further, spoils=spoils, credit=slip.credit)
+    return Mistake(slip.name, value, message, part, did, further, spoils=spoils)
 
 
 def value_of(expression: Expression) -> Any:
