@@ -104,13 +104,19 @@ class ScrewsAnswer(AlikeRows, Numbers):
         if (row := self._place(given, part)) and row[0] == "another row":
             return row
         alike = self.likeness(given, part).resemblance()
-        if alike and (alike[0] != "order and signs" or len(self.parts) == 1):  # of one among several it is chance
-            return alike
         same = np.atleast_2d(self.same_entries(given, self.value))[part]
+        # Of one among several it is chance, and where omega is right it is said of v alone.
+        if alike and not (
+            alike[0].startswith("order") and (same[:3].all() or (len(self.parts) > 1 and alike[0] == "order and signs"))
+        ):
+            return alike
         if np.count_nonzero(~same) == 1:
             place = ENTRY_NAMES[int(np.flatnonzero(~same)[0])]
             return "one entry", f"One entry is wrong.\nLook at {place}: all other entries are right."
-        return self._as_a_line(np.atleast_2d(given)[part], np.atleast_2d(self.value)[part], same)
+        mine, right = np.atleast_2d(given)[part], np.atleast_2d(self.value)[part]
+        if same[:3].all() and np.allclose(np.sort(mine[3:]), np.sort(right[3:]), atol=1e-3):
+            return "order of v", "$\\omega$ is right, and $v$ has the right numbers, but not in the right order."
+        return self._as_a_line(mine, right, same)
 
     def _as_a_line(self, mine: Array, right: Array, same: NDArray[np.bool_]) -> Named | None:
         """Return what is right and wrong about one axis, (6,), as a line in space."""
@@ -129,11 +135,6 @@ class ScrewsAnswer(AlikeRows, Numbers):
                 "This is a translation, so $\\omega$ is 0, and the direction is in $v$.",
             ),
             (no_unit, "not a unit vector", "$\\omega$ is not a unit vector."),
-            (
-                omega and bool(np.allclose(np.sort(m), np.sort(moment), atol=1e-3)),
-                "order of v",
-                "$\\omega$ is right, and $v$ has the right numbers, but not in the right order.",
-            ),
             (
                 omega and abs(moment @ direction) < 1e-9 and along > 2e-3 * of_moment,
                 "moment along the axis",

@@ -59,7 +59,7 @@ def slips_of_rows() -> Sequence[Slip]:
             NAMES.get(slip.name, slip.name),
             with_symbols(slip.text),
             slip.change,
-            in_parts=slip in usual,
+            in_parts=False,
             spoils=NAMES.get(slip.name, slip.name) in WRONG_METHODS,
         )
         for slip in (*usual, *SLIPS_THAT_LOSE_NUMBERS)

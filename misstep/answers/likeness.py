@@ -217,7 +217,7 @@ class Likeness:
             if self._equal(one, other).all():
                 return "order of the numbers", self.reordered
             one, other = (np.sort(np.abs(x), axis=0) for x in (one, other))
-            if self._equal(one, other).all():
+            if self._equal(one, other).all() and not self._equal(np.abs(mine), np.abs(right)).all():
                 return "order and signs", "These are the right sizes, but their order and their signs are not right."
         return None
 
