@@ -168,7 +168,7 @@ def three_terms(sampler: ArmSampler) -> Problem:
             "convert $\\theta$ from degrees to radians, although it is in radians",
             np.radians(angle),
         ),
-        ("degrees", "use the degrees of $\\theta$, although it is in radians", np.degrees(angle)),
+        ("degrees", "convert $\\theta$ to degrees", np.degrees(angle), "The series, sine and cosine take radians."),
     )
     r = given("r", radius)
     along = cos(theta) - 1 + square(theta) / 2

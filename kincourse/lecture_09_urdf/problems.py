@@ -510,6 +510,10 @@ def from_a_dh_row(sampler: ArmSampler) -> Problem:
 def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
     """The `xyz` and `rpy` of a modified DH row with the joint value 0, in two rows."""
     a, alpha, d = given("a", a_m, LENGTH), given("\\alpha", alpha_rad, ANGLE), given("d", d_m, LENGTH)
+    alpha = alpha.mistaken_for(
+        ("degrees", "convert $\\alpha$ to degrees", np.degrees(alpha_rad), "Sine, cosine and `rpy` take radians."),
+        ("converted twice", "convert $\\alpha$ to radians twice", np.radians(alpha_rad)),
+    )
     xyz, rpy = stack(a, -(d * sin(alpha)), d * cos(alpha)), stack(alpha, 0, 0)
     in_degrees = np.degrees(alpha_rad)
     along = "In the modified convention $d_i$ is measured along the new $z$, which $\\alpha$ has rotated."
