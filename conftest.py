@@ -1,10 +1,9 @@
-"""Rules for every pytest run: which tests one worker takes together, in which order, and no silent skips in CI."""
+"""Rules for every pytest run: which tests start first, and no silent skips in CI."""
 
 import os
 import sys
 
 import pytest
-from xdist.scheduler import LoadScopeScheduling
 
 # Workers, kernels and builds of the site import the same packages: without stored bytecode, each of them would compile all of
 # Jupyter, Matplotlib and SymPy again. Images of containers often switch it off.
@@ -14,26 +13,18 @@ sys.dont_write_bytecode = False
 BROWSER = ("tests/browser/", "tests/site/")
 """The folders whose tests use a browser."""
 
-WITHOUT_SITE = [
-    f"tests/browser/test_{name}.py" for name in ("viewer_browser", "players_browser", "jupyterlab", "planar_arm")
-]
-FIRST = ("notebooks/", "exercises/", WITHOUT_SITE[0], "tests/browser/test_browser_lab.py", *WITHOUT_SITE[1:], *BROWSER)
+FIRST = (
+    "notebooks/",
+    "exercises/",
+    "tests/browser/test_viewers.py",
+    "tests/browser/test_browser_lab.py",
+    "tests/browser/test_jupyterlab.py",
+    "tests/browser/test_planar_arm.py",
+    "tests/kincourse/sheets/",
+    *BROWSER,
+)
 """What starts first, so that workers seldom wait for each other: the notebooks, whose outputs the site takes; one file while
-another worker runs the last of them; a file that builds the site; what needs no site, meanwhile; and then what needs it."""
-
-
-def group(nodeid):
-    """Which tests a worker takes together: those of a file, of one notebook, or of one problem of a sheet.
-
-    >>> group("tests/kinlib/test_chain.py::test_fk[rpr]")
-    'tests/kinlib/test_chain.py'
-    >>> group("tests/kincourse/sheets/test_sheets.py::test_a_blank_stub_earns_a_friendly_zero[None-07.4]")
-    'tests/kincourse/sheets/test_sheets.py 07.4'
-    """
-    file, _, test = nodeid.partition("::")
-    if file.endswith("/test_sheets.py"):
-        return f"{file} {test.partition('[')[2].removesuffix(']').rpartition('-')[2]}".strip()
-    return file
+another worker runs the last of them; the file that builds the site; what needs no site, meanwhile; and then what needs it."""
 
 
 @pytest.hookimpl(wrapper=True)
@@ -41,17 +32,6 @@ def pytest_collection_modifyitems(items):
     """Start with the tests in FIRST, in this order."""
     items.sort(key=lambda item: [not item.nodeid.startswith(start) for start in FIRST])
     return (yield)
-
-
-@pytest.hookimpl(optionalhook=True)
-def pytest_xdist_make_scheduler(config, log):
-    """Distribute tests by `group`, with --dist=loadscope."""
-
-    class GroupScheduling(LoadScopeScheduling):
-        def _split_scope(self, nodeid):
-            return group(nodeid)
-
-    return GroupScheduling(config, log) if config.getvalue("dist") == "loadscope" else None
 
 
 def pytest_runtest_setup(item):

@@ -497,7 +497,7 @@ globalThis.planarArm = (() => {
       });
     }
 
-    /** The tool of an arm each of whose angles begins at the x axis, and this arm as a ghost. */
+    /** The arm of the wrong answer, each of whose angles begins at the x axis, as a ghost. */
     function ghost(tool) {
       const wrong = joints(state.q, lengths);
       for (const style of ['under', 'ghost']) path(wrong.slice(1).map(at), style);

@@ -85,7 +85,7 @@ def copy_files(app: Sphinx) -> None:
 
 def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree: Any) -> None:
     """Set the values that the templates need for a page."""
-    context["body"] = adapt(context.get("body", ""))
+    context["body"] = adapt(context.get("body", ""), explains=not page.startswith(("reference/", "sheets/")))
     if "data-planar-arm" in context["body"]:
         app.add_js_file("planar_arm.js", defer="defer")
         app.add_css_file("planar_arm.css")
@@ -108,8 +108,8 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     context["kinlib_lectures"] = [one for one in lectures if folder == "sheets" and sheet_of(one) == name]
 
 
-def adapt(body: str) -> str:
-    """Make the text of a page lighter, and right for screen readers."""
+def adapt(body: str, explains: bool) -> str:
+    """Make the text of a page lighter, and right for screen readers; headings of pages that explain count in the search."""
     page = read_html(body)
     for heading in page.xpath(".//th[@class='head'][not(normalize-space())][not(.//*[not(self::p)])]"):
         heading.clear(keep_tail=True)  # in a table without headings: a screen reader would say that it is one
@@ -122,6 +122,8 @@ def adapt(body: str) -> str:
         part.tag = {"dt": "h2"}.get(part.tag, "div")  # a heading is a place that the search finds
     for heading in page.xpath(".//section/*[1][self::h2 or self::h3 or self::h4][not(@id)]"):
         heading.set("id", heading.getparent().attrib.pop("id"))  # likewise
+    for heading in page.xpath(".//h1 | .//h2") if explains else ():
+        heading.set("data-pagefind-weight", "10")  # the most that Pagefind knows
     for name in page.xpath(".//*[contains(@class, 'sig-name')]"):
         name.set("data-pagefind-weight", "5")
     return inner_html(page)

@@ -503,7 +503,13 @@
     follow();
     addEventListener('hashchange', follow);
     const hash = () => configurationHash(element) || `#q=${state.q}`;
-    element.nextElementSibling?.prepend(copyButton('Copy a link to this configuration', () => addressOf(hash())));
+    element.after(
+      h(
+        'p',
+        {},
+        copyButton('Copy a link to this configuration', () => addressOf(hash())),
+      ),
+    );
   }
 
   // --- what was read opens again without a network ---

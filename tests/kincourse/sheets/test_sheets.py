@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections import defaultdict
 from functools import cache
 from pathlib import Path
 
@@ -9,12 +10,14 @@ import numpy as np
 import pytest
 from docutils.nodes import make_id
 from hostile_answers import HOSTILE, Rude
+from latex2mathml.converter import convert
 from odd_robots import generated_sheet
 
 from kincourse import attempt, blanks, find_sheet, open_sheet, sheets
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
 from misstep.display.lecture_address import page_address
+from misstep.grading.pages import SMALL_FRACTION
 from misstep.judge import judge
 from misstep.sheet import SAMPLE_ID
 from misstep.verdict import Verdict
@@ -24,7 +27,7 @@ TEMPLATES = [template for sheet in SHEETS for template in sheet.problems if temp
 OPEN = [template for sheet in SHEETS for template in sheet.problems if template.level == "Open"]
 BLANK_STEPS = list(blanks().values())
 NOTEBOOKS = Path(__file__).parents[3] / "notebooks"
-STUDENTS = [f"student {i}" for i in range(4)]
+STUDENTS = [f"student {i}" for i in range(3)]
 
 
 @cache
@@ -49,10 +52,9 @@ def assert_mistakes_are_named(problem):
 @each_problem
 def test_right_answers_score_mistakes_have_messages_and_students_have_different_numbers(template):
     problems = [drawn(template, student) for student in STUDENTS]
-    assert len({problem.statement + str(problem.answer.value) for problem in problems}) > 2
+    assert len({problem.statement + str(problem.answer.value) for problem in problems}) > 1
     assert len([*problems[0].known_mistakes, *problems[0].slips]) >= 3
-    for problem in problems[:2]:
-        assert_mistakes_are_named(problem)
+    assert_mistakes_are_named(problems[0])
     answer = problems[0].answer
     if isinstance(answer, (Numbers, ClosedForm)):  # what a right answer fulfils, it fulfils
         rounded = np.round(answer.value, 3).tolist() if isinstance(answer, Numbers) else answer.value
@@ -166,3 +168,50 @@ def test_unknown_sheets_problems_and_steps_are_refused_with_those_that_there_are
     ]:
         with pytest.raises(ValueError, match=says):
             ask()
+
+
+# --- words and formulas of all problems ---
+
+SYMBOL = re.compile(r"\$[^$]*\$")
+
+SYNONYMS = (
+    {"inverse", "inverted"},
+    {"rotation transposed", "R^T"},
+    {"rotation left out", "not rotated", "only moved"},
+    {"alpha left out", "alpha 0", "every alpha 0"},
+    {"d left out", "d forgotten", "every d 0"},
+    {"no offset", "offset forgotten"},
+    {"half a turn", "half a turn off"},
+    {"angles swapped", "alpha and theta swapped"},
+    {"halved", "half the angle"},
+    {"doubled", "double the angle"},
+    {"omega x p", "omega x q"},
+    {"prismatic as revolute", "slide as turn"},
+    {"revolute as prismatic", "turn as slide"},
+    {"millimetres", "unit of length"},
+    {"the other convention", "other convention", "another convention"},
+)
+"""Names of one misconception, of which only one occurs."""
+
+
+def test_one_change_has_one_name_and_no_name_has_a_synonym():
+    names_of, all_names = defaultdict(set), set()
+    for problem in (drawn(template, STUDENTS[0]) for template in TEMPLATES + OPEN):
+        all_names.update(mistake.name for mistake in [*problem.known_mistakes, *problem.slips])
+        for mistake in [*problem.mutants, *problem.slips]:
+            if mistake.did and not SYMBOL.search(mistake.did):  # a symbol may be an angle here and a length there
+                names_of[mistake.did].add(mistake.name)
+    assert {did: names for did, names in names_of.items() if len(names) > 1} == {}
+    assert [names & all_names for names in SYNONYMS if len(names & all_names) > 1] == []
+
+
+def test_every_formula_of_a_statement_and_of_a_message_can_be_set():
+    """On the page of feedback an invalid one would stand as it was typed."""
+    formulas = set()
+    for problem in (drawn(template, STUDENTS[0]) for template in TEMPLATES + OPEN):
+        mistakes = [*problem.mistakes, *problem.mutants]
+        for text in (problem.statement, *(text for one in mistakes for text in (one.message, one.part))):
+            formulas |= {*re.findall(r"\$\$?([^$]+)\$\$?", text)}
+    assert len(formulas) > 100
+    for formula in formulas:
+        assert convert(SMALL_FRACTION.sub(r"\\frac", formula)).startswith("<math"), formula

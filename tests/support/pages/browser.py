@@ -94,42 +94,9 @@ def watched(browser, **settings):
     assert not other_hosts, f"the page sent requests to other hosts: {other_hosts[:3]}"
 
 
-def static_page(folder: Path, *viewers, style="background:white") -> Path:
-    """Write a page with viewers and without a kernel, and the files that it loads."""
-    from kinlib.view.viewer.widget import STATIC
-
-    shutil.copytree(STATIC, folder / "static", dirs_exist_ok=True)
-    page = folder / "page.html"
-    body = "\n".join(viewer if isinstance(viewer, str) else viewer.html() for viewer in viewers)
-    head = '<!doctype html><html lang="en"><meta charset="utf-8"><title>Arms</title><link rel="icon" href="data:,">'
-    loader = '<script src="static/loader.js"></script>'
-    page.write_text(f'{head}<body style="{style}"><main>{body}</main>{loader}</body></html>', "utf-8")
-    return page
-
-
-def drawn_count(page, which=0):
-    """Count how often a viewer has drawn."""
-    return int(page.locator(".kv-canvas").nth(which).get_attribute("data-pictures") or 0)
-
-
-def wait_until_drawn(page, count=1):
-    """Wait until so many viewers have drawn."""
-    page.wait_for_function(
-        f"document.querySelectorAll('.kv-canvas[data-pictures]').length >= {count}", timeout=TIMEOUT_MS
-    )
-
-
 def pose(page, which=0):
     """Read the pose of the tool from a viewer, with all digits."""
     return page.evaluate(f"document.querySelectorAll('.kv')[{which}].viewer.stage.tree.pose()")
-
-
-def until_spoken(page, text):
-    """Wait until this is the text alternative of the picture, before the help on keys."""
-    page.wait_for_function(
-        "text => document.querySelector('.kv-canvas').getAttribute('aria-label')?.split(' Arrow keys')[0] === text",
-        arg=text,
-    )
 
 
 def emulate_theme(page, theme):
@@ -139,18 +106,6 @@ def emulate_theme(page, theme):
         """async () => { await new Promise(requestAnimationFrame);
             const fades = document.getAnimations().filter((one) => one instanceof CSSTransition);
             await Promise.all(fades.map((one) => one.finished.catch(() => {}))); }"""
-    )
-
-
-def text_colours(page):
-    """List every text of the viewers on a page, with its colour and that of its background."""
-    return page.evaluate(
-        """(() => {
-            const background = (node) => { for (; node; node = node.parentElement) {
-                const colour = getComputedStyle(node).backgroundColor; if (!/, 0\\)$|transparent/.test(colour)) return colour; } };
-            const texts = [...document.querySelectorAll('.kv *')].filter((node) => node.offsetParent
-                && [...node.childNodes].some((child) => child.nodeType === 3 && child.data.trim()));
-            return texts.map((node) => [node.textContent, getComputedStyle(node).color, background(node)]); })()"""
     )
 
 
@@ -167,14 +122,6 @@ def contrast(text, background):
 
     light, dark = sorted((luminance(text), luminance(background)), reverse=True)
     return (light + 0.05) / (dark + 0.05)
-
-
-def overflowing(page):
-    """List the parts of viewers that extend beyond the right edge of a page."""
-    return page.evaluate(
-        """[...document.querySelectorAll('.kv *')].filter((node) => node.getBoundingClientRect().right > innerWidth
-            && !node.closest('.kv-screen-reader')).map((node) => node.className)"""
-    )
 
 
 @contextmanager

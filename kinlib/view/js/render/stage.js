@@ -324,13 +324,13 @@ export class Stage {
   /** Paint now. Until WebGL is ready, which takes a while, and without it, the page shows the drawing. */
   paint() {
     if (!this.width || !this.visible || this.withoutWebGL) return;
-    this.stale = false;
     this.tree.root.updateMatrixWorld(true);
     if (this.withoutWebGL === undefined) {
       cancelAnimationFrame(this.starting);
       this.starting = requestAnimationFrame(() => setTimeout(() => this.#startWebGL()));
-      return;
+      return; // still stale: who scrolls past before WebGL has started may come back
     }
+    this.stale = false;
     this.#drawPicture();
     if (!this.canvas.dataset.pictures) performance.mark('kinlib-viewer-picture');
     this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
