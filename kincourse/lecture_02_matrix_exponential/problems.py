@@ -137,12 +137,6 @@ def gyroscope(sampler: ArmSampler) -> Problem:
         ("halves swapped", "swap $\\omega$ and $v$", exp(np.array([*v, *omega]) * seconds)),
         ("series cut short", "stop the series after two terms", truncated(hat(twist) * seconds, 2), ""),
         ("series cut short", "stop the series after three terms", truncated(hat(twist) * seconds, 3), ""),
-        (
-            "exponential of each entry",
-            "take the exponential entry by entry (`np.exp`)",
-            np.exp(hat(twist) * seconds),
-            "",
-        ),
     )
     return Problem(
         statement=f"A gyroscope measures that a body rotates with $\\omega = {vector(omega)}$ radians per second. The point of the body "
@@ -181,20 +175,10 @@ def three_terms(sampler: ArmSampler) -> Problem:
     distance = distance.mistaken_for(
         ("next term", "give the length of the first term that is missing; the terms after it count too", angle**3 / 6),
         ("last term", "give the length of the last term of the sum", angle**2 / 2),
-        (
-            "errors added",
-            "add the errors of sine and cosine, which are perpendicular",
-            abs(along.value) + abs(across.value),
-        ),
         ("chord", "give the distance by which the point moves", 2 * np.sin(angle / 2)),
         ("arc", "give the length of the arc on which the point moves", angle),
         ("scalar series", "take the series of the number $e^\\theta$", np.exp(angle) - 1 - angle - angle**2 / 2),
         ("length of the sum", "give the length of the sum, and not of its difference from $R$", sum_size),
-        (
-            "error of the length",
-            "give the difference of the lengths, that is, of the distances from the axis",
-            sum_size - 1,
-        ),
     )
     error = given("1000", 1000.0).mistaken_for(("centimetres", "give the number in centimetres", 100.0)) * r * distance
     error = error.mistaken_for(

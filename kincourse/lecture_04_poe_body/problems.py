@@ -344,13 +344,6 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
             sign * (180.0 * (not opposite) - tilt),
         ),
         ("at home", "take the home configuration", 0.0),
-        ("right angle", "take a right angle", 90.0),
-        ("right angle", "take a right angle", -90.0),
-        (
-            "complement",
-            "take the complement, as if axis 3 were measured from another axis",
-            sign * (90.0 - abs(180.0 * opposite - tilt)),
-        ),
         ("supplement", "take the supplement", 180.0 - sign * (180.0 * opposite - tilt)),
         ("radians", "give the angle in radians", np.radians(q_2.value)),
         advice="The wrist is singular where axes 1 and 3 are on one line.",

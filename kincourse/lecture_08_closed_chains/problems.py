@@ -328,20 +328,11 @@ def coupler_point(sampler: ArmSampler) -> Problem:
     start = start.mistaken_for(
         ("from D", "add $p$ to the position of D instead of B", np.array([four_bar.ground, 0.0]))
     )
-    in_degrees = np.radians(degrees) * 180 / np.pi
     P = start + rotated(angle, p)
     P = P.mistaken_for(
         ("mirror image", "give the mirror image of P in the ground line", P * np.array([1.0, -1.0]), MIRRORED)
     )
     P = P.mistaken_for(("from D", "measure P from D instead of A", P - np.array([four_bar.ground, 0.0])))
-    wrong_B = four_bar.crank * np.array([np.cos(in_degrees), np.sin(in_degrees)])
-    C = start.value + four_bar.coupler * np.array([np.cos(angle.value), np.sin(angle.value)])
-    for text, k in (
-        ("", 180 / np.pi * angle),
-        (" for the crank's angle in the position of B", angle),
-        (" for the position of B, and point from there to C", direction_of(given("BC", C - wrong_B))),
-    ):
-        P = P.mistaken_for(("degrees", f"use degrees as radians{text}", wrong_B + rotated(k, p)))
     drawn = {"P": ("coupler", (four_bar.crank + along, left, 0.0))}
 
     def distance_from_B(P: Array) -> str:
@@ -381,22 +372,6 @@ def dead_point(sampler: ArmSampler) -> Problem:
     A = A.mistaken_for(
         ("mirror image", "give the least angle instead of the greatest", -A),
         ("another bar", "stretch crank and coupler into one line", corner_angle(ground, crank + coupler, rocker)),
-        (
-            "another corner",
-            "give the angle at D in degrees",
-            180 / np.pi * corner_angle(ground, coupler + rocker, crank),
-        ),
-        ("supplement", "give the supplement in degrees", 180 - 180 / np.pi * A),
-        (
-            "another corner",
-            "give the supplement of the angle at D",
-            np.pi - corner_angle(ground, coupler + rocker, crank),
-        ),
-        (
-            "another corner",
-            "give the supplement of the angle at B",
-            np.pi - corner_angle(crank, coupler + rocker, ground),
-        ),
         (
             "square of the sum",
             "add the squares of coupler and rocker instead of squaring their sum",

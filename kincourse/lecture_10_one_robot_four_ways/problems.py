@@ -354,12 +354,7 @@ def how_far_off(sampler: ArmSampler) -> Problem:
     of_degrees = log.distances_mm(wrong.fk(np.where(np.array(list(project.joints)) == "P", 1.0, np.pi / 180) * log.q))
     mistakes = {
         "mean": (gaps.mean(), "This is the mean of the distances. The question is about the largest one."),
-        "median": (np.median(gaps), "This is the median of the distances. The question is about the largest one."),
         "sum": (gaps.sum(), "This is the sum of all distances. The question is about the largest one."),
-        "root mean square": (
-            np.sqrt((gaps**2).mean()),
-            "This is the root mean square of the distances. The question is about the largest one.",
-        ),
         "first pose": (gaps[0], "This is the distance at the first pose of the log, and not the largest one."),
         "last pose": (gaps[-1], "This is the distance at the last pose of the log, and not the largest one."),
         "least": (gaps.min(), "This is the smallest of the distances."),
@@ -371,10 +366,6 @@ def how_far_off(sampler: ArmSampler) -> Problem:
         "components added": (
             off.sum(axis=1).max(),
             "This adds the differences along x, y and z. The distance is the length of the difference.",
-        ),
-        "root left out": (
-            gaps.max() ** 2 / 1000,
-            "This is 1000 times the square of the distance in metres. Take its root first.",
         ),
         "own screws": (
             log.distances_mm(right.fk(log.q)).max(),
