@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from misstep.answers.angle import Angles
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
 from misstep.judge import judge
@@ -113,3 +114,10 @@ def test_a_solution_that_does_not_lead_to_the_answer_is_refused():
     asked = Problem("", Numbers(np.array(5.0)), solution=given("a", 2.0) + 2)
     with pytest.raises(ValueError, match=r"must lead to the answer; it gives 4\.0, and the answer is 5\.0"):
         _ = asked.mutants
+
+
+def test_a_change_that_would_have_changed_a_right_part_is_not_told():
+    a, b = given("a", 0.7, ANGLE), given("b", 0.4, ANGLE)
+    asked = Problem("", Angles(stack(a, a + b).value), solution=stack(a, a + b))
+    assert judge(asked, [0.7, -0.3]).mistakes == ["sign"]
+    assert judge(asked, [-0.7, -0.3]).mistakes == ["sign of an angle"]
