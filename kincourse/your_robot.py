@@ -6,8 +6,10 @@ The notebook and the page of that name show what `examine` returns. Everything t
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from html import escape
 from typing import Any
 
@@ -15,11 +17,12 @@ import numpy as np
 
 from kincourse.robot_sheets.robot_sheet import robot_sheet, with_plain_name
 from kinlib.arrays.formatting import format_degrees, format_number, html_table
+from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import youbot
 from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.diagnosis import Diagnosis, diagnose
-from kinlib.dh.equivalence import CHOICES, measured_difference
+from kinlib.dh.equivalence import CHOICES, equivalent, measured_difference
 from kinlib.dh.formatting import headings
 from kinlib.dh.read_table import read_table
 from kinlib.dh.table import Convention, DHTable, format_rows, table_frames
@@ -34,6 +37,21 @@ MAX_URDF_LENGTH = 20_000_000
 
 UR_SOURCE = 'Universal Robots, "DH parameters for calculations of kinematics and dynamics"'
 CORKE = "as in Corke's Robotics Toolbox"
+
+
+FORM_WORDS = [
+    (r"pass order \(", "write the right order under “Columns” ("), (r"pass length_unit \(", "choose “Lengths in” ("),
+    (r"pass angle_unit \(", "choose “Angles in” ("), (r"pass convention \(", "choose “Convention” ("),
+    (r"\(pass tip\)", "(choose “to link”)"), (r"Pass tip=\.\.\., one of", "Choose “to link”: one of"),
+    (r"Pass a base with", "Choose “from link” with"), (r"Pass (?:base|tool)=\.\.\. instead", "Leave this line out"),
+    (r"Pass packages=\[\.\.\.\] with the folder of its package", "Drop a folder or a zip archive with it on the form"),
+    (r"[Gg]ive lengths=\{(?:'|&#x27;)(\w+)(?:'|&#x27;): \.\.\.\}", r"Write \1 = and its value in a line above the table"),
+]  # fmt: skip
+"""What the form says for the arguments of functions."""
+
+JOINT_CHOICES = ("zeros", "signs")
+
+SLIP_WORDS = "If only base and tool may differ: "
 
 
 class KnownArms:
@@ -104,8 +122,8 @@ class Examination:
     free, strict   the diagnosis with all choices free, and with all fixed: the second is right only if the same q gives the same pose
     unread         why a table or a file could not be read; then the rest is what could
     notes          what else was decided, for example which joints are left at 0
-    visuals        the file of the arm as a tree, and its base, so that the picture shows what the file shows
     visuals        the file of the arm, and its base link, for `explore`
+    form           whether the answer names the fields of the page's form, and not the arguments of `examine`
     """
 
     arm: Chain | None = None
@@ -116,6 +134,7 @@ class Examination:
     unread: str = ""
     notes: Sequence[str] = ()
     visuals: tuple[Tree, str] | None = None
+    form: bool = False
 
     @property
     def sentence(self) -> str:
@@ -124,11 +143,17 @@ class Examination:
             return self.unread
         if self.table is None or self.arm is None:
             given = self.arm or self.table
-            return f"{given.name}: {given.n} joints." if given else "Give a URDF file, a table, or both."
+            ends = (
+                f" from {self.arm.link_names[0]} to {self.arm.link_names[-1]}"
+                if self.arm and self.arm.link_names
+                else ""
+            )
+            return f"{given.name}: {given.n} joints{ends}." if given else "Give a URDF file, a table, or both."
         if self.strict is None:
+            letters, count = self.table.joints.replace("F", ""), f"{self.table.n} joint{'s'[: self.table.n != 1]}"
             return (
-                f"The table has {self.table.n} joints ({self.table.joints.replace('F', '')}), and the arm has {self.arm.n} "
-                f"({self.arm.joint_types}), so they cannot be compared. Choose another tip or base, or look for a missing row."
+                f"The table has {count} ({letters}), and the arm has {self.arm.n} ({self.arm.joint_types}), so they cannot be "
+                "compared. Choose another tip or base, or look for a missing row."
             )
         metres, radians = measured_difference(self.table.to_chain(), self.arm)
         size = f"{format_number(metres, 3)} m and {format_number(math.degrees(radians), 3, zero=1e-6)}°"
@@ -152,24 +177,39 @@ class Examination:
             texts.append(str(self.free))
         strict = str(self.strict)
         is_choice = bool(self.strict.explanations) and self.strict.explanations[0].is_a_choice
-        if strict not in texts and not (is_right and is_choice):
+        if self.slip:
+            texts.append(f"{SLIP_WORDS}{self.slip}")
+        elif strict not in texts and not (is_right and is_choice):
             same = "If q, base and tool are meant to be the same: " if texts else ""
             texts.append(same + strict)
         return sorted(texts, key=lambda text: (text.count("\n"), len(text)))
+
+    @cached_property
+    def slip(self) -> Diagnosis | None:
+        """What is wrong if base and tool may be other ones, where only choices of several zeros and signs were found else."""
+        if not self.strict or len(self.strict.faults) < 2 or not self.strict.explanations[0].is_a_choice:
+            return None
+        slip = diagnose(self.strict.table, self.strict.arm, JOINT_CHOICES)
+        return slip if slip.explanations and not slip.explanations[0].is_a_choice else None
 
     @property
     def corrected(self) -> DHTable | None:
         """The table with the poses of the arm for the same q, as near the given one as was found."""
         if not self.arm:
             return self.table
-        if not self.table or not self.strict:
-            return assign_frames(self.arm, convention="standard", snap=True).table
-        found = self.strict.corrected
-        if found is None and self.strict.nearest is not None and not self.strict.up_to:
-            found = self.strict.nearest
-        return (
-            found if found is not None else assign_frames(self.arm, convention=self.table.convention, snap=True).table
-        )
+        convention = self.table.convention if self.table and self.strict else "standard"
+        return self._changed or assign_frames(self.arm, convention=convention, snap=True).table
+
+    @property
+    def _changed(self) -> DHTable | None:
+        """The given table with few other numbers that has the poses of the arm; None if none was found."""
+        if self.slip and self.slip.corrected:
+            right = self.slip.corrected
+            found = equivalent(right, self.slip.arm, fixed=JOINT_CHOICES)
+            return right.changed(base=found.base @ right.base, tool=right.tool @ found.tool)
+        if not self.strict or self.strict.up_to:
+            return self.strict.corrected if self.strict else None
+        return self.strict.corrected or self.strict.nearest
 
     @property
     def wrong_rows(self) -> list[int]:
@@ -190,59 +230,96 @@ class Examination:
         They can be switched on one by one. Those of the first wrong row are on: that of the row, and the one before it.
         """
         arm = self.arm or (self.table.to_chain() if self.table else None)
-        if arm is None or not self.table or self.table.n != arm.n:
-            layers = ("axes", "base", "tool")
-            return None if arm is None else explore(arm, show=layers, visuals=self.visuals)
+        if arm is None:
+            return None
+        if not self.table or self.table.n != arm.n:
+            return self._in_words_of_the_form(explore(arm, show=("axes", "base", "tool"), visuals=self.visuals))
         row, q = self.wrong_rows[0] if self.wrong_rows else 0, opening(arm)
         frames = table_frames(self.table, q)
         if self.corrected and self.wrong_rows:
             right = table_frames(self.corrected, q)
             frames |= {f"{name}'": T for name, T in right.items() if not np.allclose(T, frames[name], atol=1e-6)}
         shown = [f"frame {name}" for name in (row, row + 1, f"{row}'", f"{row + 1}'") if str(name) in frames]
-        return explore(arm, show=("axes", *shown), start=q, frames=frames, visuals=self.visuals)
+        picture = explore(arm, show=("axes", *shown), start=q, frames=frames, visuals=self.visuals)
+        return self._in_words_of_the_form(picture)
+
+    def _in_words_of_the_form(self, picture: Viewer) -> Viewer:
+        picture.notes = [self._said(note) for note in picture.notes]
+        return picture
+
+    def _said(self, text: str) -> str:
+        """The text, with the names of the form's fields for arguments if the form asks."""
+        for argument, field_name in FORM_WORDS if self.form else ():
+            text = re.sub(argument, field_name, text)
+        return text
 
     def _repr_html_(self) -> str:
-        return "".join(self._blocks())
+        return self._said("".join(self._blocks()))
 
     def _blocks(self) -> Iterator[str]:
-        yield f'<p class="your-robot-answer"><strong>{escape(self.sentence)}</strong></p>'
+        readings = self.readings
+        yield f'<p class="your-robot-answer{" your-robot-unread" * bool(self.unread)}"><strong>{escape(self.sentence)}</strong></p>'
+        if self.unread:
+            return
+        for number, text in enumerate(readings):
+            head, *changes = map(escape, text.splitlines())
+            lead = ("Either: ", "Or: ")[number] if len(readings) > 1 else ""
+            listed = "".join(f"<li>{change}</li>" for change in changes)
+            yield f"<p><strong>{lead}</strong>{head}</p>" + f"<ul>{listed}</ul>" * bool(changes)
         if self.assumed or self.notes:
             asked = [each for each in self.assumed if each.options]
             items = [f"{note}" for note in self.notes] + [each.text for each in self.assumed if not each.options]
             items += [f"{each.text} If not, pass {each.argument} ({', '.join(each.options)})." for each in asked]
             yield f"<p>What was assumed:</p><ul>{''.join(f'<li>{escape(item)}</li>' for item in items)}</ul>"
-        for text in self.readings:
-            head, *changes = map(escape, text.splitlines())
-            listed = "".join(f"<li>{change}</li>" for change in changes)
-            yield f"<p>{head}</p>" + f"<ul>{listed}</ul>" * bool(changes)
         if self.table:
             yield self._side_by_side()
         if self.arm and not self.table:
             for convention in ("standard", "modified"):
                 yield from _assigned(assign_frames(self.arm, convention=convention), self.arm)
             yield f"<details><summary>Screw axes and M</summary><pre>{escape(str(self.arm))}</pre></details>"
+        if self.strict and self.corrected and self.wrong_rows:
+            yield f"<p>{escape(self._about_the_corrected(readings))}</p>"
         for name, text in self.copies().items():
             label = "The corrected table" if self.wrong_rows else "The table"
-            yield f"<details><summary>{label} as {escape(name)}</summary><pre>{escape(text)}</pre></details>"
+            is_open = " open" * (name == "text")
+            yield f"<details{is_open}><summary>{label} as {escape(name)}</summary><pre>{escape(text)}</pre></details>"
+
+    def _about_the_corrected(self, readings: Sequence[str]) -> str:
+        """Say which reading the corrected table follows, and how far its poses are off."""
+        if self.arm is None or self.corrected is None:
+            return ""
+        metres, radians = measured_difference(self.corrected.to_chain(), self.arm)
+        off = f"{format_number(metres, 2, zero=1e-9)} m and {format_number(math.degrees(radians), 2, zero=1e-7)}°"
+        follows = "The corrected table is a new one, with frames assigned to the arm, because no small change was found"
+        if self._changed is not None:
+            right = SLIP_WORDS if self.slip else str(self.strict)
+            number = next((k for k, text in enumerate(readings) if right in text), 0)
+            which = ("the first reading", "the second reading")[number] if len(readings) > 1 else "these changes"
+            first = ", and of these its first line" * any("\nor: " in text for text in readings[number : number + 1])
+            follows = f"The corrected table has {which}{first}"
+        return f"{follows}; for the same q its poses differ from the arm's by at most {off}."
 
     def _side_by_side(self) -> str:
-        """The rows of the table beside those of the corrected one, the wrong ones marked in a column and not by colour alone."""
+        """The rows of the table, each with what is other in the corrected one, marked in a column and not by colour alone."""
         right, table = self.corrected, self.table
         if table is None or right is None or not self.arm or right.rows.shape != table.rows.shape:
             return table._repr_html_() if table is not None else ""
-        (number, *names), wrong = headings(table.convention), self.wrong_rows
-        heads = [number, *(f"{name}: table" for name in names), *(f"{name}: arm" for name in names), ""]
-        pairs = zip(_entries(table), _entries(right), strict=True)
+        wrong = self.wrong_rows
         marks = {row: "✗ first wrong row" if row == wrong[0] else "✗" for row in wrong}
-        rows = [[str(i + 1), *one, *other, marks.get(i, "✓")] for i, (one, other) in enumerate(pairs)]
-        return html_table("The table, and the numbers that give the arm's poses", heads, rows)
+        rows = [
+            [marks.get(i, "✓"), str(i + 1), *(a if a == b else f"{a} → {b}" for a, b in zip(one, other, strict=True))]
+            for i, (one, other) in enumerate(zip(_entries(table), _entries(right), strict=True))
+        ]
+        return html_table(
+            "The table, and → the numbers that give the arm's poses", ["", *headings(table.convention)], rows
+        )
 
 
 def _assigned(found: FrameAssignment, arm: Chain) -> Iterator[str]:
     clean = assign_frames(arm, convention=found.table.convention, snap=True)
     exact = replace(found.table, name=f"{arm.name}, exact")
     yield clean.table._repr_html_()
-    yield f"<p>Clean numbers; the poses differ from the file by at most {clean.accuracy:.1e} (metres, and entries of R).</p>"
+    yield f"<p>The poses of these clean numbers differ from the file's by at most {clean.accuracy:.1e} (metres, and entries of R).</p>"
     if np.abs(exact.rows - clean.table.rows).max() > 1e-12:
         yield f"<details><summary>All digits of the file</summary>{exact._repr_html_()}</details>"
     steps = "".join(f"<li>{escape(str(step))}</li>" for step in found.steps)
@@ -251,6 +328,11 @@ def _assigned(found: FrameAssignment, arm: Chain) -> Iterator[str]:
 
 def _entries(table: DHTable) -> list[list[str]]:
     return format_rows(table, length=lambda x: format_number(x, 6), angle=lambda x: format_degrees(x, 6))
+
+
+def _without_noise(numbers: Array) -> Array:
+    """Round numbers that are within 1e-9 of one with six decimals."""
+    return np.where(np.abs(numbers - numbers.round(6)) < 1e-9, numbers.round(6), numbers) + 0.0
 
 
 def formats(table: DHTable) -> dict[str, str]:
@@ -268,12 +350,14 @@ def formats(table: DHTable) -> dict[str, str]:
         " & ".join([str(i), *(cell.replace("°", r"^\circ").join("$$") for cell in row)]) + r" \\"
         for i, row in enumerate(rows, 1)
     ]
-    numbers = [[float(f"{x:.12g}") for x in row] for row in table.rows.tolist()]
+    numbers = [[float(f"{x:.12g}") for x in row] for row in _without_noise(table.rows).tolist()]
     extra = f", joints={table.joints!r}" if set(table.joints) != {"R"} else ""
     extra += f", signs={table.signs.astype(int).tolist()}" if (table.signs != 1).any() else ""
     ends = {"base": table.base, "tool": table.tool}
     extra += "".join(
-        f",\n    {name}={T.round(12).tolist()}" for name, T in ends.items() if np.abs(T - np.eye(4)).max() > 1e-9
+        f",\n    {name}={_without_noise(T).round(12).tolist()}"
+        for name, T in ends.items()
+        if np.abs(T - np.eye(4)).max() > 1e-9
     )
     body = "\n".join(f"    {row}," for row in numbers)
     kind = {"standard": "DH", "modified": "MDH"}[table.convention]
@@ -296,19 +380,26 @@ def formats(table: DHTable) -> dict[str, str]:
 
 
 def examine(
-    arm: str | Chain | DHTable = "", table: str | DHTable = "", *, base: str = "", tip: str = "", **how: Any
+    arm: str | Chain | DHTable = "",
+    table: str | DHTable = "",
+    *,
+    base: str = "",
+    tip: str = "",
+    form: bool = False,
+    **how: Any,
 ) -> Examination:
     r"""Read an arm and a table, and compare them.
 
     arm    the path or the text of a URDF file, the name of an arm in KNOWN, a chain; or "" for none
     table  the text of a table as it was pasted; or "" for none
-    base, tip  the links of the file between which the arm is; by default the root and the only tip
+    base, tip  the links of the file between which the arm is; by default the root, and the end of the arm without a gripper
+    form   whether the form of the page asks, so that the answer names its fields
     how    what the text of the table does not say, as `read_table` takes it: convention, order, length_unit, angle_unit, joints
 
     >>> print(examine("UR5e", "a alpha d\n0 90 0.1625\n0.425 0 0\n-0.3922 0 0\n0 90 0.1333\n0 -90 0.0997\n0 0 0.0996").sentence)
     For the same q the tool differs by up to 0.85 m and 0°, at 1000 random configurations.
     """
-    found = Examination()
+    found = Examination(form=form)
     try:
         if arm != "":
             chain, notes, visuals = _read_arm(arm, base, tip)
@@ -360,6 +451,14 @@ def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, l
     if "<" not in arm and not arm.strip().endswith((".urdf", ".xml")):
         raise ValueError(f"{arm!r:.60} is neither a URDF file nor a known arm. Known are {', '.join(KNOWN)}.")
     chain, tree = load_urdf(arm, base or None, tip or None), Tree.from_urdf(arm)
+    base, tip = base or tree.root, tip or tree.default_tip(base or None)
+    counts = {end: sum(step.joint.moves for step in tree.path(base, end)) for end in tree.tips if end != tip}
+    ends = [f"{end} ({count} joint{'s'[: count != 1]})" for end, count in counts.items()]
+    notes = [f"The arm is from link {base} to link {tip}: {', '.join(chain.joint_names or ())}."]
     others = [name for name in tree.joint_names if name not in (chain.joint_names or ())]
-    left = f"Joints that are not on the way from base to tip are left at 0: {', '.join(others[:12])}" if others else ""
-    return chain, [f"{left}{' and more' if len(others) > 12 else ''}."] if left else [], (tree, base or tree.root)
+    for text, names in (
+        ("Other ends of the file, if yours is one of them (pass tip):", ends),
+        ("Joints that are not on the way are left at 0:", others),
+    ):
+        notes += [f"{text} {', '.join(names[:12])}{' and more' * (len(names) > 12)}."] * bool(names)
+    return chain, notes, (tree, base)

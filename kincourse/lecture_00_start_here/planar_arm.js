@@ -44,32 +44,22 @@ globalThis.planarArm = (() => {
   const number = (value) => (Math.abs(value) < 0.005 ? 0 : value).toFixed(2).replace('-', '−');
   const degree = (angle) => `${Math.round(angle)}°`.replace('-', '−');
   const place = (point) => `(${point.map(number).join(', ')})`;
-  const list = (words) => (words.length > 1 ? `${words.slice(0, -1).join(', ')} and ${words.at(-1)}` : words.join());
+  const list = (words) => words.join(', ').replace(/, (?=\S+$|\([^(]*$)/, ' and ');
+  /** A letter with an index, for example q and 1, as HTML. */
+  const letter = (name, index) => `<i>${name}</i><sub>${index}</sub>`;
 
-  // --- the scenes: what the reader may touch, and what is drawn beside the arm ---
+  // --- the scenes ---
 
-  const PLANE = {
+  /** Axes about which the links rotate, and the joints and the tool at home. */
+  const PINS = {
     axes: [0, 3, 5].map((x) => ({ point: [x, 0, 0], along: [0, 0, 1] })),
-    home: [
-      [0, 0, 0],
-      [3, 0, 0],
-      [5, 0, 0],
-      [6, 0, 0],
-    ],
+    home: [0, 3, 5, 6].map((x) => [x, 0, 0]),
   };
   const SPACE = {
-    axes: [
-      { point: [0, 0, 0], along: [0, 0, 1] },
-      { point: [0, 0, 1.8], along: [0, 1, 0] },
-      { point: [2.4, 0, 1.8], along: [0, 1, 0] },
-    ],
-    home: [
-      [0, 0, 0],
-      [0, 0, 1.8],
-      [2.4, 0, 1.8],
-      [4.2, 0, 1.8],
-    ],
+    axes: [0, 0, 2.4].map((x, i) => ({ point: [x, 0, i && 1.8], along: i ? [0, 1, 0] : [0, 0, 1] })),
+    home: [0, 0, 2.4, 4.2].map((x, i) => [x, 0, i && 1.8]),
   };
+  const TILT = 24; // how far from above the spatial arm is seen
   const MARKS = { A: [4, 3], B: [4, 1], C: [4, -2] };
   const WALL = 4;
 
@@ -82,37 +72,29 @@ globalThis.planarArm = (() => {
     space: [-3.6, 4.8, -2.4, 4.9],
     wall: [-4.6, 5.6, -3.4, 5.2],
   };
-
-  // --- elements ---
-
   const SVG = 'http://www.w3.org/2000/svg';
   const ARROWS = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
   const still = matchMedia('(prefers-reduced-motion: reduce)');
 
+  const set = (node, attributes) => {
+    for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+    return node;
+  };
   function element(name, attributes = {}, ...children) {
-    const made = document.createElement(name);
-    for (const [key, value] of Object.entries(attributes)) {
-      if (typeof value === 'function') made.addEventListener(key, value);
-      else made.setAttribute(key, value);
-    }
+    const made = set(document.createElement(name), attributes);
     made.append(...children);
     return made;
   }
 
-  /** A letter with an index, for example q and 1, as HTML. */
-  const letter = (name, index) => `<i>${name}</i><sub>${index}</sub>`;
-
   /** Show an arm in an element. The model has scene, q (degrees) and done; returns the function that ends the view. */
   function show(model, host) {
-    const scene = model.get('scene');
-    const lengths = model.get('lengths');
-    const goal = model.get('goal');
-    const machine = scene === 'space' ? SPACE : PLANE;
+    const [scene, lengths, goal] = ['scene', 'lengths', 'goal'].map((name) => model.get(name));
+    const isPlane = scene !== 'space';
+    const machine = isPlane ? PINS : SPACE;
     const state = {
       q: [...model.get('q')],
       done: new Set(model.get('done')),
       term: null, // the term that is lit, such as x1
-      lit: null, // what lit it: 'picture' or 'text'
       hidden: false,
       cross: null,
       answer: null, // the line from which joint 2 is said to be measured
@@ -121,105 +103,84 @@ globalThis.planarArm = (() => {
       view: -62,
       says: '',
     };
-    const stage = document.createElementNS(SVG, 'svg');
-    const paint = stage.appendChild(document.createElementNS(SVG, 'g'));
+    const stage = set(document.createElementNS(SVG, 'svg'), { role: 'group', 'aria-label': 'Picture of the arm' });
+    const paint = set(stage.appendChild(document.createElementNS(SVG, 'g')), { 'aria-hidden': 'true' });
     const handles = stage.appendChild(document.createElementNS(SVG, 'g'));
     const panel = element('div', { class: 'planar-panel' });
-    const alternative = element('p', {});
-    const live = element('p', { class: 'planar-live', 'aria-live': 'polite' });
-    stage.setAttribute('role', 'group');
-    stage.setAttribute('aria-label', 'Picture of the arm');
-    paint.setAttribute('aria-hidden', 'true');
+    const alternative = element('p');
     const words = element('details', {}, element('summary', {}, 'The picture in words'), alternative);
-    const root = element(
-      'div',
-      { class: 'planar-arm', 'data-lm-suppress-shortcuts': 'true' },
-      stage,
-      panel,
-      words,
-      live,
-    );
+    const live = element('p', { class: 'planar-live', 'aria-live': 'polite' });
+    const root = element('div', { class: 'planar-arm', 'data-lm-suppress-shortcuts': 'true' });
+    root.append(stage, panel, words, live);
     host.append(root);
 
-    const save = () => {
+    /** Keep what was done, beyond this view, and draw. */
+    function save() {
       model.set('q', [...state.q]);
       model.set('done', [...state.done]);
       model.save_changes();
-    };
-    const mark = (task) => state.done.add(task);
+      render();
+    }
+    function setJoint(i, value) {
+      state.q[i] = Math.round(wrap(value));
+      state.done.add(`link ${i + 1}`);
+      if (!state.hidden) state.cross = null;
+    }
+    function light(term = null) {
+      if (state.term === term) return;
+      state.term = term;
+      render();
+    }
 
-    // --- a painter: the same key keeps the same element, so that focus and dragging survive ---
+    // --- the picture is written anew each time; only what is held by a hand or has the focus stays ---
 
-    const nodes = new Map();
-    const specs = new WeakMap();
-    let used;
-    let last;
+    let parts; // of the picture, as SVG
     let unit; // pixels
     let origin;
     let size;
-
-    function put(parent, key, name, attributes, content) {
-      let node = nodes.get(key);
-      if (!node) {
-        node = document.createElementNS(SVG, name);
-        nodes.set(key, node);
-        if (parent === handles) parent.append(node); // a handle never moves in the document: it would lose the focus
-      }
-      for (const [attribute, value] of Object.entries(attributes)) {
-        if (node.getAttribute(attribute) !== String(value)) node.setAttribute(attribute, value);
-      }
-      if (content !== undefined && node.dataset.content !== content) node.innerHTML = node.dataset.content = content;
-      if (parent === paint) {
-        const next = last ? last.nextSibling : paint.firstChild;
-        if (node !== next) paint.insertBefore(node, next);
-        last = node;
-      }
-      used.add(key);
-      return node;
-    }
-
-    const draw = (key, name, attributes, content) => put(paint, key, name, attributes, content);
     const X = (x) => origin[0] + x * unit;
     const Y = (y) => origin[1] - y * unit;
     const at = (point) => [X(point[0]), Y(point[1])];
     const offset = ([x, y], r, angle) => [x + r * cos(angle), y - r * sin(angle)];
-    const text = (points) => points.map((p) => p.map((value) => value.toFixed(1))).join(' ');
-    const line = (key, [x1, y1], [x2, y2], style, more = {}) =>
-      draw(key, 'line', { x1, y1, x2, y2, class: style, ...more });
-    const dot = (key, [cx, cy], r, style) => draw(key, 'circle', { cx, cy, r, class: style });
-    const path = (key, points, style, more = {}) =>
-      draw(key, 'polyline', { points: text(points), class: style, ...more });
-    const shape = (key, points, style) => draw(key, 'polygon', { points: text(points), class: style });
+    const heading = (a, b) => degrees(Math.atan2(a[1] - b[1], b[0] - a[0])); // of two points of the picture
     const width = () => clamp(unit * 0.36, 12, 26);
-    const arcPoints = (centre, r, from, by) => {
-      const n = Math.max(2, Math.ceil(Math.abs(by) / 6));
-      return Array.from({ length: n + 1 }, (_, k) => offset(centre, r, from + (by * k) / n));
-    };
+    const anchor = (angle) => (Math.abs(cos(angle)) < 0.4 && ' mid') || (cos(angle) < 0 && ' end') || '';
+
+    function draw(name, attributes, content = '') {
+      const written = Object.entries(attributes).map(([key, value]) => ` ${key}="${value}"`);
+      parts.push(`<${name}${written.join('')}>${content}</${name}>`);
+    }
+    const line = ([x1, y1], [x2, y2], style, more = {}) => draw('line', { x1, y1, x2, y2, class: style, ...more });
+    const dot = ([cx, cy], r, style) => draw('circle', { cx, cy, r, class: style });
+    const rect = (x, y, w, h, style) => draw('rect', { x, y, width: Math.max(0, w), height: h, rx: 6, class: style });
+    const path = (points, style) => draw('polyline', { points: points.join(' '), class: style });
+    const shape = (points, style) => draw('polygon', { points: points.join(' '), class: style });
+    const arc = (centre, r, from, by) => Array.from({ length: 61 }, (_, k) => offset(centre, r, from + (by * k) / 60));
 
     /** A label; "*q*_1" becomes a letter of mathematics with an index. */
-    function label(key, [x, y], content, style = '') {
+    function label([x, y], content, style = '') {
       const index = (digit) =>
         digit ? `<tspan class="sub" dy="5">${digit}</tspan><tspan dy="-5">&#8203;</tspan>` : '';
-      const marked = content.replace(
-        /\*(.+?)\*(?:_(\d+))?/g,
-        (_, name, digit) => `<tspan class="mi">${name}</tspan>${index(digit)}`,
-      );
-      draw(key, 'text', { x: x.toFixed(1), y: y.toFixed(1), class: style }, marked);
+      const letters = (_, name, digit) => `<tspan class="mi">${name}</tspan>${index(digit)}`;
+      draw('text', { x, y, class: style }, content.replace(/\*(.+?)\*(?:_(\d+))?/g, letters));
     }
 
-    function arrow(key, a, b, style, half = 6) {
-      const head = Math.min(distance(a, b) || 1, half * 2);
-      const angle = degrees(Math.atan2(a[1] - b[1], b[0] - a[0]));
-      const neck = offset(b, -head, angle);
-      line(key, a, neck, `seg ${style}`);
-      shape(`${key}>`, [b, offset(neck, half, angle + 90), offset(neck, half, angle - 90)], `head ${style}`);
+    function head(tip, angle, length, half, style) {
+      const neck = offset(tip, -length, angle);
+      shape([tip, offset(neck, half, angle + 90), offset(neck, half, angle - 90)], `head ${style}`);
     }
 
-    /** Something to take with mouse, finger or keys: drag(point, grip), key(dx, dy), and what is said of it. */
-    function handle(key, name, attributes, { says, now, value, ...spec }) {
+    /** Something to take with mouse, finger or keys: grab(point), drag(point, grip), key(dx, dy), and what is said of it. */
+    const handlesByName = new Map();
+    const specs = new WeakMap();
+    function handle(name, kind, attributes, { says, now, value, ...spec }) {
       const aria = { role: 'slider', 'aria-label': says, 'aria-valuenow': Math.round(now), 'aria-valuetext': value };
       const range = { 'aria-valuemin': -180, 'aria-valuemax': 180, tabindex: 0 };
-      specs.set(put(handles, `handle ${key}`, name, { ...aria, ...range, class: 'hit', ...attributes }), spec);
+      const node = handlesByName.get(name) ?? document.createElementNS(SVG, kind);
+      if (!node.isConnected) handles.append(node); // never again: a node that moves in the document loses the focus
+      handlesByName.set(name, node);
+      specs.set(set(node, { class: 'hit', ...attributes, ...aria, ...range }), spec);
+      parts.handles.add(node);
     }
 
     // --- input ---
@@ -235,25 +196,18 @@ globalThis.planarArm = (() => {
       finish();
       event.target.focus({ preventScroll: true, focusVisible: false });
       stage.setPointerCapture(event.pointerId);
-      held = { spec, grip: spec.grab?.(world(event)) };
+      held = { spec, grip: spec.grab(world(event)) };
       if (event.pointerType === 'mouse') event.preventDefault();
     });
     stage.addEventListener('pointermove', (event) => {
-      if (held) {
-        held.spec.drag(world(event), held.grip);
-        render();
-        return;
-      }
-      const term = event.target.dataset?.term;
-      if (term) light(term, 'picture');
-      else if (state.lit === 'picture') light(null);
+      if (!held) return light(event.target.dataset.term);
+      held.spec.drag(world(event), held.grip);
+      render();
     });
     for (const name of ['pointerup', 'pointercancel', 'lostpointercapture']) {
       stage.addEventListener(name, () => {
-        if (!held) return;
+        if (held) save();
         held = null;
-        save();
-        render();
       });
     }
     root.addEventListener('keydown', (event) => {
@@ -263,53 +217,33 @@ globalThis.planarArm = (() => {
       event.preventDefault();
       event.stopPropagation(); // JupyterLab would select another cell
       finish();
-      const scale = event.shiftKey ? 10 : 1;
-      spec.key(step[0] * scale, step[1] * scale);
+      spec.key(...step.map((value) => value * (event.shiftKey ? 10 : 1)));
       save();
-      render();
     });
 
     // --- animation: one at a time; for readers who want no motion only its end is shown ---
 
     let running = null;
     function finish() {
-      if (!running) return;
-      const { frame, at: moment } = running;
+      const moment = running;
       running = null;
-      cancelAnimationFrame(frame);
-      moment(1);
+      moment?.(1);
     }
     function animate(milliseconds, moment) {
-      finish();
-      if (still.matches || document.hidden) {
-        moment(1);
-        render();
-        return;
-      }
-      const own = { at: moment };
-      running = own;
+      running = moment;
       const start = performance.now();
-      const tick = (now) => {
-        if (running !== own) return;
-        const t = clamp((now - start) / milliseconds, 0, 1);
-        moment(t * t * (3 - 2 * t));
-        if (t < 1) own.frame = requestAnimationFrame(tick);
-        else running = null;
+      const tick = () => {
+        if (running !== moment) return;
+        const t = clamp((performance.now() - start) / milliseconds, 0, 1);
+        if (t === 1 || still.matches || document.hidden) finish();
+        else {
+          moment(t * t * (3 - 2 * t));
+          requestAnimationFrame(tick);
+        }
         render();
       };
-      own.frame = requestAnimationFrame(tick);
+      tick();
     }
-    function setJoint(i, value) {
-      state.q[i] = Math.round(wrap(value));
-      mark(`link ${i + 1}`);
-      state.cross = state.hidden ? state.cross : null;
-    }
-    const light = (term, by = null) => {
-      if (state.term === term) return;
-      state.term = term;
-      state.lit = by;
-      render();
-    };
 
     // --- parts of the picture ---
 
@@ -319,123 +253,87 @@ globalThis.planarArm = (() => {
     function grid() {
       const [left, right] = [-origin[0] / unit, (size[0] - origin[0]) / unit];
       const [low, high] = [(origin[1] - size[1]) / unit, origin[1] / unit];
-      for (let x = Math.ceil(left); x <= right; x++)
-        line(`grid x ${x}`, [X(x), 0], [X(x), size[1]], x ? 'grid' : 'axis');
-      for (let y = Math.ceil(low); y <= high; y++) line(`grid y ${y}`, [0, Y(y)], [size[0], Y(y)], y ? 'grid' : 'axis');
-      label('x', [size[0] - 14, Y(0) - 8], '*x*', 'end');
-      label('y', [X(0) + 9, 20], '*y*');
+      for (let x = Math.ceil(left); x <= right; x++) line([X(x), 0], [X(x), size[1]], x ? 'grid' : 'axis');
+      for (let y = Math.ceil(low); y <= high; y++) line([0, Y(y)], [size[0], Y(y)], y ? 'grid' : 'axis');
+      label([size[0] - 14, Y(0) - 8], '*x*', 'end');
+      label([X(0) + 9, 20], '*y*');
       for (const value of [-4, -2, 2, 4]) {
         const shown = String(value).replace('-', '−');
-        if (value > left && value < right) label(`number x ${value}`, [X(value), Y(0) + 17], shown, 'soft mid');
-        if (value > low && value < high) label(`number y ${value}`, [X(0) - 7, Y(value) + 5], shown, 'soft end');
+        if (value > left && value < right) label([X(value), Y(0) + 17], shown, 'soft mid');
+        if (value > low && value < high) label([X(0) - 7, Y(value) + 5], shown, 'soft end');
       }
     }
 
-    /** Links [[a, b], ...] in the plane; they need not be connected. The last one carries the pen. */
-    function arm(links, faint = () => false) {
+    /** Links [[a, b], ...] in the picture, the farthest first; they need not be connected. The last one carries the pen. */
+    function arm(links, faint = () => '', order = [...links.keys()]) {
       const w = width();
-      draw('base', 'rect', { x: X(0) - w, y: Y(0) - w, width: 2 * w, height: 2 * w, rx: 6, class: 'base' });
-      links.forEach(([a, b], i) => {
-        const style = faint(i) ? ' faint' : '';
-        const heading = direction(a, b);
-        const end = i === links.length - 1 ? between(b, a, 0.45 / distance(a, b)) : b;
-        line(`edge ${i}`, at(a), at(end), `edge${style}`, { 'stroke-width': w + 4 });
-        line(`link ${i}`, at(a), at(end), `link c${i + 1}${style}`, { 'stroke-width': w });
-        if (end !== b) {
-          shape(
-            'pen',
-            [at(b), offset(at(end), w / 2, heading + 90), offset(at(end), w / 2, heading - 90)],
-            `pen${style}`,
-          );
-        }
-        dot(`joint ${i}`, at(a), w * 0.42, `joint${style}`);
-      });
-      for (const [i, [a, b]] of links.entries()) {
-        label(`name ${i}`, at(between(a, b, 0.42)), String(i + 1), faint(i) ? 'on faint' : 'on');
+      const [x, y] = links[0][0];
+      rect(x - w, y - w, 2 * w, 2 * w, 'base');
+      for (const i of order) {
+        const [a, b] = links[i];
+        const angle = heading(a, b);
+        const tip = i === links.length - 1 ? Math.min(0.45 * unit, distance(a, b)) : 0;
+        const end = offset(b, -tip, angle);
+        line(a, end, `edge${faint(i)}`, { 'stroke-width': w + 4 });
+        line(a, end, `link c${i + 1}${faint(i)}`, { 'stroke-width': w });
+        if (tip) shape([b, offset(end, w / 2, angle + 90), offset(end, w / 2, angle - 90)], `pen${faint(i)}`);
+        dot(a, w * 0.42, `joint${faint(i)}`);
       }
-    }
-
-    function ghost(ghosts, name, first) {
-      path('under', ghosts.slice(first).map(at), 'under');
-      path('ghost', ghosts.slice(first).map(at), 'ghost');
-      dot('ghost tip', at(ghosts.at(-1)), 5, 'ghost-tip');
-      beyond('ghost name', ghosts, name, 'soft', 60);
+      for (const [i, [a, b]] of links.entries()) label(between(a, b, 0.42), String(i + 1), `on${faint(i)}`);
     }
 
     /** A label beyond the tool, on one side of the direction of the last link. */
-    function beyond(key, chain, name, style, turn = -50) {
-      const [a, b] = chain.slice(-2);
-      const heading = direction(a, b) + turn;
-      const [x, y] = offset(at(b), 22, heading);
-      let anchor = x > size[0] - 90 ? ' end' : '';
-      if (cos(heading) < 0.4) anchor = cos(heading) < -0.4 ? ' end' : ' mid';
-      label(key, [x, y + 5 - 6 * sin(heading)], name, style + anchor);
+    function beyond(chain, name, style, turn = -50) {
+      const [a, b] = chain.slice(-2).map(at);
+      const angle = heading(a, b) + turn;
+      const [x, y] = offset(b, 22, angle);
+      label([x, y + 5 - 6 * sin(angle)], name, style + (x > size[0] - 90 ? ' end' : anchor(angle)));
     }
 
     function gap(a, b) {
       if (distance(a, b) < 0.05) return;
-      line('gap', at(a), at(b), 'gap');
-      label('gap name', add(at(between(a, b, 0.6)), [8, 5]), `${number(distance(a, b))} apart`);
+      line(at(a), at(b), 'gap');
+      label(add(at(between(a, b, 0.6)), [8, 5]), `${number(distance(a, b))} apart`);
     }
 
-    /** The angle of joint i, from the direction of the link before it (a dashed line). */
-    function angleOf(i, centre, from, by) {
-      const r = width() * 1.75 + 2 * i;
-      const arc = arcPoints(at(centre), r, from, by);
-      line(`reference ${i}`, at(centre), offset(at(centre), r * 1.75, from), 'drop');
-      path(`angle ${i}`, arc, `arc c${i + 1}${state.term === `q${i + 1}` ? ' hot' : ''}`);
-      if (Math.abs(by) > 12) {
-        const back = from + by + (by < 0 ? 90 : -90);
-        shape(
-          `angle head ${i}`,
-          [arc.at(-1), offset(arc.at(-1), 11, back - 24), offset(arc.at(-1), 11, back + 24)],
-          `head c${i + 1}`,
-        );
+    /** The angle of each joint, from the direction of the link before it (a dashed line). */
+    function angles(chain) {
+      for (const [i, q] of state.q.entries()) {
+        if (['x', 'y'].some((axis) => state.term === `${axis}${i + 1}`)) continue; // the sum of angles is there
+        const [centre, from, by] = [at(chain[i]), i ? sums(state.q)[i - 1] : 0, wrap(q)];
+        const r = width() * 1.75 + 2 * i;
+        line(centre, offset(centre, r * 1.75, from), 'drop');
+        path(arc(centre, r, from, by), `arc c${i + 1}`);
+        if (Math.abs(by) > 12)
+          head(offset(centre, r, from + by), from + by + (by < 0 ? -66 : 66), 10, 4.5, `c${i + 1}`);
+        // A large angle has room for its label; that of a small one is put on the other side of the dashed line.
+        const beside = from - (by < 0 ? -24 : 24);
+        const side = Math.abs(by) > 76 || scene === 'terms' ? from + by / 2 : beside;
+        const [x, y] = offset(centre, r + 12, side);
+        const name = `*q*_${i + 1} = ${degree(by)}`;
+        label([x, y + (sin(side) < -0.5 ? 13 : 5)], name, `num c${i + 1}${anchor(side)}`);
       }
-      // A large angle has room for its label; that of a small one is put on the other side of the dashed line.
-      const beside = from - (by < 0 ? -24 : 24);
-      const side = Math.abs(by) > 76 || scene === 'terms' ? from + by / 2 : beside;
-      const [x, y] = offset(at(centre), r + 12, side);
-      let anchor = '';
-      if (cos(side) < 0.35) anchor = cos(side) < -0.35 ? ' end' : ' mid';
-      label(
-        `angle name ${i}`,
-        [x, y + (sin(side) < -0.5 ? 13 : 5)],
-        `*q*_${i + 1} = ${degree(by)}`,
-        `num c${i + 1}${anchor}`,
-      );
     }
-    const angles = (chain) => {
-      state.q.forEach((q, i) => {
-        if (!'xy'.includes(state.term?.[0] ?? '-') || state.term[1] !== String(i + 1)) {
-          angleOf(i, chain[i], i ? sums(state.q)[i - 1] : 0, wrap(q));
-        }
-      });
-    };
 
     function linkHandles(chain) {
       pairs(chain).forEach(([a, b], i) => {
         const [[x1, y1], [x2, y2]] = [at(a), at(b)];
-        handle(
-          `link ${i + 1}`,
-          'line',
-          { x1, y1, x2, y2, 'stroke-width': Math.max(36, width() + 12) },
-          {
-            says: `Link ${i + 1}, rotates about joint ${i + 1}`,
-            now: state.q[i],
-            value: `q${i + 1} = ${Math.round(state.q[i])} degrees`,
-            grab: (p) => state.q[i] - direction(a, p),
-            drag: (p, grip) => setJoint(i, grip + direction(a, p)),
-            key: (dx, dy) => setJoint(i, state.q[i] + dx + dy),
-          },
-        );
+        const area = { x1, y1, x2, y2, 'stroke-width': Math.max(36, width() + 12) };
+        handle(`link ${i + 1}`, 'line', area, {
+          says: `Link ${i + 1}, rotates about joint ${i + 1}`,
+          now: state.q[i],
+          value: `q${i + 1} = ${Math.round(state.q[i])} degrees`,
+          grab: (p) => state.q[i] - direction(a, p),
+          drag: (p, grip) => setJoint(i, grip + direction(a, p)),
+          key: (dx, dy) => setJoint(i, state.q[i] + dx + dy),
+        });
       });
     }
 
     /** A handle that moves in two directions. */
-    function pointHandle(key, says, point, move) {
+    function pointHandle(name, says, point, move) {
       handle(
-        key,
+        name,
         'circle',
         { cx: X(point[0]), cy: Y(point[1]), r: 24 },
         {
@@ -452,41 +350,27 @@ globalThis.planarArm = (() => {
     /** The terms of x and y as arrows beside the axes, on the side where the arm is not. */
     function terms(chain) {
       const margin = width() + 12;
-      const dim = state.term && state.term[0] !== 'q';
-      const mean = (k) => chain.reduce((sum, p) => sum + p[k], 0);
-      const [sideX, sideY] = [mean(0) < 0 ? 1 : -1, mean(1) < 0 ? -1 : 1];
+      const outside = margin + lengths.length * 16;
+      const side = [0, 1].map((k) => (chain.reduce((sum, p) => sum + p[k], 0) < 0 ? 1 : -1) * (k ? -1 : 1));
       pairs(chain).forEach(([a, b], i) => {
-        const [x, y] = [X(0) + sideX * (margin + i * 16), Y(0) + sideY * (margin + i * 16)];
-        const [middleX, middleY] = at(between(a, b, 0.5));
-        line(`drop x ${i}`, at(b), [X(b[0]), y], 'drop');
-        line(`drop y ${i}`, at(b), [x, Y(b[1])], 'drop');
-        if (state.term === `x${i + 1}` || state.term === `y${i + 1}`) triangle(i, a, b);
-        const outside = margin + lengths.length * 16;
-        const parts = [
-          [
-            `x${i + 1}`,
-            b[0] - a[0],
-            [X(a[0]), y],
-            [X(b[0]), y],
-            [middleX, Y(0) + sideY * (outside + 16 * i) + 5],
-            'mid',
-          ],
-          [
-            `y${i + 1}`,
-            b[1] - a[1],
-            [x, Y(a[1])],
-            [x, Y(b[1])],
-            [X(0) + sideX * (outside + 4), middleY + 5],
-            sideX < 0 ? 'end' : '',
-          ],
-        ];
-        for (const [term, value, from, to, where, anchor] of parts) {
-          let style = `c${i + 1}`;
-          if (state.term === term) style += ' hot';
-          else if (dim) style += ' faint';
-          arrow(term, from, to, style);
-          if (Math.abs(value) > 0.04) label(`number ${term}`, where, number(value), `num ${anchor} ${style}`);
-          line(`over ${term}`, from, to, 'over', { stroke: 'transparent', 'stroke-width': 15, 'data-term': term });
+        const middle = at(between(a, b, 0.5));
+        for (const [k, axis] of ['x', 'y'].entries()) {
+          const term = `${axis}${i + 1}`;
+          const isHot = state.term === term;
+          const style = `c${i + 1}${isHot ? ' hot' : ''}${state.term && !isHot ? ' faint' : ''}`;
+          const foot = (p) =>
+            k ? [X(0) + side[0] * (margin + i * 16), Y(p[1])] : [X(p[0]), Y(0) + side[1] * (margin + i * 16)];
+          const [from, to, value] = [foot(a), foot(b), b[k] - a[k]];
+          const where = k
+            ? [X(0) + side[0] * (outside + 4), middle[1] + 5]
+            : [middle[0], Y(0) + side[1] * (outside + 16 * i) + 5];
+          if (isHot) triangle(i, a, b);
+          line(at(b), to, 'drop');
+          line(from, offset(to, -Math.min(distance(from, to), 12), heading(from, to)), `seg ${style}`);
+          head(to, heading(from, to), Math.min(distance(from, to) || 1, 12), 6, style);
+          const ends = k ? (side[0] < 0 && 'end') || '' : 'mid';
+          if (Math.abs(value) > 0.04) label(where, number(value), `num ${ends} ${style}`);
+          line(from, to, 'over', { stroke: 'transparent', 'stroke-width': 15, 'data-term': term });
         }
       });
     }
@@ -495,16 +379,14 @@ globalThis.planarArm = (() => {
     function triangle(i, a, b) {
       const sum = wrap(sums(state.q)[i]);
       const r = width() * 1.9;
-      path(`triangle ${i}`, [at(a), at([b[0], a[1]]), at(b)], `arc c${i + 1}`);
-      path(`sum ${i}`, arcPoints(at(a), r, 0, sum), `arc c${i + 1} hot`);
-      const name = `${state.q
-        .slice(0, i + 1)
-        .map((_, k) => `*q*_${k + 1}`)
-        .join(' + ')} = ${degree(sum)}`;
-      label(`sum name ${i}`, add(offset(at(a), r + 16, sum / 2), [8, 5]), name, `num c${i + 1}`);
+      path([at(a), at([b[0], a[1]]), at(b)], `arc c${i + 1}`);
+      path(arc(at(a), r, 0, sum), `arc c${i + 1} hot`);
+      const names = lengths.slice(0, i + 1).map((_, k) => `*q*_${k + 1}`);
+      const name = `${names.join(' + ')} = ${degree(sum)}`;
+      label(add(offset(at(a), r + 16, sum / 2), [8, 5]), name, `num c${i + 1}`);
     }
 
-    // --- the rotations about fixed axes, of scenes "pins" and "space" ---
+    // --- rotations about fixed axes, of scenes "pins" and "space" ---
 
     /** A point of link k after the rotations that were pressed: joint j moves the links k >= j. */
     const moved = (p, k) =>
@@ -513,17 +395,15 @@ globalThis.planarArm = (() => {
         return j <= k ? rotate(point, machine.axes[j - 1], share * goal[j - 1]) : point;
       }, p);
     const movedLinks = () => [1, 2, 3].map((k) => [moved(machine.home[k - 1], k), moved(machine.home[k], k)]);
-    const tool = () => moved(machine.home[3], 3);
-    const truth = () => [3, 2, 1].reduce((p, j) => rotate(p, machine.axes[j - 1], goal[j - 1]), machine.home[3]);
-    const torn = () => [1, 2].filter((k) => distance(moved(machine.home[k], k), moved(machine.home[k], k + 1)) > 0.05);
+    const target = () => [3, 2, 1].reduce((p, j) => rotate(p, machine.axes[j - 1], goal[j - 1]), machine.home[3]);
+    const shown = (p) => place(isPlane ? p.slice(0, 2) : p);
+    /** The links after which the arm is broken. */
+    const torn = (links) => [1, 2].filter((k) => distance(links[k - 1][1], links[k][0]) > 0.05);
 
     function press(j) {
-      if (j === 0) {
-        finish();
-        state.order = [];
-        state.says = '';
-      } else if (!state.order.includes(j)) {
-        finish();
+      finish();
+      if (j === 0) state.order = [];
+      else if (!state.order.includes(j)) {
         state.order.push(j);
         animate(900, (t) => {
           state.share = t;
@@ -535,159 +415,108 @@ globalThis.planarArm = (() => {
 
     function judge() {
       const order = state.order.join(', ');
-      const miss = distance(tool(), truth());
-      mark(order);
-      save();
+      const miss = distance(movedLinks()[2][1], target());
+      state.done.add(order);
       state.says =
         miss > 0.01
           ? `Order ${order}: the links no longer meet, and the tool misses its goal by ${number(miss)}.`
-          : `Order ${order}: the links fit together, and the tool is at its goal, ${place(truth().slice(0, scene === 'pins' ? 2 : 3))}.`;
+          : `Order ${order}: the links fit together, and the tool is at its goal, ${shown(target())}.`;
+      save();
     }
 
-    function tears(project) {
-      for (const k of torn()) {
-        const [a, b] = [moved(machine.home[k], k), moved(machine.home[k], k + 1)].map(project);
-        line(`tear ${k}`, a, b, 'gap');
+    /** The arm at home, the arm after the rotations, tears and goal, as `project` shows them; `depth` is away from the eye. */
+    function rotations(project, depth) {
+      path(machine.home.map(project), 'home');
+      const links = movedLinks();
+      const isAtRest = (i) => isPlane && state.order.length && !state.order.some((j) => j <= i + 1);
+      const order = [...links.keys()].sort((a, b) => depth(add(...links[b])) - depth(add(...links[a])));
+      const ends = links.map((link) => link.map(project));
+      arm(ends, (i) => (isAtRest(i) ? ' faint' : ''), order);
+      for (const k of torn(links)) line(ends[k - 1][1], ends[k][0], 'gap');
+      dot(project(target()), 10, 'mark');
+      label(add(project(target()), [14, -8]), 'goal');
+    }
+
+    function pins() {
+      grid();
+      rotations(at, () => 0);
+      for (const [i, { point }] of machine.axes.entries()) {
+        dot(at(point), 8, `pin c${i + 1}`);
+        label(add(at(point), [0, width() + 18]), `pin ${i + 1}`, `num mid c${i + 1}`);
       }
     }
 
-    const SCENES = {
-      drag() {
-        grid();
-        const chain = points();
-        if (!state.hidden) {
-          arm(pairs(chain));
-          angles(chain);
-          beyond('tool', chain, 'tool', 'tool');
-        }
-        if (state.cross) {
-          const [x, y] = at(state.cross);
-          line('cross a', [x - 12, y - 12], [x + 12, y + 12], 'cross');
-          line('cross b', [x - 12, y + 12], [x + 12, y - 12], 'cross');
-          label('cross name', [x + 18, y + 6], 'your cross');
-          if (!state.hidden) gap(state.cross, chain[2]);
-        }
-        if (state.hidden) {
-          pointHandle('cross', 'Your cross, moves in the plane', state.cross, (p) => {
-            state.cross = p.map((value) => clamp(value, -5, 5));
-          });
-          return;
-        }
-        linkHandles(chain);
-        dot('ring', at(chain[2]), 15, `ring${state.done.has('tool') ? '' : ' pulse'}`);
-        pointHandle('tool', 'Tool, moves in the plane', chain[2], (p) => {
-          state.q = reach(lengths, p, state.q[1] < 0 ? -1 : 1).map(wrap);
-          state.cross = null;
-          mark('tool');
-        });
-      },
-      terms() {
-        grid();
-        const chain = points();
-        arm(pairs(chain));
-        terms(chain);
-        angles(chain);
-        linkHandles(chain);
-      },
-      reference() {
-        grid();
-        const chain = points();
-        const wrong = joints(state.q, lengths); // as if each angle began at the x axis
-        if (state.answer === 'the x axis') {
-          ghost(wrong, 'your answer', 1);
-          gap(chain[3], wrong[3]);
-        }
-        arm(pairs(chain));
-        if (state.answer === 'link 1') {
-          terms(chain);
-          angles(chain);
-        }
-        linkHandles(chain);
-        beyond('tool', chain, 'tool', 'tool');
-      },
-      pins() {
-        grid();
-        path('home', machine.home.map(at), 'home');
-        const links = movedLinks();
-        arm(links, (i) => !state.order.some((j) => j <= i + 1) && state.order.length > 0);
-        machine.axes.forEach(({ point }, i) => {
-          dot(`pin ${i}`, at(point), 8, `pin c${i + 1}`);
-          label(`pin name ${i}`, add(at(point), [0, width() + 18]), `pin ${i + 1}`, `num mid c${i + 1}`);
-        });
-        tears(at);
-        dot('goal', at(truth()), 10, 'mark');
-        label('goal name', add(at(truth()), [14, -8]), 'goal');
-      },
-      space() {
-        const tilt = 24;
-        const back = ([x, y]) => x * sin(state.view) + y * cos(state.view); // away from the eye
-        const project = (p) =>
-          at([p[0] * cos(state.view) - p[1] * sin(state.view), back(p) * sin(tilt) + p[2] * cos(tilt)]);
-        for (let i = -4; i <= 4; i += 2) {
-          line(`floor x ${i}`, project([i, -4, 0]), project([i, 4, 0]), 'grid');
-          line(`floor y ${i}`, project([-4, i, 0]), project([4, i, 0]), 'grid');
-        }
-        machine.axes.forEach(({ point, along }, i) => {
-          const end = (m) => project(point.map((value, k) => value + along[k] * m));
-          const [from, to] = i ? [-1.7, 1.7] : [-0.7, 3.1];
-          line(`axis ${i}`, end(from), end(to), `screw c${i + 1}`);
-          label(`axis name ${i}`, add(end(to), [0, -10]), `axis ${i + 1}`, `num mid c${i + 1}`);
-        });
-        path('home', machine.home.map(project), 'home');
-        const links = movedLinks();
-        const depth = ([a, b]) => back(add(a, b));
-        const w = width() * 0.8;
-        for (const i of [0, 1, 2].sort((a, b) => depth(links[b]) - depth(links[a]))) {
-          const [a, b] = links[i].map(project);
-          line(`edge ${i}`, a, b, 'edge', { 'stroke-width': w + 4 });
-          line(`link ${i}`, a, b, `link c${i + 1}`, { 'stroke-width': w });
-          dot(`joint ${i}`, a, w * 0.42, 'joint');
-          label(`name ${i}`, between(a, b, 0.5), String(i + 1), 'on');
-        }
-        tears(project);
-        dot('pen', project(tool()), w * 0.5, 'pen');
-        dot('goal', project(truth()), 10, 'mark');
-        label('goal name', add(project(truth()), [14, -8]), 'goal');
-        handle(
-          'view',
-          'rect',
-          { x: 4, y: 4, width: size[0] - 8, height: size[1] - 8, class: 'hit orbit' },
-          {
-            says: 'View, rotates about the vertical',
-            now: wrap(state.view),
-            value: `view from ${Math.round(wrap(state.view))} degrees`,
-            grab: (p) => [p[0], state.view],
-            drag: (p, grip) => {
-              state.view = grip[1] + (p[0] - grip[0]) * 30;
-            },
-            key: (dx) => {
-              state.view += dx * 5;
-            },
-          },
-        );
-      },
-      wall() {
-        grid();
-        const chain = points();
-        draw('wall', 'rect', {
-          x: X(WALL),
-          y: 0,
-          width: Math.max(0, size[0] - X(WALL)),
-          height: size[1],
-          class: 'wall',
-        });
-        label('wall name', [X(WALL) + 12, 26], 'wall');
-        for (const [name, where] of Object.entries(MARKS)) {
-          const touched = state.done.has(name);
-          dot(`mark ${name}`, at(where), 9, `mark${touched ? ' ok' : ''}`);
-          label(`mark name ${name}`, add(at(where), [18, 6]), touched ? `${name} ✓` : name);
-        }
-        arm(pairs(chain));
-        angles(chain);
-        linkHandles(chain);
-        touch(chain[3]);
-      },
-    };
+    function space() {
+      const back = ([x, y]) => x * sin(state.view) + y * cos(state.view); // away from the eye
+      const right = ([x, y]) => x * cos(state.view) - y * sin(state.view);
+      const project = (p) => at([right(p), back(p) * sin(TILT) + p[2] * cos(TILT)]);
+      for (let i = -4; i <= 4; i += 2) {
+        line(project([i, -4, 0]), project([i, 4, 0]), 'grid');
+        line(project([-4, i, 0]), project([4, i, 0]), 'grid');
+      }
+      for (const [i, { point, along }] of machine.axes.entries()) {
+        const end = (m) => project(point.map((value, k) => value + along[k] * m));
+        line(end(i ? -1.7 : -0.7), end(i ? 1.7 : 3.1), `screw c${i + 1}`);
+        label(add(end(i ? 1.7 : 3.1), [0, -10]), `axis ${i + 1}`, `num mid c${i + 1}`);
+      }
+      rotations(project, back);
+      const whole = { x: 4, y: 4, width: size[0] - 8, height: size[1] - 8, class: 'hit orbit' };
+      const look = (view) => {
+        state.view = view;
+      };
+      handle('view', 'rect', whole, {
+        says: 'View, rotates about the vertical',
+        now: wrap(state.view),
+        value: `view from ${Math.round(wrap(state.view))} degrees`,
+        grab: (p) => state.view - p[0] * 30,
+        drag: (p, grip) => look(grip + p[0] * 30),
+        key: (dx) => look(state.view + dx * 5),
+      });
+    }
+
+    // --- what is drawn beside the arm of the other scenes ---
+
+    function cross(tool) {
+      if (!state.cross) return;
+      const [x, y] = at(state.cross);
+      line([x - 12, y - 12], [x + 12, y + 12], 'cross');
+      line([x - 12, y + 12], [x + 12, y - 12], 'cross');
+      label([x + 18, y + 6], 'your cross');
+      if (!state.hidden) return gap(state.cross, tool);
+      pointHandle('cross', 'Your cross, moves in the plane', state.cross, (p) => {
+        state.cross = p.map((value) => clamp(value, -5, 5));
+      });
+    }
+
+    function toolHandle(tool) {
+      dot(at(tool), 15, `ring${state.done.has('tool') ? '' : ' pulse'}`);
+      pointHandle('tool', 'Tool, moves in the plane', tool, (p) => {
+        state.q = reach(lengths, p, state.q[1] < 0 ? -1 : 1).map(wrap);
+        state.cross = null;
+        state.done.add('tool');
+      });
+    }
+
+    /** The arm of the wrong answer, each of whose angles begins at the x axis, as a ghost. */
+    function ghost(tool) {
+      const wrong = joints(state.q, lengths);
+      for (const style of ['under', 'ghost']) path(wrong.slice(1).map(at), style);
+      dot(at(wrong[3]), 5, 'ghost-tip');
+      beyond(wrong, 'your answer', 'soft', 60);
+      gap(tool, wrong[3]);
+    }
+
+    const touched = () => Object.keys(MARKS).filter((name) => state.done.has(name));
+    function wall(tool) {
+      rect(X(WALL), 0, size[0] - X(WALL), size[1], 'wall');
+      label([X(WALL) + 12, 26], 'wall');
+      for (const [name, where] of Object.entries(MARKS)) {
+        const isTouched = state.done.has(name);
+        dot(at(where), 9, `mark${isTouched ? ' ok' : ''}`);
+        label(add(at(where), [18, 6]), isTouched ? `${name} ✓` : name);
+      }
+      touch(tool);
+    }
 
     function touch(tip) {
       const name = Object.keys(MARKS).find((one) => distance(tip, MARKS[one]) < 0.13);
@@ -696,107 +525,113 @@ globalThis.planarArm = (() => {
       else if (Math.abs(phi()) > 3)
         state.says = `At mark ${name}, but φ = ${degree(phi())}: the pen must be perpendicular to the wall.`;
       else {
-        mark(name);
-        const touched = Object.keys(MARKS).filter((one) => state.done.has(one));
-        const all = ' From poses of the tool you have found joint values: this is inverse kinematics.';
-        state.says = `Mark ${name} is touched.${touched.length === 3 ? ` All three are.${all}` : ''}`;
+        state.done.add(name);
+        const all = ' All three are. From poses of the tool you have found joint values: this is inverse kinematics.';
+        state.says = `Mark ${name} is touched.${touched().length === 3 ? all : ''}`;
       }
+    }
+
+    /** Draw all of the scene. */
+    function picture() {
+      if (scene === 'space') return space();
+      if (scene === 'pins') return pins();
+      grid();
+      const chain = points();
+      const tool = chain.at(-1);
+      if (scene === 'drag') cross(tool);
+      if (scene === 'wall') wall(tool);
+      if (state.answer === 'the x axis') ghost(tool);
+      if (state.hidden) return;
+      arm(pairs(chain.map(at)));
+      if (scene === 'terms' || state.answer === 'link 1') terms(chain);
+      if (scene !== 'reference' || state.answer === 'link 1') angles(chain);
+      linkHandles(chain);
+      if (scene === 'drag' || scene === 'reference') beyond(chain, 'tool', 'tool');
+      if (scene === 'drag') toolHandle(tool);
     }
 
     // --- below the picture ---
 
-    /** A slider for a joint value. */
-    function slider(i) {
-      const input = element('input', { type: 'range', min: -180, max: 180, class: `c${i + 1}` });
-      const value = element('b', {});
-      input.addEventListener('input', () => {
-        finish();
-        setJoint(i, Number(input.value));
-        render();
-      });
-      input.addEventListener('change', save);
-      updates.push(() => {
-        input.value = Math.round(state.q[i]);
-        input.setAttribute('aria-valuetext', `${Math.round(state.q[i])} degrees`);
-        value.textContent = degree(state.q[i]);
-      });
-      const name = element('span', {});
-      name.innerHTML = `${letter('q', i + 1)} `;
-      return element('label', { class: `c${i + 1}` }, name, input, value);
-    }
-
     const updates = []; // what brings each part of the panel up to date
-    const button = (content, press_, attributes = {}) => {
-      const made = element('button', { type: 'button', click: press_, ...attributes });
-      made.innerHTML = content;
-      return made;
+    const keep = (node, properties) => {
+      updates.push(() => Object.assign(node, properties()));
+      return node;
     };
     const row = (...children) => panel.appendChild(element('div', { class: 'row' }, ...children));
-    const says = (text_) => {
-      const note = panel.appendChild(element('p', { class: 'note' }));
-      updates.push(() => {
-        if (note.textContent !== text_()) note.textContent = text_();
-        note.hidden = !text_();
-      });
-    };
-    const numbers = () => row(...state.q.map((_, i) => slider(i)));
-    const tasks = (names) => {
-      const items = names.map((name) => element('li', {}, name));
-      panel.append(element('ul', { class: 'tasks' }, ...items));
-      updates.push(() => {
-        items.forEach((item, k) => {
-          item.classList.toggle('done', state.done.has(names[k]));
+
+    function button(content, act, attributes = {}) {
+      const made = element('button', { type: 'button', ...attributes });
+      made.addEventListener('click', act);
+      made.innerHTML = content;
+      return made;
+    }
+
+    /** Sliders for the joint values. */
+    function sliders() {
+      const all = state.q.map((_, i) => {
+        const input = element('input', { type: 'range', min: -180, max: 180, class: `c${i + 1}` });
+        input.addEventListener('change', save);
+        input.addEventListener('input', () => {
+          setJoint(i, Number(input.value));
+          render();
         });
+        keep(input, () => ({ value: state.q[i], ariaValueText: `${Math.round(state.q[i])} degrees` }));
+        const value = keep(element('b'), () => ({ textContent: degree(state.q[i]) }));
+        const name = Object.assign(element('span'), { innerHTML: `${letter('q', i + 1)} ` });
+        return element('label', { class: `c${i + 1}` }, name, input, value);
       });
-    };
+      row(...all);
+    }
+
+    const written = (html) => keep(row(), () => ({ innerHTML: `<span>${html()}</span>` })); // a row would part q and its index
+    const says = (text) =>
+      keep(panel.appendChild(element('p', { class: 'note' })), () => ({ textContent: text(), hidden: !text() }));
+
+    function tasks(names) {
+      const items = names.map((name) =>
+        keep(element('li', {}, name), () => ({ className: state.done.has(name) ? 'done' : '' })),
+      );
+      panel.append(element('ul', { class: 'tasks' }, ...items));
+    }
 
     /** x = l1 cos q1 + ..., whose terms light their arrows; the short form writes c12 for cos(q1 + q2). */
-    function formula(axis, short) {
-      const f = axis === 'x' ? 'cos' : 'sin';
-      const term = (i) => {
-        const indices = lengths.slice(0, i + 1).map((_, k) => k + 1);
-        const sum = indices.map((k) => letter('q', k)).join(' + ');
-        const angle = short ? `<i>${f[0]}</i><sub>${indices.join('')}</sub>` : `${f} ${i ? `(${sum})` : sum}`;
+    function formula(axis, isShort) {
+      const k = axis === 'x' ? 0 : 1;
+      const f = ['cos', 'sin'][k];
+      const made = lengths.flatMap((_, i) => {
+        const indices = lengths.slice(0, i + 1).map((__, n) => n + 1);
+        const sum = indices.map((n) => letter('q', n)).join(' + ');
+        const angle = isShort ? `<i>${f[0]}</i><sub>${indices.join('')}</sub>` : `${f} ${i ? `(${sum})` : sum}`;
         const key = `${axis}${i + 1}`;
-        const made = button(`${letter('l', i + 1)} ${angle}`, () => light(key, 'text'), { class: `term c${i + 1}` });
-        for (const name of ['pointerenter', 'focus']) made.addEventListener(name, () => light(key, 'text'));
-        for (const name of ['pointerleave', 'blur']) made.addEventListener(name, () => light(null));
-        updates.push(() => {
+        const term = button(`${letter('l', i + 1)} ${angle}`, () => light(key), { class: `term c${i + 1}` });
+        for (const name of ['pointerenter', 'focus']) term.addEventListener(name, () => light(key));
+        for (const name of ['pointerleave', 'blur']) term.addEventListener(name, () => light());
+        keep(term, () => {
           const [a, b] = pairs(points())[i];
-          const value = axis === 'x' ? b[0] - a[0] : b[1] - a[1];
-          made.classList.toggle('hot', state.term === key);
-          made.setAttribute('aria-label', `${axis} part of link ${i + 1}: ${number(value)}`);
+          term.classList.toggle('hot', state.term === key);
+          return { ariaLabel: `${axis} part of link ${i + 1}: ${number(b[k] - a[k])}` };
         });
-        return made;
-      };
-      const result = element('b', { class: 'tool' });
-      updates.push(() => {
-        result.textContent = number(points().at(-1)[axis === 'x' ? 0 : 1]);
+        return i ? [' + ', term] : [term];
       });
-      const name = element('i', {}, axis);
-      return row(name, ' = ', ...lengths.flatMap((_, i) => (i ? [' + ', term(i)] : [term(i)])), ' = ', result);
+      const result = keep(element('b', { class: 'tool' }), () => ({ textContent: number(points().at(-1)[k]) }));
+      return row(element('i', {}, axis), ' = ', ...made, ' = ', result);
     }
 
     const PANELS = {
       drag() {
-        numbers();
+        sliders();
         tasks(['tool', 'link 1', 'link 2']);
         const hide = button('', () => {
-          finish();
           const any = (least, most) => 5 * Math.round((least + Math.random() * (most - least)) / 5);
-          if (!state.hidden) {
+          if (state.hidden) state.done.add('cross');
+          else {
             state.q = [any(20, 150), any(30, 110) * (Math.random() < 0.5 ? -1 : 1)];
             state.cross = [-2, -2];
           }
           state.hidden = !state.hidden;
-          if (!state.hidden) mark('cross');
           save();
-          render();
         });
-        updates.push(() => {
-          hide.textContent = state.hidden ? 'Show the arm' : 'Hide the arm';
-        });
-        row(hide);
+        row(keep(hide, () => ({ textContent: state.hidden ? 'Show the arm' : 'Hide the arm' })));
         says(() => {
           if (state.hidden)
             return 'The arm is hidden. Move the cross to the place where the tool must be, then show the arm.';
@@ -805,97 +640,81 @@ globalThis.planarArm = (() => {
         });
       },
       terms() {
-        numbers();
+        sliders();
         formula('x', false);
         formula('y', false);
       },
       reference() {
-        const choices = ['the x axis', 'link 1'].map((line_) =>
-          button(`from ${line_}`, () => {
-            state.answer = line_;
-            mark(line_);
+        const REPLIES = {
+          'the x axis':
+            'The dashed ghost is the arm of your answer. Drag link 1: joints 2 and 3 are locked, but links 2 and 3 of the real arm rotate with link 1. In the ghost they keep their directions. Choose again.',
+          'link 1':
+            'Right. Each joint rotates all links after it, so the angles add up along the arm. Choose the other answer too, and drag link 1.',
+        };
+        const choices = Object.keys(REPLIES).map((answer) => {
+          const choice = button(`from ${answer}`, () => {
+            state.answer = answer;
+            state.done.add(answer);
             save();
-            render();
-          }),
-        );
-        row(...choices);
-        updates.push(() => {
-          choices.forEach((choice, k) => {
-            choice.setAttribute('aria-pressed', state.answer === ['the x axis', 'link 1'][k]);
           });
+          return keep(choice, () => ({ ariaPressed: state.answer === answer }));
         });
-        says(() => {
-          if (state.answer === 'the x axis')
-            return 'The dashed ghost is the arm of your answer. Drag link 1: joints 2 and 3 are locked, but links 2 and 3 of the real arm rotate with link 1. In the ghost they keep their directions. Choose again.';
-          if (state.answer)
-            return 'Right. Each joint rotates all links after it, so the angles add up along the arm. Choose the other answer too, and drag link 1.';
-          return '';
-        });
-        numbers();
-        const after = [formula('x', true), formula('y', true)];
-        const heading = row();
-        updates.push(() => {
-          heading.innerHTML = `<i>φ</i> = ${state.q.map((_, i) => letter('q', i + 1)).join(' + ')} = <b class="tool">${degree(phi())}</b>`;
-          for (const part of [...after, heading]) part.hidden = state.answer !== 'link 1';
-        });
+        row(...choices);
+        says(() => REPLIES[state.answer] ?? '');
+        sliders();
+        const names = lengths.map((_, i) => letter('q', i + 1)).join(' + ');
+        const sum = () => `<i>φ</i> = ${names} = <b class="tool">${degree(phi())}</b>`;
+        for (const part of [formula('x', true), formula('y', true), written(sum)])
+          keep(part, () => ({ hidden: state.answer !== 'link 1' }));
       },
-      pins: () => orders('pin'),
-      space: () => orders('axis'),
+      pins: () => orders('pin', ['3, 2, 1', '1, 2, 3']),
+      space: () => orders('axis', ['3, 2, 1']),
       wall() {
-        numbers();
-        const result = row();
-        updates.push(() => {
-          result.innerHTML = `<i>φ</i> = <b class="tool">${degree(phi())}</b>, tool at <b class="tool">${place(points()[3])}</b>`;
-        });
-        tasks(['A', 'B', 'C']);
+        sliders();
+        written(
+          () => `<i>φ</i> = <b class="tool">${degree(phi())}</b>, tool at <b class="tool">${place(points()[3])}</b>`,
+        );
+        tasks(Object.keys(MARKS));
         says(() => state.says);
       },
     };
 
-    function orders(name) {
-      const buttons = [3, 2, 1].map((j) =>
-        button(`${name} ${j}: ${degree(goal[j - 1])}`, () => press(j), { class: `c${j}` }),
-      );
-      row(
-        ...buttons,
-        button('Home', () => press(0)),
-      );
-      updates.push(() => {
-        buttons.forEach((one, k) => {
-          one.setAttribute('aria-disabled', state.order.includes(3 - k));
-        });
+    function orders(name, wanted) {
+      const buttons = [3, 2, 1].map((j) => {
+        const made = button(`${name} ${j}: ${degree(goal[j - 1])}`, () => press(j), { class: `c${j}` });
+        return keep(made, () => ({ ariaDisabled: state.order.includes(j) }));
       });
-      tasks(scene === 'pins' ? ['3, 2, 1', '1, 2, 3'] : ['3, 2, 1']);
+      const home = button('Home', () => press(0));
+      row(...buttons, home);
+      tasks(wanted);
       says(() => (state.order.length === 3 && state.share === 1 ? state.says : ''));
     }
 
     // --- the text alternative, true of the present state ---
 
     function describe() {
-      const values = state.q.map((q, i) => `q${i + 1} = ${degree(q)}`).join(', ');
       if (scene === 'pins' || scene === 'space') {
-        const begin =
-          scene === 'pins'
-            ? 'Pins at (0, 0), (3, 0) and (5, 0).'
-            : 'A spatial arm: axis 1 is vertical, axes 2 and 3 are horizontal.';
+        const begin = isPlane
+          ? 'Pins at (0, 0), (3, 0) and (5, 0).'
+          : 'A spatial arm: axis 1 is vertical, axes 2 and 3 are horizontal.';
+        const links = movedLinks();
         const made = state.order.length ? `Rotated in the order ${state.order.join(', ')}.` : 'The arm is at home.';
-        const shown = (p) => place(scene === 'pins' ? p.slice(0, 2) : p);
-        const whole = torn().length ? `The arm is broken after link ${list(torn())}.` : 'The links fit together.';
-        return `${begin} ${made} The tool is at ${shown(tool())}; its goal is ${shown(truth())}. ${whole}`;
+        const broken = torn(links);
+        const whole = broken.length ? `The arm is broken after link ${list(broken)}.` : 'The links fit together.';
+        return `${begin} ${made} The tool is at ${shown(links[2][1])}; its goal is ${shown(target())}. ${whole}`;
       }
-      if (state.hidden) return `The arm is hidden. ${values}. Your cross is at ${place(state.cross)}.`;
+      const values = state.q.map((q, i) => `q${i + 1} = ${degree(q)}`).join(', ');
+      const cross = state.cross ? ` Your cross is at ${place(state.cross)}.` : '';
+      if (state.hidden) return `The arm is hidden. ${values}.${cross}`;
       const chain = points();
-      const joint = chain.slice(1, -1).map(place);
-      let more = state.cross ? ` Your cross is at ${place(state.cross)}.` : '';
-      if (scene === 'reference' && state.answer === 'the x axis') {
-        const wrong = joints(state.q, lengths)[3];
-        more = ` A dashed ghost, with all angles measured from the x axis, has its tool at ${place(wrong)}.`;
-      }
-      if (scene === 'wall') {
-        const touched = Object.keys(MARKS).filter((name) => state.done.has(name));
-        more = ` The wall is at x = ${WALL}. φ = ${degree(phi())}. Touched: ${list(touched) || 'no mark'}.`;
-      }
-      return `A planar arm of ${lengths.length} links, with its base at the origin. ${values}. Joints after the first: ${list(joint)}. The tool is at ${place(chain.at(-1))}.${more}`;
+      const more = {
+        drag: cross,
+        reference:
+          state.answer === 'the x axis' &&
+          ` A dashed ghost, with all angles measured from the x axis, has its tool at ${place(joints(state.q, lengths)[3])}.`,
+        wall: ` The wall is at x = ${WALL}. φ = ${degree(phi())}. Touched: ${list(touched()) || 'no mark'}.`,
+      };
+      return `A planar arm of ${lengths.length} links, with its base at the origin. ${values}. Joints after the first: ${list(chain.slice(1, -1).map(place))}. The tool is at ${place(chain.at(-1))}.${more[scene] || ''}`;
     }
 
     let later;
@@ -906,14 +725,10 @@ globalThis.planarArm = (() => {
       size = [box.width, box.height];
       unit = Math.min(size[0] / (x1 - x0), size[1] / (y1 - y0));
       origin = [size[0] / 2 - (unit * (x0 + x1)) / 2, size[1] / 2 + (unit * (y0 + y1)) / 2];
-      used = new Set();
-      last = null;
-      SCENES[scene]();
-      for (const [key, node] of nodes) {
-        if (used.has(key)) continue;
-        node.remove();
-        nodes.delete(key);
-      }
+      parts = Object.assign([], { handles: new Set() });
+      picture();
+      paint.innerHTML = parts.join('');
+      for (const node of [...handles.children]) if (!parts.handles.has(node)) node.remove();
       for (const update of updates) update();
       clearTimeout(later);
       later = setTimeout(() => {
@@ -938,23 +753,20 @@ globalThis.planarArm = (() => {
   /** The model of an arm on a page without a kernel: it remembers in this browser, where that is allowed. */
   function pageModel(state) {
     const key = `planar-arm ${state.scene}`;
-    try {
-      Object.assign(state, JSON.parse(localStorage.getItem(key) ?? '{}'));
-    } catch {
-      // The browser refuses storage: the arm begins anew on each visit.
-    }
+    const ifAllowed = (act) => {
+      try {
+        act();
+      } catch {
+        // The browser refuses storage: the arm begins anew on each visit.
+      }
+    };
+    ifAllowed(() => Object.assign(state, JSON.parse(localStorage.getItem(key) ?? '{}')));
     return {
       get: (name) => state[name],
       set: (name, value) => {
         state[name] = value;
       },
-      save_changes: () => {
-        try {
-          localStorage.setItem(key, JSON.stringify({ q: state.q, done: state.done }));
-        } catch {
-          // As above.
-        }
-      },
+      save_changes: () => ifAllowed(() => localStorage.setItem(key, JSON.stringify({ q: state.q, done: state.done }))),
     };
   }
 

@@ -37,7 +37,8 @@ PARALLEL_BOUNDS_RAD = 10.0 ** np.arange(-11.5, -4.5, 0.5)
 """The bounds below which axes are tried as parallel; the last one is beyond every pair that is nearly parallel."""
 
 SNAPPED_DECIMALS = 5
-"""To how many decimals of a metre a snapped table is rounded; its angles have one fewer, in degrees."""
+"""To how many decimals of a metre a snapped table is rounded, unless a number has few more, such as 0.089159; its angles have one
+fewer, in degrees."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,7 +126,7 @@ def _snapped(found: FrameAssignment) -> FrameAssignment:
     """Replace the numbers of a table by the short ones that they are near; base and tool keep the ends where they are."""
     table, chain = found.table, found.chain
     degrees = np.degrees(table.rows[:, [1, 3]])
-    rows = table.rows.round(SNAPPED_DECIMALS) + 0.0
+    rows = _short(table.rows)
     near = np.abs(degrees - degrees.round()) < np.degrees(TYPED_PI_ERROR)
     rows[:, [1, 3]] = np.radians(np.where(near, degrees.round(), degrees.round(SNAPPED_DECIMALS - 1))) + 0.0
     base, tool = (_clean_pose(T) for T in (table.base, table.tool))
@@ -138,8 +139,13 @@ def _clean_pose(T: Array) -> Array:
     """Round what is off by the digits of a typed pi / 2, and return the pose nearest to that."""
     rounded = T.copy()
     rounded[:3] = np.where(np.abs(T[:3] - T[:3].round(4)) < TYPED_PI_ERROR, T[:3].round(4), T[:3])
-    rounded[:3, 3] = T[:3, 3].round(SNAPPED_DECIMALS)
+    rounded[:3, 3] = _short(T[:3, 3])
     return nearest_rotation(rounded)
+
+
+def _short(lengths: Array) -> Array:
+    """Round lengths, but not those that have only a few more decimals."""
+    return np.where(np.abs(lengths - lengths.round(7)) < 1e-10, lengths.round(7), lengths.round(SNAPPED_DECIMALS)) + 0.0
 
 
 def _assign(chain: Chain, convention: Convention, parallel_below: float) -> FrameAssignment | None:
@@ -317,7 +323,7 @@ def _steps(found: FrameAssignment) -> Iterator[AssignmentStep]:
         others = "Any other frame, with other numbers in the base and in the first row."
     yield AssignmentStep("first", 0, text, others)
     for pair, normal in enumerate(normals):
-        yield from _explain_link(chain, frames[pair + 1], pair, normal, standard)
+        yield from _explain_link(chain, frames[pair : pair + 2], pair, normal, standard)
     yield _explain_last_frame(chain, table, frames)
     for i, (a, alpha, d, theta) in enumerate(format_rows(table, variable="q_{}".format), start=1):
         k = i if standard else i - 1
@@ -337,7 +343,10 @@ def _joints(numbers: Sequence[int]) -> str:
     return f"joints {names} are" if len(numbers) > 1 else f"joint {names} is"
 
 
-def _explain_link(chain: Chain, T: Array, pair: int, normal: CommonNormal, standard: bool) -> Iterator[AssignmentStep]:
+def _explain_link(
+    chain: Chain, frames: Array, pair: int, normal: CommonNormal, standard: bool
+) -> Iterator[AssignmentStep]:
+    previous, T = frames
     i, j, frame = pair + 1, pair + 2, pair + 1
     length = format_number(float(np.linalg.norm(normal.end - normal.start)))
     text, others = CASES[normal.case].format(i=i, j=j, a=length), ALTERNATIVES[normal.case]
@@ -359,7 +368,9 @@ def _explain_link(chain: Chain, T: Array, pair: int, normal: CommonNormal, stand
     if has_length:
         direction = "along the common normal, from axis to axis"
     elif normal.case == "intersecting":
-        direction = "perpendicular to both axes, as near the previous x as possible"
+        is_tie = abs(normal.x @ previous[:3, 0]) <= PARALLEL_TOL_RAD
+        which = f"of the two directions that of axis {i} × axis {j}" if is_tie else "as near the previous x as possible"
+        direction = f"perpendicular to both axes, {which}"
     others = "" if normal.case in {"parallel", "antiparallel"} else ALTERNATIVES[normal.case]
     yield AssignmentStep("x", frame, f"x_{frame} is {direction}: {format_vector(normal.x)}.", others)
     text = f"y_{frame} = z_{frame} × x_{frame} completes a right-handed frame: {format_vector(T[:3, 1])}."

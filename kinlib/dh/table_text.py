@@ -22,6 +22,7 @@ from kinlib.dh.parsing import (
     MIN_LENGTH_MM,
     NUMBER,
     Entry,
+    Heading,
     evaluate_entry,
     joint_of_row,
     parse_heading,
@@ -40,6 +41,9 @@ ORDERS = ("theta d a alpha", "a alpha d theta", "alpha a theta d", "alpha a d th
 LENGTH_UNITS, ANGLE_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}, {"rad": 1.0, "deg": np.pi / 180}
 
 NEEDED, ALL_COLUMNS = {"a", "alpha", "d"}, {*COLUMNS, "offset"}
+
+NUMBERING = re.compile(r"(?:joint|link|axis|frame|row|[ijkn]|no|nr)\b", re.IGNORECASE)
+"""The headings of the numbers of rows."""
 
 TOOL_WORDS = re.compile(r"\b(flange|tool|hand|tcp|end.?effector|ee|fixed|gripper|base)\b", re.IGNORECASE)
 
@@ -334,7 +338,7 @@ def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
             )
         lists = found
     if not lists:
-        lines = [cells for line in text.splitlines()[:MAX_LINES] for cells in _splits(line.strip())[::-1]]
+        lines = [cells for line in _lines(text) for cells in _splits(line.strip())[::-1]]
         heads = [
             (parse_heading(line[0]), line[1:]) for line in lines if len(line) > 2 and all(map(grid.is_entry, line[1:]))
         ]
@@ -375,12 +379,13 @@ def _by_index(text: str, grid: _Grid) -> dict[str, list[str]]:
 
 def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
     """Read lines of cells, with a heading or without one."""
-    if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]*;", text) and not re.search(r"\[(?:mm?|cm|rad|deg|°)\]", text):
+    text = re.sub(r"\[(mm?|cm|rad|deg|°)\]", r"(\1)", text)
+    if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]*;", text):
         text = re.sub(r"^[^\n#%/]*?[=(:]\s*(?=[\[{])", "", text, flags=re.MULTILINE)  # the name of an array
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
     text = re.sub(r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.*\balpha\b)", "\n", text)  # a heading as the comment of a row
     grid, heads, is_after_gap, is_spreadsheet, widths = _Grid(names), list[str](), False, False, set[int]()
-    for number, raw in enumerate(text.splitlines()[:MAX_LINES], start=1):
+    for number, raw in enumerate(_lines(text), start=1):
         line = _plain_line(raw)
         if not re.sub(r"[|\s:+=-]", "", line):
             is_after_gap = True
@@ -394,15 +399,16 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
         exact = sorted(splits, key=lambda cells: len(cells) != len(heads))
         read = [(cells, row) for cells in exact if (row := _row(cells, heads, grid))] if heads else []
         plain = [] if heads else [entries for cells in splits if len(entries := _entries(cells, grid)) >= 4]
-        if not grid.rows and (named := next(filter(None, (_heading(cells, grid) for cells in splits)), None)):
+        if not grid.rows and (named := _heading(raw, splits, heads, grid)):
             if grid.cells and all(len(cells) == len(named) for cells in grid.cells):  # a comment below the rows
                 named = ["offset" if name == "" and "theta" not in named else name for name in named]
-                grid.rows, grid.cells = [dict(zip(named, cells, strict=True)) for cells in grid.cells], []
+                grid.rows = [dict(zip(named, cells, strict=True)) for cells in grid.cells]
                 heads = named
                 continue
             heads, grid.cells, grid.places = named, [], []
             is_spreadsheet = "\t" in line
         elif read:
+            grid.cells.append(read[0][0])
             grid.rows.append(read[0][1])
             grid.places.append(place)
             widths |= {len(cells) for cells, row in read if row == read[0][1]}
@@ -423,7 +429,32 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
                 "empty cells, and one cell for each heading."
             )
         is_after_gap = False
-    return _uniform(grid) if grid.rows else grid
+    return _uniform(_with_labels(grid, heads)) if grid.rows else grid
+
+
+def _lines(text: str) -> list[str]:
+    """Return the lines of a text, which must not have more than a table can have."""
+    if len(lines := text.splitlines()) > MAX_LINES:
+        raise ValueError(f"A table must have at most {MAX_ROWS} rows; the text has {len(lines)} lines.")
+    return lines
+
+
+def _with_labels(grid: _Grid, heads: list[str]) -> _Grid:
+    """Give rows without their last cell the labels that they have, and refuse rows with a number whose column has no name."""
+    firsts = [re.sub(r"(?!q|theta)[A-Za-z]*(\d+)\.?", r"\1", cells[0]) for cells in grid.cells]
+    short = [k for k, cells in enumerate(grid.cells) if heads[0] == "" and len(cells) == len(heads) - 1]
+    if short and any([firsts[k] for k in short] == [str(k + first) for k in short] for first in (0, 1)):
+        for k in short:
+            named = {name: cell for name, cell in zip(heads, grid.cells[k], strict=False) if name}
+            grid.rows[k] = named | {"label": grid.cells[k][0]}
+    entries = min(sum(map(grid.is_entry, cells)) for cells in grid.cells)
+    is_numbered = any(firsts == [str(k + first) for k in range(len(firsts))] for first in (0, 1))
+    if (missing := sorted(NEEDED - {*heads})) and entries - is_numbered >= len(COLUMNS):
+        raise ValueError(
+            f"The heading has no {' and no '.join(missing)}, but each row has {entries - is_numbered} numbers. Name every column in a "
+            "line above the rows, such as 'a alpha d theta'."
+        )
+    return grid
 
 
 def _plain_line(raw: str) -> str:
@@ -436,16 +467,55 @@ def _plain_line(raw: str) -> str:
     return re.sub(r"\s+(?=[\[(](?:mm?|cm|rad|deg\w*|°|i|i-1)[\])])", "", line)
 
 
-def _heading(cells: list[str], grid: _Grid) -> list[str]:
-    """Return the names of the columns if the cells are a heading, and keep their units and their convention."""
-    heads = parse_headings(cells)
-    names = [head.name for head in heads if head.name in ALL_COLUMNS]
-    if len({*names}) < max(3, len(names)) or any(re.fullmatch(NUMBER, cell) for cell in cells):
+def _heading(line: str, splits: list[list[str]], before: list[str], grid: _Grid) -> list[str]:
+    """Return the names of the columns if a line is a heading, and keep their units and their convention.
+
+    In prose the heading is the longest run of names. A heading that is worse than the one before is none.
+    """
+    run = [] if re.search(r"[|\t]", line) else _run_of_names(line)
+    is_comment = bool(re.match(r"\s*(?:[#%*'\"]|//|/\*|--)", line))
+    found = list[list[Heading]]()
+    for cells in (*splits, run):
+        names = _columns_of(heads := parse_headings(cells))
+        if len({*names}) < max(3, len(names)) or any(re.fullmatch(NUMBER, cell) for cell in cells):
+            continue
+        places = [k for k, head in enumerate(heads) if head.name in names]
+        if not is_comment or places[-1] - places[0] < len(names) + any(head.name == "type" for head in heads):
+            found.append(heads)  # in a comment no other word stands between the names
+    is_behind_words = is_comment and not any(heads[0].name in ALL_COLUMNS for heads in found[:-1])
+    prefers_run = is_behind_words and len(run) > 3 and not NUMBERING.match(re.sub(r"^\W+", "", line))
+    found.sort(key=lambda heads: (len(_columns_of(heads)), prefers_run and len(heads) == len(run)), reverse=True)
+    known = [name for name in before if name]
+    if not found or (len(_columns_of(found[0])), -len(found[0])) < (len(known), -len(before)):
         return []
+    heads = found[0]
     grid.units = {head.name: head.unit for head in heads if head.name in ALL_COLUMNS and head.unit}
     indices = {head.indices for head in heads if head.name in {"a", "alpha"} and head.indices}
     grid.modified = "i-1" in indices if indices else None
     return [head.name if head.name in {*ALL_COLUMNS, "type"} else "" for head in heads]
+
+
+def _columns_of(heads: Sequence[Heading]) -> list[str]:
+    return [head.name for head in heads if head.name in ALL_COLUMNS]
+
+
+def _run_of_names(line: str) -> list[str]:
+    """Return the longest run of names of different columns in a line of prose, the last one of several."""
+    line = re.sub(r"(?i)\b(link|joint)[ _-](length|twist|offset|angle)", r"\1\2", line)
+    run, longest = dict[str, str](), list[str]()
+    for word in re.split(r"[\s,;|]+|/(?!\s*(?:mm?|cm|rad|deg|°))|(?<=[a-zA-Z])[\[({](?=\w+\s*,)", line):
+        name = parse_heading(word).name
+        if name in {*ALL_COLUMNS, "type"}:
+            names = [*run]
+            if name in run and name != names[-1]:
+                run = {other: run[other] for other in names[names.index(name) + 1 :]}
+            run.setdefault(name, word)
+        elif run and re.fullmatch(r"[(\[{]?(?:mm?|cm|rad|deg\w*|°)[)\]}]?", word):
+            run[[*run][-1]] += word
+        elif re.search(r"\w", word) and word not in {"and", "then"}:
+            run = {}
+        longest = [*run.values()] if len(run) >= len(longest) else longest
+    return longest if {*_columns_of(parse_headings(longest))} >= NEEDED else []
 
 
 def _row(cells: list[str], heads: list[str], grid: _Grid) -> dict[str, str] | None:
@@ -453,11 +523,14 @@ def _row(cells: list[str], heads: list[str], grid: _Grid) -> dict[str, str] | No
     label = cells[0] if not heads[0] else ""
     if len(cells) == len(heads) + 1 and (not grid.is_entry(cells[0]) or re.fullmatch(r"[A-Za-z]*\d+\.?", cells[0])):
         label, cells = cells[0], cells[1:]
+    named = [k for k, name in enumerate(heads) if name]
+    if len(cells) == named[-1] - named[0] + 1 < len(heads):  # without what has no name
+        label, heads = "", heads[named[0] : named[-1] + 1]
     is_short = heads[0] == "" and len(cells) >= len(heads) - 1
-    if is_short and len(cells) < len(heads):  # without its label, or without its last cell
-        count = len(grid.rows)
-        is_label = re.fullmatch(rf"(?!q|theta)[A-Za-z]*(?:{count}|{count + 1})\.?", cells[0])
-        label, heads = (label, heads) if is_label else ("", heads[1:])
+    if is_short and len(cells) < len(
+        heads
+    ):  # without its label; those without their last cell are found when all rows are read
+        label, heads = "", heads[1:]
     row = {name: cell for name, cell in zip(heads, cells, strict=False) if name}
     readable = sum(grid.is_entry(cell) or not cell.strip() for name, cell in row.items() if name != "type")
     if (

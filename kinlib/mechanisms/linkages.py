@@ -27,7 +27,7 @@ PRISMATIC = np.inf
 
 
 def four_bar(ground: float, crank: float, coupler: float, rocker: float) -> Mechanism:
-    """Build a planar four-bar linkage from its link lengths: joints A and D are on the ground, B and C at the coupler's ends.
+    """A planar four-bar linkage from its link lengths: joints A and D are on the ground, B and C at the coupler's ends.
 
     A is the angle of the crank and D that of the rocker, both from x; B is the angle of the coupler relative to the crank, and C
     that of the coupler relative to the rocker. If one length is more than the sum of the others, it is built, but closes nowhere.
@@ -49,7 +49,7 @@ def four_bar(ground: float, crank: float, coupler: float, rocker: float) -> Mech
 
 
 def slider_crank(crank: float, rod: float, offset: float = 0.0) -> Mechanism:
-    """Build a slider-crank linkage, whose slider moves along the line y = offset.
+    """A slider-crank linkage, whose slider moves along the line y = offset.
 
     A is the angle of the crank from x, B that of the rod relative to the crank, slide the displacement of the slider along x,
     and C the angle of the rod relative to the slider.
@@ -71,7 +71,7 @@ def slider_crank(crank: float, rod: float, offset: float = 0.0) -> Mechanism:
 
 
 def five_bar(ground: float, left: tuple[float, float], right: tuple[float, float]) -> Mechanism:
-    """Build a planar five-bar linkage: two arms of two links each, from A and from D, joined at C. Its mobility is 2.
+    """A planar five-bar linkage: two arms of two links each, from A and from D, joined at C. Its mobility is 2.
 
     Source: Modern Robotics, example 2.4 and figure 2.5(b).
 
@@ -84,7 +84,7 @@ def five_bar(ground: float, left: tuple[float, float], right: tuple[float, float
 
 
 def ten_links(left: Sequence[float] = (1.0,) * 5, right: Sequence[float] = (1.0,) * 5) -> Mechanism:
-    """Build a ring of ten links, joined to the ground at one of its ten joints, cut at the opposite one.
+    """A ring of ten links, joined to the ground at one of its ten joints, cut at the opposite one.
 
     q is theta_1 ... theta_5 of the left branch, theta_10 ... theta_6 of the right one, and the angle of the pin where they
     meet. Equation (3.81) of the source leaves the pin out, because it equates two points instead of poses.
@@ -102,7 +102,7 @@ def ten_links(left: Sequence[float] = (1.0,) * 5, right: Sequence[float] = (1.0,
 
 
 def parallelogram(ground: float = 0.4, crank: float = 0.2) -> Mechanism:
-    """Build a parallelogram with a third crank in its middle: by the Gruebler-Kutzbach count a structure, but it moves.
+    """A parallelogram with a third crank in its middle: by the Gruebler-Kutzbach count a structure, but it moves.
 
     It is drawn closed, with all cranks parallel to y: it is closed at q = 0.
 
@@ -121,7 +121,7 @@ def parallelogram(ground: float = 0.4, crank: float = 0.2) -> Mechanism:
 
 
 def triangle(side: float = 1.0) -> Mechanism:
-    """Build a triangle of three bars joined by revolute joints, one bar the ground: a structure.
+    """A triangle of three bars joined by revolute joints, one bar the ground: a structure.
 
     It is drawn closed.
 
@@ -135,7 +135,7 @@ def triangle(side: float = 1.0) -> Mechanism:
 
 
 def stretched_arch(left: float = 0.5, right: float = 0.5) -> Mechanism:
-    """Build an arch of two bars that are stretched along the straight line between two fixed pins.
+    """An arch of two bars that are stretched along the straight line between two fixed pins.
 
     It is drawn closed, and has an infinitesimal motion there, but no finite one.
 
@@ -150,7 +150,7 @@ def stretched_arch(left: float = 0.5, right: float = 0.5) -> Mechanism:
 
 
 def bennett(a: float = 1.0, alpha: float = np.pi / 3, b: float = 0.6) -> Mechanism:
-    """Build Bennett's linkage: four revolute joints with skew axes, which moves although the Gruebler-Kutzbach count is -2.
+    """Bennett's linkage: four revolute joints with skew axes, which moves although the Gruebler-Kutzbach count is -2.
 
     Opposite links are equal: lengths a, b, a, b and twists alpha, beta, alpha, beta, with sin(alpha)/a = sin(beta)/b, and no
     offsets. It is a standard DH table whose last frame is its first.
@@ -171,7 +171,7 @@ def bennett(a: float = 1.0, alpha: float = np.pi / 3, b: float = 0.6) -> Mechani
 
 
 def bricard(a: float = 1.0, alpha: float = np.pi / 2) -> Mechanism:
-    """Build Bricard's threefold symmetric linkage: six revolute joints, links of equal length, alternating twists alpha and -alpha.
+    """Bricard's threefold symmetric linkage: six revolute joints, links of equal length, alternating twists alpha and -alpha.
 
     Source: Chen, You and Tarnai, Threefold-symmetric Bricard linkages for deployable structures, Int. J. of Solids and
     Structures 42 (2005).
@@ -184,7 +184,7 @@ def bricard(a: float = 1.0, alpha: float = np.pi / 2) -> Mechanism:
 
 
 def sarrus(side: float = 0.3, rise: float = 0.2) -> Mechanism:
-    """Build Sarrus's linkage: two pairs of hinged plates in perpendicular planes, whose top moves along a straight line.
+    """Sarrus's linkage: two pairs of hinged plates in perpendicular planes, whose top moves along a straight line.
 
     It is drawn closed: at q = 0 the top is 2 rise above the ground, with the knees bent outwards.
 
@@ -207,7 +207,7 @@ def sarrus(side: float = 0.3, rise: float = 0.2) -> Mechanism:
 
 
 def stewart_gough(base: float = 0.5, platform: float = 0.3, height: float = 0.6) -> Mechanism:
-    """Build the Stewart-Gough platform, 6-UPS: six legs of variable length under one plate. Its mobility is 6.
+    """The Stewart-Gough platform, 6-UPS: six legs of variable length under one plate. Its mobility is 6.
 
     base and platform are the radii on which the feet and the heads of the legs lie. It is drawn closed. Each leg has a
     universal joint at its foot, a prismatic joint along it, and a spherical joint at its head.

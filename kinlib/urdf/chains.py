@@ -30,7 +30,7 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
 
     path_or_text  the path of a file, or its text, which begins with <
     base          the link whose frame is {s}; by default the root of the tree
-    tip           the link whose frame is {b}; by default the only end of the tree that moves relative to the base
+    tip           the link whose frame is {b}; by default `Tree.default_tip(base)`: the end of the arm, without the fingers of a gripper
 
     Revolute, continuous and prismatic joints become screws in the base frame, and fixed joints are merged. The chain keeps
     the names and the limits of the joints, and its points are the joint origins. Axes are normalized. The path may go up the

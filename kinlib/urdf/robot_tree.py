@@ -253,7 +253,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         """Build a chain from the joints on the path from one link to another: up the tree, and down again.
 
         base  the link whose frame is {s}; by default the root
-        tip   the link whose frame is {b}; by default the only end of the tree that moves relative to the base
+        tip   the link whose frame is {b}; by default `default_tip(base)`
 
         A mimic joint that is +-1 times an independent joint, plus an offset, takes the name and the limits of that joint. `poses` has
         no such condition.
@@ -268,7 +268,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         ('joint_4', 'joint_3')
         """
         base = self.root if base is None else base
-        tip = self._only_tip(base) if tip is None else tip
+        tip = self.default_tip(base) if tip is None else tip
         T, screws, points, moving, links = np.eye(4), [], [], [], [base]
         for joint, sign in self.path(base, tip):
             if joint.type in DEGREES_OF_FREEDOM:
@@ -365,9 +365,48 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         parents = {joint.parent for joint in self.parent_joints.values()}
         return [link for _, link, moves in self._descendants(base) if moves and link not in parents]
 
-    def _only_tip(self, base: str) -> str:
-        if len(tips := self._tips(self._checked(base, "base"))) == 1:
+    def default_tip(self, base: str | None = None) -> str:
+        """Find the end of the arm on a base: the fingers of a gripper at its end do not belong to it.
+
+        The way goes on where several joints follow if one of them leads to twice as many independent joints as each other one. It
+        ends where fewer joints follow than are behind. Of several links that are fixed there, tool0 is taken, which is the flange
+        in ROS, otherwise the last one before the fingers, otherwise the first end in the file.
+
+        Raises ValueError with the possible ends if the tree divides in another way.
+
+        >>> joints = [("turn", "base", "arm"), ("open", "arm", "left"), ("follow", "arm", "right")]
+        >>> text = "".join(f"<link name='{child}'/><joint name='{name}' type='continuous'><parent link='{parent}'/>"
+        ...                f"<child link='{child}'/></joint>" for name, parent, child in [("lift", "bolt", "base"), *joints])
+        >>> Tree.from_urdf(f"<robot name='crane'><link name='bolt'/>{text}</robot>").default_tip()
+        'arm'
+        """
+        base = self._checked(self.root if base is None else base, "base")
+        tips, link, behind = self._tips(base), base, 0
+        if len(tips) == 1:
             return tips[0]
+        below: dict[str, list[UrdfJoint]] = {}
+        for joint in self.parent_joints.values():
+            below.setdefault(joint.parent, []).append(joint)
+        independent, moving = dict[str, int](), dict[str, int]()  # joints that follow a link, on the longest way
+        for _, name, _ in reversed([*self._descendants(base)]):
+            joints = below.get(name, [])
+            moving[name] = max((moving[each.child] + each.moves for each in joints), default=0)
+            independent[name] = max((independent[each.child] + _is_independent(each) for each in joints), default=0)
+        while tips:
+            body = [name for _, name, moves in self._descendants(link) if not moves]
+            ways = [joint for name in body for joint in below.get(name, []) if joint.moves]
+            ways.sort(key=lambda joint: independent[joint.child] + _is_independent(joint), reverse=True)
+            follow = [independent[joint.child] + _is_independent(joint) for joint in ways]
+            if behind and (not ways or (len(ways) > 1 and follow[0] < behind)):
+                ends = [joint.parent for joint in ways] or [name for name in body if name not in below]
+                return "tool0" if "tool0" in body else ends[0]
+            if len(ways) > 1 and follow[0] < 2 * max(moving[joint.child] + 1 for joint in ways[1:]):
+                break
+            behind, link = behind + _is_independent(ways[0]), ways[0].child
+        raise self.link_elements[base].error(self._several_ends(base, tips))
+
+    def _several_ends(self, base: str, tips: list[str]) -> str:
+        """Say which links could be the end of an arm on a base."""
         choices = "Pass a base with a moving joint below it."
         if tips:
             paths = [[joint.child for joint in reversed(self._ancestors(tip))] for tip in tips]
@@ -376,9 +415,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
             counts = [sum(joint.moves for joint, _ in self.path(base, tip)) for tip in tips]
             named = (f"{tip} ({count} joint{'s'[: count != 1]})" for tip, count in zip(tips, counts, strict=True))
             choices = f"Pass tip=..., one of {', '.join(named)}{before}."
-        raise self.link_elements[base].error(
-            f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
-        )
+        return f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
 
     def _validate_joint_poses(self, given: Mapping[str, ArrayLike]) -> dict[str, Array]:
         needed = [joint.name for joint in self.parent_joints.values() if joint.type in DEGREES_OF_FREEDOM]
@@ -389,3 +426,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
                 "For a joint that is not displaced, pass np.eye(4)."
             )
         return {name: validation.poses(T, f"joint_poses[{name!r}]") for name, T in given.items()}
+
+
+def _is_independent(joint: UrdfJoint) -> bool:
+    return joint.moves and joint.mimic is None

@@ -146,11 +146,13 @@ def sentences(results: Sequence[Result]) -> list[str]:
     """Return what needs the eyes of an instructor: a sentence for each kind, with all names."""
     lines = []
     for flag, text in FLAGS.items():
-        named = [
-            f"{one.student} ({about})" if (about := one.flags[flag].rstrip(".")) and flag != "absent" else one.student
-            for one in results
-            if flag in one.flags
-        ]
+        flagged = [(one.student, one.flags[flag].rstrip(".")) for one in results if flag in one.flags]
+        named = [f"{student} ({about})" if about and flag != "absent" else student for student, about in flagged]
+        if flag == "unmarked":  # of everybody, as a rule
+            named = [
+                f"{about} of {count} student{'s' * (count > 1)}"
+                for about, count in Counter(about for _, about in flagged).items()
+            ]
         if named:
             more = f", and {len(named) - MAX_NAMED} more, see grades.csv" if len(named) > MAX_NAMED else ""
             lines.append(f"{text}: {', '.join(named[:MAX_NAMED])}{more}.")

@@ -15,7 +15,6 @@ beside the question. Each question is a table:
     [[order.options]]
     text = '$e^{[S_n] q_n}$'
     right = true
-    why = 'It is next to $M$, so it acts first.'
 
 Single quotes keep the backslashes of formulas. Use three single quotes for text with an apostrophe or a second line.
 
@@ -25,8 +24,8 @@ them", is marked with `last = true` and stays below them.
 
 Questions of the kinds recall and check show the reason of the chosen option at once. A prediction is only recorded, because
 the figure that follows shows the answer. explain("03/order") compares them afterwards and shows the explanation, which only a
-prediction has. It is Markdown of several paragraphs, as misstep.display.markdown reads it, and it precedes the options,
-because TOML counts a key after them as a key of the last option.
+prediction has, and which is the reason of its right option. It is Markdown of several paragraphs, as misstep.display.markdown
+reads it, and it precedes the options, because TOML counts a key after them as a key of the last option.
 """
 
 import tomllib
@@ -43,10 +42,10 @@ LETTERS = "ABCDEFGH"
 
 @dataclass(frozen=True)
 class Option:
-    """One possible answer, why it is right or wrong, and whether it stays below the others because it speaks of them."""
+    """One possible answer; why it is right or wrong, "" if an explanation says it; and whether it speaks of the others."""
 
     text: str
-    why: str
+    why: str = ""
     right: bool = False
     last: bool = False
 
@@ -103,4 +102,8 @@ def _item(key: str, table: Any, place: str) -> Item:
         )
     if sum(option.right for option in options) != 1 or not 2 <= len(options) <= len(LETTERS):
         raise ValueError(f"{place}: there must be 2 to {len(LETTERS)} options, exactly one of them with right = true.")
+    if any(bool(option.why) == (option.right and item.kind == "predict") for option in options):
+        raise ValueError(
+            f"{place}: each option must have why, but the right one of a prediction, which explanation explains."
+        )
     return item.shuffled(place)

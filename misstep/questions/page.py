@@ -46,4 +46,4 @@ def _option(option: Option, kind: str) -> str:
 
 def _why(option: Option) -> str:
     verdict = "Right." if option.right else "Not it."
-    return f'<p class="misstep-why"><strong>{verdict}</strong> {inline(option.why)}</p>'
+    return f'<p class="misstep-why"><strong>{verdict}</strong>{inline(f" {option.why}".rstrip())}</p>'

@@ -56,7 +56,7 @@ class Question(HasTraits):
         """
         item = self.item
         right = item.options[item.right]
-        correction = f"The correct answer is {LETTERS[item.right]}: {right.text.rstrip('.')}. {right.why}"
+        correction = f"The correct answer is {LETTERS[item.right]}: {right.text.rstrip('.')}. {right.why}".strip()
         lesson = [("markdown", item.explanation)] * bool(item.explanation) + [("pre", output)] * bool(output)
         if not self.committed and anyway:
             return Card("note", "Shown without a prediction", [correction, *lesson])
@@ -64,9 +64,8 @@ class Question(HasTraits):
             return Card("blank", "You have not committed to an answer yet", [f"The question was: {item.text}"])
         chosen = item.options[self.choice]
         if chosen.right:
-            return Card(
-                "right", f"You said {LETTERS[self.choice]}, and {LETTERS[self.choice]} is right", [chosen.why, *lesson]
-            )
+            title = f"You said {LETTERS[self.choice]}, and {LETTERS[self.choice]} is right"
+            return Card("right", title, [*filter(None, [chosen.why]), *lesson])
         title = f"You said {LETTERS[self.choice]}, but {LETTERS[item.right]} is right"
         return Card("wrong", title, [chosen.why, correction, *lesson])
 
@@ -161,8 +160,7 @@ def _make_widget(question: Question) -> "widgets.Widget":
         buttons[question.choice].description = f"{LETTERS[question.choice]} ●"
         buttons[question.choice].button_style = "info"
         if item.kind == "predict":
-            note = f"You said {LETTERS[question.choice]}. Now look, and then compare."
-            reply.value = Card("note", "Recorded", [note]).html()
+            reply.value = Card("note", f"You said {LETTERS[question.choice]}. The answer is below.").html()
         else:
             reply.value = question.explanation().html()
 

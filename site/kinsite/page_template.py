@@ -16,7 +16,7 @@ from kinlib import robots
 from kinlib.view import explore
 from kinlib.view.viewer.widget import STATIC
 from kinsite.demonstration import WrongAnswersDirective
-from kinsite.execute import ROOT, package_hash
+from kinsite.execute import package_hash
 from kinsite.html_tree import inner_html, read_html
 from kinsite.npm_packages import FONTS, MODULES, TEXT_FONTS
 
@@ -85,7 +85,7 @@ def copy_files(app: Sphinx) -> None:
 
 def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree: Any) -> None:
     """Set the values that the templates need for a page."""
-    context["body"] = adapt(context.get("body", ""))
+    context["body"] = adapt(context.get("body", ""), explains=not page.startswith(("reference/", "sheets/")))
     if "data-planar-arm" in context["body"]:
         app.add_js_file("planar_arm.js", defer="defer")
         app.add_css_file("planar_arm.css")
@@ -96,9 +96,7 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     is_notebook = folder in ("lectures", "sheets") and name != "index" and doctree is not None
     context["kinlib_notebook"] = f"files/{page}.ipynb" if is_notebook else ""
     path = f"notebooks/{name}.ipynb" if folder == "lectures" else f"exercises/{name}/{name}.ipynb"
-    context["kinlib_source"] = source_path(page) if app.config.kinlib_repository else ""
     context["kinlib_repository"] = app.config.kinlib_repository
-    context["kinlib_elsewhere"] = elsewhere(app.config.kinlib_repository, path) if is_notebook else {}
     lab = app.config.kinlib_lab
     context["kinlib_run"] = f"{lab}/notebooks/index.html?path={path}" if lab and is_notebook else ""
     context["kinlib_lab_folder"] = f"{lab}/"
@@ -110,8 +108,8 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     context["kinlib_lectures"] = [one for one in lectures if folder == "sheets" and sheet_of(one) == name]
 
 
-def adapt(body: str) -> str:
-    """Make the text of a page lighter, and right for screen readers."""
+def adapt(body: str, explains: bool) -> str:
+    """Make the text of a page lighter, and right for screen readers; headings of pages that explain count in the search."""
     page = read_html(body)
     for heading in page.xpath(".//th[@class='head'][not(normalize-space())][not(.//*[not(self::p)])]"):
         heading.clear(keep_tail=True)  # in a table without headings: a screen reader would say that it is one
@@ -124,38 +122,8 @@ def adapt(body: str) -> str:
         part.tag = {"dt": "h2"}.get(part.tag, "div")  # a heading is a place that the search finds
     for heading in page.xpath(".//section/*[1][self::h2 or self::h3 or self::h4][not(@id)]"):
         heading.set("id", heading.getparent().attrib.pop("id"))  # likewise
+    for heading in page.xpath(".//h1 | .//h2") if explains else ():
+        heading.set("data-pagefind-weight", "10")  # the most that Pagefind knows
     for name in page.xpath(".//*[contains(@class, 'sig-name')]"):
         name.set("data-pagefind-weight", "5")
     return inner_html(page)
-
-
-def elsewhere(repository: str, path: str) -> dict[str, str]:
-    """Return the addresses that open a notebook of a repository on GitHub elsewhere, by the name of the place.
-
-    >>> elsewhere("https://github.com/ada/course", "03.ipynb")["Binder"], elsewhere("https://example.org/a", "03.ipynb")
-    ('https://mybinder.org/v2/gh/ada/course/main?urlpath=lab/tree/03.ipynb', {})
-    """
-    name = repository.removeprefix("https://github.com/")
-    if name == repository:
-        return {}
-    return {
-        "Binder": f"https://mybinder.org/v2/gh/{name}/main?urlpath=lab/tree/{path}",
-        "Colab": f"https://colab.research.google.com/github/{name}/blob/main/{path}",
-    }
-
-
-def source_path(page: str) -> str:
-    """Name the file that a page is made from, or nothing if it is generated.
-
-    >>> source_path("lectures/03_poe_space"), source_path("robots/youbot")
-    ('notebooks/03_poe_space.ipynb', '')
-    """
-    folder, _, name = page.partition("/")
-    top = {"notation": "NOTATION.md", "contributing": "CONTRIBUTING.md", "instructors": "site/instructors.md"}
-    files = {
-        "guides": f"guides/{name}.md",
-        "lectures": f"notebooks/{name}.ipynb",
-        "sheets": f"solutions/{name}/{name}.ipynb" if name != "index" else "site/pages/sheets/index.md",
-    }
-    path = files.get(folder) or top.get(page, f"site/pages/{page}.md")
-    return path if (ROOT / path).exists() else ""

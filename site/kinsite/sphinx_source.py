@@ -32,6 +32,9 @@ LINK_TARGETS = {
 OUTPUT_LINK = re.compile(r'href="([\w./]+)\.(?:ipynb|md)(?:#([^"]*))?"')
 """A link in the output of a cell: to a section to re-read, or in an explanation. Sphinx does not resolve links in HTML."""
 
+TO_RUN = re.compile(r"Replace the `\.\.\.` in each answer cell, run the cell, and then run the check below it\.\s+")
+"""What a sheet says to do in Jupyter; its page says at the top what to do there."""
+
 SAMPLE_NOTE = """\
 :::{{note}}
 :class: kinlib-sample
@@ -95,7 +98,7 @@ def link_lectures(text: str) -> str:
 def notebook_pages(executed: Mapping[Path, NotebookNode]) -> Iterator[tuple[str, str]]:
     """Yield the executed lectures, the sheets without answers, and the file of each notebook for download."""
     for path in LECTURES:
-        yield f"lectures/{path.name}", nbformat.writes(without_image(adapt(executed[path])))
+        yield f"lectures/{path.name}", nbformat.writes(picture_first(adapt(executed[path])))
         yield f"files/lectures/{path.name}", nbformat.writes(without_image(nbformat.read(path, as_version=4)))
     for path in SHEETS:
         yield f"sheets/{path.name}", nbformat.writes(without_cards(adapt(executed[path]), path))
@@ -120,8 +123,18 @@ def adapt(notebook: NotebookNode) -> NotebookNode:
     return notebook
 
 
+def picture_first(notebook: NotebookNode) -> NotebookNode:
+    """Show the film of a lecture directly below its title, where a notebook that has not run has a still picture."""
+    first = notebook.cells[0]
+    if IMAGE.search(first.source):
+        title, _, text = IMAGE.sub("", first.source).partition("\n\n")
+        first.source = title
+        notebook.cells.insert(2, nbformat.v4.new_markdown_cell(text, id=f"{first.id}-text"))
+    return notebook
+
+
 def without_image(notebook: NotebookNode) -> NotebookNode:
-    """Remove the picture below the title: a page shows the film at once, and the file of the picture is not downloaded."""
+    """Remove the picture below the title, because the file of the picture is not downloaded."""
     notebook.cells[0].source = IMAGE.sub("", notebook.cells[0].source)
     return notebook
 
@@ -137,10 +150,11 @@ def link_to_page(found: re.Match[str]) -> str:
 
 
 def without_cards(notebook: NotebookNode, path: Path) -> NotebookNode:
-    """Remove the cards of a sheet, which only say that no problem has been answered yet, and add a note on the numbers."""
+    """Remove from a sheet the cards, which only say that nothing is answered yet, and how a notebook is answered; add a note."""
     for cell in notebook.cells:
         if cell.get("id", "").startswith(("check-", "tally", "open")):
             cell.outputs = []
+    notebook.cells[0].source = TO_RUN.sub("", notebook.cells[0].source)
     note = SAMPLE_NOTE.format(path=f"files/sheets/{path.name}")
     notebook.cells.insert(1, nbformat.v4.new_markdown_cell(note, id="sample"))
     return notebook

@@ -125,7 +125,7 @@
       });
       if (predicts) {
         buttons[k].append(h('span', { class: 'kinlib-verdict' }, '● your prediction'));
-        reply.replaceChildren(h('p', {}, `You predicted ${LETTERS[k]}. Now observe, and then compare.`));
+        reply.replaceChildren(h('p', {}, `You predicted ${LETTERS[k]}. The answer is below.`));
       } else {
         reply.replaceChildren(
           ...explainAnswer(
@@ -144,26 +144,26 @@
 
   /** The explanation of option k: why it is correct, or why not and which one is. If k is null, only which one is. */
   function explainAnswer(k, right, why, text) {
-    // each text begins with a verdict, which is left out here
-    const said = (index) => (index === null ? [] : cloneChildren(why(index)).slice(1));
+    // each text begins with a verdict, which is left out here; the lesson that follows may be all that there is to say
+    const said = (index) => {
+      const words = cloneChildren(why(index)).slice(1);
+      return words.length ? [h('p', {}, ...words)] : [];
+    };
     if (k === right)
-      return [
-        h('p', { class: 'kinlib-title', 'data-tone': 'right' }, `✓ ${LETTERS[k]} is correct`),
-        h('p', {}, ...said(k)),
-      ];
-    const wrong = [
+      return [h('p', { class: 'kinlib-title', 'data-tone': 'right' }, `✓ ${LETTERS[k]} is correct`), ...said(k)];
+    const wrong = () => [
       h('p', { class: 'kinlib-title', 'data-tone': 'wrong' }, `✗ ${LETTERS[k]} is not correct`),
-      h('p', {}, ...said(k)),
+      ...said(k),
     ];
     return [
-      ...(k === null ? [h('p', { class: 'kinlib-title' }, 'Shown without a prediction')] : wrong),
+      ...(k === null ? [h('p', { class: 'kinlib-title' }, 'Shown without a prediction')] : wrong()),
       h(
         'p',
         {},
         h('strong', {}, `The correct answer is ${LETTERS[right]}: `),
         ...text(right).map((node) => node.cloneNode(true)),
       ),
-      h('p', {}, ...said(right)),
+      ...said(right),
     ];
   }
 
@@ -183,7 +183,6 @@
     const asked = () => elementsNamed('data-misstep-question', name)[0]; // another one after its cell was run again
     if (!asked()) return;
     const items = all('.misstep-options > li', section);
-    const question = cloneChildren(section.querySelector('summary'));
     const lesson = section.querySelector('.misstep-lesson');
     const waits = waitingLine('explanation', () => show(null));
     const reply = h('div', { role: 'status' });
@@ -192,7 +191,7 @@
 
     function show(k) {
       section.classList.remove('kinlib-waiting');
-      waits.replaceWith(h('p', {}, ...question));
+      waits.remove();
       reply.replaceChildren(
         ...explainAnswer(
           k,
@@ -504,7 +503,13 @@
     follow();
     addEventListener('hashchange', follow);
     const hash = () => configurationHash(element) || `#q=${state.q}`;
-    element.nextElementSibling?.prepend(copyButton('Copy a link to this configuration', () => addressOf(hash())));
+    element.after(
+      h(
+        'p',
+        {},
+        copyButton('Copy a link to this configuration', () => addressOf(hash())),
+      ),
+    );
   }
 
   // --- what was read opens again without a network ---

@@ -19,11 +19,9 @@
   const h = window.kinlibElement; // of course.js
 
   const PYTHON_SIZE = `${note.dataset.megabytes} MB`;
-  const INTRODUCTION =
-    'The code runs on this page: press Run below a cell, or Shift + Enter in it. ' +
-    `The first run loads Python, ${PYTHON_SIZE}, which this browser keeps. Until then nothing is loaded. `;
   const CONSENT = 'kinlib-python'; // in localStorage, once the reader has agreed
   const DIFFERENCES = [
+    'Press Run below a cell, or Shift + Enter in it. The first run loads Python, which this browser keeps; until then nothing is loaded.',
     'The results that you see first were computed when the page was built; your own replace them.',
     'Before a cell runs, the cells above it run, if they have not run yet or have changed.',
     'Code that you change is kept in this browser, and handed in nowhere.',
@@ -34,7 +32,7 @@
     stores()
       ? 'Your answers are kept in this browser.'
       : 'This browser keeps no answers: do not close this page before the end.',
-    'When you are done, download the notebook with your answers and hand it in.',
+    'When you are done, download the notebook with your answers at the end of this page, and hand it in.',
     `The first check loads Python, ${PYTHON_SIZE}, which this browser keeps.`,
   ].join(' ');
   const SAMPLE_ID = /^(student = )"([^"\\\n]*)"$/m; // in the cell that opens the sheet
@@ -132,7 +130,7 @@
   }
 
   /** Say how much will be loaded, and go on with `then` if the reader agrees. */
-  function ask(cell, then, refused = () => {}) {
+  function ask(cell, then, refused = () => {}, place = (box) => cell.place(box)) {
     const before = document.activeElement;
     document.querySelector('.kinlib-live-ask')?.remove();
     const button = (label, onclick) => h('button', { type: 'button', class: 'kinlib-button', onclick }, label);
@@ -157,7 +155,7 @@
       else cell.runButton.focus();
       next();
     }
-    cell.place(box);
+    place(box);
     box.querySelector('button').focus();
   }
 
@@ -169,6 +167,7 @@
   let executed = new Map(); // each cell that this Python has run, with the code that it had
   let widgets = null;
   let inView; // what observes the problems of a sheet
+  let shown = ''; // the id whose numbers each problem gets when the reader comes to it
 
   function startPython(cell) {
     if (worker) return;
@@ -205,6 +204,7 @@
     worker = null;
     executed = new Map();
     inView?.disconnect();
+    shown = '';
     for (const { kinlibModel } of document.querySelectorAll('[data-kinlib-viewer], [data-kinlib-film]'))
       kinlibModel?.connect(null);
     clearTimeout(stalled);
@@ -301,7 +301,12 @@
   function markStale() {
     for (const cell of cells) {
       if (cell.role === 'show') cell.cover(cell.madeFrom !== madeFrom(cell));
-      if (cell.role === 'check') cell.markCard(cell.madeFrom !== madeFrom(cell));
+      if (cell.role !== 'check') continue;
+      if (cell.madeFrom !== undefined && cell.madeFrom.split('\0')[0] !== cells[0].source()) {
+        cell.dropCard(); // of another id
+        cell.status.textContent = '';
+      }
+      cell.markCard(cell.madeFrom !== madeFrom(cell));
     }
   }
 
@@ -313,9 +318,12 @@
 
   /** Show the numbers of the id at the top, if the reader has typed one and has agreed to load Python. */
   function showMyNumbers() {
+    for (const cell of cells) if (cell.role === 'check' && cell.madeFrom === undefined) cell.restore();
     if (!ownId() || !hasAgreed()) return;
+    shown = ownId();
     run(cells.find(({ role }) => role === 'show'));
     showInView();
+    markStale();
   }
 
   const isCurrent = (cell) => executed.get(cell) === cell.source();
@@ -386,8 +394,13 @@
     /** A field for the id of the student, from which the numbers of the sheet come. */
     askForId() {
       const id = () => SAMPLE_ID.exec(this.source())?.[2] ?? '';
-      const field = h('input', { autocomplete: 'off', value: id() });
+      const field = h('input', { id: 'your-id-field', autocomplete: 'off', value: id() });
+      let edited = false; // since the numbers were asked for: then nothing is written into the field
+      field.addEventListener('input', () => {
+        edited = true;
+      });
       const use = () => {
+        edited = false;
         const text = this.source().replace(SAMPLE_ID, (_, before) => `${before}${JSON.stringify(field.value.trim())}`);
         this.edit(text, false);
         if (!ownId()) said.textContent = 'Type your own id first.';
@@ -404,18 +417,30 @@
       const said = h('span', { class: 'kinlib-live-note', role: 'status' });
       this.sayId = (text) => {
         said.textContent = text;
-        if (field.value !== id()) field.value = id(); // typed in another tab, or in the cell
+        if (!edited) field.value = id(); // typed in another tab, or in the cell
       };
       const row = h(
         'p',
         { class: 'kinlib-live-id', id: 'your-id' },
-        h('label', {}, 'Your id ', field),
+        h('label', { for: 'your-id-field' }, 'Your id'),
+        ' ',
+        field,
         ' ',
         button,
         ' ',
         said,
       );
       this.element.before(row);
+      this.element.replaceWith(
+        h('details', { class: 'kinlib-opening' }, h('summary', {}, 'The code that opens the sheet')),
+      );
+      row.nextElementSibling.append(this.element);
+      const skip = document.querySelector('.skip-to-content');
+      skip?.replaceChildren('Skip to your id');
+      skip?.addEventListener('click', (event) => {
+        event.preventDefault();
+        field.focus();
+      });
     }
 
     /** Cover a problem whose numbers belong to another id, and say what to do; or uncover it. */
@@ -429,8 +454,12 @@
       const id = ownId();
       const toField = () => document.querySelector('#your-id input').focus();
       const link = h('button', { type: 'button', class: 'kinlib-button', onclick: toField }, 'at the top');
+      const own = h('strong', {}, id);
+      const later = ['This problem will have the numbers of the id ', own, ': press Show my numbers ', link, '.'];
+      const coming = ['The numbers of the id ', own, ' appear here when you come to this problem.'];
+      const asked = id === shown ? coming : later;
       const todo = id
-        ? ['This problem will have the numbers of the id ', h('strong', {}, id), ': press Show my numbers ', link, '.']
+        ? asked
         : ['This problem has numbers of your own: type your id ', link, ', and press Show my numbers.'];
       const look = () => {
         this.isExample = true;
@@ -461,7 +490,8 @@
 
     /** Put a message where it is seen, also if the code is folded. */
     place(message) {
-      if (this.output) this.output.before(message);
+      if (this.role === 'open') document.getElementById('your-id').after(message);
+      else if (this.output) this.output.before(message);
       else this.tools.after(message);
     }
 
@@ -580,6 +610,7 @@
       this.status.textContent = text;
       this.nameButton(this.runLabel);
       this.element.removeAttribute('aria-busy');
+      if (this.failed) this.element.closest('.kinlib-opening')?.setAttribute('open', '');
       if (!ran || this.failed) this.refused?.();
       this.refused = null;
       if (ran && this.asked) spoken.textContent = `Cell ${this.number}: ${text}`;
@@ -818,25 +849,30 @@
     event.preventDefault();
     run(cell, event.detail.refused);
   });
-  // your_robot.js writes what its form says into a cell, and runs it
+  // your_robot.js writes what its form says into a cell, and runs it and others
   document.addEventListener('kinlib-run', ({ detail }) => {
-    const cell = cells.find(({ element }) => element.contains(detail.element));
-    if (detail.source) cell.edit(detail.source, false);
-    cell.files = detail.files;
-    cell.status.textContent = '';
-    run(cell);
+    const some = cells.filter(({ element }) => detail.elements.some((each) => element.contains(each)));
+    const start = () => {
+      detail.start?.();
+      if (detail.source) some[0].edit(detail.source, false);
+      for (const cell of some) cell.status.textContent = '';
+      some[0].files = detail.files;
+      for (const cell of some) run(cell);
+    };
+    if (hasAgreed()) start();
+    else ask(some[0], start, undefined, detail.place);
   });
   const button = h('button', { type: 'button', class: 'kinlib-button', onclick: download }, 'Download with my answers');
   const downloaded = h('p', { role: 'status' });
+  if (SHEET) cells.at(-1).element.after(h('p', {}, button), downloaded);
   note.replaceChildren(
     ...(SHEET
-      ? [SHEET_INTRODUCTION, h('p', {}, button), downloaded]
+      ? [SHEET_INTRODUCTION]
       : [
-          INTRODUCTION,
           h(
             'details',
             {},
-            h('summary', {}, 'What is different from the lab'),
+            h('summary', {}, `The code runs on this page. The first run loads ${PYTHON_SIZE}.`),
             h('ul', {}, ...DIFFERENCES.map((text) => h('li', {}, text))),
             h('p', {}, 'To have all of it:', ' ', labLink()),
           ),

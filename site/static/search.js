@@ -2,7 +2,7 @@
 (() => {
   'use strict';
   const FILLER =
-    /^(?:an?|and|are|can|do|does|for|from|how|i|in|is|me|my|of|or|own|the|to|vs|what|when|where|why|with)$/i;
+    /^(?:an?|and|are|at|be|by|can|compute|convert|do|does|find|for|from|get|how|i|in|is|it|me|my|not|of|on|or|own|that|the|this|to|use|vs|what|when|where|which|why|with)$/i;
 
   /** Leave out the words that say nothing, because Pagefind wants each word on a page; kl.fk and Chain.fk are looked for as fk. */
   function processTerm(query) {
@@ -18,7 +18,7 @@
     excerptLength: 24,
     pageSize: 10,
     processTerm,
-    ranking: { pageLength: 0.3 }, // the glossary and the lectures are long
+    ranking: { pageLength: 0.3, termFrequency: 0.2 }, // the glossary and the lectures are long
     resetStyles: false,
     showImages: false,
     showSubResults: true,

@@ -13,6 +13,7 @@
   if (!h || !compare || !document.querySelector('[data-kinlib-lab]')) return;
 
   const MAX_BYTES = 20_000_000; // as in kincourse/your_robot.py
+  const MAX_CHARACTERS = 100_000; // of a table, as in kinlib/dh/table_text.py
   const MAX_LINKS = 2000;
   const MAX_FILES = 5000; // of a folder or an archive that is dropped
   const MAX_MESHES = 80_000_000; // bytes together, as in kinlib/view/viewer/meshes.py
@@ -23,47 +24,34 @@
 
   const inWords = (joints) => `${joints} joint${joints === 1 ? '' : 's'}`;
   const option = (value, text = value) => h('option', { value }, text);
-  const select = (label, ...options) => {
-    const field = h('select', {}, ...options);
-    return { field, row: h('label', {}, `${label} `, field) };
-  };
-  const names = [...known].map((row) => option(row.cells[0].textContent.trim()));
-  const arm = select('Arm', option('', 'of a URDF file'), ...names);
-  const base = select('from link');
-  const tip = select('to link');
-  const convention = select(
-    'Convention',
-    option('', 'as the text says'),
-    option('standard'),
-    option('modified', 'modified (Craig)'),
-  );
-  const lengths = select('Lengths in', option('', 'as the text says'), option('m'), option('cm'), option('mm'));
-  const angles = select('Angles in', option('', 'as the text says'), option('rad'), option('deg', 'degrees'));
-  const order = h('input', { placeholder: 'as the text says', size: 18, 'aria-label': 'Order of the columns' });
-
-  const said = h('p', { role: 'status', class: 'kinlib-live-note' });
-  const file = h('input', {
-    type: 'file',
-    accept: '.urdf,.xml,.zip',
-    'aria-label': 'A URDF file, or a zip archive with its meshes',
-  });
-  const urdfText = h('textarea', {
-    rows: 3,
-    spellcheck: 'false',
-    'aria-label': 'The text of a URDF file',
-    placeholder:
-      'Drop a URDF file here, or a folder or zip archive with its meshes; choose one above; or paste its text',
-  });
-  const table = h('textarea', {
-    rows: 9,
-    spellcheck: 'false',
-    'aria-label': 'A DH table',
-    placeholder:
-      'Paste a table: from a PDF, a web page, a spreadsheet, LaTeX, or code such as RevoluteDH(a=0.4, d=0.1)',
-  });
-  const which = select('File');
-  which.row.hidden = true;
-  const links = h('p', { hidden: true }, base.row, ' ', tip.row, ' ', h('span', {}));
+  const form = h('form', { class: 'your-robot', onsubmit: (event) => event.preventDefault() });
+  form.innerHTML = `
+    <fieldset><legend>1. The arm</legend>
+      <p><label>Arm <select name="arm"><option value="">of a URDF file</option></select></label>
+        <input type="file" name="file" accept=".urdf,.xml,.zip" aria-label="A URDF file, or a zip archive with its meshes">
+        <label hidden>File <select name="which"></select></label></p>
+      <p role="status" class="kinlib-live-note"></p>
+      <textarea name="urdf" rows="3" spellcheck="false" aria-label="The text of a URDF file" placeholder="Drop a URDF file here, or a folder or zip archive with its meshes; choose one above; or paste its text"></textarea>
+      <p hidden><label>from link <select name="base"></select></label> <label>to link <select name="tip"></select></label>
+        <span></span></p></fieldset>
+    <fieldset><legend>2. Your table</legend>
+      <textarea name="table" rows="9" spellcheck="false" aria-label="A DH table" placeholder="Paste a table: from a PDF, a web page, a spreadsheet, LaTeX, or code such as RevoluteDH(a=0.4, d=0.1)"></textarea>
+      <p role="status" class="kinlib-live-note"></p>
+      <p><label>Convention <select name="convention"><option value="">as the text says</option>
+          <option value="standard">standard</option><option value="modified">modified (Craig)</option></select></label>
+        <label>Lengths in <select name="length_unit"><option value="">as the text says</option>
+          <option>m</option><option>cm</option><option>mm</option></select></label>
+        <label>Angles in <select name="angle_unit"><option value="">as the text says</option>
+          <option>rad</option><option value="deg">degrees</option></select></label>
+        <label>Columns <input name="order" placeholder="as the text says" size="18"></label></p>
+      <p><button type="button" name="example" class="kinlib-button">Example</button></p></fieldset>
+    <p><button type="button" name="check" class="kinlib-button">Check</button>
+      Python runs in this page; nothing that you give leaves your browser.</p>
+    <p role="status" class="kinlib-live-note"></p>`;
+  const { arm, file, which, urdf: urdfText, base, tip, table, convention, example, check } = form.elements;
+  arm.append(...[...known].map((row) => option(row.cells[0].textContent.trim())));
+  const [aboutFile, aboutTable, said] = form.querySelectorAll('[role="status"]'); // each beside its field
+  const links = base.closest('p');
   const button = (label, onclick) => h('button', { type: 'button', class: 'kinlib-button', onclick }, label);
 
   /** A file as a document, without prefixes such as drake:, which makers write and do not declare. */
@@ -102,29 +90,28 @@
     meshes = [];
     const tree = text.trim() ? treeOf(text) : null;
     links.hidden = !tree;
-    said.textContent = text.trim() && !tree ? 'This text is no URDF file: it has no element <robot>.' : '';
+    aboutFile.textContent = text.trim() && !tree ? 'This text is no URDF file: it has no element <robot>.' : '';
     if (!tree) return;
-    arm.field.value = '';
+    arm.value = '';
     const inner = new Set([...tree.parents.values()].map(({ parent }) => parent));
-    const tips = tree.all.filter((link) => !inner.has(link));
-    const count = (link) => way(tree, undefined, link).joints || 0;
-    const longest = tips.reduce((best, link) => (count(link) > count(best) ? link : best), tips[0] ?? tree.all[0]);
-    tip.field.replaceChildren(
+    const isEnd = (link) => !inner.has(link);
+    tip.replaceChildren(
+      option('', 'the end of the arm, without a gripper'),
       ...[...tree.all]
-        .sort((one, other) => tips.includes(other) - tips.includes(one))
-        .map((link) => option(link, `${link} (${inWords(count(link))} from the root)`)),
+        .sort((one, other) => isEnd(other) - isEnd(one))
+        .map((link) => option(link, `${link} (${inWords(way(tree, undefined, link).joints || 0)} from the root)`)),
     );
-    tip.field.value = longest;
-    base.field.replaceChildren(...tree.all.map((link) => option(link)));
-    base.field.value = way(tree, undefined, longest).root;
+    base.replaceChildren(...tree.all.map((link) => option(link)));
+    base.value = way(tree, undefined, tree.all[0]).root;
     const say = () => {
-      const { joints } = way(tree, base.field.value, tip.field.value);
-      links.lastChild.textContent = Number.isNaN(joints)
+      const { joints } = way(tree, base.value, tip.value);
+      const between = Number.isNaN(joints)
         ? 'There is no way between these links: choose a base above the tip.'
         : `Between them: ${inWords(joints)}.`;
+      links.lastChild.textContent = tip.value ? between : 'The answer names it.';
     };
-    base.field.onchange = say;
-    tip.field.onchange = say;
+    base.onchange = say;
+    tip.onchange = say;
     say();
   }
 
@@ -210,7 +197,7 @@
         read.push({ path: placeOf(name), bytes: new Uint8Array(await (await best.read()).arrayBuffer()) });
     }
     if (wanted.length)
-      said.textContent = `${read.length} of ${wanted.length} meshes were found${read.length < wanted.length ? '. Drop a folder or a zip archive that contains all' : ''}.`;
+      aboutFile.textContent = `${read.length} of ${wanted.length} meshes were found${read.length < wanted.length ? '. Drop a folder or a zip archive that contains all' : ''}.`;
     return read;
   }
 
@@ -222,10 +209,10 @@
     if (!one) throw new Error('there is no file in it');
     if (one.size > MAX_BYTES)
       throw new Error(`${one.path} has ${Math.round(one.size / 1e6)} MB, and the limit is 20 MB`);
-    which.row.hidden = possible.length < 2;
-    which.field.replaceChildren(...possible.map(({ path }) => option(path)));
-    which.field.value = one.path;
-    which.field.onchange = () => reading(() => take(files, possible[which.field.selectedIndex]));
+    which.parentElement.hidden = possible.length < 2;
+    which.replaceChildren(...possible.map(({ path }) => option(path)));
+    which.value = one.path;
+    which.onchange = () => reading(() => take(files, possible[which.selectedIndex]));
     const text = await (await one.read()).text();
     urdfText.value = text.length > 4000 ? `${text.slice(0, 4000)}\n...` : text;
     setUrdf(text);
@@ -235,7 +222,8 @@
   /** Do something with files, and say why it fails. */
   const reading = (action) =>
     action().catch((error) => {
-      said.textContent = `This cannot be read: ${error.message}.`;
+      file.value = '';
+      aboutFile.textContent = `This cannot be read: ${error.message}.`;
     });
 
   const takeFile = async (one) =>
@@ -246,53 +234,64 @@
     );
   file.addEventListener('change', () => file.files[0] && reading(() => takeFile(file.files[0])));
   urdfText.addEventListener('input', () => setUrdf(urdfText.value));
-  arm.field.addEventListener('change', () => {
-    if (arm.field.value) links.hidden = true;
+  /** Refuse a text that is too long before the browser puts it into its field. */
+  const limit = (field, most, about) =>
+    field.addEventListener('paste', (event) => {
+      const { length } = event.clipboardData.getData('text');
+      about.textContent = '';
+      if (length <= most) return;
+      event.preventDefault();
+      about.textContent = `Not pasted: it has ${length.toLocaleString('en')} characters, and the limit is ${most.toLocaleString('en')}.`;
+    });
+  limit(urdfText, MAX_BYTES, aboutFile);
+  limit(table, MAX_CHARACTERS, aboutTable);
+  arm.addEventListener('change', () => {
+    if (arm.value) links.hidden = true;
   });
 
   /** A text as a literal of Python. */
   const literal = (text) => JSON.stringify(text.replace(/\0/g, '')).replace(/\u007f/g, '\\u007f');
 
-  function check() {
-    const given = arm.field.value || urdf;
+  check.onclick = () => {
+    const given = arm.value || urdf;
     if (!given.trim() && !table.value.trim()) {
       said.textContent = 'Choose an arm or a URDF file, or paste a table.';
       return;
     }
-    if (table.value.length > 100_000 || given.length > MAX_BYTES) {
+    if (table.value.length > MAX_CHARACTERS || given.length > MAX_BYTES) {
       said.textContent = 'This text is too long: a table may have 100,000 characters, and a URDF file 20 million.';
       return;
     }
     said.textContent = '';
-    const how = {
-      ...(arm.field.value || links.hidden ? {} : { base: base.field.value, tip: tip.field.value }),
-      convention: convention.field.value,
-      length_unit: lengths.field.value,
-      angle_unit: angles.field.value,
-      order: order.value.trim(),
-    };
-    const options = Object.entries(how)
-      .filter(([, value]) => value)
-      .map(([name, value]) => `, ${name}=${literal(value)}`);
+    const names = ['convention', 'length_unit', 'angle_unit', 'order'];
+    if (!arm.value && !links.hidden) names.push('base', 'tip');
+    const how = names.map((name) => [name, form.elements[name].value.trim()]).filter(([, value]) => value);
+    const options = how.map(([name, value]) => `, ${name}=${literal(value)}`);
     const source = [
       'from kincourse.your_robot import examine',
       `arm = ${literal(meshes.length && given === urdf ? PLACE : given)}`,
       `table = ${literal(table.value)}`,
-      `found = examine(arm, table${options.join('')})`,
+      `found = examine(arm, table, form=True${options.join('')})`,
       'found',
     ].join('\n');
-    for (const cell of [compare, picture]) cell.querySelector('.cell_output')?.replaceChildren(); // of another robot
-    for (const section of answer) section.hidden = false;
     const text = { path: PLACE, bytes: new TextEncoder().encode(urdf) };
-    run(compare, source, meshes.length ? [text, ...meshes] : []);
-    run(picture);
-    answer[0].scrollIntoView({ behavior: 'smooth', block: 'start' });
-  }
+    run([compare, picture], source, meshes.length ? [text, ...meshes] : [], () => {
+      const read = compare.querySelector('.your-robot-answer:not(.your-robot-unread)');
+      before = answer[0].hidden ? undefined : (read?.closest('.output') ?? before);
+      for (const cell of [compare, picture]) cell.querySelector('.cell_output')?.replaceChildren(); // of another robot
+      for (const section of answer) section.hidden = false;
+      answer[0].scrollIntoView({ behavior: 'smooth', block: 'start' });
+    });
+  };
 
-  const run = (cell, source, files = []) =>
-    document.dispatchEvent(
-      new CustomEvent('kinlib-run', { detail: { element: cell.querySelector('.cell_input'), source, files } }),
-    );
+  let before; // the answer to the check before
+
+  /** Run cells; the question whether Python may be loaded stands below the button, and `start` is called after it. */
+  const run = (some, source, files = [], start = undefined) => {
+    const elements = some.map((cell) => cell.querySelector('.cell_input'));
+    const place = start && ((question) => said.before(question));
+    document.dispatchEvent(new CustomEvent('kinlib-run', { detail: { elements, source, files, start, place } }));
+  };
 
   // The sections of the notebook with these cells show the answer, without their code; what they say of the code is left out.
   const answer = [compare, picture].map((cell) => cell.closest('section'));
@@ -301,30 +300,12 @@
     section.hidden = true;
   }
   for (const about of answer[0].querySelectorAll(':scope > p')) about.remove();
-  const form = h(
-    'form',
-    { class: 'your-robot', onsubmit: (event) => event.preventDefault() },
-    h('fieldset', {}, h('legend', {}, '1. The arm'), h('p', {}, arm.row, ' ', file, ' ', which.row), urdfText, links),
-    h(
-      'fieldset',
-      {},
-      h('legend', {}, '2. Your table'),
-      table,
-      h('p', {}, convention.row, ' ', lengths.row, ' ', angles.row, ' ', h('label', {}, 'Columns ', order)),
-      h(
-        'p',
-        {},
-        button('Example', () => {
-          arm.field.value = 'UR5e';
-          table.value = EXAMPLE.trim();
-          convention.field.value = 'standard';
-          links.hidden = true;
-        }),
-      ),
-    ),
-    h('p', {}, button('Check', check), ' Python runs in this page; nothing that you give leaves your browser.'),
-    said,
-  );
+  example.onclick = () => {
+    arm.value = 'UR5e';
+    table.value = EXAMPLE.trim();
+    convention.value = 'standard';
+    links.hidden = true;
+  };
   form.addEventListener('dragover', (event) => event.preventDefault());
   form.addEventListener('drop', (event) => {
     event.preventDefault();
@@ -335,11 +316,16 @@
   });
   const title = document.querySelector('article h1');
   (title.parentElement.querySelector('ul') ?? title).after(form);
-  const start = button('Start with the robot of the form', () => practise.map((cell) => run(cell)));
+  const start = button('Start with the robot of the form', () => run(practise));
   practise[0].before(h('p', {}, start));
 
-  // Each corrected table gets a button that copies it.
+  // Each corrected table gets a button that copies it; below a refusal stays what was answered before.
   const addCopies = () => {
+    const refusal = compare.querySelector('.your-robot-unread');
+    if (refusal && before) {
+      refusal.after(h('details', { open: true }, h('summary', {}, 'The answer to your check before'), before));
+      before = undefined;
+    }
     for (const pre of compare.querySelectorAll('.cell_output details > pre:not([data-copy])')) {
       pre.dataset.copy = '';
       const copy = button('Copy', async () => {

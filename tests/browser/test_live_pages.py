@@ -147,16 +147,29 @@ def kept_beside_another_tab(page):
 
 def still_there(page):
     """The numbers come by themselves, and the card of an answer is there, until the answer changes or fails."""
+    field = page.get_by_label("Your id")
+    field.fill("grace")
     expect(part(page, "answer-3").locator("textarea")).to_have_value("table_3 = 3")
     answer, check = part(page, "answer-1"), part(page, "check-1")
     expect(answer.locator("textarea")).to_have_value(re.compile(r"^lengths_1 = \["))
     expect(page.locator(".kinlib-live-id")).to_contain_text(f"numbers of the id “{STUDENT}”", timeout=PYTHON_TIMEOUT_MS)
     expect(check.locator(".cell_output")).to_contain_text("07.1: Right")
+    another_id_and_back(page, field, check.locator(".cell_output"))
     answer.locator("textarea").fill("lengths_1 = [")
     expect(check).to_contain_text("This card belongs to an answer that you have changed since")
     press(check, "Check")
     expect(answer.locator(".cell_output")).to_contain_text("SyntaxError", timeout=PYTHON_TIMEOUT_MS)
     expect(check.locator(".cell_output")).to_have_text("")
+
+
+def another_id_and_back(page, field, card):
+    """An id that was typed while Python loads stays; the card of another id goes, and comes back with it."""
+    expect(field).to_have_value("grace")
+    press(page, "Show my numbers")
+    expect(card).to_have_text("")
+    field.fill(STUDENT)
+    press(page, "Show my numbers")
+    expect(card).to_contain_text("07.1: Right")
 
 
 def assert_graded(folder):
@@ -202,14 +215,15 @@ def a_wrong_sign_is_explained_and_corrected(page, folder):
     answer, drawing = page.locator(".your-robot-result").all()
     expect(answer).to_be_hidden()
     page.get_by_label("A URDF file, or a zip archive with its meshes").set_input_files(file)
-    expect(page.locator("form.your-robot")).to_contain_text("Between them: 6 joints.")
+    expect(page.locator("form.your-robot")).to_contain_text("The answer names it.")
     page.get_by_label("A DH table").fill(TABLE.replace("-0.425", "0.425"))
     page.get_by_role("button", name="Check", exact=True).click()
+    assert page.locator(".kinlib-live-ask").bounding_box()["y"] < PHONE["height"]  # in view
+    expect(answer).to_be_hidden()
     agree(page)
     expect(answer).to_contain_text("For the same q the tool differs by up to 0.85 m", timeout=PYTHON_TIMEOUT_MS)
     expect(answer).to_contain_text("Row 2: a has the wrong sign.")
     expect(answer.locator("tr", has_text="first wrong row")).to_contain_text("-0.425")
-    answer.get_by_text("The corrected table as text").click()
     expect(answer.locator("details[open] pre").first).to_contain_text("-0.425")
     expect(drawing.locator("[data-kinlib-viewer]")).to_have_count(1, timeout=PYTHON_TIMEOUT_MS)
     page.get_by_role("button", name="Start with the robot of the form").click()
@@ -225,6 +239,10 @@ def a_zip_with_meshes_is_opened(page, folder):
         files.writestr("crane-main/meshes/arm.stl", stl())
     page.get_by_label("A URDF file, or a zip archive with its meshes").set_input_files(folder / "robot.zip")
     expect(page.locator("form.your-robot")).to_contain_text("1 of 1 meshes were found.")
+    page.get_by_label("A DH table").fill("no table")
+    page.get_by_role("button", name="Check", exact=True).click()
+    expect(answer).to_contain_text("No table was found", timeout=PYTHON_TIMEOUT_MS)
+    expect(answer.locator("details", has_text="your check before")).to_contain_text("up to 0.85 m")
     page.get_by_label("A DH table").fill("")
     page.get_by_role("button", name="Check", exact=True).click()
     expect(answer).to_contain_text("crane: 1 joint", timeout=PYTHON_TIMEOUT_MS)

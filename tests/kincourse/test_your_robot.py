@@ -89,6 +89,35 @@ def test_one_of_the_two_is_enough_and_what_cannot_be_compared_is_said():
     assert examine().sentence == "Give a URDF file, a table, or both."
 
 
+def test_the_fingers_of_a_gripper_are_left_out_and_the_chain_is_named():
+    fingers = "".join(
+        f'<link name="{one}"/><joint name="{one}_joint" type="prismatic"><parent link="tool"/><child link="{one}"/>'
+        f'<limit lower="0" upper="0.04" effort="1" velocity="1"/>{mimic}</joint></robot>'
+        for one, mimic in (("left", ""), ("right", '<mimic joint="left_joint"/>'))
+    ).replace("</robot>", "", 1)
+    panda = kl.to_urdf(KNOWN["Panda"][0].to_chain().changed(name="panda")).replace("</robot>", fingers)
+    alone = examine(panda, form=True)
+    assert alone.sentence == "panda: 7 joints from base_link to tool."
+    assert "(choose “to link”): left (8 joints), right (8 joints)." in alone._repr_html_()
+    assert kl.load_urdf(panda).n == 7
+
+
+def test_a_slip_and_another_base_are_one_reading_and_other_zeros_the_other():
+    rows = KNOWN["UR5"][0].rows * np.where(np.arange(24).reshape(6, 4) == 13, -1, 1)
+    rotated = KNOWN["UR5"][0].changed(base=np.diag([-1.0, -1, 1, 1]))
+    found = examine(kl.to_urdf(rotated.to_chain()), kl.DHTable(rows, convention="standard"))
+    assert found.readings[0] == "If only base and tool may differ: Row 4: alpha has the wrong sign."
+    html = found._repr_html_()
+    assert (
+        html.index("<strong>Either: ")
+        < html.index("<strong>Or: ")
+        < html.index("The corrected table has the first reading")
+    )
+    q = np.random.default_rng(0).uniform(-3, 3, (50, 6))
+    np.testing.assert_allclose(found.corrected.fk(q), found.arm.fk(q), atol=1e-9)
+    assert "e-1" not in found.copies()["Python"]
+
+
 def test_what_is_given_is_escaped_and_what_cannot_be_read_is_said():
     for arm, table in (("<script>alert(1)</script>", ""), ("UR5", "<script>alert(1)</script>"), ("no such arm", "")):
         found = examine(arm, table)

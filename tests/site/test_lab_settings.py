@@ -1,13 +1,11 @@
 """The files of the lab: every hash is checked, and a file that cannot be downloaded is reported."""
 
-import hashlib
 import importlib
-import json
 from zipfile import ZipFile
 
 import pytest
 from built_site import lab
-from kinsite.browser_lab import pyodide, wheels
+from kinsite.browser_lab import wheels
 from kinsite.browser_lab.precompile import compile_loaded, rewrite
 
 
@@ -22,22 +20,6 @@ def wheel(folder, name="arm", files=("arm/__init__.py",), requires=()):
             f"{name}-1.0.dist-info/METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n{needs}"
         )
     return path
-
-
-def distribution(folder, packages, files):
-    """Make a release of Pyodide with these packages in its lock file and these files to download."""
-    core = folder / "core"
-    core.mkdir()
-    (core / "pyodide.mjs").write_text("export {}")
-    (core / "pyodide-lock.json").write_text(json.dumps({"info": {"python": "3.12.7"}, "packages": packages}))
-    return pyodide.Distribution(core, files.get)
-
-
-def locked(name, data, depends=()):
-    return {
-        "name": name, "version": "1.0", "file_name": f"{name}.whl", "sha256": hashlib.sha256(data).hexdigest(),
-        "depends": list(depends), "imports": [name],
-    }  # fmt: skip
 
 
 # --- wheels ---
@@ -60,24 +42,6 @@ def test_a_wheel_with_another_hash_is_refused(tmp_path, monkeypatch):
     with pytest.raises(ValueError, match=r"arm-1\.0-py3-none-any\.whl must have the sha256 beef; got [0-9a-f]{64}"):
         wheels.download("arm", "1.0", sha256="beef")
     assert not path.exists(), "the next build downloads it again"
-
-
-# --- Pyodide ---
-
-
-def test_a_distribution_contains_the_required_packages_and_no_others(tmp_path, monkeypatch):
-    packages = {name: locked(name, name.encode(), needs) for name, needs in
-                {"numpy": ["blas"], "blas": [], "pandas": ["numpy"], "micropip": ["jupyterlab-widgets"]}.items()}  # fmt: skip
-    source = distribution(tmp_path, packages, {f"{name}.whl": name.encode() for name in packages})
-    (tmp_path / "kinlib").mkdir()
-    own = wheel(tmp_path / "kinlib", "kinlib", ["kinlib/__init__.py"], ["numpy"])
-    names = pyodide.install(source, [own], tmp_path / "out")
-    assert names == ["blas", "kinlib", "micropip", "numpy"]
-    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == sorted(
-        ["blas.whl", own.name, "micropip.whl", "numpy.whl", "pyodide.mjs", "pyodide-lock.json"]
-    )
-    lock = json.loads((tmp_path / "out" / "pyodide-lock.json").read_text("utf-8"))["packages"]
-    assert lock["micropip"]["depends"] == [], "the lab has its own scripts for widgets"
 
 
 # --- compiled modules ---
@@ -113,12 +77,12 @@ def test_loaded_modules_are_compiled_and_nothing_is_kept_that_no_cell_can_use(tm
 
 
 def test_without_a_network_the_lab_is_left_out_unless_it_was_requested(tmp_path, monkeypatch, capsys):
-    def no_network(kind, folder):
+    def no_network(folder):
         raise wheels.Unreachable("no route")
 
-    monkeypatch.setattr(lab, "LABS", tmp_path)
+    monkeypatch.setattr(lab, "LAB", tmp_path)
     monkeypatch.setattr(lab, "build_with_jupyterlite", no_network)
-    monkeypatch.setenv(lab.VARIABLE, "official")
+    monkeypatch.setenv(lab.VARIABLE, "offline")
     with pytest.raises(wheels.Unreachable, match="no route"):
         lab.build()
     monkeypatch.setenv(lab.VARIABLE, "")

@@ -221,7 +221,7 @@ class Canvas:
         for start, end in [*(((x, ys[0]), (x, ys[-1])) for x in xs), *(((xs[0], y), (xs[-1], y)) for y in ys)]:
             self.line([(*start, height), (*end, height)], PALE_GREY, 1.0, level=0)
         if not numbers:
-            places = [(0, -12), (36, -8), (-40, -12), (36, 8)]
+            places = [(0, -12), (36, -8), (-40, -12), (36, 8), (0, -24), (-40, -24), (0, 14), (-40, 14)]
             self.label((xs[-1], ys[0], height), f"grid {xs[1] - xs[0]:.3g} m", GREY, places, 8)
             return
         red, green, _ = AXIS_COLOURS

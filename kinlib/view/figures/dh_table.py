@@ -48,7 +48,7 @@ def draw_row(row: ArrayLike, *, caption: str = "") -> Picture:
     canvas.triad(end, "", length)
     directions = f"its x along {direction_text(end[:3, 0])}, its z along {direction_text(end[:3, 2])}"
     head = "One row of a table, with all four numbers."
-    return canvas.picture(f"{head} The frame is at {vector_text(tip)}, {directions}.", caption)
+    return canvas.picture(f"{head} The frame is at {vector_text(tip)}, {directions}.", caption, cropped=True)
 
 
 def draw_table(

@@ -22,7 +22,7 @@ export function renderPictures({ model, el }) {
     model,
     last: () => last,
     textOf: () => text().label,
-    name: rate ? 'picture' : 'value',
+    name: rate ? 'scene' : 'value',
     label,
     pace: rate && 1000 / rate,
     ends,

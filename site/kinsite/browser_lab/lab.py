@@ -1,11 +1,7 @@
 """The course in the browser: JupyterLite with the notebooks, our wheel and Python, on the same site as the pages.
 
-The environment variable KINLIB_LAB chooses the release of Python for the browser:
-    official   Pyodide's newest release, as on the published site; the build needs access to the Internet
-    offline    the older release that tests use; the build needs package registries only
-    none       no lab, and no buttons that open it
-If the variable is not set, the official release is tried, then the older one, and if neither can be downloaded the site is
-built without a lab.
+The environment variable KINLIB_LAB=none leaves it out; with KINLIB_LAB=offline the build fails if the lab cannot be downloaded,
+and without the variable the site is then built without a lab.
 """
 
 import gzip
@@ -30,10 +26,9 @@ from kinsite.browser_lab.wheels import Unreachable
 from kinsite.execute import ROOT, package_hash
 
 VARIABLE = "KINLIB_LAB"
-DISTRIBUTIONS = {"official": pyodide.official, "offline": pyodide.offline}
 
 SITE = ROOT / "site"
-LABS = ROOT / "build" / "lab"
+LAB = ROOT / "build" / "lab" / "built"
 LABEXTENSIONS = Path(sys.prefix) / "share" / "jupyter" / "labextensions"
 EXTENSIONS = (
     LABEXTENSIONS / "@jupyterlite" / "pyodide-kernel-extension",
@@ -83,39 +78,34 @@ DISABLED = (
 def build() -> Path | None:
     """Build the lab unless it is up to date. Returns its folder, or None if the site has no lab.
 
-    Raises ValueError for an unknown value of KINLIB_LAB, Unreachable if the release that it names cannot be downloaded.
+    Raises ValueError for an unknown value of KINLIB_LAB, Unreachable if the variable asks for a lab and it cannot be downloaded.
     """
     choice = os.environ.get(VARIABLE, "")
+    if choice not in ("", "offline", "none"):
+        raise ValueError(f"{VARIABLE} must be offline or none; got {choice!r}.")
     if choice == "none":
         return None
-    if choice not in ("", *DISTRIBUTIONS):
-        raise ValueError(f"{VARIABLE} must be one of {', '.join([*DISTRIBUTIONS, 'none'])}; got {choice!r}.")
-    for kind in [choice] if choice else DISTRIBUTIONS:
-        folder, current = LABS / kind, input_hash()
-        try:
-            if not (folder / HASH_FILE).exists() or (folder / HASH_FILE).read_text("utf-8") != current:
-                build_with_jupyterlite(kind, folder)
-                (folder / HASH_FILE).write_text(current, "utf-8")
-            return folder / "html"
-        except Unreachable as error:
-            if choice:
-                raise
-            print(f"The {kind} release of Python for the pages is not there: {error}", file=sys.stderr)
-    print(
-        f"The site has no lab, and no cell runs on its pages. {VARIABLE}=none leaves it out at once.", file=sys.stderr
-    )
+    current, finished = input_hash(), LAB / HASH_FILE
+    try:
+        if not finished.exists() or finished.read_text("utf-8") != current:
+            build_with_jupyterlite(LAB)
+            finished.write_text(current, "utf-8")
+        return LAB / "html"
+    except Unreachable as error:
+        if choice:
+            raise
+        print(f"The site has no lab, and no cell runs on its pages. {error}", file=sys.stderr)
     return None
 
 
-def build_with_jupyterlite(kind: str, folder: Path) -> None:
+def build_with_jupyterlite(folder: Path) -> None:
     """Build the lab into an empty folder.
 
     Raises ValueError if JupyterLite fails, Unreachable if a file cannot be downloaded.
     """
     shutil.rmtree(folder, ignore_errors=True)
     kernel = sorted((EXTENSIONS[0] / "static" / "pypi").glob("*.whl"))
-    distribution = DISTRIBUTIONS[kind]()
-    packages = pyodide.install(distribution, [wheels.build(folder / "wheel"), *kernel], folder / "python")
+    packages = pyodide.install([wheels.build(folder / "wheel"), *kernel], folder / "python")
     precompile(folder / "python", folder / "static" / "pyodide")
     for path in contents():
         target = folder / "contents" / path.relative_to(ROOT)

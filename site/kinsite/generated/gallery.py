@@ -38,7 +38,8 @@ START_CONFIGURATIONS: dict[str, ArrayLike] = {
     "bricard": [1, -2, 1, -2, 1, -2],
     "four_bar": [1, 0, 2, 0],
     "five_bar": [1.8, -1, 1.3, 1, 0],
-    "bennett": [1, 2, 1, 2],
+    "slider_crank": [1, -1.5, 0.5, 0.5],
+    "bennett": [-1.94, 2.2, 1.94, -2.2],
     "ten_links": [1.9, -0.5, -0.4, -0.4, -0.3, 1.2, 0.5, 0.4, 0.4, 0.3, 0],
 }
 """The guesses from which linkages are assembled that do not close at 0, or that look flat there."""
@@ -160,7 +161,7 @@ def page(entry: Entry) -> str:
 def figure(entry: Entry) -> str:
     """Show a robot in the viewer or, if a linkage has more than one degree of freedom, as a drawing."""
     if isinstance(entry.robot, Chain):
-        return explore(entry.robot).html()
+        return explore(entry.robot, start=entry.q).html()
     if entry.robot.mobility(entry.q).finite == 1:
         curve = entry.robot.trace(entry.q, points=CURVE_POINTS).q
         return drive(entry.robot, entry.q, curves=[curve], labels=["as it is assembled"]).html()

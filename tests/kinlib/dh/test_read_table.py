@@ -169,6 +169,30 @@ def test_code_is_read_in_whatever_way_it_names_its_numbers(form):
     )
 
 
+@pytest.mark.parametrize(
+    "comment",
+    [
+        "# each row is (a, alpha, d, theta)",
+        "# UR5 standard DH: [a, alpha, d, theta]",
+        "# DH: [a, alpha, d, theta]",
+        "// rows hold a, then alpha, then d and theta",
+        "/* a [m], alpha [rad], d [m], theta [rad] */",
+        "% columns = [a alpha d theta] of the arm",
+        '"""Return the table, with the columns (a, alpha, d, theta)."""',
+        "# link length, link twist, link offset, joint angle",
+        "# each joint as a link length (a), alpha, d, theta row",
+        "# a and d in metres, alpha and theta in radians\n# (a, alpha, d, theta), a row for each joint",
+        "# a, alpha, d, theta\n# d and a in metres, theta and alpha in radians",
+        "# DH: a (m), alpha (rad), d (m), theta (rad)",
+    ],
+)
+def test_a_comment_names_the_columns_in_prose(comment):
+    rows = "dh = [[0, pi/2, 0.3, 0],\n[0.4, 0, 0, pi/2],\n[0.2, 0, 0, 0]]"
+    table, assumed = read_table(f"{comment}\n{rows}", convention="standard")
+    assert table.rows.tolist() == [[0, np.pi / 2, 0.3, 0], [0.4, 0, 0, np.pi / 2], [0.2, 0, 0, 0]]
+    assert not [each.text for each in assumed if "column" in each.text]
+
+
 def test_a_flipped_joint_counts_the_other_way_also_beside_another_call():
     text = "[RevoluteDH(d=0.1, flip=True), RevoluteDH(a=0.2), PrismaticDH(alpha=0, offset=0.1, flip=True)]"
     table, _ = read_table(text, convention="standard")
@@ -180,6 +204,7 @@ def test_a_flipped_joint_counts_the_other_way_also_beside_another_call():
     ("text", "words"),
     [
         ("a = [0, 0.4]\nd = [0.3, 0]", "alpha was not"),
+        ("# rows: alpha, d, theta\n0, 1.57, 0.3, 0\n0.4, 0, 0, 0", "has no a, but each row has 4 numbers"),
         ("a1 = 0; alpha1 = pi/2; d1 = 0.3 * SCALE\na2 = 1; alpha2 = 0; d2 = 0", "d1 = 0.3 [*] SCALE"),
     ],
 )

@@ -247,7 +247,7 @@ def test_a_text_is_never_0_without_a_word_and_the_points_by_hand_count(tmp_path,
     (out / "overrides.csv").write_text("student,problem,points,comment\nbob,01.11,2,Why three?\n", "utf-8")
     code, printed, rows = grade(folder, capsys)
     assert (code, points(rows)) == (1, {"ada": FULL, "bob": FULL + 2})
-    assert "A text waits for your points in overrides.csv: ada (01.11)." in printed
+    assert "A text waits for your points in overrides.csv: 01.11 of 1 student." in printed
     assert (rows["ada"]["01.11"], rows["bob"]["01.11"]) == ("to be marked", "2")
     assert "The points of 01.11 are not yet counted" in rows["ada"]["reason"]
     assert rows["bob"]["by hand"] == "01.11: Marked by your instructor. Why three?"

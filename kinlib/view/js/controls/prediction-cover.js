@@ -9,7 +9,7 @@ export function predictionCover(model) {
     'div',
     { class: 'kv-cover', role: 'group', 'aria-label': 'Prediction' },
     h('p', { class: 'kv-title' }, 'Commit to your prediction above first'),
-    h('p', {}, 'The arm appears here afterwards.'),
+    h('p', {}, 'The picture appears here afterwards.'),
     button('Show anyway', () => save(model, 'covered', false), { class: 'kv-quiet' }),
   );
   return {

@@ -11,7 +11,7 @@ const NEAR = 1e-9;
  * @param textOf (stop) -> what is said of it
  * @param name of a stop; pace in milliseconds from one to the next, 0 for no Play; between: whether the way between is shown
  * @param closed () -> whether Play goes round and round (true), to and fro (false), or to the end (undefined)
- * @param ends where Play shows something if the reader prefers reduced motion; by default at each stop
+ * @param ends the stops of Back and Next, and of Play if the reader prefers reduced motion; by default all
  * @param prepare called before Play starts
  */
 export function stepControls({
@@ -79,8 +79,8 @@ export function stepControls({
     stop();
     set(wanted);
   }
-  const back = () => go(Math.ceil(at() - NEAR) - 1);
-  const next = () => go(Math.floor(at() + NEAR) + 1);
+  const back = () => go(ends ? ([0, ...ends].findLast((end) => end < at()) ?? 0) : Math.ceil(at() - NEAR) - 1);
+  const next = () => go(ends?.find((end) => end > at()) ?? Math.floor(at() + NEAR) + 1);
   const play = button('▶ Play', () => {
     if (flight) return stop();
     prepare();
