@@ -259,8 +259,10 @@ def test_without_storage_a_page_still_works_and_a_message_is_in_sight(chromium_w
         assert_message(page)
 
 
-def test_without_javascript_every_explanation_and_every_card_of_the_home_page_can_be_opened(chromium, site_address):
-    with watched(chromium, java_script_enabled=False) as page:
+def test_without_javascript_every_explanation_and_every_card_of_the_home_page_can_be_opened(
+    chromium_without_webgl, site_address
+):
+    with watched(chromium_without_webgl, java_script_enabled=False) as page:
         page.goto(f"{site_address}/{LECTURE}")
         expect(page.locator(".kinlib-ran")).to_contain_text("has been run for you")
         shown = asked(page, ASKED).locator(".misstep-option").all()
