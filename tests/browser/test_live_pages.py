@@ -8,9 +8,8 @@ from zipfile import ZIP_DEFLATED, ZipFile
 
 import pytest
 from accessibility import violations
-from browser import unwatched, watched
+from browser import PYTHON_TIMEOUT_MS, unwatched, watched
 from built_site import ROOT, served
-from lab_page import PYTHON_TIMEOUT_MS
 from mesh_files import crane, stl, visual
 from playwright.sync_api import expect
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from misstep.answers.angle import Angles
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
 from misstep.judge import judge
@@ -48,15 +49,6 @@ def test_one_change_is_named_with_its_factor():
         assert (name,) in finding.alternatives
         assert all(len(names) == 1 for names in finding.alternatives), "the fewest changes win"
         assert finding.message.startswith("This is what you get if you ")
-
-
-def test_the_mistakes_of_another_way_to_a_value_are_named():
-    x, y = given("x", 4.0), given("y", 2.0)
-    z = (x * x - y * y).also_by((x - y).named("difference") * (x + y)) * given("z", 5.0)
-    [finding] = judge(Problem("", Numbers(np.array(60.0)), solution=z), 10.0).findings
-    assert finding.message == "This is what you get if you leave out the factor $x + y$."
-    with pytest.raises(ValueError, match="must lead to the same value"):
-        x.also_by(y)
 
 
 def test_a_mistake_of_the_author_comes_before_the_mutants():
@@ -122,3 +114,10 @@ def test_a_solution_that_does_not_lead_to_the_answer_is_refused():
     asked = Problem("", Numbers(np.array(5.0)), solution=given("a", 2.0) + 2)
     with pytest.raises(ValueError, match=r"must lead to the answer; it gives 4\.0, and the answer is 5\.0"):
         _ = asked.mutants
+
+
+def test_a_change_that_would_have_changed_a_right_part_is_not_told():
+    a, b = given("a", 0.7, ANGLE), given("b", 0.4, ANGLE)
+    asked = Problem("", Angles(stack(a, a + b).value), solution=stack(a, a + b))
+    assert judge(asked, [0.7, -0.3]).mistakes == ["sign"]
+    assert judge(asked, [-0.7, -0.3]).mistakes == ["sign of an angle"]

@@ -60,42 +60,6 @@ def test_a_prediction_is_recorded_and_explained_only_afterwards(question):
     assert "acts last" not in reply
 
 
-def test_clicking_a_letter_commits_once_and_disables_all_buttons(question):
-    question._repr_mimebundle_()
-    rows = question._widget.children[1:-1]
-    rows[1].children[0].click()
-    assert all(row.children[0].disabled for row in rows)
-    assert rows[1].children[0].description == "B ●"
-    question.commit(0)  # only the first one counts
-    assert question.choice == 1
-    assert question.explanation().title == "You said B, and B is right"
-    assert question.explanation().body[0][0] == "markdown"
-    with pytest.raises(ValueError, match="options 0 to 1; got 2"):
-        question.commit(2)
-
-
-def test_an_explanation_on_the_page_changes_when_the_reader_commits(course):
-    question, right = course.ask(NAME), course.find_question(NAME).right
-    assert course.explain(NAME).card.title == "You have not committed to an answer yet"
-    explanation = course.explain(NAME)
-    explanation._repr_mimebundle_()
-    card, anyway = explanation._widget.children
-    assert "You have not committed" in html_of(card)
-    question.commit(right)
-    assert "is right" in html_of(card)
-    assert anyway not in explanation._widget.children
-    assert course.explain(NAME).card.tone == "right"
-    again = course.ask(NAME)  # the cell is run again
-    again._repr_mimebundle_()
-    assert again.choice == right
-    assert again._widget.children[1 + right].children[0].description == f"{'ABC'[right]} ●"
-
-
-def html_of(card):
-    (output,) = card.outputs
-    return output["data"]["text/html"]
-
-
 def test_an_error_in_a_file_of_questions_is_named():
     why = "why = 'It acts last.'"
     for text, words in [

@@ -122,11 +122,6 @@ def dependencies():
     return {name_of(requirement) for requirement in requirements if isinstance(requirement, str)}
 
 
-def test_the_guide_gives_the_reason_for_each_dependency():
-    lines = (ROOT / "guides" / "dependencies.md").read_text("utf-8").partition("\n## The versions of packages")[0]
-    assert set(re.findall(r"^- `([\w.-]+)`: \w.{9}", lines, re.MULTILINE)) == dependencies()
-
-
 def test_every_dependency_is_pinned():
     pins = {name_of(line) for line in (ROOT / "constraints.txt").read_text("utf-8").splitlines() if line[0] not in "# "}
     assert dependencies() - pins == set(), "write it anew: guides/dependencies.md"

@@ -6,7 +6,7 @@ from zipfile import ZipFile
 import pytest
 from built_site import lab
 from kinsite.browser_lab import wheels
-from kinsite.browser_lab.precompile import precompile
+from kinsite.browser_lab.precompile import compile_loaded, rewrite
 
 
 def wheel(folder, name="arm", files=("arm/__init__.py",), requires=()):
@@ -60,7 +60,8 @@ def test_loaded_modules_are_compiled_and_nothing_is_kept_that_no_cell_can_use(tm
             archive.writestr(name, text)
     loaded = {"arm_one/__init__.py", "arm_one/link.py"}
     for name, with_sources in (("small.whl", False), ("again.whl", False), ("whole.whl", True)):
-        precompile(str(tmp_path / "arm.whl"), str(tmp_path / name), with_sources, loaded)
+        compile_loaded(str(tmp_path / "arm.whl"), str(tmp_path / "modules.zip"), with_sources, loaded)
+        rewrite(tmp_path / "arm.whl", tmp_path / "modules.zip", tmp_path / name)
     assert (tmp_path / "small.whl").read_bytes() == (tmp_path / "again.whl").read_bytes()
     small, whole = (set(ZipFile(tmp_path / name).namelist()) for name in ("small.whl", "whole.whl"))
     assert small == {"arm_one/__init__.pyc", "arm_one/link.pyc", "arm_one/rest.py", "arm_one/table.csv"}

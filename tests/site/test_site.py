@@ -49,16 +49,12 @@ def pages(site_folder):
 # --- every page ---
 
 
-def test_lectures_and_sheets_open_without_errors_fit_on_a_phone_and_keep_their_places(
-    chromium_without_webgl, site_address, pages
-):
+def test_lectures_and_sheets_open_without_errors_and_fit_on_a_phone(chromium_without_webgl, site_address, pages):
     """`watched` fails if a page has an error on its console or asks another host."""
     with watched(chromium_without_webgl, viewport=PHONE) as page:
-        page.add_init_script(COUNT_SHIFTS)
         for name in (one for one in pages if one.startswith(("lectures/", "sheets/"))):
             assert page.goto(f"{site_address}/{name}").status == 200
             assert page.evaluate(OVERFLOW) <= 0, f"{name} is wider than a phone"
-            assert page.evaluate("shifts") < 0.1, f"{name} moves while it loads"
 
 
 def test_a_link_to_a_section_leads_there(chromium_without_webgl, site_address):
@@ -263,8 +259,10 @@ def test_without_storage_a_page_still_works_and_a_message_is_in_sight(chromium_w
         assert_message(page)
 
 
-def test_without_javascript_every_explanation_and_every_card_of_the_home_page_can_be_opened(chromium, site_address):
-    with watched(chromium, java_script_enabled=False) as page:
+def test_without_javascript_every_explanation_and_every_card_of_the_home_page_can_be_opened(
+    chromium_without_webgl, site_address
+):
+    with watched(chromium_without_webgl, java_script_enabled=False) as page:
         page.goto(f"{site_address}/{LECTURE}")
         expect(page.locator(".kinlib-ran")).to_contain_text("has been run for you")
         shown = asked(page, ASKED).locator(".misstep-option").all()
@@ -296,6 +294,7 @@ def test_an_address_with_joint_values_opens_the_arm_in_this_configuration(chromi
         page.goto(f"{site_address}/robots/youbot.html#q=0.1,0.2,-0.3,0.4,0.5")
         page.wait_for_function(read)
         assert page.evaluate(read) == [0.1, 0.2, -0.3, 0.4, 0.5]
+        page.wait_for_load_state("networkidle")
         assert page.evaluate("shifts") < 0.1, "the height of the viewer is kept free"
         page.evaluate("location.hash = '#q=1,1,1,1,1'")
         page.wait_for_function(f"{read}[0] === 1")

@@ -21,6 +21,7 @@ from zipfile import ZipFile, ZipInfo
 from packaging.utils import canonicalize_name
 
 from kinsite.browser_lab import pyodide, wheels
+from kinsite.browser_lab.precompile import rewrite
 from kinsite.browser_lab.wheels import Unreachable
 from kinsite.execute import ROOT, package_hash
 
@@ -159,13 +160,17 @@ def precompile(source: Path, target: Path) -> None:
     warm_up = source.parent / "warm_up.py"
     warm_up.write_text((SITE / "lab" / "live" / "shell.py").read_text("utf-8") + WARM_UP, "utf-8")
     settings = {"packages": LIVE_PACKAGES, "archives": archives}
+    modules = source.parent / "modules"
+    modules.mkdir()
     command = (
         shutil.which("node") or "node", Path(__file__).with_name("precompile.mjs"),
-        source, target, warm_up, json.dumps(settings),
+        source, modules, warm_up, json.dumps(settings),
     )  # fmt: skip
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         raise ValueError(f"The modules of Python could not be compiled:\n{done.stderr[-2000:]}")
+    for name in archives:
+        rewrite(source / name, modules / name, target / name)
     for entry in entries.values():
         entry["sha256"] = wheels.sha256_of(target / entry["file_name"])
     (target / "pyodide-lock.json").write_text(json.dumps(lock), "utf-8")

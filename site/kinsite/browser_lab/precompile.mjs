@@ -1,5 +1,5 @@
 // Runs precompile.py in Pyodide: node precompile.mjs PYODIDE TARGET WARM_UP { "packages": [...], "archives": { name: keeps its sources } }
-// The modules that the file WARM_UP loads are compiled in the archives of the folder PYODIDE, and written into the folder TARGET.
+// The modules that the file WARM_UP loads from the archives of the folder PYODIDE are compiled into archives in the folder TARGET.
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 
@@ -12,5 +12,5 @@ python.runPython(readFileSync(warmUp, 'utf8'));
 python.mountNodeFS('/source', source);
 python.mountNodeFS('/target', target);
 python.runPython(readFileSync(new URL('precompile.py', import.meta.url), 'utf8'));
-const precompile = python.globals.get('precompile');
-for (const [name, keepsSources] of Object.entries(archives)) precompile(`/source/${name}`, `/target/${name}`, keepsSources);
+const compile = python.globals.get('compile_loaded');
+for (const [name, keepsSources] of Object.entries(archives)) compile(`/source/${name}`, `/target/${name}`, keepsSources);

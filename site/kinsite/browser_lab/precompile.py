@@ -1,12 +1,14 @@
 """Make the archives of Python in the browser small and fast: compiled modules, and nothing that no cell can use.
 
 precompile.mjs runs this file in the Pyodide of the site, because only the same Python reads the modules that it has compiled.
+The archives are written by the Python that builds the site, which compresses much faster.
 """
 
 import marshal
 import re
 import sys
 from importlib.util import MAGIC_NUMBER, cache_from_source, source_hash
+from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 UNUSED = re.compile(
@@ -40,18 +42,21 @@ def compiled(source: bytes, path: str) -> bytes:
     return MAGIC_NUMBER + UNCHECKED + source_hash(source) + marshal.dumps(code)
 
 
-def precompile(source: str, target: str, with_sources: bool, loaded: set[str] | None = None) -> None:
-    """Write an archive again, with the modules that are loaded compiled, in the place of their sources or beside them.
+def compile_loaded(source: str, target: str, with_sources: bool, loaded: set[str] | None = None) -> None:
+    """Write the modules of an archive that are loaded into another archive, compiled, at their places beside the sources."""
+    loaded = loaded_paths() if loaded is None else loaded
+    with ZipFile(source) as old, ZipFile(target, "w") as new:
+        for path in (name for name in old.namelist() if name in loaded and name.endswith(".py")):
+            new.writestr(cache_from_source(path) if with_sources else f"{path}c", compiled(old.read(path), path))
+
+
+def rewrite(source: Path, modules: Path, target: Path) -> None:
+    """Write an archive again with compiled modules, in the place of their sources or beside them.
 
     The others stay as they are, because a compiled module is larger. The same files always give the same bytes.
     """
-    loaded = loaded_paths() if loaded is None else loaded
-    with ZipFile(source) as old, ZipFile(target, "w") as new:
-        for path in sorted(name for name in old.namelist() if not name.endswith("/") and not UNUSED.search(name)):
-            data = old.read(path)
-            is_compiled = path in loaded and path.endswith(".py")
-            if is_compiled:
-                place = cache_from_source(path) if with_sources else f"{path}c"
-                new.writestr(ZipInfo(place), compiled(data, path), ZIP_DEFLATED, 9)
-            if with_sources or not is_compiled:
-                new.writestr(ZipInfo(path), data, ZIP_DEFLATED, 9)
+    with ZipFile(source) as old, ZipFile(modules) as compiled_ones, ZipFile(target, "w") as new:
+        files = dict.fromkeys(old.namelist(), old) | dict.fromkeys(compiled_ones.namelist(), compiled_ones)
+        for path in sorted(name for name in files if f"{name}c" not in files):
+            if not path.endswith("/") and not UNUSED.search(path):
+                new.writestr(ZipInfo(path), files[path].read(path), ZIP_DEFLATED, 9)

@@ -8,8 +8,6 @@ import modern_robotics as mr
 import nbformat
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from odd_robots import ODD_ROBOTS
 from urdf_files import ur5e_urdf
 
@@ -18,7 +16,6 @@ from kincourse import find_sheet, open_sheet
 from kincourse.cli import main
 from kincourse.new_sheet import new_sheet
 from kincourse.robot_sheets.robot_sheet import TASKS, dumps, loads, robot_sheet, tasks_for
-from kincourse.robot_sheets.sampling import random_configuration
 from kincourse.sampling.arms import ArmSampler
 from misstep.cli import main as release
 from misstep.judge import judge
@@ -98,21 +95,6 @@ def test_a_faulty_table_has_one_wrong_row_and_it_is_that_of_the_answer(key):
         assert np.flatnonzero(wrong).tolist() == [int(problem.answer.value[0][-1]) - 1]
 
 
-angles = st.floats(-1e3, 1e3, allow_subnormal=False).filter(lambda x: abs(x) < 60 or x % 1)  # others look like degrees
-limits = st.lists(angles, min_size=2, max_size=2).map(sorted)
-
-
-@given(st.tuples(limits, limits, limits), st.integers(0, 99))
-def test_random_configurations_keep_the_joint_limits(ends, student):
-    arm = kl.robots.rpr()
-    limited = kl.Chain(arm.screws, arm.home, arm.points, limits=np.array(ends))
-    for quarters in (False, True):
-        q = random_configuration(ArmSampler(str(student), "limits"), limited, quarters=quarters).q
-        slack = 1e-9 * (1 + np.abs(limited.limits).max())
-        assert (limited.limits[:, 0] - slack <= q).all()
-        assert (q <= limited.limits[:, 1] + slack).all()
-
-
 def test_a_rounded_quarter_turn_of_a_urdf_leaves_no_tiny_numbers_in_statements():
     """Many files write pi / 2 as 1.5708, which leaves entries such as 3.7e-06 in screws and poses."""
     arm = kl.load_urdf(kl.to_urdf(ODD_ROBOTS["PUMA"]).replace('xyz="0 1 0"', 'xyz="0 1 0.0000037"'))
@@ -188,29 +170,6 @@ def test_a_sheet_is_found_beside_the_notebook_and_below_the_root_and_replaces_no
         open_sheet("lab_arm", "ada")
     with pytest.raises(ValueError, match="letters"):
         new_sheet(ODD_ROBOTS["PUMA"], "03_poe_space")
-
-
-# --- the file of the robot ---
-
-
-@each_robot
-def test_a_robot_is_read_back_from_its_file_to_the_last_digit(key):
-    assert loads(dumps(ODD_ROBOTS[key]), "here").to_dict() == ODD_ROBOTS[key].to_dict()
-
-
-def test_a_damaged_file_is_refused():
-    puma = dumps(ODD_ROBOTS["PUMA"])
-    for text, words in [
-        ("", "not a valid file"),
-        ("[]", "not a valid file"),
-        ("{}", "not a valid file"),
-        ('{"kinlib sheet": 1}', "format is 1"),
-        (puma.replace("[0.0, 0.0, 1.0, ", "[0.0, 0.5, 1.0, ", 1), "screw axes"),
-        (puma.replace('"screws"', '"axes"'), "screws"),
-    ]:
-        with pytest.raises(ValueError, match=words) as error:
-            loads(text, "robot.json")
-        assert "robot.json is not a valid file of a robot sheet" in str(error.value)
 
 
 # --- invalid requests ---

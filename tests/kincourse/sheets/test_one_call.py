@@ -1,6 +1,7 @@
 """A problem is not its answer: hardly any falls to one call of a public function of kinlib on what is given."""
 
 import inspect
+import reprlib
 from dataclasses import replace
 from itertools import combinations, permutations
 from types import FunctionType, ModuleType
@@ -39,8 +40,7 @@ CALLABLES = public_callables()
 
 def attempt(function, *arguments, **options):
     try:
-        with np.errstate(all="ignore"):
-            return function(*arguments, **options)
+        return function(*arguments, **options)
     except Exception:  # any call is tried
         return None
 
@@ -123,9 +123,11 @@ def solving_call(problem):
 
 
 @pytest.mark.filterwarnings("ignore")
-def test_few_problems_fall_to_one_call():
+def test_few_problems_fall_to_one_call(monkeypatch):
     problems = [one for name in sheets() for one in find_sheet(name).problems]
-    falling = {one: call for one in problems if (call := solving_call(one.variant("ada")))}
+    monkeypatch.setattr(reprlib.Repr, "repr", lambda *_: "")  # nearly all calls fail, and nobody reads their messages
+    with np.errstate(all="ignore"):
+        falling = {one: call for one in problems if (call := solving_call(one.variant("ada")))}
     listed = {one.number: call for one, call in falling.items()}
     assert len(falling) <= MAX_PROBLEMS, listed
     assert sum(one.points for one in falling) <= MAX_POINTS, listed

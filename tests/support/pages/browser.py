@@ -33,6 +33,8 @@ WEBGL = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshad
 NO_WEBGL = ["--disable-3d-apis"]
 TIMEOUT_MS = 300_000
 """How long to wait for anything: every wait ends, but only after what a machine takes that is ten times as slow."""
+PYTHON_TIMEOUT_MS = 1_200_000
+"""How long Python may take to start on a page: the first start is slow on a busy machine."""
 
 
 OPENED = ExitStack()

@@ -9,10 +9,8 @@ from strategies import ROBOTS, chains
 
 import kinlib as kl
 from kinlib.view import draw_arm, explore
-from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import SHADES
-from kinlib.view.figures.bodies import Body, body_of, box, rim_points, solid_data
-from kinlib.view.figures.body_drawing import draw_body
+from kinlib.view.figures.bodies import body_of, rim_points, solid_data
 
 X, Y, Z = np.eye(3)
 SLIDE = np.inf
@@ -75,18 +73,6 @@ def test_any_arm_is_drawn_as_a_machine(chain):
     svg = draw_arm(chain, body.pose).svg
     assert "nan" not in svg
     assert set(re.findall(r'fill="(#[0-9a-f]{6})"', svg)) & set(SHADES)
-
-
-@pytest.mark.parametrize("which", [0, 1])
-def test_what_is_nearer_is_drawn_later_in_whatever_order_it_is_given(which):
-    canvas = Canvas([(-1, -1, -1), (1, 1, 1)])
-    solids = [box(0.4 * canvas.eye, (0.2, 0.2, 0.2), "orange"), box(-0.4 * canvas.eye, (0.2, 0.2, 0.2), "blue")]
-    body = Body(((solids[which],), (solids[1 - which],)), np.zeros(1), "a test")
-    draw_body(canvas, body, np.stack([np.eye(4), np.eye(4)]))
-    drawn = re.findall(r'fill="(#[0-9a-f]{6})"/>', canvas.picture("Two boxes, one in front of the other.").svg)
-    warm = [int(colour[1:3], 16) > int(colour[5:7], 16) for colour in drawn if colour in SHADES]
-    assert warm == sorted(warm)
-    assert any(warm)
 
 
 def test_the_page_draws_the_same_description():
