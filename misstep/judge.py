@@ -62,7 +62,4 @@ def judge(problem: Problem, given: Any) -> Judgement:  # noqa: PLR0911 - one for
         return Judgement("wrong", 0.0, fine if any(one.is_method for one in spoiling) else (), findings)
     if fine and not answer.counts(value, right):
         return Judgement("wrong", 0.0, fine, findings)
-    credit = min((mistake.credit for one in findings for mistake in one.mistakes), default=0.0)
-    if credit and not fine and all(one.is_whole for one in findings):
-        return Judgement("partly", credit, ["what follows from it"], findings)
     return Judgement("partly" if fine else "wrong", len(fine) / len(right), fine, findings)

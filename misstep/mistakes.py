@@ -17,7 +17,6 @@ class Mistake:
     advice   a sentence on what is right
     names    the names of the errors, if several of them lead to this answer together
     spoils   whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
-    credit   the fraction of the points for what follows rightly, if it is a mistake of a problem before
     """
 
     name: str
@@ -28,7 +27,6 @@ class Mistake:
     advice: str = ""
     names: tuple[str, ...] = ()
     spoils: bool = False
-    credit: float = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "names", self.names or (self.name,))

@@ -94,6 +94,7 @@ def _merged(findings: Sequence[Finding]) -> list[Finding]:
     for message in dict.fromkeys(finding.message for finding in findings):
         several = [finding for finding in findings if finding.message == message]
         parts = [part for finding in several for part in finding.parts]
+        parts.sort(key=lambda part: int(part.rpartition(" ")[2]) if part.rpartition(" ")[2].isdigit() else 99)
         name, check = next(((one.parts[0], one.check) for one in several if one.check), ("", ""))
         if check and len({one.check for one in several}) > 1:
             check = f"{_capitalized(name)}: {check}"

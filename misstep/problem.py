@@ -51,6 +51,7 @@ class Problem:
     mistakes   the mistakes that are no mutants of the solution
     given      the given values by name; students get them by sheet.given(k), so they need not type them
     shown      further values by name that stand in the statement or the drawing, and that students read there
+    method     how the answer is found, in words and formulas; its lines are the first steps of the worked solution
     further    a question for a student who has solved it, which changes something
     figure     a function that draws the figure; it is called only when the problem is shown
     solution   the solution as an expression over the given values (`misstep.mutants`), if it is not in the answer; for a function or a
@@ -75,6 +76,7 @@ class Problem:
     mistakes: Sequence[Mistake] = ()
     given: Mapping[str, Any] = field(default_factory=dict)
     shown: Mapping[str, Any] = field(default_factory=dict)
+    method: str = ""
     further: str = ""
     figure: Callable[[], Any] | None = None
     solution: Expression | Callable[..., Expression] | None = None
@@ -153,8 +155,10 @@ class Problem:
                 kept.append(wrong)
         return replace(self, mistakes=kept)
 
-    def with_reason(self, reason: Answer) -> "Problem":
+    def with_reason(self, reason: Answer, called: str) -> "Problem":
         """Return the same problem, whose choice earns points only with a reason; its mistakes are those of the choice.
+
+        called  what the reason is, for cards: "the length"
 
         Raises ValueError if the answer is no Choice.
 
@@ -162,7 +166,7 @@ class Problem:
         >>> from misstep.answers.number import Numbers
         >>> from misstep.mistakes import mistake
         >>> side = Problem("Which?", Choice("b", {"a": "left", "b": "right"}), [mistake("left", "a", "Look again.")])
-        >>> side.with_reason(Numbers(np.array(0.5))).mistakes[0].value
+        >>> side.with_reason(Numbers(np.array(0.5)), "the height").mistakes[0].value
         ('a', array(0.5))
         """
         if not isinstance(self.answer, Choice):
@@ -170,7 +174,7 @@ class Problem:
                 f"The answer must be a Choice; got {type(self.answer).__name__}. Only a choice needs a reason."
             )
         wrong = [replace(one, value=(one.value, reason.value), part=one.part or one.message) for one in self.mistakes]
-        return replace(self, answer=ReasonedChoice(self.answer, reason), mistakes=wrong)
+        return replace(self, answer=ReasonedChoice(self.answer, reason, called), mistakes=wrong)
 
     def _hidden_mutants(self) -> Iterator[Mistake]:
         tolerance = SEPARATION_TOLERANCES * TOLERANCE
@@ -212,11 +216,13 @@ class Problem:
         """
         if (solution := self._first_solution) is None:
             return
+        told = set[int]()
         for k, mutation in enumerate(solution.mutations):
             slip = mutation.slip
             first = None if separating and slip.may_coincide else solution.mutant(mutation)
-            if first is None or not is_near(value_of(first)):
+            if first is None or id(first) in told or not is_near(value_of(first)):
                 continue
+            told.add(id(first))  # the inverse of an inverse is an inverse left out
             if len({len(solution.mutations) for solution in self._solutions}) > 1:
                 raise ValueError("The solution must have the same changes at each input; their numbers differ.")
             others = [other.mutant(other.mutations[k]) for other in self._solutions[1:]]

@@ -1,11 +1,12 @@
 """Worked solutions: the expression that judges an answer, written step by step with the numbers of the student."""
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
-from misstep.answers.base import at_inputs
+from misstep.answers.base import Answer, at_inputs
 from misstep.answers.choice import Choice, ReasonedChoice
 from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
@@ -18,7 +19,7 @@ MAX_GIVEN, MAX_STEPS, MAX_ENTRIES = 14, 8, 42
 
 
 def worked_solution(problem: Problem) -> Sequence[str]:
-    r"""Return the steps to the right answer of a problem, each in a sentence or a formula.
+    r"""Return the steps to the right answer of a problem, each in a sentence or a formula: first its method.
 
     >>> from misstep.answers.number import Numbers
     >>> from misstep.mutants.expression import given
@@ -27,55 +28,70 @@ def worked_solution(problem: Problem) -> Sequence[str]:
     ['$a = 0.5$, $b = 0.25$', '$r = a + b = 0.75$', '$2\\,r = 1.5$']
     """
     answer, solution = problem.answer, problem.solution
-    if isinstance(answer, ReasonedChoice):
-        both = (answer.choice, answer.reason)
-        return [step for one in both for step in worked_solution(Problem("", one))]
-    if isinstance(answer, Choice):
-        text = answer.options[answer.value]
-        return [answer.value if answer.value == text else f"{answer.value}: {text}"]
     if isinstance(answer, Prose):
         rubric = [f"{earns} point{'s' * (earns != 1)}: {text}" for text, earns in answer.rubric.items()]
         return [*rubric, f"A model answer: {answer.value}"]
-    steps: list[str] = []
+    if solution is None:
+        return [*problem.method.splitlines(), *_result(answer)]
     if isinstance(solution, Expression):
-        return list(dict.fromkeys(_steps(solution)))
-    if solution is not None:
-        root = next(at_inputs(answer, solution))
-        named = [node for node in dict.fromkeys(_in_order(root)) if node.arguments and node.label and node is not root]
-        steps = list(dict.fromkeys(f"${node.label} = {node.formula}$" for node in named[-MAX_STEPS:]))
-        steps.append(f"${root.formula}$")
+        return [*problem.method.splitlines(), *dict.fromkeys(_steps(solution))]
+    roots, value = list(at_inputs(answer, solution)), ""
     if hasattr(answer.value, "free_symbols"):  # a formula of SymPy, which a page loads only when a cell uses it
         import sympy as sp
 
-        return [*steps, f"${sp.latex(answer.value)}$"]
+        value = sp.latex(answer.value, mat_str="matrix", mat_delim="(")
+    return [*problem.method.splitlines(), *dict.fromkeys(_steps(roots[0], roots[1], value))]
+
+
+def _result(answer: Answer) -> Iterator[str]:
+    """Yield the right answer."""
     value = getattr(answer.value, "rows", answer.value)
-    if written := "" if callable(value) else _written(value):
-        steps.append(f"${written}$")
-    elif isinstance(value, Sequence):
-        steps.append(", ".join(map(str, value)))
+    if isinstance(answer, ReasonedChoice):
+        yield from (step for one in (answer.choice, answer.reason) for step in _result(one))
+    elif isinstance(answer, Choice):
+        yield value if value == answer.options[value] else f"`'{value}'`: {answer.options[value]}"
+    elif written := _written(value):
+        yield f"${written}$"
     elif isinstance(value, np.ndarray):
-        steps += [f"${matrix(one)}$" for one in value]
-    return steps
+        yield from (f"${matrix(one)}$" for one in value)
+    else:
+        yield ", ".join(map(str, value))
 
 
-def _steps(root: Expression) -> Iterator[str]:
-    nodes = list(dict.fromkeys(_in_order(root)))
-    leaves = [node for node in nodes if not node.arguments and not _is_number(node.label)]
+def _steps(root: Expression, other: Expression | None = None, result: str = "") -> Iterator[str]:
+    """Yield the given values, the named parts and the whole.
+
+    other   the same solution at another input, if it is a formula; values that differ there are left out
+    result  the formula to which it leads
+    """
+    nodes, others = (list(_in_order(node)) for node in (root, other or root))
+    constant = {id(a) for a, b in zip(nodes, others, strict=True) if np.array_equal(a.value, b.value)}
     in_degrees = {id(node.arguments[0]) for node in nodes if node.operation is radians}
-    given = [
-        f"${node.label} = {text}{'°' if id(node) in in_degrees else ''}$"
-        for node in leaves
-        if (text := _written(node.value)) and "$" not in node.label
-    ]
-    if given:
-        yield ", ".join(dict.fromkeys(given[:MAX_GIVEN]))
+
+    def written(node: Expression) -> str:
+        unit = ("°/\\mathrm{s}" if "dot" in node.label else "°") if id(node) in in_degrees else ""
+        return f"{text}{unit}" if id(node) in constant and (text := _written(node.value)) else ""
+
+    leaves = [node for node in nodes if not node.arguments and not _is_number(node.label) and "$" not in node.label]
     named = [node for node in nodes if node.arguments and node.label and node is not root]
-    for node in [*named[-MAX_STEPS:], root]:
+    steps = []
+    for node in [*_by_index(named)[-MAX_STEPS:], root]:
         # A column or an entry has the formula of the whole; a label in brackets is that of a sum within a product.
         formula = "" if node.operation.name == "entry" else node.formula
         label = "" if node.label == f"({formula})" else node.label
-        parts = dict.fromkeys(filter(None, (label, formula, _written(node.value))))
-        yield f"${' = '.join(parts)}$"
+        end = result if node is root and other else written(node)
+        steps.append(f"${' = '.join(dict.fromkeys(filter(None, (label, formula, end))))}$")
+    needed = {id(shown) for node in nodes for shown in _shown(node)}
+    texts = [(node.label, written(node)) for node in _by_index([leaf for leaf in leaves if id(leaf) in needed])]
+    if given := [f"${label} = {text}$" for label, text in texts if text not in {"", label}]:
+        yield ", ".join(list(dict.fromkeys(given))[:MAX_GIVEN])
+    yield from steps
+
+
+def _shown(node: Expression) -> list[Expression]:
+    """Return the arguments that the formula of an operation shows, or all if it shows none: a prismatic joint needs no point."""
+    text = node.operation.latex(*(f"@{k}@" for k in range(len(node.arguments)))) if node.arguments else ""
+    return [argument for k, argument in enumerate(node.arguments) if f"@{k}@" in text or "@" not in text]
 
 
 def _in_order(node: Expression) -> Iterator[Expression]:
@@ -83,6 +99,12 @@ def _in_order(node: Expression) -> Iterator[Expression]:
     for argument in node.arguments:
         yield from _in_order(argument)
     yield node
+
+
+def _by_index(nodes: Sequence[Expression]) -> list[Expression]:
+    """Return nodes with those of one letter side by side, in the order of their indices."""
+    letters = [re.sub(r"\d", "", node.label) for node in nodes]
+    return sorted(dict.fromkeys(nodes), key=lambda node: (letters.index(re.sub(r"\d", "", node.label)), node.label))
 
 
 def _written(value: Any) -> str:
@@ -97,4 +119,4 @@ def _written(value: Any) -> str:
 
 
 def _is_number(label: str) -> bool:
-    return label.removesuffix("^\\circ").lstrip("-").replace(".", "", 1).isdigit()
+    return label.lstrip("-")[:1].isdigit()

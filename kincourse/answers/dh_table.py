@@ -204,7 +204,11 @@ class DHTableAnswer(Remarking, Answer):
         mine, right = (table.fk(np.zeros(table.n)) for table in (given, self.value))
         tolerance = POSE_TOLERANCE_FACTOR * TOLERANCE
         if largest_difference(mine, right) <= tolerance:
-            return "At $q = 0$ your table is right."
+            return (
+                "At $q = 0$ your table is right, and so are all lengths."
+                if self.printed
+                else "At $q = 0$ your table is right."
+            )
         place = ", ".join(f"{x:.4g}" for x in mine[:3, 3].round(4) + 0.0)
         is_there = np.abs(mine[:3, 3] - right[:3, 3]).max() <= tolerance
         return (

@@ -59,7 +59,8 @@ class VectorsAnswer(Numbers):
     def resemblance(self, given: Array, part: int | None) -> Named | None:
         if part is None:
             return super().resemblance(given, None) or self._steps(given)
-        if found := self.likeness(given, part).resemblance():
+        row = self._place(given, part)
+        if found := self.likeness(given, part).resemblance() or (row if row and row[0] == "another row" else None):
             return found
         if self.unit and self.names:
             for k, name in enumerate(self.names[:part]):

@@ -57,12 +57,7 @@ class RotationAnswer(Numbers):
 
 
 POSE_SLIPS = (
-    Slip(
-        "inverse",
-        "give the inverse of the pose, the frame of reference seen from the other one",
-        inverse,
-        in_parts=False,
-    ),
+    Slip("inverse", "give the inverse of the pose", inverse, in_parts=False),
     Slip("transposed", "give the transpose of the whole matrix, last row included", np.transpose, in_parts=False),
     Slip(
         "negative for inverse",

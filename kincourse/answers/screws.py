@@ -66,13 +66,12 @@ class ScrewsAnswer(AlikeRows, Numbers):
     """
 
     names: Sequence[str] = ()
-    single: str = "a screw axis"  # or "a twist", which need not be normalized
     noun: ClassVar[str] = "screw axes (omega, v), an array"
 
     @property
     def expected(self) -> str:
         several = super().expected
-        return several if np.ndim(self.value) > 1 else several.replace("screw axes", self.single)
+        return several if np.ndim(self.value) > 1 else several.replace("screw axes", "a screw axis")
 
     @property
     def parts(self) -> Sequence[str]:
@@ -99,17 +98,29 @@ class ScrewsAnswer(AlikeRows, Numbers):
         return SLIPS
 
     def resemblance(self, given: Array, part: int | None) -> Named | None:
-        """Say what is right and wrong about the axis as a line in space."""
-        if part is None or (alike := self.likeness(given, part).resemblance()):
-            return super().resemblance(given, None) if part is None else alike
+        """Return how a screw axis resembles the right one, entry by entry or as a line in space."""
+        if part is None:
+            return super().resemblance(given, None)
+        if (row := self._place(given, part)) and row[0] == "another row":
+            return row
+        alike = self.likeness(given, part).resemblance()
         same = np.atleast_2d(self.same_entries(given, self.value))[part]
+        # Of one among several it is chance, and where omega is right it is said of v alone.
+        if alike and not (
+            alike[0].startswith("order") and (same[:3].all() or (len(self.parts) > 1 and alike[0] == "order and signs"))
+        ):
+            return alike
         if np.count_nonzero(~same) == 1:
             place = ENTRY_NAMES[int(np.flatnonzero(~same)[0])]
             return "one entry", f"One entry is wrong.\nLook at {place}: all other entries are right."
-        if (row := self._place(given, part)) and row[0] == "another row":
-            return row
-        mine, right = (np.atleast_2d(S)[part] for S in (given, self.value))
-        omega, v = np.atleast_2d(self.same_entries(given, self.value))[part].reshape(2, 3).all(axis=1)
+        mine, right = np.atleast_2d(given)[part], np.atleast_2d(self.value)[part]
+        if same[:3].all() and np.allclose(np.sort(mine[3:]), np.sort(right[3:]), atol=1e-3):
+            return "order of v", "$\\omega$ is right, and $v$ has the right numbers, but not in the right order."
+        return self._as_a_line(mine, right, same)
+
+    def _as_a_line(self, mine: Array, right: Array, same: NDArray[np.bool_]) -> Named | None:
+        """Return what is right and wrong about one axis, (6,), as a line in space."""
+        omega, v = bool(same[:3].all()), bool(same[3:].all())
         (w, m), (direction, moment) = mine.reshape(2, 3), right.reshape(2, 3)
         size, right_size = float(np.linalg.norm(w)), float(np.linalg.norm(direction))
         along, of_moment = abs(m @ w - moment @ direction), max(1.0, float(np.linalg.norm(m)))
@@ -145,7 +156,9 @@ class ScrewsAnswer(AlikeRows, Numbers):
                 "$\\omega$ is not right. Begin with the direction of the axis; the moment depends on it.",
             ),
         )
-        return next(((name, text) for is_so, name, text in cases if is_so), None)
+        wrong = [name for name, fine in zip(ENTRY_NAMES, same, strict=True) if not fine]
+        where = f"\nLook at {' and '.join(wrong)}." if len(wrong) < 3 else ""
+        return next(((name, text + where) for is_so, name, text in cases if is_so), None)
 
     def kinds(self) -> NDArray[np.int_]:
         # The v of a prismatic joint is a direction, that of any other joint a moment, whose size is that of the lengths.
@@ -193,7 +206,7 @@ def screw_check(mine: Array, right: Array) -> str:
 
 @dataclass(frozen=True, eq=False)
 class TwistAnswer(ScrewsAnswer):
-    """One twist (omega, v), shape (6,), such as a logarithm, in one part.
+    """One twist (omega, v), shape (6,), such as a logarithm or a velocity, in one part. It need not be normalized.
 
     >>> TwistAnswer(np.ones(6)).expected
     'a twist (omega, v), an array of shape (6,)'
@@ -201,3 +214,17 @@ class TwistAnswer(ScrewsAnswer):
 
     names: Sequence[str] = ("the twist",)
     noun: ClassVar[str] = "a twist (omega, v), an array"
+
+    def _as_a_line(self, mine: Array, right: Array, same: NDArray[np.bool_]) -> Named | None:
+        """Return how much of a twist is right, which has no axis of its own that could be wrong."""
+        omega, v = (
+            f"${letter}$ is {'right' if fine.all() else 'wrong'}"
+            if fine.all() or not fine.any()
+            else f"{fine.sum()} of the 3 entries of ${letter}$ {'is' if fine.sum() == 1 else 'are'} right"
+            for letter, fine in zip(("\\omega", "v"), same.reshape(2, 3), strict=True)
+        )
+        return (
+            ("some entries", f"{omega}, and {v}.\nLook at {ENTRY_NAMES[int(same.argmin())]} first.")
+            if same.any()
+            else None
+        )

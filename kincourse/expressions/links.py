@@ -177,8 +177,8 @@ def _link_slips(convention: Convention, node: Expression) -> Slips:
         ("angles swapped", "swap $\\alpha$ and $\\theta$ in ${}$ |swap $\\alpha$ and $\\theta$ in every row",
          lambda a, A, d, H: of(a, H, d, A)),
         ("only the joint", "leave out $a$ and $\\alpha$ in ${}$ |leave out every $a$ and $\\alpha$",
-         lambda _a, _A, d, H: of(0.0, 0.0, d, H)),
-        ("only the common normal", "leave out $d$ and $\\theta$ in ${}$", lambda a, A, _d, _H: of(a, A, 0.0, 0.0)),
+         lambda _a, _A, d, H: of(0.0, 0.0, d, H), "", {} if a.value else ALL_AT_ONCE),
+        *([("only the common normal", "leave out $d$ and $\\theta$ in ${}$", lambda a, A, _d, _H: of(a, A, 0.0, 0.0))] if d.value else []),
         *((name, f"{text} in ${{}}$ |{text}", function(name, in_order, "A")) for name, text, in_order in _ORDERS[convention]),
         ("alpha about y", "rotate by $\\alpha$ about the $y$ axis in ${}$", function("alpha about y", _LINKS_ABOUT_Y[convention], "A")),
         ("sine and cosine swapped", "swap the sine and the cosine of $\\theta$ in ${}$", lambda a, A, d, H: of(a, A, d, np.pi / 2 - H)),
@@ -193,7 +193,7 @@ def _link_slips(convention: Convention, node: Expression) -> Slips:
              lambda a, A, _d, H: of(a + q, A, constant, H), LENGTHS_ADVICE),
             ("a and d swapped", f"swap {letter} and ${a.latex}$", lambda a, A, _d, H: of(q, A, a + constant, H), LENGTHS_ADVICE),
         ]  # fmt: skip
-    if theta.operation is _joint_variable:
+    if theta.operation is _joint_variable and (a.value or d.value):  # a row without lengths is that of a wrist
         turn, offset = theta.arguments
         text = f"add ${turn.latex}$ to $d$ instead of $\\theta$ |add every joint value to $d$"
         rows.append(("revolute variable in d", text, lambda a, A, d, _H: of(a, A, d + turn, offset)))

@@ -82,7 +82,7 @@ def coupler_directions(lengths: Sequence[Expression], A: Expression) -> tuple[Ex
     [-0.0, -1.287]
     """
     ground, crank, coupler, rocker = lengths
-    line = (_pin("D", ground, 0.0) - _pin("B", crank, A)).named("BD")
+    line = (_on_the_ground(ground).named("p_D") - _pin("p_B", crank, A)).named("BD")
     corner = corner_angle(_distance(line), coupler, rocker).named("\\angle DBC")
     direction = direction_of(line)
     return direction + corner, direction - corner
@@ -95,7 +95,7 @@ def rocker_directions(lengths: Sequence[Expression], A: Expression) -> tuple[Exp
     [1.5708, 3.4254]
     """
     ground, crank, coupler, rocker = lengths
-    line = (_pin("B", crank, A) - _pin("D", ground, 0.0)).named("DB")
+    line = (_pin("p_B", crank, A) - _on_the_ground(ground).named("p_D")).named("DB")
     corner = corner_angle(_distance(line), rocker, coupler).named("\\angle BDC")
     direction = direction_of(line)
     return direction - corner, direction + corner
@@ -266,7 +266,7 @@ polar: Operation = Operation(
 """The point (2,) at a distance from the origin in the direction of an angle in radians."""
 
 direction_of: Operation = Operation(
-    "direction", lambda v: np.arctan2(v[1], v[0]), "\\text{{the direction of }}{0}".format, _direction_slips
+    "direction", lambda v: np.arctan2(v[1], v[0]), "\\angle(x, {0})".format, _direction_slips
 )
 """The angle in radians of a vector (2,) from the x axis."""
 
@@ -280,6 +280,7 @@ rotated: Operation = Operation("rotated", _rotated, lambda angle, x: f"R{angle i
 both_modes: Operation = Operation("both modes", lambda *angles: np.array(angles), "({0}, {1})".format, _both_slips)
 """The angles of both assembly modes of a linkage, (2,)."""
 
+_on_the_ground: Operation = Operation("pin on the ground", lambda x: np.array([x, 0.0]), "({0}, 0)".format)
 _distance: Operation = Operation("length", lambda v: np.hypot(*v), "|{0}|".format)
 _size: Operation = Operation("size", np.abs, "|{0}|".format)
 # fmt: on

@@ -206,11 +206,10 @@ _INVERSES = table(
      lambda T: homogeneous(T[:3, :3].T, -T[:3, :3] @ T[:3, 3]), INVERSE_ADVICE),
     (_POSITION, f"{_NO_MINUS} ${{0}}$ |{_NO_MINUS} each pose",
      lambda T: homogeneous(T[:3, :3].T, T[:3, :3].T @ T[:3, 3]), INVERSE_ADVICE),
-    (_POSITION, "leave out the position of the inverse of ${0}$ |leave out the position of the inverse of each pose",
-     lambda T: homogeneous(T[:3, :3].T, 0 * T[:3, 3]), INVERSE_ADVICE),
     of_values=True,
 )
-_INVERSE_WITH_R = table(
+_INVERSE_OF_A_PRODUCT = table(
+    (_POSITION, "leave out the position of the inverse of ${0}$", lambda T: homogeneous(T[:3, :3].T, 0 * T[:3, 3]), INVERSE_ADVICE),
     ("rotation transposed", "use the rotation of ${0}$, where its transpose belongs",
      lambda T: homogeneous(T[:3, :3], -T[:3, :3] @ T[:3, 3]), INVERSE_ADVICE),
     of_values=True,
@@ -238,10 +237,15 @@ _LOGARITHMS = table(
 )
 
 
+def _part(T: str, letter: str) -> str:
+    """The rotation R_{ab} or the position p_{ab} of a pose T_{ab}."""
+    return T.replace("T", letter, 1)
+
+
 def _inverse_slips(node: Expression) -> Slips:
     yield from _INVERSES(node)
-    if node.arguments[0].arguments:  # a given pose has this slip itself
-        yield from _INVERSE_WITH_R(node)
+    if node.arguments[0].arguments:  # a given pose has these slips itself
+        yield from _INVERSE_OF_A_PRODUCT(node)
 
 
 inverse: Operation = Operation("inverse of a pose", np.linalg.inv, power("{-1}"), _inverse_slips, involution=True)
@@ -275,10 +279,14 @@ translation: Operation = Operation("translation", lambda p: _assembled(np.eye(le
 columns: Operation = Operation("columns", lambda *axes: np.column_stack(axes), lambda *axes: f"({', '.join(axes)})", _columns_slips)
 """The rotation whose columns are the axes of a frame."""
 
-to_point: Operation = Operation("point in another frame", lambda T, x: T[:3, :3] @ x + T[:3, 3], "{0}\\,{1}".format, _POINT_MAP)
+to_point: Operation = Operation(
+    "point in another frame", lambda T, x: T[:3, :3] @ x + T[:3, 3], lambda T, x: f"{_part(T, 'R')}\\,{x} + {_part(T, 'p')}", _POINT_MAP
+)
 """The coordinates R x + p of a point x in another frame."""
 
-to_direction: Operation = Operation("direction in another frame", lambda T, x: T[:3, :3] @ x, "{0}\\,{1}".format, _DIRECTION_MAP)
+to_direction: Operation = Operation(
+    "direction in another frame", lambda T, x: T[:3, :3] @ x, lambda T, x: f"{_part(T, 'R')}\\,{x}", _DIRECTION_MAP
+)
 """The components R x of a direction x in another frame."""
 
 _POSE: Operation = Operation("given pose", lambda: None, str, _GIVEN_POSE)

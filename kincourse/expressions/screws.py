@@ -1,6 +1,7 @@
 """Screw axes in solutions: axes of joints, the adjoint, and the product of exponentials."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from itertools import combinations
 from typing import Any
@@ -44,7 +45,7 @@ UNITS_ADVICE = "The joint values are in radians and metres, as the exponential n
 SLIDE_ADVICE = "A prismatic joint does not rotate: its screw is $(0, d)$."
 ADVANCE_ADVICE = "The body also translates along the axis: add ${3}\\,{1}$."
 PITCH_ADVICE = "The pitch is part of $v$: $v = -\\omega \\times p + h\\,\\omega$."
-UNIT_ADVICE = "Divide the direction by its length before you take the moment."
+UNIT_ADVICE = "The direction of an axis is a unit vector, with the components $\\cos$ and $\\sin$ of the angle."
 
 
 def direction(label: str, x: Array) -> Expression:
@@ -417,9 +418,12 @@ prismatic: Operation = Operation("prismatic", lambda d, _: _joined(0 * d, d), "(
 """The screw (0, d) of a prismatic joint; the point where it is mounted plays no part, but people use it."""
 
 change_frame: Operation = Operation("adjoint", partial(_by, _adjoint), "\\mathrm{{Ad}}_{{{0}}} {1}".format, _change_of_frame_slips)
-"""Screws S (6,) or (n, 6) in another frame: Ad_T S."""
+"""A screw S (6,) in another frame: Ad_T S."""
 
-_advancing: Operation = Operation("velocity", lambda turning, omega, _, h: turning + h * omega, lambda *_: "v", table(
+change_frame_of_rows: Operation = replace(change_frame, latex="{1}\\,\\mathrm{{Ad}}_{{{0}}}^T".format)
+"""Screws (n, 6), one in each row, in another frame."""
+
+_advancing: Operation = Operation("velocity", lambda turning, omega, _, h: turning + h * omega, "{0} + {3}\\,{1}".format, table(
     ("no pitch", "leave out ${3}\\,{1}$", lambda turning, *_: turning, "A helical joint also translates along its axis."),
     ("left-handed", "take ${3}\\,{1}$ with the opposite sign", lambda turning, w, _, h: total(turning, negative(h) * w), ADVANCE_ADVICE),
     ("direction of the pitch", "add the pitch ${3}$ to each entry of $v$", lambda turning, _w, _p, h: total(turning, h), ADVANCE_ADVICE),

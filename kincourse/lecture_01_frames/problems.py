@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from functools import partial
+from itertools import permutations
 
 import numpy as np
 
@@ -35,7 +36,7 @@ from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
-from misstep.display.text import matrix, vector
+from misstep.display.text import matrix, number, vector
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Operation, given
 from misstep.mutants.operations import ANGLE, VECTOR, function, radians, stack
@@ -92,6 +93,9 @@ def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Frames {a} and {b} share their origin and one axis, and you look along this axis. A dot means that it points towards "
         "you, a cross that it points away from you. Give $R_{ab}$.",
+        method=f"{{a}} and {{b}} share the axis ${'xyz'[k]}$: its row and its column have a single 1. The rows and columns of ${first}$ "
+        f"and ${next_axis}$, in this order, have the block $\\begin{{pmatrix}} \\cos\\theta & -\\sin\\theta \\\\ \\sin\\theta & "
+        f"\\cos\\theta \\end{{pmatrix}}$ with $\\theta = {degrees}^\\circ$.",
         further="Which rotation takes you back from {b} to {a}, and how does its matrix differ from yours?",
         figure=partial(draw_rotation, k, degrees),
         answer=RotationAnswer(R),
@@ -134,6 +138,7 @@ def homogeneous_matrix(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Every point of the plane is first {first}, and then {second}. Write this motion as one homogeneous transformation of "
         "shape (3, 3). It takes the homogeneous coordinates $(x, y, 1)$ of a point to those of the place to which the point moves.",
+        method=f"$R$ is the rotation by $\\theta = {degrees}°$.",
         further="Swap the order of the two motions. Which block of the matrix changes, and which stays?",
         given={"first": "shift" if shift_first else "turn", "degrees": degrees, "p": shift},
         answer=Numbers(A),
@@ -191,6 +196,7 @@ def look_back(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The pose of a gripper {{g}} in the base frame {{s}} is $T_{{sg}}$. Give $T_{{gs}}$, the pose of the base in the frame "
         f"of the gripper.\n\n$$T_{{sg}} = {matrix(T)}$$",
+        method=f"The inverse of $(R, p)$ is $(R^T, -R^T p)$, here with $-R^T p = {vector(T_gs.value[:3, 3])}$.",
         further="For which poses is the inverse the same matrix as the pose itself?",
         figure=partial(draw_frames, {"s": np.eye(4), "g": T}, arrows=False),
         given={"T_sg": T},
@@ -213,11 +219,9 @@ def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
     T_to = T_to.mistaken_for(("positions subtracted", "subtract the positions", subtracted, advice))
     whole = inverse(pose("T_{st}", T_st) @ pose("T_{sc}", T_sc) @ pose("T_{co}", T_co))
     T_to = T_to.mistaken_for(("inverse of the product", "invert the whole product instead of $T_{st}$ alone", whole))
-    (R_sc, p_sc), (R_co, p_co), (R_st, p_st) = (
-        (rotation(f"R_{{{name}}}", T[:3, :3]), point(f"p_{{{name}}}", T[:3, 3]))
-        for name, T in (("sc", T_sc), ("co", T_co), ("st", T_st))
-    )
-    T_to = T_to.also_by(assemble(R_st.T @ R_sc @ R_co, R_st.T @ (p_sc + R_sc @ p_co - p_st)))
+    for rotations in list(permutations((T_st[:3, :3].T, T_sc[:3, :3], T_co[:3, :3])))[1:]:
+        wrong = homogeneous(np.linalg.multi_dot(rotations), T_to.value[:3, 3])
+        T_to = T_to.mistaken_for(("order", "multiply the three rotations in another order", wrong))
     return Problem(
         statement="A camera {c} on the wall measures the pose $T_{co}$ of an object {o}. The poses of the camera and of the tool {t} in "
         f"the base frame {{s}} are known. Give $T_{{to}}$, the pose of the object in the frame of the tool.\n\n"
@@ -248,6 +252,7 @@ def rotations_in_order(sampler: ArmSampler) -> Problem:
     about_fixed = [name for name, is_fixed in zip(names, fixed, strict=True) if is_fixed]
     own = [name for name in names if name not in about_fixed]
     right = [*about_fixed[::-1], *own]
+    products = ["\\,".join(name for name in right if name in names[:count]) for count in (1, 2, 3, 4)]
     listed = "\n".join(
         f"{i}. ${name}$, about {'an axis of {s}' if is_fixed else 'one of its own axes'}"
         for i, (name, is_fixed) in enumerate(zip(names, fixed, strict=True), start=1)
@@ -266,7 +271,8 @@ def rotations_in_order(sampler: ArmSampler) -> Problem:
         statement="At first, a frame {b} is parallel to the fixed frame {s}. Then it makes four rotations, one after the other:\n\n"
         f"{listed}\n\nIts orientation $R_{{sb}}$ is a product of the four matrices. Give the factors in order, from left to right, as a "
         "list of the names `'R_a'`, `'R_b'`, `'R_c'`, `'R_d'`.",
-        further="Which two neighbours could you exchange without changing the result?",
+        method=f"{LEFT_FOR_FIXED_AXES}\nIn time, the product becomes {', then '.join(f'${one}$' for one in products)}.",
+        further="Which two rotations, one right after the other in time, could change places without changing $R_{sb}$?",
         given={"turns": names, "about_the_room": fixed},
         answer=Ordering(right),
         mistakes=[mistake(name, order, f"{text} {LEFT_FOR_FIXED_AXES}") for name, order, text in wrong],
@@ -320,12 +326,20 @@ def rigid_or_not(sampler: ArmSampler) -> Problem:
         f"$${matrix(T)}$$\n\n{listed}\n\nAnswer with a letter and a number that shows it, such as `('a', 0.8)`: for `'b'` the length of "
         "the column that is no unit vector, for `'c'` the dot product of the two columns that are not orthogonal, for `'e'` the sum of the "
         "squares of the last row, and for `'a'` and `'d'` the first entry of the cross product of columns 1 and 2.",
+        method={
+            "b": f"Column {j + 1} is no unit vector, and all other conditions hold. Its length is",
+            "c": f"Columns {min(j, k) + 1} and {max(j, k) + 1} are not orthogonal, and all other conditions hold. Their dot product is",
+            "d": "The columns are orthogonal unit vectors, but column 3 is the negative of the cross product of columns 1 and 2, whose "
+            "first entry is",
+            "e": f"The last row is ${vector(T[3])}$, and all other conditions hold. The sum of its squares is",
+        }.get(right, "All conditions hold: column 3 is the cross product of columns 1 and 2, whose first entry is")
+        + f" ${number(float(shows))}$.",
         further="Change as few entries as possible to make this matrix a rigid motion. Is there only one way?",
         given={"matrix": T},
         answer=Choice(right, FLAWS),
         mistakes=[mistake(f"flaw {wrong}", wrong, FLAWS_REFUTED[wrong]) for wrong in FLAWS if wrong != right],
     )
-    return problem.with_reason(Numbers(np.array(float(shows))))
+    return problem.with_reason(Numbers(np.array(float(shows))), "the number")
 
 
 MAX_COSINE = 0.95
@@ -428,6 +442,11 @@ def three_angles(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Give roll, pitch and yaw of both orientations in radians, a row for each. Several answers are right.\n\n"
         f"$$R_1 = {matrix(general)}$$\n\n$$R_2 = {matrix(singular)}$$",
+        method="From $R = R_z(\\text{yaw})\\,R_y(\\text{pitch})\\,R_x(\\text{roll})$: the pitch is $\\operatorname{atan2}(-R_{31}, "
+        "\\sqrt{R_{11}^2 + R_{21}^2})$, the roll $\\operatorname{atan2}(R_{32}, R_{33})$ and the yaw "
+        "$\\operatorname{atan2}(R_{21}, R_{11})$.\n"
+        "In $R_2$ the arguments of the last two are 0: roll and yaw rotate about one line. With a roll of 0 the yaw is "
+        "$\\operatorname{atan2}(-R_{12}, R_{22})$.",
         further="Which of your two answers changes most if one entry of $R$ is off by a hundredth?",
         given={"R_1": general, "R_2": singular},
         answer=EulerAnglesAnswer(angles),

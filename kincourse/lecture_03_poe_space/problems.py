@@ -15,7 +15,7 @@ from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.pose_expression import PoseExpressionAnswer
 from kincourse.answers.screw_expressions import ScrewExpressionsAnswer
 from kincourse.answers.screws import ScrewsAnswer
-from kincourse.expressions.poses import assemble, columns, exp
+from kincourse.expressions.poses import assemble, columns
 from kincourse.expressions.poses import pose as given_pose
 from kincourse.expressions.screws import (
     direction,
@@ -38,7 +38,6 @@ from kincourse.sampling.lettered_arms import LetteredArm, draw_lettered_arm
 from kincourse.text.joint_table import joint_table
 from kinlib.chains.robots import X, Y, Z, angled_arm, arm, pose
 from kinlib.rigid.lie import adjoint
-from kinlib.rigid.lie import homogeneous as pose_of
 from kinlib.symbolic.formulas import screw as symbolic_screw
 from kinlib.symbolic.merge_rotations import homogeneous
 from kinlib.symbolic.numbers import exact
@@ -211,7 +210,8 @@ def which_order(sampler: ArmSampler) -> Problem:
         f"joint {names[3]} moves.\n\nLet $e_a = e^{{[S_a]q_a}}$ and so on, with the screw axes in {{s}} at home. Give the "
         f"factors of $T(q)$ from "
         "left to right, as a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
-        further="Which factors move the end-effector if only the first joint of the chain moves?",
+        method=JOINT_ORDER_ADVICE,
+        further="Two neighbouring joints are prismatic. Why may their factors change places?",
         given={"rides_on": dict(rides_on)},
         answer=Ordering([*(f"e_{name}" for name in names), "M"]),
         mistakes=factor_order_mistakes(
@@ -253,7 +253,7 @@ def camera_on_a_link(sampler: ArmSampler) -> Problem:
         *(
             ("another link", f"multiply the factors of joints 1 to {i}", product(*factors[:i], M), f"Joints 1 to {k} move link {k}.")
             for i in (1, 2, 3, 4)
-            if i != k
+            if i not in {k, k - 1}
         ),
         ("joint of the link alone", f"use the factor of joint {k} alone", product(factors[k - 1], M), "All joints below it move it too."),
         ("another joint value", "take for each joint the value of the next one",
@@ -322,7 +322,7 @@ def longer_tool(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The tool of this arm is replaced by a tool that is {number(longer)} m longer along its own $z$ axis. "
         f"Give $T(q)$ of the new tool at $q = {vector(q)}$.\n\n$$S = {matrix(robot.screws)}, \\qquad M = {matrix(robot.home)}$$",
-        further="For which joint values do the old and the new tool have the same orientation?",
+        further="Which column of $T(q)$ does the longer tool change, and by which vector?",
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws, "home": robot.home, "longer": longer, "q": q},
         answer=PoseAnswer(T),
@@ -380,8 +380,9 @@ def screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
                 continue
             # A link along the axis leads to another point of the same axis.
             across = [link for link in links[: i + 1] if abs(link.value @ axis) < 1e-9]
-            point = total(*across).named(f"p_{i + 1}")
+            point = total(*across)
             if len(across) > 1:
+                point = point.named(f"p_{i + 1}")
                 text = f"measure the point of joint {i + 1} from joint {i} instead of from {{s}}"
                 point = point.mistaken_for(("from the joint before", text, links[i]))
             points.append(point)
@@ -419,31 +420,22 @@ def kinematics_of_a_whole_arm(sampler: ArmSampler) -> Problem:
     def pose_at(q: np.ndarray, lengths: np.ndarray) -> Expression:
         chain = robot.with_lengths(lengths)
         values = values_in_radians(types, q)
-        factors = [
-            exp(_with_mistakes_of_problem_10(e.arguments[0], kind, point), e.arguments[1])
-            for e, kind, point in zip(exponentials(chain.screws, values), types, _points(robot, lengths), strict=False)
-        ]
-        M = _with_mistakes_of_problem_9(given_pose("M", chain.home), _points(robot, lengths))
-        T = forward_kinematics(factors, M)
+        T = forward_kinematics(exponentials(chain.screws, values), given_pose("M", chain.home))
         for k, letter in enumerate(robot.letters):
             for factor, name, text in ((0, "term left out", "leave out"), (-1, "sign", "negate")):
-                changed = np.where(np.arange(n + 1) == k, factor, 1) * lengths
-                other = robot.with_lengths(changed).fk(q)
-                T = T.mistaken_for(
-                    (name, f"{text} ${letter}$ in $M$ and in the screws", other, FROM_BEFORE), credit=CARRIED
-                )
+                other = robot.with_lengths(np.where(np.arange(n + 1) == k, factor, 1) * lengths).fk(q)
+                T = T.mistaken_for((name, f"{text} ${letter}$ in $M$ and in the screws", other), may_coincide=True)
             if k:
-                changed = np.where(np.arange(n + 1) == k, lengths[k - 1], lengths)
+                other = robot.with_lengths(np.where(np.arange(n + 1) == k, lengths[k - 1], lengths)).fk(q)
                 text = f"use ${robot.letters[k - 1]}$, where ${letter}$ belongs"
-                T = T.mistaken_for(
-                    ("another length", text, robot.with_lengths(changed).fk(q), FROM_BEFORE), credit=CARRIED
-                )
+                T = T.mistaken_for(("another length", text, other), may_coincide=True)
         return T
 
     units = "in radians, and in metres for a prismatic joint"
     return Problem(
         statement=f"This is the arm of Problems 9 and 10. Write a function `fk(q, L)` that takes the {n} joint values $q$ ({units}) and "
         f"the lengths {_listed(robot)}, and returns $T(q)$. The check calls it with values of its own.",
+        method="The screws $S_i$ are those of Problem 10, and $M$ is that of Problem 9.",
         further="Which entries of $T(q)$ do not depend on the last joint value?",
         figure=partial(draw_lettered_chain, robot.chain, robot.letters),
         answer=Function(lambda q, lengths: robot.with_lengths(lengths).fk(q), PoseAnswer(robot.chain.home), inputs),
@@ -453,52 +445,6 @@ def kinematics_of_a_whole_arm(sampler: ArmSampler) -> Problem:
             "first factor": "With space screws, the factor of joint 1 is leftmost, and $M$ is last.",
         },
     )
-
-
-FROM_BEFORE = "What follows from it is right. Correct it in Problem 9 or 10, and here too."
-
-CARRIED = 0.5
-"""The fraction of the points for a right product of the M and S of the problems before, if these have a mistake."""
-
-
-def _points(robot: LetteredArm, lengths: np.ndarray) -> np.ndarray:
-    """The points of the joints and of the tool, (n + 1, 3)."""
-    return np.cumsum(np.asarray(lengths)[:, None] * robot.links, axis=0)
-
-
-def _with_mistakes_of_problem_9(M: Expression, points: np.ndarray) -> Expression:
-    R, p = M.value[:3, :3], M.value[:3, 3]
-    return M.mistaken_for(
-        ("term left out", "leave out the last link in $M$", pose_of(R, points[-2])),
-        ("rotation left out", "leave the rotation of $M$ at $I$", pose_of(np.eye(3), p)),
-        ("axes in rows", "write the axes of {b} in the rows of $M$", pose_of(R.T, p)),
-        ("sign of a vector", "take the position in $M$ with the opposite sign", pose_of(R, -p)),
-        ("position in the other frame", "write the position of $M$ in the axes of {b}", pose_of(R, R.T @ p)),
-        advice=FROM_BEFORE,
-        credit=CARRIED,
-    )
-
-
-def _with_mistakes_of_problem_10(S: Expression, kind: str, point: np.ndarray) -> Expression:
-    w, v = S.value[:3], S.value[3:]
-    wrong_ones: list[tuple[str, str, np.ndarray]] = [
-        ("opposite direction", "take {} with the opposite direction", -S.value)
-    ]
-    if kind == "P":
-        wrong_ones += [
-            ("direction in omega", "put the direction of {} into $\\omega$", np.concatenate([v, w])),
-            ("prismatic as revolute", "treat the joint of {} as revolute", np.concatenate([v, -np.cross(v, point)])),
-        ]
-    else:
-        wrong_ones += [
-            ("omega x p", "take $\\omega \\times q$ for the moment of {}", np.concatenate([w, -v])),
-            ("point as moment", "take the point of the axis as the moment of {}", np.concatenate([w, point])),
-            ("no moment", "leave out the moment of {}", np.concatenate([w, 0 * v])),
-            ("revolute as prismatic", "treat the joint of {} as prismatic", np.concatenate([0 * w, w])),
-        ]
-    for name, text, wrong in wrong_ones:
-        S = S.mistaken_for((name, text.format(f"${S.latex}$"), wrong, FROM_BEFORE), credit=CARRIED)
-    return S
 
 
 def _symbols(robot: LetteredArm) -> tuple[sp.Symbol, ...]:
@@ -529,11 +475,11 @@ def _links(robot: LetteredArm, lengths: Mapping[str, float]) -> list[Expression]
     sizes = list(lengths.values())
     links = []
     for i, (letter, along) in enumerate(zip(robot.letters, robot.links, strict=True)):
-        link = given(letter, sizes[i] * along, LENGTH)
+        link = given(f"{letter}\\,{vector(along)}", sizes[i] * along, LENGTH)
         for j in {i - 1, i + 1} & set(range(len(sizes))):
             text = f"use ${robot.letters[j]}$, where ${letter}$ belongs"
             link = link.mistaken_for(("another length", text, sizes[j] * along))
-        links.append(link.mistaken_for(("term left out", f"leave out ${letter}$", 0 * along)))
+        links.append(link.mistaken_for(("term left out", f"leave out ${link.latex}$", 0 * along)))
     return links
 
 

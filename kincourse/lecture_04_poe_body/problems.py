@@ -11,19 +11,18 @@ import sympy as sp
 
 from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.screw_expressions import ScrewExpressionsAnswer
-from kincourse.answers.screws import ScrewsAnswer
+from kincourse.answers.screws import ScrewsAnswer, TwistAnswer
 from kincourse.expressions.poses import inverse
 from kincourse.expressions.poses import pose as given_pose
 from kincourse.expressions.screws import (
     change_frame,
-    direction,
+    change_frame_of_rows,
     drawn_revolute,
     exponentials,
     forward_kinematics,
     joint_screws,
     joint_values,
     read_screws,
-    revolute,
     screw_axes,
 )
 from kincourse.mistakes.factor_order import factor_order_mistakes
@@ -44,7 +43,7 @@ from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.number import Numbers
 from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
-from misstep.display.text import matrix, number
+from misstep.display.text import matrix, number, vector
 from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given, product, total
 from misstep.mutants.operations import LENGTH, function, stack
@@ -75,15 +74,16 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
         ("another joint", f"give the body screw of joint {neighbour + 1}", robot.body_screws[neighbour]),
         ("frame not changed", "read the axis in {s}", robot.screws[joint - 1]),
         (
+            "negative for inverse",
+            "negate $M$ instead of inverting it",
+            change_frame(-robot.home, robot.screws[joint - 1]),
+        ),
+        (
             "rotation left out",
             "measure from the origin of {b}, but along the axes of {s}",
             screw(robot.screws[joint - 1, :3], robot.joint_points[joint - 1] - origin),
         ),
     )
-    S = revolute(
-        direction(f"\\omega_{joint}", robot.screws[joint - 1, :3]), given(f"p_{joint}", robot.joint_points[joint - 1])
-    )
-    B = B.also_by(change_frame(inverse(given_pose("M", robot.home)), S.named(f"S_{joint}")))
     return Problem(
         statement=f"Read the body screw of joint {joint} off the drawing: give the direction and the moment of its axis in the frame "
         "{b} of the end-effector. All joints are revolute; coordinates are whole metres.",
@@ -109,7 +109,8 @@ def by_the_adjoint(sampler: ArmSampler) -> Problem:
         given={"screws": robot.screws},
         shown={"home": robot.home},
         answer=ScrewsAnswer(robot.body_screws),
-        solution=change_frame(inverse(given_pose("M", robot.home)), screw_axes("S", robot.screws)),
+        solution=change_frame_of_rows(inverse(given_pose("M", robot.home)), screw_axes("S", robot.screws)),
+        method="The screws are rows: $B_i = \\mathrm{Ad}_{M^{-1}} S_i$ for each of them.",
         advice={
             "inverse left out": TO_BODY_ADVICE,
             "frame not changed": "These are the space screws; {b} has another origin and other axes.",
@@ -128,7 +129,7 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
     by_alphabet = ["e_a", "e_b", "e_c", "e_d"]
     orders = {
         "reversed": ((names[::-1][:k], names[::-1][k:]), "The joints are in the reverse order."),
-        "sides swapped": ((right, left), "The factors of {s} and {b} are on the wrong sides of $M$."),
+        "sides swapped": ((right, left), "The joints that are given in {b} come before those that are given in {s}."),
     }
     if k < 3:  # one joint alone has no order
         text = "The joints whose axes are given in {b} are in the reverse order."
@@ -212,11 +213,6 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
             product(*e[k:], home, *e[:k]),
         )
     )
-    for name, text, wrong in (
-        ("M twice", "multiply by $M$ twice, after joint 2 and at the end", [*e[:k], home, *e[k:], home]),
-        ("M twice", "multiply by $M$ twice, in front and after joint 2", [home, *e[:k], home, *e[k:]]),
-    ):
-        T = T.mistaken_for((name, text, product(*wrong).value))
     return Problem(
         statement=f"The screw axes of the first two joints of this arm are given in {{s}}, the others in {{b}}: the rows below are "
         f"$S_1, S_2, B_3, B_4$. The joint values are {words}. Give $T(q)$.\n\n$${matrix(mixed)}$$\n\n$$M = {matrix(robot.home)}$$",
@@ -239,8 +235,9 @@ def new_tool(sampler: ArmSampler) -> Problem:
     turn = _rotation(sampler.choice([X, Y]), sampler.choice([30, 40, -50, -60, 70]))
     H = pose((X, Y, Z), (sampler.length(0.1, 0.4), 0, sampler.length(0.5, 0.9))) @ turn
     B, home, T_bt = robot.body_screws, given_pose("M", robot.home), given_pose("T_{bt}", H)
-    new = change_frame(inverse(T_bt), screw_axes("B", B)).mistaken_for(
-        ("space screws", "give the space screws", robot.screws)
+    new = change_frame_of_rows(inverse(T_bt), screw_axes("B", B)).mistaken_for(
+        ("space screws", "give the space screws", robot.screws),
+        ("another pose", "use $M$, where $T_{bt}$ belongs", change_frame(inverse(home), B)),
     )
     for T, name, text in (
         (T_bt @ home, "order", "move the tool along the axes of {s}: $T_{bt}\\,M$ for the new home pose"),
@@ -251,6 +248,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="The tool of this arm is replaced. The frame {t} of the new tool has the pose $T_{bt}$ in the frame {b} of the old one. "
         f"Below are the body screws in {{b}}. Give them in {{t}}, as rows.\n\n$$B = {matrix(B)}$$\n\n$$T_{{bt}} = {matrix(H)}$$",
+        method="The screws are rows: each of them is multiplied by $\\mathrm{Ad}_{T_{bt}^{-1}}$.",
         further="For which new tools do the $\\omega$ of all body screws stay as they are?",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "T_bt": H, "home": robot.home},
@@ -283,6 +281,8 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
         ("degrees", "use degrees per second as radians per second", robot.body_jacobian(q) @ rates),
         ("degrees", "use the degrees of $q$ as radians", robot.body_jacobian(np.array(typed)) @ qdot),
         ("rates swapped", "swap the joint values and the rates", robot.body_jacobian(qdot) @ q, ""),
+        ("sign of a joint value", "take every joint value with the opposite sign", robot.body_jacobian(-q) @ qdot, ""),
+        ("joint values reversed", "use the joint values in the reverse order", robot.body_jacobian(q[::-1]) @ qdot, ""),
         ("rates left out", "add up the columns without the rates", robot.body_jacobian(q).sum(axis=1)),
         *(
             (
@@ -299,10 +299,11 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The joint values of this arm are {words}, and its joint rates $\\dot q_i$ are {per_second}. Give the twist "
         f"$\\mathcal{{V}}_b = J_b(q)\\,\\dot q$ of the tool in {{b}}: six numbers $(\\omega, v)$, in rad/s and m/s.\n\n$$B = {matrix(B)}$$",
+        method="Column $i$ of $J_b$ is $B_i$, changed by the joints between axis $i$ and the tool. Rates and angles are in radians.",
         further="At which rates does the tool stand still in this configuration, other than 0?",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "values": typed, "rates": rates},
-        answer=ScrewsAnswer(V, names=["the twist"], single="a twist"),
+        answer=TwistAnswer(V),
         advice={
             "joint values for rates": "Multiply by the rates.",
             "degrees": "Use `np.radians` first.",
@@ -343,13 +344,6 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
             sign * (180.0 * (not opposite) - tilt),
         ),
         ("at home", "take the home configuration", 0.0),
-        ("right angle", "take a right angle", 90.0),
-        ("right angle", "take a right angle", -90.0),
-        (
-            "complement",
-            "take the complement, as if axis 3 were measured from another axis",
-            sign * (90.0 - abs(180.0 * opposite - tilt)),
-        ),
         ("supplement", "take the supplement", 180.0 - sign * (180.0 * opposite - tilt)),
         ("radians", "give the angle in radians", np.radians(q_2.value)),
         advice="The wrist is singular where axes 1 and 3 are on one line.",
@@ -369,6 +363,10 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
         f"$z$ towards ${name}$. Give two numbers. The first is the value $q_2$ between $-90$ and $90$ degrees at which the wrist is "
         f"singular, in degrees. In this configuration joint 3 rotates at ${number(rate)}$ degrees per second, and joint 2 is at rest. The "
         "second number is the rate of joint 1, in degrees per second, at which the tool does not move.",
+        method=f"The wrist is singular where axis 3 lies on axis 1. Joint 2 rotates axis 3, which is {tilt} degrees from $z$, into this "
+        f"line: by ${number(float(q_2.value))}$ degrees, so that axis 3 is along ${'-z' if opposite else 'z'}$.\nThere joint 3 gives the "
+        f"angular velocity ${number(-rate if opposite else rate)}\\,z$ in degrees per second. The tool is at "
+        "rest if joint 1 gives its negative.",
         further="Does the wrist have a second singular configuration, and how far is it from this one?",
         figure=partial(draw_arm, wrist),
         given={"axis_2": second, "tilt": float(tilt), "towards": toward, "rate_3": rate},
@@ -441,12 +439,13 @@ def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         points = []
         for i, (letter, axis) in enumerate(zip(robot.joint_types, axes, strict=True)):
             behind = [
-                given(robot.letters[k], -sizes[k] * links[k], LENGTH)
+                given(f"{robot.letters[k]}\\,{vector(-links[k])}", -sizes[k] * links[k], LENGTH)
                 for k in range(i + 1, n + 1)
                 if letter == "P" or abs(links[k] @ axis) < 1e-9  # a link along the axis leads to another point of it
             ]
-            point = total(*behind).named(f"p_{i + 1}")
+            point = total(*behind)
             if letter != "P" and len(behind) > 1:
+                point = point.named(f"p_{i + 1}")
                 text = f"measure the point of joint {i + 1} from joint {i + 2} instead of from {{b}}"
                 point = point.mistaken_for(("from the joint behind", text, -sizes[i + 1] * links[i + 1]))
             points.append(point)
@@ -552,7 +551,7 @@ def what_to_store(_: ArmSampler) -> Problem:
         answer=Prose(
             "With a new tool $T_{bt}$, $M$ becomes $M\\,T_{bt}$ and every $B_i$ becomes $\\mathrm{Ad}_{T_{bt}^{-1}} B_i$; no $S_i$ "
             "changes. In the new hall $M$ is multiplied from the left by the pose of the old {s}, and so are the $S_i$ by its "
-            "adjoint; no $B_i$ changes. A new zero of joint 2 changes $M$, the $S_i$ after joint 2 and the $B_i$ up to joint 2. As "
+            "adjoint; no $B_i$ changes. A new zero of joint 2 changes $M$, the $S_i$ after joint 2 and the $B_i$ before joint 2. As "
             "the tool changes more often than the hall, space screws are changed less often; any choice with such a reason is "
             "right.",
             {

@@ -20,7 +20,7 @@ from kincourse.sampling.drawn_machines import (
     lengths,
     table_frames,
 )
-from kincourse.text.joint_table import joint_table
+from kincourse.text.joint_table import joint_table, rows_from_frames
 from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.dh.formatting import markdown_table
 from kinlib.dh.parsing import COLUMNS
@@ -94,7 +94,10 @@ def one_row(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Give the matrix $A_i$ of the row\n\n| a | alpha | d | theta |\n| --- | --- | --- | --- |\n"
         f"| {number(a)} | {alpha}° | {number(d)} | {theta}° |\n\nin the standard convention. Lengths are in metres.",
-        further="For which numbers do this matrix and that of the modified row agree?",
+        method="$A_i = \\begin{pmatrix} c_\\theta & -s_\\theta c_\\alpha & s_\\theta s_\\alpha & a\\,c_\\theta \\\\ s_\\theta & c_\\theta "
+        "c_\\alpha & -c_\\theta s_\\alpha & a\\,s_\\theta \\\\ 0 & s_\\alpha & c_\\alpha & d \\\\ 0 & 0 & 0 & 1 \\end{pmatrix}$, with $c$ "
+        "and $s$ for cosine and sine.",
+        further="For which rows are the standard and the modified matrix the same?",
         given={"a": a, "alpha_degrees": alpha, "d": d, "theta_degrees": theta},
         answer=PoseAnswer(A.value),
         solution=A.mistaken_for(
@@ -123,6 +126,7 @@ def whole_table(sampler: ArmSampler) -> Problem:
         f"identity. A table is right if it gives the pose of {{b}} for every $q$.\n\n{joint_table(robot)}\n\n"
         f"{{b}} is at ${vector(robot.home[:3, 3])}$, its $x$ along ${vector(robot.home[:3, 0])}$, its $z$ along "
         f"${vector(robot.home[:3, 2])}$.",
+        method=rows_from_frames(table),
         further="Reverse one inner $x$ axis. Which four numbers of the table change?",
         figure=partial(draw_joints, robot, tool=True),
         shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
@@ -241,13 +245,14 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
         statement="The table below was read from the drawn frames, at $q = 0$, in the standard convention. One entry is wrong. "
         "Which one, and what is its right value? Answer with its column and row, and with the value in metres or radians, such as "
         f"`('d2', 1.5)`.\n\n{printed}",
-        further="Which other single entry, changed instead, would leave the last frame where it is?",
+        method=f"{rows_from_frames(table)}\nOnly {entry_names(3)[answer]} of the given table does not agree with them. It must be:",
+        further="Where does the table, as it is printed, put the last frame?",
         figure=partial(draw_table, table, numbers=True),
         given={"frames": table_frames(table), "rows": wrong},
         answer=Choice(answer, entry_names(3)),
         mistakes=other_entries(answer, 3, "standard"),
     )
-    return problem.with_reason(Numbers(np.array(rows[i, k])))
+    return problem.with_reason(Numbers(np.array(rows[i, k])), "the value")
 
 
 @problem("05.6", "Base and tool", points=2, lecture="05_dh_standard#Base and tool")
@@ -388,6 +393,7 @@ def scara(sampler: ArmSampler) -> Problem:
         statement="The drawing shows a SCARA with joints RRP at home, in millimetres, with its standard frames: "
         "the origin of frame $i$ is D$i$, $z_i$ is the axis of joint $i + 1$, the arrow is $x_i$, and $z_3$ is along $z_2$. Give "
         "the three rows $a, \\alpha, d, \\theta$ at home, in metres and radians.",
+        method=rows_from_frames(table),
         further="The arm is measured at another $q$. Which numbers of your rows do you see again?",
         figure=partial(draw_table_frames, table),
         answer=DHRowsAnswer(table.rows),
@@ -408,10 +414,11 @@ def no_common_row(_: ArmSampler) -> Problem:
         "with yours. Frame 0 and the last frame stay where they are. Say for each change which rule allows it, and show that "
         "both tables give the same pose for every $q$, and not only for those that you tried.",
         answer=Prose(
-            "Reverse $x_1$ and $x_2$, and move the origins along the parallel axes. Reversing $x_i$ negates $a_i$ and $\\alpha_i$, "
-            "and adds $\\pi$ to $\\theta_i$ and $-\\pi$ to $\\theta_{i+1}$; moving an origin by $h$ along parallel axes adds $h$ to "
-            "one $d$ and subtracts it from the next. In the product, $A_i$ is multiplied by $F$ and $A_{i+1}$ by $F^{-1}$ beside "
-            "it, where $F$ is the change of frame $i$. They cancel for every $q$, because $F$ contains none.",
+            "Reverse $x_1$ and $x_2$, and move the origins along the parallel axes. Reversing $x_i$ negates $a_i$ and $\\alpha_i$, and "
+            "adds $\\pi$ to $\\theta_i$ and $-\\pi$ to $\\theta_{i+1}$; moving $O_i$ by $h$ along $z_i$ subtracts $h$ from $d_{i+1}$, and "
+            "adds it to $d_i$ if $z_{i-1}$ is parallel to $z_i$, or subtracts it there if it is antiparallel. In the product, $A_i$ is "
+            "multiplied by $F$ and $A_{i+1}$ by $F^{-1}$ beside it, where $F$ is the change of frame $i$. They cancel for every $q$, "
+            "because $F$ contains none.",
             {
                 "a table without a common row": 1,
                 "each change is one that the rules leave free, and is named": 1,

@@ -27,7 +27,7 @@ from kincourse.sampling.drawn_machines import (
     lengths,
     table_frames,
 )
-from kincourse.text.joint_table import joint_table
+from kincourse.text.joint_table import joint_table, rows_from_frames
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.dh.formatting import add_variable, headings, in_latex, markdown_table
@@ -149,7 +149,10 @@ def link_transform(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Give the link transform ${}^{i-1}T_i$ of this row of a modified table, with the given $d$ and $\\theta$.\n\n"
         + _format_table([row], "modified"),
-        further="In which two numbers would the standard matrix of the same row differ?",
+        method="${}^{i-1}T_i = \\begin{pmatrix} c_\\theta & -s_\\theta & 0 & a \\\\ s_\\theta c_\\alpha & c_\\theta c_\\alpha & "
+        "-s_\\alpha & -d\\,s_\\alpha \\\\ s_\\theta s_\\alpha & c_\\theta s_\\alpha & c_\\alpha & d\\,c_\\alpha \\\\ 0 & 0 & 0 & 1 "
+        "\\end{pmatrix}$, with $c$ and $s$ for cosine and sine.",
+        further="Which three entries above the last row are the same in the standard matrix of this row?",
         given={"a": a, "alpha": alpha, "d": d, "theta": theta},
         answer=PoseAnswer(T.value),
         solution=(
@@ -199,6 +202,8 @@ def to_modified(sampler: ArmSampler) -> Problem:
         statement="Convert this standard table to the modified convention. Frame 0 stays the same. The $a$ and $\\alpha$ that are "
         "left over become the tool, which is not part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at "
         "$q = 0$, angles in radians.\n\n" + _format_table(table.rows, "standard", table.joints),
+        method="The joints stay in their rows, with $d_i$ and $\\theta_i$. Row $i$ of the modified table begins with the link before: "
+        "$a_{i-1}$ and $\\alpha_{i-1}$ of the standard table move one row down, and row 1 begins with 0 and 0. The rows at $q = 0$:",
         further="What happens to the last $a$ and $\\alpha$ if there is no tool?",
         shown={"rows": table.rows, "joints": table.joints},
         answer=DHTableAnswer(right, anchored=True),
@@ -239,7 +244,7 @@ def wrist(sampler: ArmSampler) -> Problem:
         statement="These are rows 4 to 6 of the modified table of a PUMA 560, that is, its wrist. Give ${}^3R_6$ at "
         f"$(\\theta_4, \\theta_5, \\theta_6) = {vector(degrees)}$ degrees.\n\n"
         + _format_table(rows, "modified", "RRR", first=4),
-        further="For which angles is the rotation the constant alone?",
+        further="For which angles is ${}^3R_6 = R_x(-90°)$?",
         given={"degrees": degrees},
         answer=RotationAnswer(R),
     )
@@ -286,13 +291,18 @@ def which_convention(sampler: ArmSampler) -> Problem:
         f"$q = {vector(np.degrees(q))}$ degrees. What does the measurement tell you?\n\n"
         f"{_format_table(rows, '', 'RR')}\n\n$$T = {matrix(T)}$$\n\n{listed}\n\nAnswer with a letter, and with the x coordinates "
         "of the end-effector that the table gives in the standard and in the modified convention, such as `('a', [0.4, 0.7])`.",
+        method="\n".join(
+            f"In the {name} convention the product of the rows at this $q$ is ${matrix(pose)}$, and it "
+            f"{'agrees' if np.allclose(pose, T) else 'does not agree'} with $T$."
+            for name, pose in poses.items()
+        ),
         further="Which one further measurement would decide every such question?",
         figure=partial(draw_frames, {"0": np.eye(4), "2": T}, arrows=False),
         given={"rows": rows, "q": q, "pose": T},
         answer=Choice(truth, options),
         mistakes=[mistake(options[letter], letter, why[letter]) for letter in options if letter != truth],
     )
-    return problem.with_reason(Numbers(np.array([pose[0, 3] for pose in poses.values()]), unit="m"))
+    return problem.with_reason(Numbers(np.array([pose[0, 3] for pose in poses.values()]), unit="m"), "the coordinates")
 
 
 @problem("06.6", "The angles of a wrist", points=3, lecture="06b_puma#Angles from a rotation")
@@ -307,7 +317,11 @@ def angles_of_a_wrist(sampler: ArmSampler) -> Problem:
         f"$$R_1 = {matrix(rotations[0])}, \\qquad R_2 = {matrix(rotations[1])}.$$\n\n"
         "Give $(\\theta_4, \\theta_5, \\theta_6)$ in radians for each, in two rows. Every solution is right. One of the two is at "
         "the singular configuration of the wrist, where axes 4 and 6 are collinear.",
-        further="Which orientations can the wrist reach in one way only?",
+        method="Without the constant, $E = R\\,R_x(90°) = R_y(\\theta_4)\\,R_z(\\theta_5)\\,R_y(\\theta_6)$: $\\theta_5 = "
+        "\\operatorname{atan2}(\\sqrt{E_{21}^2 + E_{23}^2}, E_{22})$, $\\theta_4 = \\operatorname{atan2}(E_{32}, -E_{12})$ and $\\theta_6 "
+        "= \\operatorname{atan2}(E_{23}, E_{21})$. For $R_2$ all arguments of the last two are 0: with $\\theta_4 = 0$, $\\theta_6 = "
+        "\\operatorname{atan2}(E_{13}, E_{33})$. YZY stands for these formulas.",
+        further="How many solutions does each of the two orientations have?",
         given={"rotations": np.array(rotations)},
         answer=WristAnglesAnswer(angles),
     )
@@ -335,6 +349,7 @@ def whole_arm(sampler: ArmSampler) -> Problem:
         f"$q$. Lengths may be typed as letters, such as `-l_2`, or as numbers: {lengths} (metres).\n\n"
         f"{joint_table(robot, points=points)}\n\n{{b}} is at ${points[-1]}$, its $x$ along ${vector(robot.home[:3, 0])}$, its $z$ "
         f"along ${vector(robot.home[:3, 2])}$.",
+        method=rows_from_frames(table),
         further="Which of your rows would a second correct table share with yours?",
         figure=partial(draw_joints, robot, tool=True),
         given={"lengths": np.array(letters)},
@@ -445,6 +460,7 @@ def telescope_mount(sampler: ArmSampler) -> Problem:
         "is the azimuth, joint 2 the altitude, joint 3 rotates the camera. The origin of frame $i$ is D$i$, $z_i$ is the axis of joint "
         "$i$, and the arrow is $x_i$; $z_0$ is along $z_1$. Give the three rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at home, in "
         "metres and radians.",
+        method=rows_from_frames(table),
         further="Where would the frames be in the standard convention?",
         figure=partial(draw_table_frames, table),
         answer=DHRowsAnswer(table.rows),
@@ -501,6 +517,7 @@ def panda_on_a_wall(sampler: ArmSampler) -> Problem:
         )
         + f"\n\nThe pose of frame 0 in {{s}} is\n\n$$T_{{s0}} = {matrix(base)}$$\n\nGive the screw axes $S_1$ to $S_7$ in {{s}} in this "
         "configuration, as rows.",
+        method="$\\omega_i$ is $z_i$, and $O_i$ the origin, of $T_{s0}\\,{}^0T_1 \\cdots {}^{i-1}T_i$.",
         further="Which rows of the table would stay the same if the maker had chosen the standard convention?",
         shown={"rows": rows, "base": base},
         answer=ScrewsAnswer(S),

@@ -11,13 +11,14 @@ from kincourse.answers.point import VectorsAnswer
 from kincourse.mistakes.dh import entry_names, rows_of_the_other_convention
 from kincourse.problem import ArmSampler, Problem, problem
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
-from kincourse.text.joint_table import end_frames, given_frames, joint_table
+from kincourse.text.joint_table import end_frames, given_frames, joint_table, rows_from_frames
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import equivalent
 from kinlib.dh.formatting import markdown_table
+from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import DHTable, format_rows
 from kinlib.rigid.lie import homogeneous
 from kinlib.view import draw_joints
@@ -67,7 +68,6 @@ def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
         ("sign of the displacement", "move joint 2 the other way", (2 * a_1 - x, a_2 + x - a_1), "The new $a_1$ is the new place."),
         ("joint 2 at axis 3", "put joint 2 on axis 3", (a_1 + a_2, 0.0), "The other drawing has it at another place."),
         ("displacement as a_2", "leave $a_1$, and give the displacement as $a_2$", (a_1, x - a_1), "$a_1$ is the new place."),
-        ("sum kept", "give the sum as $a_2$, without subtracting $a_1$", (x, a_1 + a_2), "$a_2$ is measured from the new line."),
         ("position added", "add the new position to $a_2$", (x, x + a_2), "The sum $a_1 + a_2$ stays the same."),
         ("displacement as a_2", "give the displacement of joint 2 as $a_2$", (x, x - a_1), "$a_2$ is measured to axis 3."),
         ("position added", "add the new position to $a_1$", (a_1 + x, a_2 - x), "The new position is $a_1$ itself."),
@@ -78,6 +78,11 @@ def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
         ("joint 2 at axis 1", "put joint 2 on axis 1", (0.0, a_1 + a_2), "The other drawing has it at another place."),
     ):  # fmt: skip
         answer = answer.mistaken_for((name, text, stack(*wrong), advice))
+
+    def adds_up(both: Array) -> str:
+        text = f"$a_1 + a_2$ is the distance from axis 1 to axis 3, {number(reach)} m; yours add up to {number(both.sum())} m."
+        return text if abs(both.sum() - reach) > 0.01 else ""
+
     robot = arm(
         [(Z, (0, 0, 0)), (-Y, (first, 0, 0), SLIDE), (Z, (reach, 0, 0))],
         pose((X, Y, Z), (reach, 0, 0)),
@@ -91,7 +96,7 @@ def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
         further="At which place of the joint is one of the two lengths 0?",
         figure=partial(draw_joints, robot),
         given={"a_1": first, "a_2": second, "moved_to": moved},
-        answer=Numbers(answer, unit="m"),
+        answer=Numbers(answer, unit="m", test=adds_up),
         advice={"leave out $-x$": "$a_2$ leads from joint 2 to joint 3.", "entries swapped": "$a_1$ leads to joint 2."},
     )
 
@@ -105,6 +110,9 @@ def frames_by_the_rules(sampler: ArmSampler) -> Problem:
         "frames in {s}, an array of shape (4, 4, 4). Either place the frames by hand in the next cell and copy the poses, or write "
         "each with `pose((x, y, z), origin)` from `kinlib.chains.robots`. Where the rules leave a choice, every choice is right."
         f"\n\n{joint_table(robot)}",
+        method="$z_{i-1}$ lies on the axis of joint $i$. The origin $O_i$ is where the common normal of axes $i$ and $i + 1$ meets axis "
+        "$i + 1$, and $x_i$ is along this normal. Frame 0 may be anywhere on axis 1. The last frame is free, but the line of its $x$ is "
+        "perpendicular to $z_2$ and intersects it. One right choice:",
         further="Where did the rules leave you a choice, and what would the table look like with the other one?",
         figure=partial(draw_joints, robot),
         shown={"arm": robot, "screws": robot.screws, "home": robot.home, "points": robot.joint_points},
@@ -166,6 +174,7 @@ def table_of_an_arm(sampler: ArmSampler) -> Problem:
         f"each joint, with `q1`, `q2`, ... for the joint variables. {_given(robot.n)} Every table that gives the pose of frame {robot.n} "
         f"in frame 0 for every $q$ is right, so you may choose the frames between them."
         f"\n\n{joint_table(robot)}\n\n{given_frames(table)}",
+        method=rows_from_frames(table),
         further="Find a second table of this arm without a row of yours. How do you prove that they agree?",
         figure=partial(draw_joints, robot),
         shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
@@ -193,6 +202,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         statement="Axes 2, 3 and 4 of this arm are parallel lines, and axis 4 has the opposite direction. Write a DH table in the "
         f"modified convention. {_given(robot.n)} Every table that gives the pose of frame {robot.n} in frame 0 for every $q$ is right. "
         f"\n\n{joint_table(robot)}\n\n{given_frames(table)}",
+        method=rows_from_frames(table),
         further="Turn axis 4 so that it has the direction of axis 3. Which rows change?",
         figure=partial(draw_joints, robot),
         shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
@@ -272,7 +282,7 @@ def which_rule(sampler: ArmSampler) -> Problem:
         answer=Choice(right, RULES),
         mistakes=[_rule_mistake(wrong, right) for wrong in RULES if wrong != right],
     )
-    return problem.with_reason(Numbers(np.array(float(shows))))
+    return problem.with_reason(Numbers(np.array(float(shows))), "the number")
 
 
 def _rule_mistake(wrong: str, right: str) -> Mistake:
@@ -311,6 +321,9 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
         statement="This DH table was written for the arm below, in the standard convention, but one of its lengths is wrong. Compare "
         f"the table with the axes, and give the corrected table. {_given(4)}"
         f"\n\n{_format_table(table.changed(rows=printed))}\n\n{joint_table(robot)}\n\n{given_frames(table)}",
+        method=f"The table has ${COLUMNS[k]}_{i + 1} = {number(printed[i, k])}$, but the distance of "
+        + (f"axes {i + 1} and {i + 2}" if k == 0 else f"the common normals on axis {i + 1}")
+        + f" is {number(rows[i, k])} m. The rows at $q = 0$, where each $q_i$ is added to $\\theta_i$:",
         further="Which measurement of the arm would have shown this fault first?",
         figure=partial(draw_joints, robot),
         given={"rows": printed},
@@ -357,13 +370,18 @@ def same_arm(sampler: ArmSampler) -> Problem:
         statement=f"Here is a DH table in the standard convention:\n\n{_format_table(table)}\n\nWhich of the following tables "
         f"describes the same mechanism? And which single entry of table {spoiled}) must change, so that it does so as well?\n\n{shown}\n\n"
         "Answer with a letter and an entry, such as `('a', 'd2')`.",
+        method="Reversing $x_3$ negates $a_3$ and $\\alpha_3$, and adds $180°$ to $\\theta_3$ and $-180°$ to $\\theta_4$. Moving $O_2$ "
+        "along the parallel "
+        f"axes 2 and 3 adds to $d_2$ what it takes from $d_3$. Only table {right}) has both changes complete. Table {spoiled}) has them "
+        f"as well, "
+        "and the other sign in one more entry.",
         further="Write one more table of the same arm that looks as different as possible.",
         given={"table": table.rows, "tables": {letter: changed[name].rows for letter, name in letters.items()}},
         shown={"spoiled": spoiled},
         answer=Choice(right, dict.fromkeys("abcd", "a table")),
         mistakes=[mistake(name, letter, why[name]) for letter, name in letters.items() if name != "legal"],
     )
-    return problem.with_reason(Choice(entry, entry_names(5)))
+    return problem.with_reason(Choice(entry, entry_names(5)), "the entry")
 
 
 def _tables_to_compare(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable], str]:
@@ -444,6 +462,9 @@ def leg(sampler: ArmSampler) -> Problem:
         statement="The drawing shows the leg of a walking machine at home, in millimetres: joint 1 is the yaw of the hip, 2 its roll, "
         "and 3 the knee, all of them revolute. Where are the origins $O_1$ and $O_2$ of the frames of the standard convention? Give "
         "their coordinates in {s}, in metres, as rows.",
+        method="Axis 1 is vertical, axis 2 along $x$ and axis 3 along $y$. $O_1$ is the point of axis 2 above or below which axis 1 "
+        "passes: it has the $x$ of P1, and $y$ and $z$ of P2. $O_2$ is the point of axis 3 nearest to axis 2: it has $x$ and $z$ of P3, "
+        "and the $y$ of P2.",
         further="Axis 1 is moved by 0.1 m along $x$. Which origin moves, and in which direction?",
         figure=lambda: draw_dimensions(
             [hip, (hip[0], hip[1], roll[2]), roll, knee, knee * (1, 1, 0)], drawn, {"P1": hip, "P2": roll, "P3": knee}

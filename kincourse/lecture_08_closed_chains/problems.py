@@ -89,10 +89,7 @@ def slider(sampler: ArmSampler) -> Problem:
     x = x.mistaken_for(
         ("lengths swapped", "swap crank and rod, and take the root of the size of a negative number", swapped)
     )
-    for text, wrong in (
-        ("measure $x$ from the leftmost place of B", x + crank),
-        ("measure $x$ from B", x - crank * np.cos(np.radians(degrees))),
-    ):
+    for text, wrong in (("measure $x$ from the leftmost place of B", x + crank),):
         x = x.mistaken_for(("another origin", text, wrong, "$x$ is measured from A."))
     linkage = linkages.slider_crank(crank, rod, offset)
     side = "above" if offset > 0 else "below"
@@ -111,10 +108,11 @@ def slider(sampler: ArmSampler) -> Problem:
         return _bar("With this $x$, the rod would have to be", needed, rod)
 
     return Problem(
-        statement=f"A slider-crank has a crank of {number(crank)} m and a rod of {number(rod)} m. Its slider moves parallel to "
-        f"$x$, {number(abs(offset))} m {side} A. The angle of the crank from the $x$ axis is {degrees} degrees. What is the $x$ coordinate "
-        "of the slider, from A, in the assembly mode with the slider to the right of B? (The picture shows the linkage before the pin C "
-        "is put in.)",
+        statement=f"A slider-crank has a crank of {number(crank)} m and a rod of {number(rod)} m. Its slider moves parallel to $x$, "
+        f"{number(abs(offset))} m {side} the pin A. The angle of the crank from the $x$ axis is $A = {degrees}°$. What is the $x$ "
+        f"coordinate "
+        "of the slider, from the pin A, in the assembly mode with the slider to the right of B? (The picture shows the linkage before the "
+        "pin C is put in.)",
         further="At which crank angle is the slider farthest away?",
         figure=partial(draw_linkage, linkage, np.array([A, -A, 1.1 * (crank + rod), 0.0])),
         given={"crank": crank, "rod": rod, "offset": offset, "degrees": degrees},
@@ -143,16 +141,19 @@ KINDS = {
 def which_kind(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(KINDS))
     four_bar = four_bar_of_kind(sampler, right)
+    least, most = min(four_bar), max(four_bar)
     listed = "\n".join(f"- {letter}) {kind}" for letter, kind in KINDS.items())
     problem = Problem(
         statement=f"{describe_lengths(four_bar)} What kind of four-bar is it?\n\n{listed}\n\nAnswer with a letter, and with the sum of "
         "the shortest and the longest bar in metres, such as `('a', 0.7)`.",
+        method=f"The shortest bar is the {FourBar._fields[four_bar.index(least)]}. Shortest and longest bar together are "
+        f"{number(least + most)} m, and the other two {number(sum(four_bar) - least - most)} m.",
         further="Change one length by as little as possible to get another kind of four-bar.",
         given={"bars": tuple(four_bar)},
         answer=Choice(right, KINDS),
         mistakes=[mistake(f"kind {wrong}", wrong, _kind_message(wrong, right)) for wrong in KINDS if wrong != right],
     )
-    return problem.with_reason(Numbers(np.array(min(four_bar) + max(four_bar)), unit="m"))
+    return problem.with_reason(Numbers(np.array(least + most), unit="m"), "the sum")
 
 
 def _kind_message(wrong: str, right: str) -> str:
@@ -177,20 +178,13 @@ def gap_of_points(sampler: ArmSampler) -> Problem:
     angle = (A + B).mistaken_for(
         ("relative angle", "take $B$ as the coupler's angle from the $x$ axis", B),
         ("relative angle", "subtract $B$ from $A$", A - B),
-        ("another angle", "take the coupler along the crank", A),
     )
     over_B = (polar(crank, A) + polar(coupler, angle)).named("p_1")
-    D_point = given("p_D", np.array([four_bar.ground, 0.0])).mistaken_for(
-        ("ground left out", "begin the second branch at A", np.zeros(2))
-    )
+    D_point = given("p_D", np.array([four_bar.ground, 0.0]))
     over_D = (D_point + polar(rocker, D)).named("p_2")
     gap = (over_B - over_D).mistaken_for(
         ("sign", "subtract the end of the first branch from that of the second", over_D - over_B),
-        ("one branch", "give the end of the first branch alone", over_B),
         ("one branch", "give the end of the second branch alone", over_D),
-        ("sum for difference", "add the two ends", over_B + over_D),
-        ("coupler left out", "end the first branch at B", polar(crank, A) - over_D),
-        ("crank left out", "begin the first branch at B", polar(coupler, angle) - over_D),
         ("bars added", "lay all bars along $x$", np.array([crank.value + coupler.value - ground.value - rocker.value, 0.0])),
     )  # fmt: skip
     listed = ", ".join(f"${name} = {angle}°$" for name, angle in zip("ABD", degrees, strict=True))
@@ -198,7 +192,7 @@ def gap_of_points(sampler: ArmSampler) -> Problem:
         statement=f"{describe_lengths(four_bar)} {ANGLES_NOTE} The loop is not closed yet: {listed}. Both branches end where the pin C "
         "should be. How far apart are the ends? Give the vector $p_1(A, B) - p_2(D)$, $[x, y]$ in metres, from the end of the rocker to "
         "the end of the coupler.",
-        further="The rocker is moved until the gap is as short as possible. Which angle does the gap then have to the rocker?",
+        further="The rocker is rotated until the gap is as short as possible. Which angle is then between the gap and the rocker?",
         figure=partial(draw_linkage, linkages.four_bar(*four_bar), np.radians([*degrees, 0.0])),
         given={"bars": tuple(four_bar), "degrees": dict(zip("ABD", degrees, strict=True))},
         answer=Numbers(gap, unit="m"),
@@ -269,10 +263,11 @@ def both_ways(sampler: ArmSampler) -> Problem:
             (name, text, both_modes(*angles), "The rocker's angle is measured from the $x$ axis, in radians.")
         )
     return Problem(
-        statement=f"{describe_lengths(four_bar)} The angle of its crank from the $x$ axis is {degrees} degrees. Give "
+        statement=f"{describe_lengths(four_bar)} The angle of its crank from the $x$ axis is $A = {degrees}°$. Give "
         "the rocker's angle $D$, also from the $x$ axis but in radians, in both assembly modes, in any order. (The picture shows "
         "the linkage before the pin C is put in.)",
-        further="At which crank angle do both modes meet?",
+        method="$\\angle(x, DB)$ is the angle of the vector $DB$ from the $x$ axis, by $\\operatorname{atan2}$.",
+        further="Can the linkage move from one mode to the other without being taken apart?",
         figure=partial(draw_linkage, linkages.four_bar(*four_bar), open_configuration(np.radians(degrees))),
         given={"bars": tuple(four_bar), "degrees": degrees},
         answer=Angles(D, any_order=True, test=partial(_coupler_at, four_bar, np.radians(degrees))),
@@ -305,12 +300,14 @@ def coupler_point(sampler: ArmSampler) -> Problem:
     def coupler(mode: int) -> Expression:
         k = with_other_bars(lambda four: coupler_directions(four, A)[mode], lengths)
         for text, wrong in (
-            ("rotate by $B$, the coupler's angle from the crank, alone", k - A),
+            ("rotate by the coupler's angle from the crank alone", k - A),
             ("rotate by the crank's angle", A),
             ("rotate by the crank's angle twice", k + A),
             ("rotate by the rocker's angle", rocker_directions(lengths, A)[mode]),
         ):
-            k = k.mistaken_for(("another angle", text, wrong, "From the $x$ axis the coupler's angle is $A + B$."))
+            k = k.mistaken_for(
+                ("another angle", text, wrong, "The coupler's angle is measured from the $x$ axis here.")
+            )
         return k
 
     angle = coupler(0).mistaken_for(
@@ -327,24 +324,15 @@ def coupler_point(sampler: ArmSampler) -> Problem:
         p = p.mistaken_for(
             ("another point", text, np.array(wrong), "P's distance along the coupler is measured from B.")
         )
-    start = polar(lengths[1], A).named("B")
+    start = polar(lengths[1], A).named("p_B")
     start = start.mistaken_for(
         ("from D", "add $p$ to the position of D instead of B", np.array([four_bar.ground, 0.0]))
     )
-    in_degrees = np.radians(degrees) * 180 / np.pi
     P = start + rotated(angle, p)
     P = P.mistaken_for(
         ("mirror image", "give the mirror image of P in the ground line", P * np.array([1.0, -1.0]), MIRRORED)
     )
     P = P.mistaken_for(("from D", "measure P from D instead of A", P - np.array([four_bar.ground, 0.0])))
-    wrong_B = four_bar.crank * np.array([np.cos(in_degrees), np.sin(in_degrees)])
-    C = start.value + four_bar.coupler * np.array([np.cos(angle.value), np.sin(angle.value)])
-    for text, k in (
-        ("", 180 / np.pi * angle),
-        (" for the crank's angle in the position of B", angle),
-        (" for the position of B, and point from there to C", direction_of(given("BC", C - wrong_B))),
-    ):
-        P = P.mistaken_for(("degrees", f"use degrees as radians{text}", wrong_B + rotated(k, p)))
     drawn = {"P": ("coupler", (four_bar.crank + along, left, 0.0))}
 
     def distance_from_B(P: Array) -> str:
@@ -353,9 +341,11 @@ def coupler_point(sampler: ArmSampler) -> Problem:
         return text if abs(distance - right) > CHECK_TOLERANCE else ""
 
     return Problem(
-        statement=f"{describe_lengths(four_bar)} The angle of its crank is {degrees} degrees, and C lies to the left of the "
-        f"arrow from B to D. A point P of the coupler lies {number(along)} m from B along the coupler, towards C, and {number(left)} m "
-        "to the left of the coupler. Call these two distances $p$. What is the position of P, as $[x, y]$ from A?",
+        statement=f"{describe_lengths(four_bar)} The angle of its crank from the $x$ axis is $A = {degrees}°$, and C lies to the left of "
+        f"the arrow from B to D. A point P of the coupler lies {number(along)} m from B along the coupler, towards C, and {number(left)} "
+        f"m "
+        "to the left of the coupler. Call these two distances $p$. What is the position of P, as $[x, y]$ from the pin A?",
+        method="$\\angle(x, BD) + \\angle DBC$ is the angle of the coupler from the $x$ axis, and $R$ the rotation by it.",
         further="Where is P in the other assembly mode?",
         figure=partial(draw_linkage, linkage, four_bar.assembly_modes(np.radians(degrees))[0], points=drawn),
         given={"bars": tuple(four_bar), "degrees": degrees, "along": along, "left": left},
@@ -383,22 +373,6 @@ def dead_point(sampler: ArmSampler) -> Problem:
         ("mirror image", "give the least angle instead of the greatest", -A),
         ("another bar", "stretch crank and coupler into one line", corner_angle(ground, crank + coupler, rocker)),
         (
-            "another corner",
-            "give the angle at D in degrees",
-            180 / np.pi * corner_angle(ground, coupler + rocker, crank),
-        ),
-        ("supplement", "give the supplement in degrees", 180 - 180 / np.pi * A),
-        (
-            "another corner",
-            "give the supplement of the angle at D",
-            np.pi - corner_angle(ground, coupler + rocker, crank),
-        ),
-        (
-            "another corner",
-            "give the supplement of the angle at B",
-            np.pi - corner_angle(crank, coupler + rocker, ground),
-        ),
-        (
             "square of the sum",
             "add the squares of coupler and rocker instead of squaring their sum",
             corner_angle(ground, crank, float(np.hypot(four_bar.coupler, four_bar.rocker))),
@@ -416,7 +390,7 @@ def dead_point(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"{describe_lengths(four_bar)} Its crank cannot make full turns. What is the greatest angle $A$ "
         "from the $x$ axis, between $-\\pi$ and $\\pi$ and in radians, at which the loop still closes?",
-        further="What changes if the longest bar is the ground?",
+        further="What is the angle of the rocker from the $x$ axis at this dead point?",
         figure=partial(draw_linkage, linkages.four_bar(*four_bar), four_bar.assembly_modes(0.6 * A.value)[0]),
         given={"bars": tuple(four_bar)},
         answer=Angles(A, test=reach),
@@ -456,7 +430,9 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
         f"configuration the Jacobian $J$ of the loop closure has the singular values {shown}. Give three numbers: the mobility by the "
         "Gruebler-Kutzbach formula (*kutzbach*), the infinitesimal mobility in this configuration (*infinitesimal*), and the finite "
         "mobility, that is, the number of degrees of freedom with which the linkage can move to other configurations (*finite*).",
-        further="Which small change of the lengths would make all three counts equal?",
+        method=f"The formula subtracts $d = {d}$ for each loop from the number of joint variables: ${n} - {d} \\cdot {loops} = {count}$.\n"
+        f"$J$ has the rank {rank}, the number of singular values that are not 0: ${n} - {rank} = {infinitesimal}$.\n{case.explanation}",
+        further="One hinge is mounted slightly tilted. Which of the three numbers change?",
         figure=partial(draw_linkage, linkage, case.q, names=False),
         given={"joint_values": linkage.n, "loops": loops, "singular_values": mobility.singular_values.round(3)},
         answer=CountsAnswer(
@@ -497,7 +473,6 @@ def wiper(sampler: ArmSampler) -> Problem:
     other_sign = [np.sqrt(ground**2 + rocker**2 - 2 * ground * rocker * np.cos(x)) for x in np.radians(degrees)]
     swing = np.radians(degrees[1] - degrees[0])
     for name, text, wrong in (
-        ("lengths swapped", "give the coupler first", (coupler, crank)),
         ("not halved", "give the difference and the sum, without halving them", (2 * crank, 2 * coupler)),
         ("distances themselves", "give the two distances from A to C", (r_1, r_2)),
         ("another corner", "take the angle at D to the ground line instead of the angle from the $x$ axis",
@@ -508,7 +483,7 @@ def wiper(sampler: ArmSampler) -> Problem:
         ("coupler as the ground", "make the coupler as long as the ground", (crank, g)),
         ("coupler as the longer one", "give the longer distance as the coupler", (crank, r_1)),
         ("coupler as the shorter one", "give the shorter distance as the coupler", (crank, r_2)),
-        ("sign", "subtract in the other order", (-crank.value, coupler)),
+        ("sign", "subtract in the other order, so that a length is negative", (-crank.value, coupler)),
     ):  # fmt: skip
         both = both.mistaken_for(
             (name, text, stack(*map(np.array, (getattr(x, "value", x) for x in wrong)))), may_coincide=True
@@ -516,8 +491,10 @@ def wiper(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"A wiper is the rocker of a four-bar, whose crank is driven round and round by a motor. The ground is "
         f"{number(ground)} m and the rocker {number(rocker)} m long: the crank turns about A, the origin, and the rocker about D, at "
-        f"$({number(ground)}, 0)$. C is the tip of the rocker, whose angle $D$ from the $x$ axis must swing between {degrees[0]} "
-        f"and {degrees[1]} degrees. How long are crank and coupler, in metres?",
+        f"$({number(ground)}, 0)$. C is the tip of the rocker, whose angle from the $x$ axis must swing between $D_1 = {degrees[0]}°$ "
+        f"and $D_2 = {degrees[1]}°$. How long are crank and coupler, in metres?",
+        method="At the ends of the swing crank and coupler lie on one line, so the distance from A to C is coupler plus crank, $r_1$, or "
+        "coupler minus crank, $r_2$. By the law of cosines in the triangle A, D, C:",
         further="Does the wiper take the same time in both directions if the motor runs at constant speed?",
         given={"ground": ground, "rocker": rocker, "degrees": degrees},
         answer=Numbers(both, unit="m"),

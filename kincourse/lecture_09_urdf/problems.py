@@ -100,15 +100,12 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
     back = "in the frame of `joint_3`"
     return p.mistaken_for(
         ("frame not changed", "use the `xyz` of `joint_3` as it is, which is in the frame of its parent", p3),
-        ("another joint", "stop at the origin of `joint_2`", p1 + R1 @ p2),
         ("joint left out", "leave out `joint_2`", p1 + R1 @ p3),
         ("joint left out", "leave out `joint_1`", p2 + R2 @ p3),
         ("order", "swap `joint_1` and `joint_2`", p2 + R2 @ (p1 + R1 @ p3)),
-        ("rotation left out", "rotate each step by the `rpy` of its parent only", p1 + R1 @ p2 + R2 @ p3),
         ("translation rotated", "rotate each step by its own `rpy` alone", R1 @ p1 + R2 @ p2 + R3 @ p3),
         ("translation rotated", "rotate each step by its own `rpy` as well", R1 @ (p1 + R2 @ (p2 + R3 @ p3))),
         ("reversed", "go from the tip to the base", p3 + R3 @ p2 + R3 @ R2 @ p1),
-        ("rotation left out", "leave out $R_2$ for the step of `joint_3`", p1 + R1 @ (p2 + p3)),
         ("rotation left out", "leave out the rotation of the step of `joint_3`", p1 + R1 @ p2 + p3),
         ("rotation transposed", "transpose the rotations", p1 + R1.T @ p2 + (R1 @ R2).T @ p3),
         ("rotation left out", "add the three `xyz` without rotating them", p1 + p2 + p3),
@@ -176,7 +173,7 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Give the position of the origin of `joint_3` in the frame of the base when all joint values are 0. "
         f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
-        further="Which `xyz` can you change without moving the origin of joint 3?",
+        further="Which `rpy` can you change without moving the origin of `joint_3`?",
         shown={"urdf": text},
         answer=VectorsAnswer(p, unit="m"),
         advice={
@@ -208,11 +205,9 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
     own = a, 0 * p
     S = S.mistaken_for(
         ("own origin left out", "leave out the `origin` of `joint_3` itself", revolute(R1 @ R2 @ a, p1 + R1 @ p2)),
-        ("rotation left out", "leave out the `rpy` of `joint_3` itself", revolute(R1 @ R2 @ a, p)),
         ("frame not changed", "give the screw axis in the frame of `joint_3`", revolute(*own)),
         ("another joint", "give the screw axis of `joint_2`", revolute(R1 @ R2 @ z, p1 + R1 @ p2)),
         ("another joint", "give the screw axis of `joint_1`", revolute(R1 @ z, p1)),
-        ("sign of a vector", "reverse the axis", -S),
     )
     return Problem(
         statement=f"Give the screw axis of `joint_3` in the frame of the base. "
@@ -311,6 +306,12 @@ def which_line(sampler: ArmSampler) -> Problem:
         statement=f"By the URDF specification, exactly one element of this file is wrong. These rules are enough to find it:\n\n{rules}\n\n"
         "In which line is it, and which number must stand there in place of the first wrong one? Give both, such as `[7, 0.5]`. Lines "
         f"count from 1.\n\n{fence_urdf(_number_lines(lines))}",
+        method={
+            "limits swapped": f"In line {wrong} the lower limit, {number(written[0])}, is above the upper one.",
+            "another length": f"The axis in line {wrong} has the length 2.",
+            "degrees": f"The `rpy` in line {wrong} has an angle of 90, which is a right angle in degrees.",
+        }[fault]
+        + " The line, and the number that must be in it:",
         further="Which of the rules would a reader that only draws the robot never check?",
         given={"urdf": text},
         answer=FaultyLineAnswer(at_line(wrong), lines=lines, joint=range(begins[where], line_of(where, "</joint") + 1)),
@@ -444,6 +445,13 @@ def origin_or_axis(sampler: ArmSampler) -> Problem:
         f"lengths are in metres.\n\n{_data_sheet(joints, origins, axes)}\n\nExactly one line of the file is wrong. Which one, and which "
         "three numbers must stand in it, as `rpy` or as `axis`? Give four numbers, such as `[7, 0, 0, 1]`. Lines count from 1. "
         f"{ROUNDING_NOTE}\n\n{fence_urdf(_number_lines(lines))}",
+        method=f"`{joints[k].name}` is the first whose row disagrees with the data sheet: its axis has another direction. "
+        + (
+            "The next origin disagrees as well, so its frame is rotated wrongly: its `rpy` is wrong."
+            if is_origin
+            else "All origins agree, so its frame is right: its `axis` is wrong."
+        )
+        + " The line, and the three numbers:",
         further="Which single measurement tells a wrong origin from a wrong axis?",
         given={"urdf": "\n".join(lines), "origins": np.array(origins), "axes": np.array(axes)},
         answer=FaultyLineAnswer(at_line(answer), lines=lines, joint=range(begins[k], begins[k + 1])),
@@ -502,6 +510,10 @@ def from_a_dh_row(sampler: ArmSampler) -> Problem:
 def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
     """The `xyz` and `rpy` of a modified DH row with the joint value 0, in two rows."""
     a, alpha, d = given("a", a_m, LENGTH), given("\\alpha", alpha_rad, ANGLE), given("d", d_m, LENGTH)
+    alpha = alpha.mistaken_for(
+        ("degrees", "convert $\\alpha$ to degrees", np.degrees(alpha_rad), "Sine, cosine and `rpy` take radians."),
+        ("converted twice", "convert $\\alpha$ to radians twice", np.radians(alpha_rad)),
+    )
     xyz, rpy = stack(a, -(d * sin(alpha)), d * cos(alpha)), stack(alpha, 0, 0)
     in_degrees = np.degrees(alpha_rad)
     along = "In the modified convention $d_i$ is measured along the new $z$, which $\\alpha$ has rotated."
@@ -510,7 +522,6 @@ def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
         (stack(a + d, 0, 0), "d along x", "translate by $d$ along $x$"),
         (stack(a * cos(alpha), a * sin(alpha), d), "the other convention", "rotate $a$ as well"),
         (stack(0, -(d * sin(alpha)), d * cos(alpha)), "a left out", "leave out $a$"),
-        (stack(-a, -(d * sin(alpha)), d * cos(alpha)), "sign of a length", "take $a$ with the opposite sign"),
         (stack(a, 0, 0), "d left out", "leave out $d$"),
         (
             stack(a, -(d * np.sin(in_degrees)), d * np.cos(in_degrees)),
@@ -560,7 +571,7 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
         ("frame not changed", "take the value of `fold` from the $x$ axis of the base instead of that of `boom`", q_2)
     )
     first, second = polar(length("boom", boom), q), polar(length("forearm", forearm), from_base)
-    in_plane = first.named("\\text{the step along the boom}") + second.named("\\text{the step along the forearm}")
+    in_plane = first.named("p_{\\mathrm{boom}}") + second.named("p_{\\mathrm{forearm}}")
     swapped = polar(forearm, q) + polar(boom, from_base)
     unturned = np.array([boom, 0.0]) + polar(forearm, q_2)
     straight = np.array([boom + forearm, 0.0])
@@ -573,8 +584,8 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
     )
     x = concatenate(in_plane, given("z", height).mistaken_for(("coordinate left out", "take the height as 0", 0.0)))
     return Problem(
-        statement=f"The joint `swing` of this file has the value $q_1 = {number(q_rad)}$ rad. Give the position of the origin of the link "
-        f"`tool` in the frame of the base.\n\n{fence_urdf(text)}",
+        statement=f"The joint `swing` of this file has the value $q_1 = {number(q_rad)}$ rad; call that of `fold` $q_2$. Give the "
+        f"position of the origin of the link `tool` in the frame of the base.\n\n{fence_urdf(text)}",
         further="Which multiplier keeps the direction of the forearm fixed in the base?",
         given={"q": q_rad},
         shown={"urdf": text},
@@ -597,7 +608,7 @@ def _mimic_value(q: Expression, multiplier: Expression, offset: Expression) -> E
         ("radians as degrees", "read the offset as degrees", multiplier * q + np.radians(offset.value)),
         advice=MIMIC_ADVICE,
     )
-    return q_2.named("\\text{the value of fold}")
+    return q_2.named("q_2")
 
 
 WRONG_FRAME_ADVICE = (
@@ -620,7 +631,6 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
         ("frame not changed", "use the `rpy` of `joint_3` only", R3.T @ w),
         ("rotation transposed", "use the `rpy` of `joint_3` only, without the transpose", R3 @ w),
         ("frame not changed", "use the `rpy` of `joint_1` only", R1.T @ w),
-        ("frame not changed", "leave out the `rpy` of `joint_3`", transpose(R1 @ R2) @ w),
         ("signs left out", "leave out the signs", absolute(transpose(R1 @ R2 @ R3) @ w)),
         ("another axis", "give the $z$ axis of the joint's frame", R1 @ R2 @ R3 @ given("z", Z)),
         advice=WRONG_FRAME_ADVICE,
@@ -670,6 +680,9 @@ def gantry(sampler: ArmSampler) -> Problem:
         statement="The drawing shows a gantry at home, in millimetres: three prismatic joints, with their frames at F1, F2 and F3, "
         "and the tool at T. All frames are parallel to {s}, which is the root of the file. Give the `xyz` of the origins of joints 1 to 3 "
         "and of the fixed joint to the tool, as rows, in metres.",
+        method="All frames are parallel, so each `xyz` is the step from one mark to the next: "
+        + ", ".join(f"{name} is at ${vector(p)}$" for name, p in zip(("F1", "F2", "F3", "T"), points, strict=True))
+        + ".",
         further="Which of the four steps would change if the third axis were reversed?",
         figure=lambda: draw_dimensions(
             [bridge * (1, 1, 0), *points], drawn, dict(zip(("F1", "F2", "F3", "T"), points, strict=True))
@@ -692,10 +705,10 @@ def accepted_and_wrong(_: ArmSampler) -> Problem:
         "and the robot moves wrongly. Say which line it is, what it does, and with which test a colleague who knows only the "
         "machine would find it. Which line would he suspect first, and why is it innocent?",
         answer=Prose(
-            "Negate the axis of `swing`, or change the multiplier of the mimic joint: at home all joint values are 0, so neither is "
-            "seen there, and each remains a valid number. A colleague moves one joint by a known angle and measures one point: the "
-            "sign of the motion shows the axis, its size the multiplier. He would suspect the origin of the next joint, because the "
-            "tool is off by a length there; but at home that length is right.",
+            "Negate the axis of `swing`, or change the multiplier of the mimic joint: at home `swing` is 0, so its axis is not seen "
+            "there, and neither is the multiplier of this 0; each remains a valid number. A colleague moves one joint by a known angle "
+            "and measures one point: the sign of the motion shows the axis, its size the multiplier. He would suspect the origin of the "
+            "next joint, because the tool is off by a length there; but at home that length is right.",
             {
                 "a line with a fault that is valid and does not change the home pose": 1,
                 "a test that finds it, with what is measured": 1,

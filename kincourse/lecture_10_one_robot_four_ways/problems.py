@@ -25,6 +25,7 @@ from kincourse.mistakes.dh import is_in_several_rows
 from kincourse.problem import ArmSampler, Problem, problem
 from kincourse.sampling.arms import PLAIN_ANGLES_DEG
 from kincourse.sampling.drawn_machines import drawn_table_mistakes, misread
+from kincourse.text.joint_table import rows_from_frames
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.formatting import markdown_table
@@ -96,6 +97,7 @@ def from_a_table(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="The table of an arm with three revolute joints is in the standard convention, and its frame 0 is {s}. Give the screw "
         f"axis $S_3$ of joint 3 in {{s}}, at home.\n\n{_format_table(table)}",
+        method="$z_2$ is the third column of $A_1 A_2$, the axis of joint 3, and $O_2$ its last column.",
         further="Which entries of the screw depend on the choice of $x_2$?",
         given={"rows": rows},
         answer=ScrewsAnswer(S),
@@ -115,7 +117,6 @@ def joint_origin(sampler: ArmSampler) -> Problem:
     step = (given("p_2", there) - given("p_1", here)).named("(p_2 - p_1)")
     step = step.mistaken_for(
         ("order", "take the vector from joint 2 to joint 1", here - given("p_2", there)),
-        ("sign", "add the two positions instead of subtracting them", here + given("p_2", there)),
     )
     xyz = R.T @ step
     for name, text, place in (
@@ -135,7 +136,7 @@ def joint_origin(sampler: ArmSampler) -> Problem:
         statement=f"In a URDF file, the origin of joint 1 in the base frame {{s}} is `xyz` = ${vector(here)}$ and "
         f"`rpy` = ${vector(degrees)}$ degrees. At home the position of joint 2 is ${vector(there)}$ in {{s}}. "
         "Give the `xyz` of joint 2, whose parent is the link of joint 1, in metres.",
-        further="Which `rpy` would give the same origin with another axis?",
+        further="With which `rpy` of joint 2 would its frame be parallel to {s}?",
         given={"xyz_1": here, "rpy_1_in_degrees": np.array(degrees, dtype=float), "place_2": there},
         answer=VectorsAnswer(xyz, unit="m"),
         advice={
@@ -166,6 +167,9 @@ def one_of_four(sampler: ArmSampler) -> Problem:
         f"- (b) body screws: the pose of {{s}} in {{b}}, $T_{{bs}} = {matrix(T_inverse)}$\n"
         f"- (c) table: `xyz` = ${vector(xyz)}$ m and `rpy` = ${vector(rpy)}$ rad, as in a URDF\n"
         f"- (d) file: the twist ${vector(twist)}$ whose exponential is $T_{{sb}}$",
+        method="As $T_{sb}$, the reports put the tool at "
+        + ", ".join(f"({letter}) ${vector(pose[:3, 3])}$" for letter, pose in zip(names, poses, strict=True))
+        + ": invert (b), and take the exponential of (d).",
         further="How many configurations do you need to find the wrong description for certain?",
         given={"T_sb": T, "T_bs": T_inverse, "xyz": xyz, "rpy": rpy, "twist": twist},
         answer=Choice(wrong, names),
@@ -180,7 +184,7 @@ def one_of_four(sampler: ArmSampler) -> Problem:
             if letter != wrong
         ],
     )
-    return problem.with_reason(Numbers(np.array(np.linalg.norm((right - fault)[:3, 3])), unit="m"))
+    return problem.with_reason(Numbers(np.array(np.linalg.norm((right - fault)[:3, 3])), unit="m"), "the distance")
 
 
 @dataclass(frozen=True, eq=False)
@@ -248,6 +252,7 @@ def marks_of_the_axes(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"{_begin(project)}Read the points P1 to P{len(points) - 1} and T off sheet 1 of the drawing: their coordinates in "
         "{s}, in metres, one point in each row.",
+        method="The top view shows $x$ and $y$, the front view $x$ and $z$. Add up the steps from {s} to each mark.",
         further="Which mark would you measure again, because an error there does the most harm?",
         figure=lambda: project.drawing("screws"),
         answer=VectorsAnswer(points, unit="m", names=names),
@@ -281,6 +286,7 @@ def table_of_the_project(sampler: ArmSampler) -> Problem:
         "the origin of frame i is Di, z_i is the axis of joint i + 1, and the arrow is x_i; "
         f"z_{table.n} is parallel to "
         f"z_{table.n - 1}. Give the {table.n} rows a, alpha, d, theta at home, in metres and radians.",
+        method=rows_from_frames(table),
         further="Which entry would you change if the controller counted joint 2 in the other direction?",
         figure=lambda: project.drawing("table"),
         answer=DHRowsAnswer(table.rows),
@@ -297,6 +303,9 @@ def origins_of_the_file(sampler: ArmSampler) -> Problem:
         "z along the axis of the joint, and its x along the arrow. The base is {s}, and the last frame is that of the tool at T, with the "
         "arrows xT and zT. Give the origins of the joints and of the tool, each as a pose in the frame before it: an array of shape "
         f"({len(project.joints) + 1}, 4, 4).",
+        method="With the frames as poses in {s}, the origin of joint $i$ is $T_{i-1}^{-1}\\,T_i$. Their origins: "
+        + ", ".join(f"${vector(p)}$" for p in frames[1:, :3, 3])
+        + ".",
         further="Which numbers of the file say nothing about the motion?",
         figure=lambda: project.drawing("URDF"),
         answer=OriginsAnswer(origins),
@@ -308,12 +317,15 @@ def origins_of_the_file(sampler: ArmSampler) -> Problem:
 def wrong_joint(sampler: ArmSampler) -> Problem:
     project = open_project(sampler.student)
     received, names = project.received, {str(i): f"joint {i}" for i in range(1, len(project.joints) + 1)}
-    off = np.abs(received - draw_machine(sampler.student).chain.body_screws).max(axis=1)
+    own = draw_machine(sampler.student).chain.body_screws
+    off = np.abs(received - own).max(axis=1)
     right = str(1 + off.argmax())
     problem = Problem(
         statement=f"{_begin(project)}You received its body screws\n\n$$B = {matrix(received)},$$\n\none row for each joint. Exactly one "
         "is wrong. Which one, and how large is the largest difference between an entry of it and the right one? Answer with the number of "
         "the joint and the difference, such as `('1', 0.5)`.",
+        method=f"$B_i = \\mathrm{{Ad}}_{{M^{{-1}}}} S_i$, with your own screws and $M$. Joint {right} must have "
+        f"${vector(own[int(right) - 1])}$; all others agree.",
         further="Which log would not have shown this error?",
         given={"body_screws": received},
         answer=Choice(right, names),
@@ -327,7 +339,7 @@ def wrong_joint(sampler: ArmSampler) -> Problem:
             if number != right
         ],
     )
-    return problem.with_reason(Numbers(np.array(off.max())))
+    return problem.with_reason(Numbers(np.array(off.max())), "the difference")
 
 
 @problem("10.9", "Project: how far off", points=2, lecture="10_one_robot_four_ways#The report")
@@ -337,16 +349,12 @@ def how_far_off(sampler: ArmSampler) -> Problem:
     wrong = Chain(received @ adjoint(right.home).T, right.home)
     fk = wrong.fk(log.q)
     gaps, off = log.distances_mm(fk), 1000 * np.abs(fk[:, :3, 3] - log.poses[:, :3, 3])
+    worst = int(gaps.argmax())
     in_space = log.distances_mm(Chain(received, right.home).fk(log.q))
     of_degrees = log.distances_mm(wrong.fk(np.where(np.array(list(project.joints)) == "P", 1.0, np.pi / 180) * log.q))
     mistakes = {
         "mean": (gaps.mean(), "This is the mean of the distances. The question is about the largest one."),
-        "median": (np.median(gaps), "This is the median of the distances. The question is about the largest one."),
         "sum": (gaps.sum(), "This is the sum of all distances. The question is about the largest one."),
-        "root mean square": (
-            np.sqrt((gaps**2).mean()),
-            "This is the root mean square of the distances. The question is about the largest one.",
-        ),
         "first pose": (gaps[0], "This is the distance at the first pose of the log, and not the largest one."),
         "last pose": (gaps[-1], "This is the distance at the last pose of the log, and not the largest one."),
         "least": (gaps.min(), "This is the smallest of the distances."),
@@ -358,10 +366,6 @@ def how_far_off(sampler: ArmSampler) -> Problem:
         "components added": (
             off.sum(axis=1).max(),
             "This adds the differences along x, y and z. The distance is the length of the difference.",
-        ),
-        "root left out": (
-            gaps.max() ** 2 / 1000,
-            "This is 1000 times the square of the distance in metres. Take its root first.",
         ),
         "own screws": (
             log.distances_mm(right.fk(log.q)).max(),
@@ -378,7 +382,10 @@ def how_far_off(sampler: ArmSampler) -> Problem:
         statement=f"{_begin(project)}With the received body screws and your own home pose, how far is the tool at worst from where the "
         "tracker measured it? The origin of the home pose is T, and the arrows xT and zT are two of its axes. `given.q` has the joint "
         "values of the log, one row for each pose in `given.poses`. Answer in millimetres.",
-        further="Where is the pen if joint 1 is off by one degree as well?",
+        method=f"$T(q) = M\\,e^{{[B_1]q_1}} \\cdots e^{{[B_{right.n}]q_{right.n}}}$ for each row of the log. The distance is largest at "
+        f"pose {worst + 1}, where it puts the tool at ${vector(fk[worst, :3, 3])}$ and the tracker measured "
+        f"${vector(log.poses[worst, :3, 3])}$.",
+        further="What is special about the joint values at the pose with the largest distance?",
         figure=lambda: project.drawing("screws"),
         given={"body_screws": received, "q": log.q, "poses": log.poses},
         answer=Numbers(np.array(float(gaps.max())), unit="mm"),
@@ -393,26 +400,29 @@ def which_path_writes(sampler: ArmSampler) -> Problem:
     effects = {name: effect_of(chain, path) for name, path in paths.items()}
     (right,) = (name for name, effect in effects.items() if effect == "writes")
     table = next(iter(paths.values())).table_m
-    said = {
-        "hits": "On this path the pen goes below the table.",
-        "leaves": "On this path a joint leaves its limits.",
-        "hovers": "On this path the pen stays above the table, and never touches it.",
+    what = {
+        "hits": "the pen goes below the table",
+        "leaves": "a joint leaves its limits",
+        "hovers": "the pen stays above the table",
+        "writes": "the pen stays on the table, and each joint within its limits",
     }
     problem = Problem(
         statement=f"{_begin(project)}The table is the plane $z = {table:.4f}$ m of {{s}}, and the pen is the origin of the tool. `given` "
         "has four joint paths A, B, C and D, a configuration in each row, and the limits of the joints. Exactly one path keeps the pen "
         "on the table, to a millimetre, within the limits. Which one, and where in {s} does its line end? Answer with its name and the "
         "point, such as `('A', [0.1, 0.2, 0])`.",
+        method="The forward kinematics of every row, and its joint values, show it. "
+        + " ".join(f"Path {name}: {what[effect]}." for name, effect in effects.items()),
         further="Which joint limits the path, and how would you move the paper?",
         given={**{name: path.q for name, path in paths.items()}, "limits": project.limits, "table": table},
         answer=Choice(right, {name: f"path {name}" for name in paths}),
         mistakes=[
-            mistake(effect, name, f"You answered {name}. {said[effect]}")
+            mistake(effect, name, f"You answered {name}. On this path {what[effect]}.")
             for name, effect in effects.items()
             if effect != "writes"
         ],
     )
-    return problem.with_reason(Numbers(chain.fk(paths[right].q[-1])[:3, 3], unit="m"))
+    return problem.with_reason(Numbers(chain.fk(paths[right].q[-1])[:3, 3], unit="m"), "the point")
 
 
 @problem("10.11", "An offset from a log", points=3, lecture="10_one_robot_four_ways#Do they agree?", level="Hard")
@@ -427,6 +437,9 @@ def offset_from_a_log(sampler: ArmSampler) -> Problem:
         "have a log of encoder values in radians, a row of `q` for each pose in `poses`, and the screw axes and the home pose of the arm, "
         "which are right. Which joint is it, and what is the offset in radians? Answer with the number of the joint and the offset, such "
         "as `('1', 0.0213)`. A negative offset means that the joint value is smaller.",
+        method="$T_k$ is the measured pose of row $k$, and $T(q_k)$ the computed one. An offset $\\delta$ of joint $j$ leaves "
+        "$\\log(T_k\\,T(q_k)^{-1}) = \\delta\\,\\mathrm{Ad}_P S_j$, with $P = e^{[S_1]q_1} \\cdots e^{[S_{j-1}]q_{j-1}}$. "
+        f"Only for joint {joint} is the left side such a multiple in every row, and each time by the same number:",
         further="Two joints with parallel axes both have an offset. Which of the two could you still find?",
         given={"screws": robot.screws, "home": robot.home, "q": q, "poses": poses},
         answer=Choice(str(joint), names),
@@ -440,7 +453,7 @@ def offset_from_a_log(sampler: ArmSampler) -> Problem:
             if number != str(joint)
         ],
     )
-    return problem.with_reason(Angles(np.array(offset)))
+    return problem.with_reason(Angles(np.array(offset)), "the offset")
 
 
 def _format_table(table: DHTable) -> str:

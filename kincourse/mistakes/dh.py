@@ -59,7 +59,7 @@ def slips_of_rows() -> Sequence[Slip]:
             NAMES.get(slip.name, slip.name),
             with_symbols(slip.text),
             slip.change,
-            in_parts=slip in usual,
+            in_parts=False,
             spoils=NAMES.get(slip.name, slip.name) in WRONG_METHODS,
         )
         for slip in (*usual, *SLIPS_THAT_LOSE_NUMBERS)
@@ -72,10 +72,20 @@ def slips_of_table(right: DHTable) -> list[Slip]:
     changes = [(slip.name, with_symbols(slip.text), slip.change(rows), right.signs) for slip in SLIPS_THAT_LOSE_NUMBERS]
     for names in ([*range(n)], *([i] for i in range(n))):
         signs = np.where(np.isin(np.arange(n), names), -1, 1) * right.signs
-        which = "Every joint moves" if len(names) > 1 else f"Joint {names[0] + 1} moves"
-        changes.append(("sign of a joint value", f"{which} in the opposite direction.", rows, signs))
-    turned = rows * (1, 1, 1, -1)
-    changes.append(("sign of theta", "Every $\\theta$ has the wrong sign, with its $q$.", turned, -right.signs))
+        which = "Every joint" if len(names) > 1 else f"Joint {names[0] + 1}"
+        text = f"{which} moves in the opposite direction, as with $-q_i$ for $q_i$."
+        changes.append(
+            ("sign of a joint value", text.replace("_i", f"_{names[0] + 1}") if len(names) == 1 else text, rows, signs)
+        )
+    if rows[:, 3].any():
+        changes.append(
+            (
+                "sign of theta",
+                "Every $\\theta_i$ is negated, together with its $q_i$.",
+                rows * (1, 1, 1, -1),
+                -right.signs,
+            )
+        )
     found = []
     for name, text, changed, signs in changes:
         # A single entry is explained by its place.
@@ -141,6 +151,7 @@ def other_entries(faulty: str, n: int, convention: Convention) -> list[Mistake]:
 
 def _other_entry(chosen: str, name: str, convention: Convention) -> Mistake:
     column, row = chosen[:-1], int(chosen[-1])
+    name = symbol(f"{column}_{row}") if convention == "standard" else name
     x, z = (row, row - 1) if convention == "standard" else (row - 1, row)
     measured, about = ("z", f"$x_{x}$") if column in ("a", "alpha") else ("x", f"$z_{z}$")
     what = f"angle from ${measured}_{row - 1}$ to ${measured}_{row}$ about {about}"

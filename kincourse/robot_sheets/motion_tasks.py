@@ -122,7 +122,7 @@ def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
             if letter != right
         ],
     )
-    return problem.with_reason(Numbers(right_pose[:3, 3], unit="m"))
+    return problem.with_reason(Numbers(right_pose[:3, 3], unit="m"), "the position")
 
 
 def poses_by_mistake(screws: Array, home: Array, q: Array, typed: Array) -> dict[str, Array]:

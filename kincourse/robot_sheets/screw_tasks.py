@@ -7,7 +7,7 @@ import numpy as np
 
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.poses import inverse, pose
-from kincourse.expressions.screws import change_frame, joint_screws, screw_axes
+from kincourse.expressions.screws import change_frame_of_rows, joint_screws, screw_axes
 from kincourse.robot_sheets.sampling import random_aligned_base, random_arm, random_tilted_base, rebased
 from kincourse.robot_sheets.task import task
 from kincourse.sampling.arms import ArmSampler
@@ -57,7 +57,7 @@ def body_screws(robot: Chain, sampler: ArmSampler) -> Problem:
         figure=partial(draw_arm, arm),
         given={"screws": S, "home": arm.home},
         answer=ScrewsAnswer(arm.body_screws[joints], names=[f"screw {i + 1}" for i in joints]),
-        solution=change_frame(inverse(pose("M", arm.home)), screw_axes("S", S)),
+        solution=change_frame_of_rows(inverse(pose("M", arm.home)), screw_axes("S", S)),
         advice={
             "inverse left out": "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here.",
             "frame not changed": "These are the space screws; {b} has another origin and other axes.",

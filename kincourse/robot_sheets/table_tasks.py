@@ -102,7 +102,7 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
         answer=Choice(answer, entry_names(table.n)),
         mistakes=other_entries(answer, table.n, table.convention),
     )
-    return problem.with_reason(Numbers(np.array(table.rows[i, k])))
+    return problem.with_reason(Numbers(np.array(table.rows[i, k])), "the value")
 
 
 def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem:

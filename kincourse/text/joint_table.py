@@ -1,9 +1,10 @@
-"""The joints of a chain as a Markdown table, and the frames between which its DH table is read."""
+"""The joints of a chain as a Markdown table, the frames between which its DH table is read, and how it is read off them."""
 
 from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from kincourse.sampling.drawn_machines import table_frames
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.table import DHTable
@@ -32,6 +33,26 @@ def joint_table(chain: Chain, joints: Iterable[int] | None = None, points: Seque
         point = f"${place}$" if letter != "P" else "any"
         rows.append(f"| {i + 1} | {kind} | ${vector(axis[i])}$ | {point} |")
     return "\n".join(rows)
+
+
+def rows_from_frames(table: DHTable) -> str:
+    """Say how the rows of a table follow from its frames at q = 0, with the numbers of these frames in {s} in lines of their own.
+
+    >>> rows_from_frames(DHTable([[2, 0, 0, 0]], convention="standard")).splitlines()[2]
+    '$O_1 = (2, 0, 0)$, $x_1 = (1, 0, 0)$, $z_1 = (0, 0, 1)$'
+    """
+    x, z = ("$x_i$", "$z_{i-1}$") if table.convention == "standard" else ("$x_{i-1}$", "$z_i$")
+    frames = table_frames(table)
+    listed = (
+        f"$O_{i} = {vector(T[:3, 3])}$, $x_{i} = {vector(T[:3, 0])}$, $z_{i} = {vector(T[:3, 2])}$"
+        for i, T in enumerate(frames)
+    )
+    how = (
+        "Row $i$ leads from frame $i-1$ to frame $i$: $a$ is the step from $z_{i-1}$ to $z_i$ along "
+        f"{x}, and $\\alpha$ the angle between them about it; $d$ is the step from $x_{{i-1}}$ to $x_i$ along {z}, and $\\theta$ "
+        "the angle about it. Angles are in radians, and each row is that of $q = 0$, without its variable. The frames:"
+    )
+    return "\n".join([how, *listed])
 
 
 def given_frames(table: DHTable) -> str:

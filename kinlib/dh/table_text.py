@@ -66,6 +66,7 @@ REPLACEMENTS = [
     (r"(?<=\d)f\b|(?<=\d\.)f\b", ""), (r"(?<=\d)\s*\*\s*([mc]m)(?:_?(?:2|to)_?m)?\b", r" \1"),  # 0.1f and 145 * mm2m of code
     (r"\((?:float|double|real_t)\)", ""), (r"\b\w+[(\[](\d+)[)\]]\.(\w+)\s*=(?!=)", r"\2\1 ="),  # L(1).a = 0.1
     (r"\b([a-zA-Z]\w*)\[(\d+)\](?!\s*[\[.])", r"\1\2"), (r"(?<=[\[,])\s*\[([^\[\],]*\d[^\[\],]*)\](?=\s*[,\]])", r"\1"),
+    (r"(?m)^[ \t]*-[ \t]+\[([^\[\]\n]*)\]", r"\1"),  # of YAML
     (r"\bth_?(\d+)\b", r"theta\1"), (r"(?m)^[ \t]*#define\s+(\w+)\s+", r"\1 = "), (r"\b\w+\s*<<\s*(?=\S)", ""),
 ]  # fmt: skip
 """What terminals, HTML, LaTeX and code write for signs and separators, and what a keyboard has for them."""
@@ -379,13 +380,8 @@ def _by_index(text: str, grid: _Grid) -> dict[str, list[str]]:
 
 def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
     """Read lines of cells, with a heading or without one."""
-    text = re.sub(r"\[(mm?|cm|rad|deg|°)\]", r"(\1)", text)
-    if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]*;", text):
-        text = re.sub(r"^[^\n#%/]*?[=(:]\s*(?=[\[{])", "", text, flags=re.MULTILINE)  # the name of an array
-        text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
-    text = re.sub(r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.*\balpha\b)", "\n", text)  # a heading as the comment of a row
     grid, heads, is_after_gap, is_spreadsheet, widths = _Grid(names), list[str](), False, False, set[int]()
-    for number, raw in enumerate(_lines(text), start=1):
+    for number, raw in enumerate(_lines(_in_lines(text)), start=1):
         line = _plain_line(raw)
         if not re.sub(r"[|\s:+=-]", "", line):
             is_after_gap = True
@@ -405,6 +401,8 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
                 grid.rows = [dict(zip(named, cells, strict=True)) for cells in grid.cells]
                 heads = named
                 continue
+            if grid.cells:
+                grid.assume(f"What stands above the heading in line {number} was not read.")
             heads, grid.cells, grid.places = named, [], []
             is_spreadsheet = "\t" in line
         elif read:
@@ -430,6 +428,17 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
             )
         is_after_gap = False
     return _uniform(_with_labels(grid, heads)) if grid.rows else grid
+
+
+def _in_lines(text: str) -> str:
+    """Write each row of an array in a line, without brackets, and a comment only if it is a heading."""
+    text = re.sub(r"\[(mm?|cm|rad|deg|°)\]", r"(\1)", text)
+    if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]*;", text):
+        text = re.sub(r"[\]})]\s*,\s*['\"]?\w+['\"]?\s*[:=]\s*(?=[\[{(])", "\n", text)  # another one
+        text = re.sub(r"(?m)^(?:[^\n#%/=]*=|[^\n#%/]*?[=(:])\s*(?=[\[{])", "", text)  # the name of an array
+        text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
+    text = re.sub(r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.*\balpha\b)", "\n# ", text)  # a heading as the comment of a row
+    return re.sub(r"(?m)(?<=[\d,;i])[ \t]+(?:#|//|%)[ \t].*$", "", text)  # and what is none
 
 
 def _lines(text: str) -> list[str]:
@@ -461,7 +470,6 @@ def _plain_line(raw: str) -> str:
     """Remove from a line what code and lists write around the cells, and the space before a unit."""
     line = LABEL.sub(r"\1\2", re.sub(r"^\s*(?:#+|%+|//+|/?\*+|>+)\s*", "", raw)).strip(" \r").rstrip(",")
     line = line.rstrip("); ") if line.count(")") > line.count("(") or line.find(";") == len(line) - 1 else line
-    line = re.sub(r"^[^()|\t]*\(((?:[^(),]*,){3}[^(),]*)\):?$", r"\1", line)  # parameters (theta, d, a, alpha):
     line = re.sub(r"^(\w+):\s+(?=.*,)", r"\1, ", line)
     line = re.sub(r"\s+in\s+(?=(?:mm?|cm|rad|deg\w*|°)(?!\w))", "/", line)
     return re.sub(r"\s+(?=[\[(](?:mm?|cm|rad|deg\w*|°|i|i-1)[\])])", "", line)
@@ -480,13 +488,14 @@ def _heading(line: str, splits: list[list[str]], before: list[str], grid: _Grid)
         if len({*names}) < max(3, len(names)) or any(re.fullmatch(NUMBER, cell) for cell in cells):
             continue
         places = [k for k, head in enumerate(heads) if head.name in names]
-        if not is_comment or places[-1] - places[0] < len(names) + any(head.name == "type" for head in heads):
-            found.append(heads)  # in a comment no other word stands between the names
+        if not (is_comment or before) or places[-1] - places[0] < len(names) + any(
+            head.name == "type" for head in heads
+        ):
+            found.append(heads)  # in a comment, and below another heading, no other word stands between the names
     is_behind_words = is_comment and not any(heads[0].name in ALL_COLUMNS for heads in found[:-1])
     prefers_run = is_behind_words and len(run) > 3 and not NUMBERING.match(re.sub(r"^\W+", "", line))
     found.sort(key=lambda heads: (len(_columns_of(heads)), prefers_run and len(heads) == len(run)), reverse=True)
-    known = [name for name in before if name]
-    if not found or (len(_columns_of(found[0])), -len(found[0])) < (len(known), -len(before)):
+    if not found or len(_columns_of(found[0])) < len({*before} & ALL_COLUMNS):
         return []
     heads = found[0]
     grid.units = {head.name: head.unit for head in heads if head.name in ALL_COLUMNS and head.unit}

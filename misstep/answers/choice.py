@@ -66,6 +66,8 @@ class Choice(Answer):
 class ReasonedChoice(Answer):
     """One of several named options, and an answer that shows why; there are points only for both.
 
+    called  the name of the second: "the sum"
+
     >>> from misstep.answers.number import Numbers
     >>> answer = ReasonedChoice(Choice("b", {"a": "left", "b": "right"}), Numbers(np.array(0.5)))
     >>> answer.expected
@@ -76,8 +78,11 @@ class ReasonedChoice(Answer):
 
     choice: Choice
     reason: Answer
+    called: str = "the reason"
 
-    parts = ("the choice", "the reason")
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["the choice", self.called]
 
     @property
     def value(self) -> tuple[str, Any]:

@@ -84,6 +84,12 @@ class Likeness:
             return "left at 0", sentences.ZERO
         if self._equal(self.mine, self.right).all():
             return None
+        if (
+            self.mine.ndim == 3
+            and len(self.mine) == self.mine.shape[1]
+            and self._equal(self.mine, self.right.swapaxes(0, 1)).all()
+        ):
+            return "transposed", "This is the transpose of the right one."
         return self._signs() or self.factor() or self.order() or self._mostly_zeros()
 
     def _mostly_zeros(self) -> Named | None:
@@ -145,12 +151,18 @@ class Likeness:
                 else "The sizes are right.\nLook at the signs: every one is wrong."
             )
             return "all signs", text
-        if (mine >= 0).all() and not self.is_formula:
-            return "signs", "The sizes are right.\nLook at the signs: no minus sign is left."
+        if unsigned := self.without_minus():
+            return unsigned
         if count > MAX_PLACES:
             return "signs", f"The sizes are right.\nLook at the signs: {count} are wrong."
         places = " and ".join(self.place(index) for index in np.argwhere(wrong).tolist())
         return "signs", f"The sizes are right.\nLook at the sign{'' if count == 1 else 's'} of {places}."
+
+    def without_minus(self) -> Named | None:
+        """Return whether these are the sizes of the right numbers."""
+        if self.is_formula or (self.mine < 0).any() or not self._equal(self.mine, np.abs(self.right)).all():
+            return None
+        return "signs", "The sizes are right.\nLook at the signs: no minus sign is left."
 
     def factor(self) -> Named | None:
         """Return whether these are the right numbers, multiplied by a factor."""
@@ -162,8 +174,8 @@ class Likeness:
             return None
         for size, (name, text) in FACTORS.items():
             if abs(factor - size) < 0.005 * size:
-                return name, f"{'This' if is_one else 'Every number'} is {text} the right one."
-        return None if is_one else ("factor", "These are the right numbers, all multiplied by the same factor.")
+                return name, f"This is {text} the right one." if is_one else f"{SCALED}\nEach is {text} the right one."
+        return None if is_one else ("factor", SCALED)
 
     def order(self) -> Named | None:
         """Return whether these are the right numbers in another order."""
@@ -205,7 +217,7 @@ class Likeness:
             if self._equal(one, other).all():
                 return "order of the numbers", self.reordered
             one, other = (np.sort(np.abs(x), axis=0) for x in (one, other))
-            if self._equal(one, other).all():
+            if self._equal(one, other).all() and not self._equal(np.abs(mine), np.abs(right)).all():
                 return "order and signs", "These are the right sizes, but their order and their signs are not right."
         return None
 
@@ -310,8 +322,6 @@ def _arrangements(X: Array, names: Sequence[str]) -> Iterator[tuple[str, str, Ar
     if X.ndim != 3:
         return
     rows, columns = X.shape[:2]
-    if rows == columns:
-        yield "transposed", "This is the transpose of the right one.", X.swapaxes(0, 1)
     if 1 < columns <= 4:
         for order in list(permutations(range(columns)))[1:]:
             yield *_order_of("column", order, names), X[:, list(order)]
@@ -372,6 +382,8 @@ LENGTH_UNITS = {
     ),
 }
 """For each unit those that are mistaken for it: the name, the factor, and what is said."""
+
+SCALED = "These are the right numbers, all multiplied by the same factor."
 
 FACTORS = {
     2.0: ("doubled", "twice"),

@@ -184,6 +184,8 @@ class Numbers(Answer):
         if has_alike_rows(self) or len(self.parts) == len(np.atleast_2d(self.value)) > 1:
             return likeness.order()
         is_list = np.ndim(self.value) == 1 and len(self.parts) == np.size(self.value) > 1
+        if is_list and np.count_nonzero(np.asarray(self.value) < -TOLERANCE) > 1 and (seen := likeness.without_minus()):
+            return seen
         if not is_list or (self.same_entries(given, self.value) & (np.abs(self.value) > TOLERANCE)).any():
             return None
         factor = likeness.factor()
@@ -191,7 +193,8 @@ class Numbers(Answer):
 
     def _place(self, given: Array, part: int) -> Named | None:
         """Return which row belongs here instead, or where few entries are wrong."""
-        for other, name in enumerate(self.parts) if has_alike_rows(self) else ():
+        rows = self.parts if np.ndim(self.value) > 1 and len(self.parts) == len(self.value) else ()
+        for other, name in enumerate(rows):
             order = [other if k == part else k for k in range(len(self.parts))]
             if other != part and self.agrees(given, self.value[order])[part]:
                 return "another row", f"This is what belongs to {name}."

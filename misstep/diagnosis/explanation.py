@@ -6,7 +6,7 @@ and then how a part resembles the right one: by signs, a factor, an order, one e
 """
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Any
@@ -24,6 +24,8 @@ UNCHECKED = {"another row", "millimetres", "degrees"}
 
 SENTENCE_END = re.compile(r"(?<=[.!?]) ")
 """The space between two sentences."""
+
+FORMULA = re.compile(r"\$([^$]*)\$")
 
 MAX_LENGTH = 400
 """How many characters the message of a finding has; further stories and advice are left out."""
@@ -80,6 +82,8 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Finding]
     for group in groups:
         if mistakes := _distinct([one for one in group if all(answer.agrees(value, one.value))]):
             is_method, is_reordered = group is not problem.slips, is_moved and bool(answer.resemblance(value, None))
+            if len(answer.parts) == 1 and (seen := answer.seen(value, 0)):  # whole numbers may be both
+                mistakes.insert(1, Mistake(seen[0], None, seen[1]))
             told = Finding(names, message_of(mistakes, whole=True), mistakes, is_whole=True, is_method=is_method)
             told = replace(told, spoils=is_reordered or all(one.spoils for one in mistakes))
             return [told if is_method or is_reordered else _checked(answer, value, told)]
@@ -90,8 +94,7 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Finding]
         if is_reordered or all(
             name == "placeholder" for name, _ in sights.values()
         ):  # as is the gap where rows are moved
-            told = _checked(answer, value, _seen(names, order))
-            return [replace(told, is_whole=True, spoils=is_reordered or is_moved)]
+            return [replace(_seen(names, order), is_whole=True, spoils=is_reordered or is_moved)]
     found, left = _joined(answer, sights), [part for part in wrong if part not in sights]
     for parts, mistakes in () if is_single else _explain_parts(answer, value, left, groups):
         told = Finding(parts, message_of(mistakes, whole=False), mistakes, is_method=mistakes[0] not in problem.slips)
@@ -125,19 +128,23 @@ def _checked(answer: Answer, value: Any, told: Finding) -> Finding:
 
 
 def _explain_parts(
-    answer: Answer, value: Any, left: Collection[int], groups: Iterable[Sequence[Mistake]]
+    answer: Answer, value: Any, left: Collection[int], groups: Sequence[Sequence[Mistake]]
 ) -> Iterator[tuple[list[str], list[Mistake]]]:
-    """Explain each wrong part by the mistakes that explain the most of the parts that are left."""
+    """Explain each wrong part by the mistakes that explain the most of the parts that are left.
+
+    groups  of mistakes: those of the author, the mutants, and the slips in answers of this kind
+    """
     left = set(left)
-    matching = [
-        [
-            (mistake, parts)
-            for mistake in group
-            if mistake.part
-            and (parts := {k for k, is_same in enumerate(answer.agrees(value, mistake.value)) if is_same} & left)
-        ]
-        for group in groups
-    ]
+    right = answer.agrees(value, answer.value)
+    matching: list[list[tuple[Mistake, set[int]]]] = []
+    for group in groups:
+        matching.append([])
+        for mistake in group if left else ():
+            same = answer.agrees(value, mistake.value) if mistake.part else [False] * len(right)
+            # A change of the solution that would have changed a part that is right has not been made.
+            is_possible = all(is_same for is_same, is_right in zip(same, right, strict=True) if is_right)
+            if any(same) and (is_possible or group is not groups[1]):
+                matching[-1].append((mistake, {k for k in left if same[k]}))
     while left:
         count, rank = max(
             ((len(parts & left), -rank) for rank, group in enumerate(matching) for _, parts in group), default=(0, 0)
@@ -158,6 +165,13 @@ def _distinct(mistakes: Sequence[Mistake]) -> list[Mistake]:
     return [mistake for mistake in mistakes if by_name[mistake.names] is mistake]
 
 
+def _is_same_slip(one: Mistake, other: Mistake) -> bool:
+    """Return whether the same is done to two expressions, one of which is a part of the other: a term, and its first factor."""
+    (did, short), (same, long) = sorted((FORMULA.sub("$", x.did), FORMULA.findall(x.did)) for x in (one, other))
+    contained = all(a in b or b in a for a, b in zip(short, long, strict=False))
+    return bool(did) and contained and same.startswith(did)
+
+
 def message_of(mistakes: Sequence[Mistake], whole: bool) -> str:
     r"""Return the message for mistakes that cannot be told apart: at most two of them, with different names.
 
@@ -169,8 +183,10 @@ def message_of(mistakes: Sequence[Mistake], whole: bool) -> str:
     >>> message_of([Mistake("order", 1, "You swapped them."), Mistake("sign", 1, "You forgot a sign.")], whole=True)
     'You swapped them. Or: You forgot a sign.'
     """
-    first, *others = mistakes
-    other = next((one for one in others if one.did != first.did or not first.did), None)
+    first = min(
+        (one for one in mistakes if _is_same_slip(one, mistakes[0])), key=lambda one: len(one.did), default=mistakes[0]
+    )
+    other = next((one for one in mistakes if one is not first and not _is_same_slip(one, first)), None)
     if other is None:
         return first.message if whole else first.part
     if not (first.did and other.did):

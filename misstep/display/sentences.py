@@ -28,7 +28,7 @@ IDENTITY = UNTOUCHED.format("This is the identity matrix")
 RIGHT = "Right: {}."
 """What is said of the right parts of an answer."""
 
-TOGETHER = "Right: {}. Points come together with the other parts."
+TOGETHER = "Right: {}. You get no points for this alone."
 """What is said of right parts that a wrong method gives as well, and that earn nothing alone."""
 
 UNKNOWN = "We do not recognise what happened here."

@@ -35,7 +35,6 @@ class Slip:
     one_by_one    whether people also do it in one of several places alone
     in_parts      whether one part of an answer can show it; otherwise only the whole answer does
     may_coincide  whether it may lead to the right answer for some numbers
-    credit        the fraction of the points that it leaves, because it is one of a problem before and all that follows is right
     spoils        whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
     """
 
@@ -47,7 +46,6 @@ class Slip:
     one_by_one: bool = True
     in_parts: bool = True
     may_coincide: bool = False
-    credit: float = 0.0
     spoils: bool = False
 
 
@@ -86,7 +84,7 @@ class Operation:
             return nodes[0].arguments[0]
         if self.associative:
             # A part with a name of its own stays one part, because the author thinks of it as one.
-            merged = [node.operation is self and not (node.label or node.alternatives or node.ways) for node in nodes]
+            merged = [node.operation is self and not (node.label or node.alternatives) for node in nodes]
             nodes = [
                 part
                 for node, is_merged in zip(nodes, merged, strict=True)
@@ -106,7 +104,6 @@ class Expression:
     known         the value, if it is given
     label         its own name in LaTeX
     alternatives  the changes that belong to this place of this problem alone
-    ways          other expressions for the same value, whose changes are mistakes as well
 
     >>> a, b = given("a", 2.0), given("b", 3.0)
     >>> (a * b - a).value
@@ -120,7 +117,6 @@ class Expression:
     known: Any = field(default=None, repr=False)
     label: str = ""
     alternatives: tuple[Slip, ...] = field(default=(), repr=False)
-    ways: tuple["Expression", ...] = field(default=(), repr=False)
 
     __iter__ = None  # an entry is an expression for every index, so a loop would not end
     __array_ufunc__ = None  # so that an array to the left of an operator leaves the operation to the expression
@@ -152,7 +148,12 @@ class Expression:
     @property
     def formula(self) -> str:
         """The operation on its arguments in LaTeX, without its own name; "" for a given value."""
-        return self.operation.latex(*map(self._bracketed, self.arguments)) if self.arguments else ""
+        text = self.operation.latex(*map(self._bracketed, self.arguments)) if self.arguments else ""
+        for inner in {self._bracketed(node) for node in self.arguments} - {node.latex for node in self.arguments}:
+            # Between brackets or commas an argument needs no brackets of its own.
+            alone = rf"(?<=[(|{{,])( ?){re.escape(inner)}(?=[)|}},])"
+            text = re.sub(alone, "\\1" + inner[1:-1].replace("\\", "\\\\"), text)
+        return text
 
     def _bracketed(self, node: "Expression") -> str:
         is_loose = not node.label and len(node.arguments) > 1 and node.operation.binds < self.operation.binds
@@ -171,14 +172,12 @@ class Expression:
         self,
         *slips: tuple[Any, ...],
         advice: str = "",
-        credit: float = 0.0,
         spoils: bool = False,
         may_coincide: bool = False,
     ) -> "Expression":
         """Return the same expression with further slips: here, and in this problem, people take other values.
 
         slips   (name, text, value) or (name, text, value, advice)
-        credit  the fraction of the points that is left, if it is a mistake of a problem before
         spoils  whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
         may_coincide  whether it may lead to the right answer for some numbers
 
@@ -186,25 +185,11 @@ class Expression:
         >>> [(slip.name, slip.wrong.value) for slip in pitch.slips()]
         [('lead for pitch', 0.6)]
         """
-        coincides = may_coincide or credit > 0
         further = [
-            Slip(name, text, as_expression(other), advice=why[0] if why else advice, may_coincide=coincides, credit=credit, spoils=spoils)
+            Slip(name, text, as_expression(other), advice=why[0] if why else advice, may_coincide=may_coincide, spoils=spoils)
             for name, text, other, *why in slips
         ]  # fmt: skip
         return replace(self, alternatives=(*self.alternatives, *further))
-
-    def also_by(self, way: "Expression") -> "Expression":
-        """Return the same expression with another way to its value, which people take as well and in which they go wrong.
-
-        Raises ValueError if it leads to another value.
-
-        >>> a, b = given("a", 2.0), given("b", 3.0)
-        >>> (a * a - b * b).also_by((a - b) * (a + b)).value
-        -5.0
-        """
-        if not np.allclose(way.value, self.value):
-            raise ValueError(f"Both ways must lead to the same value; they lead to {self.value} and to {way.value}.")
-        return replace(self, ways=(*self.ways, way))
 
     @property
     def T(self) -> "Expression":

@@ -73,7 +73,7 @@ def mutate(root: Expression, replaced: Mapping[int, Expression], built: Built) -
 
 
 def mutations(root: Expression) -> list[Mutation]:
-    """Return every change of an expression, and of each other way to one of its parts.
+    """Return every change of an expression.
 
     >>> from misstep.mutants.expression import given
     >>> A, B = given("A", np.eye(2)), given("B", np.ones((2, 2)))
@@ -92,13 +92,7 @@ def mutations(root: Expression) -> list[Mutation]:
         if len(replaced) > 1:
             single = [mutation for mutation in single if mutation not in several or mutation.slip.one_by_one]
             single.append(Mutation(Slip(name, text, advice=first.advice, in_parts=first.in_parts), replaced))
-    detours = [
-        Mutation(mutation.slip, {id(node): mutate(way, mutation.replaced, {})})
-        for node in nodes
-        for way in node.ways
-        for mutation in mutations(way)
-    ]
-    return [*single, *detours]
+    return single
 
 
 def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = False) -> Mistake:
@@ -115,7 +109,7 @@ def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = 
     message = slip.did if is_sentence else f"This is what you get if you {slip.did}. {further}".rstrip()
     part = message * slip.in_parts
     did = "" if is_sentence else slip.did
-    return Mistake(slip.name, value, message, part, did, further, spoils=spoils, credit=slip.credit)
+    return Mistake(slip.name, value, message, part, did, further, spoils=spoils)
 
 
 def value_of(expression: Expression) -> Any:

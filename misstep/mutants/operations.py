@@ -1,6 +1,5 @@
 """Operations of a solution that are the same in every subject: functions of angles, vectors, arrays put together."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -22,12 +21,10 @@ DEGREES_ADVICE = "`np.sin`, `np.cos` and exponentials take radians: use `np.radi
 
 
 def _unit_slips(node: Expression) -> Slips:
-    text = f"use ${node.arguments[0].latex}$ as it is, without dividing it by its length"
-    yield Slip("not a unit vector", text, node.arguments[0])
-    if np.count_nonzero(node.value) > 1:  # otherwise all of these are the length
-        for what, size in _WRONG_LENGTHS.items():
-            text = f"divide ${node.arguments[0].latex}$ by {what} instead of its length"
-            yield Slip("not a unit vector", text, node.arguments[0] / size(node.arguments[0].value))
+    [x] = node.arguments
+    yield Slip("not a unit vector", f"use ${x.latex}$ as it is, without dividing it by its length", x)
+    if np.count_nonzero(x.value) > 1:  # otherwise its square may be its length
+        yield Slip("not a unit vector", f"divide ${x.latex}$ by the square of its length", x / (x.value @ x.value))
 
 
 def _concatenation_slips(node: Expression) -> Slips:
@@ -52,15 +49,6 @@ def _stack_slips(node: Expression) -> Slips:
 
 def _listed(*entries: str) -> str:
     return f"({', '.join(entries)})"
-
-
-_WRONG_LENGTHS: dict[str, Callable[[Any], Any]] = {
-    "the square of its length": lambda x: x @ x,
-    "the sum of its entries": np.sum,
-    "the sum of the sizes of its entries": lambda x: np.abs(x).sum(),
-    "its largest entry": lambda x: np.abs(x).max(),
-}
-"""Numbers by which people divide a vector where its length belongs."""
 
 
 def cross_product(a: Any, b: Any) -> Any:

@@ -50,15 +50,6 @@ def test_one_change_is_named_with_its_factor():
         assert finding.message.startswith("This is what you get if you ")
 
 
-def test_the_mistakes_of_another_way_to_a_value_are_named():
-    x, y = given("x", 4.0), given("y", 2.0)
-    z = (x * x - y * y).also_by((x - y).named("difference") * (x + y)) * given("z", 5.0)
-    [finding] = judge(Problem("", Numbers(np.array(60.0)), solution=z), 10.0).findings
-    assert finding.message == "This is what you get if you leave out the factor $x + y$."
-    with pytest.raises(ValueError, match="must lead to the same value"):
-        x.also_by(y)
-
-
 def test_a_mistake_of_the_author_comes_before_the_mutants():
     own = mistake("my own name", BY_HAND["reversed"], "My own words.")
     assert judge(matrices(mistakes=[own]), BY_HAND["reversed"]).mistakes == ["my own name"]

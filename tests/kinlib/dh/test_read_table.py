@@ -151,6 +151,13 @@ SAME_ARM = {
     "JSON with a comment": '{"dh_params": [[0.0, 1.5707963267948966, 0.3, 0.0], [0.4, 0.0, 0.0, 1.5707963267948966], [0.2, 0, 0, 0]]}'
     "  # [a, alpha, d, theta]",
     "Eigen": "Eigen::MatrixXd dh(3,4);\ndh << 0, 0.3, 0, M_PI/2,\n      M_PI/2, 0, 0.4, 0,\n      0, 0, 0.2, 0; // theta, d, a, alpha",
+    "columns beside the rows": '{"columns": ["a", "alpha", "d", "theta"], "rows": [[0, 1.5707963267948966, 0.3, 0], '
+    "[0.4, 0, 0, 1.5707963267948966], [0.2, 0, 0, 0]]}",
+    "columns behind the rows": "pd.DataFrame([[0, pi/2, 0.3, 0], [0.4, 0, 0, pi/2], [0.2, 0, 0, 0]], columns=['a', 'alpha', 'd', 'theta'])",
+    "comments beside the rows": "dh = [\n  [0, pi/2, 0.3, 0],  # shoulder: a, alpha, d, theta\n"
+    "  [0.4, 0, 0, pi/2],  # elbow\n  [0.2, 0, 0, 0],\n]",
+    "a sentence above the heading": "Of a, alpha, d and theta there are 3.\n"
+    "i theta d a alpha\n1 q1 0.3 0 pi/2\n2 q2+pi/2 0 0.4 0\n3 q3 0 0.2 0",
     "definitions of C": "#define d1 0.3\n#define a2 0.4\n#define a3 0.2\ntable: theta d a alpha\nq1 d1 0 pi/2\nq2+pi/2 0 a2 0\nq3 0 a3 0",
     "a heading beside the first row": "links = [\n  (0.0, 0.3, 0.0, pi/2),   # theta, d, a, alpha\n  (pi/2, 0.0, 0.4, 0.0),\n"
     "  (0.0, 0.0, 0.2, 0.0),\n]",
