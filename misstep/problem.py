@@ -100,7 +100,7 @@ class Problem:
             except Unreadable:
                 continue
             if not all(self.answer.agrees(value, self.answer.value)):
-                found.append(mutant(slip, value, {}, spoils=slip.spoils))
+                found.append(mutant(slip, value, self.advice, spoils=slip.spoils))
         return found
 
     @cached_property
@@ -327,9 +327,15 @@ def problem(
 def templates_in(module: ModuleType) -> list[Template]:
     """Return the problems of a module, in the order of their numbers: "03.2" comes before "03.10".
 
+    Raises ValueError if two of them have the same number.
+
     >>> from kincourse.lecture_03_poe_space import problems
     >>> [template.number for template in templates_in(problems)][::9]
     ['03.1', '03.10']
     """
     found = [value for value in vars(module).values() if isinstance(value, Template)]
+    if twice := {one.number for one in found if [other.number for other in found].count(one.number) > 1}:
+        raise ValueError(
+            f"Each problem of {module.__name__} must have a number of its own; {', '.join(twice)} is there twice."
+        )
     return sorted(found, key=lambda template: (len(template.number), template.number))

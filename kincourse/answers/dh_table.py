@@ -209,13 +209,14 @@ class DHTableAnswer(Remarking, Answer):
                 if self.printed
                 else "At $q = 0$ your table is right."
             )
-        place = ", ".join(f"{x:.4g}" for x in mine[:3, 3].round(4) + 0.0)
-        is_there = np.abs(mine[:3, 3] - right[:3, 3]).max() <= tolerance
-        return (
-            "At $q = 0$ your last frame has other axes."
-            if is_there
-            else f"At $q = 0$ your table ends at $({place})$ in {{s}}."
+        # What a student multiplies are the rows, without the base and the tool, which the statement may not give.
+        own, other = (
+            table.changed(base=np.eye(4), tool=np.eye(4)).fk(np.zeros(table.n))[:3, 3] for table in (given, self.value)
         )
+        if np.abs(own - other).max() <= tolerance:
+            return "At $q = 0$ your last frame has other axes."
+        place = ", ".join(f"{x:.4g}" for x in own.round(4) + 0.0)
+        return f"At $q = 0$ your last frame is at $({place})$ in frame 0."
 
     def remark(self, given: DHTable) -> str:
         """Return how a right table differs from ours, where the rules leave a choice; "" if it does not."""

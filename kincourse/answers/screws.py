@@ -112,7 +112,7 @@ class ScrewsAnswer(AlikeRows, Numbers):
             return alike
         if np.count_nonzero(~same) == 1:
             place = ENTRY_NAMES[int(np.flatnonzero(~same)[0])]
-            return "one entry", f"One entry is wrong.\nLook at {place}: all other entries are right."
+            return "one entry", f"One of the six entries is wrong.\nLook at {place}: all other entries are right."
         mine, right = np.atleast_2d(given)[part], np.atleast_2d(self.value)[part]
         if same[:3].all() and np.allclose(np.sort(mine[3:]), np.sort(right[3:]), atol=1e-3):
             return "order of v", "$\\omega$ is right, and $v$ has the right numbers, but not in the right order."

@@ -248,11 +248,12 @@ def camera_on_a_link(sampler: ArmSampler) -> Problem:
     camera = pose(sampler.axes(), robot.joint_points[k - 1] + sampler.point(3) / 10)
     q = np.array(sampler.shuffled([0.4, 0.7, 1.1, 1.3])) * np.array([sampler.choice((-1, 1)) for _ in range(4)])
     factors = exponentials(robot.screws, values_in_radians("RRRR", q))
+    first = ("joint 1", "joints 1 and 2", "joints 1, 2 and 3", "all joints")
     M = given_pose("M", camera)
     T = forward_kinematics(factors[:k], M).mistaken_for(
         *(
-            ("another link", f"multiply the factors of joints 1 to {i}", product(*factors[:i], M), f"Joints 1 to {k} move link {k}.")
-            for i in (1, 2, 3, 4)
+            ("another link", f"multiply the factors of {joints}", product(*factors[:i], M), f"Only {first[k - 1]} move link {k}.")
+            for i, joints in enumerate(first, start=1)
             if i not in {k, k - 1}
         ),
         ("joint of the link alone", f"use the factor of joint {k} alone", product(factors[k - 1], M), "All joints below it move it too."),

@@ -108,7 +108,7 @@ SLIPS_OF_A_TABLE = [
         for name, what, columns, column, why in (
             ("column shifted", "The columns a and alpha are", (A, ALPHA), None, ": a_{{i-1}} and a_i were confused"),
             *(("column shifted", f"The column {name} is", (k,), k, "") for k, name in enumerate(COLUMNS)),
-            ("rows shifted", "The rows are", range(4), None, ""),
+            ("rows shifted", "The rows are", range(4), None, f", and the {'last' if by == 1 else 'first'} stands at the other end"),
         )
     ),
     *(

@@ -679,6 +679,10 @@ def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str, strict: bo
         return given, signs if variables else []
     numbers = [int(number) for name in variables if (number := re.sub(r"\D", "", name))]
     if numbers and numbers != [*range(1, len(variables) + 1)]:
+        if strict:
+            raise ValueError(
+                f"Each row must have the variable of its own joint, q1, q2, ... in the order of the rows; got {', '.join(variables)}."
+            )
         grid.assume(
             f"The variables are {', '.join(variables)}, not 1, 2, ... in the order of the rows: each is the joint of its row."
         )

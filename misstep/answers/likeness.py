@@ -148,21 +148,21 @@ class Likeness:
             text = (
                 "The size is right.\nLook at the sign."
                 if is_one
-                else "The sizes are right.\nLook at the signs: every one is wrong."
+                else "Apart from signs, this is right.\nLook at the signs: every one is wrong."
             )
             return "all signs", text
         if unsigned := self.without_minus():
             return unsigned
         if count > MAX_PLACES:
-            return "signs", f"The sizes are right.\nLook at the signs: {count} are wrong."
+            return "signs", f"Apart from signs, this is right.\nLook at the signs: {count} are wrong."
         places = " and ".join(self.place(index) for index in np.argwhere(wrong).tolist())
-        return "signs", f"The sizes are right.\nLook at the sign{'' if count == 1 else 's'} of {places}."
+        return "signs", f"Apart from signs, this is right.\nLook at the sign{'' if count == 1 else 's'} of {places}."
 
     def without_minus(self) -> Named | None:
         """Return whether these are the sizes of the right numbers."""
         if self.is_formula or (self.mine < 0).any() or not self._equal(self.mine, np.abs(self.right)).all():
             return None
-        return "signs", "The sizes are right.\nLook at the signs: no minus sign is left."
+        return "signs", "Apart from signs, this is right.\nLook at the signs: no minus sign is left."
 
     def factor(self) -> Named | None:
         """Return whether these are the right numbers, multiplied by a factor."""

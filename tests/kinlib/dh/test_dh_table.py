@@ -203,7 +203,7 @@ REFUSED = {
     "an angle in a length": (HEAD + "0|0|30°|q1", "d is a length. Are two columns swapped"),
     "swapped labels": (
         HEAD + "1|0|0|q2\n1|0|0|q1",
-        r"assumes: The variables are q2, q1, not 1, 2, \.\.\. in the order of the rows",
+        r"Each row must have the variable of its own joint, .*; got q2, q1\.",
     ),
     "rows in another order": (
         "i|a|alpha|d|theta\n2|1|0|0|q\n1|1|0|0|q",
