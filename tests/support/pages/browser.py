@@ -151,7 +151,11 @@ def jupyterlab(folder: Path):
         yield f"http://127.0.0.1:{port}"
     finally:
         server.terminate()
-        server.wait(300)
+        try:
+            server.wait(60)
+        except subprocess.TimeoutExpired:  # it waits for its kernels, which end by themselves when it is gone
+            server.kill()
+            server.wait()
 
 
 def run_cell(page, which: int):
