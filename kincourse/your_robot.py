@@ -51,7 +51,7 @@ FORM_WORDS = [
 
 JOINT_CHOICES = ("zeros", "signs")
 
-SLIP_WORDS = "If only base and tool may differ: "
+SLIP_WORDS = "If only the base and the tool may differ: "
 
 
 class KnownArms:
@@ -186,7 +186,7 @@ class Examination:
 
     @cached_property
     def slip(self) -> Diagnosis | None:
-        """What is wrong if base and tool may be other ones, where only choices of several zeros and signs were found else."""
+        """What is wrong if the base and the tool may differ, where otherwise only choices of several zeros and signs are found."""
         if not self.strict or len(self.strict.faults) < 2 or not self.strict.explanations[0].is_a_choice:
             return None
         slip = diagnose(self.strict.table, self.strict.arm, JOINT_CHOICES)

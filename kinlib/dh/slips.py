@@ -103,12 +103,12 @@ SLIPS_OF_A_TABLE = [
     Slip("a and d swapped", f"The columns a and d are swapped: {MEASURED}.", swap(A, D), column=A),
     Slip("theta and alpha swapped", "The columns theta and alpha are swapped.", swap(THETA, ALPHA), column=THETA),
     *(
-        Slip(name, f"{what} one row too {'low' if by == 1 else 'high'}{why}.", roll(columns, by), roll(columns, -by), column)
-        for by in (1, -1)
+        Slip(name, f"{what} one row too {way}{why}.", roll(columns, by), roll(columns, -by), column)
+        for by, way, end in ((1, "low", "last one is at the top"), (-1, "high", "first one is at the bottom"))
         for name, what, columns, column, why in (
             ("column shifted", "The columns a and alpha are", (A, ALPHA), None, ": a_{{i-1}} and a_i were confused"),
             *(("column shifted", f"The column {name} is", (k,), k, "") for k, name in enumerate(COLUMNS)),
-            ("rows shifted", "The rows are", range(4), None, f", and the {'last' if by == 1 else 'first'} stands at the other end"),
+            ("rows shifted", "The rows are", range(4), None, f", and the {end}"),
         )
     ),
     *(

@@ -145,24 +145,20 @@ class Likeness:
             return None
         count, seen = np.count_nonzero(wrong), np.count_nonzero(self._is_seen(right).any(axis=-1))
         if is_one or count == seen:
-            text = (
-                "The size is right.\nLook at the sign."
-                if is_one
-                else "Apart from signs, this is right.\nLook at the signs: every one is wrong."
-            )
-            return "all signs", text
+            text = f"{SIGNS}\nLook at the signs: every one is wrong."
+            return "all signs", "The size is right.\nLook at the sign." if is_one else text
         if unsigned := self.without_minus():
             return unsigned
         if count > MAX_PLACES:
-            return "signs", f"Apart from signs, this is right.\nLook at the signs: {count} are wrong."
+            return "signs", f"{SIGNS}\nLook at the signs: {count} are wrong."
         places = " and ".join(self.place(index) for index in np.argwhere(wrong).tolist())
-        return "signs", f"Apart from signs, this is right.\nLook at the sign{'' if count == 1 else 's'} of {places}."
+        return "signs", f"{SIGNS}\nLook at the sign{'' if count == 1 else 's'} of {places}."
 
     def without_minus(self) -> Named | None:
         """Return whether these are the sizes of the right numbers."""
         if self.is_formula or (self.mine < 0).any() or not self._equal(self.mine, np.abs(self.right)).all():
             return None
-        return "signs", "Apart from signs, this is right.\nLook at the signs: no minus sign is left."
+        return "signs", f"{SIGNS}\nLook at the signs: no minus sign is left."
 
     def factor(self) -> Named | None:
         """Return whether these are the right numbers, multiplied by a factor."""
@@ -382,6 +378,8 @@ LENGTH_UNITS = {
     ),
 }
 """For each unit those that are mistaken for it: the name, the factor, and what is said."""
+
+SIGNS = "Apart from the signs, this is right."
 
 SCALED = "These are the right numbers, all multiplied by the same factor."
 

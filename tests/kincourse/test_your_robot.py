@@ -106,7 +106,7 @@ def test_a_slip_and_another_base_are_one_reading_and_other_zeros_the_other():
     rows = KNOWN["UR5"][0].rows * np.where(np.arange(24).reshape(6, 4) == 13, -1, 1)
     rotated = KNOWN["UR5"][0].changed(base=np.diag([-1.0, -1, 1, 1]))
     found = examine(kl.to_urdf(rotated.to_chain()), kl.DHTable(rows, convention="standard"))
-    assert found.readings[0] == "If only base and tool may differ: Row 4: alpha has the wrong sign."
+    assert found.readings[0] == "If only the base and the tool may differ: Row 4: alpha has the wrong sign."
     html = found._repr_html_()
     assert (
         html.index("<strong>Either: ")

@@ -228,9 +228,9 @@ def test_the_first_card_tells_the_idea_and_the_second_one_the_place():
     sheet = OpenSheet(Sheet("01_ohm", "Ohm's law", [currents]), "ada")
     sheet.check(1, None)
     first, second = (" ".join(map(str, sheet.check(1, [1, -2, -4]).card.body)) for _ in range(2))
-    assert "Apart from signs, this is right." in first
+    assert "Apart from the signs, this is right." in first
     assert "entry" not in first
-    assert "Apart from signs, this is right. Look at the sign of entry 3." in second
+    assert "Apart from the signs, this is right. Look at the sign of entry 3." in second
 
 
 def test_a_right_answer_is_followed_by_a_worked_solution_and_a_further_question():

@@ -71,7 +71,7 @@ def test_what_an_answer_resembles_is_named_and_true():
         (
             MATRIX * [[1, -1, 1], [1, 1, 1], [1, 1, 1]],
             "signs",
-            "Apart from signs, this is right.\nLook at the sign of row 1, column 2.",
+            "Apart from the signs, this is right.\nLook at the sign of row 1, column 2.",
         ),
         (2 * MATRIX, "doubled", "twice"),
         (MATRIX / 2, "halved", "half"),
