@@ -61,3 +61,11 @@ def site_address(site_folder):
 
     with served(site_folder) as address:
         yield address
+
+
+@pytest.fixture(scope="module")
+def lab_address(site_folder, site_address):
+    """The address of the built site, which must contain the lab."""
+    if not (site_folder / "lab").exists():
+        pytest.skip("NO LAB WAS BUILT: its files could not be downloaded.")
+    return site_address

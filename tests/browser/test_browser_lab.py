@@ -1,6 +1,5 @@
 """The lab in the browser: work that cannot be stored is not lost without a word."""
 
-import pytest
 from browser import unwatched
 
 SHEET = "exercises/03_poe_space/03_poe_space.ipynb"
@@ -17,14 +16,6 @@ HAS_STORED = """async (text) => {
     return JSON.stringify(await result(store.getAll())).includes(text);
 }"""
 """Whether a notebook that the browser has stored contains a text."""
-
-
-@pytest.fixture(scope="module")
-def lab_address(site_folder, site_address):
-    """The address of the built site, which must contain the lab."""
-    if not (site_folder / "lab").exists():
-        pytest.skip("NO LAB WAS BUILT: its files could not be downloaded.")
-    return site_address
 
 
 def write(page, text):

@@ -22,14 +22,6 @@ LECTURE = "lectures/07_frame_assignment.html"
 PHONE = {"width": 390, "height": 844}
 
 
-@pytest.fixture(scope="module")
-def pages(site_folder, site_address):
-    """The address of the site, whose pages can run Python."""
-    if not (site_folder / "lab").exists():
-        pytest.skip("NO LAB WAS BUILT: its files could not be downloaded.")
-    return site_address
-
-
 def part(page, name):
     """Find a cell by its id."""
     return page.locator(f".kinlib-cell-{name}")
@@ -61,7 +53,7 @@ def run(which, text, key="Control+Enter"):
 
 
 def test_a_sheet_is_answered_on_its_page_graded_with_its_points_and_opened_without_a_network(
-    chromium_without_webgl, pages, site_folder, tmp_path
+    chromium_without_webgl, lab_address, site_folder, tmp_path
 ):
     """One visit by keyboard, because Python takes long to start; then the server ends."""
     errors = []
@@ -189,10 +181,10 @@ CHANGED = "urdf-alone"
 """The cell that is changed, the fourth."""
 
 
-def test_your_robot_is_examined_and_cells_are_run_changed_and_stopped(chromium_without_webgl, pages, tmp_path):
+def test_your_robot_is_examined_and_cells_are_run_changed_and_stopped(chromium_without_webgl, lab_address, tmp_path):
     """One visit, because Python takes long to start."""
     with watched(chromium_without_webgl, viewport=PHONE) as page:
-        page.goto(f"{pages}/lectures/your_robot.html")
+        page.goto(f"{lab_address}/lectures/your_robot.html")
         a_wrong_sign_is_explained_and_corrected(page, tmp_path)
         a_zip_with_meshes_is_opened(page, tmp_path)
         runs_the_cells_above_first(page)
@@ -283,13 +275,13 @@ def stops_a_cell_that_never_ends(page):
 
 
 def test_nothing_is_loaded_until_the_reader_agrees_and_the_page_says_what_it_loads_or_why_it_cannot(
-    chromium_without_webgl, pages
+    chromium_without_webgl, lab_address
 ):
     asked, wait = [], "kinlib-live-status"
     with unwatched(chromium_without_webgl, service_workers="block") as page:
         page.clock.install()
         page.on("request", lambda request: asked.append(request.url))
-        page.goto(f"{pages}/{LECTURE}")
+        page.goto(f"{lab_address}/{LECTURE}")
         page.locator(".misstep-question .kinlib-choice").first.click()
         placed = part(page, "blanks-4")
         placed.scroll_into_view_if_needed()
