@@ -188,11 +188,6 @@ def _cosine(one: float, two: float, opposite: float) -> float:
     return float((one**2 + two**2 - opposite**2) / (2 * one * two))
 
 
-def _rotated(angle: float, p: Array) -> Array:
-    c, s = np.cos(angle), np.sin(angle)
-    return np.array([c * p[0] - s * p[1], s * p[0] + c * p[1]])
-
-
 def _direction_slips(node: Expression) -> Slips:
     yield from _DIRECTIONS(node)
     if node.arguments[0].value[0] < 0:  # otherwise it is the same
@@ -259,7 +254,7 @@ corner_angle: Operation = Operation(
 
 polar: Operation = Operation(
     "polar coordinates",
-    lambda r, angle: _rotated(angle, np.array([r, 0.0])),
+    lambda r, angle: r * np.array([np.cos(angle), np.sin(angle)]),
     "{0}\\,(\\cos {1}, \\sin {1})".format,
     _polar_slips,
 )
@@ -269,13 +264,6 @@ direction_of: Operation = Operation(
     "direction", lambda v: np.arctan2(v[1], v[0]), "\\angle(x, {0})".format, _direction_slips
 )
 """The angle in radians of a vector (2,) from the x axis."""
-
-rotated: Operation = Operation("rotated", _rotated, lambda angle, x: f"R{angle if angle.startswith('(') else f'({angle})'}\\,{x}", table(
-    ("rotation left out", "add ${1}$ without rotating it", lambda _, p: p),
-    ("rotation transposed", "rotate ${1}$ in the opposite direction", lambda angle, p: rotated(negative(angle), p)),
-    ("sine and cosine swapped", "swap sine and cosine", lambda angle, p: rotated(np.pi / 2 - angle, p)),
-))
-"""A vector (2,) of the plane, rotated by an angle in radians."""
 
 both_modes: Operation = Operation("both modes", lambda *angles: np.array(angles), "({0}, {1})".format, _both_slips)
 """The angles of both assembly modes of a linkage, (2,)."""
