@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from kincourse.expressions.poses import exp, inverse, logarithm
-from kinlib.arrays.validation import Array
 from misstep.mutants.expression import GIVEN, Expression, Operation, Slip, Slips, given, negative, product, table, total
 from misstep.mutants.operations import cos, sin, sqrt, square
 

@@ -9,19 +9,11 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from kincourse.robot_sheets.motion_tasks import home_pose, where_is_the_tool, which_mistake
-from kincourse.robot_sheets.screw_tasks import body_screws, space_screws
-from kincourse.robot_sheets.table_tasks import faulty_entry, modified_table, standard_table
-from kincourse.robot_sheets.task import RobotTask
+from kincourse.robot_sheets.tasks import TABLE_TASKS, TASKS, RobotTask
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.chain import Chain
 from misstep.problem import Problem, Template
 from misstep.sheet import Sheet
-
-TABLE_TASKS = (standard_table, modified_table, faulty_entry)
-"""They need rows: no DH row can describe a helical joint, and a single row is the frame of the tool."""
-
-TASKS = (home_pose, space_screws, body_screws, where_is_the_tool, *TABLE_TASKS, which_mistake)
 
 CLEAREST_OF = 4
 """The number of draws of which the one is taken in which the most mistakes can be seen."""
@@ -41,10 +33,10 @@ def tasks_for(robot: Chain) -> list[RobotTask]:
 
     >>> from kinlib.chains.robots import hrr, rpr
     >>> len(tasks_for(rpr())), len(tasks_for(hrr()))
-    (8, 5)
+    (6, 4)
     """
     has_rows = robot.n > 1 and "H" not in robot.joint_types
-    return [task for task in TASKS if has_rows or task not in TABLE_TASKS]
+    return [*TASKS, *(TABLE_TASKS if has_rows else ())]
 
 
 def robot_sheet(name: str, robot: Chain) -> Sheet:
