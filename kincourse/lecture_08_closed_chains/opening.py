@@ -12,11 +12,7 @@ LENGTHS = FourBar(0.5, 0.3, 0.3, 0.3)
 
 
 def opening() -> Film:
-    """Play a four-bar linkage whose crank rotates to the end of its range, where coupler and rocker are in one line.
-
-    >>> opening().alt[:39]
-    'Four bars in a ring. The motor at A rot'
-    """
+    """Play a four-bar linkage whose crank rotates to the end of its range, where coupler and rocker are in one line."""
     linkage = four_bar(*LENGTHS)
     last = float(np.arccos(LENGTHS.cos_crank_angle(LENGTHS.coupler + LENGTHS.rocker))) - 1e-12
     around = np.array([(-0.1, -0.05, 0), (0.55, 0.35, 0)])

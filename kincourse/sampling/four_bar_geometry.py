@@ -24,11 +24,7 @@ class FourBar(NamedTuple):
 
     @property
     def grashof_excess(self) -> float:
-        """Shortest plus longest length less the other two: negative if Grashof's condition holds, 0 at a change point.
-
-        >>> round(FourBar(0.4, 0.1, 0.35, 0.3).grashof_excess, 2)
-        -0.15
-        """
+        """Shortest plus longest length less the other two: negative if Grashof's condition holds, 0 at a change point."""
         ordered = sorted(self)
         return ordered[0] + ordered[3] - ordered[1] - ordered[2]
 
@@ -38,11 +34,6 @@ class FourBar(NamedTuple):
         The first C lies to the left of the arrow from B to D, the second one to its right.
 
         Raises ValueError if coupler and rocker do not reach each other, or if B coincides with D.
-
-        >>> B, D, C = FourBar(4, 3, 4, 3).pin_positions(np.pi / 2)
-        >>> B.round(3) + 0.0, C.round(3) + 0.0
-        (array([0., 3.]), array([[ 4.  ,  3.  ],
-               [ 1.12, -0.84]]))
         """
         B, D = self.crank * np.array([np.cos(A), np.sin(A)]), np.array([self.ground, 0.0])
         line = D - B
@@ -67,9 +58,6 @@ class FourBar(NamedTuple):
         The angles lie in (-pi, pi]; in the first mode C lies to the left of the arrow from B to D.
 
         Raises ValueError as `pin_positions` does.
-
-        >>> FourBar(4, 3, 4, 3).assembly_modes(np.pi / 2)[0].round(4)
-        array([ 1.5708, -1.5708,  1.5708, -1.5708])
         """
         B, D, C = self.pin_positions(A)
         coupler, rocker = (np.arctan2(*(C - foot).T[::-1]) for foot in (B, D))
@@ -77,9 +65,5 @@ class FourBar(NamedTuple):
         return wrap_angle(q)
 
     def cos_crank_angle(self, distance: float) -> float:
-        """The cosine of the crank angle at which B and D are `distance` metres apart, by the law of cosines.
-
-        >>> FourBar(3, 4, 1, 1).cos_crank_angle(5)
-        0.0
-        """
+        """The cosine of the crank angle at which B and D are `distance` metres apart, by the law of cosines."""
         return (self.ground**2 + self.crank**2 - distance**2) / (2 * self.ground * self.crank)
