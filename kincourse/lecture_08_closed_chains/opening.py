@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kincourse.sampling.four_bar_geometry import FourBar
+from kincourse.sampling.linkages import FourBar
 from kinlib.mechanisms.linkages import four_bar
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.linkage import draw_linkage
@@ -19,7 +19,7 @@ def opening() -> Film:
 
     def draw(t: float) -> Picture:
         angle = 0.35 * last + share(t, 1, 4.5) * 0.65 * last
-        return draw_linkage(linkage, LENGTHS.assembly_modes(angle)[0], around=around)
+        return draw_linkage(linkage, LENGTHS.closed_at(angle), around=around)
 
     return film(
         draw,

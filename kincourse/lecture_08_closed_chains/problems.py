@@ -24,8 +24,7 @@ from kincourse.expressions.planar import (
 from kincourse.expressions.poses import exp, pose
 from kincourse.expressions.screws import screw_axes
 from kincourse.problem import ArmSampler, Problem, problem
-from kincourse.sampling.four_bar_geometry import FourBar
-from kincourse.sampling.linkages import crank_rocker, four_bar_of_kind, limited_crank, overconstrained_case
+from kincourse.sampling.linkages import FourBar, crank_rocker, four_bar_of_kind, limited_crank, overconstrained_case
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms import linkages
 from kinlib.view.figures.linkage import draw_linkage
@@ -323,7 +322,7 @@ def dead_point(sampler: ArmSampler) -> Problem:
         statement=f"{describe_lengths(four_bar)} Its crank cannot make full turns. What is the greatest angle $A$ "
         "from the $x$ axis, between $-\\pi$ and $\\pi$ and in radians, at which the loop still closes?",
         further="What is the angle of the rocker from the $x$ axis at this dead point?",
-        figure=partial(draw_linkage, linkages.four_bar(*four_bar), four_bar.assembly_modes(0.6 * A.value)[0]),
+        figure=partial(draw_linkage, linkages.four_bar(*four_bar), four_bar.closed_at(0.6 * A.value)),
         given={"bars": tuple(four_bar)},
         answer=Angles(A, test=reach),
         advice={
