@@ -51,6 +51,8 @@ RODRIGUES = (
     "vector $\\omega$."
 )
 PITCH = "The given number is in metres per radian, so it is the pitch already."
+CLIMB = "The body climbs along the axis, by $h\\,\\theta$."
+KEPT = "The axis keeps its place, so the rotation adds $p - R\\,p$."
 NOT_DIVIDED = "divide $\\omega$ by its length, but not $v$"
 ONE_MOTION = "A twist is scaled as a whole."
 SHORTEST = "Longer vectors lead to $R$ as well. The logarithm is the shortest one, with $\\theta \\le \\pi$."
@@ -226,52 +228,22 @@ def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
         R_p = rotation @ through
         turned = position_exp(omega, moment(omega, through), q)
         column = position_exp(omega, moment(omega, through) + pitch * omega, q)
-        for wrong, name, text, advice in (
-            (
-                through - R_p + pitch * omega,
-                "climb of a radian",
-                "take $h$ as the climb for every angle",
-                "The climb is proportional to the angle: $h\\,\\theta$.",
-            ),
-            (
-                R_p + climb,
-                "R p alone",
-                "write $R\\,p$ and the climb",
-                "The axis keeps its place, so the rotation adds $p - R\\,p$.",
-            ),
-            (
-                through + climb,
-                "p itself",
-                "write $p$ and the climb",
-                "The axis keeps its place, so the rotation adds $p - R\\,p$.",
-            ),
-            (R_p - through - climb, "sign", "take the column with the opposite sign", ""),
-            (
-                turned + pitch * q * through,
-                "climb along p",
-                "add a climb along the point $p$",
-                "The body climbs along the axis.",
-            ),
+        along_another = turned + pitch * q * omega[[1, 2, 0]], turned + pitch * q * omega[[2, 0, 1]]
+        column = column.mistaken_for(
+            ("climb of a radian", "take $h$ as the climb for every angle", through - R_p + pitch * omega, CLIMB),
+            ("R p alone", "write $R\\,p$ and the climb", R_p + climb, KEPT),
+            ("p itself", "write $p$ and the climb", through + climb, KEPT),
+            ("climb along p", "add a climb along the point $p$", turned + pitch * q * through, CLIMB),
             *(
-                (
-                    turned + pitch * q * omega[[(i + k) % 3 for i in range(3)]],
-                    "climb along another axis",
-                    f"let the body climb along the {'xyz'[(int(np.flatnonzero(d)[0]) - k) % 3]} axis",
-                    "The body climbs along the axis.",
-                )
-                for k in (1, 2)
+                ("climb along another axis", "let the body climb along another axis", wrong, CLIMB)
+                for wrong in along_another
             ),
-        ):
-            column = column.mistaken_for((name, text, wrong, advice))
+        )
         backwards = rotation_exp(omega, -q)
         left_handed = assemble(backwards, through - backwards @ through + climb)
+        text = "use $-\\theta$ in the rotation and $+\\theta$ in the climb"
         return assemble(rotation, column).mistaken_for(
-            (
-                "left-handed",
-                "use $-\\theta$ in the rotation and $+\\theta$ in the climb",
-                left_handed,
-                "That is a left-handed screw joint.",
-            )
+            ("left-handed", text, left_handed, "That is a left-handed screw joint.")
         )
 
     robot = arm([(d, place, float(h))], frame((X, Y, Z), place + d), "your joint", "drawn for you")

@@ -147,32 +147,31 @@ def offsets(sampler: ArmSampler) -> Problem:
     headings_text = ", ".join(f"link {i}: {angle}°" for i, angle in enumerate(headings, start=1))
     h1, h2, h3 = (radians(given(f"\\varphi_{i}", float(angle), ANGLE)) for i, angle in enumerate(headings, start=1))
     c = stack(h1, h2 - h1, h3 - h2)
-    for name, text, wrong, advice in (
+    # The first offset, and the middle one of a reversed list, come out right by these wrong methods too.
+    spoiled = c.mistaken_for(
         ("measured from the base", "measure every link from $x_0$", stack(h1, h2, h3), OFFSETS_ADVICE),
-        (
-            "sign",
-            "measure backwards, from $x_i$ to $x_{i-1}$",
-            -c,
-            "Anticlockwise is positive, because $z$ points towards you.",
-        ),
         (
             "added up",
             "add up the angles",
             stack(h1, h1 + h2, h1 + h2 + h3),
-            "The given angles are measured from $x_0$, so they are sums already.",
+            "They are measured from $x_0$, so they are sums already.",
+        ),
+        ("inner angles", "give the inner angles between the links", np.pi - c, "$\\theta_i$ is 0 for a straight arm."),
+        ("reversed", "list the offsets from the last joint to the first", c[::-1]),
+        spoils=True,
+    )
+    c = spoiled.mistaken_for(
+        (
+            "sign",
+            "measure backwards, from $x_i$ to $x_{i-1}$",
+            -c,
+            "Anticlockwise is positive: $z$ points towards you.",
         ),
         (
             "measured to the next link",
             "take the differences to the next link",
             stack(h1 - h2, h2 - h3, h3),
             OFFSETS_ADVICE,
-        ),
-        ("inner angles", "give the inner angles between the links", np.pi - c, "$\\theta_i$ is 0 for a straight arm."),
-        (
-            "inner angles",
-            "give the inner angles between the links",
-            stack(h1, np.pi - (h2 - h1), np.pi - (h3 - h2)),
-            "$\\theta_i$ is 0 for a straight arm.",
         ),
         ("x across the link", "take $x_i$ perpendicular to link $i$", c + ACROSS, "$x_i$ runs along link $i$."),
         ("x across the link", "take $x_i$ perpendicular to link $i$", c - ACROSS, "$x_i$ runs along link $i$."),
@@ -182,24 +181,7 @@ def offsets(sampler: ArmSampler) -> Problem:
             0 * c,
             "$\\theta_i$ is the angle between two $x$ axes, also at $q_i = 0$.",
         ),
-        ("reversed", "list the offsets from the last joint to the first", c[::-1], ""),
-        (
-            "measured from the base and reversed",
-            "measure from $x_0$, with the last joint first",
-            stack(h3, h2, h1),
-            OFFSETS_ADVICE,
-        ),
-        ("measured from the base and sign", "measure from the links to $x_0$", -stack(h1, h2, h3), OFFSETS_ADVICE),
-        (
-            "measured from the base and degrees",
-            "measure from $x_0$, in degrees",
-            stack(*map(float, headings)),
-            OFFSETS_ADVICE,
-        ),
-    ):
-        # The first offset, and the middle one of a reversed list, come out right by these wrong methods too.
-        is_other_method = name.startswith("measured from the base") or name in {"added up", "reversed", "inner angles"}
-        c = c.mistaken_for((name, text, wrong, advice), spoils=is_other_method)
+    )
     return Problem(
         statement="All joint axes of this planar arm point towards you, and $x_i$ runs along link $i$. The manufacturer defines the "
         f"drawn configuration as $q = 0$. There, the links make these angles with $x_0$, anticlockwise positive: {headings_text}. "
