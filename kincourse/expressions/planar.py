@@ -1,4 +1,4 @@
-"""Linkages in solutions: loop closure, four-bars and slider-cranks in the plane, and the Gruebler-Kutzbach formula.
+"""Linkages in solutions: loop closure, and four-bars and slider-cranks in the plane.
 
 A four-bar has the pin A at the origin, D on the x axis, B at the end of the crank, and C between coupler and rocker.
 """
@@ -108,42 +108,8 @@ def slider_place(crank: Expression, rod: Expression, offset: Expression, A: Expr
         ("other mode", "take the other assembly mode, with the slider to the left of B", along - reach),
         ("flat rod", "take the rod along $x$, although B and the slider have different heights", along + rod),
         ("all along x", "take crank and rod along $x$, stretched", crank + rod),
-        ("offset at the end", "subtract the offset at the end", along + sqrt(square(rod) - square(crank * sin(A))) - offset),
-        ("another coordinate", "give the height of the slider, its offset from A", offset),
-        ("distance for coordinate", "give the distance of the slider from A", sqrt(square(x) + square(offset))),
-        ("no Pythagoras", "subtract the difference of the heights of B and the slider from the length of the rod",
-         along + rod - _size(height)),
         ("lengths swapped", "swap the lengths of crank and rod", _slider(rod, crank, offset, A)),
-        ("other mode", "take the other assembly mode without the offset", 2 * along - _slider(crank, rod, 0 * offset, A)),
-        ("other mode", "take the other assembly mode with the opposite sign of the offset",
-         2 * along - _slider(crank, rod, negative(offset), A)),
     )  # fmt: skip
-
-
-def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
-    """The mobility d (N - 1 - J) + sum of f of a platform on legs, by the Gruebler-Kutzbach formula.
-
-    d     the degrees of freedom of a body: 3 in the plane, 6 in space
-    legs  for each leg, the degrees of freedom of its joints
-    """
-    degrees_of_freedom = [float(f) for leg in legs for f in leg]
-    J, F = float(len(degrees_of_freedom)), sum(degrees_of_freedom)
-    N = 2 + J - len(legs)
-    dimension = given("d", float(d)).mistaken_for(("another d", f"take $d = {9 - d}$", 9.0 - d))
-    bodies = given("N", N).mistaken_for(
-        ("bodies", "leave out the ground or the platform", N - 1),
-        ("bodies", "leave out both the ground and the platform", N - 2),
-        ("bodies", "count as many bodies as joints", J),
-        ("bodies", "count one body for each joint, and the ground", J + 1),
-    )
-    M = dimension * (bodies - 1 - given("J", J)) + given("\\sum f", F)
-    return M.mistaken_for(
-        ("loops", "add up the degrees of freedom of the joints, without the equations of the loops", F),
-        ("loops", "close one loop only", F - d),
-        ("loops", "close one loop for each leg, although the first leg closes no loop", F - d * len(legs)),
-        ("joint left out", "leave out one joint", M.value + d - degrees_of_freedom[-1]),
-        may_coincide=True,
-    )
 
 
 def _slider(crank: Expression, rod: Expression, offset: Expression, A: Expression) -> Expression:
@@ -240,5 +206,4 @@ both_modes: Operation = Operation("both modes", lambda *angles: np.array(angles)
 
 _on_the_ground: Operation = Operation("pin on the ground", lambda x: np.array([x, 0.0]), "({0}, 0)".format)
 _distance: Operation = Operation("length", lambda v: np.hypot(*v), "|{0}|".format)
-_size: Operation = Operation("size", np.abs, "|{0}|".format)
 # fmt: on

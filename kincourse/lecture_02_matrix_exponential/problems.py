@@ -51,6 +51,7 @@ RODRIGUES = (
     "vector $\\omega$."
 )
 PITCH = "The given number is in metres per radian, so it is the pitch already."
+COMPONENTS = "The error has two components: one from the series of the cosine, one from that of the sine."
 CLIMB = "The body climbs along the axis, by $h\\,\\theta$."
 KEPT = "The axis keeps its place, so the rotation adds $p - R\\,p$."
 NOT_DIVIDED = "divide $\\omega$ by its length, but not $v$"
@@ -111,13 +112,8 @@ def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
 def gyroscope(sampler: ArmSampler) -> Problem:
     size, seconds = sampler.choice([2.0, 3.0, 0.5]), sampler.choice([0.4, 0.5, 0.6, 0.7, 0.8])
     omega, v = size * sampler.choice(AXIS_DIRECTIONS), sampler.point(3)
-    w = direction("\\omega", omega).mistaken_for(
-        (
-            "converted to radians",
-            "convert $\\omega$ from degrees to radians, although it is in radians",
-            np.radians(omega),
-        )
-    )
+    already = "convert $\\omega$ from degrees to radians, although it is in radians"
+    w = direction("\\omega", omega).mistaken_for(("converted to radians", already, np.radians(omega)))
     v_0, t = direction("v", v), given("t", seconds).mistaken_for(("time left out", "leave out the time", 1.0))
     twist, R = np.concatenate([omega, v]), exp(omega * seconds)
     column = position_exp(w, v_0.mistaken_for(("v not divided", NOT_DIVIDED, size * v, ONE_MOTION)), t)
@@ -127,18 +123,14 @@ def gyroscope(sampler: ArmSampler) -> Problem:
         ("v as a point", "take $v$ as a point of the axis, $v - R\\,v$", v - R @ v),
         advice="$v$ is the velocity of the point at the origin.",
     )
-    there = assemble(rotation_exp(w, t), column)
     kept = "If you divide the axis by its length, the angle is multiplied by it: $\\theta = |\\omega|\\,t$."
-    there = there.mistaken_for(
-        ("angle kept", "divide the twist by $|\\omega|$ without changing the time", exp(twist / size * seconds), kept),
-        (
-            "angle kept",
-            "divide $\\omega$ by $|\\omega|$ without changing the time",
-            exp(np.array([*omega / size, *v]) * seconds),
-        ),
-        ("halves swapped", "swap $\\omega$ and $v$", exp(np.array([*v, *omega]) * seconds)),
-        ("series cut short", "stop the series after two terms", truncated(hat(twist) * seconds, 2), ""),
-        ("series cut short", "stop the series after three terms", truncated(hat(twist) * seconds, 3), ""),
+    one, both = np.concatenate([omega / size, v]), twist / size
+    there = assemble(rotation_exp(w, t), column).mistaken_for(
+        ("angle kept", "divide the twist by $|\\omega|$ without changing the time", exp(both * seconds), kept),
+        ("angle kept", "divide $\\omega$ by $|\\omega|$ without changing the time", exp(one * seconds), kept),
+        ("halves swapped", "swap $\\omega$ and $v$", exp(np.roll(twist, 3) * seconds), "A twist is $(\\omega, v)$."),
+        ("series cut short", "stop the series after two terms", truncated(hat(twist) * seconds, 2)),
+        ("series cut short", "stop the series after three terms", truncated(hat(twist) * seconds, 3)),
     )
     return Problem(
         statement=f"A gyroscope measures that a body rotates with $\\omega = {vector(omega)}$ radians per second. The point of the body "
@@ -147,10 +139,6 @@ def gyroscope(sampler: ArmSampler) -> Problem:
         further="When has the body made exactly one turn, and where is it then?",
         given={"omega": omega, "v": v, "seconds": seconds},
         answer=PoseAnswer(there),
-        advice={
-            "angle kept": kept,
-            "halves swapped": "A twist is $(\\omega, v)$.",
-        },
     )
 
 
@@ -158,12 +146,9 @@ def gyroscope(sampler: ArmSampler) -> Problem:
 def three_terms(sampler: ArmSampler) -> Problem:
     angle, radius = sampler.choice([1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8]), sampler.length(0.3, 2.5)
 
+    already = "convert $\\theta$ from degrees to radians, although it is in radians"
     theta = given("\\theta", angle).mistaken_for(
-        (
-            "converted to radians",
-            "convert $\\theta$ from degrees to radians, although it is in radians",
-            np.radians(angle),
-        ),
+        ("converted to radians", already, np.radians(angle)),
         ("degrees", "convert $\\theta$ to degrees", np.degrees(angle), "The series, sine and cosine take radians."),
     )
     r = given("r", radius)
@@ -179,17 +164,10 @@ def three_terms(sampler: ArmSampler) -> Problem:
         ("last term", "give the length of the last term of the sum", angle**2 / 2),
         ("chord", "give the distance by which the point moves", 2 * np.sin(angle / 2)),
         ("arc", "give the length of the arc on which the point moves", angle),
-        ("scalar series", "take the series of the number $e^\\theta$", np.exp(angle) - 1 - angle - angle**2 / 2),
         ("length of the sum", "give the length of the sum, and not of its difference from $R$", sum_size),
     )
     error = given("1000", 1000.0).mistaken_for(("centimetres", "give the number in centimetres", 100.0)) * r * distance
-    error = error.mistaken_for(
-        ("percentage", "give the error in percent of the radius", 100 * distance),
-        ("root left out", "give the square of the distance", 1000 * square(r * distance)),
-    )
-    error = error.mistaken_for(
-        ("norm of a matrix", "take the norm of the difference of the matrices", error * np.sqrt(2))
-    )
+    error = error.mistaken_for(("root left out", "give the square of the distance", 1000 * square(r * distance)))
     return Problem(
         statement="You stop the series of $e^{[\\omega]\\theta}$ after three terms, $I + [\\omega]\\theta + [\\omega]^2\\theta^2/2$, "
         f"with $|\\omega| = 1$ and $\\theta = {number(angle)}$ rad. Then you apply the sum to a point that "
@@ -203,10 +181,7 @@ def three_terms(sampler: ArmSampler) -> Problem:
             "forget to divide by $2$": "The third term has the factorial $2! = 2$ in its denominator.",
             "leave out the factor $1000$": "One metre is 1000 millimetres, and the question asks for millimetres.",
             "divide by $r$ instead of multiplying by it": "The error is proportional to the distance from the axis.",
-            f"leave out ${square(across).latex}$": "The error has two components: one from the series of the cosine, one from "
-            "that of the sine.",
-            f"leave out ${square(along).latex}$": "The error has two components: one from the series of the cosine, one from "
-            "that of the sine.",
+            **dict.fromkeys((f"leave out ${square(one).latex}$" for one in (across, along)), COMPONENTS),
         },
     )
 
@@ -317,27 +292,15 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
         ("degrees", "give the angle in degrees", degrees, "The logarithm is in radians."),
         ("a full turn more", "add a full turn to the angle", angle + 2 * np.pi, SHORTEST),
         ("the long way", "rotate in the opposite direction, by the longer angle", angle - 2 * np.pi, SHORTEST),
-        ("term left out", "leave out the 1 of $\\operatorname{tr} R - 1$ in the angle", np.arccos(trace_R / 2), ""),
-        (
-            "sign",
-            "write $\\operatorname{tr} R + 1$ instead of $\\operatorname{tr} R - 1$ in the angle",
-            np.arccos((trace_R + 1) / 2),
-            "",
-        ),
-        ("halved", "take half of the angle", angle / 2, ""),
+        ("term left out", "leave out the 1 of $\\operatorname{tr} R - 1$ in the angle", np.arccos(trace_R / 2)),
+        ("halved", "take half of the angle", angle / 2),
     )
     half = axial(R_given) / 2
     x = once * (half / sin(theta))
     x = x.mistaken_for(
         ("R - R^T alone", "give the components of $R - R^T$", axial(R_given).value),
         ("R - R^T alone", "give the components of $(R - R^T) / 2$", half.value),
-        (
-            "half a turn",
-            "take half a turn, and the sizes from the diagonal of $R$",
-            np.pi * np.sqrt((np.diag(R) + 1) / 2),
-        ),
         ("diagonal of R", "give the diagonal of $R$", np.diag(R)),
-        ("entries of R", "take entries of $R$ instead of those of $R - R^T$", np.array([R[2, 1], R[0, 2], R[1, 0]])),
         ("signs left out", "leave out the signs of the axis", np.abs(u) * angle),
         ("sign of a vector", "take the differences of $R - R^T$ the other way round", -u * angle),
         advice="The logarithm is $\\theta$ times the components of $(R - R^T) / (2 \\sin\\theta)$.",

@@ -62,20 +62,9 @@ def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
         ("sign of the second", "take $a_2$ with the opposite sign", (x, x - a_1 - a_2), "$a_2$ is measured along $x$."),
         ("measured from joint 3", "measure from joint 3", (a_1 + a_2 - x, -x), "Row 1 begins at joint 1."),
         ("displacement as a_1", "give the displacement of joint 2 as $a_1$", (x - a_1, a_1 + a_2 - x), "$a_1$ is measured from axis 1."),
-        ("displacement as a_1", "give the displacement of joint 2 as $a_1$, and the rest as $a_2$",
-         (x - a_1, 2 * a_1 + a_2 - x), "$a_1$ is measured from axis 1."),
-        ("displacement as a_1", "give the displacement as $a_1$, and leave $a_2$", (x - a_1, a_2), "$a_1$ is measured from axis 1."),
-        ("sign of the displacement", "move joint 2 the other way", (2 * a_1 - x, a_2 + x - a_1), "The new $a_1$ is the new place."),
-        ("joint 2 at axis 3", "put joint 2 on axis 3", (a_1 + a_2, 0.0), "The other drawing has it at another place."),
-        ("displacement as a_2", "leave $a_1$, and give the displacement as $a_2$", (a_1, x - a_1), "$a_1$ is the new place."),
         ("position added", "add the new position to $a_2$", (x, x + a_2), "The sum $a_1 + a_2$ stays the same."),
         ("displacement as a_2", "give the displacement of joint 2 as $a_2$", (x, x - a_1), "$a_2$ is measured to axis 3."),
-        ("position added", "add the new position to $a_1$", (a_1 + x, a_2 - x), "The new position is $a_1$ itself."),
-        ("position added", "add the new position to both", (a_1 + x, a_2 + x), "The new position is $a_1$ itself."),
         ("added to both", "add the displacement of joint 2 to both", (x, a_2 + x - a_1), "The sum $a_1 + a_2$ stays the same."),
-        ("sum for both", "give the sum of the two twice", (a_1 + a_2, a_1 + a_2), ""),
-        ("half for both", "put joint 2 half-way between joints 1 and 3", ((a_1 + a_2) / 2, (a_1 + a_2) / 2), ""),
-        ("joint 2 at axis 1", "put joint 2 on axis 1", (0.0, a_1 + a_2), "The other drawing has it at another place."),
     ):  # fmt: skip
         answer = answer.mistaken_for((name, text, stack(*wrong), advice))
 

@@ -3,7 +3,6 @@
 from kincourse.expressions.planar import (
     bars,
     coupler_directions,
-    kutzbach,
     length,
     rocker_directions,
     slider_place,
@@ -55,7 +54,17 @@ def rocker(_draw: ArmSampler) -> Problem:
 
 @problem("08.c", "Mobility by counting", points=1, lecture="08_closed_chains#The Gruebler-Kutzbach formula")
 def count(_draw: ArmSampler) -> Problem:
-    mobility = kutzbach(3, [(1, 1, 1)] * 3)
+    d = given("d", 3.0).mistaken_for(("another d", "take $d = 6$", 6.0))
+    bodies = given("N", 8.0).mistaken_for(
+        ("bodies", "leave out the ground or the platform", 7.0),
+        ("bodies", "leave out both the ground and the platform", 6.0),
+    )
+    joints = given("\\sum f", 9.0)
+    mobility = (d * (bodies - 1 - given("J", 9.0)) + joints).mistaken_for(
+        ("loops", "add up the degrees of freedom of the joints, without the equations of the loops", joints),
+        ("loops", "close one loop only", 6.0),
+        may_coincide=True,
+    )
     return Problem(
         statement="Which mobility does the Gruebler-Kutzbach formula give for the planar 3-RRR robot?",
         answer=Numbers(mobility),

@@ -350,28 +350,16 @@ def how_far_off(sampler: ArmSampler) -> Problem:
     of_degrees = log.distances_mm(wrong.fk(np.where(np.array(list(project.joints)) == "P", 1.0, np.pi / 180) * log.q))
     mistakes = {
         "mean": (gaps.mean(), "This is the mean of the distances. The question is about the largest one."),
-        "sum": (gaps.sum(), "This is the sum of all distances. The question is about the largest one."),
-        "first pose": (gaps[0], "This is the distance at the first pose of the log, and not the largest one."),
-        "last pose": (gaps[-1], "This is the distance at the last pose of the log, and not the largest one."),
-        "least": (gaps.min(), "This is the smallest of the distances."),
         "degrees": (log.angles_deg(fk).max(), "This is the largest angle in degrees by which the tool is rotated."),
         "largest component": (
             off.max(),
             "This is the largest difference along x, y or z alone. The distance is the length of the difference.",
-        ),
-        "components added": (
-            off.sum(axis=1).max(),
-            "This adds the differences along x, y and z. The distance is the length of the difference.",
         ),
         "own screws": (
             log.distances_mm(right.fk(log.q)).max(),
             "This is what your own screws give. The question is about the received ones.",
         ),
         "body screws": (in_space.max(), "This uses the body screws as space screws, with $M$ last."),
-        "from home": (
-            log.distances_mm(np.broadcast_to(right.home, fk.shape)).max(),
-            "This is the largest distance of a measured pose from the home pose.",
-        ),
         "radians as degrees": (of_degrees.max(), "This takes the angles of the log as degrees. They are in radians."),
     }
     return Problem(
