@@ -12,7 +12,6 @@ from kinlib.dh.slips import OTHER_CONVENTION
 from kinlib.dh.table import Convention
 from kinlib.dh.table import joint_transform as z_motion
 from kinlib.dh.table import normal_transform as x_motion
-from kinlib.rigid.lie import exp as exponential
 from misstep.mutants.expression import (
     ALL_AT_ONCE,
     IN_THE_WHOLE,
@@ -160,7 +159,6 @@ def _link_slips(convention: Convention, node: Expression) -> Slips:
          lambda _a, _A, d, H: of(0.0, 0.0, d, H), "", {} if a.value else ALL_AT_ONCE),
         *([("only the common normal", "leave out $d$ and $\\theta$ in ${}$", lambda a, A, _d, _H: of(a, A, 0.0, 0.0))] if d.value else []),
         *((name, f"{text} in ${{}}$ |{text}", function(name, in_order, "A")) for name, text, in_order in _ORDERS[convention]),
-        ("alpha about y", "rotate by $\\alpha$ about the $y$ axis in ${}$", function("alpha about y", _LINKS_ABOUT_Y[convention], "A")),
         ("sine and cosine swapped", "swap the sine and the cosine of $\\theta$ in ${}$", lambda a, A, d, H: of(a, A, d, np.pi / 2 - H)),
         ("sine and cosine swapped", "swap the sine and the cosine of $\\alpha$ in ${}$", lambda a, A, d, H: of(a, np.pi / 2 - A, d, H)),
     ]  # fmt: skip
@@ -229,29 +227,17 @@ def _link_operation(convention: Convention, label: str) -> Operation:
     return Operation("link transform", _LINKS[convention], lambda *_: label, partial(_link_slips, convention))
 
 
-def _about_y(alpha: float) -> Array:
-    return exponential(np.array([0, alpha, 0, 0, 0, 0]))
-
-
 # fmt: off
 _LINKS: dict[str, Link] = {
     "standard": lambda a, alpha, d, theta: z_motion(d, theta) @ x_motion(a, alpha),
     "modified": lambda a, alpha, d, theta: x_motion(a, alpha) @ z_motion(d, theta),
 }
-_LINKS_ABOUT_Y: dict[str, Link] = {
-    "standard": lambda a, alpha, d, theta: z_motion(d, theta) @ x_motion(a, 0) @ _about_y(alpha),
-    "modified": lambda a, alpha, d, theta: _about_y(alpha) @ x_motion(a, 0) @ z_motion(d, theta),
-}
 _ORDERS: dict[str, list[tuple[str, str, Link]]] = {
     "standard": [
-        ("rotations first", "rotate by $\\theta$ and $\\alpha$ before both translations",
-         lambda a, A, d, H: z_motion(0, H) @ x_motion(0, A) @ z_motion(d, 0) @ x_motion(a, 0)),
         ("a along the old x", "move by $a$ along $x_{i-1}$ instead of $x_i$",
          lambda a, A, d, H: z_motion(d, 0) @ x_motion(a, 0) @ z_motion(0, H) @ x_motion(0, A)),
     ],
     "modified": [
-        ("rotations first", "rotate by $\\alpha$ and $\\theta$ before both translations",
-         lambda a, A, d, H: x_motion(0, A) @ z_motion(0, H) @ x_motion(a, 0) @ z_motion(d, 0)),
         ("d along the old z", "move by $d$ along $z_{i-1}$ instead of $z_i$",
          lambda a, A, d, H: x_motion(a, 0) @ z_motion(d, 0) @ x_motion(0, A) @ z_motion(0, H)),
     ],

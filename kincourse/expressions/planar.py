@@ -169,9 +169,6 @@ _CORNERS = table(
      lambda one, two, opposite: np.arccos(_cosine(one, two, opposite) - two / one), CORNER_ADVICE),
     ("factor left out", "leave out the factor 2 of the law of cosines", lambda *sides: np.arccos(2 * _cosine(*sides)), CORNER_ADVICE),
     ("sign", "take the law of cosines with the opposite sign", lambda *sides: np.arccos(-_cosine(*sides)), CORNER_ADVICE),
-    ("square left out", "leave out the squares", lambda a, b, c: np.arccos((a + b - c) / (2 * a * b)), CORNER_ADVICE),
-    ("no right triangle", "treat the triangle as right-angled", lambda one, _, opposite: np.arccos(one / opposite), CORNER_ADVICE),
-    ("no right triangle", "treat the triangle as right-angled", lambda _, two, opposite: np.arccos(two / opposite), CORNER_ADVICE),
     ("no right triangle", "treat the triangle as right-angled", lambda one, two, _: np.arctan2(two, one), CORNER_ADVICE),
     of_values=True,
 )

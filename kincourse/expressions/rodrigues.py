@@ -42,6 +42,10 @@ _ROTATIONS: list[tuple[str, str, Coefficients]] = [
     ("series cut short", "stop the series after three terms", lambda q: (1, q, q**2 / 2)),
     ("series cut short", "stop the series after four terms", lambda q: (1, q - q**3 / 6, q**2 / 2)),
     ("sine and cosine swapped", "swap sine and cosine", lambda q: (1, cos(q), 1 - sin(q))),
+    ("another function", "write $\\theta$, where $\\sin \\theta$ belongs", lambda q: (1, q, 1 - cos(q))),
+    ("another function", "write $1$, where $\\sin \\theta$ belongs", lambda q: (1, 1, 1 - cos(q))),
+    ("another function", "write $\\theta^2 / 2$, where $1 - \\cos \\theta$ belongs", lambda q: (1, sin(q), q**2 / 2)),
+    ("another function", "write $1$, where $1 - \\cos \\theta$ belongs", lambda q: (1, sin(q), 1)),
 ]
 
 _POSITIONS: list[tuple[str, str, Coefficients]] = [
@@ -54,39 +58,14 @@ _POSITIONS: list[tuple[str, str, Coefficients]] = [
     ("term left out", "leave out the term of $G(\\theta)$ with $[\\omega]$", lambda q: (q, 0, q - sin(q))),
     ("sign", "write $\\theta + \\sin \\theta$ instead of $\\theta - \\sin \\theta$", lambda q: (q, 1 - cos(q), q + sin(q))),
     ("sign", "take the term with $[\\omega]^2$ with the opposite sign", lambda q: (q, 1 - cos(q), sin(q) - q)),
+    ("sine and cosine swapped", "swap sine and cosine", lambda q: INTEGRAL(np.pi / 2 - q)),
+    ("another function", "write $\\cos \\theta$, where $1 - \\cos \\theta$ belongs", lambda q: (q, cos(q), q - sin(q))),
+    ("another function", "write $\\sin \\theta$, where $1 - \\cos \\theta$ belongs", lambda q: (q, sin(q), q - sin(q))),
+    ("another function", "write $\\sin \\theta$, where $\\theta - \\sin \\theta$ belongs", lambda q: (q, 1 - cos(q), sin(q))),
+    ("another function", "write $\\sin \\theta$, where $\\theta$ belongs", lambda q: (sin(q), 1 - cos(q), q - sin(q))),
 ]
 
-_WRONG_FUNCTIONS: dict[str, Callable[[float], float]] = {
-    "1": lambda _: 1.0, "\\theta": lambda q: q, "\\theta^2 / 2": lambda q: q**2 / 2, "\\sin \\theta": sin, "\\cos \\theta": cos,
-    "\\tan \\theta": np.tan, "\\sin 2\\theta": lambda q: sin(2 * q), "\\sin^2 \\theta": lambda q: sin(q) ** 2,
-    "1 + \\cos \\theta": lambda q: 1 + cos(q),
-}
-"""The functions that people write where another one belongs."""
 # fmt: on
-
-
-def _with_another_function(
-    right: Coefficients, names: tuple[str, str, str], known: list[tuple[str, str, Coefficients]]
-) -> list[tuple[str, str, Coefficients]]:
-    """Return the formulas with another function as one of the coefficients, as far as they are not known already."""
-
-    def put(place: int, wrong: Callable[[float], float], q: float) -> tuple[float, float, float]:
-        one, two, three = (wrong(q) if k == place else value for k, value in enumerate(right(q)))
-        return one, two, three
-
-    found: list[tuple[str, str, Coefficients]] = []
-    seen = {np.round(which(0.7), 9).tobytes() for _, _, which in known}
-    for place, name in enumerate(names):
-        for latex, wrong in _WRONG_FUNCTIONS.items() if name else ():
-            formula = partial(put, place, wrong)
-            if latex != name and np.round(formula(0.7), 9).tobytes() not in seen:
-                found.append(("another function", f"write ${latex}$, where ${name}$ belongs", formula))
-    return found
-
-
-_ROTATIONS += _with_another_function(RODRIGUES, ("", "\\sin \\theta", "1 - \\cos \\theta"), _ROTATIONS)
-_POSITIONS += [("sine and cosine swapped", "swap sine and cosine", lambda q: INTEGRAL(np.pi / 2 - q))]
-_POSITIONS += _with_another_function(INTEGRAL, ("\\theta", "1 - \\cos \\theta", "\\theta - \\sin \\theta"), _POSITIONS)
 
 _SQUARES: list[tuple[str, str, Square]] = [
     ("square left out", "write $[\\omega]$ instead of $[\\omega]^2$", lambda W: W),
@@ -170,10 +149,6 @@ def _rotation_slips(node: Expression) -> Slips:
     text = "take the exponential entry by entry (`np.exp`)"
     yield Slip("exponential of each entry", text, _entrywise(omega, theta), advice=SERIES)
     if raw := _raw_axis(omega):
-        once = partial(_formula, lambda q: (1, sin(q), _size(raw.value) * (1 - cos(q))), _squared, 1.0)
-        text = f"divide by the length only once in the square of $[{raw.latex}]$"
-        divided_once = Operation("divided once", once, "{0}".format)(unit(raw), theta)
-        yield Slip("divided once", text, divided_once, advice=UNIT_AXIS, may_coincide=True)
         text = f"use ${raw.latex}$, which is no unit vector, in Rodrigues' formula"
         wrong = _printed_rotation(raw, theta)
         yield Slip("formula for a unit axis", text, wrong, everywhere=FOR_UNIT_AXES, advice=UNIT_AXIS)

@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.expressions.poses import exp, inverse, with_position
+from kincourse.expressions.poses import exp, inverse
 from kincourse.sampling.drawn_machines import STEP_M
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp as exponential
-from kinlib.rigid.lie import hat, homogeneous
+from kinlib.rigid.lie import hat
 from misstep.mutants.expression import (
     ALL_AT_ONCE,
     SUM,
@@ -255,18 +255,14 @@ def _change_of_frame_slips(node: Expression) -> Slips:
     yield Slip("halves swapped", "swap the halves of the result", _swap_halves(node), advice=ORDER_ADVICE)
     yield Slip("entry by entry", f"multiply {Ad} entry by entry (`*` instead of `@`)", _entry_by_entry(T, S))
     yield from _by_other_blocks(T, S, _WRONG_ADJOINTS)
-    for text, pose in _WRONG_POSES if T.operation is not inverse else ():
-        instead = Operation("another pose", pose, "{0}".format)(T)
-        yield Slip("position of the inverse", f"{text} ${T.latex}$", change_frame(instead, S), may_coincide=True)
 
 
 def _by_other_blocks(T: Expression, S: Expression, rows: Sequence[tuple[str, str, "Blocks"]]) -> Slips:
     for name, text, blocks in rows:
-        is_about_brackets = name == "p without brackets"
-        advice = ADJOINT_ADVICE if is_about_brackets or "{Ad}" in text else ""
+        advice = ADJOINT_ADVICE if "{Ad}" in text else ""
         said = text.replace("{Ad}", f"$\\mathrm{{Ad}}_{{{T.latex}}}$")
         wrong = Operation(name, partial(_by, blocks), "{1}".format)(T, S)
-        yield Slip(name, said, wrong, advice=advice, may_coincide=is_about_brackets)
+        yield Slip(name, said, wrong, advice=advice)
 
 
 def revolute(omega: Expression, p: Expression) -> Expression:
@@ -315,15 +311,10 @@ def _adjoint(R: Array, P: Array) -> tuple[Any, Any, Any, Any]:
 
 
 # fmt: off
-_P_WITHOUT_BRACKETS = "add ${}\\omega \\times p$, with the $p$ of the {} pose, to $R\\,v$"
 _OTHER_MATRICES: Sequence[tuple[str, str, Blocks]] = (
     ("position left out", "rotate both halves without the change of origin", lambda R, _: (R, 0, 0, R)),
     ("position left out", "rotate both halves in the opposite direction, without the change of origin", lambda R, _: (R.T, 0, 0, R.T)),
     ("rotation left out", "change the origin without rotating the axes", lambda R, P: (np.eye(3), 0, R.T @ P @ R, np.eye(3))),
-    ("p without brackets", _P_WITHOUT_BRACKETS.format("", "given"), lambda R, P: (R, 0, -P, R)),
-    ("p without brackets", _P_WITHOUT_BRACKETS.format("", "inverse"), lambda R, P: (R, 0, R.T @ P @ R, R)),
-    ("p without brackets", _P_WITHOUT_BRACKETS.format("-", "given"), lambda R, P: (R, 0, P, R)),
-    ("p without brackets", _P_WITHOUT_BRACKETS.format("-", "inverse"), lambda R, P: (R, 0, -R.T @ P @ R, R)),
     ("only omega rotated", "rotate $\\omega$ only, with $v$ unchanged", lambda R, _: (R, 0, 0, np.eye(3))),
     ("no moment", "rotate $\\omega$, with $v$ left at zero", lambda R, _: (R, 0, 0, 0)),
 )
@@ -334,14 +325,6 @@ _WRONG_ADJOINTS: Sequence[tuple[str, str, Blocks]] = (
     ("rotation left out of the block", "write $[p]$ instead of $[p]R$ in {Ad}", lambda R, P: (R, 0, P, R)),
 )
 """The matrices that people multiply screws by in place of the adjoint, and how they come about."""
-
-_WRONG_POSES: Sequence[tuple[str, Callable[[Array], Array]]] = (
-    ("use $-p$ and $R^T$ instead of $p$ and $R$ of", lambda T: homogeneous(T[:3, :3].T, -T[:3, 3])),
-    ("use $R^T p$ instead of the position $p$ of", lambda T: with_position(T, T[:3, :3].T @ T[:3, 3])),
-    ("use $-R^T p$, the position of the inverse, instead of the position $p$ of",
-     lambda T: with_position(T, -T[:3, :3].T @ T[:3, 3])),
-)
-"""Poses that people put into the adjoint in place of a given one."""
 
 tilted: Operation = Operation(
     "tilted axis", lambda u, t, angle: np.cos(angle) * u + np.sin(angle) * t, "\\cos {2}\\,{0} + \\sin {2}\\,{1}".format, table(
