@@ -116,38 +116,25 @@ class ScrewsAnswer(AlikeRows, Numbers):
 
     def _as_a_line(self, mine: Array, right: Array, same: NDArray[np.bool_]) -> Named | None:
         """Return what is right and wrong about one axis, (6,), as a line in space."""
-        omega, v = bool(same[:3].all()), bool(same[3:].all())
-        (w, m), (direction, moment) = mine.reshape(2, 3), right.reshape(2, 3)
-        size, right_size = float(np.linalg.norm(w)), float(np.linalg.norm(direction))
-        along, of_moment = abs(m @ w - moment @ direction), max(1.0, float(np.linalg.norm(m)))
-        no_unit = abs(right_size - 1) < 1e-6 and abs(size - 1) > 1e-2
+        (w, _), (direction, _) = mine.reshape(2, 3), right.reshape(2, 3)
+        turns, rotates = (bool(np.abs(x).max() > ROUND_OFF) for x in (direction, w))
+        is_parallel = np.linalg.norm(np.cross(w, direction)) < 1e-3 * max(1e-9, np.linalg.norm(w))
         cases = (
-            (v and not no_unit, "another direction", "$v$ is right, but $\\omega$ is not."),
-            (v, "not a unit vector", "$v$ is right, but $\\omega$ is not."),
-            (right_size > ROUND_OFF >= size, "omega left at 0", "$\\omega$ is 0, as if nothing rotated."),
+            (same[3:].all(), "another direction", "$v$ is right, but $\\omega$ is not."),
+            (turns and not rotates, "omega left at 0", "$\\omega$ is 0, as if nothing rotated."),
             (
-                right_size <= ROUND_OFF < size,
+                rotates and not turns,
                 "omega for a translation",
-                "This is a translation, so $\\omega$ is 0, and the direction is in $v$.",
-            ),
-            (no_unit, "not a unit vector", "$\\omega$ is not a unit vector."),
-            (
-                omega and abs(moment @ direction) < 1e-9 and along > 2e-3 * of_moment,
-                "moment along the axis",
-                "$\\omega$ is right. $v$ is not perpendicular to it, as the moment $-\\omega \\times q$ must be.",
+                "This is a translation: $\\omega$ is 0, and the direction is in $v$.",
             ),
             (
-                omega,
+                same[:3].all(),
                 "another point",
                 "$\\omega$ is right, so the axis has the right direction. It passes through other points.",
             ),
+            (turns and is_parallel, "another line", "The axis is parallel to the right one, but it lies elsewhere."),
             (
-                np.linalg.norm(np.cross(w, direction)) < 1e-3 * max(size * right_size, 1e-9),
-                "another line",
-                "The axis is parallel to the right one, but it lies elsewhere.",
-            ),
-            (
-                right_size > ROUND_OFF,
+                turns,
                 "another axis",
                 "$\\omega$ is not right. Begin with the direction of the axis; the moment depends on it.",
             ),

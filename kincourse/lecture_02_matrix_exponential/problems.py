@@ -7,8 +7,8 @@ from functools import partial
 import numpy as np
 import sympy as sp
 
+from kincourse.answers.formulas import PoseExpressionAnswer
 from kincourse.answers.pose import PoseAnswer, RotationAnswer
-from kincourse.answers.pose_expression import PoseExpressionAnswer
 from kincourse.expressions.poses import assemble, inverse, point
 from kincourse.expressions.poses import pose as given_pose
 from kincourse.expressions.rodrigues import angle_symbol, position_exp, rotation_exp, truncated

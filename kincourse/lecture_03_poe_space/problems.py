@@ -10,10 +10,9 @@ from itertools import accumulate
 import numpy as np
 import sympy as sp
 
+from kincourse.answers.formulas import PoseExpressionAnswer, ScrewExpressionsAnswer
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import PoseAnswer
-from kincourse.answers.pose_expression import PoseExpressionAnswer
-from kincourse.answers.screw_expressions import ScrewExpressionsAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.poses import assemble, columns
 from kincourse.expressions.poses import pose as given_pose
