@@ -15,7 +15,7 @@ from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import AlikeRows, Named
 from misstep.answers.likeness import Likeness
 from misstep.answers.number import LENGTH, PURE, Numbers
-from misstep.display.sentences import IN_DEGREES, IN_DEGREES_WITH_WRONG_SIGN, LIKE_DEGREES, OTHER_UNIT
+from misstep.display.sentences import LIKE_DEGREES
 from misstep.mutants.expression import Slip
 
 
@@ -31,6 +31,13 @@ class _DHNumbers(Numbers):
 
     def angle_entries(self) -> NDArray[np.bool_]:
         return np.asarray(self.kinds() == PURE)
+
+    def likeness(self, given: Array, part: int | None) -> Likeness:
+        found = super().likeness(given, part)
+        angles = np.atleast_1d(self.angle_entries()[... if part is None else part])[..., None]
+        is_turned = angles & (np.abs(found.mine) < 4 * np.pi)  # a larger number is in degrees
+        turns = np.where(is_turned, np.round((found.mine - found.right) / (2 * np.pi)), 0)
+        return replace(found, right=found.right + 2 * np.pi * turns.reshape(found.right.shape))
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,9 +64,11 @@ class DHEntriesAnswer(_DHNumbers):
     def resemblance(self, given: Array, part: int | None) -> Named | None:
         if part is None:
             return super().resemblance(given, None)
-        is_angle = self._is_angle(part)
-        if found := _entry_mistake(float(given[part]), float(self.value[part]), is_angle) or self._place(given, part):
+        if found := super().resemblance(given, part):
             return found
+        is_angle = self._is_angle(part)
+        if is_angle and _same_angle(given[part], self.value[part] + np.pi):
+            return "half a turn", "It differs from the right angle by half a turn."
         return ("", LIKE_DEGREES.format(given[part])) if is_angle and not is_plausible_angle(given[part]) else None
 
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
@@ -123,30 +132,13 @@ class DHRowsAnswer(AlikeRows, _DHNumbers):
         return has_a_telling_row(given, right) and (seen is None or seen[0] == "rounded")
 
     def likeness(self, given: Array, part: int | None) -> Likeness:
-        found = super().likeness(given, part)
-        angles = self.angle_entries()[... if part is None else part][..., None]
-        is_turned = angles & (np.abs(found.mine) < 4 * np.pi)  # a larger number is in degrees
-        turns = np.where(is_turned, np.round((found.mine - found.right) / (2 * np.pi)), 0)
-        return replace(found, right=found.right + 2 * np.pi * turns, columns=[symbol(name) for name in COLUMNS])
+        return replace(super().likeness(given, part), columns=[symbol(name) for name in COLUMNS])
 
     def resemblance(self, given: Array, part: int | None) -> Named | None:
-        """Return what is wrong with each wrong entry of a row, if that can be said of all of them, or which columns are wrong."""
+        """Return how the row resembles the right one, or which columns are wrong."""
         if part is None:
             return super().resemblance(given, None)
         wrong = np.flatnonzero(~self.same_entries(given, self.value)[part])
-        seen = {k: _entry_mistake(given[part, k], self.value[part, k], COLUMNS[k] in ANGLE_COLUMNS) for k in wrong}
-        places: dict[Named, list[str]] = {}
-        for k, one in seen.items():
-            if one:
-                places.setdefault(one, []).append(symbol(COLUMNS[k]))
-        if seen and all(seen.values()) and len(places) <= 2:
-            text = " ".join(
-                f"{text[:-1]} of {' and '.join(names)}."
-                if name == "signs"
-                else f"{text}\nLook at {' and '.join(names)}."
-                for (name, text), names in places.items()
-            )
-            return " and ".join(dict.fromkeys(name for name, _ in places)), text
         if found := self.likeness(given, part).resemblance():
             return found
         if len(wrong) < 3:
@@ -159,30 +151,6 @@ class DHRowsAnswer(AlikeRows, _DHNumbers):
 def has_a_telling_row(rows: Array, right: Sequence[bool]) -> bool:
     """Return whether one of the right rows has two numbers that are not 0: wrong methods get others right, too."""
     return any(fine and np.count_nonzero(np.abs(row) > TOLERANCE) > 1 for fine, row in zip(right, rows, strict=True))
-
-
-def _entry_mistake(mine: float, right: float, is_angle: bool) -> Named | None:
-    """Return what is wrong with one entry of a table, if it shows."""
-    cases: tuple[tuple[Any, str, str], ...]
-    if is_angle:
-        cases = (
-            (_same_angle(mine, -right), "signs", "The size is right.\nLook at the sign."),
-            (_same_angle(np.radians(mine), right), "degrees", IN_DEGREES),
-            (_same_angle(np.radians(mine), -right), "an entry in degrees and its sign", IN_DEGREES_WITH_WRONG_SIGN),
-            (abs(mine) <= TOLERANCE, "left out", "This is 0, but the angle is not 0."),
-            (_same_angle(mine, right + np.pi), "half a turn", "It differs from the right angle by half a turn."),
-        )
-    else:
-        cases = (
-            (abs(mine + right) <= TOLERANCE, "signs", "The size is right.\nLook at the sign."),
-            (
-                abs(mine - 1000 * right) <= min(1, 100 * abs(right)),
-                "millimetres",
-                OTHER_UNIT.format("millimetres", "metres"),
-            ),
-            (abs(mine) <= TOLERANCE, "left out", "This is 0, but the length is not 0."),
-        )
-    return next(((name, text) for is_so, name, text in cases if is_so), None)
 
 
 def _has_shape(given: Any, shape: tuple[int, ...]) -> bool:
