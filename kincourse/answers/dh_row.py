@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import permutations
 from typing import Any, ClassVar
 
 import numpy as np
@@ -89,13 +88,6 @@ class DHRowAnswer(DHEntriesAnswer):
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
         """Return whether all but one are right: by a wrong method, both lengths or both angles are."""
         return sum(right) >= len(right) - 1
-
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        for order in list(permutations(range(4)))[1:] if part is None else ():
-            if all(self.same_entries(given, self.value[list(order)])) and len(set(np.round(self.value, 3))) == 4:
-                theirs, ours = (", ".join(symbol(COLUMNS[k]) for k in ks) for ks in (order, range(4)))
-                return "order of the numbers", f"Your numbers are in the order {theirs}. Give them in the order {ours}."
-        return super().resemblance(given, part)
 
 
 @dataclass(frozen=True, eq=False)

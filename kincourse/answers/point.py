@@ -7,10 +7,9 @@ from typing import Any
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Named
 from misstep.answers.likeness import Likeness, entries_hint
-from misstep.answers.number import Numbers, scale_of
+from misstep.answers.number import Numbers
 
 XYZ = ("$x$", "$y$", "$z$")
 
@@ -56,23 +55,7 @@ class VectorsAnswer(Numbers):
         row = self._place(given, part)
         if found := self.likeness(given, part).resemblance() or (row if row and row[0] == "another row" else None):
             return found
-        if self.unit and self.names:
-            for k, name in enumerate(self.names[:part]):
-                for text, right in (
-                    (f"This is the difference to {name}.", self.value[part] - self.value[k]),
-                    (f"This is the sum of the rows from {name} on.", self.value[k : part + 1].sum(axis=0)),
-                ):
-                    if np.allclose(given[part], right, rtol=TOLERANCE, atol=TOLERANCE):
-                        return "another origin", f"{text} It is measured from another point."
-        if self.check(given, part):
-            return "not a unit vector", "This is not a unit vector."
-        piece = self.part_indices()[part]
-        if hint := entries_hint(self.same_entries(given, self.value)[piece], XYZ):
-            return hint
-        mine, right = given[piece], self.value[piece]
-        off = np.abs(np.sort(np.abs(mine)) - np.sort(np.abs(right)))
-        is_alike = off.max() <= TOLERANCE * max(scale_of(right), np.abs(right).max())
-        return ("", ORDER_OR_SIGNS) if is_alike else None
+        return entries_hint(self.same_entries(given, self.value)[self.part_indices()[part]], XYZ)
 
     def _steps(self, given: Array) -> Named | None:
         if not self.unit or np.ndim(self.value) < 2:

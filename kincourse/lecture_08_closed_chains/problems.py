@@ -28,7 +28,6 @@ from kinlib.arrays.validation import Array
 from kinlib.mechanisms import linkages
 from kinlib.view.figures.linkage import draw_linkage
 from misstep.answers.angle import Angles
-from misstep.answers.base import Named
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
@@ -409,16 +408,6 @@ class CountsAnswer(Numbers):
     """Named integers, shape (k,); each is a part."""
 
     names: Sequence[str] = ()
-
-    def seen(self, given: Array, part: int | None) -> Named | None:
-        """Return whether all are 1. A single 1 is a count like any other, and so is 0, even three times."""
-        if part is not None or (given != 1).any() or all(self.agrees(given, self.value)):
-            return None
-        return "placeholder", "All three numbers are 1, but each of them is found in its own way."
-
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        """Return nothing of the whole: counts that are equal to others are no order."""
-        return None if part is None else super().resemblance(given, part)
 
     @property
     def expected(self) -> str:

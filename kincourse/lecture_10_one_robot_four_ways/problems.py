@@ -12,7 +12,6 @@ import numpy as np
 
 from kincourse.answers.dh_row import DHRowsAnswer
 from kincourse.answers.point import VectorsAnswer
-from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.links import link
 from kincourse.expressions.poses import inverse
@@ -35,11 +34,10 @@ from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import inverse as inverted
 from kinlib.rigid.rpy import roll_pitch_yaw
 from misstep.answers.angle import Angles
-from misstep.answers.base import AlikeRows, Named
+from misstep.answers.base import AlikeRows
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
-from misstep.diagnosis.explanation import explain
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import Expression, given, product
@@ -196,18 +194,6 @@ class OriginsAnswer(AlikeRows, Numbers):
     @property
     def parts(self) -> Sequence[str]:
         return [*(f"the origin of joint {i}" for i in range(1, len(self.value))), "the origin of the tool"]
-
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        """Return what is to be said of this pose alone."""
-        if part is None:
-            return super().resemblance(given, None)
-        pose = PoseAnswer(self.value[part])
-        wrong = [k for k, is_right in enumerate(pose.agrees(given[part], pose.value)) if not is_right]
-        found = explain(Problem("", pose), given[part], wrong)
-        told = [f"{name.capitalize()}: {one.message}" for one in found for name in one.parts]
-        if len(found) == 1 and (found[0].is_whole or len(found[0].parts) > 1):
-            told = [found[0].message]
-        return (" and ".join(one.mistakes[0].name for one in found), " ".join(told)) if found else None
 
 
 def misread_origins(T: Array) -> Iterator[tuple[str, Array, str]]:
