@@ -1,11 +1,17 @@
-"""Each lecture has one folder with its files beside its notebook, and the lists of lectures name all of them."""
+"""Each lecture has one folder with its files and its picture, and the lists of lectures and the page Sources name what there is."""
 
+import json
+import re
 from pathlib import Path
 
+import pytest
+
 from kincourse import COURSE, sheets
+from kincourse.still_pictures import first_picture, on_paper
 from kincourse.table_of_lectures import fill_home_page, lectures, table_rows
 
 ROOT = Path(__file__).parents[2]
+NOTEBOOKS = ROOT / "notebooks"
 
 
 def test_a_lecture_has_its_files_and_its_notebooks():
@@ -31,3 +37,24 @@ def test_the_home_page_lists_every_lecture_twice_and_every_sheet():
         assert f"](lectures/{lecture.name}.ipynb) | {lecture.question} |" in table
         assert f"\n{lecture.number} {lecture.title} <lectures/{lecture.name}>\n" in navigation
         assert (f"](sheets/{lecture.name}.ipynb) |" in table) == bool(lecture.problems)
+
+
+def sources(name):
+    return ["".join(cell["source"]) for cell in json.loads((NOTEBOOKS / f"{name}.ipynb").read_text("utf-8"))["cells"]]
+
+
+def test_each_section_that_the_page_sources_names_for_an_item_exists():
+    places = re.findall(r"\[\d\d[a-z]?\]\((\w+)\.ipynb\) ([^;|]+)", sources("sources")[-1])
+    lines = {name: "\n".join(sources(name)).splitlines() for name, _ in places}
+    assert len(places) > 59
+    assert [(name, title) for name, title in places if f"## {title.strip()}" not in lines[name]] == []
+
+
+@pytest.mark.parametrize("lecture", COURSE.lectures)
+def test_the_picture_below_the_title_and_its_text_are_up_to_date(lecture):
+    picture = first_picture(lecture)
+    drawing = NOTEBOOKS / "pictures" / f"{lecture}.svg"
+    assert drawing.read_text("utf-8") == on_paper(picture), "Run: kincourse pictures"
+    assert drawing.stat().st_size < 40_000
+    alt = picture.alt.removeprefix(f"{picture.caption} ")
+    assert f"![{alt}](pictures/{lecture}.svg)\n" in sources(lecture)[0], "Run: kincourse pictures"
