@@ -125,7 +125,7 @@ class ScrewsAnswer(AlikeRows, Numbers):
             (
                 rotates and not turns,
                 "omega for a translation",
-                "This is a translation: $\\omega$ is 0, and the direction is in $v$.",
+                "For a translation $\\omega$ is 0, and $v$ its direction.",
             ),
             (
                 same[:3].all(),
@@ -133,11 +133,7 @@ class ScrewsAnswer(AlikeRows, Numbers):
                 "$\\omega$ is right, so the axis has the right direction. It passes through other points.",
             ),
             (turns and is_parallel, "another line", "The axis is parallel to the right one, but it lies elsewhere."),
-            (
-                turns,
-                "another axis",
-                "$\\omega$ is not right. Begin with the direction of the axis; the moment depends on it.",
-            ),
+            (turns, "another axis", "$\\omega$ is not right. Begin with the direction: $v$ depends on it."),
         )
         wrong = [name for name, fine in zip(ENTRY_NAMES, same, strict=True) if not fine]
         where = f"\nLook at {' and '.join(wrong)}." if len(wrong) < 3 else ""

@@ -48,16 +48,9 @@ def configuration_in_radians(_draw: ArmSampler) -> Problem:
         answer=Numbers(q.value, unit="radians"),
         solution=q.mistaken_for(
             ("signs left out", "leave out the minus signs", np.abs(q.value), POSITIVE_ROTATION),
-            (
-                "offset added",
-                "add the offset $\\pi/2$ of the DH table to joint 4",
-                q.value + np.array([0, 0, 0, np.pi / 2, 0]),
-            ),
+            ("offset added", "add the offset of the DH table to joint 4", q.value + np.array([0, 0, 0, np.pi / 2, 0])),
             ("turns", "give fractions of a full turn", degrees / 360),
             ("degrees", "give degrees", degrees, "`arm.fk` takes the numbers as radians, and reports no error."),
         ),
-        advice={
-            "offset added": offset,
-            "turns": "A full turn is $2\\pi$ radians, so 90 degrees are $\\pi/2$.",
-        },
+        advice={"offset added": offset, "turns": "A full turn is $2\\pi$ radians, so 90 degrees are $\\pi/2$."},
     )

@@ -124,21 +124,13 @@ def grasp(_draw: ArmSampler) -> Problem:
         answer=PoseAnswer(T_sg),
         solution=pose("T_{sg}", T_sg).mistaken_for(
             ("origin at the bolt", "put the origin of {g} at the bolt", with_position(T_sg, bolt)),
-            (
-                "beyond the bolt",
-                "put the origin of {g} 0.1 m beyond the bolt",
-                with_position(T_sg, bolt + 0.1 * approach),
-            ),
+            ("beyond the bolt", "put {g} 0.1 m beyond the bolt", with_position(T_sg, bolt + 0.1 * approach)),
             (
                 "away from the bolt",
                 "let the $z$ axis of {g} point away from the bolt",
                 frame((Z, -across, -approach), bolt - 0.1 * approach),
             ),
-            (
-                "half a turn",
-                "let the $x$ axis of {g} point down",
-                frame((-Z, -across, approach), bolt - 0.1 * approach),
-            ),
+            ("half a turn", "let the $x$ of {g} point down", frame((-Z, -across, approach), bolt - 0.1 * approach)),
         ),
         advice={
             "origin at the bolt": "The fingertips are at the bolt, and the origin of {g} is 0.1 m before them.",

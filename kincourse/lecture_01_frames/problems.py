@@ -376,12 +376,7 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
         f"$$T_{{sb}} = {matrix(T)}$$",
         further="Exchange *own* and *fixed* in both motions. When is the result the same?",
         figure=partial(draw_frames, {"s": np.eye(4), "b": T}, arrows=False),
-        given={
-            "T_sb": T,
-            "axis": np.eye(3)[k],
-            "degrees": degrees,
-            "shift": far * np.eye(3)[along],
-        },
+        given={"T_sb": T, "axis": np.eye(3)[k], "degrees": degrees, "shift": far * np.eye(3)[along]},
         shown={"own": "turn" if turn_is_own else "shift"},
         answer=PoseAnswer(moved),
         advice=dict.fromkeys(("order", "first factor", "last factor", "reversed"), LEFT_OR_RIGHT)

@@ -71,16 +71,8 @@ def long_axis(_draw: ArmSampler) -> Problem:
     undivided = v.mistaken_for(("v not divided", "divide $\\omega$ by its length, but not $v$", 2 * v_0, ONE_MOTION))
     T = assemble(rotation_exp(omega, theta), position_exp(omega, undivided, theta))
     T = T.mistaken_for(
-        (
-            "angle kept",
-            "divide $S$ by $|\\omega|$ without changing $\\theta$",
-            exp(np.array([*w / 2, *v_0 / 2]) * angle),
-        ),
-        (
-            "angle kept",
-            "divide $\\omega$ by $|\\omega|$ without changing $\\theta$",
-            exp(np.array([*w / 2, *v_0]) * angle),
-        ),
+        ("angle kept", "divide $S$ by $|\\omega|$, and keep $\\theta$", exp(np.array([*w / 2, *v_0 / 2]) * angle)),
+        ("angle kept", "divide $\\omega$ by $|\\omega|$, and keep $\\theta$", exp(np.array([*w / 2, *v_0]) * angle)),
     )
     return Problem(
         statement="Give $e^{[S]\\theta}$ for $\\omega = (0, 0, 2)$, $v = (1, 0, 0)$, $\\theta = \\pi/4$.",

@@ -258,12 +258,7 @@ def where_the_origin_goes(sampler: ArmSampler) -> Problem:
                 p + R_p,
                 "The point $p$ stays where it is, so $p$ is $R\\,p$ plus the column.",
             ),
-            (
-                "p itself",
-                "write the point of the joint",
-                p,
-                "The column is the place to which the origin of {s} moves.",
-            ),
+            ("p itself", "write the point of the joint", p, "The column is where the origin of {s} moves."),
         )
 
     told = ", ".join(str(entry) for entry in place)

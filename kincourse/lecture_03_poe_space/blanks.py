@@ -74,11 +74,7 @@ def youbot_wrist(_draw: ArmSampler) -> Problem:
 def youbot_home(_draw: ArmSampler) -> Problem:
     tip, wrist = youbot().home[:3, 3], youbot().joint_points[3]
     R = columns(direction("x", Z), given("y", -Y), direction("z", X)).mistaken_for(
-        (
-            "left-handed",
-            "take the $y$ of {s} as the $y$ of {b}, which makes a left-handed frame",
-            np.column_stack([Z, Y, X]),
-        )
+        ("left-handed", "take the $y$ of {s} as the $y$ of {b}, a left-handed frame", np.column_stack([Z, Y, X]))
     )
     p = given("p", tip).mistaken_for(
         ("at the wrist", "stop at joint 4", wrist, "The frame {b} is at the tip, 0.2175 m further."),

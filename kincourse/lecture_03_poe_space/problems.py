@@ -219,22 +219,16 @@ def which_order(sampler: ArmSampler) -> Problem:
                 "reversed": ((names[::-1], ()), f"The joints are in the reverse order. {JOINT_ORDER_ADVICE}"),
                 "by the alphabet": (
                     (sorted(names), ()),
-                    "The joints are in alphabetical order. Order them from the floor to the tool.",
+                    "The joints are in alphabetical order. Go from the floor to the tool.",
                 ),
-                "as listed": (
-                    (told, ()),
-                    "The joints are in the order in which they are listed. Order them from the floor to the tool.",
-                ),
+                "as listed": ((told, ()), "The joints are in the order of the list. Go from the floor to the tool."),
                 "as listed, reversed": (
                     (told[::-1], ()),
-                    "The joints are in the reverse order of the list. Order them from the floor to the tool.",
+                    "The joints are in the reverse order of the list. Go from the floor to the tool.",
                 ),
             },
             {
-                "home first": (
-                    0,
-                    "You put $M$ first. With space screws it is last, because it acts on the tool first.",
-                ),
+                "home first": (0, "You put $M$ first. With space screws it is last: it acts on the tool first."),
                 "home in the middle": (2, "You put $M$ in the middle. With space screws it is last."),
             },
         ),
@@ -270,10 +264,7 @@ def camera_on_a_link(sampler: ArmSampler) -> Problem:
         given={"screws": robot.screws, "camera_home": camera, "q": q},
         shown={"link": k},
         answer=PoseAnswer(T),
-        advice={
-            "reversed": JOINT_ORDER_ADVICE,
-            "first factor": "$M$ acts on the camera first, so it is the last factor.",
-        },
+        advice={"reversed": JOINT_ORDER_ADVICE, "first factor": "$M$ acts on the camera first, so it is last."},
     )
 
 

@@ -203,7 +203,7 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
     T = T.mistaken_for(
         (
             "sides swapped",
-            "put the factors of {b} to the left of $M$, and those of {s} to its right",
+            "put the factors of {b} to the left of $M$, those of {s} to its right",
             product(*e[k:], home, *e[:k]),
         )
     )
@@ -279,12 +279,7 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
         ("joint values reversed", "use the joint values in the reverse order", robot.body_jacobian(q[::-1]) @ qdot, ""),
         ("rates left out", "add up the columns without the rates", robot.body_jacobian(q).sum(axis=1)),
         *(
-            (
-                "one column",
-                f"give column {i} alone",
-                robot.body_jacobian(q)[:, i - 1],
-                "Every joint that moves adds its column.",
-            )
+            ("one column", f"give column {i} alone", robot.body_jacobian(q)[:, i - 1], "Every joint adds its column.")
             for i in (1, 2, 3)
         ),
         ("joints before", "move each axis by the joints before it", Chain(B, robot.home).jacobian(q) @ qdot),

@@ -27,12 +27,7 @@ BENT_CONFIGURATION = np.array([0, 0, RIGHT_ANGLE_RAD, -np.pi / 4, -np.pi / 4])
 """Joint values in radians. With q_4 = -pi/2, theta_4 would be 0, and A_4 the same in both conventions."""
 
 
-@problem(
-    "05.a",
-    "Row 4 of the youBot, read from its frames",
-    points=1,
-    lecture="05_dh_standard#Reading a table off a drawing",
-)
+@problem("05.a", "Row 4 of the youBot", points=1, lecture="05_dh_standard#Reading a table off a drawing")
 def row_4(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Read row 4 of the youBot from the drawn frames: $a_4, \\alpha_4, d_4$ and $\\theta_4$ at $q = 0$.",
@@ -70,12 +65,7 @@ def pose_in_the_drawn_configuration(_draw: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "05.d",
-    "Row 2 of the youBot, read from its frames",
-    points=1,
-    lecture="05_dh_standard#Reading a table off a drawing",
-)
+@problem("05.d", "Row 2 of the youBot", points=1, lecture="05_dh_standard#Reading a table off a drawing")
 def row_2(_draw: ArmSampler) -> Problem:
     row = dh_row(*YOUBOT.rows[1])
     for name, text, wrong, advice in (
@@ -91,12 +81,7 @@ def row_2(_draw: ArmSampler) -> Problem:
     )
 
 
-@problem(
-    "05.e",
-    "Row 5 of the youBot, read from its frames",
-    points=1,
-    lecture="05_dh_standard#Reading a table off a drawing",
-)
+@problem("05.e", "Row 5 of the youBot", points=1, lecture="05_dh_standard#Reading a table off a drawing")
 def row_5(_draw: ArmSampler) -> Problem:
     row = dh_row(*YOUBOT.rows[4])
     for name, text, wrong, advice in (

@@ -150,37 +150,17 @@ def offsets(sampler: ArmSampler) -> Problem:
     # The first offset, and the middle one of a reversed list, come out right by these wrong methods too.
     spoiled = c.mistaken_for(
         ("measured from the base", "measure every link from $x_0$", stack(h1, h2, h3), OFFSETS_ADVICE),
-        (
-            "added up",
-            "add up the angles",
-            stack(h1, h1 + h2, h1 + h2 + h3),
-            "They are measured from $x_0$, so they are sums already.",
-        ),
+        ("added up", "add up the angles", stack(h1, h1 + h2, h1 + h2 + h3), "They are sums already."),
         ("inner angles", "give the inner angles between the links", np.pi - c, "$\\theta_i$ is 0 for a straight arm."),
         ("reversed", "list the offsets from the last joint to the first", c[::-1]),
         spoils=True,
     )
     c = spoiled.mistaken_for(
-        (
-            "sign",
-            "measure backwards, from $x_i$ to $x_{i-1}$",
-            -c,
-            "Anticlockwise is positive: $z$ points towards you.",
-        ),
-        (
-            "measured to the next link",
-            "take the differences to the next link",
-            stack(h1 - h2, h2 - h3, h3),
-            OFFSETS_ADVICE,
-        ),
+        ("sign", "measure backwards, from $x_i$ to $x_{i-1}$", -c, "Anticlockwise is positive here."),
+        ("measured to the next link", "subtract the next link", stack(h1 - h2, h2 - h3, h3), OFFSETS_ADVICE),
         ("x across the link", "take $x_i$ perpendicular to link $i$", c + ACROSS, "$x_i$ runs along link $i$."),
         ("x across the link", "take $x_i$ perpendicular to link $i$", c - ACROSS, "$x_i$ runs along link $i$."),
-        (
-            "no offset",
-            "leave out all offsets",
-            0 * c,
-            "$\\theta_i$ is the angle between two $x$ axes, also at $q_i = 0$.",
-        ),
+        ("no offset", "leave out all offsets", 0 * c, "$\\theta_i$ is the angle of two $x$ axes, also at $q_i = 0$."),
     )
     return Problem(
         statement="All joint axes of this planar arm point towards you, and $x_i$ runs along link $i$. The manufacturer defines the "

@@ -117,10 +117,7 @@ class WristAnglesAnswer(Remarking, EulerAnglesAnswer):
         if abs(np.cos(mine) - np.cos(right)) > TOLERANCE:
             return "another theta_5", "No solution has this $\\theta_5$."
         if part == 0:
-            return (
-                "theta_4 and theta_6",
-                "Your $\\theta_5$ is possible, but not with these $\\theta_4$ and $\\theta_6$.",
-            )
+            return ("theta_4 and theta_6", "Your $\\theta_5$ is possible, but not with your other angles.")
         return "the sum of theta_4 and theta_6", (
             "Your $\\theta_5$ is right. Axes 4 and 6 are collinear there, so $R_2$ determines only $\\theta_4 + \\theta_6$, "
             "and your sum is wrong."

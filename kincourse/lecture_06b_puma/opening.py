@@ -55,9 +55,6 @@ def opening() -> Film:
             (2.7, "A wrist has three joints. Joint 4 rotates."),
             (2.5, "Joint 5 rotates, and carries joint 6 with it."),
             (2.3, "Joint 6 rotates. The three axes always meet in the same point."),
-            (
-                4.0,
-                "All three rotate together. What can they change, and what must the arm before them do?",
-            ),
+            (4.0, "All three rotate together. What can they change, and what must the arm before them do?"),
         ],
     )

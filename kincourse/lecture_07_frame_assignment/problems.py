@@ -443,7 +443,7 @@ def leg(sampler: ArmSampler) -> Problem:
         (
             "marks for feet",
             np.array([hip, roll]),
-            "Your points are the marks of joints 1 and 2, and not the feet of the normals.",
+            "Your points are the marks of joints 1 and 2, and no feet of normals.",
         ),
         ("origins swapped", origins[::-1], "The two origins are swapped: O_1 is on axis 2, O_2 on axis 3."),
     ]

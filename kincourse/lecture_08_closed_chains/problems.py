@@ -345,7 +345,7 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
             mistake(
                 "order of the numbers",
                 [finite, infinitesimal, count],
-                "These numbers are in the reverse order.",
+                "They are in the reverse order.",
                 spoils=True,
             ),
             *(mistake(name, value, text, text) for name, value, text in wrong),

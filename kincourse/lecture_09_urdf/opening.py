@@ -32,10 +32,7 @@ def opening() -> Film:
     return film(
         draw,
         [
-            (
-                grown,
-                "A file has one line for each joint: six numbers, which place its frame in the frame before.",
-            ),
+            (grown, "A file has one line for each joint: six numbers, which place its frame in the frame before."),
             (1.5, "All lines are read, and the arm is complete."),
             (3.0, "Now a single number in the file is changed, and no program complains. Which line was it?"),
         ],

@@ -429,11 +429,7 @@ def gantry(sampler: ArmSampler) -> Problem:
     drawn = [DrawnAxis(str(i), w, p, slides=True) for i, w, p in zip((1, 2, 3), axes, points, strict=False)]
     wrong = [
         ("in the base", points, "Every xyz is in the frame of the base. In a file it is in the frame of the parent."),
-        (
-            "opposite direction",
-            -steps,
-            "Every xyz leads from the child to its parent. It leads from the parent to the child.",
-        ),
+        ("opposite direction", -steps, "Every xyz leads from the child to the parent."),
         ("steps shifted", np.roll(steps, -1, axis=0), "Each row has the step of the next joint."),
         *(
             (name, np.diff(np.array([np.zeros(3), *value]), axis=0), text)

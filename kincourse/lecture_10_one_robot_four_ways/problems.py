@@ -113,20 +113,14 @@ def joint_origin(sampler: ArmSampler) -> Problem:
     here, there = sampler.point(4) / 10, sampler.point(4) / 10
     R = rpy_rotation("R", radians(given("\\mathrm{rpy}", np.array(degrees))))
     step = (given("p_2", there) - given("p_1", here)).named("(p_2 - p_1)")
-    step = step.mistaken_for(
-        ("order", "take the vector from joint 2 to joint 1", here - given("p_2", there)),
-    )
+    step = step.mistaken_for(("order", "take the vector from joint 2 to joint 1", here - given("p_2", there)))
     xyz = R.T @ step
     for name, text, place in (
         ("from the base", "give the position of joint 2 in {s}", there),
         ("another joint", "give the position of joint 1", here),
         ("rotated and not moved", "multiply the position of joint 2 by $R$", R @ there),
         ("order", "rotate the position of joint 2 before subtracting that of joint 1", R.T @ there - here),
-        (
-            "placed by joint 1",
-            "treat the position of joint 2 as if it were given in the frame of joint 1",
-            here + R @ there,
-        ),
+        ("placed by joint 1", "take the position of joint 2 as given in the frame of joint 1", here + R @ there),
     ):
         advice = "The `xyz` of joint 2 has its components in the frame of joint 1. The problem gives the position of joint 2 in {s}."
         xyz = xyz.mistaken_for((name, text, place, advice))
@@ -204,11 +198,7 @@ def misread_origins(T: Array) -> Iterator[tuple[str, Array, str]]:
     yield "inverse", inverted(T), "Every pose is the inverse: the parent seen from the child."
     yield "rotation transposed", transposed, "In every origin, the rotation is the transpose of the right one."
     yield "no rpy", straight, "Every xyz is right, and every rpy is left at 0."
-    yield (
-        "rotation left out",
-        moved,
-        "Every xyz is in the axes of {s}. It is wanted in those of the frame of the parent.",
-    )
+    yield ("rotation left out", moved, "Every xyz is in the axes of {s}. It is wanted in those of the parent.")
     yield "in the base", in_base, "Every pose is in the frame of the base. An origin is in the frame of the parent."
 
 

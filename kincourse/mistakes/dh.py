@@ -71,12 +71,7 @@ def slips_of_table(right: DHTable) -> list[Slip]:
         )
     if rows[:, 3].any():
         changes.append(
-            (
-                "sign of theta",
-                "Every $\\theta_i$ is negated, together with its $q_i$.",
-                rows * (1, 1, 1, -1),
-                -right.signs,
-            )
+            ("sign of theta", "Every $\\theta_i$ is negated, with its $q_i$.", rows * (1, 1, 1, -1), -right.signs)
         )
     found = []
     for name, text, changed, signs in changes:

@@ -37,11 +37,7 @@ def is_readable(points: Iterable[Array]) -> bool:
 
 def misread(points: Array) -> Iterator[tuple[str, Array, str]]:
     """Yield how people misread points (k, 3) in a drawing: the name, the wrong points, and what is true of them."""
-    yield (
-        "views swapped",
-        points[:, [0, 2, 1]],
-        "y and z are swapped. The top view shows x and y, the front view x and z.",
-    )
+    yield ("views swapped", points[:, [0, 2, 1]], "y and z are swapped. Only the front view shows z.")
     yield "depth reversed", points * (1, -1, 1), "Every y has the wrong sign. In the top view, y is up."
     yield "another origin", points - points[0], "Your points are measured from the first of them, and not from {s}."
     steps = np.array([_last_steps(points[:, k]) for k in range(3)]).T
