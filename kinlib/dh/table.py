@@ -391,8 +391,14 @@ def _read(given: Any, lengths: Mapping[str, float] | None, joints: str, conventi
     """Read rows in any form: the numbers, the letters, the signs, and base and tool if the text has them."""
     if not isinstance(lengths or {}, Mapping):
         raise ValueError(f"lengths must be a dictionary such as {{'l2': 0.5}}; got {validation.describe(lengths)}.")
-    is_listed = isinstance(given, Sequence) and any(isinstance(row, Mapping) for row in given)
-    if not isinstance(given, str) and not is_listed:
+    if isinstance(given, Sequence) and any(isinstance(row, Mapping) for row in given):
+        cells = [[row.get(name) if isinstance(row, Mapping) else None for name in COLUMNS] for row in given]
+        if missing := [k for k, row in enumerate(cells, start=1) if None in row]:
+            raise ValueError(
+                f"Each row must have all of {', '.join(COLUMNS)}, 0 where one is empty; row {missing[0]} does not."
+            )
+        given = "\n".join(" | ".join(map(str, row)) for row in [COLUMNS, *cells])
+    if not isinstance(given, str):
         numbers = validation.vectors(cast("ArrayLike", given), "rows", 4)
         if numbers.ndim != 2 or not len(numbers):
             raise ValueError(
