@@ -8,13 +8,13 @@ up to choices that are fixed is explained by these choices, and what nothing exp
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
+from kinlib.arrays import validation
 from kinlib.arrays.formatting import format_number
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD
 from kinlib.arrays.validation import Array
@@ -31,8 +31,7 @@ from kinlib.dh.explanation.search import (
 )
 from kinlib.dh.parsing import COLUMNS, MIN_LENGTH_MM
 from kinlib.dh.slips import NUMBERS, SLIPS_OF_A_TABLE, Fault, wrong_number
-from kinlib.dh.table import Convention, DHTable
-from kinlib.urdf.chains import load_urdf
+from kinlib.dh.table import DHTable
 
 MAX_TOLD, MAX_DIFFERENT_ENTRIES = 3, 8
 """How many equally simple explanations the text lists, and how many different entries."""
@@ -150,18 +149,16 @@ class Diagnosis:
 
 
 def diagnose(
-    table: Any,
-    reference: Any,
+    table: DHTable,
+    reference: Chain | DHTable,
     fixed: Collection[str] = (),
     *,
-    convention: Convention | None = None,
     tolerance: float | None = None,
     in_pairs: bool = True,
 ) -> Diagnosis:
     """Find the mistakes in a table, given the arm that it is meant to describe.
 
-    table      a DHTable; or its rows, as DHTable takes them, with `convention`
-    reference  the arm: a chain, the path or the text of a URDF file, or another table
+    reference  the arm: a chain, or another table
     fixed      what may not differ: any of "base", "tool", "zeros" and "signs". By default a table is right if it has the motions
                of the arm up to these four choices; with all four it is right only if its poses are those of the arm
     tolerance  how far the poses of a right table may be off, in metres and radians. By default 1e-8, and a table is not accused
@@ -177,13 +174,8 @@ def diagnose(
     >>> print(diagnose(printed.changed(convention="standard"), puma560()))
     The table is in the modified convention, but was read as standard.
     """
-    table, reference = _table_or_arm(table, convention), _table_or_arm(reference, convention)
-    if not isinstance(table, DHTable) or not isinstance(reference, Chain | DHTable):
-        order = " They seem to be swapped." if isinstance(reference, DHTable) else ""
-        raise ValueError(
-            "diagnose takes a DHTable, or rows and convention=..., and the arm that it should describe, diagnose(table, arm); "
-            f"got {type(table).__name__} and {type(reference).__name__}.{order}"
-        )
+    validation.instance(table, "table", DHTable)
+    validation.instance(reference, "reference", Chain, DHTable)
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
     if table.n != arm.n:
         raise ValueError(
@@ -217,13 +209,6 @@ def diagnose(
     if rounding == "possible" and not is_usual:
         return replace(found, verdict="undecided")
     return found if explanations or not in_pairs else _with_nearest(found, fixed, half, noise)
-
-
-def _table_or_arm(given: Any, convention: Convention | None) -> Any:
-    """Read the path or the text of a URDF file as a chain, and rows as a table."""
-    if isinstance(given, os.PathLike) or (isinstance(given, str) and (given.endswith(".urdf") or "<robot" in given)):
-        return load_urdf(given)
-    return given if convention is None or isinstance(given, DHTable | Chain) else DHTable(given, convention=convention)
 
 
 def _judge_rounding(

@@ -187,8 +187,8 @@ def _hint(text: str, column: str, error: Exception) -> str:
         return f"The decimal sign is a point: write {comma[1] or 0}.{comma[2]}"
     if isinstance(error, KeyError):
         name = error.args[0]
-        variable = f"If {name} is the joint variable, write q{re.sub(r'[^0-9]', '', name)}; if not, give"
-        return f"{variable if column in ('d', 'theta') else 'Give'} lengths={{{name!r}: ...}}"
+        variable = f"If {name} is the joint variable, write q{re.sub(r'[^0-9]', '', name)}; if not, write"
+        return f"{variable if column in ('d', 'theta') else 'Write'} its value in a line above the table, {name} = 0.3"
     return "Try 0.5, pi/2, q1 + pi/2 or -90°"
 
 

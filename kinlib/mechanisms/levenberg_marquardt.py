@@ -58,19 +58,21 @@ def solve(equations: Equations, guess: Array, tolerance: float, iterations: int 
         x[taken] += dx[better]
         r[taken], J[taken], size[taken] = r_new[better], J_new[better], np.linalg.norm(r_new[better], axis=-1)
         mu[k] = np.where(better, np.maximum(mu[k] / 4, 1e-8), mu[k] * 4)
-        moves = np.linalg.norm(dx, axis=-1) > 1e-12 * (1 + np.linalg.norm(x[k], axis=-1))  # at a minimum they shrink to 0
+        moves = np.linalg.norm(dx, axis=-1) > 1e-12 * (
+            1 + np.linalg.norm(x[k], axis=-1)
+        )  # at a minimum they shrink to 0
         active[k] = (size[k] > tolerance) & moves
     return Solution(x, size, J)
 
 
 def validate_solution(equations: Equations, x: Array, tolerance: float) -> Array:
     """Return the Jacobian (e, n) at a point (n,) that the caller passes as a solution; ValueError if it is none."""
-    r, J = equations(x[None])
+    r, (J,) = equations(x[None])
     if (residual := np.linalg.norm(r)) > START_TOL_FACTOR * tolerance:
         raise ValueError(
             f"The linkage must be closed here; the residual is {residual:.2g}. Assemble it first, and pass the q that you get."
         )
-    return J[0]
+    return np.asarray(J)
 
 
 def null_space(J: Array) -> tuple[Array, Array]:
