@@ -235,13 +235,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         steps = {each.name: each.origin @ exp(each.screw * values[..., i, None]) for i, each in enumerate(joints)}
         root = np.eye(4) if base is None else validation.poses(base, "base")
         free = self._validate_joint_poses(joint_poses or {})
-        try:
-            shape = np.broadcast_shapes(values.shape[:-1], root.shape[:-2], *(T.shape[:-2] for T in free.values()))
-        except ValueError as error:
-            raise ValueError(
-                f"q, base and joint_poses must have the same number of configurations, or one; got q of shape {q.shape} and "
-                f"poses of shape {', '.join(str(T.shape) for T in (root, *free.values()))}."
-            ) from error
+        shape = np.broadcast_shapes(values.shape[:-1], root.shape[:-2], *(T.shape[:-2] for T in free.values()))
         found = {self.root: np.broadcast_to(root, (*shape, 4, 4)).copy()}
         for _, link, _ in self._descendants(self.root):
             if joint := self.parent_joints.get(link):
@@ -407,14 +401,14 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
 
     def _several_ends(self, base: str, tips: list[str]) -> str:
         """Say which links could be the end of an arm on a base."""
-        choices = "Pass a base with a moving joint below it."
+        choices = "Choose a base with a moving joint below it."
         if tips:
             paths = [[joint.child for joint in reversed(self._ancestors(tip))] for tip in tips]
             shared = [same[0] for same in zip(*paths, strict=False) if len(set(same)) == 1]
             before = f", or {shared[-1]}, from which they branch off" if shared and shared[-1] != base else ""
             counts = [sum(joint.moves for joint, _ in self.path(base, tip)) for tip in tips]
             named = (f"{tip} ({count} joint{'s'[: count != 1]})" for tip, count in zip(tips, counts, strict=True))
-            choices = f"Pass tip=..., one of {', '.join(named)}{before}."
+            choices = f"Choose the tip, one of {', '.join(named)}{before}."
         return f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
 
     def _validate_joint_poses(self, given: Mapping[str, ArrayLike]) -> dict[str, Array]:
