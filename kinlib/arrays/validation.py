@@ -267,25 +267,18 @@ class ReadOnly:
     """A frozen dataclass that is equal to another one with equal fields."""
 
     def __eq__(self, other: object) -> bool:
-        return _comparable(self) == _comparable(other) if type(other) is type(self) else NotImplemented
+        return self._key() == other._key() if isinstance(other, type(self)) else NotImplemented
 
     def __hash__(self) -> int:
-        return hash(_comparable(self))
+        return hash(self._key())
 
     def _fields(self) -> dict[str, Any]:
         return {each.name: getattr(self, each.name) for each in fields(self) if each.init}  # type: ignore[arg-type]
 
-
-def _comparable(value: Any) -> Any:
-    """Convert a value to one that can be compared and hashed: arrays to their shape and their numbers."""
-    if isinstance(value, ReadOnly):
-        compared = [each.name for each in fields(value) if each.compare]  # type: ignore[arg-type]
-        return type(value), *(_comparable(getattr(value, name)) for name in compared)
-    if isinstance(value, np.ndarray):
-        return value.shape, tuple(value.ravel().tolist())
-    if isinstance(value, Mapping):
-        return frozenset((key, _comparable(each)) for key, each in value.items())
-    return tuple(map(_comparable, value)) if isinstance(value, tuple | list) else value
+    def _key(self) -> tuple[Any, ...]:
+        """The fields that are compared, arrays as their shape and their bytes."""
+        values = [getattr(self, each.name) for each in fields(self) if each.compare]  # type: ignore[arg-type]
+        return tuple((x.shape, (x + 0.0).tobytes()) if isinstance(x, np.ndarray) else x for x in values)
 
 
 def describe(x: Any) -> str:

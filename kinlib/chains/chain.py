@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property, reduce
 from itertools import accumulate
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -58,20 +58,6 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
     limits: Array | None = None
     joint_names: tuple[str, ...] = ()
     link_names: tuple[str, ...] = ()
-
-    if TYPE_CHECKING:  # the constructor takes lists, too, and the attributes are arrays
-
-        def __init__(  # noqa: PLR0917 - as the fields above
-            self,
-            screws: ArrayLike,
-            home: ArrayLike,
-            points: ArrayLike | None = None,
-            name: str = "arm",
-            source: str = "",
-            limits: ArrayLike | None = None,
-            joint_names: tuple[str, ...] = (),
-            link_names: tuple[str, ...] = (),
-        ) -> None: ...
 
     def __post_init__(self) -> None:
         screws = axes(self.screws, "screws")

@@ -104,7 +104,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
     signs: Array = field(default_factory=lambda: np.empty(0), kw_only=True)
     base: Array = field(default_factory=lambda: np.eye(4), kw_only=True)
     tool: Array = field(default_factory=lambda: np.eye(4), kw_only=True)
-    lengths: Mapping[str, float] | None = field(default=None, kw_only=True)
+    lengths: Mapping[str, float] | None = field(default=None, kw_only=True, compare=False)
     name: str = field(default="table", kw_only=True)
 
     if TYPE_CHECKING:  # the constructor takes text, dictionaries and lists, too, and the attributes are arrays

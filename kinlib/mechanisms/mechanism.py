@@ -56,7 +56,7 @@ class Assembly(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Mechanism(TakesJointValues, validation.ReadOnly):
+class Mechanism(TakesJointValues):
     """A linkage: bodies joined so that there is at least one loop.
 
     joints        in the order of their values in q; q = 0 is the drawing from which they are read

@@ -40,7 +40,7 @@ class PathStep(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Tree(TakesLimitedValues, validation.ReadOnly):
+class Tree(TakesLimitedValues):
     """All links and joints of a URDF, read once by `from_urdf`.
 
     name           of the robot
@@ -74,9 +74,9 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
     """
 
     name: str
-    link_elements: Mapping[str, Element] = field(default_factory=dict, repr=False, compare=False)
+    link_elements: Mapping[str, Element] = field(default_factory=dict, repr=False)
     parent_joints: Mapping[str, UrdfJoint] = field(default_factory=dict, repr=False)
-    folder: Path | None = field(default=None, repr=False, compare=False)
+    folder: Path | None = field(default=None, repr=False)
 
     def __post_init__(self) -> None:
         if not self.link_elements:
@@ -403,12 +403,9 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         """Say which links could be the end of an arm on a base."""
         choices = "Choose a base with a moving joint below it."
         if tips:
-            paths = [[joint.child for joint in reversed(self._ancestors(tip))] for tip in tips]
-            shared = [same[0] for same in zip(*paths, strict=False) if len(set(same)) == 1]
-            before = f", or {shared[-1]}, from which they branch off" if shared and shared[-1] != base else ""
             counts = [sum(joint.moves for joint, _ in self.path(base, tip)) for tip in tips]
             named = (f"{tip} ({count} joint{'s'[: count != 1]})" for tip, count in zip(tips, counts, strict=True))
-            choices = f"Choose the tip, one of {', '.join(named)}{before}."
+            choices = f"Choose the tip, one of {', '.join(named)}."
         return f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
 
     def _validate_joint_poses(self, given: Mapping[str, ArrayLike]) -> dict[str, Array]:
