@@ -129,12 +129,7 @@ class Examination:
             return self.unread
         if self.table is None or self.arm is None:
             given = self.arm or self.table
-            ends = (
-                f" from {self.arm.link_names[0]} to {self.arm.link_names[-1]}"
-                if self.arm and self.arm.link_names
-                else ""
-            )
-            return f"{given.name}: {given.n} joints{ends}." if given else "Give a URDF file, a table, or both."
+            return f"{given.name}: {given.n} joints." if given else "Give a URDF file, a table, or both."
         if self.strict is None:
             letters, count = self.table.joints.replace("F", ""), f"{self.table.n} joint{'s'[: self.table.n != 1]}"
             return (

@@ -33,11 +33,9 @@ from kinlib.dh.parsing import COLUMNS, MIN_LENGTH_MM
 from kinlib.dh.slips import NUMBERS, SLIPS_OF_A_TABLE, Fault, wrong_number
 from kinlib.dh.table import DHTable
 
-MAX_TOLD, MAX_DIFFERENT_ENTRIES = 3, 8
-"""How many equally simple explanations the text lists, and how many different entries."""
-
-MAX_ROUNDED_TOL = 1e-2
-"""Through a larger effect of rounding, mistakes are not looked for."""
+MAX_TOLD, MAX_DIFFERENT_ENTRIES, MAX_ROUNDED_TOL = 3, 8, 1e-2
+"""How many equally simple explanations the text lists, and how many different entries; and through which effect of rounding
+mistakes are looked for."""
 
 USUAL_SLIPS = {"other convention", *(slip.name for slip in SLIPS_OF_A_TABLE)} - {"columns in another order"}
 """The slips that are told of a table whose numbers may only be rounded."""
@@ -105,8 +103,6 @@ class Diagnosis:
             faults = _different_entries(self.table, self.nearest)
             lines.append(f"It would describe the arm{self.up_to} with these numbers, the largest difference first:")
             lines += [fault.text for fault in faults[:MAX_DIFFERENT_ENTRIES]]
-            if (more := len(faults) - MAX_DIFFERENT_ENTRIES) > 0:
-                lines.append(f"({more} more differ by less.)")
         return "\n".join(lines).rstrip()
 
     def _told_mistakes(self) -> list[str]:
@@ -115,9 +111,7 @@ class Diagnosis:
         told = {tuple((f.name, f.row, f.column) for f in each.faults): each for each in reversed(self.explanations)}
         texts = [[fault.text for fault in each.faults] for each in reversed(told.values())]
         if len(texts) > 1:
-            lines = ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
-            more = len(texts) - MAX_TOLD
-            return lines + [f"({more} more {'is' if more == 1 else 'are'} as simple.)"] * (more > 0)
+            return ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
         if texts and self.explanations[0].is_a_choice:
             return ["The table describes the arm after these changes of choices that are fixed here:", *texts[0]]
         if texts and len(texts[0]) > 1:  # other pairs may lead to the same motions, so this one is no fact

@@ -27,6 +27,8 @@ from kinlib.dh.alignment.maps import Map, nearest_maps, same_q
 from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import log
 
+Verdict = Literal["same", "different", "undecided"]
+
 CHOICES = ("base", "tool", "zeros", "signs")
 """What two descriptions of one mechanism may choose: the frames at both ends, the zero and the sign of each joint."""
 
@@ -54,7 +56,7 @@ class Equivalence(Map):
     bool() of it is True or False, and for "undecided" a ValueError, because both would be wrong.
     """
 
-    verdict: Literal["same", "different", "undecided"] = "same"
+    verdict: Verdict = "same"
     reason: str = ""
     joint_types: str = ""
     tolerance: float = EQUIVALENCE_TOL
@@ -179,33 +181,36 @@ def equivalent(
     if not tolerance > 0:
         raise ValueError(f"tolerance must be a positive number, in metres and radians; got {tolerance!r}.")
     if isinstance(fixed, str) or not set(fixed) <= set(CHOICES):
-        advice = f' Try fixed=["{fixed}"].' if isinstance(fixed, str) and fixed in CHOICES else ""
-        raise ValueError(f"fixed must be a collection of names from {', '.join(CHOICES)}; got {fixed!r:.80}.{advice}")
+        raise ValueError(
+            f"fixed must be a collection of names from {', '.join(CHOICES)}; got {fixed!r:.80}. Try fixed=[...]."
+        )
     one, other = (arm.to_chain() if isinstance(arm, DHTable) else arm for arm in (a, b))
     letters = one.joint_types
     if letters != other.joint_types:
         types = f"The joint types differ: {letters} in the first, {other.joint_types} in the second."
         return Equivalence(verdict="different", reason=types)
-    near, found = _nearly_parallel(one, other), [same_q(one, other)]
+    sines = np.array([neighbours(one)[0], neighbours(other)[0]])
+    near = ((sines > PARALLEL_TOL_RAD) & (sines < NEARLY_PARALLEL_RAD)).any(axis=0)
+    found = [same_q(one, other)]
     if found[0].difference > tolerance and len({*fixed}) < len(CHOICES):
         loose = max(10 * tolerance, NEARLY_PARALLEL_LOSS * near.any())
         found += nearest_maps(one, other, frozenset(fixed), loose, tolerance)
+    verdict: Verdict = "same"
+    reason = ""
     if same := [each for each in found if each.difference <= tolerance]:
         best = min(same, key=lambda each: _description_length(each, tolerance))
-        return Equivalence(**vars(best), joint_types=letters, tolerance=tolerance)
-    best = min(found, key=lambda each: each.difference)
-    size = 1 + max(np.abs(np.append(arm.joint_points, arm.home[None, :3, 3], axis=0)).max() for arm in (one, other))
-    is_lost = best.difference <= NEARLY_PARALLEL_LOSS * size or len(found) > 1
-    if near.any() and is_lost:
-        reason = (
-            f"The poses differ by {best.difference:.1e} under the nearest map that was found, and a better one is not excluded, "
-            f"because axes {np.argmax(near) + 1} and {np.argmax(near) + 2} are nearly parallel."
-        )
-        return Equivalence(**vars(best), verdict="undecided", reason=reason, joint_types=letters, tolerance=tolerance)
-    reason = _largest_axis_difference(one, other, near, tolerance) or (
-        "The angles and the distances of neighbouring axes agree; what differs is a distance along an axis, or a choice that is fixed."
-    )
-    return Equivalence(**vars(best), verdict="different", reason=reason, joint_types=letters, tolerance=tolerance)
+    else:
+        best = min(found, key=lambda each: each.difference)
+        size = 1 + max(np.abs(np.append(arm.joint_points, arm.home[None, :3, 3], axis=0)).max() for arm in (one, other))
+        is_lost = near.any() and (best.difference <= NEARLY_PARALLEL_LOSS * size or len(found) > 1)
+        verdict = "undecided" if is_lost else "different"
+        reason = _largest_axis_difference(one, other, near, tolerance)
+        if is_lost:
+            reason = (
+                f"The poses differ by {best.difference:.1e} under the nearest map that was found, and a better one is not excluded, "
+                f"because axes {np.argmax(near) + 1} and {np.argmax(near) + 2} are nearly parallel."
+            )
+    return Equivalence(**vars(best), verdict=verdict, reason=reason, joint_types=letters, tolerance=tolerance)
 
 
 def _description_length(found: Map, tolerance: float) -> tuple[int, float]:
@@ -215,16 +220,11 @@ def _description_length(found: Map, tolerance: float) -> tuple[int, float]:
     return int(joints) + sum(distance > tolerance for distance in distances), sum(distances)
 
 
-def _nearly_parallel(*arms: Chain) -> Booleans:
-    """Which pairs of neighbouring axes are nearly parallel in an arm, (n - 1,): a description of them has lost digits."""
-    sines = np.array([neighbours(arm)[0] for arm in arms])
-    return np.asarray(((sines > PARALLEL_TOL_RAD) & (sines < NEARLY_PARALLEL_RAD)).any(axis=0))
-
-
 def _largest_axis_difference(one: Chain, other: Chain, is_near: Booleans, tolerance: float) -> str:
-    """Describe the pair of neighbouring axes whose angle or distance differs most; "" if they all agree."""
+    """Describe the pair of neighbouring axes whose angle or distance differs most, if they do not all agree."""
     _, angles, distances = np.array([neighbours(one), neighbours(other)]).swapaxes(0, 1)
-    found = [(tolerance, "")]
+    agree = "The angles and the distances of neighbouring axes agree; what differs is a distance along an axis, or a choice that is fixed."
+    found = [(tolerance, agree)]
     for i, near in enumerate(is_near):
         if (off := abs(float(np.diff(angles[:, i])[0]))) > tolerance:
             first, second = format_different(*np.degrees(angles[:, i]).tolist())

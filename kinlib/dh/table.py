@@ -212,17 +212,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         """
         return table_poses(self, self.rows, self.in_order(q))
 
-    def jacobian(self, q: JointValues) -> Array:
-        """Compute the space Jacobian: column i is the twist of the tool, in {s}, at unit speed of joint i.
-
-        q (..., n) -> (..., 6, n), that of the chain: J_i is the z axis of joint i at q, as a screw axis.
-        Source: Modern Robotics, (5.11).
-
-        >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard").jacobian([0, 0])[:, 1] + 0.0
-        array([ 0. ,  0. ,  1. ,  0. , -0.4,  0. ])
-        """
-        return self._chain.jacobian(self.in_order(q))
-
     def to_chain(self) -> Chain:
         """Convert the table to screw axes and a home pose: the z of each joint, in {s} at home.
 

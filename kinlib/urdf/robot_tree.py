@@ -263,7 +263,7 @@ class Tree(TakesLimitedValues):
         """
         base = self.root if base is None else base
         tip = self.default_tip(base) if tip is None else tip
-        T, screws, points, moving, links = np.eye(4), [], [], [], [base]
+        T, screws, points, moving = np.eye(4), [], [], []
         for joint, sign in self.path(base, tip):
             if joint.type in DEGREES_OF_FREEDOM:
                 raise joint.element.error(
@@ -279,7 +279,6 @@ class Tree(TakesLimitedValues):
                 screws.append(screw(axis, point, np.inf if joint.type == "prismatic" else 0.0))
                 points.append(point)
                 moving.append(joint)
-                links.append(joint.child if sign > 0 else joint.parent)
         if not moving:
             raise self.link_elements[tip].error(
                 f"a joint must move between base and tip; none does between {base} and {tip}. Their constant pose is in "
@@ -301,7 +300,6 @@ class Tree(TakesLimitedValues):
             *(np.array(screws), T, np.array(points), self.name, f"URDF, from {base} to {tip}"),
             limits=limits if np.isfinite(limits).any() else None,
             joint_names=tuple(drivers),
-            link_names=(*links, tip)[: len(links) + (links[-1] != tip)],
         )
         if not any(joint.mimic for joint in moving):
             return chain

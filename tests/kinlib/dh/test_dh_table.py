@@ -193,7 +193,10 @@ HEAD = "a|alpha|d|theta\n"
 REFUSED = {
     "degrees": (HEAD + "0|-90|0|q1", r"^Row 1, alpha: an angle must be .*; got -90 rad\. If the number is in"),
     "a missing column": ("a|alpha|d\n0|0|0", "takes only what its rows say; .*: There is no column theta"),
-    "a gear": (HEAD + "0|0|0|2*q1", "must be q or -q, without a factor; its factor is 2"),
+    "a gear": (
+        HEAD + "0|0|0|2*q1",
+        "must have one joint variable, q or -q without a factor, .*; got q1 in theta, with the factor 2",
+    ),
     "a product of variables": (HEAD + "0|0|0|q1*q1", "Line 2, .*, theta: an entry must be a number"),
     "an angle in a length": (HEAD + "0|0|30°|q1", "d is a length. Are two columns swapped"),
     "swapped labels": (
