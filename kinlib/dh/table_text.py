@@ -1,4 +1,4 @@
-r"""Read the rows of a DH table from text, in any form in which people write one, or from dictionaries.
+r"""Read the rows of a DH table from text, in any form in which people write one.
 
 The text becomes rows of cells by one of three readers: calls and dictionaries by row, such as RevoluteDH(a=0.4); lists by column and
 names with indices, such as d1 = 0.3; or lines of cells. Then the columns, the units, the joints and the convention are found. What the
@@ -15,7 +15,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from kinlib.arrays.formatting import format_vector
-from kinlib.arrays.validation import Array, array, describe
+from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import (
     COLUMN_NAMES,
     COLUMNS,
@@ -140,7 +140,7 @@ class _Grid:
 
 
 def read_rows(
-    given: str | Sequence[Any],
+    text: str,
     *,
     strict: bool,
     lengths: Mapping[str, float],
@@ -149,36 +149,39 @@ def read_rows(
     length_unit: str = "",
     angle_unit: str = "",
 ) -> Rows:
-    """Read rows from text or from dictionaries by column name; the arguments are those of `read_table`.
+    """Read rows from text; the arguments are those of `read_table`.
 
     strict  whether what the text only suggests is refused; numbers without a unit are metres and radians then
 
     Raises ValueError for anything else, with the place of what cannot be read.
     """
-    own, ends = _in_all_spellings(lengths), dict[str, Any]()
-    plain = ""
-    if isinstance(given, str):
-        plain, ends, told = _without_ends(given)
-        readers = (_from_calls, _from_columns, _from_pairs, _from_lines)
-        names = _in_all_spellings(_definitions(plain)) | own
-        grid = next((g for reader in readers if (g := reader(plain, names)) and (g.rows or g.cells)), None)
-        if grid is None:
-            raise ValueError(
-                "No table was found: no line has four numbers, and no call or list names a, alpha, d and theta. Paste the rows with a "
-                "heading such as 'a alpha d theta', one row in a line."
-            )
-        grid.assumed += told
-    else:
-        grid = _from_dictionaries(given, own)
+    if len(text) > MAX_TEXT_LENGTH:
+        raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
+    ends: dict[str, Any] = {end: _matrix(matrix) for end, matrix in END.findall(text)}
+    plain, told = _plain(END.sub("", text)), list[Assumption]()
+    for end, place, angles in re.findall(r"\b(base|tool)\s*\|\s*t = ([-\d., ]+);\s*rpy/xyz = ([-\d.°, ]+)\|?", plain):
+        if not re.search("[1-9]", angles):  # as the Robotics Toolbox prints them
+            ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
+            told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
+            plain = re.sub(rf"^.*\b{end}\s*\|\s*t = .*$", "", plain, flags=re.MULTILINE)
+    names = _in_all_spellings(_definitions(plain)) | _in_all_spellings(lengths)
+    readers = (_from_calls, _from_columns, _from_pairs, _from_lines)
+    grid = next((g for reader in readers if (g := reader(plain, names)) and (g.rows or g.cells)), None)
+    if grid is None:
+        raise ValueError(
+            "No table was found: no line has four numbers, and no call or list names a, alpha, d and theta. Paste the rows with a "
+            "heading such as 'a alpha d theta', one row in a line."
+        )
+    grid.assumed += told
     if not grid.rows:
         _name_columns(grid, order)
     if len(grid.rows) > MAX_ROWS:
         raise ValueError(f"A table must have at most {MAX_ROWS} rows; got {len(grid.rows)}.")
     entries = _evaluate(grid)
-    letters, signs = _joints(grid, entries, joints, strict)
+    letters, signs = _joints(grid, entries, joints)
     numbers = np.array([[row[column].value.real for column in COLUMNS] for row in entries])
-    for unit, units, argument in ((length_unit, LENGTH_UNITS, "length_unit"), (angle_unit, ANGLE_UNITS, "angle_unit")):
-        _scale(grid, entries, numbers, unit, units, argument, strict)
+    _scale(grid, entries, numbers, "length_unit", length_unit, strict)
+    _scale(grid, entries, numbers, "angle_unit", angle_unit, strict)
     if strict and grid.guesses:
         raise ValueError(
             f"A DHTable takes only what its rows say; kl.read_table reads these, and assumes: {grid.guesses[0]} Correct the rows, or use "
@@ -187,27 +190,10 @@ def read_rows(
     return Rows(numbers, letters, signs, _said_convention(plain, grid), ends, grid.assumed)
 
 
-def _without_ends(text: str) -> tuple[str, dict[str, Any], list[Assumption]]:
-    """Write a text as with a keyboard, and split off a base and a tool, as `print(table)` or the Robotics Toolbox prints them."""
-    import json  # for tables that were printed; `import kinlib` loads no more than NumPy
-
-    if len(text) > MAX_TEXT_LENGTH:
-        raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
-    ends, told = dict[str, Any](), list[Assumption]()
-    for end, matrix in END.findall(text):
-        try:
-            ends[end] = json.loads(matrix)
-        except (ValueError, RecursionError) as error:
-            raise ValueError(
-                f"{end} must be a pose, [[1, 0, 0, 0], [0, 1, 0, 0], ...]; got {matrix!r:.80}. Pass {end}=... instead."
-            ) from error
-    plain = _plain(END.sub("", text))
-    for end, place, angles in re.findall(r"\b(base|tool)\s*\|\s*t = ([-\d., ]+);\s*rpy/xyz = ([-\d.°, ]+)\|?", plain):
-        if not re.search("[1-9]", angles):
-            ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
-            told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
-            plain = re.sub(rf"^.*\b{end}\s*\|\s*t = .*$", "", plain, flags=re.MULTILINE)
-    return plain, ends, told
+def _matrix(text: str) -> Array:
+    """Read [[1, 0, 0, 0], ...]; what is no pose is refused by the table."""
+    numbers = [float(number) for number in re.findall(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", text)]
+    return np.array(numbers).reshape((4, 4) if len(numbers) == 16 else -1)
 
 
 def _plain(text: str) -> str:
@@ -246,27 +232,6 @@ def _column(name: str) -> str:
     """Return the column that a name stands for; "" if there is none."""
     found = parse_heading(name).name
     return found if found in COLUMN_NAMES.values() else ""
-
-
-def _from_dictionaries(given: Sequence[Any], names: Mapping[str, float]) -> _Grid:
-    grid = _Grid(names)
-    for number, row in enumerate(given, start=1):
-        missing = [column for column in COLUMNS if column not in row] if isinstance(row, Mapping) else [COLUMNS[0]]
-        if missing:
-            it_is = "" if isinstance(row, Mapping) else f"; it is {describe(row)}"
-            raise ValueError(
-                f"Row {number} has no {missing[0]}{it_is}. Each row must have all of {', '.join(COLUMNS)}; write 0 for an empty entry."
-            )
-        cells = {column: row[column] for column in COLUMNS}
-        for column, cell in cells.items():
-            if not isinstance(cell, str):
-                value = array(cell, f"Row {number}, {column}")
-                if value.ndim:
-                    raise ValueError(f"Row {number}, {column} must be a single number; got {describe(cell)}.")
-                cells[column] = repr(float(value))
-        grid.rows.append(cells)
-        grid.places.append(f"Row {number}")
-    return grid
 
 
 def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
@@ -413,19 +378,19 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
         elif plain:
             grid.cells.append(plain[0])
             grid.places.append(place)
-        elif grid.rows and (
-            any(cells[0].rstrip(".") == str(len(grid.rows) + 1) for cells in splits)
-            or (not is_after_gap and re.fullmatch(rf"[+-]?{NUMBER}", line))
-        ):
-            raise ValueError(f"{place} cannot be read: a cell is no number and no variable. Correct it, or write 0.")
-        elif (grid.rows or grid.cells) and (is_after_gap or (numbers and ("=" in line or numbers < 3))):
-            grid.assume(f"What follows the table was not read, from line {number}: {raw.strip()!r:.60}.")
-            break
-        elif (heads or grid.cells) and numbers >= 3:
-            raise ValueError(
-                f"{place} cannot be read: it has another number of cells than the heading, or cells that are no numbers. Write 0 into "
-                "empty cells, and one cell for each heading."
+        else:
+            is_row = any(cells[0].rstrip(".") == str(len(grid.rows) + 1) for cells in splits) or (
+                not is_after_gap and re.fullmatch(rf"[+-]?{NUMBER}", line)
             )
+            is_table = bool(grid.rows or grid.cells)
+            if is_table and not (grid.rows and is_row) and (is_after_gap or (numbers and ("=" in line or numbers < 3))):
+                grid.assume(f"What follows the table was not read, from line {number}: {raw.strip()!r:.60}.")
+                break
+            if (grid.rows and is_row) or ((heads or grid.cells) and numbers >= 3):
+                raise ValueError(
+                    f"{place} cannot be read: it has another number of cells than the heading, or a cell is no number and no variable. "
+                    "Correct it, and write 0 into empty cells."
+                )
         is_after_gap = False
     return _uniform(_with_labels(grid, heads)) if grid.rows else grid
 
@@ -660,7 +625,7 @@ def _evaluate(grid: _Grid) -> list[dict[str, Entry]]:
     return entries
 
 
-def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str, strict: bool) -> tuple[str, list[float]]:
+def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str) -> tuple[str, list[float]]:
     """Find the letter and the sign of the joint of each row: from its variable, a column of types, or because all rows have one.
 
     If no row has a variable, the signs are [].
@@ -672,17 +637,9 @@ def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str, strict: bo
         letters, signs = letters + (letter if variable else kind), [*signs, sign]
         variables += [variable] if variable else []
     if given:
-        if strict and variables and given != (own := letters.replace("?", "F")):
-            raise ValueError(
-                f"joints must agree with the variables in the rows, {own}; got {given!r:.60}. Which rows have a joint?"
-            )
         return given, signs if variables else []
     numbers = [int(number) for name in variables if (number := re.sub(r"\D", "", name))]
     if numbers and numbers != [*range(1, len(variables) + 1)]:
-        if strict:
-            raise ValueError(
-                f"Each row must have the variable of its own joint, q1, q2, ... in the order of the rows; got {', '.join(variables)}."
-            )
         grid.assume(
             f"The variables are {', '.join(variables)}, not 1, 2, ... in the order of the rows: each is the joint of its row."
         )
@@ -702,19 +659,13 @@ def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str, strict: bo
 
 
 def _scale(  # noqa: PLR0917
-    grid: _Grid,
-    entries: list[dict[str, Entry]],
-    numbers: Array,
-    given: str,
-    units: Mapping[str, float],
-    argument: str,
-    strict: bool,
+    grid: _Grid, entries: list[dict[str, Entry]], numbers: Array, argument: str, given: str, strict: bool
 ) -> None:
     """Convert the lengths or the angles to metres or radians: by their own unit, the argument, the heading, or their sizes."""
+    is_length = argument == "length_unit"
+    units, columns, basic = (LENGTH_UNITS, (0, 2), "m") if is_length else (ANGLE_UNITS, (1, 3), "rad")
     if given and given not in units:
         raise ValueError(f"{argument} must be one of {', '.join(units)}; got {given!r:.60}.")
-    is_length = argument == "length_unit"
-    columns, basic = ((0, 2), "m") if is_length else ((1, 3), "rad")
     plain = [(i, k) for i, row in enumerate(entries) for k in columns if not row[COLUMNS[k]].unit and numbers[i, k]]
     said = {unit for k in columns if (unit := grid.units.get(COLUMNS[k], "")) in units}
     unit = given or (said.pop() if len(said) == 1 and not strict else basic if strict else "")
