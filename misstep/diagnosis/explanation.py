@@ -52,13 +52,8 @@ class Finding:
 
     @property
     def mistake(self) -> str | None:
-        """The name; "a or b" if the answer does not show which mistake was made, "a and b" if both were."""
+        """The name; "a or b" if the answer does not show which mistake was made."""
         return " or ".join(dict.fromkeys(one.name for one in self.mistakes[:MAX_ALTERNATIVES])) or None
-
-    @property
-    def alternatives(self) -> tuple[tuple[str, ...], ...]:
-        """The names as data: for each explanation that fits, the mistakes that were made together."""
-        return tuple(dict.fromkeys(one.names for one in self.mistakes)) if self.mistake else ()
 
     @property
     def text(self) -> str:
@@ -160,9 +155,9 @@ def _explain_parts(
 
 def _distinct(mistakes: Sequence[Mistake]) -> list[Mistake]:
     """Return one mistake of each name, the first one that leaves points to the right parts if there is one."""
-    by_name = {mistake.names: mistake for mistake in reversed(mistakes) if mistake.spoils}
-    by_name |= {mistake.names: mistake for mistake in reversed(mistakes) if not mistake.spoils}
-    return [mistake for mistake in mistakes if by_name[mistake.names] is mistake]
+    by_name = {mistake.name: mistake for mistake in reversed(mistakes) if mistake.spoils}
+    by_name |= {mistake.name: mistake for mistake in reversed(mistakes) if not mistake.spoils}
+    return [mistake for mistake in mistakes if by_name[mistake.name] is mistake]
 
 
 def _is_same_slip(one: Mistake, other: Mistake) -> bool:
