@@ -12,7 +12,7 @@ from misstep.display.failed_answer import FailedAnswer
 from misstep.display.lecture_address import lecture_address
 from misstep.judge import Judgement, judge
 from misstep.problem import Problem, Template
-from misstep.storage.serialize import to_data
+from misstep.storage import to_data
 from misstep.verdict import Tally, Verdict, returning
 from misstep.worked_solution import worked_solution
 

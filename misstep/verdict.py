@@ -11,7 +11,7 @@ from misstep.display.text import points
 from misstep.judge import Judgement
 from misstep.paragraphs import paragraphs
 from misstep.problem import Template
-from misstep.storage.deserialize import MIME
+from misstep.storage import MIME
 
 SOLVED_MIME = "application/vnd.misstep.solved+json"
 """The MIME type by which a check tells the page that its problem has full marks. It plays no part in grading."""

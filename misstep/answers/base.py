@@ -49,7 +49,7 @@ class Answer(ABC):
     ...         return given
     ...     def agrees(self, one, other, tolerance=TOLERANCE):
     ...         return [abs(one.decibel - other.decibel) <= tolerance]
-    >>> from misstep.storage.deserialize import from_data, register_object
+    >>> from misstep.storage import from_data, register_object
     >>> register_object(Gain, lambda fields: Gain(float(fields["decibel"])))
     >>> answer = GainAnswer(Gain(20.0))
     >>> answer.agrees(answer.read(from_data({"object": "Gain", "fields": {"decibel": 20.0}})), answer.value)

@@ -14,7 +14,7 @@ from misstep.answers.base import Answer, AtInputs, Named, Quantifier, Unreadable
 from misstep.answers.likeness import Likeness
 from misstep.answers.number import Numbers
 from misstep.mutants.expression import Expression, Slip
-from misstep.storage.deserialize import Outputs
+from misstep.storage import Outputs
 
 CALL_COUNT = 4
 """The number of inputs at which a function is called."""

@@ -25,8 +25,7 @@ from misstep.grading.similarity import relation
 from misstep.judge import Judgement, judge
 from misstep.problem import Problem, Template
 from misstep.sheet import SAMPLE_ID, Sheet
-from misstep.storage.deserialize import Malformed, Opaque, from_data
-from misstep.storage.serialize import to_data
+from misstep.storage import Opaque, from_data, to_data
 from misstep.verdict import Verdict
 
 NO_ANSWER = "No answer is stored: the check cell of this problem was not run, or the notebook was not saved afterwards."
@@ -151,15 +150,13 @@ def _judged(template: Template, id_: str, work: Work, k: int, site: str) -> Prob
 
 
 def judged_data(problem: Problem, data: Mapping[str, Any] | None) -> Judgement:
-    """Judge an answer that is data. One that has no known form, or that raises an error, is unreadable."""
+    """Judge an answer that is data. One that raises an error is unreadable."""
     try:
         value = from_data(data)
         if not isinstance(value, Opaque):
             return judge(problem, value)
         reason = f"got {value}"
-    except Malformed as error:
-        reason = f"the data of this answer has no known form. {error}".removesuffix(".")
     except Exception as error:  # whatever error an answer causes, the other problems must still be judged
-        reason = f"the answer could not be judged: {type(error).__name__}"
+        reason = f"what is stored could not be judged: {type(error).__name__}"
     text = f"Expected {problem.answer.expected}; {reason}."
     return Judgement("unreadable", findings=[Finding(problem.answer.parts, text)])

@@ -18,7 +18,7 @@ from markupsafe import Markup, escape
 from misstep.display.text import points
 from misstep.grading.escape import printable
 from misstep.grading.result import ABSENT, Result
-from misstep.storage.deserialize import from_data
+from misstep.storage import from_data
 
 STATES = {
     "right": ("✓", "right"),
@@ -89,11 +89,8 @@ def _markdown() -> mistune.Markdown:
 
 
 def answer_text(data: Any) -> str:
-    """Return a stored answer as Python shows it."""
-    try:
-        text = str(from_data(data)) if data is not None else "no answer"
-    except ValueError:
-        text = "no answer"
+    """Return a stored answer as Python shows it, which was read before."""
+    text = str(from_data(data)) if data is not None else "no answer"
     return text if len(text) <= MAX_ANSWER else f"{text[:MAX_ANSWER]} ..."
 
 

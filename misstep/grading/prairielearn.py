@@ -30,7 +30,7 @@ from misstep.answers.prose import Prose
 from misstep.catalog import Course, find_course
 from misstep.judge import judge
 from misstep.problem import Problem, Template
-from misstep.storage.serialize import to_data
+from misstep.storage import to_data
 from misstep.verdict import Verdict
 
 Data = dict[str, Any]

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 from typing import Any
 
+from misstep import storage as stored
 from misstep.grading.collect.submissions import (
     COPY,
     SourceFile,
@@ -24,7 +25,6 @@ from misstep.grading.collect.submissions import (
     reading,
     zip_time,
 )
-from misstep.storage import deserialize as stored
 
 MAX_NOTEBOOKS = 10
 """How many notebooks of one student are looked at, the newest first."""

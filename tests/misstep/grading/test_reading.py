@@ -12,7 +12,7 @@ from submissions import NAME, SHEET, answered, as_bytes, emissions, released, wr
 
 from misstep.grading.collect.notebook import Unreadable, choose, read_work
 from misstep.grading.collect.submissions import SourceFile, list_files
-from misstep.storage.deserialize import MIME
+from misstep.storage import MIME
 
 CODE = "cell_type", "code"
 
