@@ -73,7 +73,6 @@ def test_an_error_in_a_file_of_questions_is_named():
             "explanation is a key of kind 'predict' only, and required there",
         ),
         (QUESTIONS.replace("predict", "check"), "required there; got kind 'check'"),
-        (QUESTIONS.replace("Read **", "# Read **"), "question 'order': An explanation may contain paragraphs"),
         (QUESTIONS.replace(why, "why = ''\nright = true"), "one of them with right"),
         (QUESTIONS.replace("'predict'", "'guess'"), "kind must be one of recall, predict, check; got 'guess'"),
     ]:
