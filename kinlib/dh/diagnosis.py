@@ -37,6 +37,9 @@ from kinlib.urdf.chains import load_urdf
 MAX_TOLD, MAX_DIFFERENT_ENTRIES = 3, 8
 """How many equally simple explanations the text lists, and how many different entries."""
 
+CALLED_EXACT_M = 1e-6
+"""Poses that differ by less are told as equal."""
+
 MAX_ROUNDED_TOL = 1e-2
 """Through a larger effect of rounding, mistakes are not looked for."""
 
@@ -101,7 +104,8 @@ class Diagnosis:
             or_else = ", or:" if self.explanations else "."
             lines = [f"Whether this table describes the arm cannot be decided: {cause}{or_else}", *lines]
         elif not self.explanations:
-            lines = [f"No known mistake was found that explains this table. {self.difference}"]
+            difference = self.difference if self.nearest is None else ""
+            lines = [f"No known mistake was found that explains this table. {difference}".rstrip()]
         if self.nearest is not None:
             faults = _different_entries(self.table, self.nearest)
             lines.append(f"It would describe the arm{self.up_to} with these numbers, the largest difference first:")
@@ -120,7 +124,9 @@ class Diagnosis:
             more = len(texts) - MAX_TOLD
             return lines + [f"({more} more {'is' if more == 1 else 'are'} as simple.)"] * (more > 0)
         if texts and self.explanations[0].is_a_choice:
-            return ["The table describes the arm after these changes of choices that are fixed here:", *texts[0]]
+            metres, _ = measured_difference(self.explanations[0].corrected.to_chain(), self.arm)
+            off = f" to within {format_number(metres, 2)} m" * (metres > CALLED_EXACT_M)
+            return [f"The table describes the arm{off} after these changes of choices that are fixed here:", *texts[0]]
         if texts and len(texts[0]) > 1:  # other pairs may lead to the same motions, so this one is no fact
             return ["The table agrees with the arm after these changes:", *texts[0]]
         return texts[0] if texts else []
