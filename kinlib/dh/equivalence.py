@@ -190,7 +190,7 @@ def equivalent(
         types = f"The joint types differ: {letters} in the first, {other.joint_types} in the second."
         return Equivalence(verdict="different", reason=types)
     sines = np.array([neighbours(one)[0], neighbours(other)[0]])
-    near = ((sines > PARALLEL_TOL_RAD) & (sines < NEARLY_PARALLEL_RAD)).any(axis=0)
+    near = np.asarray(((sines > PARALLEL_TOL_RAD) & (sines < NEARLY_PARALLEL_RAD)).any(axis=0))
     found = [same_q(one, other)]
     if found[0].difference > tolerance and len({*fixed}) < len(CHOICES):
         loose = max(10 * tolerance, NEARLY_PARALLEL_LOSS * near.any())

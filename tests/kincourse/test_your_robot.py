@@ -136,7 +136,7 @@ def test_what_is_given_is_escaped_and_what_cannot_be_read_is_said():
         assert found.unread
         assert "<script>" not in found._repr_html_()
     sheet = practise(kl.robots.rpr().changed(name="<script>alert(1)</script> $x$"), "ada")
-    statements = [sheet.problem(k).statement for k in range(1, 9)]
+    statements = [sheet.problem(k).statement for k in range(1, 7)]
     assert any("scriptalert(1)script x" in text for text in statements)
     assert not any("<script>" in text for text in statements)
     loop = '<robot name="r"><link name="a"/><link name="b"/>' + "".join(
