@@ -153,7 +153,7 @@ def evaluate_entry(entry: str, column: str, lengths: Mapping[str, float]) -> Ent
     text = re.sub(rf"({NUMBER}|\))\s*(?=(?:pi|q_?\d*)\b|theta)", r"\1*", text)
     try:
         # Python also reads 0x1F and 1_000, but people do not.
-        if len(entry) > MAX_ENTRY_LENGTH or re.search(r"[^\w\s.+*/()-]|\d_|\b0[a-zA-Z]", text):
+        if len(entry) > MAX_ENTRY_LENGTH or re.search(r"[^\w\s.+*/()-]|\d_|\b0[xXbBoO]", text):
             raise TypeError("not an entry of a table")
         tree = ast.parse(text, mode="eval").body
         if not np.isfinite(value := _evaluate(tree, column, lengths)):

@@ -66,7 +66,7 @@ REPLACEMENTS = [
     (r"(?<=\d)f\b|(?<=\d\.)f\b", ""), (r"(?<=\d)\s*\*\s*([mc]m)(?:_?(?:2|to)_?m)?\b", r" \1"),  # 0.1f and 145 * mm2m of code
     (r"\((?:float|double|real_t)\)", ""), (r"\b\w+[(\[](\d+)[)\]]\.(\w+)\s*=(?!=)", r"\2\1 ="),  # L(1).a = 0.1
     (r"\b([a-zA-Z]\w*)\[(\d+)\](?!\s*[\[.])", r"\1\2"), (r"(?<=[\[,])\s*\[([^\[\],]*\d[^\[\],]*)\](?=\s*[,\]])", r"\1"),
-    (r"(?m)^[ \t]*-[ \t]+\[([^\[\]\n]*)\]", r"\1"),  # of YAML
+    (r"(?m)^[ \t]*-[ \t]+\[([^\[\]\n]*)\]", r"\1"), (r"(?m)^[ \t]*\(?\d+\)[ \t]+(?=[-\w.])", ""),  # of YAML, and 1) of lists
     (r"\bth_?(\d+)\b", r"theta\1"), (r"(?m)^[ \t]*#define\s+(\w+)\s+", r"\1 = "), (r"\b\w+\s*<<\s*(?=\S)", ""),
 ]  # fmt: skip
 """What terminals, HTML, LaTeX and code write for signs and separators, and what a keyboard has for them."""
@@ -250,9 +250,9 @@ def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
             row = {column: named.get(column, "0") for column in (*COLUMNS, "offset")}
         elif len(cells) >= 4 and all(map(grid.is_entry, cells[:4])):
             columns = ("a", "alpha", "d", "theta") if re.search("Frame|Craig", kind) else ("theta", "d", "a", "alpha")
-            row = dict(zip((*columns, "type"), cells[: 4 + (cells[4:5] in (["0"], ["1"]))], strict=False)) | {
-                "offset": "0"
-            }
+            row = dict(zip(columns, cells, strict=False)) | {"offset": "0"}
+            if columns[0] == "theta":  # of MATLAB: [theta d a alpha sigma offset]
+                row |= dict(zip(("type", "offset"), [*cells[4:6], *("0", "0")[len(cells[4:6]) :]], strict=True))
             note = f"{kind.rpartition(':')[2]}(...) was read as ({', '.join(columns)})."
         else:
             continue
@@ -396,6 +396,8 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
                     f"{place} cannot be read: it has another number of cells than the heading, or a cell is no number and no variable. "
                     "Correct it, and write 0 into empty cells."
                 )
+            if numbers >= 4 and not is_table:
+                grid.assume(f"Line {number} was not read: {raw.strip()!r:.60}.")
         is_after_gap = False
     return _uniform(_with_labels(grid, heads)) if grid.rows else grid
 
@@ -405,7 +407,9 @@ def _in_lines(text: str) -> str:
     text = re.sub(r"\[(mm?|cm|rad|deg|°)\]", r"(\1)", text)
     if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]{,999};", text):
         text = re.sub(r"[\]})]\s*,\s*['\"]?\w+['\"]?\s*[:=]\s*(?=[\[{(])", "\n", text)  # another one
-        text = re.sub(r"(?m)^(?:[^\n#%/=]*=|[^\n#%/]*?[=(:])\s*(?=[\[{])", "", text)  # the name of an array
+        text = re.sub(
+            r"(?m)^(?:(?:[^\n#%/=]*=|[^\n#%/]*?[=(:])\s*(?=[\[{])|[^\n#%/{\[]*(?=\{\s*\{))", "", text
+        )  # its name
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
     text = re.sub(
         r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.{,99}\balpha\b)", "\n# ", text
