@@ -54,6 +54,8 @@ REPLACEMENTS = [
     (r"<\w+\s([^<>]*\balpha\s*=[^<>]*?)/?>", r"{\1}"), (r"</t[dh]>\s*<t[dh][^>]*>", " | "), (r"</?(?:tr|table|br|p)\b[^>]*>", "\n"),
     (r"<su[bp]>(.*?)</su[bp]>", r"_\1"), (r"<[a-zA-Z/][^>]{0,200}>", " "),
     (r"\\(?:begin|end)\{\w+\*?\}(?:\{[^}]*\})?|\\(?:hline|(?:top|mid|bottom)rule|cline\{[^}]*\})", "\n"),
+    (r"\\ang\{([^{}]*)\}", r"\1°"), (r"\\milli\\met(?:re|er)", "mm"), (r"\\met(?:re|er)\b", "m"),
+    (r"\\(?:SI|qty)\{([^{}]*)\}\{([^{}]*)\}", r"\1 \2"), (r"\\(?:si|unit)\{([^{}]*)\}", r"\1"),
     (r"\\(?:text|mathrm|textbf|mathbf|mathit)\{([^{}]*)\}", r"\1"), (r"\^\{?\s*\\circ\s*\}?|\\degree", "°"),
     (r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}", r"(\1)/(\2)"), (r"\\\\(?:\[[^]]*\])?", "\n"), (r"\\,|\$", ""),
     (r"(?m)^\s*(?:\{\|.*|\|[-}]\s*)$", ""), (r"!!|\|\|", "|"), (r"(?m)^\s*!", "|"),  # of a wiki
@@ -269,7 +271,7 @@ def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
             row |= {"d": f"-q + {row['d']}"} if row.get("type") == "P" else {"theta": f"-q + {row['theta']}"}
         grid.rows.append(row)
         grid.places.append(f"Call {len(grid.rows)}, {found[0].strip():.60}")
-        if re.search("MDH|Craig|modified", kind):
+        if re.search("mdh|craig|modif", kind, re.IGNORECASE):
             grid.modified = True
         elif kind.endswith("DH"):
             grid.modified = bool(grid.modified)
@@ -356,9 +358,9 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
         if not re.sub(r"[|\s:+=-]", "", line):
             is_after_gap = True
             continue
-        place, splits = f"Line {number}, {raw.strip()!r:.80}", _splits(line)
-        if is_after_gap and widths:  # another table may follow
-            splits = [cells for cells in splits if len(cells) in widths]
+        # after a gap another table may follow
+        splits = [cells for cells in _splits(line) if not (is_after_gap and widths) or len(cells) in widths]
+        place = f"Line {number}, {raw.strip()!r:.80}"
         numbers = len(re.findall(rf"(?<![\w.])-?{NUMBER}", line))
         if is_spreadsheet and "\t" in line:  # a spreadsheet drops empty cells at the end
             splits[0] += [""] * (len(heads) - len(splits[0]))
@@ -545,8 +547,8 @@ def _splits(line: str) -> list[list[str]]:
     if ("," in line and not has_decimal_commas) or (line.count(",") >= 3 and " " not in line):
         found.append([_cell(cell) for cell in line.split(",")[:MAX_CELLS]])
     spaced = re.sub(r"\s+([+*/])\s+|\s*([*/])\s*|(?<=[\w°)])\s+(-)\s+(?=\d|pi)", lambda f: f[1] or f[2] or f[3], line)
-    # a space before a minus is enough between two numbers: "1 -0.2", where "1 - 0.2" is a difference
-    wide = re.sub(rf"({NUMBER})\s(?=-{NUMBER})", r"\1  ", spaced)
+    # a space before a minus is enough after a number or a label: "1 -0.2", where "1 - 0.2" is a difference
+    wide = re.sub(rf"(^\s*(?!theta|[qdt]_?\d)[A-Za-z]+\d+|{NUMBER})\s(?=-{NUMBER})", r"\1  ", spaced)
     splits = (re.split(pattern, wide)[:MAX_CELLS] for pattern in (r"\s{2,}", r"\s+"))
     return found + [[_cell(cell, decimal_comma=True) for cell in cells] for cells in splits]
 
@@ -561,7 +563,7 @@ def _cell(cell: str, decimal_comma: bool = False) -> str:
 
 def _entry(cell: str, column: str, names: Mapping[str, float]) -> Entry:
     """Evaluate a cell: an empty one is 0, "theta" or "var" is a variable, and a length may have its unit, in metres then."""
-    cell = re.sub(r"\(\s*var\w*\s*\)|\*$|\b(?:rad|radians)$", "", _cell(respelled(cell))).strip()
+    cell = re.sub(r"\(\s*var\w*\.?\s*\)|\*$|\b(?:rad|radians)$", "", _cell(respelled(cell))).strip()
     if cell in {"", "-", "/", "n.a.", "n/a", "None", "none"}:
         return Entry(0j)
     if re.fullmatch(r"(?:var\w*|joint\w*|theta[_{]*[ijkn]?\}*|q[_{]*[ijkn]?\}*|d_?[ijkn])", cell, re.IGNORECASE):
