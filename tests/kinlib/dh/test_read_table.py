@@ -163,7 +163,7 @@ SAME_ARM = {
     "  (0.0, 0.0, 0.2, 0.0),\n]",
     "one space between two cells": "i  a   alpha  d    theta\n1  0   90     0.3  q1*\n2  0.4 0      0 q2+90\n3  0.2   0      0  q3*",
     "a frame as pandas prints it": "     a  alpha    d theta\nJ1   0 pi/2 0.3 q1\nJ2  0.4 0.0 0.0 q2 + pi/2\nJ3 0.2  -0.0  0.0 q3",
-    "C++ in nested braces": "std::array<std::array<double, 4>, 3> dh{{0, FRAC_PI_2, 0.3, 0}, {0.4, 0.0e+00, 0, M_PI_2}, {2.0e-01, 0, 0, 0}};"
+    "C++ in nested braces": "std::array<double, 4> dh[3]{{0, FRAC_PI_2, 0.3, 0}, {0.4, 0.0e+00, 0, M_PI_2}, {2.0e-01, 0, 0, 0}};"
     " // a alpha d theta",
     "YAML below each other": "joint1:\n  a: 0\n  alpha: 90\n  d: 0.3\n  theta: 0\njoint2:\n  a: 0.4\n  alpha: 0\n  d: 0\n  theta: 90\n"
     "joint3:\n  a: 0.2\n  alpha: 0\n  d: 0\n  theta: 0",
