@@ -6,8 +6,7 @@ The notebook and the page of that name show what `examine` returns. Everything t
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from html import escape
@@ -23,6 +22,7 @@ from kinlib.chains.robots import youbot
 from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import CHOICES, equivalent, measured_difference
+from kinlib.dh.explanation.search import explain_by_choices
 from kinlib.dh.formatting import headings
 from kinlib.dh.read_table import read_table
 from kinlib.dh.table import Convention, DHTable, format_rows, table_frames
@@ -37,17 +37,6 @@ MAX_URDF_LENGTH = 20_000_000
 
 UR_SOURCE = 'Universal Robots, "DH parameters for calculations of kinematics and dynamics"'
 CORKE = "as in Corke's Robotics Toolbox"
-
-
-FORM_WORDS = [
-    (r"pass order \(", "write the right order under “Columns” ("), (r"pass length_unit \(", "choose “Lengths in” ("),
-    (r"pass angle_unit \(", "choose “Angles in” ("), (r"pass convention \(", "choose “Convention” ("),
-    (r"\(pass tip\)", "(choose “to link”)"), (r"Pass tip=\.\.\., one of", "Choose “to link”: one of"),
-    (r"Pass a base with", "Choose “from link” with"), (r"Pass (?:base|tool)=\.\.\. instead", "Leave this line out"),
-    (r"Pass packages=\[\.\.\.\] with the folder of its package", "Drop a folder or a zip archive with it on the form"),
-    (r"[Gg]ive lengths=\{(?:'|&#x27;)(\w+)(?:'|&#x27;): \.\.\.\}", r"Write \1 = and its value in a line above the table"),
-]  # fmt: skip
-"""What the form says for the arguments of functions."""
 
 JOINT_CHOICES = ("zeros", "signs")
 
@@ -123,7 +112,6 @@ class Examination:
     unread         why a table or a file could not be read; then the rest is what could
     notes          what else was decided, for example which joints are left at 0
     visuals        the file of the arm, and its base link, for `explore`
-    form           whether the answer names the fields of the page's form, and not the arguments of `examine`
     """
 
     arm: Chain | None = None
@@ -134,7 +122,6 @@ class Examination:
     unread: str = ""
     notes: Sequence[str] = ()
     visuals: tuple[Tree, str] | None = None
-    form: bool = False
 
     @property
     def sentence(self) -> str:
@@ -143,12 +130,7 @@ class Examination:
             return self.unread
         if self.table is None or self.arm is None:
             given = self.arm or self.table
-            ends = (
-                f" from {self.arm.link_names[0]} to {self.arm.link_names[-1]}"
-                if self.arm and self.arm.link_names
-                else ""
-            )
-            return f"{given.name}: {given.n} joints{ends}." if given else "Give a URDF file, a table, or both."
+            return f"{given.name}: {given.n} joints." if given else "Give a URDF file, a table, or both."
         if self.strict is None:
             letters, count = self.table.joints.replace("F", ""), f"{self.table.n} joint{'s'[: self.table.n != 1]}"
             return (
@@ -179,10 +161,18 @@ class Examination:
         is_choice = bool(self.strict.explanations) and self.strict.explanations[0].is_a_choice
         if self.slip:
             texts.append(f"{SLIP_WORDS}{self.slip}")
-        elif strict not in texts and not (is_right and is_choice):
+        elif strict not in texts and not (is_right and (is_choice or self._is_told_by_choices)):
             same = "If q, base and tool are meant to be the same: " if texts else ""
             texts.append(same + strict)
         return sorted(texts, key=lambda text: (text.count("\n"), len(text)))
+
+    @property
+    def _is_told_by_choices(self) -> bool:
+        """Whether the choices up to which the table is right change the same numbers as the only mistake that was found."""
+        if self.table is None or self.free is None or self.strict is None or len(self.strict.explanations) != 1:
+            return False
+        choices = explain_by_choices(self.table, self.free.comparison)
+        return choices is not None and self.strict.explanations[0].says_as_much(choices)
 
     @cached_property
     def slip(self) -> Diagnosis | None:
@@ -203,13 +193,22 @@ class Examination:
     @property
     def _changed(self) -> DHTable | None:
         """The given table with few other numbers that has the poses of the arm; None if none was found."""
+        return self._followed[0] if self._followed else None
+
+    @cached_property
+    def _followed(self) -> tuple[DHTable, str, bool] | None:
+        """That table, the reading that it follows, and whether choices of the arm were added: the first of those nearest to the arm."""
+        if self.strict is None or self.free is None:
+            return None
         if self.slip and self.slip.corrected:
-            right = self.slip.corrected
-            found = equivalent(right, self.slip.arm, fixed=JOINT_CHOICES)
-            return right.changed(base=found.base @ right.base, tool=right.tool @ found.tool)
-        if not self.strict or self.strict.up_to:
-            return self.strict.corrected if self.strict else None
-        return self.strict.corrected or self.strict.nearest
+            return _with_choices(self.slip.corrected, self.slip.arm, JOINT_CHOICES), SLIP_WORDS, False
+        arm, told = self.strict.arm, str(self.strict)
+        found = [(near, told, False) for near in (self.strict.corrected, self.strict.nearest) if near is not None]
+        if self.strict.nearest is not None and self.strict.up_to:
+            found = [(_with_choices(self.strict.nearest, arm), told, True)]
+        if self.free.explanations:
+            found.append((_with_choices(self.free.explanations[0].corrected, arm), str(self.free), True))
+        return min(found, key=lambda each: round(max(measured_difference(each[0].to_chain(), arm)), 4), default=None)
 
     @property
     def wrong_rows(self) -> list[int]:
@@ -233,28 +232,17 @@ class Examination:
         if arm is None:
             return None
         if not self.table or self.table.n != arm.n:
-            return self._in_words_of_the_form(explore(arm, show=("axes", "base", "tool"), visuals=self.visuals))
+            return explore(arm, show=("axes", "base", "tool"), visuals=self.visuals)
         row, q = self.wrong_rows[0] if self.wrong_rows else 0, opening(arm)
         frames = table_frames(self.table, q)
         if self.corrected and self.wrong_rows:
             right = table_frames(self.corrected, q)
             frames |= {f"{name}'": T for name, T in right.items() if not np.allclose(T, frames[name], atol=1e-6)}
         shown = [f"frame {name}" for name in (row, row + 1, f"{row}'", f"{row + 1}'") if str(name) in frames]
-        picture = explore(arm, show=("axes", *shown), start=q, frames=frames, visuals=self.visuals)
-        return self._in_words_of_the_form(picture)
-
-    def _in_words_of_the_form(self, picture: Viewer) -> Viewer:
-        picture.notes = [self._said(note) for note in picture.notes]
-        return picture
-
-    def _said(self, text: str) -> str:
-        """The text, with the names of the form's fields for arguments if the form asks."""
-        for argument, field_name in FORM_WORDS if self.form else ():
-            text = re.sub(argument, field_name, text)
-        return text
+        return explore(arm, show=("axes", *shown), start=q, frames=frames, visuals=self.visuals)
 
     def _repr_html_(self) -> str:
-        return self._said("".join(self._blocks()))
+        return "".join(self._blocks())
 
     def _blocks(self) -> Iterator[str]:
         readings = self.readings
@@ -269,7 +257,10 @@ class Examination:
         if self.assumed or self.notes:
             asked = [each for each in self.assumed if each.options]
             items = [f"{note}" for note in self.notes] + [each.text for each in self.assumed if not each.options]
-            items += [f"{each.text} If not, pass {each.argument} ({', '.join(each.options)})." for each in asked]
+            items += [
+                f"{each.text} If not, choose another {each.argument.replace('_', ' ')} ({', '.join(each.options)})."
+                for each in asked
+            ]
             yield f"<p>What was assumed:</p><ul>{''.join(f'<li>{escape(item)}</li>' for item in items)}</ul>"
         if self.table:
             yield self._side_by_side()
@@ -291,12 +282,12 @@ class Examination:
         metres, radians = measured_difference(self.corrected.to_chain(), self.arm)
         off = f"{format_number(metres, 2, zero=1e-9)} m and {format_number(math.degrees(radians), 2, zero=1e-7)}°"
         follows = "The corrected table is a new one, with frames assigned to the arm, because no small change was found"
-        if self._changed is not None:
-            right = SLIP_WORDS if self.slip else str(self.strict)
-            number = next((k for k, text in enumerate(readings) if right in text), 0)
+        if self._followed:
+            number = next((k for k, text in enumerate(readings) if self._followed[1] in text), 0)
             which = ("the first reading", "the second reading")[number] if len(readings) > 1 else "these changes"
             first = ", and of these its first line" * any("\nor: " in text for text in readings[number : number + 1])
-            follows = f"The corrected table has {which}{first}"
+            choices = ", with the base, the tool, the zeros and the signs of the arm" * self._followed[2]
+            follows = f"The corrected table has {which}{first}{choices}"
         return f"{follows}; for the same q its poses differ from the arm's by at most {off}."
 
     def _side_by_side(self) -> str:
@@ -315,6 +306,15 @@ class Examination:
         )
 
 
+def _with_choices(table: DHTable, arm: Chain, fixed: Collection[str] = ()) -> DHTable:
+    """Give a table that describes an arm up to choices the base, the tool, the zeros and the signs of the arm."""
+    for tolerance in (1e-6, 1e-4, 1e-2):
+        found = equivalent(table, arm, fixed=fixed, tolerance=tolerance)
+        if choices := explain_by_choices(table, found):
+            return choices.corrected
+    return table
+
+
 def _assigned(found: FrameAssignment, arm: Chain) -> Iterator[str]:
     clean = assign_frames(arm, convention=found.table.convention, snap=True)
     exact = replace(found.table, name=f"{arm.name}, exact")
@@ -330,9 +330,9 @@ def _entries(table: DHTable) -> list[list[str]]:
     return format_rows(table, length=lambda x: format_number(x, 6), angle=lambda x: format_degrees(x, 6))
 
 
-def _without_noise(numbers: Array) -> Array:
-    """Round numbers that are within 1e-9 of one with six decimals."""
-    return np.where(np.abs(numbers - numbers.round(6)) < 1e-9, numbers.round(6), numbers) + 0.0
+def _numbers(values: Array) -> list[list[float]]:
+    """Return numbers with twelve digits, without rounding errors."""
+    return [[float(format_number(x, 12, zero=1e-9)) for x in row] for row in values.tolist()]
 
 
 def formats(table: DHTable) -> dict[str, str]:
@@ -350,15 +350,11 @@ def formats(table: DHTable) -> dict[str, str]:
         " & ".join([str(i), *(cell.replace("°", r"^\circ").join("$$") for cell in row)]) + r" \\"
         for i, row in enumerate(rows, 1)
     ]
-    numbers = [[float(f"{x:.12g}") for x in row] for row in _without_noise(table.rows).tolist()]
+    numbers = _numbers(table.rows)
     extra = f", joints={table.joints!r}" if set(table.joints) != {"R"} else ""
     extra += f", signs={table.signs.astype(int).tolist()}" if (table.signs != 1).any() else ""
     ends = {"base": table.base, "tool": table.tool}
-    extra += "".join(
-        f",\n    {name}={_without_noise(T).round(12).tolist()}"
-        for name, T in ends.items()
-        if np.abs(T - np.eye(4)).max() > 1e-9
-    )
+    extra += "".join(f",\n    {name}={_numbers(T)}" for name, T in ends.items() if np.abs(T - np.eye(4)).max() > 1e-9)
     body = "\n".join(f"    {row}," for row in numbers)
     kind = {"standard": "DH", "modified": "MDH"}[table.convention]
     links = []
@@ -385,7 +381,6 @@ def examine(
     *,
     base: str = "",
     tip: str = "",
-    form: bool = False,
     **how: Any,
 ) -> Examination:
     r"""Read an arm and a table, and compare them.
@@ -393,13 +388,12 @@ def examine(
     arm    the path or the text of a URDF file, the name of an arm in KNOWN, a chain; or "" for none
     table  the text of a table as it was pasted; or "" for none
     base, tip  the links of the file between which the arm is; by default the root, and the end of the arm without a gripper
-    form   whether the form of the page asks, so that the answer names its fields
     how    what the text of the table does not say, as `read_table` takes it: convention, order, length_unit, angle_unit, joints
 
     >>> print(examine("UR5e", "a alpha d\n0 90 0.1625\n0.425 0 0\n-0.3922 0 0\n0 90 0.1333\n0 -90 0.0997\n0 0 0.0996").sentence)
     For the same q the tool differs by up to 0.85 m and 0°, at 1000 random configurations.
     """
-    found = Examination(form=form)
+    found = Examination()
     try:
         if arm != "":
             chain, notes, visuals = _read_arm(arm, base, tip)
@@ -457,7 +451,7 @@ def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, l
     notes = [f"The arm is from link {base} to link {tip}: {', '.join(chain.joint_names or ())}."]
     others = [name for name in tree.joint_names if name not in (chain.joint_names or ())]
     for text, names in (
-        ("Other ends of the file, if yours is one of them (pass tip):", ends),
+        ("Other ends of the file, if yours is one of them:", ends),
         ("Joints that are not on the way are left at 0:", others),
     ):
         notes += [f"{text} {', '.join(names[:12])}{' and more' * (len(names) > 12)}."] * bool(names)

@@ -29,7 +29,7 @@ from misstep.answers.base import Answer, Named, Remarking, Unreadable
 from misstep.diagnosis.explanation import MAX_ALTERNATIVES
 from misstep.display.sentences import UNTOUCHED
 from misstep.mutants.expression import Slip
-from misstep.storage.deserialize import register_object
+from misstep.storage import register_object
 
 MAX_TEXT_LENGTH = 10_000
 """Maximum number of characters of a typed table. A longer text is refused, because parsing it would take too long."""

@@ -1,14 +1,14 @@
 """Screw axes (omega, v) as answers."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from misstep.answers.base import AlikeRows, Named
-from misstep.answers.likeness import ROUND_OFF, Likeness
+from misstep.answers.likeness import ROUND_OFF
 from misstep.answers.number import LENGTH, PURE, Numbers
 from misstep.mutants.expression import Slip
 from misstep.validation import Array
@@ -82,9 +82,6 @@ class ScrewsAnswer(AlikeRows, Numbers):
     def length_entries(self) -> NDArray[np.bool_]:
         return np.asarray(self.kinds() == LENGTH)
 
-    def likeness(self, given: Array, part: int | None) -> Likeness:
-        return replace(super().likeness(given, part), unit="moments")
-
     def check(self, given: Array, part: int) -> str:
         mine, right = (np.atleast_2d(S)[part] for S in (given, self.value))
         return screw_check(mine, right)
@@ -102,9 +99,7 @@ class ScrewsAnswer(AlikeRows, Numbers):
         alike = self.likeness(given, part).resemblance()
         same = np.atleast_2d(self.same_entries(given, self.value))[part]
         # Of one among several it is chance, and where omega is right it is said of v alone.
-        if alike and not (
-            alike[0].startswith("order") and (same[:3].all() or (len(self.parts) > 1 and alike[0] == "order and signs"))
-        ):
+        if alike and not (alike[0].startswith("order") and same[:3].all()):
             return alike
         if np.count_nonzero(~same) == 1:
             place = ENTRY_NAMES[int(np.flatnonzero(~same)[0])]

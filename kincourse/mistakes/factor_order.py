@@ -21,8 +21,7 @@ def factor_order_mistakes(
     for order, (sides, order_text) in {"": (right, ""), **orders}.items():
         factors = [f"e_{name}" for side in sides for name in side]
         for home, (place, home_text) in {"": (len(sides[0]), ""), **places}.items():
-            names, texts = filter(None, (order, home)), filter(None, (order_text, home_text))
-            if made := tuple(names):
-                value = [*factors[:place], "M", *factors[place:]]
-                found.append(Mistake(" and ".join(made), value, " ".join(texts), names=made))
+            if order or home:
+                name, text = " and ".join(filter(None, (order, home))), f"{order_text} {home_text}".strip()
+                found.append(Mistake(name, [*factors[:place], "M", *factors[place:]], text))
     return found
