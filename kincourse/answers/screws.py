@@ -113,7 +113,7 @@ class ScrewsAnswer(AlikeRows, Numbers):
         """Return what is right and wrong about one axis, (6,), as a line in space."""
         (w, _), (direction, _) = mine.reshape(2, 3), right.reshape(2, 3)
         turns, rotates = (bool(np.abs(x).max() > ROUND_OFF) for x in (direction, w))
-        is_parallel = np.linalg.norm(np.cross(w, direction)) < 1e-3 * max(1e-9, np.linalg.norm(w))
+        is_parallel = np.linalg.norm(np.cross(w, direction)) < 1e-3 * max(1e-9, float(np.linalg.norm(w)))
         cases = (
             (same[3:].all(), "another direction", "$v$ is right, but $\\omega$ is not."),
             (turns and not rotates, "omega left at 0", "$\\omega$ is 0, as if nothing rotated."),
