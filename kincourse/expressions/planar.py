@@ -5,7 +5,6 @@ A four-bar has the pin A at the origin, D on the x axis, B at the end of the cra
 
 from collections.abc import Callable, Iterable, Sequence
 from itertools import combinations
-from typing import Any
 
 import numpy as np
 
@@ -67,7 +66,7 @@ def coupler_directions(lengths: Sequence[Expression], A: Expression) -> tuple[Ex
     In the first mode C lies to the left of the arrow from B to D.
     """
     ground, crank, coupler, rocker = lengths
-    line = (_on_the_ground(ground).named("p_D") - _pin("p_B", crank, A)).named("BD")
+    line = (_on_the_ground(ground).named("p_D") - polar(crank, A).named("p_B")).named("BD")
     corner = corner_angle(_distance(line), coupler, rocker).named("\\angle DBC")
     direction = direction_of(line)
     return direction + corner, direction - corner
@@ -76,7 +75,7 @@ def coupler_directions(lengths: Sequence[Expression], A: Expression) -> tuple[Ex
 def rocker_directions(lengths: Sequence[Expression], A: Expression) -> tuple[Expression, Expression]:
     """The angles of the rocker from the x axis in both assembly modes, as `coupler_directions`."""
     ground, crank, coupler, rocker = lengths
-    line = (_pin("p_B", crank, A) - _on_the_ground(ground).named("p_D")).named("DB")
+    line = (polar(crank, A).named("p_B") - _on_the_ground(ground).named("p_D")).named("DB")
     corner = corner_angle(_distance(line), rocker, coupler).named("\\angle BDC")
     direction = direction_of(line)
     return direction - corner, direction + corner
@@ -114,10 +113,6 @@ def slider_place(crank: Expression, rod: Expression, offset: Expression, A: Expr
 
 def _slider(crank: Expression, rod: Expression, offset: Expression, A: Expression) -> Expression:
     return crank * cos(A) + sqrt(square(rod) - square(offset - crank * sin(A)))
-
-
-def _pin(name: str, distance: Expression, angle: Any) -> Expression:
-    return polar(distance, angle).named(name)
 
 
 def _cosine(one: float, two: float, opposite: float) -> float:

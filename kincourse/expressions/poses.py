@@ -7,7 +7,7 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp as exponential
-from kinlib.rigid.lie import hat, homogeneous
+from kinlib.rigid.lie import hat, homogeneous, log
 from misstep.mutants.expression import (
     IN_THE_WHOLE,
     MAY_COINCIDE,
@@ -132,17 +132,6 @@ def _exp_slips(node: Expression) -> Slips:
     yield Slip("exponential of each entry", text, _entrywise_exponential(S, q), everywhere=everywhere, one_by_one=False)
 
 
-def _logarithm(T: Array) -> Array:
-    """The twist (6,) of a pose whose angle is between 0 and pi; without the checks of kinlib's `log`, which take most of its time."""
-    R, p = T[:3, :3], T[:3, 3]
-    axial = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
-    sine, cosine = np.sqrt(axial @ axial), (np.trace(R) - 1) / 2
-    angle = np.arctan2(sine, cosine)
-    W = hat(omega := axial * (angle / sine))
-    v = p - W @ p / 2 + (1 / angle**2 - (1 + cosine) / (2 * angle * sine)) * (W @ (W @ p))
-    return np.concatenate([omega, v])
-
-
 def _assembled(R: Array, p: Array) -> Array:
     T = np.eye(len(p) + 1)
     T[:-1, :-1], T[:-1, -1] = R, p
@@ -188,12 +177,6 @@ _INVERSES = table(
      lambda T: homogeneous(T[:3, :3].T, T[:3, :3].T @ T[:3, 3]), INVERSE_ADVICE),
     of_values=True,
 )
-_INVERSE_OF_A_PRODUCT = table(
-    (_POSITION, "leave out the position of the inverse of ${0}$", lambda T: homogeneous(T[:3, :3].T, 0 * T[:3, 3]), INVERSE_ADVICE),
-    ("rotation transposed", "use the rotation of ${0}$, where its transpose belongs",
-     lambda T: homogeneous(T[:3, :3], -T[:3, :3] @ T[:3, 3]), INVERSE_ADVICE),
-    of_values=True,
-)
 _UNROTATED = "leave out the rotation of ${0}$ for ${1}$ |leave out the rotation of ${0}$"
 _POINT_MAP = table(
     ("point as a direction", "leave out the position of ${0}$ for a point", lambda T, x: rotation_of(T) @ x, POINT_ADVICE),
@@ -207,12 +190,10 @@ _DIRECTION_MAP = table(
     ("rotation left out", _UNROTATED, lambda T, x: to_direction(_unrotated(T), x)),
 )
 _LOGARITHMS = table(
-    ("translation for v", "take the position of the pose as $v$", lambda T: np.concatenate([_logarithm(T)[:3], T[:3, 3]]),
+    ("translation for v", "take the position of the pose as $v$", lambda T: np.concatenate([log(T)[:3], T[:3, 3]]),
      "The $v$ of a logarithm differs from the position, because the motion rotates too."),
-    ("first order", "take the entries of $T - I$ instead of the logarithm", lambda T: np.array([T[2, 1], T[0, 2], T[1, 0], *T[:3, 3]]),
-     "They are those of the logarithm for infinitesimal motions only."),
-    ("degrees", "give $\\omega$ in degrees", lambda T: _logarithm(T) * np.repeat((180 / np.pi, 1), 3), "A twist is in radians."),
-    ("halves swapped", "write $(v, \\omega)$", lambda T: np.roll(_logarithm(T), 3), "Here a twist is $(\\omega, v)$."),
+    ("degrees", "give $\\omega$ in degrees", lambda T: log(T) * np.repeat((180 / np.pi, 1), 3), "A twist is in radians."),
+    ("halves swapped", "write $(v, \\omega)$", lambda T: np.roll(log(T), 3), "Here a twist is $(\\omega, v)$."),
     of_values=True,
 )
 
@@ -222,13 +203,7 @@ def _part(T: str, letter: str) -> str:
     return T.replace("T", letter, 1)
 
 
-def _inverse_slips(node: Expression) -> Slips:
-    yield from _INVERSES(node)
-    if node.arguments[0].arguments:  # a given pose has these slips itself
-        yield from _INVERSE_OF_A_PRODUCT(node)
-
-
-inverse: Operation = Operation("inverse of a pose", np.linalg.inv, power("{-1}"), _inverse_slips, involution=True)
+inverse: Operation = Operation("inverse of a pose", np.linalg.inv, power("{-1}"), _INVERSES, involution=True)
 """The inverse of a pose: (R^T, -R^T p)."""
 
 
@@ -239,7 +214,7 @@ def _exponential_latex(S: str, q: str) -> str:
 exp: Operation = Operation("exponential", lambda S, q: exponential(S * q), _exponential_latex, _exp_slips)
 """The exponential of a screw S (6,) or rotation vector (3,) times a joint value: e^{[S] q}."""
 
-logarithm: Operation = Operation("logarithm", _logarithm, "\\log({0})".format, _LOGARITHMS, SUM)
+logarithm: Operation = Operation("logarithm", log, "\\log({0})".format, _LOGARITHMS, SUM)
 """The logarithm (6,) of a pose that is no translation: the twist whose exponential it is."""
 
 _linear: Operation = Operation("series", lambda S, q: np.eye(len(hat(S))) + hat(S) * q, "I + [{0}]{1}".format)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from kincourse.answers.pose import PoseAnswer
-from kincourse.expressions.poses import assemble, inverse, pose
+from kincourse.expressions.poses import assemble, inverse, logarithm, pose
 from kincourse.expressions.rodrigues import position_exp, rotation_exp
 from kincourse.expressions.screws import direction
 from kincourse.problem import ArmSampler, Problem, problem
@@ -12,12 +12,10 @@ from kinlib.rigid.lie import exp, log
 from misstep.answers.number import Numbers
 from misstep.display.text import vector
 from misstep.mutants.expression import Expression, given
-from misstep.mutants.operations import ANGLE, function, radians
+from misstep.mutants.operations import ANGLE, radians
 
 ONE_MOTION = "A screw axis is scaled as a whole."
 TO_THE_ANGLE = "If you divide the axis by 2, multiply the angle by 2: $S\\,\\theta = (S / 2)\\,(2\\theta)$."
-
-logarithm = function("logarithm", log, "\\log({0})")
 
 
 def third_of_a_turn() -> Expression:
@@ -95,7 +93,6 @@ def screw_between(_draw: ArmSampler) -> Problem:
         answer=Numbers(x.value),
         solution=x.mistaken_for(
             ("logs subtracted", "subtract logarithms", log(drawn) - log(home)),
-            ("halves swapped", "write $(v, \\omega)$", np.roll(x.value, 3), "Here a twist is $(\\omega, v)$."),
         ),
         invisible=("position of the inverse", "rotation transposed"),  # the rotation of T_sa is I
         advice={
