@@ -10,7 +10,7 @@ from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import dh_row, link, links, table_product
 from kincourse.expressions.poses import inverse, with_position
 from kincourse.expressions.poses import pose as given_pose
-from kincourse.mistakes.dh import entry_names, other_entries, rows_of_the_other_convention, with_translation_in_a_row
+from kincourse.mistakes.dh import entry_names, other_entries, rows_of_the_other_convention
 from kincourse.problem import ArmSampler, Problem, problem
 from kincourse.sampling.arms import are_distinguishable
 from kincourse.sampling.drawn_machines import (
@@ -234,15 +234,9 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
     A = links(rows, "RR", q, "standard")
     T = table_product(rows, "RR", q, "standard", [T_s0], [T_2b])
     unrotated = with_position(T.value, sum(factor.value[:3, 3] for factor in (T_s0, *A, T_2b)))
-    in_groups = with_position(T.value, base[:3, 3] + product(*A).value[:3, 3] + tool[:3, 3])
     T = T.mistaken_for(
         ("positions added", "add the positions without rotating them", unrotated),
-        ("positions added", "add the positions of base, rows and tool without rotating them", in_groups),
         ("base and tool swapped", "swap $T_{s0}$ and $T_{2b}$", product(T_2b, *A, T_s0)),
-        ("base behind the rows", "put $T_{s0}$ behind the rows", product(*A, T_s0, T_2b)),
-        ("tool in front of the rows", "put $T_{2b}$ in front of the rows", product(T_s0, T_2b, *A)),
-        ("base in a row", "write the base into the first row", with_translation_in_a_row(table, "base").fk(q)),
-        ("tool in a row", "write the tool into the last row", with_translation_in_a_row(table, "tool").fk(q)),
         advice=BASE_AND_TOOL_ADVICE,
     )
     return Problem(
@@ -298,10 +292,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         ("off the normal", "measure $a$ from joint to joint", (steps[0][1], 0.0, steps[1][1], 0.0), NORMAL_ADVICE),
         ("a and d swapped", "swap $a$ and $d$", (d[0], a[0], d[1], a[1]), "$d$ is measured along $z$, and $a$ along $x$."),
         ("order of the numbers", "give $a_1, a_2, d_1, d_2$ in this order", (*a, *d), ""),
-        ("rows swapped", "swap the two rows", (a[1], d[1], a[0], d[0]), ""),
         ("height above the floor", "take the height above the floor for $d$", (a[0], z[1], a[1], z[2]), HEIGHT_ADVICE),
-        ("height of the joint before", "take the height of joint $i$ for $d_i$", (a[0], z[0], a[1], z[1]), HEIGHT_ADVICE),
-        ("origins on one level", "keep all origins on one level", (a[0], 0.0, a[1], 0.0), "The origins are at the joints here."),
         ("sign of d", "measure $d$ downwards", (a[0], -d[0], a[1], -d[1]), "$d$ grows along $z$, which points up."),
         ("measured from joint 1", "measure both rows from joint 1", (a[0], d[0], far, rise), "Row 2 begins at joint 2."),
     ):  # fmt: skip

@@ -227,9 +227,7 @@ def wrist(sampler: ArmSampler) -> Problem:
         ("no constant", "leave out the constant $R_x(-90°)$ behind the Y-Z-Y Euler angles", euler("yzy")),
         ("constant on the left", "put the constant $R_x(-90°)$ on the left of Y-Z-Y", constant @ euler("yzy")),
         ("sign of the constant", "take $R_x(+90°)$ as the constant", euler("yzy") @ constant.T),
-        ("constant twice", "multiply by the constant $R_x(-90°)$ twice", euler("yzy") @ constant @ constant),
         ("Z-Y-Z", "give Z-Y-Z Euler angles, without a constant", euler("zyz")),
-        ("X-Y-Z", "rotate about the axes $x$, $y$, $z$", euler("xyz")),
         advice=WRIST_ADVICE,
     )
     return Problem(

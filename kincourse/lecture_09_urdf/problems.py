@@ -96,13 +96,11 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
         ("joint left out", "leave out `joint_2`", p1 + R1 @ p3),
         ("joint left out", "leave out `joint_1`", p2 + R2 @ p3),
         ("order", "swap `joint_1` and `joint_2`", p2 + R2 @ (p1 + R1 @ p3)),
-        ("translation rotated", "rotate each step by its own `rpy` alone", R1 @ p1 + R2 @ p2 + R3 @ p3),
         ("translation rotated", "rotate each step by its own `rpy` as well", R1 @ (p1 + R2 @ (p2 + R3 @ p3))),
         ("reversed", "go from the tip to the base", p3 + R3 @ p2 + R3 @ R2 @ p1),
         ("rotation left out", "leave out the rotation of the step of `joint_3`", p1 + R1 @ p2 + p3),
         ("rotation transposed", "transpose the rotations", p1 + R1.T @ p2 + (R1 @ R2).T @ p3),
         ("rotation left out", "add the three `xyz` without rotating them", p1 + p2 + p3),
-        ("frame changed", "give the position with the directions of `joint_3`", transpose(R1 @ R2 @ R3) @ p),
         ("inverse", f"give the origin of the base {back}", -(transpose(R1 @ R2 @ R3) @ p)),
     )
 

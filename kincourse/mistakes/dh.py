@@ -9,7 +9,7 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
-from kinlib.dh.slips import OTHER_CONVENTION, SLIPS_OF_A_TABLE, SLIPS_THAT_LOSE_NUMBERS, A, D
+from kinlib.dh.slips import OTHER_CONVENTION, SLIPS_OF_A_TABLE, SLIPS_THAT_LOSE_NUMBERS
 from kinlib.dh.table import Convention, DHTable
 from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import Slip
@@ -99,13 +99,6 @@ def rows_of_the_other_convention(table: DHTable) -> Mistake:
         "modified one on that of joint $i$. Your rows are those of the other convention."
     )
     return mistake("z on the wrong joint", wrong, text, spoils=is_in_several_rows(wrong.rows, table.rows))
-
-
-def with_translation_in_a_row(table: DHTable, end: str) -> DHTable:
-    """The table with the translation of its base in the first row, or that of its tool in the last: x in a, z in d, and no end."""
-    rows = table.rows.copy()
-    rows[0 if end == "base" else -1, [A, D]] += getattr(table, end)[[0, 2], 3]
-    return table.changed(rows=rows, **{end: np.eye(4)})
 
 
 def entry_names(n: int) -> dict[str, str]:
