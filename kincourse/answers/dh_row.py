@@ -34,7 +34,8 @@ class _DHNumbers(Numbers):
     def likeness(self, given: Array, part: int | None) -> Likeness:
         found = super().likeness(given, part)
         angles = np.atleast_1d(self.angle_entries()[... if part is None else part])[..., None]
-        is_turned = angles & (np.abs(found.mine) < 4 * np.pi)  # a larger number is in degrees
+        # A larger number is in degrees, and an angle with the other sign is no turn away.
+        is_turned = angles & (np.abs(found.mine) < 4 * np.pi) & (np.abs(found.mine + found.right) > TOLERANCE)
         turns = np.where(is_turned, np.round((found.mine - found.right) / (2 * np.pi)), 0)
         return replace(found, right=found.right + 2 * np.pi * turns.reshape(found.right.shape))
 
