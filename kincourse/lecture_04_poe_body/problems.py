@@ -24,8 +24,7 @@ from kincourse.expressions.screws import (
 )
 from kincourse.mistakes.factor_order import factor_order_mistakes
 from kincourse.problem import ArmSampler, Problem, problem
-from kincourse.sampling.arms import are_distinguishable, shows_transposes
-from kincourse.sampling.configurations import Configuration, configuration_from_typed
+from kincourse.sampling.arms import Configuration, are_distinguishable, configuration_from_typed, shows_transposes
 from kincourse.sampling.drawn_machines import is_readable, lengths
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain

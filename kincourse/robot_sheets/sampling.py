@@ -8,8 +8,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler, shows_transposes
-from kincourse.sampling.configurations import Configuration, configuration_from_typed
+from kincourse.sampling.arms import (
+    PLAIN_ANGLES_DEG,
+    ArmSampler,
+    Configuration,
+    configuration_from_typed,
+    shows_transposes,
+)
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import pose

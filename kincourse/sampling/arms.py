@@ -4,6 +4,7 @@ They are drawn with `misstep.sampling.Sampler`, which depends on the student and
 """
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
 from kinlib.view.drawing.canvas import view_axes
+from misstep.display.text import number
 from misstep.sampling import Sampler
 
 MIN_JOINT_DISTANCE_M = 1.2
@@ -45,6 +47,22 @@ def shows_transposes(robot: Chain) -> bool:
     """
     R = robot.home[:3, :3]
     return bool(np.abs(robot.lines.axis @ (R - R.T)).max(axis=-1).min() > MIN_TRANSPOSE_DIFFERENCE)
+
+
+class Configuration(NamedTuple):
+    """A joint configuration: typed (n,) in degrees and metres, q (n,) in radians and metres, and both in words."""
+
+    typed: Array
+    q: Array
+    words: str
+
+
+def configuration_from_typed(chain: Chain, typed: Sequence[float]) -> Configuration:
+    """Complete a configuration of a chain from its joint values in degrees and metres."""
+    is_angle = np.array([kind != "P" for kind in chain.joint_types])
+    values = np.array(typed)
+    words = [f"{number(value)} {'degrees' if angle else 'm'}" for value, angle in zip(typed, is_angle, strict=True)]
+    return Configuration(values, np.where(is_angle, np.radians(values), values), ", ".join(words))
 
 
 class ArmSampler(Sampler):
