@@ -16,7 +16,6 @@ XYZ = ("$x$", "$y$", "$z$")
 REORDERED = "Your three {} are right, but not in the order $x$, $y$, $z$."
 
 HOMOGENEOUS = " These are homogeneous coordinates: leave off the last entry (1 for a point, 0 for a direction), so that x, y, z are left."
-ORDER_OR_SIGNS = "Its components have the right sizes; their order or their signs are not right."
 
 UNIT_TOLERANCE = 0.01
 """How far the length of a unit vector with two decimals may be from 1."""

@@ -6,10 +6,7 @@ from legible import assert_legible
 import kinlib as kl
 from kincourse.lecture_00_start_here.drawings import draw_parts
 from kincourse.lecture_01_frames.drawings import draw_rotation, draw_three_readings
-from kincourse.lecture_02_matrix_exponential.drawings import (
-    draw_motions,
-    draw_series,
-)
+from kincourse.lecture_02_matrix_exponential.drawings import draw_motions, draw_series
 from kincourse.lecture_04_poe_body.drawings import draw_adjoint_steps
 from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
 from kincourse.lecture_04b_velocity.drawings import draw_tool_velocities
@@ -39,7 +36,6 @@ PICTURES = {
     "velocities": lambda: draw_tool_velocities(YOUBOT, BENT),
     "lost direction": lambda: draw_tool_velocities(YOUBOT, np.zeros(5)),
     "last frame": lambda: draw_last_frame("P", d=0.9, a=0.3),
-    "last frame, revolute": lambda: draw_last_frame("R", d=0.4),
     "rotation axes": lambda: draw_rotation_axes("zyz", [0.3, 0.7, 0.2], ("4", "5", "6")),
     "nearly parallel axes": lambda: draw_nearly_parallel_axes(30),
     "torus": lambda: draw_torus(

@@ -22,9 +22,7 @@ def alts(make, monkeypatch):
 
 
 def around_the_curve(**settings):
-    curve = WIDE.trace(WIDE.assembly_modes(hold={"A": 0.5})[0], points=25).q[
-        :-1
-    ]  # the last point is the first one again
+    curve = WIDE.trace(WIDE.assembly_modes(hold={"A": 0.5})[0], points=25).q[:-1]  # the last point is the first again
     left = np.sin(curve[:, 3]) > 0
     return slide_curve(WIDE, curve, ("A", "D"), parts={"one mode": left, "other mode": ~left}, **settings)
 
