@@ -156,14 +156,14 @@ def joint_screws(
                 ("another point", f"combine each axis with the point of the {which} joint", rows_with(order), "")
             )
     if isinstance(points, np.ndarray):
-        for text, wrong in (
-            *((f"measure each point from joint {i}", points - p) for i, p in zip(numbers, points, strict=True)),
-            ("add up the points, as if each were measured from the one before", points.cumsum(axis=0)),
-            ("take the steps from point to point as the points", np.diff(points, axis=0, prepend=0 * points[:1])),
-        ):
-            other = rows_with(list(wrong))
+        for i, p in zip(numbers, points, strict=True):
+            other = rows_with(list(points - p))
             if np.abs(other.value - rows.value).max() > MIN_SHIFT_M:
-                slips.append(("another origin", text, other, "The points are given in {s}, each from its origin."))
+                text, advice = (
+                    f"measure each point from joint {i}",
+                    "The points are given in {s}, each from its origin.",
+                )
+                slips.append(("another origin", text, other, advice))
     return rows.mistaken_for(*slips)
 
 

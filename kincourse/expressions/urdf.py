@@ -5,7 +5,6 @@ from itertools import combinations
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.rpy import origin
 from misstep.mutants.expression import Expression, Operation, Slip, Slips, given, transpose
 
@@ -47,10 +46,6 @@ def _rpy_slips(node: Expression) -> Slips:
     if rotated != [1]:  # the pitch is the second angle in either order
         text, advice = "read the angles as yaw, pitch and roll", "The first of the three is the roll, about $x$."
         yield Slip("yaw first", text, _rpy_rotation(rpy[::-1]), everywhere=text, advice=advice)
-    if len(rotated) > 1:
-        text = f"take the angles of ${label}$ as one rotation vector"
-        advice = "Roll, pitch and yaw are three rotations, one after the other, and not one rotation vector."
-        yield Slip("rotation vector", text, _one_rotation(rpy), advice=advice, may_coincide=True)
     text = f"transpose ${label}$, which takes coordinates in the joint's frame to the parent's"
     yield Slip("rotation transposed", text, transpose(node), everywhere="transpose every rotation")
     yield Slip(
@@ -77,5 +72,4 @@ def _scaled(rpy: Expression, factor: float | Array) -> Expression:
 
 
 _rpy_rotation: Operation = Operation("roll, pitch, yaw", _rotation, "R_z R_y R_x".format, _rpy_slips)
-_one_rotation: Operation = Operation("one rotation", exponential, "R({0})".format)
 _moving: Operation = Operation("moving axes", _about_moving_axes, "R({0})".format)

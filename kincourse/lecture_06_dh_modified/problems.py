@@ -70,7 +70,6 @@ def wrong_conversions(given: Array, right: DHTable) -> Iterator[tuple[str, Array
     """Yield wrong conversions of standard rows (n, 4) to a modified table: the name, the rows, and what is true of them."""
     kept, folded = _moved(given, 1, LINK), _moved(given, 1, LINK)
     kept[0, LINK], folded[0, LINK] = given[0, LINK], given[-1, LINK]
-    rolled = np.roll(given, 2, axis=0) * (1, 1, 0, 0) + given * (0, 0, 1, 1)
     yield from (
         ("not converted", given, "These are the rows of the given table, not converted."),
         ("moved the other way", _moved(given, -1, LINK), "$a$ and $\\alpha$ are moved in the wrong direction."),
@@ -79,13 +78,9 @@ def wrong_conversions(given: Array, right: DHTable) -> Iterator[tuple[str, Array
         ("d and theta moved", _moved(given, 1, [2, 3]), "$d$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
         ("a alone moved", _moved(given, 1, [0]), "$a$ is moved, and $\\alpha$ is not. Both belong to the link."),
         ("alpha alone moved", _moved(given, 1, [1]), "$\\alpha$ is moved, and $a$ is not. Both belong to the link."),
-        ("both angles moved", _moved(given, 1, [1, 3]), "$\\alpha$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
-        ("d and theta moved", _moved(given, -1, [2, 3]), "$d$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
-        ("two rows too far", rolled, "$a$ and $\\alpha$ are moved by two rows instead of one."),
         ("two rows too far", _moved(given, 2, LINK), "$a$ and $\\alpha$ are moved by two rows instead of one."),
         ("end kept", kept, "The row at the empty end keeps its $a$ and $\\alpha$, but they belong to the row beside it."),
         ("end folded in", folded, "The left-over $a$ and $\\alpha$ were put in the row at the other end. They belong in no row."),
-        ("rows reversed", right.rows[::-1], "The rows are in reverse order."),
     )  # fmt: skip
 
 
@@ -107,21 +102,22 @@ class WristAnglesAnswer(Remarking, EulerAnglesAnswer):
     def resemblance(self, given: Array, part: int | None) -> Named | None:
         if part is None:
             return super().resemblance(given, None)
-        mine, right = given[part, 1], self.value[part, 1]
-        if part == 1 and abs(abs(np.sin(mine)) - 1) < TOLERANCE:
-            text = "At $\\theta_5 = \\pm 90°$ axes 4 and 6 are perpendicular. At which $\\theta_5$ are they collinear?"
-            return "singular at a right angle", text
-        if abs(np.cos(mine) + np.cos(right)) < TOLERANCE and abs(np.cos(mine)) > TOLERANCE:
-            text = "The cosine of your $\\theta_5$ has the wrong sign: it is off by half a turn, or its supplement."
-            return "theta_5 beyond a right angle", text
-        if abs(np.cos(mine) - np.cos(right)) > TOLERANCE:
-            return "another theta_5", "No solution has this $\\theta_5$."
-        if part == 0:
-            return ("theta_4 and theta_6", "Your $\\theta_5$ is possible, but not with your other angles.")
-        return "the sum of theta_4 and theta_6", (
-            "Your $\\theta_5$ is right. Axes 4 and 6 are collinear there, so $R_2$ determines only $\\theta_4 + \\theta_6$, "
-            "and your sum is wrong."
+        mine, right = np.cos(given[part, 1]), np.cos(self.value[part, 1])
+        at_a_right_angle = (
+            "At $\\theta_5 = \\pm 90°$ axes 4 and 6 are perpendicular. At which $\\theta_5$ are they collinear?"
         )
+        beyond = "The cosine of your $\\theta_5$ has the wrong sign: it is off by half a turn, or its supplement."
+        their_sum = (
+            "Your $\\theta_5$ is right. There $R_2$ determines only $\\theta_4 + \\theta_6$, and your sum is wrong."
+        )
+        cases = (
+            (part == 1 and abs(mine) < TOLERANCE, "singular at a right angle", at_a_right_angle),
+            (abs(mine + right) < TOLERANCE < abs(mine), "theta_5 beyond a right angle", beyond),
+            (abs(mine - right) > TOLERANCE, "another theta_5", "No solution has this $\\theta_5$."),
+            (part == 0, "theta_4 and theta_6", "Your $\\theta_5$ is possible, but not with your other angles."),
+            (part == 1, "the sum of theta_4 and theta_6", their_sum),
+        )
+        return next((name, text) for is_so, name, text in cases if is_so)
 
     def remark(self, given: Array) -> str:
         if np.cos(given[0, 0] - self.value[0, 0]) > 0:

@@ -123,35 +123,8 @@ def frames_by_the_rules(sampler: ArmSampler) -> Problem:
                 homogeneous(found[:, :3, :3].swapaxes(1, 2), found[:, :3, 3]),
                 "You wrote the axes of each frame into the rows of its rotation matrix. They are its columns.",
             ),
-            mistake(
-                "origins at the joints",
-                _at_the_joints(found, robot),
-                "You put every origin where its joint is drawn. The origin is the point where the common normal meets the axis.",
-            ),
-            mistake(
-                "x along the link",
-                _along_the_links(found, robot),
-                "Your $x_i$ runs along the link, from joint to joint. It must run along the common normal, "
-                "perpendicular to both axes.",
-            ),
         ],
     )
-
-
-def _at_the_joints(frames: Array, robot: Chain) -> Array:
-    moved = frames.copy()
-    moved[: robot.n, :3, 3] = robot.joint_points
-    return moved
-
-
-def _along_the_links(frames: Array, robot: Chain) -> Array:
-    rotated = frames.copy()
-    for i in range(1, robot.n):
-        link = robot.joint_points[i] - robot.joint_points[i - 1]
-        x = link / np.linalg.norm(link)
-        rotated[i, :3, 0] = x
-        rotated[i, :3, 1] = np.cross(frames[i, :3, 2], x)
-    return rotated
 
 
 @problem("07.3", "The table of a drawn arm", points=3, lecture="07_frame_assignment#What is free")

@@ -321,7 +321,6 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
         ("infinitesimal mobility", (infinitesimal, infinitesimal, finite),
          "This is the infinitesimal mobility. The formula counts joint variables and loops; it does not use $J$."),
         ("finite mobility", (count, infinitesimal, 1 - finite), case.explanation),
-        ("one loop too many", (count - d, infinitesimal, finite), f"{counted} one loop too many."),
         ("rank", (count, infinitesimal + 1, finite), f"{counted} one singular value too many as zero."),
         ("rank", (count, n - above_1, finite), f"{counted} the singular values below 1 as zero."),
     ]  # fmt: skip
