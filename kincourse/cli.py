@@ -11,9 +11,5 @@ COMMANDS = {
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command that the arguments name, and return its exit code: 0 done, 2 invalid request.
-
-    >>> main(["new-sheet", "nowhere.urdf", "--out", "solutions/my_robot"])
-    2
-    """
+    """Run the command that the arguments name, and return its exit code: 0 done, 2 invalid request."""
     return run_command("kincourse", "Tools for lecturers.", COMMANDS, {}, arguments)

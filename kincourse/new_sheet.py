@@ -44,11 +44,6 @@ def new_sheet(
 
     Raises ValueError if the robot cannot be read, or if the name is invalid or taken.
     Raises FileExistsError if `out` is a file, or a folder that is not empty and `force` is false.
-
-    >>> import tempfile
-    >>> from kinlib.chains.robots import rpr
-    >>> new_sheet(rpr(), Path(tempfile.mkdtemp(), "my_crane")).name
-    'my_crane.ipynb'
     """
     folder = Path(out)
     sheet_name = folder.name

@@ -55,10 +55,6 @@ def on_paper(picture: Picture) -> str:
 
 
 def with_image(text: str, lecture: str, alt: str) -> str:
-    r"""Put the image of a lecture below its first paragraph, in place of an older one.
-
-    >>> with_image("# Frames\n\nWhere?\n\nNext.", "01_frames", "Two frames.").splitlines()[2:5]
-    ['Where?', '', '![Two frames.](pictures/01_frames.svg)']
-    """
+    """Put the image of a lecture below its first paragraph, in place of an older one."""
     title, first, *rest = IMAGE.sub("", text).split("\n\n")
     return "\n\n".join([title, first, f"![{alt}](pictures/{lecture}.svg)", *rest])

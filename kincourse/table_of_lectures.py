@@ -28,11 +28,7 @@ class Lecture(NamedTuple):
 
 
 def lectures() -> list[Lecture]:
-    """Return the lectures of the course, in order.
-
-    >>> lectures()[0]
-    Lecture(name='00_start_here', title='Start here', question='Where is the tool, if you know only the joint angles?', problems=0)
-    """
+    """Return the lectures of the course, in order."""
     folders = {name: import_module(f"{COURSE.package}.lecture_{name}") for name in COURSE.lectures}
     counts = {name: len(COURSE.find_sheet(name).problems) for name in COURSE.sheets()}
     return [Lecture(name, one.TITLE, one.QUESTION, counts.get(name, 0)) for name, one in folders.items()]
@@ -42,9 +38,6 @@ def sheet_of(lecture: str) -> str:
     """Return the name of a lecture's sheet: its own, or that of the lecture that it continues; "" if there is none.
 
     lecture  the name of its notebook
-
-    >>> sheet_of("04b_velocity"), sheet_of("00_start_here")
-    ('04_poe_body', '')
     """
     sheets = COURSE.sheets()
     return lecture if lecture in sheets else next((sheet for sheet in sheets if sheet[:2] == lecture[:2]), "")
@@ -55,9 +48,6 @@ def table_rows(notebooks: str, sheet: str) -> str:
 
     notebooks  the folder of the notebooks
     sheet      the cell of the sheet, with {name}, {number} and {problems} in braces
-
-    >>> table_rows("notebooks", "[{problems}](exercises/{name}/{name}.ipynb)").splitlines()[0]
-    '| [00 Start here](notebooks/00_start_here.ipynb) | Where is the tool, if you know only the joint angles? | |'
     """
     rows = []
     for lecture in lectures():
