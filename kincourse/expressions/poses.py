@@ -121,12 +121,6 @@ def _exp_slips(node: Expression) -> Slips:
     S, q = node.arguments
     factor = f"${node.latex}$"
     yield Slip("joint value left out", f"leave out ${q.latex}$ in {factor}", exp(S, 1.0))
-    if S.value[:3].any():  # for a prismatic joint, the series ends there
-        for term, series in (("linear", _linear), ("quadratic", _quadratic)):
-            text, everywhere = (
-                f"stop the series of {one} after its {term} term" for one in (factor, "each exponential")
-            )
-            yield Slip("series cut short", text, series(S, q), everywhere=everywhere, one_by_one=False)
     text = f"take the exponential of each entry instead of {factor}"
     everywhere = "take the exponential of each entry (`np.exp`) instead of that of the matrix"
     yield Slip("exponential of each entry", text, _entrywise_exponential(S, q), everywhere=everywhere, one_by_one=False)
@@ -217,8 +211,6 @@ exp: Operation = Operation("exponential", lambda S, q: exponential(S * q), _expo
 logarithm: Operation = Operation("logarithm", log, "\\log({0})".format, _LOGARITHMS, SUM)
 """The logarithm (6,) of a pose that is no translation: the twist whose exponential it is."""
 
-_linear: Operation = Operation("series", lambda S, q: np.eye(len(hat(S))) + hat(S) * q, "I + [{0}]{1}".format)
-_quadratic: Operation = Operation("series", lambda S, q: np.eye(len(W := hat(S) * q)) + W + W @ W / 2, "I + [{0}]{1} + \\ldots".format)
 _entrywise_exponential: Operation = Operation("entrywise exponential", lambda S, q: np.exp(hat(S) * q), "e^{{[{0}]{1}}}".format)
 _with_transposed_rotation: Operation = function("rotation transposed", lambda T: homogeneous(T[:3, :3].T, T[:3, 3]), "{0}")
 

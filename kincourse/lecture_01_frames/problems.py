@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from functools import partial
-from itertools import permutations
 
 import numpy as np
 
@@ -219,9 +218,6 @@ def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
     T_to = T_to.mistaken_for(("positions subtracted", "subtract the positions", subtracted, advice))
     whole = inverse(pose("T_{st}", T_st) @ pose("T_{sc}", T_sc) @ pose("T_{co}", T_co))
     T_to = T_to.mistaken_for(("inverse of the product", "invert the whole product instead of $T_{st}$ alone", whole))
-    for rotations in list(permutations((T_st[:3, :3].T, T_sc[:3, :3], T_co[:3, :3])))[1:]:
-        wrong = homogeneous(np.linalg.multi_dot(rotations), T_to.value[:3, 3])
-        T_to = T_to.mistaken_for(("order", "multiply the three rotations in another order", wrong))
     return Problem(
         statement="A camera {c} on the wall measures the pose $T_{co}$ of an object {o}. The poses of the camera and of the tool {t} in "
         f"the base frame {{s}} are known. Give $T_{{to}}$, the pose of the object in the frame of the tool.\n\n"

@@ -67,11 +67,6 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
         ("another joint", f"give the body screw of joint {neighbour + 1}", robot.body_screws[neighbour]),
         ("frame not changed", "read the axis in {s}", robot.screws[joint - 1]),
         (
-            "negative for inverse",
-            "negate $M$ instead of inverting it",
-            change_frame(-robot.home, robot.screws[joint - 1]),
-        ),
-        (
             "rotation left out",
             "measure from the origin of {b}, but along the axes of {s}",
             screw(robot.screws[joint - 1, :3], robot.joint_points[joint - 1] - origin),

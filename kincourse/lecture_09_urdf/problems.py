@@ -335,16 +335,12 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
     )
     first, second = polar(length("boom", boom), q), polar(length("forearm", forearm), from_base)
     in_plane = first.named("p_{\\mathrm{boom}}") + second.named("p_{\\mathrm{forearm}}")
-    swapped = polar(forearm, q) + polar(boom, from_base)
     unturned = np.array([boom, 0.0]) + polar(forearm, q_2)
-    straight = np.array([boom + forearm, 0.0])
-    in_plane = in_plane.mistaken_for(("lengths swapped", "swap the lengths of `boom` and `forearm`", swapped)).named(
-        "(x, y)"
-    )
-    in_plane = in_plane.mistaken_for(("swing left out", "leave `swing` at 0, and move `fold` alone", unturned))
-    in_plane = in_plane.mistaken_for(("rotation left out", "add the lengths without rotating", straight)).named(
-        "(x, y)"
-    )
+    in_plane = in_plane.mistaken_for(
+        ("lengths swapped", "swap the lengths of `boom` and `forearm`", polar(forearm, q) + polar(boom, from_base)),
+        ("swing left out", "leave `swing` at 0, and move `fold` alone", unturned),
+        ("rotation left out", "add the lengths without rotating", np.array([boom + forearm, 0.0])),
+    ).named("(x, y)")
     x = concatenate(in_plane, given("z", height).mistaken_for(("coordinate left out", "take the height as 0", 0.0)))
     return Problem(
         statement=f"The joint `swing` of this file has the value $q_1 = {number(q_rad)}$ rad; call that of `fold` $q_2$. Give the "

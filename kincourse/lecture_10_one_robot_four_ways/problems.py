@@ -79,17 +79,14 @@ def from_a_table(sampler: ArmSampler) -> Problem:
     z, O = T_02[:3, 2].named("z_2"), T_02[:3, 3].named("O_2")
     z = z.mistaken_for(
         ("another axis", "take $x_2$ instead of $z_2$", T_02[:3, 0]),
-        ("row for column", "take the third row of the rotation instead of its third column", T_02[2, :3]),
     )
     for k, T in ((1, A[0]), (3, T_03)):
         O = O.mistaken_for(("another point", f"take $O_{k}$ instead of $O_2$", T[:3, 3]))
     S = revolute(z, O)
-    modified = product(*(link(row, "modified", i) for i, row in enumerate(rows, start=1)))
     S = S.mistaken_for(
         ("another joint", "take $z_3$ and $O_3$", axis_of(T_03, 3)),
         ("another joint", "take $z_1$ and $O_1$, the axis of joint 2", axis_of(A[0], 1)),
         ("another joint", "take $z_0$ and $O_0$, the axis of joint 1", axis_of(given("I", np.eye(4)), 0)),
-        ("the other convention", "take $z_3$ and $O_3$ of the modified convention", axis_of(modified, 3)),
         ("body screw", "give $B_3$, the screw axis in frame 3", change_frame(inverse(T_03), S)),
     )
     return Problem(
