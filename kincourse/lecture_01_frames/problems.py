@@ -85,9 +85,6 @@ def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
         ("half a turn", f"add $180^\\circ$ to ${degrees}^\\circ$", 180 + degrees),
     )
     R = rotation_about(k, radians(angle))
-    R = R.mistaken_for(
-        ("no 1 for the axis", "leave out the 1 on the diagonal for the shared axis", R.value - np.diag(np.eye(3)[k]))
-    )
     first, next_axis = "yzx"[k], "zxy"[k]
     return Problem(
         statement="Frames {a} and {b} share their origin and one axis, and you look along this axis. A dot means that it points towards "

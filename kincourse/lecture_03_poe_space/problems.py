@@ -46,8 +46,7 @@ from misstep.answers.function import Function
 from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
-from misstep.mistakes import mistake
-from misstep.mutants.expression import Expression, given, negative, product, total
+from misstep.mutants.expression import Expression, given, product, total
 from misstep.mutants.operations import ANGLE, LENGTH, radians, stack
 
 TITLE = "The product of exponentials in the space frame"
@@ -291,14 +290,9 @@ def longer_tool(sampler: ArmSampler) -> Problem:
     extended = extended.mistaken_for(
         ("another axis", "extend the tool along its $x$", pose((X, Y, Z), longer * X)),
         ("another axis", "extend the tool along its $y$", pose((X, Y, Z), longer * Y)),
-        ("another axis", "extend the tool along its $x$, $y$ and $z$", pose((X, Y, Z), longer * (X + Y + Z))),
         ("sign of a length", "shorten the tool instead of extending it", pose((X, Y, Z), -longer * Z)),
-        ("extended twice", "extend the tool twice", pose((X, Y, Z), 2 * longer * Z)),
     )
     home = (given_pose("M", robot.home) @ extended).named("M'")
-    at_length = robot.home.copy()
-    at_length[2, 3] = longer
-    home = home.mistaken_for(("replaced", "put the added length in the place of the $z$ of $M$", at_length))
     values = values_in_radians(robot.joint_types, q)
     factors = exponentials(robot.screws, values)
     moved = robot.screws @ adjoint(extended.value).T
@@ -336,10 +330,7 @@ def home_of_a_whole_arm(sampler: ArmSampler) -> Problem:
 
     def solution(**lengths: float) -> Expression:
         R = columns(*(direction(letter, axis) for letter, axis in zip("xyz", robot.tool, strict=True)))
-        p = total(*_links(robot, lengths)).named("p")
-        return assemble(
-            R, p.mistaken_for(("sign of a vector", "take the position with the opposite sign", negative(p)))
-        )
+        return assemble(R, total(*_links(robot, lengths)).named("p"))
 
     return Problem(
         statement="The drawing shows an arm at home, with the frame {s} at the base and {b} at the end-effector. Each link is parallel to "
@@ -527,6 +518,8 @@ def ur5e_on_a_stand(sampler: ArmSampler) -> Problem:
         ("term left out", "leave out the height of the shoulder", points - np.outer(np.arange(6) > 0, shoulder * Z)),
         ("another configuration", "take the configuration of the data sheet, with both links horizontal", points_of(-X, -X)),
         ("links swapped", "swap the directions of the two links", points_of(fore, upper)),
+        ("sign of a coordinate", "put the base on the other side of the origin of {s} along x", points - 2 * place * X),
+        ("sign of a coordinate", "put the base on the other side of the origin of {s} along y", points - 2 * place * Y),
         ("sign of a length", "lay both steps of the wrist to the other side", 2 * points[[0, 1, 2, 3, 3, 3]] - points),
     ):  # fmt: skip
         S = S.mistaken_for((name, text, joint_screws(axes, other, np.zeros(6)).value))
@@ -543,15 +536,6 @@ def ur5e_on_a_stand(sampler: ArmSampler) -> Problem:
         figure=lambda: draw_dimensions(body, drawn, {"base": place}),
         shown={"axes": axes, "points": points},
         answer=ScrewsAnswer(S),
-        mistakes=[
-            mistake(
-                "sign of a coordinate",
-                joint_screws(axes, points - 2 * place * along, np.zeros(6)).value,
-                f"You put the base on the wrong side of the origin of {{s}}.\nLook at its coordinate along {letter}.",
-                "This comes from a base on the wrong side of the origin of {s}.",
-            )
-            for letter, along in (("x", X), ("y", Y))
-        ],
         invisible={"another point"},
     )
 
