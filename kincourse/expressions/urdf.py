@@ -21,11 +21,6 @@ def rpy_rotation(label: str, rpy: Array | Expression) -> Expression:
     return _rpy_rotation(angles).named(label)
 
 
-def about_own_axes(R: Expression) -> Expression:
-    """The rotation by the same angles about the frame's own axes, R_x R_y R_z, which is a mistake."""
-    return _moving(*R.arguments)
-
-
 def _rotation(rpy: Array) -> Array:
     return origin(rpy=rpy)[:3, :3]
 

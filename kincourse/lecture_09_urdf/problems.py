@@ -10,7 +10,7 @@ from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.planar import length, polar
 from kincourse.expressions.poses import assemble, point, translation
 from kincourse.expressions.screws import direction, revolute
-from kincourse.expressions.urdf import about_own_axes, rpy_rotation
+from kincourse.expressions.urdf import rpy_rotation
 from kincourse.problem import ArmSampler, Problem, problem
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
 from kincourse.text.urdf_text import (
@@ -190,7 +190,6 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
         ("another axis", "use the $z$ axis of the joint instead of its `axis`", R1 @ R2 @ R3 @ z),
         ("another axis", "use the $x$ axis of the joint instead of its `axis`", R1 @ R2 @ R3 @ X),
         ("rotation transposed", "rotate the axis by $R^T$", transpose(R1 @ R2 @ R3) @ a),
-        ("own axes", "rotate the axis about the frames' own axes", product(*map(about_own_axes, (R1, R2, R3))) @ a),
     )
     S = revolute(omega, p.named("p"))
     own = a, 0 * p

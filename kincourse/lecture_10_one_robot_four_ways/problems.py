@@ -115,7 +115,6 @@ def joint_origin(sampler: ArmSampler) -> Problem:
     for name, text, place in (
         ("from the base", "give the position of joint 2 in {s}", there),
         ("another joint", "give the position of joint 1", here),
-        ("rotated and not moved", "multiply the position of joint 2 by $R$", R @ there),
         ("order", "rotate the position of joint 2 before subtracting that of joint 1", R.T @ there - here),
         ("placed by joint 1", "take the position of joint 2 as given in the frame of joint 1", here + R @ there),
     ):
