@@ -83,8 +83,8 @@ def slider(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"A slider-crank has a crank of {number(crank)} m and a rod of {number(rod)} m. Its slider moves parallel to $x$, "
         f"{number(abs(offset))} m {side} the pin A. The angle of the crank from the $x$ axis is $A = {degrees}°$. What is the $x$ "
-        "coordinate of the slider, from the pin A, in the assembly mode with the slider to the right of B? (The picture shows the linkage before the "
-        "pin C is put in.)",
+        "coordinate of the slider, from the pin A, in the assembly mode with the slider to the right of B? (The picture shows the "
+        "linkage before the pin C is put in.)",
         further="At which crank angle is the slider farthest away?",
         figure=partial(draw_linkage, linkage, np.array([A, -A, 1.1 * (crank + rod), 0.0])),
         given={"crank": crank, "rod": rod, "offset": offset, "degrees": degrees},
