@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from abc import abstractmethod
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,9 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 from kinlib.arrays import validation
 from kinlib.arrays.tolerances import MAX_ROTATION_RAD
 from kinlib.arrays.validation import Array, JointValues, TakesJointValues
-
-DEGREE_LIMITS = (60, 720)
-"""The larger limit of a joint is between these, if it is taken to be in degrees: 50 rad are the eight turns of a spindle."""
 
 
 def validate_limits(limits: ArrayLike, joint_types: str) -> Array:
@@ -47,16 +44,17 @@ def look_like_degrees(lower: float, upper: float) -> bool:
     ends = [end for end in (lower, upper) if np.isfinite(end)]
     size = max(map(abs, ends), default=0)
     is_whole = all(end % 1 == 0 for end in ends)
-    least, most = DEGREE_LIMITS
-    return bool(is_whole and least <= size <= most and size % 100)
+    return bool(is_whole and 60 <= size <= 720 and size % 100)  # 50 rad are the eight turns of a spindle
 
 
 class TakesLimitedValues(TakesJointValues):
     """A robot whose joint values have limits."""
 
+    limits: Any
+
     @property
-    @abstractmethod
-    def _limits(self) -> Array: ...  # (n, 2), infinite where there is none
+    def _limits(self) -> Array:
+        return np.tile([-np.inf, np.inf], (self.n, 1)) if self.limits is None else np.asarray(self.limits)
 
     def within_limits(self, q: JointValues) -> NDArray[np.bool_]:
         """Return for each configuration whether all its joint values are within the limits: q (..., n) -> (...).

@@ -98,10 +98,10 @@ def divide_by_length(values: Array, length: Array) -> Array:
 
 def rotation_angles(angle: Array) -> Array:
     """Return rotation angles in radians unchanged, if double precision can resolve them; ValueError if not."""
-    if (angle > MAX_ROTATION_RAD).any():
+    if (np.abs(angle) > MAX_ROTATION_RAD).any():
         raise ValueError(
             f"A rotation angle must be at most {MAX_ROTATION_RAD:.0e} rad, because double precision cannot resolve its direction "
-            f"beyond that; got {angle.max():.3g} rad. Did a computation diverge?"
+            f"beyond that; got {np.abs(angle).max():.3g} rad. Did a computation diverge?"
         )
     return angle
 
@@ -189,10 +189,6 @@ class TakesJointValues(ABC):
 
     @property
     @abstractmethod
-    def _values_in_words(self) -> str: ...  # such as "5 joints (RRRRR)"
-
-    @property
-    @abstractmethod
     def _value_names(self) -> Sequence[str]: ...  # () if they have none
 
     def in_order(self, q: JointValues, argument: str = "q") -> Array:
@@ -200,7 +196,8 @@ class TakesJointValues(ABC):
 
         argument  its name, for messages
 
-        Raises ValueError for joint values of another size, for NaN, and for a missing or an unknown name.
+        Raises ValueError for joint values of another size, for NaN, for a missing or an unknown name, and for an angle that double
+        precision cannot resolve.
 
         >>> from kinlib import DHTable
         >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], "standard").in_order({"q2": 0.5, "q1": [1, 2]})
@@ -214,9 +211,9 @@ class TakesJointValues(ABC):
             if q.ndim > 1 and q.shape[-2] == self.n:
                 advice = f"Joints go in the last dimension: try {argument}.T"
             raise ValueError(
-                f"{self.name} has {self._values_in_words}, so {argument} must have shape (..., {self.n}); got {q.shape}. {advice}."
+                f"{self.name} has {self.n} joint values, so {argument} must have shape (..., {self.n}); got {q.shape}. {advice}."
             )
-        return q
+        return rotation_angles(q)
 
 
 def _stacked(values: Mapping[str, ArrayLike], names: Sequence[str], robot: str) -> Array:

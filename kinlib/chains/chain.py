@@ -103,11 +103,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
 
     @property
     def _title(self) -> str:
-        return f"{self.name}, {self._values_in_words}"
-
-    @property
-    def _values_in_words(self) -> str:
-        return f"{self.n} joints ({self.joint_types})"
+        return f"{self.name}, {self.n} joints ({self.joint_types})"
 
     @property
     def _home_line(self) -> str:
@@ -311,26 +307,8 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         return cls(**data | {"limits": limits})
 
     @property
-    def _limits(self) -> Array:
-        return np.tile([-np.inf, np.inf], (self.n, 1)) if self.limits is None else self.limits
-
-    @property
     def _value_names(self) -> tuple[str, ...]:
         return self.joint_names
-
-    def in_order(self, q: JointValues, argument: str = "q") -> Array:
-        """Read joint values as an array (..., n) in the order of the joints, from an array or a mapping by joint name.
-
-        Raises ValueError for joint values of another size, for NaN, for a missing or an unknown name, and for an angle that double
-        precision cannot resolve.
-
-        >>> arm = Chain([[0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0]], np.eye(4), joint_names=("turn", "slide"))
-        >>> arm.in_order({"slide": 0.5, "turn": 1})
-        array([1. , 0.5])
-        """
-        q = super().in_order(q, argument)
-        validation.rotation_angles(np.abs(q * self.screws[:, :3].any(axis=1)))
-        return q
 
 
 def random_configurations(n: int, count: int) -> Array:

@@ -33,9 +33,6 @@ from kinlib.rigid.lie import cross, homogeneous, nearest_rotation
 ACCURACY_SAMPLES = 24
 """Number of configurations at which a table is compared with its chain."""
 
-PARALLEL_BOUNDS_RAD = 10.0 ** np.arange(-11.5, -4.5, 0.5)
-"""The bounds below which axes are tried as parallel; the last one is beyond every pair that is nearly parallel."""
-
 SNAPPED_DECIMALS = 5
 """To how many decimals of a metre a snapped table is rounded, unless a number has few more, such as 0.089159; its angles have one
 fewer, in degrees."""
@@ -110,7 +107,7 @@ def assign_frames(chain: Chain, convention: Convention, *, snap: bool = False) -
     if exact and not any(normal.is_nearly_parallel for normal in exact.normals):
         return _snapped(exact) if snap else exact
     # One bound for the whole arm: an axis that is treated as parallel passes its small error on to the next comparison.
-    results = [exact, *(_assign(chain, convention, bound) for bound in PARALLEL_BOUNDS_RAD)]
+    results = [exact, *(_assign(chain, convention, bound) for bound in 10.0 ** np.arange(-11.5, -4.5, 0.5))]
     best = min((result for result in results if result), key=lambda result: result.accuracy)
     if not snap:
         return best
@@ -222,14 +219,11 @@ def _move_about_z(frame: Array, x: Array, origin: Array) -> tuple[Array, tuple[f
 
 def _move_about_x(frame: Array, normal: CommonNormal, z: Array) -> tuple[Array, tuple[float, float]]:
     """Move a frame about and along its own x onto the next axis; return the frame, and a and alpha."""
-    a = float(frame[:3, 0] @ (normal.end - frame[:3, 3])) if normal.case not in _ZERO_LENGTH_CASES else 0.0
+    a = float(frame[:3, 0] @ (normal.end - frame[:3, 3])) if normal.has_length else 0.0
     straight = np.pi if normal.case.startswith("anti") else 0.0
     _, minus_sin, cos = z @ frame[:3, :3]
     alpha = math.atan2(-minus_sin, cos) if normal.is_unique else straight
     return frame @ normal_transform(a, alpha), (a, alpha)
-
-
-_ZERO_LENGTH_CASES = {"intersecting", "coincident", "anti-coincident"}
 
 
 def _relative_pose(frame: Array, T: Array) -> Array:
@@ -246,17 +240,6 @@ def _first_perpendicular(candidates: Array, z: Array) -> Array:
     k = np.argmax(np.linalg.norm(across, axis=1) > 0.1)  # of three orthogonal ones at least two are not
     return np.asarray(across[k] / np.linalg.norm(across[k]))
 
-
-NEARLY_PARALLEL = (
-    "These axes are nearly parallel, {angle:.1e} rad apart, where DH is ill-conditioned: if one of them moves by a millimetre, "
-    "their normal moves by {far:.2g} m along them, so the last digits of d are lost. (Hayati's remedy is a fifth parameter: a "
-    "small rotation about y instead of the distant normal.)"
-)
-
-PRISMATIC_AXIS_RELOCATED = (
-    "These axes are nearly parallel, {angle:.1e} rad apart. But a prismatic joint has no line of its own, so its axis is placed "
-    "to intersect its neighbour, and their normal stays near."
-)
 
 CASES = {
     "skew": "Axes {i} and {j} are skew: there is one common normal, {a} m long.",
@@ -347,13 +330,15 @@ def _explain_link(
     i, j, frame = pair + 1, pair + 2, pair + 1
     length = format_number(float(np.linalg.norm(normal.end - normal.start)))
     text, others = CASES[normal.case].format(i=i, j=j, a=length), ALTERNATIVES[normal.case]
-    has_length = normal.case in {"skew", "parallel", "antiparallel"}
-    if normal.is_nearly_parallel and (has_length or "P" not in chain.joint_types[pair : pair + 2]):
-        text += " " + NEARLY_PARALLEL.format(angle=normal.sine, far=1e-3 / normal.sine)
-        text += f" Here they are taken as {normal.case}" + (", with the distant normal." if normal.is_unique else ".")
-        others = others if normal.is_unique else "The distant normal."
-    elif normal.is_nearly_parallel:
-        text += " " + PRISMATIC_AXIS_RELOCATED.format(angle=normal.sine)
+    if normal.is_nearly_parallel:
+        text += f" These axes are nearly parallel, {normal.sine:.1e} rad apart"
+        if (
+            normal.has_length or "P" not in chain.joint_types[pair : pair + 2]
+        ):  # a prismatic axis is placed beside its neighbour
+            text += f", where DH is ill-conditioned: if one of them moves by a millimetre, their normal moves by {1e-3 / normal.sine:.2g} m"
+            text += " along them, so the last digits of d are lost"
+            others = others if normal.is_unique else "The distant normal."
+        text += f". Here they are taken as {normal.case}."
     yield AssignmentStep("normal", frame, text, others)
     reason = "where the common normal meets it"
     if not normal.is_unique:
@@ -362,7 +347,7 @@ def _explain_link(
     text = f"O_{frame} lies on axis {j if standard else i}, {reason}: {format_vector(T[:3, 3])}."
     yield AssignmentStep("origin", frame, text, "" if normal.is_unique else ALTERNATIVES[normal.case])
     direction = "the same as before"
-    if has_length:
+    if normal.has_length:
         direction = "along the common normal, from axis to axis"
     elif normal.case == "intersecting":
         is_tie = abs(normal.x @ previous[:3, 0]) <= PARALLEL_TOL_RAD

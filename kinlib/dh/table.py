@@ -44,9 +44,6 @@ Convention = Literal["standard", "modified"]
 TableRows = str | Sequence[Mapping[str, Any]] | ArrayLike
 """What a table is made from: text, dictionaries by column name, or numbers (m, 4)."""
 
-DICT_KEYS = ("rows", "convention", "joints", "signs", "base", "tool")
-"""The keys of `DHTable.to_dict`."""
-
 
 def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike, *, convention: Convention) -> Array:
     """Compute the transform of one DH row: the pose of frame i in frame i-1.
@@ -183,10 +180,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         return dict(zip(COLUMNS, self.rows.T, strict=True))
 
     @property
-    def _values_in_words(self) -> str:
-        return f"{self.n} joint{'s'[: self.n != 1]} ({self.joints.replace('F', '')})"
-
-    @property
     def _value_names(self) -> list[str]:
         return [f"q{i + 1}" for i in range(self.n)]
 
@@ -282,7 +275,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         >>> DHTable.from_dict(table.to_dict()).to_dict() == table.to_dict()
         True
         """
-        validation.keys(data, "A table", DICT_KEYS)
+        validation.keys(data, "A table", ("rows", "convention", "joints", "signs", "base", "tool"))
         for name in ("rows", "signs", "base", "tool"):
             if not isinstance(data[name], list) or not data[name]:
                 raise ValueError(f"{name} must be a list of numbers or of rows; got {validation.describe(data[name])}.")

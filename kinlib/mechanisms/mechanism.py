@@ -40,10 +40,6 @@ from kinlib.rigid.lie import inverse, log
 from kinlib.rigid.screw import line
 from kinlib.rigid.se3_jacobians import left_jacobian_inverse
 
-CLOSURE_TOL = 1e-13
-"""A linkage is closed if the norm of all its residuals, each expressed about the centre of its loop, is at most (1 + d) times
-this, where d is the distance in metres from the origin to its farthest joint: rounding errors grow with d."""
-
 JOINT_HEADINGS = ["joint", "bodies", "omega", "v"]
 
 
@@ -343,10 +339,6 @@ class Mechanism(TakesJointValues):
         return {body: chain_along(self.joints, path, body) for body, path in self._tree.items() if path}
 
     @property
-    def _values_in_words(self) -> str:
-        return f"{self.n} joint value{'s'[: self.n != 1]}"
-
-    @property
     def _value_names(self) -> tuple[str, ...]:
         return self.names
 
@@ -382,7 +374,7 @@ class Mechanism(TakesJointValues):
         farthest = max(float(np.linalg.norm(loop.centre)) for loop in self.loops) + size
         # A prismatic joint may have to travel twice the size of the linkage, and a helical joint as many turns as this takes.
         search_range = np.where(is_angle, np.pi, 2 * size / np.clip(pitch, tolerances.UNIT_LENGTH_TOL, 1))
-        tolerance = CLOSURE_TOL * (1 + farthest)
+        tolerance = 1e-13 * (1 + farthest)  # rounding errors grow with the distance from the origin
         # About the centre of each loop, so that the accuracy does not depend on where the origin is.
         centred = [loop.centred for loop in self.loops]
         return Closure(lambda q: self._linearized(q, centred), q, free, is_angle, search_range, tolerance)

@@ -20,12 +20,6 @@ from kinlib.urdf.xml_elements import Element
 MOVING_TYPES = ("revolute", "continuous", "prismatic")
 JOINT_TYPES = (*MOVING_TYPES, "fixed", "planar", "floating")
 
-MAX_ORIGIN_M = 1e6
-"""The largest coordinate of an origin, in metres. Beyond it rounding errors exceed 0.1 nm, and the file probably uses another unit."""
-
-MAX_ORIGIN_RAD = 4 * np.pi
-"""The largest angle of an origin, in radians, as for DH tables: larger ones, such as 90, are probably in degrees."""
-
 MAX_NUMBER = float(np.finfo(float).max)
 """URDF has no prismatic joint without limits, so this largest number is written for an infinite limit, and read as one."""
 
@@ -161,8 +155,8 @@ def _origin(joint: Element) -> Array:
     if (element := joint.child("origin")) is None:
         return np.eye(4)
     bounds = {
-        "xyz": (MAX_ORIGIN_M, "m", "Is it in another unit than metres?"),
-        "rpy": (MAX_ORIGIN_RAD, "rad", "Is it in degrees? URDF uses radians."),
+        "xyz": (1e6, "m", "Is it in another unit than metres?"),
+        "rpy": (4 * np.pi, "rad", "Is it in degrees? URDF uses radians."),
     }
     values = {name: element.numbers(name, 3) for name in bounds if name in element.attributes}
     for name, numbers in values.items():

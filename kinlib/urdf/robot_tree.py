@@ -110,11 +110,10 @@ class Tree(TakesLimitedValues):
 
     @property
     def _title(self) -> str:
-        return f"{self.name}, {len(self.links)} link{'s'[: len(self.links) != 1]}, {self._values_in_words}"
-
-    @property
-    def _values_in_words(self) -> str:
-        return f"{self.n} independent joint{'s'[: self.n != 1]}"
+        links, joints = (
+            f"{k} {word}{'s'[: k != 1]}" for k, word in ((len(self.links), "link"), (self.n, "independent joint"))
+        )
+        return f"{self.name}, {links}, {joints}"
 
     def _rows(self, indent: str) -> Iterator[list[str]]:
         for depth, link, _ in self._descendants(self.root):
@@ -175,10 +174,6 @@ class Tree(TakesLimitedValues):
     @property
     def _value_names(self) -> tuple[str, ...]:
         return self.joint_names
-
-    @property
-    def _limits(self) -> Array:
-        return self.limits
 
     @cached_property
     def coupling(self) -> Array:

@@ -19,8 +19,6 @@ MAX_BYTES = 4_000_000
 MAX_DEPTH = 100
 """How deep elements may be nested. The mesh of a link is at depth five; the extensions of simulators reach about ten."""
 
-NUMBER_PATTERN = r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?"
-
 LIKELY_CAUSES = {
     "invalid token": " Is a quote missing, is there a bare & or <, or is the file not saved as UTF-8?",
     "mismatched tag": " An element opened above is not closed, or closed with another name.",
@@ -69,7 +67,9 @@ class Element:
         """Read the finite numbers of an attribute. Raises ValueError for anything else, and for another count."""
         words = self.text(attribute).split()
         for word in words:
-            if not re.fullmatch(NUMBER_PATTERN, word, re.ASCII) or not math.isfinite(float(word)):
+            if not re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", word, re.ASCII) or not math.isfinite(
+                float(word)
+            ):
                 hint = " Separate numbers by spaces." if re.search("[,;]", word) else ""
                 raise self.error(f'{attribute} must consist of finite numbers; got "{word}".{hint}')
         if len(words) != count:

@@ -20,9 +20,6 @@ from kinlib.rigid.lie import cross
 
 Booleans = NDArray[np.bool_]
 
-MAX_JOINTS = 9
-"""Of so many joints all signs are tried, and of more joints at most two with the sign -1."""
-
 
 def neighbours(chain: Chain) -> tuple[Array, Array, Array]:
     """Compute the sine of the angle between each axis and the next, the acute angle, and the length of their normal, (n - 1,) each."""
@@ -54,7 +51,8 @@ class AxisInvariants:
         lengths = np.full(len(self._skew) + len(self._parallel), length)
         along = length / sines[self._runs].min(axis=0, initial=1.0) ** 2
         self._tolerances = np.concatenate([np.full(n - 1, tolerance), lengths, along])
-        flips = [flip for count in range(n + 1 if n <= MAX_JOINTS else 3) for flip in combinations(range(n), count)]
+        # Of more than nine joints at most two may have the sign -1.
+        flips = [flip for count in range(n + 1 if n <= 9 else 3) for flip in combinations(range(n), count)]
         self._patterns = s = np.array([np.where(np.isin(np.arange(n), flip), -1.0, 1.0) for flip in flips])
         of_pairs = s[:, :-1] * s[:, 1:]
         no_sign = np.ones((len(s), len(self._parallel)))

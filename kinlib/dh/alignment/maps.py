@@ -23,11 +23,8 @@ from kinlib.rigid.lie import adjoint, cross, exp, hat, homogeneous, inverse, per
 COMPARED_CONFIGURATIONS = 16
 """At how many random configurations chains are compared."""
 
-SEARCHED_AS_PARALLEL_RAD, PARALLEL_COS, MAX_ROTATION_OF_FIXED = 2e-5, 1 - 1e-9, 0.1
-"""Axes at a smaller angle are searched as parallel ones; a joint that is fixed may be off by so many radians before the search."""
-
-MAX_MAPS, EXACT, MAX_STEPS, LARGEST_STEP = 4, 1e-12, 6, 1e3
-"""How many maps are compared; and a map whose poses differ by more is improved, in so many steps, none longer than the last."""
+SEARCHED_AS_PARALLEL_RAD = 2e-5
+"""Axes at a smaller angle are searched as parallel ones."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -83,13 +80,13 @@ def _starts(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> It
     for k in range(len(letters) - 1, -1, -1):
         if letters[k] == "P" or "zeros" in fixed:
             # What a prismatic joint cannot rotate, the joint before it does, if its axis is parallel.
-            if letters[k] == "P" and k and abs(cosine := u[k - 1] @ u[k]) > PARALLEL_COS:
+            if letters[k] == "P" and k and abs(cosine := u[k - 1] @ u[k]) > 1 - 1e-9:
                 offsets[:, k - 1] = wrap_angle(offsets[:, k - 1] + np.sign(cosine) * offsets[:, k])
             else:
-                possible &= np.abs(offsets[:, k]) < MAX_ROTATION_OF_FIXED
+                possible &= np.abs(offsets[:, k]) < 0.1  # before the search
             offsets[:, k] = 0.0
     zeros = (np.abs(offsets) > max(loose, SAME_DISTANCE_RAD)).sum(axis=1)
-    for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros)) if possible[k]][:MAX_MAPS]:
+    for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros)) if possible[k]][:4]:
         theirs, ours = _frame(v[0], y[0]), _frame(s[k, 0] * u[0], flips[k, 0] * x[0])
         yield s[k], offsets[k], np.eye(3) if "base" in fixed else theirs @ ours.T
 
@@ -179,12 +176,12 @@ def _improved(found: Map, one: Chain, other: Chain, fixed: frozenset[str]) -> Ma
     # Translations first: for them the problem is linear, and where rotations are redundant they would share the error.
     slides = [letter == "P" for letter in one.joint_types]
     translates = np.array([*[False] * 3, *[True] * 3, *slides, *[False] * 3, *[True] * 3])
-    for free in (is_free & translates, *[is_free] * MAX_STEPS):
-        if found.difference <= EXACT:
+    for free in (is_free & translates, *[is_free] * 6):
+        if found.difference <= 1e-12:
             break
         error, J = linearized(found.base, one, found.signs * q + found.offsets, found.tool, target)
         step = np.linalg.lstsq(J * free, -error, rcond=1e-10)[0] * free
-        if np.abs(step).max() > LARGEST_STEP:
+        if np.abs(step).max() > 1e3:
             break
         X, Y = exp(step[:6]) @ found.base, found.tool @ exp(step[-6:])
         moved = _measured(replace(found, base=X, tool=Y, offsets=found.offsets + step[6:-6]), one, other)
