@@ -101,28 +101,6 @@ def test_spherical_and_universal_joints_agree_with_scipy_s_angles(angles, centre
         close(T @ [*centre, 1], [*centre, 1])
 
 
-def test_hooke_s_joint_satisfies_hooke_s_equation():
-    """tan(out) = cos(bend) tan(in): Robert Hooke, A Description of Helioscopes (1676)."""
-    bend = 1.0
-    out = np.array([np.sin(bend), 0, np.cos(bend)])
-    across = np.cross(Z, out) / np.sin(bend)
-    linkage = Mechanism(
-        [
-            Joint("in", ("ground", "fork"), screw(Z)),
-            Joint("cross", ("fork", "other fork"), universal(across, np.cross(out, across), np.zeros(3))),
-            Joint("out", ("ground", "other fork"), screw(out)),
-        ],
-        name="Hooke",
-    )
-    assert linkage.names == ("in", "cross.1", "cross.2", "out")
-    # About a point a loop has three equations.
-    assert linkage.kutzbach() == 1
-    curve = linkage.trace(np.zeros(4))
-    assert curve.closed
-    one, other = curve.q[:, 0], curve.q[:, 3]
-    close(np.sin(other) * np.cos(one), np.cos(bend) * np.cos(other) * np.sin(one))
-
-
 def test_assemble_finds_the_configuration_that_scipy_finds():
     rng = np.random.default_rng(3)
     for linkage, hold in (
