@@ -6,7 +6,7 @@ The notebook and the page of that name show what `examine` returns. Everything t
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from html import escape
@@ -22,6 +22,7 @@ from kinlib.chains.robots import youbot
 from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import CHOICES, equivalent, measured_difference
+from kinlib.dh.explanation.search import explain_by_choices
 from kinlib.dh.formatting import headings
 from kinlib.dh.read_table import read_table
 from kinlib.dh.table import Convention, DHTable, format_rows, table_frames
@@ -160,10 +161,18 @@ class Examination:
         is_choice = bool(self.strict.explanations) and self.strict.explanations[0].is_a_choice
         if self.slip:
             texts.append(f"{SLIP_WORDS}{self.slip}")
-        elif strict not in texts and not (is_right and is_choice):
+        elif strict not in texts and not (is_right and (is_choice or self._is_told_by_choices)):
             same = "If q, base and tool are meant to be the same: " if texts else ""
             texts.append(same + strict)
         return sorted(texts, key=lambda text: (text.count("\n"), len(text)))
+
+    @property
+    def _is_told_by_choices(self) -> bool:
+        """Whether the choices up to which the table is right change the same numbers as the only mistake that was found."""
+        if self.table is None or self.free is None or self.strict is None or len(self.strict.explanations) != 1:
+            return False
+        choices = explain_by_choices(self.table, self.free.comparison)
+        return choices is not None and self.strict.explanations[0].says_as_much(choices)
 
     @cached_property
     def slip(self) -> Diagnosis | None:
@@ -184,13 +193,22 @@ class Examination:
     @property
     def _changed(self) -> DHTable | None:
         """The given table with few other numbers that has the poses of the arm; None if none was found."""
+        return self._followed[0] if self._followed else None
+
+    @cached_property
+    def _followed(self) -> tuple[DHTable, str, bool] | None:
+        """That table, the reading that it follows, and whether choices of the arm were added: the first of those nearest to the arm."""
+        if self.strict is None or self.free is None:
+            return None
         if self.slip and self.slip.corrected:
-            right = self.slip.corrected
-            found = equivalent(right, self.slip.arm, fixed=JOINT_CHOICES)
-            return right.changed(base=found.base @ right.base, tool=right.tool @ found.tool)
-        if not self.strict or self.strict.up_to:
-            return self.strict.corrected if self.strict else None
-        return self.strict.corrected or self.strict.nearest
+            return _with_choices(self.slip.corrected, self.slip.arm, JOINT_CHOICES), SLIP_WORDS, False
+        arm, told = self.strict.arm, str(self.strict)
+        found = [(near, told, False) for near in (self.strict.corrected, self.strict.nearest) if near is not None]
+        if self.strict.nearest is not None and self.strict.up_to:
+            found = [(_with_choices(self.strict.nearest, arm), told, True)]
+        if self.free.explanations:
+            found.append((_with_choices(self.free.explanations[0].corrected, arm), str(self.free), True))
+        return min(found, key=lambda each: round(max(measured_difference(each[0].to_chain(), arm)), 4), default=None)
 
     @property
     def wrong_rows(self) -> list[int]:
@@ -264,12 +282,12 @@ class Examination:
         metres, radians = measured_difference(self.corrected.to_chain(), self.arm)
         off = f"{format_number(metres, 2, zero=1e-9)} m and {format_number(math.degrees(radians), 2, zero=1e-7)}°"
         follows = "The corrected table is a new one, with frames assigned to the arm, because no small change was found"
-        if self._changed is not None:
-            right = SLIP_WORDS if self.slip else str(self.strict)
-            number = next((k for k, text in enumerate(readings) if right in text), 0)
+        if self._followed:
+            number = next((k for k, text in enumerate(readings) if self._followed[1] in text), 0)
             which = ("the first reading", "the second reading")[number] if len(readings) > 1 else "these changes"
             first = ", and of these its first line" * any("\nor: " in text for text in readings[number : number + 1])
-            follows = f"The corrected table has {which}{first}"
+            choices = ", with the base, the tool, the zeros and the signs of the arm" * self._followed[2]
+            follows = f"The corrected table has {which}{first}{choices}"
         return f"{follows}; for the same q its poses differ from the arm's by at most {off}."
 
     def _side_by_side(self) -> str:
@@ -286,6 +304,15 @@ class Examination:
         return html_table(
             "The table, and → the numbers that give the arm's poses", ["", *headings(table.convention)], rows
         )
+
+
+def _with_choices(table: DHTable, arm: Chain, fixed: Collection[str] = ()) -> DHTable:
+    """Give a table that describes an arm up to choices the base, the tool, the zeros and the signs of the arm."""
+    for tolerance in (1e-6, 1e-4, 1e-2):
+        found = equivalent(table, arm, fixed=fixed, tolerance=tolerance)
+        if choices := explain_by_choices(table, found):
+            return choices.corrected
+    return table
 
 
 def _assigned(found: FrameAssignment, arm: Chain) -> Iterator[str]:

@@ -17,16 +17,14 @@ from functools import cache, cached_property
 from importlib.metadata import entry_points
 from importlib.resources import files
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from misstep.display.failed_answer import watch_cells
 from misstep.problem import Template, templates_in
 from misstep.questions.item import Item, read_questions
+from misstep.questions.widget import Explanation, Question
 from misstep.sheet import SAMPLE_ID, OpenSheet, Sheet
 from misstep.verdict import Verdict
-
-if TYPE_CHECKING:
-    from misstep.questions.widget import Explanation, Question
 
 ENTRY_POINT_GROUP = "misstep.courses"
 """The group of entry points by which the course is found."""
@@ -72,12 +70,10 @@ class Course:
     @cached_property
     def lectures(self) -> list[str]:
         """The names of the lectures, in order: "01_frames" is the one in the folder lecture_01_frames."""
-        names = (entry.name for entry in files(self.package).iterdir() if entry.is_dir())
-        return sorted(name.removeprefix(FOLDER_PREFIX) for name in names if name.startswith(FOLDER_PREFIX))
+        return sorted(path.name.removeprefix(FOLDER_PREFIX) for path in self.folder.glob(f"{FOLDER_PREFIX}*/"))
 
     def _lectures_with(self, file: str) -> list[str]:
-        package = files(self.package)
-        return [name for name in self.lectures if (package / f"{FOLDER_PREFIX}{name}" / file).is_file()]
+        return [name for name in self.lectures if (self.folder / f"{FOLDER_PREFIX}{name}" / file).is_file()]
 
     def sheets(self) -> list[str]:
         """The names of all sheets, in the order of the lectures."""
@@ -130,12 +126,8 @@ class Course:
 
         Raises ValueError for an invalid file; the message names the file and the key.
         """
-        package = files(self.package)
-        found = {
-            name: package / f"{FOLDER_PREFIX}{name}" / "questions.toml"
-            for name in self._lectures_with("questions.toml")
-        }
-        return {name.partition("_")[0]: _questions(str(file)) for name, file in found.items()}
+        folders = {name: self.folder / f"{FOLDER_PREFIX}{name}" for name in self._lectures_with("questions.toml")}
+        return {name.partition("_")[0]: _questions(folder / "questions.toml") for name, folder in folders.items()}
 
     def find_question(self, name: str) -> Item:
         """Find a question by its name, "lecture/question", for example "03/order".
@@ -151,7 +143,7 @@ class Course:
             )
         return items[key]
 
-    def ask(self, name: str) -> "Question":
+    def ask(self, name: str) -> Question:
         """Return a question of a lecture, which displays itself; name is "lecture/question", for example "03/order".
 
         Pass the result as `after=` to a figure to cover the figure until the reader has answered. The question that is asked
@@ -159,22 +151,18 @@ class Course:
 
         Raises ValueError for an unknown name.
         """
-        from misstep.questions.widget import Question
-
         item, asked = self.find_question(name), self._asked.get(name)
         if asked is None or asked.item != item:
             asked = self._asked[name] = Question(item, name)
         return asked
 
-    def explain(self, name: str, output: str = "") -> "Explanation":
+    def explain(self, name: str, output: str = "") -> Explanation:
         """Return the explanation of the prediction at ask(name), which displays itself and opens when the reader has answered.
 
         output  text that a computation has given; it is shown with the explanation, because it tells the answer
 
         Raises ValueError for an unknown name.
         """
-        from misstep.questions.widget import Explanation, Question
-
         return Explanation(self._asked.get(name) or Question(self.find_question(name), name), output)
 
     def _module(self, lecture: str, name: str) -> Any:
@@ -182,8 +170,7 @@ class Course:
 
 
 @cache
-def _questions(path: str) -> dict[str, Item]:
-    file = Path(path)
+def _questions(file: Path) -> dict[str, Item]:
     return read_questions(file.read_text(encoding="utf-8"), f"{file.parent.name}/{file.name}")
 
 

@@ -15,7 +15,6 @@ class Mistake:
              mistake explains only whole answers
     did      what leads to the answer, from the verb on, if it is a slip in the solution; the message is made of it
     advice   a sentence on what is right
-    names    the names of the errors, if several of them lead to this answer together
     spoils   whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
     """
 
@@ -25,11 +24,7 @@ class Mistake:
     part: str = ""
     did: str = ""
     advice: str = ""
-    names: tuple[str, ...] = ()
     spoils: bool = False
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "names", self.names or (self.name,))
 
 
 def mistake(name: str, value: Any, message: str, part: str = "", *, spoils: bool = False) -> Mistake:

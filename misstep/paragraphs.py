@@ -1,4 +1,4 @@
-"""The paragraphs of a card: what the findings say, each sentence once, and not more than a student reads."""
+"""The paragraphs of a card: what the findings say, and not more than a student reads."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -15,9 +15,6 @@ MAX_LIST = 60
 AND_MORE = "Other parts are not right either; begin with this one."
 """What is said where there is no room for all findings."""
 
-THE_SAME = "The same is true here."
-"""What is said of parts of which everything has been said of others already."""
-
 
 def paragraphs(
     findings: Sequence[Finding], right_parts: Sequence[str] = (), said_of_right: str = RIGHT, *, is_first: bool = False
@@ -32,8 +29,8 @@ def paragraphs(
 
     >>> paragraphs([Finding(["x"], "It is 0. Put in numbers."), Finding(["z"], "It is 0. Put in numbers.")], ["y"])
     ['Right: y.', 'X and z: It is 0. Put in numbers.']
-    >>> paragraphs([Finding(["x"], "It is 0. Look up."), Finding(["z"], "It is 0. Look down.")]), paragraphs([Finding(["x"], "It is 0.")])
-    (['X: It is 0. Look up.', 'Z: Look down.'], ['It is 0.'])
+    >>> paragraphs([Finding(["x"], "It is 0.")])
+    ['It is 0.']
     >>> long = [Finding([name], f"{name} is {'very ' * 30}wrong. Look up.", check="Count.") for name in "abcd"]
     >>> sum(map(len, paragraphs(long))) <= MAX_LENGTH
     True
@@ -46,27 +43,24 @@ def paragraphs(
     shown = listed if len(listed) < MAX_LENGTH / 4 else f"{len(right_parts)} parts"
     before = [said_of_right.format(shown)] * bool(right_parts)
     is_on_whole = len(findings) == 1 and not right_parts
-    merged = _each_sentence_once(_merged(findings))
+    merged = _merged(findings)
     if len(merged) == 1 and right_parts and len(enumeration(merged[0].parts)) > MAX_LIST:
         merged[0] = replace(merged[0], parts=["the others"])
 
-    def texts() -> list[str]:
-        return before + [_text(one, is_on_whole) for one in merged]
+    def texts(told: Sequence[Finding]) -> list[str]:
+        return before + [_text(one, is_on_whole) for one in told]
 
-    def is_long(*further: str) -> bool:
-        return sum(map(len, [*texts(), *further])) > MAX_LENGTH
+    def is_long(told: Sequence[Finding], *further: str) -> bool:
+        return sum(map(len, [*texts(told), *further])) > MAX_LENGTH
 
-    for k in reversed(range(len(merged))):
-        if is_long():
-            merged[k] = replace(merged[k], check="")
-    for k in reversed(range(1, len(merged))):
-        if is_long():
-            merged[k] = replace(merged[k], message=SENTENCE_END.split(merged[k].message)[0])
-    if len(merged) == 1 or not is_long():
-        return texts()
-    while len(merged) > 1 and is_long(AND_MORE):
-        merged.pop()
-    return [*texts(), AND_MORE]
+    unchecked = [replace(one, check="") for one in merged]
+    brief = [replace(one, message=SENTENCE_END.split(one.message)[0]) for one in unchecked[1:]]
+    told = next((told for told in (merged, unchecked) if not is_long(told)), unchecked[:1] + brief)
+    if len(told) == 1 or not is_long(told):
+        return texts(told)
+    while len(told) > 1 and is_long(told, AND_MORE):
+        told.pop()
+    return [*texts(told), AND_MORE]
 
 
 def _text(one: Finding, is_on_whole: bool) -> str:
@@ -100,17 +94,6 @@ def _merged(findings: Sequence[Finding]) -> list[Finding]:
             check = f"{_capitalized(name)}: {check}"
         merged.append(Finding(parts, message, check=check))
     return merged
-
-
-def _each_sentence_once(said: Sequence[Finding]) -> list[Finding]:
-    told: set[str] = set()
-    kept = []
-    for one in said:
-        sentences = SENTENCE_END.split(one.message)
-        new = [sentence for sentence in sentences if sentence not in told] or [THE_SAME]
-        kept.append(replace(one, message=" ".join(new), check=one.check if one.check not in told else ""))
-        told.update([*sentences, one.check])
-    return kept
 
 
 def _capitalized(text: str) -> str:

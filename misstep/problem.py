@@ -5,12 +5,12 @@ feedback says so in words. Most mistakes are mutants of the solution: the proble
 changes by which people go wrong are made in it (`misstep.mutants`). A problem adds the mistakes that belong to it alone.
 """
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from importlib import import_module
 from importlib.util import find_spec
-from itertools import combinations, islice
+from itertools import combinations
 from types import ModuleType
 from typing import Any, Literal, TypeVar
 
@@ -20,14 +20,13 @@ from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import (
     Answer,
     AtInputs,
-    Quantifier,
     Unreadable,
     at_inputs,
     collect,
     has_alike_rows,
     seen_at_sight,
 )
-from misstep.answers.choice import Choice, ReasonedChoice
+from misstep.answers.choice import ReasonedChoice
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
 from misstep.mutants.mutants import MutableSolution, mutant, value_of
@@ -124,10 +123,8 @@ class Problem:
 
         Mutants need to differ from the right answer only: where two of them lead to the same answer, feedback names both.
         """
-        named = [
-            ("the right answer", self.answer.value),
-            *((f"the mistake {one.name!r}", one.value) for one in self.mistakes),
-        ]
+        named = [("the right answer", self.answer.value)]
+        named += [(f"the mistake {one.name!r}", one.value) for one in self.mistakes]
         for (one, value), (other, same) in combinations(named, 2):
             if self._same(value, same):
                 return one, other
@@ -149,9 +146,7 @@ class Problem:
         kept: list[Mistake] = []
         for wrong in self.mistakes:
             known = [self.answer.value, *(one.value for one in kept)]
-            if not seen_at_sight(self.answer, wrong.value) and not any(
-                self._same(wrong.value, value) for value in known
-            ):
+            if not (seen_at_sight(self.answer, wrong.value) or any(self._same(wrong.value, one) for one in known)):
                 kept.append(wrong)
         return replace(self, mistakes=kept)
 
@@ -160,21 +155,15 @@ class Problem:
 
         called  what the reason is, for cards: "the length"
 
-        Raises ValueError if the answer is no Choice.
-
-        >>> import numpy as np
+        >>> from misstep.answers.choice import Choice
         >>> from misstep.answers.number import Numbers
         >>> from misstep.mistakes import mistake
         >>> side = Problem("Which?", Choice("b", {"a": "left", "b": "right"}), [mistake("left", "a", "Look again.")])
         >>> side.with_reason(Numbers(np.array(0.5)), "the height").mistakes[0].value
         ('a', array(0.5))
         """
-        if not isinstance(self.answer, Choice):
-            raise ValueError(
-                f"The answer must be a Choice; got {type(self.answer).__name__}. Only a choice needs a reason."
-            )
         wrong = [replace(one, value=(one.value, reason.value), part=one.part or one.message) for one in self.mistakes]
-        return replace(self, answer=ReasonedChoice(self.answer, reason, called), mistakes=wrong)
+        return replace(self, answer=ReasonedChoice(self.answer, reason, called), mistakes=wrong)  # type: ignore[arg-type]
 
     def _hidden_mutants(self) -> Iterator[Mistake]:
         tolerance = SEPARATION_TOLERANCES * TOLERANCE
@@ -183,28 +172,17 @@ class Problem:
                 yield wrong
 
     @cached_property
-    def _first_solution(self) -> MutableSolution | None:
-        """The solution at the first input, which is often enough to see that a mistake is not the one that was made."""
-        if self.solution is None:
-            return None
-        first = next(at_inputs(self.answer, self.solution))
-        self._check(first.value, self._near(self.answer.value, SEPARATION_TOLERANCES * TOLERANCE, all)(first.value))
-        return MutableSolution(first)
-
-    @cached_property
     def _solutions(self) -> Sequence[MutableSolution]:
-        """The solution at each input, of which there is one."""
-        others = list(map(MutableSolution, islice(at_inputs(self.answer, self.solution), 1, None)))
-        solutions = [*filter(None, [self._first_solution]), *others]
-        reached = collect(self.answer, [solution.root.value for solution in solutions])
-        self._check(reached, self._same(reached, self.answer.value))
-        return solutions
-
-    def _check(self, reached: Any, is_right: bool) -> None:
-        if not is_right:
+        """The solution at each input, of which there is one as a rule; none if the problem has no solution."""
+        if self.solution is None:
+            return []
+        solutions = [MutableSolution(root) for root in at_inputs(self.answer, self.solution)]
+        reached = collect(self.answer, [one.root.value for one in solutions])
+        if not self._same(reached, self.answer.value):
             raise ValueError(
                 f"The solution must lead to the answer; it gives {reached}, and the answer is {self.answer.value}."
             )
+        return solutions
 
     def _mistakes(
         self, is_near: Callable[[Any], bool] = lambda _: True, *, separating: bool = False
@@ -214,30 +192,35 @@ class Problem:
         is_near     whether a value at the first input is near enough for computing it at the others
         separating  whether to leave out those that may lead to the right answer
         """
-        if (solution := self._first_solution) is None:
-            return
-        told = set[int]()
-        for k, mutation in enumerate(solution.mutations):
+        told, solutions = set[int](), self._solutions
+        for k, mutation in enumerate(solutions[0].mutations if solutions else ()):
             slip = mutation.slip
-            first = None if separating and slip.may_coincide else solution.mutant(mutation)
+            first = None if separating and slip.may_coincide else solutions[0].mutant(mutation)
             if first is None or id(first) in told or not is_near(value_of(first)):
                 continue
             told.add(id(first))  # the inverse of an inverse is an inverse left out
-            if len({len(solution.mutations) for solution in self._solutions}) > 1:
+            if len({len(one.mutations) for one in solutions}) > 1:
                 raise ValueError("The solution must have the same changes at each input; their numbers differ.")
-            others = [other.mutant(other.mutations[k]) for other in self._solutions[1:]]
+            others = [one.mutant(one.mutations[k]) for one in solutions[1:]]
             try:
                 value = collect(self.answer, [value_of(root) for root in (first, *others)])
             except Unreadable:
                 continue
-            spoils = slip.spoils or (has_alike_rows(self.answer) and solution.is_in_every_row(mutation))
+            spoils = slip.spoils or (has_alike_rows(self.answer) and solutions[0].is_in_every_row(mutation))
             yield mutant(slip, value, self.advice, spoils=spoils)
 
-    def _near(self, given: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> Callable[[Any], bool]:
+    def _near(
+        self, given: Any, tolerance: float = TOLERANCE, parts: Callable[[Iterable[bool]], bool] = any
+    ) -> Callable[[Any], bool]:
         """Return the function that says whether a value at the first input may be part of an answer that was read."""
-        if not isinstance(self.answer, AtInputs):
-            return lambda _: True
-        return partial(self.answer.may_share, given, tolerance=tolerance, parts=parts)
+
+        def is_near(first: Any) -> bool:
+            try:
+                return parts(self.answer.agrees(collect(self.answer, [first]), given, tolerance))
+            except Unreadable:
+                return False
+
+        return is_near if isinstance(self.answer, AtInputs) else lambda _: True
 
     def _same(self, one: Any, other: Any) -> bool:
         return all(self.answer.agrees(one, other, SEPARATION_TOLERANCES * TOLERANCE))

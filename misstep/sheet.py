@@ -7,14 +7,13 @@ from types import SimpleNamespace
 from typing import Any
 
 from misstep.answers.base import inputs_of
-from misstep.diagnosis.bugs import recurrences
 from misstep.diagnosis.explanation import Finding
 from misstep.display.failed_answer import FailedAnswer
 from misstep.display.lecture_address import lecture_address
 from misstep.judge import Judgement, judge
 from misstep.problem import Problem, Template
-from misstep.storage.serialize import to_data
-from misstep.verdict import Tally, Verdict, observation
+from misstep.storage import to_data
+from misstep.verdict import Tally, Verdict, returning
 from misstep.worked_solution import worked_solution
 
 SAMPLE_ID = "your id"
@@ -136,8 +135,9 @@ class OpenSheet:
 
     def tally(self) -> Tally:
         """Return the points so far, problem by problem, and the mistakes that returned, also those that were corrected."""
-        seen = [observation(self._template(k), self.problem(k), all_of) for k, all_of in self._judgements.items()]
-        return Tally(self.sheet.problems, dict(self.verdicts), self._note, recurrences(seen))
+        judged = ((self._template(k).number, one) for k, ones in self._judgements.items() for one in ones)
+        found = returning((number, name) for number, one in judged for name in one.mistakes)
+        return Tally(self.sheet.problems, dict(self.verdicts), self._note, found)
 
     def _template(self, k: int) -> Template:
         if k not in range(1, len(self.sheet.problems) + 1):

@@ -1,17 +1,17 @@
 """Verdicts: a judgement as a card for the student, with the points, and the points of a whole sheet."""
 
-from collections.abc import Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from misstep.diagnosis.bugs import Observation, Recurrence
 from misstep.display.card import TITLES, Card, Link
 from misstep.display.sentences import RIGHT, TOGETHER
 from misstep.display.text import points
 from misstep.judge import Judgement
 from misstep.paragraphs import paragraphs
-from misstep.problem import Problem, Template
-from misstep.storage.deserialize import MIME
+from misstep.problem import Template
+from misstep.storage import MIME
 
 SOLVED_MIME = "application/vnd.misstep.solved+json"
 """The MIME type by which a check tells the page that its problem has full marks. It plays no part in grading."""
@@ -81,7 +81,7 @@ class Tally:
     problems: Sequence[Template]
     verdicts: Mapping[int, Verdict]
     note: str = ""
-    recurrences: Sequence[Recurrence] = ()
+    returning: Sequence[str] = ()
 
     @property
     def score(self) -> float:
@@ -100,23 +100,23 @@ class Tally:
             rows.append(f"| {template.number} {template.title} | {score} of {template.points} | {state} |")
         total = sum(template.points for template in self.problems)
         rows.append(f"| **together** | **{points(self.score)} of {total}** | {self.note} |")
-        lines = [f"- {one}" for one in self.recurrences if one.returns or one.is_slip]
+        lines = [f"- {sentence}" for sentence in self.returning]
         return "\n".join([*rows, "", *lines] if lines else rows)
 
 
-def observation(template: Template, problem: Problem, judgements: Sequence[Judgement]) -> Observation:
-    """Return what a student's answers to a problem show about mistakes: nothing if none of them could be read.
+def returning(found: Iterable[tuple[str, str]]) -> list[str]:
+    """Return a sentence on each mistake that was recognised in several problems.
 
-    >>> from kincourse import find_sheet
-    >>> template = find_sheet("03_poe_space").problems[0]
-    >>> observation(template, template.variant("ada"), []).possible
-    []
+    found  the number of the problem and the name of the mistake, for each time that one was recognised
+
+    >>> returning([("01.1", "sign"), ("01.2", "order"), ("01.2", "sign"), ("01.2", "sign")])
+    ['Returning mistake: “sign” explains answers in 2 problems (01.1, 01.2).']
     """
-    read = [judgement for judgement in judgements if judgement.state in {"right", "partly", "wrong"}]
-    possible = set[str]()
-    if read:
-        possible.update(*(wrong.names for wrong in [*problem.known_mistakes, *problem.slips]))
-    explanations = [
-        finding.alternatives for judgement in read for finding in judgement.findings if finding.alternatives
+    where = defaultdict(list)
+    for number, name in dict.fromkeys(found):
+        where[name].append(number)
+    return [
+        f"Returning mistake: “{name}” explains answers in {len(numbers)} problems ({', '.join(numbers)})."
+        for name, numbers in sorted(where.items(), key=lambda item: (-len(item[1]), item[0]))
+        if len(numbers) > 1
     ]
-    return Observation(template.number, sorted(possible.difference(problem.invisible)), explanations)

@@ -29,7 +29,7 @@ from misstep.answers.base import Answer, Named, Remarking, Unreadable
 from misstep.diagnosis.explanation import MAX_ALTERNATIVES
 from misstep.display.sentences import UNTOUCHED
 from misstep.mutants.expression import Slip
-from misstep.storage.deserialize import register_object
+from misstep.storage import register_object
 
 MAX_TEXT_LENGTH = 10_000
 """Maximum number of characters of a typed table. A longer text is refused, because parsing it would take too long."""
@@ -49,12 +49,6 @@ class DHTableAnswer(Remarking, Answer):
     anchored  whether the poses must be equal for the same q; otherwise every equivalent table is right
     printed   whether the statement prints most rows, so that they earn nothing
     lengths   values in metres for the names of lengths that a typed table may use
-
-    >>> import numpy as np
-    >>> right = DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard")
-    >>> flipped = DHTable([[-0.4, 0, 0, np.pi], [0.3, 0, 0, -np.pi]], convention="standard")
-    >>> DHTableAnswer(right).agrees(flipped, right)
-    [True]
     """
 
     value: DHTable

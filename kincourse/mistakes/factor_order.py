@@ -16,17 +16,12 @@ def factor_order_mistakes(
     right   the right order
     orders  wrong orders of the joints by the name of the mistake, each with its message
     places  by the name of the mistake, how many joints are to the left of M, each with its message
-
-    >>> found = factor_order_mistakes(("ab", ""), {"reversed": (("ba", ""), "...")}, {"home first": (0, "...")})
-    >>> [(wrong.name, wrong.value) for wrong in found][1:]
-    [('reversed', ['e_b', 'e_a', 'M']), ('reversed and home first', ['M', 'e_b', 'e_a'])]
     """
     found = []
     for order, (sides, order_text) in {"": (right, ""), **orders}.items():
         factors = [f"e_{name}" for side in sides for name in side]
         for home, (place, home_text) in {"": (len(sides[0]), ""), **places}.items():
-            names, texts = filter(None, (order, home)), filter(None, (order_text, home_text))
-            if made := tuple(names):
-                value = [*factors[:place], "M", *factors[place:]]
-                found.append(Mistake(" and ".join(made), value, " ".join(texts), names=made))
+            if order or home:
+                name, text = " and ".join(filter(None, (order, home))), f"{order_text} {home_text}".strip()
+                found.append(Mistake(name, [*factors[:place], "M", *factors[place:]], text))
     return found

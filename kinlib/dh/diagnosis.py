@@ -8,9 +8,10 @@ up to choices that are fixed is explained by these choices, and what nothing exp
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -31,11 +32,15 @@ from kinlib.dh.explanation.search import (
 )
 from kinlib.dh.parsing import COLUMNS, MIN_LENGTH_MM
 from kinlib.dh.slips import NUMBERS, SLIPS_OF_A_TABLE, Fault, wrong_number
-from kinlib.dh.table import DHTable
+from kinlib.dh.table import Convention, DHTable
+from kinlib.urdf.chains import load_urdf
 
 MAX_TOLD, MAX_DIFFERENT_ENTRIES, MAX_ROUNDED_TOL = 3, 8, 1e-2
 """How many equally simple explanations the text lists, and how many different entries; and through which effect of rounding
 mistakes are looked for."""
+
+CALLED_EXACT_M = 1e-6
+"""Poses that differ by less are told as equal."""
 
 USUAL_SLIPS = {"other convention", *(slip.name for slip in SLIPS_OF_A_TABLE)} - {"columns in another order"}
 """The slips that are told of a table whose numbers may only be rounded."""
@@ -98,7 +103,8 @@ class Diagnosis:
             or_else = ", or:" if self.explanations else "."
             lines = [f"Whether this table describes the arm cannot be decided: {cause}{or_else}", *lines]
         elif not self.explanations:
-            lines = [f"No known mistake was found that explains this table. {self.difference}"]
+            difference = self.difference if self.nearest is None else ""
+            lines = [f"No known mistake was found that explains this table. {difference}".rstrip()]
         if self.nearest is not None:
             faults = _different_entries(self.table, self.nearest)
             lines.append(f"It would describe the arm{self.up_to} with these numbers, the largest difference first:")
@@ -113,7 +119,9 @@ class Diagnosis:
         if len(texts) > 1:
             return ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
         if texts and self.explanations[0].is_a_choice:
-            return ["The table describes the arm after these changes of choices that are fixed here:", *texts[0]]
+            metres, _ = measured_difference(self.explanations[0].corrected.to_chain(), self.arm)
+            off = f" to within {format_number(metres, 2)} m" * (metres > CALLED_EXACT_M)
+            return [f"The table describes the arm{off} after these changes of choices that are fixed here:", *texts[0]]
         if texts and len(texts[0]) > 1:  # other pairs may lead to the same motions, so this one is no fact
             return ["The table agrees with the arm after these changes:", *texts[0]]
         return texts[0] if texts else []
@@ -143,16 +151,18 @@ class Diagnosis:
 
 
 def diagnose(
-    table: DHTable,
-    reference: Chain | DHTable,
+    table: Any,
+    reference: Any,
     fixed: Collection[str] = (),
     *,
+    convention: Convention | None = None,
     tolerance: float | None = None,
     in_pairs: bool = True,
 ) -> Diagnosis:
     """Find the mistakes in a table, given the arm that it is meant to describe.
 
-    reference  the arm: a chain, or another table
+    table      a DHTable; or its rows, as DHTable takes them, with `convention`
+    reference  the arm: a chain, the path or the text of a URDF file, or another table
     fixed      what may not differ: any of "base", "tool", "zeros" and "signs". By default a table is right if it has the motions
                of the arm up to these four choices; with all four it is right only if its poses are those of the arm
     tolerance  how far the poses of a right table may be off, in metres and radians. By default 1e-8, and a table is not accused
@@ -168,6 +178,10 @@ def diagnose(
     >>> print(diagnose(printed.changed(convention="standard"), puma560()))
     The table is in the modified convention, but was read as standard.
     """
+    if convention is not None and not isinstance(table, DHTable):
+        table = DHTable(table, convention=convention)
+    if isinstance(reference, str | os.PathLike):
+        reference = load_urdf(reference)
     validation.instance(table, "table", DHTable)
     validation.instance(reference, "reference", Chain, DHTable)
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference

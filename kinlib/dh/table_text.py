@@ -54,7 +54,7 @@ REPLACEMENTS = [
     (r"(?m)^\s*(?:\{\|.*|\|[-}]\s*)$", ""), (r"!!|\|\|", "|"), (r"(?m)^\s*!", "|"),  # of a wiki
     (r"\\(?:cdot|times)\b", "*"), (r"\\(alpha|theta|psi|pi)(?![a-zA-Z])", r"\1"), ("&", " | "), (r"\(\*|\*\)", "\n"),
     ("⍺", "alpha"), ("ⱼ", "_j"), ("ₙ", "_n"), ("’", "'"), ("\xa0", " "), ("½", "1/2"), ("[┃│║]", "|"), ("[\u2500-\u257f]+", ""),
-    (r"\b(?:M_PI|PI)_([24])\b", r"pi/\1"), (r"\b(?:M_PI|(?:np|numpy|math|Math|sp|sympy)\.(?:pi|PI)|PI|Pi)\b(?:\(\))?", "pi"),
+    (r"\b(?:M_PI|PI|FRAC_PI)_([24])\b", r"pi/\1"), (r"\b(?:M_PI|(?:np|numpy|math|Math|sp|sympy)\.(?:pi|PI)|PI|Pi)\b(?:\(\))?", "pi"),
     (r"\b(?:(?:np|numpy|math)\.)?(?:deg2rad|radians|RADIANS)\(([^()]*)\)", r"\1°"),
     (r"(?m)(^|[\t;,|])[ ]*=", r"\1"),  # of a cell in a spreadsheet
     (r"\b((?:theta|q|d)_?\{?\d+\}?)\*(?![\w(.]|-1\b)", r"\1"),  # the sign of a variable
@@ -69,7 +69,7 @@ REPLACEMENTS = [
 CALL = re.compile(r"\b(?!\w*Robot)((?:Frame\W+)?\w*(?:Revolute|Prismatic|Link|DH)\w*)\s*\(((?:[^()]|\([^()]*\))*)\)")
 
 PAIR = re.compile(
-    r"(?:\b([a-zA-Z]\w*)\s*[:=]|['\"](\w+)['\"]\s*(?:[:=]|,(?=\s*[^\s'\"])))\s*['\"]?([^,=\[\]{}'\"\n;]+?)"
+    r"(?:\b([a-zA-Z]\w*)\s*[:=]|['\"](\w+)['\"]\s*(?:[:=]|,(?=\s*[^\s'\"])))[ \t]*['\"]?([^,=\[\]{}'\"\n;]+?)"
     r"(?=\s*(?:[,\[\]{}'\"\n;]|$)|\s+[a-zA-Z]\w*\s*[:=])"
 )
 
@@ -160,6 +160,9 @@ def read_rows(
             told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
             plain = re.sub(rf"^.*\b{end}\s*\|\s*t = .*$", "", plain, flags=re.MULTILINE)
     names = _in_all_spellings(_definitions(plain)) | _in_all_spellings(lengths)
+    if not strict and "t1" not in names and "theta" in plain and re.search(r"\bt_?1\b", plain):
+        plain = re.sub(r"\bt_?(\d+)\b", r"theta\1", plain)
+        told.append(Assumption("t1, t2, ... were read as the joint variables."))
     readers = (_from_calls, _from_columns, _from_pairs, _from_lines)
     grid = next((g for reader in readers if (g := reader(plain, names)) and (g.rows or g.cells)), None)
     if grid is None:
@@ -219,6 +222,8 @@ def _one_by_one(found: re.Match[str]) -> str:
 def _column_in(name: str) -> str:
     """Return the column that a part of a name stands for, as in arm.dh_alpha_values; "" if there is none, or several."""
     whole = name.rpartition(".")[2]
+    if "home" in whole:  # q_home_offset of a controller
+        return ""
     found = {column for part in whole.split("_") if (column := _column(part) or _column(part.removesuffix("s")))}
     return _column(whole) or ("offset" if "offset" in found else found.pop() if len(found) == 1 else "")
 
@@ -533,7 +538,9 @@ def _splits(line: str) -> list[list[str]]:
     if ("," in line and not has_decimal_commas) or (line.count(",") >= 3 and " " not in line):
         found.append([_cell(cell) for cell in line.split(",")[:MAX_CELLS]])
     spaced = re.sub(r"\s+([+*/])\s+|\s*([*/])\s*|(?<=[\w°)])\s+(-)\s+(?=\d|pi)", lambda f: f[1] or f[2] or f[3], line)
-    splits = (re.split(pattern, spaced)[:MAX_CELLS] for pattern in (r"\s{2,}", r"\s+"))
+    # a space before a minus is enough between two numbers: "1 -0.2", where "1 - 0.2" is a difference
+    wide = re.sub(rf"({NUMBER})\s(?=-{NUMBER})", r"\1  ", spaced)
+    splits = (re.split(pattern, wide)[:MAX_CELLS] for pattern in (r"\s{2,}", r"\s+"))
     return found + [[_cell(cell, decimal_comma=True) for cell in cells] for cells in splits]
 
 

@@ -9,7 +9,7 @@ stored if it has a method to_dict(), and read back if its class is registered.
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from misstep.answers.accuracy import TOLERANCE
@@ -20,9 +20,6 @@ MAX_NUMBER = 1e12
 
 Named = tuple[str, str]
 """The name of what is wrong, and a sentence that is true of it; the name is "" if the sentence names no mistake."""
-
-Quantifier = Callable[[Iterable[bool]], bool]
-"""The function any, or the function all."""
 
 
 class Unreadable(ValueError):
@@ -49,7 +46,7 @@ class Answer(ABC):
     ...         return given
     ...     def agrees(self, one, other, tolerance=TOLERANCE):
     ...         return [abs(one.decibel - other.decibel) <= tolerance]
-    >>> from misstep.storage.deserialize import from_data, register_object
+    >>> from misstep.storage import from_data, register_object
     >>> register_object(Gain, lambda fields: Gain(float(fields["decibel"])))
     >>> answer = GainAnswer(Gain(20.0))
     >>> answer.agrees(answer.read(from_data({"object": "Gain", "fields": {"decibel": 20.0}})), answer.value)
@@ -134,11 +131,10 @@ class AtInputs(Answer):
 
     @abstractmethod
     def collect(self, values: Sequence[Any]) -> Any:
-        """Return the answer that has these values at the inputs, as if it had been read. Raises Unreadable if there is none."""
+        """Return the answer with these values at the first inputs, as if it had been read. Raises Unreadable if there is none.
 
-    @abstractmethod
-    def may_share(self, given: Any, value: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> bool:
-        """Return whether any part of an answer, or all of them, may be those of one that has a value at the first input."""
+        It is compared with other answers at these inputs only.
+        """
 
 
 def inputs_of(answer: Answer) -> Sequence[Any]:

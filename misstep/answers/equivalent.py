@@ -7,12 +7,11 @@ import numpy as np
 
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Named
-from misstep.answers.likeness import FACTORS
 from misstep.answers.number import Numbers, scale_of
 from misstep.display.sentences import IN_DEGREES
 from misstep.validation import Array
 
-OF_ALL_ENTRIES = {"all signs", "factor", *(name for name, _ in FACTORS.values())}
+OF_ALL_ENTRIES = {"all signs", "factor", "doubled", "halved"}
 """What may be said of an answer beside ours, although single entries of another right answer may differ from ours."""
 
 

@@ -13,7 +13,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import AtInputs, Named, Quantifier, Unreadable, has_alike_rows
+from misstep.answers.base import AtInputs, Named, Unreadable, has_alike_rows
 from misstep.answers.likeness import Likeness, entries_hint, place_of
 from misstep.answers.number import scale_of
 from misstep.display.text import number
@@ -142,23 +142,14 @@ class ClosedForm(AtInputs):
         except (TypeError, ValueError) as error:
             raise Unreadable(f"Expected {self.expected}.") from error
 
-    def may_share(self, given: Any, value: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> bool:
-        own = (self._right if given is self.value else given).values[..., 0]
-        try:
-            value = np.reshape(np.asarray(value, dtype=float), own.shape)
-        except (TypeError, ValueError):
-            return False
-        size = np.maximum(self._scales[..., 0], np.maximum(np.abs(own), np.abs(value)))
-        near = np.abs(own - value) <= tolerance * size
-        return parts(near[piece].all() for piece in self.part_indices())
-
     def same_entries(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         """Return, for each entry, whether the values agree at all points."""
-        first, second = (self._right if formula is self.value else self.read(formula) for formula in (one, other))
-        a, b = first.values, second.values
+        first, second = (self._right if formula is self.value else formula for formula in (one, other))
+        count = min(first.values.shape[-1], second.values.shape[-1])
+        a, b, scales = (values[..., :count] for values in (first.values, second.values, self._scales))
         # With a wider tolerance than the usual one, the question is whether two formulas are roughly equal.
         allowed = tolerance if first.rounded or second.rounded or tolerance > TOLERANCE else EXACT_TOLERANCE
-        near = np.abs(a - b) <= allowed * np.maximum(self._scales, np.maximum(np.abs(a), np.abs(b)))
+        near = np.abs(a - b) <= allowed * np.maximum(scales, np.maximum(np.abs(a), np.abs(b)))
         return np.asarray(near.all(axis=-1))
 
     @cached_property

@@ -10,11 +10,9 @@ import numpy as np
 
 from misstep import validation
 from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, AtInputs, Named, Quantifier, Unreadable
-from misstep.answers.likeness import Likeness
-from misstep.answers.number import Numbers
+from misstep.answers.base import Answer, AtInputs, Named, Unreadable
 from misstep.mutants.expression import Expression, Slip
-from misstep.storage.deserialize import Outputs
+from misstep.storage import Outputs
 
 CALL_COUNT = 4
 """The number of inputs at which a function is called."""
@@ -39,6 +37,7 @@ class Function(AtInputs):
     output  the kind of answer that each call gives
     sample  draws the arguments of one call from a random generator
 
+    >>> from misstep.answers.number import Numbers
     >>> square = Function(np.square, Numbers(np.array(0.0)), lambda chance: (chance.uniform(1, 2),))
     >>> square.agrees(square.read(lambda x: x * x), square.read(np.square))
     [True]
@@ -100,7 +99,7 @@ class Function(AtInputs):
         return self.output.read(value)
 
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
-        pairs = zip(self._called(one).outputs, self._called(other).outputs, strict=True)
+        pairs = zip(self._called(one).outputs, self._called(other).outputs, strict=False)
         return [all(all(self.output.agrees(mine, yours, tolerance)) for mine, yours in pairs)]
 
     @property
@@ -119,72 +118,35 @@ class Function(AtInputs):
     def collect(self, values: Sequence[Any]) -> FunctionCalls:
         return FunctionCalls(None, [self._output(value) for value in values])
 
-    def may_share(self, given: Any, value: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> bool:
-        try:
-            first = self._output(value)
-        except Unreadable:
-            return False
-        return all(self.output.agrees(self._called(given).outputs[0], first, tolerance))
-
     def seen(self, given: FunctionCalls, part: int | None) -> Named | None:
-        if not (likenesses := self._likenesses(given)):
-            return None
-        if part is None:
-            return self._at_every_input(likenesses[0].placeholder())
-        seen = [likeness.at_sight() for likeness in likenesses[1:]]
-        wrong = [named for named, fine in zip(seen, self._parts_right(given), strict=True) if not fine]
-        return self._at_every_input(wrong[0]) if wrong and all(named == wrong[0] for named in wrong) else None
+        def ask(answer: Answer, mine: Any) -> Named | None:
+            right = answer.agrees(mine, answer.value) if part is not None else []
+            return next((answer.seen(mine, k) for k, fine in enumerate(right) if not fine), answer.seen(mine, None))
+
+        return self._at_every_input(given, ask)
 
     def resemblance(self, given: FunctionCalls, part: int | None) -> Named | None:
-        """Return what is the same at every input: the value, or how the wrong parts differ from the right ones."""
-        if not (likenesses := self._likenesses(given)):
-            return None
-        outputs = np.array(given.outputs)
-        if np.abs(outputs - outputs[0]).max() < TOLERANCE < np.abs(np.array(self._right.outputs) - outputs).max():
-            text = "It gives the same at every input that was tried. Does it use its arguments?"
-            return "the same at every input", text
-        right, parts = self._parts_right(given), self.output.parts
-        pairs = list(zip(parts, right, likenesses[1:], strict=True))
-        seen = [(name, likeness.resemblance()) for name, fine, likeness in pairs if not fine]
-        if all(named for _, named in seen):
-            text = " ".join(
-                f"{name}: {_small(named[1])}" if len(parts) > 1 else named[1] for name, named in seen if named
-            )
-            return self._at_every_input((seen[0][1][0] if seen[0][1] else "", text))
-        wrong, fine = ([name for name, is_fine, _ in pairs if is_fine is what] for what in (False, True))
-        if fine:
-            text = f"At every input that was tried, the {' and '.join(fine)} is right, and the {' and '.join(wrong)} is not."
-            return f"only the {' and '.join(wrong)}", text
-        found = self._right.outputs
-        count = sum(all(self.output.agrees(mine, yours)) for mine, yours in zip(given.outputs, found, strict=True))
-        return ("", f"It is right at {count} of {len(found)} inputs that were tried.") if count else None
-
-    def _parts_right(self, given: FunctionCalls) -> list[bool]:
-        """Return, for each part of the outputs, whether it is right at every input."""
+        """Return what is the same at every input: which parts are wrong, or how they differ from the right ones."""
         pairs = zip(given.outputs, self._right.outputs, strict=True)
-        return [all(fine) for fine in zip(*(self.output.agrees(mine, yours) for mine, yours in pairs), strict=True)]
+        agrees = [self.output.agrees(mine, right) for mine, right in pairs]
+        parts = list(zip(self.output.parts, map(all, zip(*agrees, strict=True)), strict=True))
+        fine, wrong = (" and ".join(name for name, is_fine in parts if is_fine is what) for what in (True, False))
+        if fine:
+            return f"only the {wrong}", f"At every input that was tried, the {fine} is right, and the {wrong} is not."
+        if found := self._at_every_input(given, lambda answer, mine: answer.resemblance(mine, 0)):
+            return found
+        count = sum(map(all, agrees))
+        return ("", f"It is right at {count} of {len(agrees)} inputs that were tried.") if count else None
 
-    def _likenesses(self, given: FunctionCalls) -> list[Likeness]:
-        """Return the outputs beside the right ones: the whole first, and then each part; nothing for outputs without numbers."""
-        if not isinstance(self.output, Numbers):
-            return []
-        mine, right = (np.moveaxis(np.array(x.outputs), 0, -1) for x in (given, self._right))
-        whole = replace(self.output, value=self._right.outputs[0])
-        found = []
-        for part in (None, *range(len(whole.parts))):
-            piece = ... if part is None else whole.core_indices()[part]
-            found.append(replace(whole.likeness(given.outputs[0], part), mine=mine[piece], right=right[piece]))
-        return found
-
-    @staticmethod
-    def _at_every_input(named: Named | None) -> Named | None:
-        return named and (named[0], f"At every input that was tried: {_small(named[1])}")
+    def _at_every_input(self, given: FunctionCalls, ask: Callable[[Answer, Any], Named | None]) -> Named | None:
+        """Return what is to be said of the outputs, if it is the same at every input."""
+        pairs = zip(given.outputs, self._right.outputs, strict=True)
+        found = {ask(replace(self.output, value=right), mine) for mine, right in pairs}  # type: ignore[type-var]
+        if len(found) > 1 or not (named := found.pop()):
+            return None
+        return named[0], f"At every input that was tried: {named[1][:1].lower()}{named[1][1:]}"
 
     def _called(self, given: Any) -> Any:
         if given is self.value:
             return self._right
         return given if isinstance(given, FunctionCalls) else self.read(given)
-
-
-def _small(text: str) -> str:
-    return text[:1].lower() + text[1:]

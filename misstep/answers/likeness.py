@@ -5,7 +5,7 @@ All arrays here have one more axis than the answer, the last one: for a formula 
 numbers a single value. So the same comparison serves all three.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import permutations
 
@@ -65,18 +65,10 @@ class Likeness:
             return "placeholder", sentences.ZERO if is_one else sentences.UNTOUCHED.format("Every number is 0")
         if not is_one and (mine == 1).all() and not (right == 1).all():
             return "placeholder", sentences.UNTOUCHED.format("Every number is 1")
-        is_filled = np.atleast_1d(mine.any(axis=-1))
-        if np.count_nonzero(is_filled) == 1 and mine.max() == 1 and self._is_far_from(is_filled):
-            return "placeholder", sentences.UNTOUCHED.format("Every number but one is 0")
         is_square = mine.ndim == 3 and mine.shape[1] == n
         if is_square and (mine == np.eye(n)[..., None]).all() and not self._equal(mine, right).all():
             return "placeholder", sentences.IDENTITY
         return None
-
-    def _is_far_from(self, place: NDArray[np.bool_]) -> bool:
-        """Return whether the number at a place is wrong, and so are at least three others."""
-        wrong = np.atleast_1d(~self._equal(self.mine, self.right))
-        return bool(wrong[place].all() and np.count_nonzero(wrong & ~place) >= MAX_PLACES)
 
     def resemblance(self) -> Named | None:
         """Return how the numbers differ from the right ones as a whole: by signs, by a factor, or by their order."""
@@ -109,16 +101,12 @@ class Likeness:
             mine, right = self.mine[which], self.right[which]
             if not (self._is_seen(right).any() and self._equal(self.mine[~which], self.right[~which]).all()):
                 continue
-            if is_angle:
-                if self._in_degrees(mine, right):
-                    return "degrees", sentences.IN_DEGREES
-                if self._in_degrees(-mine, right):
-                    return "degrees and sign", sentences.IN_DEGREES_WITH_WRONG_SIGN
-                if self._relative(mine, np.radians(right)).all():
-                    return "converted twice", "This was in radians already, and is converted to radians once more."
-            for name, factor, text in () if is_angle else LENGTH_UNITS[self.unit]:
+            if is_angle and self._in_degrees(mine, right):
+                return "degrees", sentences.IN_DEGREES
+            wanted, others = UNITS[self.unit]
+            for name, factor in () if is_angle else others.items():
                 if self._relative(mine, factor * right).all():
-                    return name, text
+                    return name, sentences.OTHER_UNIT.format(name, wanted)
         return None
 
     def _rounded(self) -> Named | None:
@@ -177,45 +165,22 @@ class Likeness:
         """Return whether these are the right numbers in another order."""
         if self.mine.ndim == 1 or self._equal(self.mine, self.right).all():
             return None
-        arranged = (
-            (name, text)
-            for name, text, changed in _arrangements(self.right, self.columns)
-            if changed.shape == self.mine.shape and self._equal(self.mine, changed).all()
-        )
-        further = (self._permuted_rows, self._exchanged, self._renumbered, self._moved_rows)
-        return next(arranged, None) or next(filter(None, (find() for find in further)), None)
-
-    def _exchanged(self) -> Named | None:
-        """Return whether two entries stand in each other's place."""
-        wrong = np.argwhere(~self._equal(self.mine, self.right)).tolist()
-        if len(wrong) != 2 or self.mine.ndim < 3:
-            return None
-        one, other = map(tuple, wrong)
-        if self._equal(self.mine[one], -self.right[one]).all():
-            return None  # which are two signs as well
-        if all(self._equal(self.mine[a], self.right[b]).all() for a, b in ((one, other), (other, one))):
-            return (
-                "two entries swapped",
-                f"Two entries are swapped.\nThey are {self.place(one)} and {self.place(other)}.",
-            )
-        return None
+        columns = self.mine.shape[1] if self.mine.ndim == 3 else 0
+        for order in list(permutations(range(columns)))[1:] if columns <= 4 else ():
+            if self._equal(self.mine, self.right[:, list(order)]).all():
+                return _order_of("column", order, self.columns)
+        return self._permuted_rows() or self._renumbered() or self._moved_rows()
 
     def _renumbered(self) -> Named | None:
-        """Return whether a few numbers are the right ones, each once, in another order or with other signs."""
-        mine, right = self.mine, self.right
-        one, other = (np.sort(x.reshape(-1, x.shape[-1]), axis=0) for x in (mine, right))
-        count = one.shape[0]
-        if mine.ndim == 2 and 1 < count <= 4:
-            for order in list(permutations(range(count)))[1:]:
-                if self._equal(mine, right[list(order)]).all():
-                    return "order of the numbers", self.reordered
-        if 2 < count <= 6 and not self.is_formula and np.unique(np.round(other[:, 0], 6)).size > 3:
-            if self._equal(one, other).all():
-                return "order of the numbers", self.reordered
-            one, other = (np.sort(np.abs(x), axis=0) for x in (one, other))
-            if self._equal(one, other).all() and not self._equal(np.abs(mine), np.abs(right)).all():
-                return "order and signs", "These are the right sizes, but their order and their signs are not right."
-        return None
+        """Return whether a few numbers are the right ones, each once, in another order."""
+        mine, right = (np.sort(x.reshape(-1, x.shape[-1]), axis=0) for x in (self.mine, self.right))
+        is_short = self.mine.ndim == 2 and len(mine) <= 4
+        is_telling = len(mine) <= 6 and not self.is_formula and np.unique(np.round(right, 6)).size > 3
+        return (
+            ("order of the numbers", self.reordered)
+            if (is_short or is_telling) and self._equal(mine, right).all()
+            else None
+        )
 
     @property
     def _rows(self) -> tuple[Array, Array]:
@@ -313,31 +278,14 @@ def place_of(index: Sequence[int]) -> str:
     return f"entry {counted[0]}" if len(counted) == 1 else f"entry {tuple(counted)}"
 
 
-def _arrangements(X: Array, names: Sequence[str]) -> Iterator[tuple[str, str, Array]]:
-    """Yield an array with its rows or columns in another order, with the name and the sentence for it."""
-    if X.ndim != 3:
-        return
-    rows, columns = X.shape[:2]
-    if 1 < columns <= 4:
-        for order in list(permutations(range(columns)))[1:]:
-            yield *_order_of("column", order, names), X[:, list(order)]
-    for axis, what, count in ((1, "column", columns), (0, "row", rows)):
-        if count > 4:
-            for shift, where in (
-                (1, "down" if axis == 0 else "to the right"),
-                (-1, "up" if axis == 0 else "to the left"),
-            ):
-                text = f"The {what}s are right, but moved one {what} {where}."
-                yield f"{what}s shifted", text, np.roll(X, shift, axis=axis)
-            yield f"{what}s reversed", f"The {what}s are right, but in the reverse order.", np.flip(X, axis=axis)
-
-
 def _order_of(what: str, order: Sequence[int], names: Sequence[str] = ()) -> Named:
     """Return the name and the sentence for right rows or columns in another order.
 
     names  their names; by default they are numbered
     """
     moved = [k + 1 for k, place in enumerate(order) if k != place]
+    if len(order) > 4 and list(order) == list(range(len(order)))[::-1]:
+        return f"{what}s reversed", f"The {what}s are right, but in the reverse order."
     some = "two" if len(moved) == 2 else "some"
     name = f"{some} {what}s moved" if len(order) - len(moved) > 1 else f"{what}s in another order"
     if names:
@@ -352,41 +300,18 @@ def _order_of(what: str, order: Sequence[int], names: Sequence[str] = ()) -> Nam
 ROWS_MOVED = "rows moved"
 """The name of rows of which one fell out."""
 
-REORDERED = {
-    ROWS_MOVED,
-    *(f"rows {how}" for how in ("in another order", "shifted", "reversed")),
-    *(f"columns {how}" for how in ("in another order", "shifted", "reversed")),
-    *(f"{some} columns moved" for some in ("two", "some")),
-}
+REORDERED = {ROWS_MOVED, "rows in another order", "rows reversed", "columns in another order", "two columns moved"}
 """The names of orders in which a row that stands right does so by chance: at most one keeps its place, or columns are mixed up."""
 
-LENGTH_UNITS = {
-    "m": (
-        ("millimetres", 1000.0, sentences.OTHER_UNIT.format("millimetres", "metres")),
-        ("centimetres", 100.0, sentences.OTHER_UNIT.format("centimetres", "metres")),
-        ("kilometres", 1e-3, "This is a thousand times too small. Give it in metres."),
-    ),
-    "mm": (
-        ("metres", 1e-3, sentences.OTHER_UNIT.format("metres", "millimetres")),
-        ("centimetres", 0.1, sentences.OTHER_UNIT.format("centimetres", "millimetres")),
-        ("micrometres", 1000.0, "This is a thousand times too large. Give it in millimetres."),
-    ),
-    "moments": (
-        ("millimetres", 1000.0, "Only $v$ is wrong: it is in millimetres. Give it in metres."),
-        ("centimetres", 100.0, "Only $v$ is wrong: it is in centimetres. Give it in metres."),
-        ("kilometres", 1e-3, "Only $v$ is wrong: it is a thousand times too small."),
-    ),
+UNITS = {
+    "m": ("metres", {"millimetres": 1000.0, "centimetres": 100.0}),
+    "mm": ("millimetres", {"metres": 1e-3, "centimetres": 0.1}),
 }
-"""For each unit those that are mistaken for it: the name, the factor, and what is said."""
+"""For each unit its name, and those that are mistaken for it, each with its factor."""
 
 SIGNS = "Apart from the signs, this is right."
 
 SCALED = "These are the right numbers, all multiplied by the same factor."
 
-FACTORS = {
-    2.0: ("doubled", "twice"),
-    0.5: ("halved", "half"),
-    10.0: ("factor", "ten times"),
-    0.1: ("factor", "a tenth of"),
-}
+FACTORS = {2.0: ("doubled", "twice"), 0.5: ("halved", "half")}
 """The factors that have a word of their own: the name of the mistake, and the word."""

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from misstep import validation
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import MAX_NUMBER, Answer, Named, Unreadable, has_alike_rows
-from misstep.answers.likeness import LENGTH_UNITS, ROUND_OFF, Likeness, entries_hint, place_of
+from misstep.answers.likeness import ROUND_OFF, UNITS, Likeness, entries_hint, place_of
 from misstep.formulas.evaluation import numeral
 from misstep.validation import Array
 
@@ -150,7 +150,7 @@ class Numbers(Answer):
         mine, right = (np.asarray(x, dtype=float)[piece][..., None] for x in (given, self.value))
         places = np.moveaxis(np.indices(np.shape(self.value)), 0, -1)[piece]
         lengths, angles = (np.atleast_1d(mask[piece]) for mask in (self.length_entries(), self.angle_entries()))
-        unit = self.unit if self.unit in LENGTH_UNITS else "m"
+        unit = self.unit if self.unit in UNITS else "m"
         return Likeness(mine, right, lengths, angles, unit, lambda index: self.place(places[tuple(index)]))
 
     def length_entries(self) -> NDArray[np.bool_]:

@@ -52,20 +52,13 @@ class Finding:
 
     @property
     def mistake(self) -> str | None:
-        """The name; "a or b" if the answer does not show which mistake was made, "a and b" if both were."""
+        """The name; "a or b" if the answer does not show which mistake was made."""
         return " or ".join(dict.fromkeys(one.name for one in self.mistakes[:MAX_ALTERNATIVES])) or None
 
     @property
-    def alternatives(self) -> tuple[tuple[str, ...], ...]:
-        """The names as data: for each explanation that fits, the mistakes that were made together."""
-        return tuple(dict.fromkeys(one.names for one in self.mistakes)) if self.mistake else ()
-
-    @property
     def text(self) -> str:
-        """What a student reads: the message, and the check if there is room."""
-        message = self.message.replace("\n", " ")
-        both = f"{message} {self.check}".strip()
-        return both if len(both) <= MAX_LENGTH else message
+        """The message and the check."""
+        return f"{self.message} {self.check}".replace("\n", " ").strip()
 
 
 def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Finding]:
@@ -160,16 +153,15 @@ def _explain_parts(
 
 def _distinct(mistakes: Sequence[Mistake]) -> list[Mistake]:
     """Return one mistake of each name, the first one that leaves points to the right parts if there is one."""
-    by_name = {mistake.names: mistake for mistake in reversed(mistakes) if mistake.spoils}
-    by_name |= {mistake.names: mistake for mistake in reversed(mistakes) if not mistake.spoils}
-    return [mistake for mistake in mistakes if by_name[mistake.names] is mistake]
+    by_name = {mistake.name: mistake for mistake in reversed(mistakes) if mistake.spoils}
+    by_name |= {mistake.name: mistake for mistake in reversed(mistakes) if not mistake.spoils}
+    return [mistake for mistake in mistakes if by_name[mistake.name] is mistake]
 
 
 def _is_same_slip(one: Mistake, other: Mistake) -> bool:
     """Return whether the same is done to two expressions, one of which is a part of the other: a term, and its first factor."""
     (did, short), (same, long) = sorted((FORMULA.sub("$", x.did), FORMULA.findall(x.did)) for x in (one, other))
-    contained = all(a in b or b in a for a, b in zip(short, long, strict=False))
-    return bool(did) and contained and same.startswith(did)
+    return bool(did) and same.startswith(did) and all(a in b or b in a for a, b in zip(short, long, strict=False))
 
 
 def message_of(mistakes: Sequence[Mistake], whole: bool) -> str:
@@ -183,10 +175,9 @@ def message_of(mistakes: Sequence[Mistake], whole: bool) -> str:
     >>> message_of([Mistake("order", 1, "You swapped them."), Mistake("sign", 1, "You forgot a sign.")], whole=True)
     'You swapped them. Or: You forgot a sign.'
     """
-    first = min(
-        (one for one in mistakes if _is_same_slip(one, mistakes[0])), key=lambda one: len(one.did), default=mistakes[0]
-    )
-    other = next((one for one in mistakes if one is not first and not _is_same_slip(one, first)), None)
+    same = [one for one in mistakes if one is mistakes[0] or _is_same_slip(one, mistakes[0])]
+    first = min(same, key=lambda one: len(one.did))
+    other = next((one for one in mistakes if one not in same and not _is_same_slip(one, first)), None)
     if other is None:
         return first.message if whole else first.part
     if not (first.did and other.did):

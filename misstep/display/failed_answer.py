@@ -28,17 +28,9 @@ def replace_failed_answers(result: Any) -> None:
     shell = current_shell()
     if error is None or shell is None:
         return
+    kind = "SyntaxError" if isinstance(error, SyntaxError) else type(error).__name__  # Python 3.13 has private ones
     for name in ANSWER.findall(result.info.raw_cell):
-        shell.user_ns[name] = FailedAnswer(f"{error_name(error)}: {getattr(error, 'msg', None) or error}")
-
-
-def error_name(error: BaseException) -> str:
-    """Return the name of an error that a student can look up: Python 3.13 raises its own _IncompleteInputError for a SyntaxError.
-
-    >>> error_name(KeyError())
-    'KeyError'
-    """
-    return next(kind.__name__ for kind in type(error).__mro__ if not kind.__name__.startswith("_"))
+        shell.user_ns[name] = FailedAnswer(f"{kind}: {getattr(error, 'msg', None) or error}")
 
 
 def watch_cells() -> None:

@@ -7,7 +7,6 @@ same files. So a run that was ended in any way is simply started again.
 """
 
 import argparse
-import sys
 from collections import Counter, defaultdict
 from collections.abc import Sequence
 from concurrent.futures import as_completed
@@ -29,8 +28,6 @@ from misstep.grading.result import ABSENT, FLAGS, Result
 from misstep.grading.similarity import shared_answers, unnamed_rows
 from misstep.grading.workers import grade_within, open_executor
 
-MAX_NAMED = 30
-"""How many students are named in a line."""
 PLATFORMS = {"moodle": MOODLE, "canvas": CANVAS}
 """Those that take pages back, with the names of their files."""
 PAGE_MARK = b'<meta name="generator" content="misstep grade">'
@@ -39,26 +36,16 @@ PAGE_MARK = b'<meta name="generator" content="misstep grade">'
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of the command to a parser."""
     parser.add_argument("submissions", type=Path, help="a folder, the zip file of a platform, or one notebook")
-    parser.add_argument(
-        "--sheet", required=True, help="the sheet: 03, 03_poe_space, or the .json file of a robot's sheet"
-    )
+    parser.add_argument("--sheet", required=True, help="03, 03_poe_space, or the .json file of a robot's sheet")
     parser.add_argument("--out", type=Path, required=True, metavar="RESULTS", help="the folder for the results")
     parser.add_argument("--roster", type=Path, metavar="CSV", help="the list of students, as the platform exports it")
     parser.add_argument("--id-column", metavar="NAME", help="the column of the roster with the ids that students type")
     parser.add_argument("--column", metavar="NAME", help="the column of the sheet on the platform (default: the sheet)")
-    parser.add_argument(
-        "--typed-ids", action="store_true", help="take the numbers of the ids that are typed in the sheets"
-    )
-    parser.add_argument(
-        "--gradebook", type=Path, metavar="FOLDER", help="the folder of an nbgrader course, to fill its gradebook"
-    )
-    parser.add_argument(
-        "--site", default="", metavar="URL", help="the address of the course's site, to which feedback links"
-    )
+    parser.add_argument("--typed-ids", action="store_true", help="take the numbers of the ids typed in the sheets")
+    parser.add_argument("--gradebook", type=Path, metavar="FOLDER", help="the nbgrader course whose gradebook to fill")
+    parser.add_argument("--site", default="", metavar="URL", help="the course's site, to which feedback links")
     parser.add_argument("--workers", type=int, default=2, metavar="N", help="how many at a time (default: 2)")
-    parser.add_argument(
-        "--scheduler", metavar="tcp://HOST:PORT", help="the scheduler of a Dask cluster, instead of workers here"
-    )
+    parser.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="of a Dask cluster, instead of workers here")
     parser.add_argument("--seconds", type=float, default=60.0, help="how long one student may take (default: 60)")
 
 
@@ -77,11 +64,7 @@ def run(options: argparse.Namespace) -> int:
 
         gradebook = open_course(options.gradebook, sheet.name)
     requests = [Request(name, one, overrides.get(one.student, ()), options.typed_ids) for one in gathered.submissions]
-    try:
-        results = with_flags_of_class(grade_all(requests, options))
-    except KeyboardInterrupt:
-        print("\nmisstep grade: stopped, and nothing was written. Start the same command again.", file=sys.stderr)
-        return 130
+    results = with_flags_of_class(grade_all(requests, options))
     attention = [*gathered.remarks, *sentences(results)]
     if options.gradebook:
         attention += record(gradebook, sheet.name, results)
@@ -149,18 +132,14 @@ def sentences(results: Sequence[Result]) -> list[str]:
         flagged = [(one.student, one.flags[flag].rstrip(".")) for one in results if flag in one.flags]
         named = [f"{student} ({about})" if about and flag != "absent" else student for student, about in flagged]
         if flag == "unmarked":  # of everybody, as a rule
-            named = [
-                f"{about} of {count} student{'s' * (count > 1)}"
-                for about, count in Counter(about for _, about in flagged).items()
-            ]
+            counts = Counter(about for _, about in flagged).items()
+            named = [f"{about} of {count} student{'s' * (count > 1)}" for about, count in counts]
         if named:
-            more = f", and {len(named) - MAX_NAMED} more, see grades.csv" if len(named) > MAX_NAMED else ""
-            lines.append(f"{text}: {', '.join(named[:MAX_NAMED])}{more}.")
+            lines.append(f"{text}: {', '.join(named)}.")
     typed = [one for one in results if one.typed]
     if len(typed) > 1 and 2 * sum("other id" in one.flags for one in typed) > len(typed):
         lines.append(
-            "Most ids that were typed are not the names of the submissions. Pass --roster with the ids of the students, or "
-            "--typed-ids to take the numbers of the ids that were typed."
+            "Most ids that were typed are not those of the submissions. Pass --roster, or --typed-ids to take them."
         )
     return lines
 
@@ -169,7 +148,7 @@ def sentences(results: Sequence[Result]) -> list[str]:
 
 
 def write(path: Path, content: bytes) -> None:
-    """Write a file in one step."""
+    """Write a file completely or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
     partial = path.with_name(f".{path.name}.partial")
     partial.write_bytes(content)
@@ -189,9 +168,8 @@ def write_all(out: Path, sheet: str, gathered: Gathered, results: Sequence[Resul
     header = ["problem", "answers", "each number beside the right one", "an example", "right there"]
     write(out / "unnamed.csv", csv_text(header, unnamed_rows(results)).encode())
     write(out / "report.html", report_page(results, sheet, attention).encode())
-    handed_in = [one for one in gathered.submissions if one.files and gathered.platform in PLATFORMS]
-    if handed_in:
-        buffer = BytesIO()
+    if gathered.platform in PLATFORMS:
+        handed_in, buffer = [one for one in gathered.submissions if one.files], BytesIO()
         with ZipFile(buffer, "w") as archive:
             for one in handed_in:  # each page has the same date, so that equal pages give equal bytes
                 upload = ZipInfo(feedback_name(gathered.platform, one.files[0].name, sheet))
@@ -211,7 +189,8 @@ def grades_table(results: Sequence[Result]) -> str:
         points = ["to be marked" if each.state == "open" else format_points(each.points) for each in one.problems]
         reason = " | ".join(filter(None, [*told, *flags]))
         mistakes = "; ".join(f"{problem.number} {name}" for problem in one.problems for name in problem.mistakes)
-        rows.append([*first, *points, reason, mistakes, ", ".join(one.typed), one.file, " | ".join(one.changes)])
+        changes = " | ".join(f"{problem.number}: {problem.note}" for problem in one.problems if problem.note)
+        rows.append([*first, *points, reason, mistakes, ", ".join(one.typed), one.file, changes])
     return csv_text(header, rows)
 
 

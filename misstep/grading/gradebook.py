@@ -4,7 +4,6 @@ A grade that was entered by hand in formgrader stays. `nbgrader autograde` would
 cell raises no error; nbgrader_config.py therefore names `Refuse` as its preprocessor.
 """
 
-import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -15,12 +14,6 @@ from nbgrader.preprocessors import NbGraderPreprocessor
 from traitlets.config.loader import PyFileConfigLoader
 
 from misstep.grading.result import ABSENT, Result
-
-FOLDER_NAME = re.compile(r"[^./\\\0+][^/\\\0+]{0,79}")
-"""An id that nbgrader allows: the name of a student's folder, without a +."""
-
-GENERATE = "nbgrader generate_assignment {} --force"
-"""Without --force, nbgrader skips an assignment whose released notebook is there already, as it is in a checkout."""
 
 
 class Refuse(NbGraderPreprocessor):  # type: ignore[misc]  # nbgrader ships no types
@@ -44,14 +37,12 @@ def open_course(folder: Path, sheet: str) -> CourseDirectory:
     config = PyFileConfigLoader("nbgrader_config.py", path=str(folder.resolve())).load_config()
     config.CourseDirectory.root = str(folder.resolve())
     course = CourseDirectory(config=config)
-    missing = f"The gradebook must have the assignment {sheet}. First run: {GENERATE.format(sheet)}"
-    if course.db_url.startswith("sqlite:///") and not Path(course.db_url.removeprefix("sqlite:///")).is_file():
-        raise ValueError(missing)
     try:
         with Gradebook(course.db_url, course.course_id) as gradebook:
             gradebook.find_notebook(sheet, sheet)
     except MissingEntry as error:
-        raise ValueError(missing) from error
+        command = f"nbgrader generate_assignment {sheet} --force"
+        raise ValueError(f"The gradebook must have the assignment {sheet}. First run: {command}") from error
     return course
 
 
@@ -66,18 +57,13 @@ def record(course: CourseDirectory, sheet: str, results: Sequence[Result]) -> li
             student, problems = result.student, result.problems
             if result.status == ABSENT:
                 continue
-            if not FOLDER_NAME.fullmatch(student):
-                remarks.append(f"{student} is not in the gradebook, because nbgrader does not allow this id.")
-                continue
             if abs(result.points - sum(one.points for one in problems)) > 1e-9:
                 remarks.append(f"{student} has points for the whole sheet by hand, which a gradebook cannot hold.")
             gradebook.update_or_create_student(student)
             with gradebook.db.no_autoflush:  # nbgrader adds a submission to its assignment, and then to the session
                 gradebook.update_or_create_submission(sheet, student)
             for grade in gradebook.find_submission_notebook(sheet, sheet, student).grades:
-                one = problems[
-                    int(grade.name.rpartition("-")[2]) - 1
-                ]  # of the cell check-3, or answer-3 of an open problem
+                one = problems[int(grade.name.rpartition("-")[2]) - 1]  # of the cell check-3, or answer-3 if it is open
                 if one.state == "open":
                     grade.needs_manual_grade = grade.manual_score is None
                 elif grade.auto_score != one.points:

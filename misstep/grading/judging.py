@@ -12,7 +12,6 @@ from typing import Any
 
 from misstep.answers.base import inputs_of
 from misstep.catalog import find_course
-from misstep.diagnosis.bugs import Observation
 from misstep.diagnosis.explanation import Finding
 from misstep.display.card import Link
 from misstep.display.lecture_address import page_address
@@ -26,8 +25,7 @@ from misstep.grading.similarity import relation
 from misstep.judge import Judgement, judge
 from misstep.problem import Problem, Template
 from misstep.sheet import SAMPLE_ID, Sheet
-from misstep.storage.deserialize import Malformed, Opaque, from_data
-from misstep.storage.serialize import to_data
+from misstep.storage import Opaque, from_data, to_data
 from misstep.verdict import Verdict
 
 NO_ANSWER = "No answer is stored: the check cell of this problem was not run, or the notebook was not saved afterwards."
@@ -66,8 +64,7 @@ def grade(request: Request) -> Result:
     try:
         chosen = choose(one.files, sheet.name)
     except (Unreadable, MemoryError) as error:
-        too_large = "The notebook needs too much memory. Clear all outputs, run all cells, and save."
-        reason = str(error) if isinstance(error, Unreadable) else too_large
+        reason = str(error) or "The notebook needs too much memory. Clear all outputs, run all cells, and save."
         return ungraded(request, states.UNREADABLE, reason, "unreadable")
     work, typed = chosen.work, chosen.work.ids
     # The id that was typed last, if several were, because its numbers are those that the student saw last.
@@ -79,7 +76,8 @@ def grade(request: Request) -> Result:
     if len(chosen.ids) > 2:
         flags["several ids"] = ", ".join(chosen.ids[:5])
     if "other id" in flags:
-        notes.append(_other_id(sheet, work, one.id, id_, problems))
+        names = ", ".join(map(repr, typed[:3]))
+        notes.append(f"The answers were checked for {names}, and are judged with the numbers of {id_!r}.")
         flags["other id"] = notes[-1]
     status = states.GRADED if work.answers else states.NOT_RUN
     earned = sum(each.points for each in problems)
@@ -120,30 +118,15 @@ def finished(result: Result, request: Request) -> Result:
 
 def _flags(one: Submission, problems: Sequence[ProblemResult], work: Work, id_: str) -> dict[str, str]:
     flags, ids = {}, {typed.casefold() for typed in work.ids}
-    missing = ", ".join(problem.number for problem in problems if problem.state == "missing")
     if not work.answers:
         flags["not run"] = ""
-    elif missing:
+    elif missing := ", ".join(problem.number for problem in problems if problem.state == "missing"):
         flags["partly run"] = missing
     if stale := [problems[k - 1].number for k in work.stale if 1 <= k <= len(problems)]:
         flags["changed"] = ", ".join(stale)
     if ids - {(one.id or id_).casefold()} or SAMPLE_ID in ids:
         flags["other id"] = ""
     return flags
-
-
-def _other_id(sheet: Sheet, work: Work, expected: str, id_: str, problems: Sequence[ProblemResult]) -> str:
-    """Return a sentence on answers that were checked for another id, with the points that they would have there."""
-    names = ", ".join(map(repr, work.ids[:3]))
-    if not expected or len(work.ids) > 1:
-        return f"The answers were checked for {names}. They are judged with the numbers of {id_!r}."
-    typed = work.ids[0]
-    other = typed if id_.casefold() != typed.casefold() else expected
-    score = sum(_judged(one, other, work, k, "").points for k, one in enumerate(sheet.problems, start=1))
-    return (
-        f"The answers were checked for {names}, and are judged with the numbers of {id_!r}. With those of {other!r} they "
-        f"would have {score:.4g} instead of {sum(one.points for one in problems):.4g} points."
-    )
 
 
 def _judged(template: Template, id_: str, work: Work, k: int, site: str) -> ProblemResult:
@@ -163,20 +146,17 @@ def _judged(template: Template, id_: str, work: Work, k: int, site: str) -> Prob
         answer=None if judgement.state == "unreadable" else data,
         mistakes=judgement.mistakes,
         unnamed=(relation(data, right), right) if is_unnamed else None,
-        seen=Observation(template.number, (), [one.alternatives for one in judgement.findings if one.alternatives]),
     )
 
 
 def judged_data(problem: Problem, data: Mapping[str, Any] | None) -> Judgement:
-    """Judge an answer that is data. One that has no known form, or that raises an error, is unreadable."""
+    """Judge an answer that is data. One that raises an error is unreadable."""
     try:
         value = from_data(data)
         if not isinstance(value, Opaque):
             return judge(problem, value)
         reason = f"got {value}"
-    except Malformed as error:
-        reason = f"the data of this answer has no known form. {error}".removesuffix(".")
     except Exception as error:  # whatever error an answer causes, the other problems must still be judged
-        reason = f"the answer could not be judged: {type(error).__name__}"
+        reason = f"what is stored could not be judged: {type(error).__name__}"
     text = f"Expected {problem.answer.expected}; {reason}."
     return Judgement("unreadable", findings=[Finding(problem.answer.parts, text)])

@@ -20,9 +20,8 @@ COLUMNS = ("student", "problem", "points", "comment")
 
 @dataclass(frozen=True)
 class Override:
-    """What an instructor decided about a problem of a student."""
+    """What an instructor decided about a problem of one student."""
 
-    student: str
     problem: str  # "" for the whole sheet
     points: float | None  # None if only a comment is given
     comment: str
@@ -30,7 +29,7 @@ class Override:
     def sentence(self, before: float) -> str:
         """Return what the student reads.
 
-        >>> Override("ada", "03.1", 3.0, "The sketch is right.").sentence(1.5)
+        >>> Override("03.1", 3.0, "The sketch is right.").sentence(1.5)
         'Changed by your instructor from 1 1/2 to 3 points. The sketch is right.'
         """
         if self.points is None:
@@ -51,8 +50,8 @@ def read_overrides(out: Path, sheet: Sheet, students: Collection[str]) -> dict[s
         path.write_text(csv_text(COLUMNS, []), "utf-8")
     header, rows, _ = read_table(path)
     titles = [title.strip().casefold() for title in header]
-    if missing := [name for name in COLUMNS if name not in titles]:
-        raise ValueError(f"{path} must have the columns {', '.join(COLUMNS)}; {', '.join(missing)} is missing.")
+    if not set(COLUMNS) <= set(titles):
+        raise ValueError(f"{path} must have the columns {', '.join(COLUMNS)}; it has {', '.join(header)}.")
     maxima = {"": sheet.points} | {template.number: template.points for template in sheet.problems}
     spelled = {name.casefold(): name for name in students}
     found: dict[str, list[Override]] = {}
@@ -75,7 +74,7 @@ def read_overrides(out: Path, sheet: Sheet, students: Collection[str]) -> dict[s
         elif any(one.problem == problem for one in known):
             faults.append(f"line {line}: {name} {problem or 'whole sheet'} has a line already")
         else:
-            known.append(Override(student, problem, points, comment))
+            known.append(Override(problem, points, comment))
     if faults:
         raise ValueError(f"{path} has faults, and nothing was graded: {'; '.join(faults)}.")
     return found

@@ -18,7 +18,7 @@ from markupsafe import Markup, escape
 from misstep.display.text import points
 from misstep.grading.escape import printable
 from misstep.grading.result import ABSENT, Result
-from misstep.storage.deserialize import from_data
+from misstep.storage import from_data
 
 STATES = {
     "right": ("✓", "right"),
@@ -38,8 +38,8 @@ ATTRIBUTES = {"xmlns", "display", "stretchy", "fence", "form", "separator", "mat
 ATTRIBUTES |= {"columnspacing", "columnlines", "rowlines", "width", "height", "linethickness", "minsize", "maxsize"}
 """The attributes of MathML that lead nowhere. A formula with any other one, such as href, is shown as it was typed."""
 
-MAX_FORMULA, MAX_ANSWER = 1000, 2000
-"""The longest formula that is converted, and the longest answer that is shown, in characters."""
+MAX_ANSWER = 2000
+"""The longest answer that is shown, and the longest formula that is converted, in characters."""
 SMALL_FRACTION = re.compile(r"\\[td]frac(?![a-zA-Z])")
 """Fractions of another size, which latex2mathml does not know."""
 
@@ -52,7 +52,7 @@ def formula(latex: str, display: str = "inline") -> Markup:
     Markup('<code>\\href{javascript:alert(1)}{x}</code>')
     """
     as_typed = Markup("<code>{}</code>").format(latex)
-    if len(latex) > MAX_FORMULA:
+    if len(latex) > MAX_ANSWER:
         return as_typed
     try:
         html = convert(SMALL_FRACTION.sub(r"\\frac", latex), display=display)
@@ -89,11 +89,8 @@ def _markdown() -> mistune.Markdown:
 
 
 def answer_text(data: Any) -> str:
-    """Return a stored answer as Python shows it."""
-    try:
-        text = str(from_data(data)) if data is not None else "no answer"
-    except ValueError:
-        text = "no answer"
+    """Return a stored answer as Python shows it, which was read before."""
+    text = str(from_data(data)) if data is not None else "no answer"
     return text if len(text) <= MAX_ANSWER else f"{text[:MAX_ANSWER]} ..."
 
 
@@ -105,25 +102,17 @@ def feedback_page(result: Result, sheet: str) -> str:
 def report_page(results: Sequence[Result], sheet: str, attention: Sequence[str]) -> str:
     """Return the report of the class. Those who handed in nothing are counted, but not as points."""
     present = [result for result in results if result.status != ABSENT] or results
-    count, returning = len(present), Counter[str]()
-    for result in present:
-        returning.update(one.name for one in result.recurrences if one.returns)
-    problems = []
+    count, problems = len(present), []
     for alike in zip(*(result.problems for result in present), strict=True):
-        states = Counter(one.state for one in alike)
-        mistakes = Counter(name for one in alike for name in set(one.mistakes))
-        number, title, maximum = alike[0].number, alike[0].title, alike[0].max
-        unnamed, judged = sum(one.unnamed is not None for one in alike), [one for one in alike if one.state != "open"]
-        mean = sum(one.points for one in judged) / len(judged) if judged else None
+        states, judged = Counter(one.state for one in alike), [one for one in alike if one.state != "open"]
         counted = [(state, states[state]) for state in STATES if states[state]]
-        ordered = sorted(mistakes.items(), key=lambda item: (-item[1], item[0]))
-        problems.append((number, title, maximum, mean, counted, ordered, unnamed))
-    template = _environment().get_template("report.html")
+        mistakes = Counter(name for one in alike for name in sorted(set(one.mistakes))).most_common()
+        mean = sum(one.points for one in judged) / len(judged) if judged else None
+        problems.append((alike[0], mean, counted, mistakes, sum(one.unnamed is not None for one in alike)))
     totals = sorted(Counter(int(result.points) for result in present).items())
-    returned = sorted(returning.items(), key=lambda item: (-item[1], item[0]))
     figures: dict[str, Any] = {"count": count, "absent": len(results) - count, "max": present[0].max, "totals": totals}
-    figures["mean"] = sum(result.points for result in present) / count
-    return template.render(figures, sheet=sheet, problems=problems, attention=attention, returning=returned)
+    figures |= {"mean": sum(result.points for result in present) / count, "sheet": sheet, "attention": attention}
+    return _environment().get_template("report.html").render(figures, problems=problems)
 
 
 @cache

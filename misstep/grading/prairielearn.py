@@ -13,7 +13,7 @@ Source: https://docs.prairielearn.com/question/server/ and the JSON schemas of P
 import json
 import shutil
 from argparse import ArgumentParser, Namespace
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from importlib.util import find_spec
 from itertools import chain
@@ -30,7 +30,7 @@ from misstep.answers.prose import Prose
 from misstep.catalog import Course, find_course
 from misstep.judge import judge
 from misstep.problem import Problem, Template
-from misstep.storage.serialize import to_data
+from misstep.storage import to_data
 from misstep.verdict import Verdict
 
 Data = dict[str, Any]
@@ -88,39 +88,17 @@ class Question:
         """Draw the numbers, and leave the statement, the sizes of the inputs and the right answer in the data."""
         problem = self._problem(data)
         figure = problem.figure() if problem.figure else None
-        given = "\n".join(f"{name} = {_literal(value)}" for name, value in problem.given.items())
+        texts = {
+            k: f"np.array({v.tolist()})" if isinstance(v, np.ndarray) else repr(v) for k, v in problem.given.items()
+        }
         inputs: Data = {"matrices": [], "formulas": [], "choices": [], "blocks": []}
-        for answer in _answers(problem.answer):
-            self._add_input(answer, inputs, data)
+        for k, answer in enumerate(_answers(problem.answer)):
+            kind, shown, right = _inputs(answer, k)
+            inputs[kind] += shown
+            data["correct_answers"].update(right)
+        given = "\n".join(f"{name} = {text}" for name, text in texts.items())
         data["params"].update(statement=problem.statement, given=given, alt=getattr(figure, "alt", ""), **inputs)
         data["params"]["has"] = {kind: bool(ones) for kind, ones in inputs.items()}
-
-    @staticmethod
-    def _add_input(answer: Answer, inputs: Data, data: Data) -> None:
-        if isinstance(answer, Choice):
-            options = answer.options.items()
-            shown = [{"text": f"{name}: {text}", "right": str(name == answer.value).lower()} for name, text in options]
-            inputs["choices"].append({"name": f"choice_{len(inputs['choices']) + 1}", "options": shown})
-            return
-        if isinstance(answer, Ordering):
-            names = [*answer.value, *(name for name in answer.among if name not in answer.value)]
-            inputs["blocks"] = [
-                {"text": name, "place": place, "right": str(name in answer.value).lower()}
-                for place, name in enumerate(names, start=1)
-            ]
-            return
-        right = _right(answer)
-        if right.dtype == object:
-            rows = _cells(right)
-            inputs["formulas"] = [{"cells": [{"name": name} for name in row]} for row in rows]
-            data["correct_answers"].update(zip(chain(*rows), map(str, right.ravel()), strict=True))
-            return
-        # An array is a stack of matrices, and a vector is one row.
-        for k, matrix in enumerate(right.reshape(-1, *np.atleast_2d(right).shape[-2:]), start=1):
-            name, label, (rows, columns) = f"answer_{k}_", "" if right.ndim < 3 else f"{k}: ", matrix.shape
-            inputs["matrices"].append({"name": name, "label": label, "rows": rows, "columns": columns})
-            value = {"_type": "ndarray", "_value": matrix.tolist(), "_dtype": "float64"}
-            data["correct_answers"][name] = value
 
     def parse(self, data: Data) -> None:
         """Say of an answer that is none why it cannot be read; PrairieLearn then counts no attempt."""
@@ -154,6 +132,31 @@ def _answers(answer: Answer) -> Sequence[Answer]:
     return (answer.choice, answer.reason) if isinstance(answer, ReasonedChoice) else (answer,)
 
 
+def _inputs(answer: Answer, k: int) -> tuple[str, list[Data], Data]:
+    """Return the kind of the inputs for one of the answers, what the page shows of each, and the right answers by name."""
+    if isinstance(answer, Choice):
+        options = answer.options.items()
+        shown = [{"text": f"{name}: {text}", "right": str(name == answer.value).lower()} for name, text in options]
+        return "choices", [{"name": f"choice_{k}", "options": shown}], {}
+    if isinstance(answer, Ordering):
+        names = dict.fromkeys([*answer.value, *answer.among])
+        blocks = [{"text": name, "right": str(name in answer.value).lower()} for name in names]
+        return "blocks", [block | {"place": place} for place, block in enumerate(blocks, start=1)], {}
+    right = _right(answer)
+    if right.dtype == object:
+        rows = _cells(right)
+        texts = dict(zip(chain(*rows), map(str, right.ravel()), strict=True))
+        return "formulas", [{"cells": [{"name": name} for name in row]} for row in rows], texts
+    # An array is a stack of matrices, and a vector is one row.
+    matrices = right.reshape(-1, *(size := np.atleast_2d(right).shape[-2:]))
+    shown, values = [], {}
+    for place, matrix in enumerate(matrices.tolist(), start=1):
+        label = f"{place}: " if right.ndim > 2 else ""
+        shown.append({"name": f"answer_{place}_", "label": label, "rows": size[0], "columns": size[1]})
+        values[f"answer_{place}_"] = {"_type": "ndarray", "_value": matrix, "_dtype": "float64"}
+    return "matrices", shown, values
+
+
 def _right(answer: Answer) -> np.ndarray[Any, Any]:
     """Return the right answer as an array: of numbers, or of formulas as texts."""
     stored: Any = to_data(answer.value)
@@ -161,29 +164,24 @@ def _right(answer: Answer) -> np.ndarray[Any, Any]:
         return np.array([[entry["text"] for entry in row["list"]] for row in stored["list"]], dtype=object)
     if "fields" in stored:
         return np.array(stored["fields"]["rows"], dtype=float)
-    if "array" in stored:
-        return np.array(stored["array"], dtype=float).reshape(stored["shape"])
-    raise ValueError(f"There is no input for an answer such as {answer.expected}.")
+    return np.array(stored["array"], dtype=float).reshape(stored["shape"])
 
 
 def _cells(formulas: np.ndarray[Any, Any]) -> list[list[str]]:
     """Return the names of the inputs for formulas, by row."""
-    rows, columns = formulas.shape
-    return [[f"entry_{i}_{j}" for j in range(1, columns + 1)] for i in range(1, rows + 1)]
+    return [[f"entry_{i}_{j}" for j, _ in enumerate(row, start=1)] for i, row in enumerate(formulas, start=1)]
 
 
 def _submitted(problem: Problem, data: Data) -> Any:
-    names = iter(choice["name"] for choice in data["params"]["choices"])
-    submitted = [_value(answer, data, names) for answer in _answers(problem.answer)]
-    return submitted if isinstance(problem.answer, ReasonedChoice) else submitted[0]
+    submitted = [_value(answer, k, data) for k, answer in enumerate(_answers(problem.answer))]
+    return submitted if len(submitted) > 1 else submitted[0]
 
 
-def _value(answer: Answer, data: Data, names: Iterator[str]) -> Any:
+def _value(answer: Answer, k: int, data: Data) -> Any:
     given = data["submitted_answers"]
     if isinstance(answer, Choice):
-        name = next(names)
-        keys = [option["key"] for option in data["params"][name]]
-        return list(answer.options)[keys.index(given[name])]
+        keys = [option["key"] for option in data["params"][f"choice_{k}"]]
+        return list(answer.options)[keys.index(given[f"choice_{k}"])]
     if isinstance(answer, Ordering):
         return [block["inner_html"].strip() for block in given["answer"]]
     right = _right(answer)
@@ -192,10 +190,6 @@ def _value(answer: Answer, data: Data, names: Iterator[str]) -> Any:
         return [row[0] for row in entries] if right.shape[1] == 1 else entries
     values = [given[one["name"]]["_value"] for one in data["params"]["matrices"]]
     return np.array(values, dtype=float).reshape(right.shape)
-
-
-def _literal(value: Any) -> str:
-    return f"np.array({value.tolist()})" if isinstance(value, np.ndarray) else repr(value)
 
 
 def add_arguments(parser: ArgumentParser) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from misstep.diagnosis.bugs import Observation, Recurrence, recurrences
+from misstep.verdict import returning
 
 GRADED, NOT_RUN, UNREADABLE, ABSENT = "graded", "not run", "unreadable", "absent"
 """The states of a submission. Not run: the notebook is of this sheet, and stores no answer."""
@@ -39,10 +39,7 @@ class ProblemResult:
     statement: str = ""
     answer: Any = None  # as data; None if it has no known form
     mistakes: Sequence[str] = ()
-    unnamed: tuple[str, Any] | None = (
-        None  # of a wrong answer without a name: its relation to the right one, and that one
-    )
-    seen: Observation | None = None
+    unnamed: tuple[str, Any] | None = None  # of a wrong answer without a name: its relation to the right one, and that
     note: str = ""  # what the instructor decided
 
 
@@ -63,11 +60,6 @@ class Result:
     page: str = field(default="", repr=False)  # of feedback, as HTML
 
     @property
-    def recurrences(self) -> list[Recurrence]:
-        """The mistakes of this student across the problems of the sheet."""
-        return recurrences([one.seen for one in self.problems if one.seen])
-
-    @property
-    def changes(self) -> list[str]:
-        """What the instructor decided."""
-        return [f"{one.number}: {one.note}" for one in self.problems if one.note]
+    def returning(self) -> list[str]:
+        """A sentence on each mistake of this student in several problems."""
+        return returning((one.number, name) for one in self.problems for name in one.mistakes)

@@ -58,8 +58,8 @@ def relation(answer: Any, right: Any) -> str:
     said = []
     for one, other in zip(mine, others, strict=True):
         near = TOLERANCE * max(abs(other), 1.0)
-        multiple = f"x{one / other:.2g}" if abs(other) > near else "not 0"
         cases = {"=": abs(one - other), "-": abs(one + other), "0": abs(one)}
+        multiple = f"x{one / other:.2g}" if abs(other) > near else "not 0"
         said.append(next((name for name, distance in cases.items() if distance <= near), multiple))
     return " ".join(said)
 

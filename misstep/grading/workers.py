@@ -34,12 +34,7 @@ def _prepare(sheet: SheetName) -> None:
 
 
 def grade_within(request: Request, seconds: float) -> Result:
-    """Grade one student in the process of this thread. One that ends or takes longer is replaced, and the result says why.
-
-    Raises ValueError on a worker of Dask that must not start processes.
-    """
-    if multiprocessing.current_process().daemon:
-        raise ValueError("A worker of the cluster must start processes; start it with `dask worker --no-nanny`.")
+    """Grade one student in the process of this thread. One that ends or takes longer is replaced, and the result says why."""
     if not hasattr(_own, "pool"):
         _own.pool = ProcessPool(1, initializer=_prepare, initargs=(request.sheet,), context=CONTEXT)
     try:

@@ -19,9 +19,6 @@ import numpy as np
 SUM, PRODUCT, ATOM = 1, 2, 3
 """How tightly an operation binds: a sum within a product needs brackets, and both need them before an exponent."""
 
-MAX_FACTORS = 7
-"""Of how many factors one is taken for another."""
-
 
 @dataclass(frozen=True)
 class Slip:
@@ -125,13 +122,6 @@ class Expression:
     def value(self) -> Any:
         """The value. An error of the operation is not caught."""
         return self.operation.function(*(node.value for node in self.arguments)) if self.arguments else self.known
-
-    @cached_property
-    def key(self) -> Any:
-        """Equal for two expressions that are written alike."""
-        return (
-            (self.operation, *(node.key for node in self.arguments)) if self.arguments else (self.label, id(self.known))
-        )
 
     @cached_property
     def part_ids(self) -> frozenset[int]:
@@ -334,24 +324,9 @@ def _product_slips(node: Expression) -> Slips:
         for place, to, moved in (("first", 0, (factor, *rest)), ("last", last, (*rest, factor))):
             if abs(to - i) > 1:
                 yield Slip(f"{place} factor", f"put {_quoted(factor)} {place}", product(*moved), advice=advice)
-    yield from _factors_confused(factors)
     if all(np.ndim(factor.value) == 2 for factor in factors):
         by_entry = "multiply entry by entry (`*` instead of `@`)"
         yield Slip("entry by entry", by_entry, _entrywise(*factors), everywhere=by_entry)
-
-
-def _factors_confused(factors: tuple[Expression, ...]) -> Slips:
-    """Yield the products with a factor once more, or with a factor in the place of another one of its kind."""
-    for i, factor in enumerate(factors) if len(factors) > 2 else ():
-        for place in {0, i, len(factors)} if not factor.arguments else {i}:
-            twice = product(*factors[:place], factor, *factors[place:])
-            yield Slip("factor twice", f"multiply by {_quoted(factor)} once more", twice, may_coincide=True)
-    for i, factor in enumerate(factors):
-        for other in factors:
-            is_sibling = other.operation is factor.operation and np.shape(other.value) == np.shape(factor.value)
-            if other is not factor and factor.arguments and is_sibling and len(factors) <= MAX_FACTORS:
-                text = f"use {_quoted(other)}, where {_quoted(factor)} belongs"
-                yield Slip("another factor", text, product(*_put(factors, i, other)), may_coincide=True)
 
 
 def _sum_slips(node: Expression) -> Slips:

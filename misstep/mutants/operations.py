@@ -42,7 +42,7 @@ def _stack_slips(node: Expression) -> Slips:
     what = "entries" if np.ndim(node.value) == 1 else "rows"
     for i in range(len(node.arguments) - 1):
         rows = list(node.arguments)
-        if rows[i].key != rows[i + 1].key:
+        if not np.array_equal(rows[i].value, rows[i + 1].value):
             rows[i : i + 2] = rows[i + 1], rows[i]
             yield Slip(f"{what} swapped", f"swap {what} {i + 1} and {i + 2}", stack(*rows))
 

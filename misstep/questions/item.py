@@ -18,14 +18,13 @@ beside the question. Each question is a table:
 
 Single quotes keep the backslashes of formulas. Use three single quotes for text with an apostrophe or a second line.
 
-The options are shown in an order of their own, which depends on the question and on the texts of the options, but not on their
-order in the file, so that the place of the right option says nothing. An option that speaks of the others, such as "None of
-them", is marked with `last = true` and stays below them.
+The options are shown in an order of their own, which depends on the question and on the texts of the options, so that the place
+of the right one says nothing. An option that speaks of the others, such as "None of them", is marked with `last = true`.
 
 Questions of the kinds recall and check show the reason of the chosen option at once. A prediction is only recorded, because
-the figure that follows shows the answer. explain("03/order") compares them afterwards and shows the explanation, which only a
-prediction has, and which is the reason of its right option. It is Markdown of several paragraphs, as misstep.display.markdown
-reads it, and it precedes the options, because TOML counts a key after them as a key of the last option.
+the figure that follows shows the answer. explain("03/order") compares them afterwards and shows the explanation, Markdown which
+only a prediction has, and which is the reason of its right option. It precedes the options, because TOML counts a key after them
+as a key of the last option.
 """
 
 import tomllib
@@ -33,8 +32,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from typing import Any
-
-from misstep.display.markdown import markdown_html
 
 KINDS = {"recall": "Remember", "predict": "Predict", "check": "Check yourself"}
 LETTERS = "ABCDEFGH"
@@ -67,10 +64,8 @@ class Item:
 
     def shuffled(self, seed: str) -> "Item":
         """Return the question with its options in another order, which depends on the seed and the texts of the options."""
-        order = sorted(
-            self.options, key=lambda option: (option.last, sha256(f"{seed}\0{option.text}".encode()).digest())
-        )
-        return replace(self, options=order)
+        digests = {option: sha256(f"{seed}\0{option.text}".encode()).digest() for option in self.options}
+        return replace(self, options=sorted(self.options, key=lambda option: (option.last, digests[option])))
 
 
 def read_questions(text: str, file: str) -> dict[str, Item]:
@@ -89,21 +84,21 @@ def _item(key: str, table: Any, place: str) -> Item:
     try:
         options = [Option(**option) for option in table.pop("options")]
         item = Item(key, options=options, **table)
-        markdown_html(item.explanation)
-    except (AttributeError, KeyError, TypeError, ValueError) as error:
+    except (AttributeError, KeyError, TypeError) as error:
         missing = f"{error} is missing." if isinstance(error, KeyError) else error
         raise ValueError(f"{place}: {missing}") from error
-    if item.kind not in KINDS:
-        raise ValueError(f"{place}: kind must be one of {', '.join(KINDS)}; got {item.kind!r}.")
-    if bool(item.explanation) != (item.kind == "predict"):
-        raise ValueError(
-            f"{place}: explanation is a key of kind 'predict' only, and required there; got kind {item.kind!r}. "
-            "Write the reasons into why of each option."
-        )
-    if sum(option.right for option in options) != 1 or not 2 <= len(options) <= len(LETTERS):
-        raise ValueError(f"{place}: there must be 2 to {len(LETTERS)} options, exactly one of them with right = true.")
-    if any(bool(option.why) == (option.right and item.kind == "predict") for option in options):
-        raise ValueError(
-            f"{place}: each option must have why, but the right one of a prediction, which explanation explains."
-        )
+    is_prediction, count = item.kind == "predict", len(LETTERS)
+    has_reasons = all(bool(option.why) != (option.right and is_prediction) for option in options)
+    for is_kept, rule in (
+        (item.kind in KINDS, f"kind must be one of {', '.join(KINDS)}; got {item.kind!r}."),
+        (
+            bool(item.explanation) == is_prediction,
+            "a prediction must have an explanation, and no other question has one.",
+        ),
+        (2 <= len(options) <= count, f"there must be 2 to {count} options."),
+        ([option.right for option in options].count(True) == 1, "exactly one option must have right = true."),
+        (has_reasons, "each option must have why, but the right one of a prediction, which explanation explains."),
+    ):
+        if not is_kept:
+            raise ValueError(f"{place}: {rule}")
     return item.shuffled(place)

@@ -38,12 +38,7 @@ class Question(HasTraits):
         self._widget: widgets.Widget | None = None
 
     def commit(self, choice: int) -> None:
-        """Commit to an option, by its index. Only the first commitment counts.
-
-        Raises ValueError for an index without an option.
-        """
-        if choice not in range(len(self.item.options)):
-            raise ValueError(f"{self.item.name} has options 0 to {len(self.item.options) - 1}; got {choice!r}.")
+        """Commit to an option, by its index. Only the first commitment counts."""
         if not self.committed:
             self.choice = choice
             self.committed = True
@@ -107,20 +102,15 @@ def _make_explanation(question: Question, output: str) -> "widgets.Widget":
 
     card = widgets.Output()
     anyway = widgets.Button(description="Show anyway", tooltip="Show the explanation without a prediction")
-    box = widgets.VBox([card, anyway])
+    box = widgets.VBox()
 
-    def show(shown: Card) -> None:
+    def show(shown: Card, is_open: bool = True) -> None:
         card.outputs = ({"output_type": "display_data", "data": {"text/html": shown.html()}, "metadata": {}},)
+        box.children = [card] if is_open else [card, anyway]
 
-    def uncover(shown: Card) -> None:
-        box.children = [card]
-        show(shown)
-
-    anyway.on_click(lambda _: uncover(question.explanation(anyway=True, output=output)))
-    question.observe(lambda _: uncover(question.explanation(output=output)), "committed")
-    show(question.explanation(output=output))
-    if question.committed:
-        box.children = [card]
+    anyway.on_click(lambda _: show(question.explanation(anyway=True, output=output)))
+    question.observe(lambda _: show(question.explanation(output=output)), "committed")
+    show(question.explanation(output=output), question.committed)
     return box
 
 

@@ -15,6 +15,10 @@ SCHEMA = 3
 """The version of nbgrader's metadata."""
 
 
+FOLDED = {"jupyter": {"source_hidden": True}, "tags": ["hide-input"]}
+"""The call that shows a problem is folded, in the lab and on a page."""
+
+
 class Entry(NamedTuple):
     """One problem in the notebook: the name of the answer, the instruction, and the lines of the solution."""
 
@@ -59,7 +63,7 @@ def _problem_cells(k: int, title: str, points: int, entry: Entry) -> list[dict[s
     scored = {"grade": True, "locked": True, "points": points, "solution": False}
     return [
         _markdown(f"heading-{k}", f"## Problem {k}. {title}\n\n{entry.ask}".strip()),
-        _code(f"show-{k}", f"sheet.show({k})"),
+        _code(f"show-{k}", f"sheet.show({k})") | {"metadata": FOLDED},
         _code(f"answer-{k}", "\n".join(lines), {"grade": False, "locked": False, "solution": True}),
         _code(f"check-{k}", f"sheet.check({k}, {name})", scored),
     ]

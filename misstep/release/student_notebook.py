@@ -7,7 +7,6 @@ All steps are nbgrader's own, so `nbgrader generate_assignment` and this command
 """
 
 import argparse
-from collections import Counter
 from pathlib import Path
 
 from misstep.catalog import find_course
@@ -33,12 +32,6 @@ def student_version(source: Path) -> str:
     stub = Config({"ClearSolutions": {"code_stub": {"python": STUB}}})
     notebook = nbformat.read(source, as_version=4)
     notebook.cells = [cell for cell in notebook.cells if not cell.get("id", "").startswith(WORKED)]
-    ids = Counter(cell.metadata.nbgrader.get("grade_id") for cell in notebook.cells if "nbgrader" in cell.metadata)
-    if repeated := ", ".join(repr(name) for name, times in ids.items() if times > 1):
-        raise ValueError(
-            f"{source}: each cell must have a grade_id of its own; got {repeated} more than once. A copied cell keeps the "
-            "grade_id: delete the copy."
-        )
     for step in (LockCells, ClearSolutions, ClearOutput, CheckCellMetadata, ComputeChecksums):
         try:
             notebook, _ = step(config=stub).preprocess(notebook, {"nbgrader": {}})

@@ -447,6 +447,7 @@
     cover(isCovered) {
       if (!this.output || !SHEET) return;
       this.coverBox?.remove();
+      this.output.dataset.lookedAt = ''; // until now the style sheet has hidden it
       this.output.hidden = isCovered && !this.isExample;
       this.coverBox = null;
       if (!isCovered) return;

@@ -64,3 +64,6 @@ def test_what_jupyterlab_folds_is_folded_on_the_site_and_no_explanation_stands_o
             assert metadata.get("jp-MarkdownHeadingCollapsed", False) == is_side_track, text
             assert "\n## Side track" not in text, "a side track must begin in a cell of its own"
             assert not re.search(r"(\*\*|__)Explain\b", text), text
+    for sheet in Path(__file__).parents[2].glob("exercises/*/*.ipynb"):
+        shown = [cell for cell in json.loads(sheet.read_text("utf-8"))["cells"] if cell["id"].startswith("show-")]
+        assert all(cell["metadata"] == {"jupyter": {"source_hidden": True}, "tags": ["hide-input"]} for cell in shown)

@@ -21,8 +21,6 @@ def test_a_card_says_its_tone_without_colour():
         assert TONES[tone][0] in card.html()
         assert TONES[tone][0] in card.text()
         assert 'role="status"' in card.html()
-    with pytest.raises(ValueError, match=r"tone must be one of right.*'green'"):
-        Card("green", "A title")
 
 
 @pytest.mark.parametrize(("theme_paper", "theme_ink"), [("#ffffff", "#212121"), ("#111111", "#ffffff")])
@@ -44,9 +42,6 @@ def test_a_message_cannot_run_code_on_the_page():
     assert "<b>" not in html
     assert ">x.T</code>" in html
     assert "$a &lt; b$" in html
-    for address in ("javascript:alert(1)", "data:text/html,x", " JavaScript:alert(1)", "file:///etc"):
-        with pytest.raises(ValueError, match=r"address must be relative, or begin with https://"):
-            Link("text", address)
 
 
 def test_only_a_link_can_be_followed():

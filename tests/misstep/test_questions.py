@@ -67,14 +67,10 @@ def test_an_error_in_a_file_of_questions_is_named():
         ("[order]\nkind = 'check'\ntext = '?'", "question 'order': 'options' is missing"),
         (QUESTIONS.replace(why, ""), "question 'order': each option must have why, but the right one of a prediction"),
         (QUESTIONS.replace(why, "why = ''\nbecause = ''"), "unexpected keyword argument 'because'"),
-        (QUESTIONS.replace("right = true", ""), "one of them with right"),
-        (
-            QUESTIONS.replace("explanation", "# explanation"),
-            "explanation is a key of kind 'predict' only, and required there",
-        ),
-        (QUESTIONS.replace("predict", "check"), "required there; got kind 'check'"),
-        (QUESTIONS.replace("Read **", "# Read **"), "question 'order': An explanation may contain paragraphs"),
-        (QUESTIONS.replace(why, "why = ''\nright = true"), "one of them with right"),
+        (QUESTIONS.replace("right = true", ""), "exactly one option must have right"),
+        (QUESTIONS.replace("explanation", "# explanation"), "a prediction must have an explanation"),
+        (QUESTIONS.replace("predict", "check"), "no other question has one"),
+        (QUESTIONS.replace(why, "why = ''\nright = true"), "exactly one option must have right"),
         (QUESTIONS.replace("'predict'", "'guess'"), "kind must be one of recall, predict, check; got 'guess'"),
     ]:
         with pytest.raises(ValueError, match=words):

@@ -77,7 +77,7 @@ def test_a_mistake_in_all_parts_is_one_finding_and_each_unexplained_part_is_one(
     p = two_rows([SHIFTED, NEGATED])
     whole = Finding(["row 1", "row 2"], "You reversed the axes.", [p.mistakes[1]], is_whole=True, is_method=True)
     assert judge(p, NEGATED.value) == Judgement("wrong", 0.0, [], [whole])
-    assert (whole.mistake, whole.alternatives) == ("negated", (("negated",),))
+    assert whole.mistake == "negated"
     unforeseen = judge(p, [[0, 1, 0, 0, -2, 0], [1, 0, 0, 3, 0, 0]])
     assert unforeseen.findings[0].message == "Its second half is right."
     nowhere = [Finding([f"row {k}"], UNKNOWN, check=STEP_BY_STEP) for k in (1, 2)]
@@ -196,7 +196,7 @@ def test_a_remark_on_a_right_answer_is_no_mistake_and_nothing_to_reread():
     verdict = sheet.check(1, 2)
     assert verdict.card.text() == "✓ Problem 99.4: Right\n  2 of 2 points.\n  You wrote it in another form."
     assert verdict.judgement.mistakes == []
-    assert sheet.tally().recurrences == []
+    assert sheet.tally().returning == []
     assert "2 of 2 | right" in repr(sheet.tally()) == sheet.tally()._repr_markdown_()
 
 
@@ -247,3 +247,23 @@ def test_a_right_answer_is_followed_by_a_worked_solution_and_a_further_question(
         "$x / 2 = 3$",
         "A further question: And a third?",
     ]
+
+
+def test_the_tally_names_a_mistake_that_returns_also_if_it_was_corrected():
+    def half(k):
+        @problem(f"01.{k}", "A half", points=1, lecture="01_fractions#Halves")
+        def drawn(sampler):
+            x = sampler.integer(3, 9)
+            wrong = [mistake("sign", np.array(-x / 2), "A sentence.")]
+            return Problem("Halve it.", Numbers(x / 2), wrong, given={"x": x}, solution=of_solution("x", float(x)) / 2)
+
+        return drawn
+
+    sheet = OpenSheet(Sheet("01_fractions", "Fractions", [half(k) for k in range(1, 5)]), "ada")
+    x = {k: sheet.given(k).x for k in range(1, 5)}
+    for k, answer in ((1, 2 * x[1]), (1, x[1] / 2), (2, 2 * x[2]), (3, -x[3] / 2), (4, ...)):
+        sheet.check(k, answer)
+    assert sheet.tally().score == 1
+    *_, total, empty, line = sheet.tally()._repr_markdown_().splitlines()
+    assert (total.startswith("| **together**"), empty) == (True, "")
+    assert line == "- Returning mistake: “product for division” explains answers in 2 problems (01.1, 01.2)."

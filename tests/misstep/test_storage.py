@@ -11,20 +11,9 @@ from hypothesis import strategies as st
 
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
-from misstep.formulas.parsing import MAX_CHARACTERS
 from misstep.problem import Problem, problem
 from misstep.sheet import OpenSheet, Sheet
-from misstep.storage.deserialize import (
-    MAX_DEPTH,
-    MAX_ENTRIES,
-    MIME,
-    Malformed,
-    Opaque,
-    Outputs,
-    from_data,
-    register_object,
-)
-from misstep.storage.serialize import MAX_PARTS, to_data
+from misstep.storage import MIME, Opaque, Outputs, from_data, register_object, to_data
 
 
 def sent(value, inputs=()):
@@ -74,10 +63,6 @@ class Resistor:
 register_object(Resistor, lambda fields: Resistor(fields["ohm"]))
 
 
-def resistor(fields):
-    return {"object": "Resistor", "fields": fields}
-
-
 def test_an_object_is_read_back_if_its_class_is_registered_and_its_fields_are_json_and_otherwise_named():
     class Capacitor(Resistor):
         pass
@@ -100,44 +85,33 @@ def test_a_function_is_called_at_the_inputs_and_cannot_change_them():
 
 def test_a_value_that_cannot_be_stored_is_described():
     assert sent(object()) == Opaque("object")
-    assert sent(np.zeros((4000, 4000))) == Opaque("array of shape (4000, 4000)")
-    assert sent([0.5] * 100_000) == Opaque("list of 100000 entries")
-    assert sent("x" * 20_000) == Opaque("text of 20000 characters")
-    assert "raises RuntimeError" in sent(Rude()).name
-    assert "nested deeper" in repr(sent([[[[[[[0]]]]]]]))
+    for large in (np.zeros((4000, 4000)), [0.5] * 100_000, "x" * 200_000, [[[0.5] * 1000] * 1000] * 1000):
+        assert sent(large) == Opaque(f"{type(large).__name__} that is too large")
     assert sent(np.sin) == Opaque("function sin")
-    x = sp.Symbol("x")
+    shared, nested = sp.Symbol("x"), [0]
     for _ in range(60):
-        x = sp.sin(x) + sp.cos(x)
-    assert sent(x) == Opaque(
-        "a formula that cannot be written: It has more than 5000 parts. Is there a shorter way to write it?"
-    )
-    assert sent([[[0.5] * 1000] * 1000] * 1000) == Opaque(f"list of more than {MAX_PARTS} parts")
+        shared = sp.sin(shared) + sp.cos(shared)
+    for _ in range(2000):
+        nested = [nested]
+    for odd, error in ((Rude(), "RuntimeError"), (shared, "ValueError"), (nested, "RecursionError")):
+        assert sent(odd) == Opaque(f"{type(odd).__name__} that raises {error} when it is read")
 
 
 MALFORMED = (
-    *("text", {}, {7: 7}, {"\ud800": 1}, {"other": None}),
-    *({"number": "7"}, {"number": True}, {"number": 10**400}, {"text": 7}, {"text": "x" * (MAX_CHARACTERS + 1)}),
-    *({"array": [1, 2], "shape": [3]}, {"array": [1, 2], "shape": [-1]}, {"array": [1, [2]], "shape": [2]}),
-    *({"array": ["1"], "shape": [1]}, {"array": [1], "shape": [True]}, {"array": [], "shape": [0] * 40}),
-    {"array": [1], "shape": [1] * (MAX_DEPTH + 2)},
-    {"array": [0] * (MAX_ENTRIES + 1), "shape": [MAX_ENTRIES + 1]},
-    *({"list": [None] * (MAX_ENTRIES + 1)}, {"list": [7]}),
-    *({"map": {}}, {"map": [["a", None]] * (MAX_ENTRIES + 1)}, {"map": [["a"]]}, {"map": [[7, None]]}),
-    *({"object": 7, "fields": {}}, {"object": "Resistor", "fields": {7: 7}}, {"function": "f", "outputs": [7]}),
+    *("text", 7, {}, {7: 7}, {"\ud800": 1}, {"other": None}, {"number": 10**400}, {"text": 7}, {"truth": 1}),
+    *({"array": [1, 2], "shape": [3]}, {"array": [1, [2]], "shape": [2]}, {"array": [], "shape": [2**62] * 2}),
+    *({"list": [7]}, {"map": {}}, {"map": [["a"]]}, {"function": "f", "outputs": [7]}),
+    *(
+        {"object": 7, "fields": {}},
+        {"object": "Resistor", "fields": {}},
+        {"object": "Resistor", "fields": {"ohm": "7"}},
+    ),
 )
 
 
-def test_json_of_any_other_form_is_refused_with_a_sentence():
+def test_json_of_any_other_form_is_refused():
     for data in MALFORMED:
-        with pytest.raises(Malformed) as refused:
-            from_data(data)
-        assert str(refused.value).encode().endswith((b".", b"?")), "a sentence that a screen can show, to its end"
-    for data, message in [
-        (resistor({"ohm": "4.7"}), "This is not a Resistor: The resistance must be a number in ohms."),
-        ({"b": 1, "a": 2}, "An answer must be null or a JSON object of a known form and size."),
-    ]:
-        with pytest.raises(Malformed, match=f"^{message}"):
+        with pytest.raises(ValueError, match=r"\w"):
             from_data(data)
 
 

@@ -12,8 +12,7 @@ from hypothesis import strategies as st
 import kinlib as kl
 from kincourse.robot_sheets.robot_sheet import dumps, loads
 from misstep.formulas.parsing import parse
-from misstep.storage.deserialize import from_data
-from misstep.storage.serialize import to_data
+from misstep.storage import from_data, to_data
 
 ARM = kl.robots.rpr()
 ODD = [

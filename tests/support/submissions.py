@@ -8,7 +8,7 @@ from io import BytesIO
 from pathlib import Path
 
 from kincourse import open_sheet
-from misstep.storage.deserialize import MIME
+from misstep.storage import MIME
 
 ROOT = Path(__file__).parents[2]
 SHEET = "01_frames"

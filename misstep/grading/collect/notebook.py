@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 from typing import Any
 
+from misstep import storage as stored
 from misstep.grading.collect.submissions import (
     COPY,
     SourceFile,
@@ -24,7 +25,6 @@ from misstep.grading.collect.submissions import (
     reading,
     zip_time,
 )
-from misstep.storage import deserialize as stored
 
 MAX_NOTEBOOKS = 10
 """How many notebooks of one student are looked at, the newest first."""
@@ -47,15 +47,9 @@ MAX_ID = 200
 ANSWER_CELL = re.compile(r"answer-(\d{1,3})\n|.*\ngiven = sheet\.given\((\d{1,3})\)")
 """The id of an answer cell in a sheet as it was released, or else how its lines begin."""
 
-CONFLICT = re.compile(rb"^(<{7} |={7}$|>{7} )", re.MULTILINE)
-
-NOTEBOOK = "Hand in the notebook itself, the file that ends in .ipynb"
-OTHER_FORMATS = {
-    b"%PDF": f"a PDF. {NOTEBOOK}.",
-    b"PK\x03\x04": f"a zip archive. {NOTEBOOK}.",
-    b"\x1f\x8b": f"a compressed archive. {NOTEBOOK}.",
-    b"<": f"a web page. {NOTEBOOK}, not its export.",
-}
+HAND_IN = "Hand in the file that ends in .ipynb."
+FORMATS = {b"%PDF": "a PDF", b"PK\x03\x04": "a zip archive", b"\x1f\x8b": "a compressed archive", b"<": "a web page"}
+"""How the bytes of files begin that are handed in instead of a notebook."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +84,7 @@ def choose(files: Sequence[SourceFile], sheet: str) -> Chosen:
     notebooks = sorted((one for file in files if file.is_read or file.fault for one in _unpacked(file)), key=_age)
     if not any(file.name.suffix.lower() == ".ipynb" or file.fault for file, _ in notebooks):
         names = ", ".join(file.name.name for file in files[:5])
-        raise Unreadable(f"There is no notebook, only: {names}. Hand in the file that ends in .ipynb.")
+        raise Unreadable(f"There is no notebook, only: {names}. {HAND_IN}")
     found: list[tuple[str, Work]] = []
     faults: list[str] = []
     for file, content in notebooks[: -MAX_NOTEBOOKS - 1 : -1]:
@@ -146,13 +140,10 @@ def read_work(content: bytes, sheet: str) -> Work:
     >>> read_work(json.dumps({"cells": [cell]}).encode(), "01_x").answers
     {2: ('{"number": 1.5}', 'ada')}
     """
-    cells = _parse(content).get("cells")
-    if not isinstance(cells, list):
-        raise Unreadable("The file is JSON but not a notebook: it has no cells. Hand in the file that ends in .ipynb.")
     answers: dict[int, tuple[str, str]] = {}
     checked, written = dict[int, int](), dict[int, int]()  # when check cells and answer cells ran, by the cells' counts
     is_sheet = False
-    for cell in cells:
+    for cell in _cells(content):
         if not isinstance(cell, dict) or cell.get("cell_type") != "code":
             continue
         source = "".join(line for line in _list(cell.get("source")) if isinstance(line, str))
@@ -185,32 +176,21 @@ def _list(value: Any) -> list[Any]:
     return value if isinstance(value, list) else [value]
 
 
-def _parse(content: bytes) -> dict[str, Any]:
-    if not content.strip():
-        raise Unreadable("The file is empty. Save the notebook, and hand it in again.")
-    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        content = content.decode("utf-16", errors="replace").encode()
-    short = OUTPUT.sub(b'"cut":0', content)
-    try:
-        notebook = json.loads(short.decode("utf-8-sig", errors="replace"))
-    except (ValueError, RecursionError) as error:
-        raise Unreadable(_explanation(content, error)) from error
-    if not isinstance(notebook, dict):
-        raise Unreadable("The file is JSON but not a notebook. Hand in the file that ends in .ipynb.")
-    return notebook
-
-
-def _explanation(content: bytes, error: Exception) -> str:
-    """Return why the bytes are no JSON, in a sentence for the student."""
-    if marker := CONFLICT.search(content):
-        line = content.count(b"\n", 0, marker.start()) + 1
-        return f"The file contains an unresolved merge conflict, in line {line}. Resolve it, and open the notebook."
+def _cells(content: bytes) -> list[Any]:
+    """Return the cells of a notebook, or raise Unreadable with the reason why the bytes are none."""
     start = content.lstrip()
-    for signature, description in OTHER_FORMATS.items():
-        if start.startswith(signature):
-            return f"The file is {description}"
-    if isinstance(error, RecursionError):
-        return "The JSON is nested too deeply to be a notebook."
-    if start.startswith(b"{"):
-        return f"The notebook is cut off or damaged: {error}. Open it, save it, and hand it in again."
-    return "The file is not a notebook. Hand in the file that ends in .ipynb, not a script or a text."
+    try:
+        notebook = json.loads(OUTPUT.sub(b'"cut":0', content).decode("utf-8-sig", errors="replace"))
+    except RecursionError as error:
+        raise Unreadable("The JSON is nested too deeply to be a notebook.") from error
+    except ValueError as error:
+        if start.startswith(b"{"):
+            text = f"The notebook is cut off or damaged: {error}. Open it, save it, and hand it in again."
+            raise Unreadable(text) from error
+        formats = (name for signature, name in FORMATS.items() if start.startswith(signature))
+        what = next(formats, "not a notebook" if start else "empty")
+        raise Unreadable(f"The file is {what}. {HAND_IN}") from error
+    match notebook:
+        case {"cells": list(cells)}:
+            return cells
+    raise Unreadable(f"The file is JSON but not a notebook: it has no cells. {HAND_IN}")

@@ -66,15 +66,10 @@ def read_roster(path: Path, id_column: str | None = None) -> Roster:
     titles = [column.strip().casefold() for column in columns]
     grade = _grade_column(table)
     kind = _kind(titles, table, grade)
-    if kind is None:
+    if kind is None or (kind == "moodle" and grade is None):
         raise ValueError(
             f"{path} must be an export of Canvas, Moodle or Gradescope, or a table with a column id; it has the columns "
-            f"{', '.join(columns)[:300] or 'none'}."
-        )
-    if kind == "moodle" and grade is None:
-        raise ValueError(
-            f"{path} must have a column with the maximum grade, which is the same number in each row. In Moodle, grade the "
-            "assignment with points, not a scale."
+            f"{', '.join(columns)[:300]}. In Moodle, grade the assignment with points, not a scale."
         )
     place = titles.index(ID_TITLES[kind][0]) if kind in ("gradescope", "own") else 0
     if kind == "canvas":  # the first column with numbers only, after one or two with names

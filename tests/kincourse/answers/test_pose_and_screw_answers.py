@@ -118,5 +118,5 @@ def test_each_slip_of_a_kind_is_named(kind):
     for slip in problem.slips:
         judgement = judge(problem, slip.value)
         assert judgement.fraction < 1
-        named = {names for finding in judgement.findings for names in finding.alternatives}
-        assert {slip.names, ("placeholder",)} & named, slip.name
+        named = {one.name for finding in judgement.findings for one in finding.mistakes}
+        assert {slip.name, "placeholder"} & named, slip.name

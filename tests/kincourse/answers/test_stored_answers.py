@@ -9,8 +9,7 @@ from misstep.answers.base import inputs_of
 from misstep.answers.function import FunctionCalls
 from misstep.formulas.evaluation import Formula
 from misstep.judge import judge
-from misstep.storage.deserialize import from_data
-from misstep.storage.serialize import to_data
+from misstep.storage import from_data, to_data
 
 
 def sent(value, inputs=()):

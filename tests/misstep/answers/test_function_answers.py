@@ -58,7 +58,7 @@ def test_anything_but_such_a_function_is_refused_with_a_reason():
         ("fk", "without quotes"),
         (Silent(), r"got an object of class Silent\."),
         ({"fk": 1}, "got dict"),
-        (float, "got type"),
+        (float, "got an object of class type"),
         (lambda: 1, "raised TypeError"),
         (lambda _: 1 / 0, "raised ZeroDivisionError: division by zero"),
         (lambda _: None, "Is the return missing"),

@@ -21,8 +21,7 @@ from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
 from misstep.answers.ordering import Ordering
 from misstep.judge import judge
-from misstep.storage.deserialize import from_data
-from misstep.storage.serialize import to_data
+from misstep.storage import from_data, to_data
 
 BAD = "unreadable"
 MATRIX = [[1, 2], [3, 4]]

@@ -77,7 +77,6 @@ def test_what_an_answer_resembles_is_named_and_true():
         (MATRIX / 2, "halved", "half"),
         (MATRIX**2 + 1, None, "We do not recognise"),
         (MATRIX + 5 * np.eye(3, k=2), "one entry", "8 of the 9 entries are right.\nLook at row 1, column 3."),
-        ([[1, 2, 0], [4, 5, 8], [7, 6, 9]], "two entries swapped", "row 2, column 3 and row 3, column 2"),
         (np.zeros((3, 3)), "placeholder", "Every number is 0"),
         (np.eye(3), "placeholder", "identity"),
     ]:

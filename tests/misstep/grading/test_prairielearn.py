@@ -16,7 +16,7 @@ from misstep.answers.ordering import Ordering
 from misstep.cli import main
 from misstep.grading.prairielearn import export
 from misstep.problem import Problem
-from misstep.storage.serialize import to_data
+from misstep.storage import to_data
 
 LEFT_OUT = [
     template.number

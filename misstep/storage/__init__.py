@@ -1,1 +1,0 @@
-"""Answers as JSON: serialized where a submission runs, deserialized where it is judged."""
