@@ -76,14 +76,11 @@ class TakesLimitedValues(TakesJointValues):
         A joint without limits takes values between -pi and pi, in radians or metres; one with a single limit, up to 2 pi from it.
         A limit beyond MAX_ROTATION_RAD, as some files have for a joint that rotates without end, is none.
 
-        Raises ValueError if count or seed is not a whole number from 0 on.
-
         >>> from kinlib import Chain
         >>> Chain([[0, 0, 1, 0, 0, 0]] * 2, np.eye(4), limits=[[0, 1], [5, np.inf]]).random_configurations(2).round(2)
         array([[0.64, 6.7 ],
                [0.04, 5.1 ]])
         """
-        count, seed = validation.whole_number(count, "count"), validation.whole_number(seed, "seed")
         lower, upper = self._limits.T
         has_lower, has_upper = (np.abs(limit) < MAX_ROTATION_RAD for limit in (lower, upper))
         low = np.where(has_lower, lower, np.where(has_upper, upper - 2 * np.pi, -np.pi))

@@ -143,16 +143,6 @@ def keys(data: Any, what: str, required: Sequence[str], optional: Sequence[str] 
         )
 
 
-def whole_number(x: Any, name: str, most: float = np.inf) -> int:
-    """Read x as a whole number from 0 to `most`; ValueError for anything else."""
-    if not isinstance(x, int | np.integer) or not 0 <= x <= most:
-        end = "on" if most == np.inf else f"to {most}"
-        raise ValueError(
-            f"{name} must be a whole number from 0 {end}; got {describe(x)}. Try int({name}) if it is a float."
-        )
-    return int(x)
-
-
 ADVICE = {
     ("DHTable", "Chain"): "Try table.to_chain()",
     ("Chain", "DHTable"): "Try assign_frames(chain, convention=...).table",

@@ -208,7 +208,8 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         True
         """
         q = self.in_order(q)
-        k = validation.whole_number(k, "k", self.n)  # the number of joints to the left of M
+        if k not in range(self.n + 1):
+            raise ValueError(f"k must be a whole number from 0 to {self.n}, of joints to the left of M; got {k!r}.")
         before = exponentials(self.screws[:k], q[..., :k])  # e^[S1]q1, ..., e^[Sk]qk
         after = exponentials(self.body_screws[k:], q[..., k:])  # e^[Bk+1]qk+1, ..., e^[Bn]qn
         return reduce(compose, [*before, self.home, *after])

@@ -79,7 +79,6 @@ class Mechanism(TakesJointValues):
     source: str = ""
 
     def __post_init__(self) -> None:
-        validation.instance(self.joints, "joints", Sequence)
         for joint in self.joints:
             validation.instance(joint, "each of joints", Joint)
         if not self.joints:
@@ -90,8 +89,6 @@ class Mechanism(TakesJointValues):
         if duplicates := sorted({name for name in names if names.count(name) > 1}):
             raise ValueError(f"The names of the joints must be different; got {', '.join(duplicates)} more than once.")
         bodies = {body for joint in self.joints for body in joint.bodies}
-        if self.ground not in bodies:
-            raise ValueError(f"The ground must be one of the bodies {', '.join(sorted(bodies))}; got {self.ground!r}.")
         if unconnected := sorted(bodies - set(self._tree)):
             raise ValueError(
                 f"Joints must connect every body with {self.ground}; got none to {', '.join(unconnected)}. Is a joint missing?"
@@ -362,8 +359,6 @@ class Mechanism(TakesJointValues):
                     f"A held name must be that of a joint value; {self.name} has no {name!r}. "
                     f"Its joint values are {', '.join(self.names)}."
                 )
-            if np.ndim(value):
-                raise ValueError(f"{name} must be held at one number; got {validation.describe(value)}.")
             q[self.names.index(name)] = validation.array(value, name)
         free = np.array([i for i, name in enumerate(self.names) if name not in (hold or {})], dtype=np.intp)
         if not len(free):

@@ -35,13 +35,11 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
     tree and down again: the base need not be an ancestor of the tip.
 
     Raises ValueError, with the element and its line, if the file is not XML, not a URDF or not a tree, if a number is not
-    valid, if several links could be the tip, and if a joint on the path is planar or floating, or mimics a joint in a way that
-    no chain has, as `Tree.chain` says. To use several chains of a file, or the frames of its links, read it once:
-    `Tree.from_urdf(file).poses(q)` has the frames as in the file, and `Chain.link_poses` others. No other file is opened, and nothing
-    is downloaded.
+    valid, if several links could be the tip, and if a joint on the path has no chain, as `Tree.chain` says. To use several chains
+    of a file, or the frames of its links, read it once, with `Tree.from_urdf(file)`. No other file is opened or downloaded.
 
-    Readers check different rules. This one also refuses what urdfdom, the parser of ROS, reads: a second parent that closes a loop,
-    lower > upper, an axis of length 0, and angles that look like degrees; and it does not need effort and velocity.
+    It also refuses what urdfdom, the parser of ROS, reads: a second parent that closes a loop, lower > upper, an axis of length 0,
+    and angles that look like degrees; and it does not need effort and velocity.
     Source: the URDF specification, "link" and "joint"; the meaning of its elements as in urdfdom.
 
     >>> text = '''<robot name="crane">

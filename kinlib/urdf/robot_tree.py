@@ -86,9 +86,6 @@ class Tree(TakesLimitedValues):
     def from_urdf(cls, path_or_text: str | os.PathLike[str]) -> Tree:
         """Read a URDF from the path of a file, or from its text, which begins with <.
 
-        Every link and every joint is read and checked. Only a mimic joint that follows no joint of the file is refused later, where
-        its value is needed. No other file is opened, and nothing is downloaded.
-
         Raises ValueError, with the element and its line, as kl.load_urdf does.
         Source: the URDF specification, "link" and "joint".
         """
@@ -244,8 +241,7 @@ class Tree(TakesLimitedValues):
         base  the link whose frame is {s}; by default the root
         tip   the link whose frame is {b}; by default `default_tip(base)`
 
-        A mimic joint that is +-1 times an independent joint, plus an offset, takes the name and the limits of that joint. `poses` has
-        no such condition.
+        A mimic joint that is +-1 times an independent joint, plus an offset, takes the name and the limits of that joint.
 
         Raises ValueError for a name that is no link, if several links could be the tip, if no joint moves between base and tip, if
         a joint between them is planar or floating, and if two of them follow the same joint, or one has another multiplier.

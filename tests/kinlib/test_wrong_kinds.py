@@ -13,7 +13,6 @@ LINKAGE = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda: ARM.random_configurations(2.5), "count must be .*got float 2.5. Try int"),
         (lambda: kl.equivalent("abc", ARM), r"a must be a Chain .*got str 'abc'.*load_urdf"),
         (lambda: kl.equivalent(ARM, ARM, fixed="tool"), r"fixed must be .*got 'tool'. Try fixed=\["),
         (lambda: kl.assign_frames(kl.robots.rpr, "standard"), r"chain must be a Chain; got function.*call it, rpr\(\)"),
