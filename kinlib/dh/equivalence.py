@@ -4,7 +4,7 @@ Two chains a and b are equivalent if there are poses X and Y, signs s and offset
 
     T_b(q) = X T_a(s q + c) Y      for every q.
 
-`kinlib.dh.alignment.maps` finds such maps. The poses at random configurations decide, and the map is part of the answer, so it can be
+`kinlib.dh.alignment` finds such maps. The poses at random configurations decide, and the map is part of the answer, so it can be
 checked again.
 """
 
@@ -22,8 +22,7 @@ from kinlib.arrays.formatting import format_different, format_number, format_vec
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, NEARLY_PARALLEL_RAD, PARALLEL_TOL_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
-from kinlib.dh.alignment.invariants import Booleans, neighbours
-from kinlib.dh.alignment.maps import Map, nearest_maps, same_q
+from kinlib.dh.alignment import Booleans, Map, nearest_maps, neighbours, same_q
 from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import log
 

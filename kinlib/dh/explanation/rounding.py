@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.alignment.maps import COMPARED_CONFIGURATIONS, Map, linearized, nearest_maps
+from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Map, linearized, nearest_maps
 from kinlib.dh.equivalence import ROUGH, equivalent
 from kinlib.dh.parsing import joint_entries
 from kinlib.dh.table import DHTable, rows_at

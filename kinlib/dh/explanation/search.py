@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
-from kinlib.dh.alignment.invariants import AxisInvariants
+from kinlib.dh.alignment import AxisInvariants
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import CHOICES, Equivalence, describe_pose, equivalent, format_offset
 from kinlib.dh.parsing import COLUMNS, joint_entries
