@@ -9,8 +9,8 @@ from __future__ import annotations
 import reprlib
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import fields
-from typing import Any
+from dataclasses import fields, replace
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -252,6 +252,15 @@ def read_only_copy(values: ArrayLike) -> Array:
 
 class ReadOnly:
     """A frozen dataclass that is equal to another one with equal fields."""
+
+    def changed(self, **fields: Any) -> Self:
+        """Copy it with some fields replaced; ValueError for the same reasons as a new one.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> rpr().changed(joint_names=["lift", "slide", "tilt"]).fk({"lift": 0, "slide": 0.5, "tilt": 0})[:3, 3] + 0.0
+        array([0. , 0. , 1.5])
+        """
+        return replace(self, **fields)  # type: ignore[type-var]
 
     def __eq__(self, other: object) -> bool:
         return self._key() == other._key() if isinstance(other, type(self)) else NotImplemented

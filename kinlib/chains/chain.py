@@ -9,7 +9,7 @@ The same motion can be written in three forms, which differ in the position of t
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, reduce
 from itertools import accumulate
 from typing import Any
@@ -265,17 +265,6 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         after = accumulate(motions[:-1], compose, initial=identity)  # e^-[Bn]qn ... e^-[Bi+1]qi+1
         columns = [moved_screw(T, B) for T, B in zip(after, self.body_screws[::-1], strict=True)]
         return np.stack(columns[::-1], axis=-1)
-
-    def changed(self, **fields: Any) -> Chain:
-        """Copy the chain with some fields replaced: screws, home, points, name, source, limits, joint_names.
-
-        Raises ValueError for the same reasons as a new chain.
-
-        >>> from kinlib.chains.robots import rpr
-        >>> rpr().changed(joint_names=["lift", "slide", "tilt"]).fk({"lift": 0, "slide": 0.5, "tilt": 0})[:3, 3] + 0.0
-        array([0. , 0. , 1.5])
-        """
-        return replace(self, **fields)
 
     def to_dict(self) -> dict[str, Any]:
         """Convert the chain to plain JSON types; an infinite limit is None, because JSON has no infinity.

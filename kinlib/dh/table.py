@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property, partial, reduce
 from itertools import accumulate
 from typing import TYPE_CHECKING, Any, Literal, cast, get_args
@@ -242,16 +242,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         ends = {"tool": end @ self.tool} if convention == "modified" else {"base": self.base @ end}
         return self.changed(rows=rows, convention=convention, **ends)
 
-    def changed(self, **fields: Any) -> DHTable:
-        """Copy the table with some fields replaced: rows as numbers (m, 4), convention, joints, signs, base, tool, name.
-
-        Raises ValueError for the same reasons as a new table.
-
-        >>> DHTable([[0.4, 0, 0, 0]], convention="standard").changed(convention="modified").convention
-        'modified'
-        """
-        return replace(self, **fields)
-
     def to_dict(self) -> dict[str, Any]:
         """Convert the table to plain JSON types: everything except its name, with rows as numbers in the order a, alpha, d, theta.
 
@@ -418,15 +408,12 @@ def _validate_rows(numbers: Array, joints: Any) -> None:
 
 def _signs(given: Array, own: Sequence[float], count: int) -> Array:
     """The signs of the rows: those of the variables, the given ones, or 1."""
+    if np.size(given) and len(own):
+        raise ValueError("signs must be left out, because the variables in the rows have their own.")
     signs = validation.array(given, "signs") if np.size(given) else np.array(own) if len(own) else np.ones(count)
     if signs.shape != (count,) or (np.abs(signs) != 1).any():
         raise ValueError(
             f"signs must have an entry 1 or -1 for each of the {count} rows; got {validation.describe(given)}."
-        )
-    if len(own) and (signs != own).any():
-        raise ValueError(
-            f"signs must agree with the variables in the rows, {[*map(int, own)]}; got {signs.astype(int).tolist()}. If the rows have "
-            "variables, leave signs out."
         )
     return signs
 
