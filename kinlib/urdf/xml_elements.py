@@ -1,6 +1,6 @@
 """Read the XML of an untrusted URDF into elements with line numbers.
 
-A URDF may come from anywhere, so its size and depth are limited, and nothing that it refers to is opened or downloaded. A
+A URDF may come from anywhere, so its size is limited, and nothing that it refers to is opened or downloaded. A
 document type declaration is refused before its first entity, because entities can expand without limit or refer to other
 files. Each error is a ValueError with the line.
 """
@@ -15,9 +15,6 @@ from kinlib.arrays import validation
 
 MAX_BYTES = 4_000_000
 """The largest file that is read: ten times the size of a humanoid robot's, and read in at most two seconds."""
-
-MAX_DEPTH = 100
-"""How deep elements may be nested. The mesh of a link is at depth five; the extensions of simulators reach about ten."""
 
 LIKELY_CAUSES = {
     "invalid token": " Is a quote missing, is there a bare & or <, or is the file not saved as UTF-8?",
@@ -84,7 +81,7 @@ def read_robot(path_or_text: str | os.PathLike[str]) -> Element:
     """Read the <robot> element of a URDF, from a path or from its text.
 
     Raises ValueError, with the line if there is one, if the file is missing, a directory, empty, too large or not XML, if its
-    root is another element, if it is nested too deeply, and if it has a document type or macros of xacro.
+    root is another element, and if it has a document type or macros of xacro.
     """
     text = _text(path_or_text)
     # A text in triple quotes often begins with an empty line, but XML must begin with its declaration: remove and count it.
@@ -107,8 +104,6 @@ def _parsed(document: str | bytes, above: int) -> Element:
         element = Element(tag, above + parser.CurrentLineNumber, attributes, opened[-1] if opened else None)
         if tag.startswith("xacro:"):
             raise element.error(f"a macro must be evaluated by xacro first. {EXPAND_HINT}")
-        if len(opened) == MAX_DEPTH:
-            raise element.error(f"elements must be nested at most {MAX_DEPTH} deep. Is an element above it not closed?")
         (opened[-1].children if opened else elements).append(element)
         opened.append(element)
 
