@@ -39,8 +39,8 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
     joint_names      the n names of the joints in that document; optional
 
     Raises ValueError if there are no joints, if the screws are in columns or not normalized, if home is not rigid, if a point
-    is not on its axis, if a lower limit is above the upper one, or if the limits of a revolute joint look like degrees. Methods do for
-    joint values of another size, for NaN, and for a missing or an unknown name.
+    is not on its axis, or if a lower limit is above the upper one. Methods do for joint values of another size, for NaN, and for a
+    missing or an unknown name.
     Source: Modern Robotics, 4.1; Chapter 4 review.
 
     >>> from kinlib import exp, screw
@@ -66,7 +66,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         if self.points is not None:
             self._set("points", _validate_points(self.screws, self.points))
         if self.limits is not None:
-            self._set("limits", validate_limits(self.limits, self.joint_types))
+            self._set("limits", validate_limits(self.limits, len(screws)))
         object.__setattr__(self, "joint_names", tuple(self.joint_names))
         if not all(isinstance(text, str) for text in (self.name, self.source, *self.joint_names)):
             raise ValueError(

@@ -87,7 +87,5 @@ def _breaches(chain: Chain, T: Array, standard: bool, tolerance: float) -> Itera
             text = f"x_{own} must be perpendicular to z_{other}; the angle is {angle:.4g} degrees."
             yield Breach(own, "x perpendicular to z", text)
         elif (gap := abs(float(between @ np.cross(x, z)))) > tolerance:
-            text = (
-                f"The line of x_{own} must intersect the axis z_{other}; it passes at a distance of {gap:.3g} m."
-            )
+            text = f"The line of x_{own} must intersect the axis z_{other}; it passes at a distance of {gap:.3g} m."
             yield Breach(own, "x meets z", f"{text} Is x_{own} on the common normal?")

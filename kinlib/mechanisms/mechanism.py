@@ -253,8 +253,7 @@ class Mechanism(TakesJointValues):
         """Find the ways of assembling the linkage while some joint values are held: configurations (m, n), each once.
 
         If none closes, the array is empty, (0, n). Two configurations are the same mode if all bodies have the same poses. The
-        search begins at random guesses, the same ones at every call: the modes that it returns exist, but modes to which few
-        guesses lead, such as those that are almost singular, may be missing.
+        search begins at random guesses, the same ones at every call: modes to which few guesses lead may be missing.
 
         Raises ValueError if the bodies can still move with these values held, because then the modes form curves.
 

@@ -39,7 +39,7 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
     of a file, or the frames of its links, read it once, with `Tree.from_urdf(file)`. No other file is opened or downloaded.
 
     It also refuses what urdfdom, the parser of ROS, reads: a second parent that closes a loop, lower > upper, an axis of length 0,
-    and angles that look like degrees; and it does not need effort and velocity.
+    and an rpy in degrees; and it does not need effort and velocity.
     Source: the URDF specification, "link" and "joint"; the meaning of its elements as in urdfdom.
 
     >>> text = '''<robot name="crane">

@@ -123,7 +123,7 @@ HAND = """<robot name="hand">
     ("call", "said"),
     [
         (lambda tree: tree.poses([1, 2]), r"hand has 1 joint values, so q must .* got \(2,\)\. Pass one value for each of grip\."),
-        (lambda tree: tree.chain("finger", "nail"), r"Line 7, .*joint curl mimics joint grip, and has the multiplier -0\.5, not 1 or -1"),
+        (lambda tree: tree.chain("finger", "nail"), r"Line 7, .*joint curl mimics joint grip, multiplied by -0\.5"),
         (lambda tree: tree.chain(), r"Choose the tip, one of thumb \(\d joints?\), nail "),
     ],
 )  # fmt: skip
