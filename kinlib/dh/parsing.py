@@ -110,7 +110,9 @@ def parse_heading(head: str) -> Heading:
     plain = plain.strip().lower()
     index = HEADING_INDEX.search(plain)
     whole, bare = (re.sub("[^a-z0]", "", text) for text in (plain, plain[: index.start()] if index else plain))
-    name = COLUMN_NAMES.get(whole) or COLUMN_NAMES.get(bare) or plain
+    letters = {*re.findall("[a-z]+", plain)} - {"angle", "joint", "length", "link", "offset", "twist"}
+    alone = letters.pop() if len(letters) == 1 else ""  # in "link length a"
+    name = next((known for text in (whole, bare, alone) if (known := COLUMN_NAMES.get(text))), plain)
     indices = "i-1" if index and index[1] else "i" if index and re.search("[ijkn]", index[0]) else ""
     return Heading(name, unit, indices)
 
@@ -151,7 +153,7 @@ def evaluate_entry(entry: str, column: str, lengths: Mapping[str, float]) -> Ent
     text = re.sub(rf"({NUMBER}|\))\s*(?=(?:pi|q_?\d*)\b|theta)", r"\1*", text)
     try:
         # Python also reads 0x1F and 1_000, but people do not.
-        if len(entry) > MAX_ENTRY_LENGTH or re.search(r"[^\w\s.+*/()-]|\d_|\b0[a-zA-Z]", text):
+        if len(entry) > MAX_ENTRY_LENGTH or re.search(r"[^\w\s.+*/()-]|\d_|\b0[xXbBoO]", text):
             raise TypeError("not an entry of a table")
         tree = ast.parse(text, mode="eval").body
         if not np.isfinite(value := _evaluate(tree, column, lengths)):

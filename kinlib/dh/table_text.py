@@ -49,6 +49,8 @@ REPLACEMENTS = [
     (r"<\w+\s([^<>]*\balpha\s*=[^<>]*?)/?>", r"{\1}"), (r"</t[dh]>\s*<t[dh][^>]*>", " | "), (r"</?(?:tr|table|br|p)\b[^>]*>", "\n"),
     (r"<su[bp]>(.*?)</su[bp]>", r"_\1"), (r"<[a-zA-Z/][^>]{0,200}>", " "),
     (r"\\(?:begin|end)\{\w+\*?\}(?:\{[^}]*\})?|\\(?:hline|(?:top|mid|bottom)rule|cline\{[^}]*\})", "\n"),
+    (r"\\ang\{([^{}]*)\}", r"\1°"), (r"\\milli\\met(?:re|er)", "mm"), (r"\\met(?:re|er)\b", "m"),
+    (r"\\(?:SI|qty)\{([^{}]*)\}\{([^{}]*)\}", r"\1 \2"), (r"\\(?:si|unit)\{([^{}]*)\}", r"\1"),
     (r"\\(?:text|mathrm|textbf|mathbf|mathit)\{([^{}]*)\}", r"\1"), (r"\^\{?\s*\\circ\s*\}?|\\degree", "°"),
     (r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}", r"(\1)/(\2)"), (r"\\\\(?:\[[^]]*\])?", "\n"), (r"\\,|\$", ""),
     (r"(?m)^\s*(?:\{\|.*|\|[-}]\s*)$", ""), (r"!!|\|\|", "|"), (r"(?m)^\s*!", "|"),  # of a wiki
@@ -61,7 +63,7 @@ REPLACEMENTS = [
     (r"(?<=\d)f\b|(?<=\d\.)f\b", ""), (r"(?<=\d)\s*\*\s*([mc]m)(?:_?(?:2|to)_?m)?\b", r" \1"),  # 0.1f and 145 * mm2m of code
     (r"\((?:float|double|real_t)\)", ""), (r"\b\w+[(\[](\d+)[)\]]\.(\w+)\s*=(?!=)", r"\2\1 ="),  # L(1).a = 0.1
     (r"\b([a-zA-Z]\w*)\[(\d+)\](?!\s*[\[.])", r"\1\2"), (r"(?<=[\[,])\s*\[([^\[\],]*\d[^\[\],]*)\](?=\s*[,\]])", r"\1"),
-    (r"(?m)^[ \t]*-[ \t]+\[([^\[\]\n]*)\]", r"\1"),  # of YAML
+    (r"(?m)^[ \t]*-[ \t]+\[([^\[\]\n]*)\]", r"\1"), (r"(?m)^[ \t]*\(?\d+\)[ \t]+(?=[-\w.])", ""),  # of YAML, and 1) of lists
     (r"\bth_?(\d+)\b", r"theta\1"), (r"(?m)^[ \t]*#define\s+(\w+)\s+", r"\1 = "), (r"\b\w+\s*<<\s*(?=\S)", ""),
 ]  # fmt: skip
 """What terminals, HTML, LaTeX and code write for signs and separators, and what a keyboard has for them."""
@@ -245,9 +247,9 @@ def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
             row = {column: named.get(column, "0") for column in (*COLUMNS, "offset")}
         elif len(cells) >= 4 and all(map(grid.is_entry, cells[:4])):
             columns = ("a", "alpha", "d", "theta") if re.search("Frame|Craig", kind) else ("theta", "d", "a", "alpha")
-            row = dict(zip((*columns, "type"), cells[: 4 + (cells[4:5] in (["0"], ["1"]))], strict=False)) | {
-                "offset": "0"
-            }
+            row = dict(zip(columns, cells, strict=False)) | {"offset": "0"}
+            if columns[0] == "theta":  # of MATLAB: [theta d a alpha sigma offset]
+                row |= dict(zip(("type", "offset"), [*cells[4:6], *("0", "0")[len(cells[4:6]) :]], strict=True))
             note = f"{kind.rpartition(':')[2]}(...) was read as ({', '.join(columns)})."
         else:
             continue
@@ -264,7 +266,7 @@ def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
             row |= {"d": f"-q + {row['d']}"} if row.get("type") == "P" else {"theta": f"-q + {row['theta']}"}
         grid.rows.append(row)
         grid.places.append(f"Call {len(grid.rows)}, {found[0].strip():.60}")
-        if re.search("MDH|Craig|modified", kind):
+        if re.search("mdh|craig|modif", kind, re.IGNORECASE):
             grid.modified = True
         elif kind.endswith("DH"):
             grid.modified = bool(grid.modified)
@@ -351,9 +353,9 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
         if not re.sub(r"[|\s:+=-]", "", line):
             is_after_gap = True
             continue
-        place, splits = f"Line {number}, {raw.strip()!r:.80}", _splits(line)
-        if is_after_gap and widths:  # another table may follow
-            splits = [cells for cells in splits if len(cells) in widths]
+        # after a gap another table may follow
+        splits = [cells for cells in _splits(line) if not (is_after_gap and widths) or len(cells) in widths]
+        place = f"Line {number}, {raw.strip()!r:.80}"
         numbers = len(re.findall(rf"(?<![\w.])-?{NUMBER}", line))
         if is_spreadsheet and "\t" in line:  # a spreadsheet drops empty cells at the end
             splits[0] += [""] * (len(heads) - len(splits[0]))
@@ -391,6 +393,8 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
                     f"{place} cannot be read: it has another number of cells than the heading, or a cell is no number and no variable. "
                     "Correct it, and write 0 into empty cells."
                 )
+            if numbers >= 4 and not is_table:
+                grid.assume(f"Line {number} was not read: {raw.strip()!r:.60}.")
         is_after_gap = False
     return _uniform(_with_labels(grid, heads)) if grid.rows else grid
 
@@ -400,7 +404,9 @@ def _in_lines(text: str) -> str:
     text = re.sub(r"\[(mm?|cm|rad|deg|°)\]", r"(\1)", text)
     if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]{,999};", text):
         text = re.sub(r"[\]})]\s*,\s*['\"]?\w+['\"]?\s*[:=]\s*(?=[\[{(])", "\n", text)  # another one
-        text = re.sub(r"(?m)^(?:[^\n#%/=]*=|[^\n#%/]*?[=(:])\s*(?=[\[{])", "", text)  # the name of an array
+        text = re.sub(
+            r"(?m)^(?:(?:[^\n#%/=]*=|[^\n#%/]*?[=(:])\s*(?=[\[{])|[^\n#%/{\[]*(?=\{\s*\{))", "", text
+        )  # its name
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
     text = re.sub(
         r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.{,99}\balpha\b)", "\n# ", text
@@ -538,8 +544,8 @@ def _splits(line: str) -> list[list[str]]:
     if ("," in line and not has_decimal_commas) or (line.count(",") >= 3 and " " not in line):
         found.append([_cell(cell) for cell in line.split(",")[:MAX_CELLS]])
     spaced = re.sub(r"\s+([+*/])\s+|\s*([*/])\s*|(?<=[\w°)])\s+(-)\s+(?=\d|pi)", lambda f: f[1] or f[2] or f[3], line)
-    # a space before a minus is enough between two numbers: "1 -0.2", where "1 - 0.2" is a difference
-    wide = re.sub(rf"({NUMBER})\s(?=-{NUMBER})", r"\1  ", spaced)
+    # a space before a minus is enough after a number or a label: "1 -0.2", where "1 - 0.2" is a difference
+    wide = re.sub(rf"(^\s*(?!theta|[qdt]_?\d)[A-Za-z]+\d+|{NUMBER})\s(?=-{NUMBER})", r"\1  ", spaced)
     splits = (re.split(pattern, wide)[:MAX_CELLS] for pattern in (r"\s{2,}", r"\s+"))
     return found + [[_cell(cell, decimal_comma=True) for cell in cells] for cells in splits]
 
@@ -554,7 +560,7 @@ def _cell(cell: str, decimal_comma: bool = False) -> str:
 
 def _entry(cell: str, column: str, names: Mapping[str, float]) -> Entry:
     """Evaluate a cell: an empty one is 0, "theta" or "var" is a variable, and a length may have its unit, in metres then."""
-    cell = re.sub(r"\(\s*var\w*\s*\)|\*$|\b(?:rad|radians)$", "", _cell(respelled(cell))).strip()
+    cell = re.sub(r"\(\s*var\w*\.?\s*\)|\*$|\b(?:rad|radians)$", "", _cell(respelled(cell))).strip()
     if cell in {"", "-", "/", "n.a.", "n/a", "None", "none"}:
         return Entry(0j)
     if re.fullmatch(r"(?:var\w*|joint\w*|theta[_{]*[ijkn]?\}*|q[_{]*[ijkn]?\}*|d_?[ijkn])", cell, re.IGNORECASE):
