@@ -133,16 +133,6 @@ def single_pose(x: ArrayLike, name: str) -> Array:
     return pose
 
 
-def keys(data: Any, what: str, required: Sequence[str], optional: Sequence[str] = ()) -> None:
-    """Check that data are a dictionary with these keys; ValueError if not."""
-    if not isinstance(data, dict) or not set(required) <= set(data) <= {*required, *optional}:
-        given = ", ".join(map(str, data)) or "no key" if isinstance(data, dict) else describe(data)
-        possibly = f", and possibly {', '.join(optional)}" if optional else ""
-        raise ValueError(
-            f"{what} as data must be a dictionary with the keys {', '.join(required)}{possibly}; got {given:.200}."
-        )
-
-
 ADVICE = {
     ("DHTable", "Chain"): "Try table.to_chain()",
     ("Chain", "DHTable"): "Try assign_frames(chain, convention=...).table",
@@ -268,12 +258,43 @@ class ReadOnly:
     def __hash__(self) -> int:
         return hash(self._key())
 
+    def to_dict(self) -> dict[str, Any]:
+        """Convert it to plain JSON types; an infinite limit is None, because JSON has no infinity.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> rpr().to_dict()["screws"][1]
+        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]
+        """
+        plain: dict[str, Any] = self._fields()
+        arrays = {
+            name: np.where(np.isfinite(x), x, np.array(None)) for name, x in plain.items() if isinstance(x, np.ndarray)
+        }
+        return plain | {name: np.asarray(x).tolist() for name, x in arrays.items()}
+
+    @classmethod
+    def from_dict(cls, data: Any) -> Self:
+        """Read what `to_dict` wrote, for example from a JSON or a YAML file that other people can edit.
+
+        Raises ValueError for a missing or an unknown key, and for the same reasons as a new one.
+
+        >>> from kinlib.chains.robots import youbot
+        >>> arm = type(youbot()).from_dict(youbot().to_dict())
+        >>> bool((arm.fk([1, 2, 3, 4, 5]) == youbot().fk([1, 2, 3, 4, 5])).all())
+        True
+        """
+        try:
+            return cls(**data)
+        except TypeError as error:
+            raise ValueError(
+                f"The data must be a dictionary with the fields of a {cls.__name__} as keys: {error}."
+            ) from error
+
     def _fields(self) -> dict[str, Any]:
-        return {each.name: getattr(self, each.name) for each in fields(self) if each.init}  # type: ignore[arg-type]
+        return {each.name: getattr(self, each.name) for each in fields(self) if each.compare}  # type: ignore[arg-type]
 
     def _key(self) -> tuple[Any, ...]:
         """The fields that are compared, arrays as their shape and their bytes."""
-        values = [getattr(self, each.name) for each in fields(self) if each.compare]  # type: ignore[arg-type]
+        values = self._fields().values()
         return tuple((x.shape, (x + 0.0).tobytes()) if isinstance(x, np.ndarray) else x for x in values)
 
 

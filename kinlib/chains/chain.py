@@ -12,7 +12,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property, reduce
 from itertools import accumulate
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -265,36 +264,6 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         after = accumulate(motions[:-1], compose, initial=identity)  # e^-[Bn]qn ... e^-[Bi+1]qi+1
         columns = [moved_screw(T, B) for T, B in zip(after, self.body_screws[::-1], strict=True)]
         return np.stack(columns[::-1], axis=-1)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Convert the chain to plain JSON types; an infinite limit is None, because JSON has no infinity.
-
-        >>> from kinlib.chains.robots import rpr
-        >>> rpr().to_dict()["screws"][1]
-        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]
-        """
-        data = {name: x.tolist() if isinstance(x, np.ndarray) else x for name, x in self._fields().items()}
-        if self.limits is not None:
-            data["limits"] = [[x if np.isfinite(x) else None for x in pair] for pair in self.limits.tolist()]
-        return data | {"joint_names": list(self.joint_names)}
-
-    @classmethod
-    def from_dict(cls, data: Any) -> Chain:
-        """Read a chain that `to_dict` wrote, for example from a JSON or a YAML file that other people can edit.
-
-        Raises ValueError for a missing or an unknown key, and for the same reasons as a new chain.
-
-        >>> from kinlib.chains.robots import youbot
-        >>> arm = Chain.from_dict(youbot().to_dict())
-        >>> bool((arm.fk([1, 2, 3, 4, 5]) == youbot().fk([1, 2, 3, 4, 5])).all())
-        True
-        """
-        required, optional = ("screws", "home"), ("points", "name", "source", "limits", "joint_names")
-        validation.keys(data, "A chain", required, optional)
-        if (limits := data.get("limits")) is not None:
-            infinite = (-np.inf, np.inf)
-            limits = [[end if x is None else x for x, end in zip(pair, infinite, strict=True)] for pair in limits]
-        return cls(**data | {"limits": limits})
 
     @property
     def _value_names(self) -> tuple[str, ...]:

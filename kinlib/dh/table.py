@@ -242,35 +242,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         ends = {"tool": end @ self.tool} if convention == "modified" else {"base": self.base @ end}
         return self.changed(rows=rows, convention=convention, **ends)
 
-    def to_dict(self) -> dict[str, Any]:
-        """Convert the table to plain JSON types: everything except its name, with rows as numbers in the order a, alpha, d, theta.
-
-        >>> data = DHTable([[0.4, 0, 0.1, 0]], convention="standard", signs=[-1]).to_dict()
-        >>> data["rows"], data["convention"], data["joints"], data["signs"]
-        ([[0.4, 0.0, 0.1, 0.0]], 'standard', 'R', [-1])
-        >>> data["base"] == data["tool"] == np.eye(4).tolist()
-        True
-        """
-        lists = {name: getattr(self, name).tolist() for name in ("rows", "base", "tool")}
-        signs = self.signs.astype(int).tolist()
-        return lists | {"convention": self.convention, "joints": self.joints, "signs": signs}
-
-    @classmethod
-    def from_dict(cls, data: Any) -> DHTable:
-        """Read a table that `to_dict` wrote, for example from a JSON file that other people can edit.
-
-        Raises ValueError for a missing or unknown key, for anything but lists of numbers, and for the same reasons as a new table.
-
-        >>> table = DHTable([[0.4, 0, 0.1, 0], [0.3, 0, 0, 0]], convention="modified", joints="RP", signs=[1, -1])
-        >>> DHTable.from_dict(table.to_dict()).to_dict() == table.to_dict()
-        True
-        """
-        validation.keys(data, "A table", ("rows", "convention", "joints", "signs", "base", "tool"))
-        for name in ("rows", "signs", "base", "tool"):
-            if not isinstance(data[name], list) or not data[name]:
-                raise ValueError(f"{name} must be a list of numbers or of rows; got {validation.describe(data[name])}.")
-        return cls(**data)
-
 
 DHTable.__init__.__annotations__["rows"] = "TableRows"  # for `help`, because the attribute is an array
 
