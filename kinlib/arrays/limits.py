@@ -17,10 +17,8 @@ def validate_limits(limits: ArrayLike, n: int) -> Array:
 
     Raises ValueError for another shape, and for limits that are swapped or NaN.
     """
-    if isinstance(limits, list):  # as `to_dict` writes them, with None for infinity
-        limits = [
-            [x if x is not None else end for x, end in zip(row, (-np.inf, np.inf), strict=False)] for row in limits
-        ]
+    if isinstance(limits, list):  # `to_dict` writes None for infinity
+        limits = [[(-np.inf, np.inf)[k] if x is None else x for k, x in enumerate(row)] for row in limits]
     limits = validation.real_array(limits, "limits")
     if limits.shape != (n, 2):
         raise ValueError(f"limits must have one row (lower, upper) per joint, shape ({n}, 2); got {limits.shape}.")

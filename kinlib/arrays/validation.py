@@ -198,27 +198,13 @@ class TakesJointValues(ABC):
 
 def _stacked(values: Mapping[str, ArrayLike], names: Sequence[str], robot: str) -> Array:
     """Return values by name in the order of the names, (..., n); single numbers are repeated for every configuration."""
-    if values and not names:
+    if {*values} != {*names}:
         raise ValueError(
-            f"q must be an array, because the joints of {robot} have no names; got {describe(values)}. Pass their "
-            "values in order, or name the joints of a chain first, chain.changed(joint_names=[...])."
+            f"q must have a value for each joint of {robot}: {_listed(names) or 'they have no names, so pass an array'}; got "
+            f"{_listed([*map(str, values)]) or 'none'}."
         )
-    if unknown := [name for name in values if name not in names]:
-        raise ValueError(
-            f"q must have the names of the joint values of {robot}; got {unknown[0]!r}.{suggest_name(unknown[0], names, 'joint values')}"
-        )
-    if missing := [name for name in names if name not in values]:
-        raise ValueError(
-            f"q must have a value for each joint of {robot}; got none for {_listed(missing)}. "
-            "Where no other value is given, it is 0 with dict.fromkeys(names, 0.0) | {...}."
-        )
-    columns = [array(values[name], f"q[{name!r}]") for name in names]
-    try:
-        columns = [*np.broadcast_arrays(*columns)]
-    except ValueError as error:
-        shapes = ", ".join(f"{name} {column.shape}" for name, column in zip(names, columns, strict=True))
-        raise ValueError(f"The values in q must have one shape, or be single numbers; got {shapes}.") from error
-    return np.stack(columns, axis=-1) if columns else np.zeros(0)
+    columns = np.broadcast_arrays(*(array(values[name], f"q[{name!r}]") for name in names))
+    return np.stack(columns, axis=-1) if names else np.zeros(0)
 
 
 def suggest_name(name: object, names: Sequence[str], what: str) -> str:

@@ -239,10 +239,9 @@ def nearest_rotation(X: ArrayLike) -> Array:
     nearest = U @ Vt
     distance = np.abs(nearest - R).max(initial=0.0)
     if distance > tolerances.ROUNDED_ROTATION_TOL or (np.linalg.det(nearest) < 0).any():
-        what = "a reflection" if distance <= tolerances.ROUNDED_ROTATION_TOL else f"one that differs by {distance:.2g}"
         raise ValueError(
-            f"X must be almost a rotation, within {tolerances.ROUNDED_ROTATION_TOL} in each entry; got {what}. "
-            "Are its columns the axes of the frame, right-handed and of length 1?"
+            f"X must be almost a right-handed rotation, within {tolerances.ROUNDED_ROTATION_TOL} in each entry; it differs by "
+            f"{distance:.2g}. Are its columns the axes of the frame, of length 1?"
         )
     R[...] = nearest
     return X

@@ -112,7 +112,7 @@ REFUSED = [
         (log, inverse, adjoint),
     ),
     (np.diag([1, 1, -1, 1]), "^X is a reflection", (log, inverse, adjoint)),
-    (np.diag([1, 1, -1]), "a reflection", (nearest_rotation,)),
+    (np.diag([1, 1, -1]), "almost a right-handed rotation", (nearest_rotation,)),
     (np.zeros((3, 3)), "differs by 1", (nearest_rotation,)),
     *(
         (X, r"X must be skew-symmetric.*Is X a rotation or a pose\? Then take", (vee,))
