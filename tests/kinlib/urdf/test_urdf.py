@@ -62,12 +62,8 @@ def named_chains(draw):
 
 
 @given(named_chains())
-def test_any_chain_is_read_back_from_its_file(chain):
+def test_any_chain_is_read_back_from_its_file_here_and_by_pinocchio(chain):
     assert_same(load_urdf(to_urdf(chain)), chain)
-
-
-@given(named_chains())
-def test_pinocchio_reads_the_files_of_to_urdf(chain):
     q = configurations(chain, 2)
     names = chain.joint_names
     expected = poses_by_pinocchio(to_urdf(chain), "base_link", "tool", names, q)
