@@ -18,8 +18,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table
-from kinlib.arrays.limits import TakesLimitedValues, validate_limits
-from kinlib.arrays.validation import Array, JointValues
+from kinlib.arrays.validation import Array, JointValues, TakesLimitedValues
 from kinlib.rigid.lie import adjoint, compose, exponentials, homogeneous, inverse, moved_screw
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
 
@@ -65,7 +64,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         if self.points is not None:
             self._set("points", _validate_points(self.screws, self.points))
         if self.limits is not None:
-            self._set("limits", validate_limits(self.limits, len(screws)))
+            self._set("limits", validation.joint_limits(self.limits, len(screws)))
         object.__setattr__(self, "joint_names", tuple(self.joint_names))
         if not all(isinstance(text, str) for text in (self.name, self.source, *self.joint_names)):
             raise ValueError(

@@ -18,8 +18,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import aligned_table, format_number, html_table
-from kinlib.arrays.limits import TakesLimitedValues
-from kinlib.arrays.validation import Array, JointValues, suggest_name
+from kinlib.arrays.validation import Array, JointValues, TakesLimitedValues, suggest_name
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.screw import screw
