@@ -82,17 +82,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         return f"Chain({self.name!r}, {self.n} joints: {self.joint_types})"
 
     def __str__(self) -> str:
-        """Write the screw axes and the home pose.
-
-        >>> from kinlib.chains.robots import rpr
-        >>> print(rpr())
-        RPR, 3 joints (RPR)
-        i | joint | omega      | v
-        1 | R     | (0, -1, 0) | (0, 0, 4)
-        2 | P     | (0, 0, 0)  | (0, 0, 1)
-        3 | R     | (0, -1, 0) | (0, 0, 0)
-        M = [[0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 1], [0, 0, 0, 1]]
-        """
+        """Write the screw axes and the home pose."""
         return "\n".join([self._title, aligned_table([SCREW_HEADINGS, *self._screw_rows()]), self._home_line])
 
     def _repr_html_(self) -> str:

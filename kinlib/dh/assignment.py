@@ -30,13 +30,6 @@ from kinlib.dh.parsing import MAX_LENGTH_M
 from kinlib.dh.table import Convention, DHTable, format_rows, joint_transform, normal_transform, validate_convention
 from kinlib.rigid.lie import cross, homogeneous, nearest_rotation
 
-ACCURACY_SAMPLES = 24
-"""Number of configurations at which a table is compared with its chain."""
-
-SNAPPED_DECIMALS = 5
-"""To how many decimals of a metre a snapped table is rounded, unless a number has few more, such as 0.089159; its angles have one
-fewer, in degrees."""
-
 
 @dataclass(frozen=True, eq=False)
 class FrameAssignment:
@@ -52,17 +45,13 @@ class FrameAssignment:
     frames: Array = field(repr=False)
     normals: tuple[CommonNormal, ...] = field(repr=False)
 
-    def __str__(self) -> str:
-        """Write the table, with base and tool unless they are the identity."""
-        return f"{self.table.name}, {self.table.convention} convention\n{self.table}"
-
     def _repr_html_(self) -> str:
         return self.table._repr_html_()
 
     @cached_property
     def accuracy(self) -> float:
         """The largest difference in an entry between the table's poses and the chain's, at many configurations."""
-        q = random_configurations(self.chain.n, ACCURACY_SAMPLES)
+        q = random_configurations(self.chain.n, 24)
         return largest_difference(self.table.fk(q), self.chain.fk(q))
 
     @cached_property
@@ -122,7 +111,7 @@ def _snapped(found: FrameAssignment) -> FrameAssignment:
     degrees = np.degrees(table.rows[:, [1, 3]])
     rows = _short(table.rows)
     near = np.abs(degrees - degrees.round()) < np.degrees(TYPED_PI_ERROR)
-    rows[:, [1, 3]] = np.radians(np.where(near, degrees.round(), degrees.round(SNAPPED_DECIMALS - 1))) + 0.0
+    rows[:, [1, 3]] = np.radians(np.where(near, degrees.round(), degrees.round(4))) + 0.0
     base, tool = (_clean_pose(T) for T in (table.base, table.tool))
     clean = table.changed(rows=rows, base=base, tool=tool)
     frames = np.array([*accumulate(clean.link_transforms(np.zeros(chain.n)), np.matmul, initial=clean.base)])
@@ -138,8 +127,8 @@ def _clean_pose(T: Array) -> Array:
 
 
 def _short(lengths: Array) -> Array:
-    """Round lengths, but not those that have only a few more decimals."""
-    return np.where(np.abs(lengths - lengths.round(7)) < 1e-10, lengths.round(7), lengths.round(SNAPPED_DECIMALS)) + 0.0
+    """Round lengths to five decimals, but not those that have only a few more, such as 0.089159."""
+    return np.where(np.abs(lengths - lengths.round(7)) < 1e-10, lengths.round(7), lengths.round(5)) + 0.0
 
 
 def _assign(chain: Chain, convention: Convention, parallel_below: float) -> FrameAssignment | None:
@@ -309,7 +298,7 @@ def _steps(found: FrameAssignment) -> Iterator[AssignmentStep]:
         k = i if standard else i - 1
         yield AssignmentStep("row", i, f"Row {i}: a_{k} = {a}, alpha_{k} = {alpha}, d_{i} = {d}, theta_{i} = {theta}.")
     is_exact = found.accuracy < 1e-11
-    text = f"This table describes the arm{', up to rounding' if is_exact else ' only approximately'}: at {ACCURACY_SAMPLES} "
+    text = f"This table describes the arm{', up to rounding' if is_exact else ' only approximately'}: at 24 "
     text += f"configurations its poses differ by at most {found.accuracy:.1e}."
     if any(normal.is_nearly_parallel for normal in normals) and not is_exact:
         text += " The nearly parallel axes limit its accuracy."

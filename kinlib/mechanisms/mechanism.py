@@ -102,17 +102,7 @@ class Mechanism(TakesJointValues):
         return f"Mechanism({self._title})"
 
     def __str__(self) -> str:
-        """Write the joints: their values in q, the bodies that they join, and their screw axes.
-
-        >>> from kinlib.mechanisms.linkages import four_bar
-        >>> print(four_bar(ground=0.4, crank=0.1, coupler=0.35, rocker=0.3))
-        four-bar, 4 joints, 1 loop, ground: ground
-        joint | bodies           | omega     | v
-        A     | ground - crank   | (0, 0, 1) | (0, 0, 0)
-        B     | crank - coupler  | (0, 0, 1) | (0, -0.1, 0)
-        D     | ground - rocker  | (0, 0, 1) | (0, -0.4, 0)
-        C     | rocker - coupler | (0, 0, 1) | (0, -0.7, 0)
-        """
+        """Write the joints: their values in q, the bodies that they join, and their screw axes."""
         return f"{self._title}\n{aligned_table([JOINT_HEADINGS, *self._joint_rows()])}"
 
     def _repr_html_(self) -> str:

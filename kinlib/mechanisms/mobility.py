@@ -39,21 +39,6 @@ class Mobility:
     singular_values: Array
     directions: Array
 
-    def __str__(self) -> str:
-        """Describe the three numbers in words.
-
-        >>> from kinlib.mechanisms.linkages import stretched_arch
-        >>> print(stretched_arch().mobility([0, 0, 0]))
-        The Gruebler-Kutzbach count is 0. The infinitesimal mobility is 1, but the finite mobility is 0: ...
-        """
-        comparison = "and so is the finite mobility." if self.finite else "so nothing can move."
-        if self.finite != self.infinitesimal:
-            cause = "perhaps branches of the motion cross here"
-            cause = cause if self.finite else "no infinitesimal motion continues to a finite one"
-            comparison = f"but the finite mobility is {self.finite}: this configuration is singular, {cause}."
-        count = f"The Gruebler-Kutzbach count is {self.kutzbach}."
-        return f"{count} The infinitesimal mobility is {self.infinitesimal}, {comparison}"
-
 
 def group_dimension(screws: Array) -> int:
     """Find the dimension of the smallest group of rigid motions that contains these joints: the number of equations of a loop.
