@@ -15,7 +15,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kinlib.arrays.tolerances import MAX_ROTATION_RAD, ORTHONORMALITY_TOL, UNIT_LENGTH_ROUNDING, UNIT_LENGTH_TOL
+from kinlib.arrays.tolerances import MAX_ROTATION_RAD, ORTHONORMALITY_TOL, UNIT_LENGTH_TOL
 
 Array = NDArray[np.float64]
 
@@ -92,7 +92,7 @@ def divide_by_length(values: Array, length: Array) -> Array:
 
     values (..., n), length (...) -> (..., n). So a stored axis is the same when it is read again.
     """
-    units: Array = values / np.where(np.abs(length - 1) <= UNIT_LENGTH_ROUNDING, 1.0, length)[..., None]
+    units: Array = values / np.where(np.abs(length - 1) <= 1e-15, 1.0, length)[..., None]
     return units
 
 
@@ -186,8 +186,8 @@ class TakesJointValues(ABC):
         """The number of joint values."""
 
     @property
-    @abstractmethod
-    def _value_names(self) -> Sequence[str]: ...  # () if they have none
+    def _value_names(self) -> Sequence[str]:
+        return tuple(getattr(self, "joint_names", ()))
 
     def in_order(self, q: JointValues, argument: str = "q") -> Array:
         """Read joint values as an array (..., n) in the order of the joints, from an array or a mapping by name.

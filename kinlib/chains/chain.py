@@ -254,10 +254,6 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         columns = [moved_screw(T, B) for T, B in zip(after, self.body_screws[::-1], strict=True)]
         return np.stack(columns[::-1], axis=-1)
 
-    @property
-    def _value_names(self) -> tuple[str, ...]:
-        return self.joint_names
-
 
 def random_configurations(n: int, count: int) -> Array:
     """Draw configurations for comparing two descriptions of an arm, the same ones every time.

@@ -19,7 +19,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from kinlib.arrays.tolerances import CLEARLY_NOT_PARALLEL_COS, PARALLEL_TOL_RAD, SAME_DISTANCE_RAD
+from kinlib.arrays.tolerances import PARALLEL_TOL_RAD, SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.rigid.angles import wrap_angle
@@ -47,7 +47,7 @@ class AxisInvariants:
     def __init__(self, reference: Chain, tolerance: float) -> None:
         types, n, sines = reference.joint_types, reference.n, neighbours(reference)[0]
         has_lines = np.array(["P" not in types[k : k + 2] for k in range(n - 1)], dtype=bool)
-        self._skew = np.flatnonzero(has_lines & (sines > np.sqrt(1 - CLEARLY_NOT_PARALLEL_COS**2)))
+        self._skew = np.flatnonzero(has_lines & (sines > 0.14))
         # The distance of nearly parallel lines depends on the last digits.
         self._parallel = np.flatnonzero(has_lines & (sines < SAME_DISTANCE_RAD))
         # Between two normals all lines are parallel. A helical joint changes the distance of the normals with its zero.

@@ -22,7 +22,7 @@ import numpy as np
 
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import format_number, format_vector
-from kinlib.arrays.tolerances import INTERSECTION_TOL_M, PARALLEL_TOL_RAD, RELOCATE_PRISMATIC_RAD, TYPED_PI_ERROR
+from kinlib.arrays.tolerances import INTERSECTION_TOL_M, PARALLEL_TOL_RAD, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.common_normal import CommonNormal, common_normal
@@ -175,7 +175,7 @@ def _points_on_axes(chain: Chain) -> Array:
     axes = chain.lines.axis
     for i in [i for i, joint_type in enumerate(chain.joint_types) if joint_type == "P"]:
         for neighbour in range(max(i - 1, 0), min(i + 2, chain.n)):
-            if PARALLEL_TOL_RAD < np.linalg.norm(cross(axes[i], axes[neighbour])) < RELOCATE_PRISMATIC_RAD:
+            if PARALLEL_TOL_RAD < np.linalg.norm(cross(axes[i], axes[neighbour])) < 1e-3:
                 points[i] = points[neighbour]
     return points
 

@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
-from kinlib.arrays.tolerances import DRAWN_FRAME_TOL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.table import Convention, validate_convention
@@ -30,11 +29,10 @@ class Breach:
     text: str
 
 
-def check_frames(
-    chain: Chain, frames: ArrayLike, convention: Convention, tolerance: float = DRAWN_FRAME_TOL
-) -> list[Breach]:
+def check_frames(chain: Chain, frames: ArrayLike, convention: Convention, tolerance: float = 1e-6) -> list[Breach]:
     """Check frames 0 to n of an arm, given in {s} at home; the list of breaches of a correct assignment is empty.
 
+    tolerance  how far a frame may deviate from a rule, in metres or as the sine of an angle
     frames (n + 1, 4, 4); their axes are columns and may fail to form a rotation, because that is one of the rules.
 
     right-handed     x, y, z are unit vectors perpendicular to each other, and y = z x x

@@ -167,10 +167,6 @@ class Tree(TakesLimitedValues):
         limits = [self._moving_joints[name].limits for name in self.joint_names]
         return validation.read_only_copy(np.reshape(limits, (-1, 2)))
 
-    @property
-    def _value_names(self) -> tuple[str, ...]:
-        return self.joint_names
-
     @cached_property
     def coupling(self) -> Array:
         """The coupling matrix C, (m, n). The row of an independent joint has a single 1, that of a mimic joint its multiplier."""
