@@ -16,12 +16,6 @@ from kinlib.arrays import validation
 MAX_BYTES = 4_000_000
 """The largest file that is read: ten times the size of a humanoid robot's, and read in at most two seconds."""
 
-LIKELY_CAUSES = {
-    "invalid token": " Is a quote missing, is there a bare & or <, or is the file not saved as UTF-8?",
-    "mismatched tag": " An element opened above is not closed, or closed with another name.",
-    "no element found": " Does the file end too early?",
-}
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Element:
@@ -117,13 +111,10 @@ def _parsed(document: str | bytes, above: int) -> Element:
     parser.StartDoctypeDeclHandler = refuse
     try:
         parser.Parse(document, True)
-    except expat.ExpatError as error:
-        why = expat.ErrorString(error.code)
-        cause = next((cause for words, cause in LIKELY_CAUSES.items() if words in why), "")
-        raise ValueError(f"Line {above + error.lineno}: the file must be XML; {why}.{cause}") from error
-    except (LookupError, UnicodeError) as error:
+    except (expat.ExpatError, LookupError, UnicodeError) as error:
         raise ValueError(
-            f"Line {above + parser.CurrentLineNumber}: {error}. Save the file as UTF-8, and declare this encoding."
+            f"Line {above + parser.ErrorLineNumber}: the file must be XML in UTF-8; {str(error).partition(':')[0]}. Is a tag not closed, "
+            "a quote missing, or a bare & or < in a text?"
         ) from error
     return elements[0]
 
