@@ -106,7 +106,7 @@ def axes(S: ArrayLike, name: str) -> Array:
         if fits:
             advice = f"Screw axes go in rows, but yours are in columns: try {name}.T"
         elif length < tolerances.ORTHONORMALITY_TOL:
-            advice = "A revolute joint needs an axis, and a prismatic joint a direction and no omega, not even a rounding error"
+            advice = f"A revolute joint needs an axis, and a prismatic joint needs a direction{', and an omega of 0' * bool(length)}"
         else:
             advice = "A twist is a screw axis times an angle or a length: divide all six numbers by this one"
         raise ValueError(
