@@ -141,17 +141,13 @@ class Mechanism(TakesJointValues):
 
         The values of q are those of the first branch, then those of the second, and so on.
 
-        Raises ValueError for fewer than two branches.
+        Raises ValueError for fewer than two branches, which form no loop.
         Source: Forward kinematics II, (3.81), from LaValle, Planning Algorithms, section 3.4.
 
         >>> from kinlib.chains.robots import rpr
         >>> Mechanism.from_branches(rpr(), rpr()).n
         6
         """
-        if len(branches) < 2:
-            raise ValueError(
-                f"There must be at least two branches to join; got {len(branches)}. To close one chain, use from_chain."
-            )
         joints = []
         for b, branch in enumerate(branches, start=1):
             validation.instance(branch, f"branch {b}", Chain)

@@ -160,10 +160,7 @@ class Tree(TakesLimitedValues):
 
     @cached_property
     def limits(self) -> Array:
-        """The lower and the upper limit (n, 2) of each independent joint, infinite where it has none.
-
-        The limits that a file gives for a mimic joint are not used, because its value follows from the other joint.
-        """
+        """The lower and the upper limit (n, 2) of each independent joint, infinite where it has none."""
         limits = [self._moving_joints[name].limits for name in self.joint_names]
         return validation.read_only_copy(np.reshape(limits, (-1, 2)))
 
