@@ -101,7 +101,7 @@ HAND = """<robot name="hand">
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda tree: tree.poses([1, 2]), r"hand has 1 joint values, so q must .* got \(2,\)\. Pass one value for each of grip\."),
+        (lambda tree: tree.poses([1, 2]), r"hand has 1 joint value, so q must .* got \(2,\)\. Pass one value for each of grip\."),
         (lambda tree: tree.chain("finger", "nail"), r"Line 7, .*joint curl mimics joint grip, multiplied by -0\.5"),
         (lambda tree: tree.chain(), r"Choose the tip, one of thumb \(\d joints?\), nail "),
     ],
