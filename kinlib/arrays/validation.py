@@ -209,7 +209,8 @@ class TakesJointValues(ABC):
             if q.ndim > 1 and q.shape[-2] == self.n:
                 advice = f"Joints go in the last dimension: try {argument}.T"
             raise ValueError(
-                f"{self.name} has {self.n} joint value{'s'[: self.n != 1]}, so {argument} must have shape (..., {self.n}); got {q.shape}. {advice}."
+                f"{self.name} has {self.n} joint value{'s'[: self.n != 1]}, so {argument} must have shape (..., {self.n}); got "
+                f"{q.shape}. {advice}."
             )
         return rotation_angles(q)
 
