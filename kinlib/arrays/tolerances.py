@@ -9,15 +9,9 @@ in their own modules, in `kinlib.mechanisms`.
 UNIT_LENGTH_TOL = 1e-9
 """How far the length of an axis may differ from 1. Data printed with nine digits pass; an unnormalized (1, 1, 0) does not."""
 
-UNIT_LENGTH_ROUNDING = 1e-15
-"""How far the length of an axis may differ from 1 after it was divided by its length. Such an axis is not divided again."""
-
 ORTHONORMALITY_TOL = 1e-6
 """How far x . x, y . y and x . y of a rotation's columns may differ from 1, 1 and 0, and z from x x y. Single precision passes;
 four printed decimals do not."""
-
-ROUNDED_ROTATION_TOL = 0.1
-"""How far an entry of a rounded rotation may be off for `nearest_rotation` to repair it. One printed decimal passes."""
 
 MAX_ROTATION_RAD = 1e8
 """The largest rotation angle that is still meaningful: beyond it, rounding alone changes the result by 1e-8."""
@@ -41,12 +35,6 @@ INTERSECTION_TOL_M = 1e-12
 NEARLY_PARALLEL_RAD = 1e-5
 """Axes at a smaller angle are nearly parallel, where DH is ill-conditioned: the feet of their normal move away like 1 / angle."""
 
-RELOCATE_PRISMATIC_RAD = 1e-3
-"""A prismatic axis at a smaller angle to its neighbour is placed so that the two intersect; then their normal stays near."""
-
-DRAWN_FRAME_TOL = 1e-6
-"""How far a frame may deviate from a DH rule, in metres or as the sine of an angle."""
-
 # Equivalence of mechanisms
 
 EQUIVALENCE_TOL = 1e-8
@@ -54,6 +42,3 @@ EQUIVALENCE_TOL = 1e-8
 
 SAME_DISTANCE_RAD = 1e-9
 """Axes at a smaller angle have the same distance everywhere, to within a micrometre along a kilometre."""
-
-CLEARLY_NOT_PARALLEL_COS = 0.99
-"""Axes whose angle has a smaller cosine are clearly not parallel."""

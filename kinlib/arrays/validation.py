@@ -9,13 +9,13 @@ from __future__ import annotations
 import reprlib
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import fields
-from typing import Any
+from dataclasses import fields, replace
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kinlib.arrays.tolerances import MAX_ROTATION_RAD, ORTHONORMALITY_TOL, UNIT_LENGTH_ROUNDING, UNIT_LENGTH_TOL
+from kinlib.arrays.tolerances import MAX_ROTATION_RAD, ORTHONORMALITY_TOL, UNIT_LENGTH_TOL
 
 Array = NDArray[np.float64]
 
@@ -92,16 +92,16 @@ def divide_by_length(values: Array, length: Array) -> Array:
 
     values (..., n), length (...) -> (..., n). So a stored axis is the same when it is read again.
     """
-    units: Array = values / np.where(np.abs(length - 1) <= UNIT_LENGTH_ROUNDING, 1.0, length)[..., None]
+    units: Array = values / np.where(np.abs(length - 1) <= 1e-15, 1.0, length)[..., None]
     return units
 
 
 def rotation_angles(angle: Array) -> Array:
     """Return rotation angles in radians unchanged, if double precision can resolve them; ValueError if not."""
-    if (angle > MAX_ROTATION_RAD).any():
+    if (np.abs(angle) > MAX_ROTATION_RAD).any():
         raise ValueError(
             f"A rotation angle must be at most {MAX_ROTATION_RAD:.0e} rad, because double precision cannot resolve its direction "
-            f"beyond that; got {angle.max():.3g} rad. Did a computation diverge?"
+            f"beyond that; got {np.abs(angle).max():.3g} rad. Did a computation diverge?"
         )
     return angle
 
@@ -133,24 +133,22 @@ def single_pose(x: ArrayLike, name: str) -> Array:
     return pose
 
 
-def keys(data: Any, what: str, required: Sequence[str], optional: Sequence[str] = ()) -> None:
-    """Check that data are a dictionary with these keys; ValueError if not."""
-    if not isinstance(data, dict) or not set(required) <= set(data) <= {*required, *optional}:
-        given = ", ".join(map(str, data)) or "no key" if isinstance(data, dict) else describe(data)
-        possibly = f", and possibly {', '.join(optional)}" if optional else ""
-        raise ValueError(
-            f"{what} as data must be a dictionary with the keys {', '.join(required)}{possibly}; got {given:.200}."
-        )
+def joint_limits(limits: ArrayLike, n: int) -> Array:
+    """Read limits as an array (n, 2), the lower and the upper limit of each joint, which may be infinite.
 
-
-def whole_number(x: Any, name: str, most: float = np.inf) -> int:
-    """Read x as a whole number from 0 to `most`; ValueError for anything else."""
-    if not isinstance(x, int | np.integer) or not 0 <= x <= most:
-        end = "on" if most == np.inf else f"to {most}"
-        raise ValueError(
-            f"{name} must be a whole number from 0 {end}; got {describe(x)}. Try int({name}) if it is a float."
-        )
-    return int(x)
+    Raises ValueError for another shape, and for limits that are swapped or NaN.
+    """
+    if isinstance(limits, list):  # `to_dict` writes None for infinity
+        limits = [[(-np.inf, np.inf)[k] if x is None else x for k, x in enumerate(row)] for row in limits]
+    limits = real_array(limits, "limits")
+    if limits.shape != (n, 2):
+        raise ValueError(f"limits must have one row (lower, upper) per joint, shape ({n}, 2); got {limits.shape}.")
+    for joint, (lower, upper) in enumerate(limits.tolist(), start=1):
+        if not lower <= upper:  # also for NaN
+            raise ValueError(
+                f"The limits of joint {joint} must be (lower, upper); got {[lower, upper]}. Are they swapped?"
+            )
+    return limits
 
 
 ADVICE = {
@@ -188,19 +186,16 @@ class TakesJointValues(ABC):
         """The number of joint values."""
 
     @property
-    @abstractmethod
-    def _values_in_words(self) -> str: ...  # such as "5 joints (RRRRR)"
-
-    @property
-    @abstractmethod
-    def _value_names(self) -> Sequence[str]: ...  # () if they have none
+    def _value_names(self) -> Sequence[str]:
+        return tuple(getattr(self, "joint_names", ()))
 
     def in_order(self, q: JointValues, argument: str = "q") -> Array:
         """Read joint values as an array (..., n) in the order of the joints, from an array or a mapping by name.
 
         argument  its name, for messages
 
-        Raises ValueError for joint values of another size, for NaN, and for a missing or an unknown name.
+        Raises ValueError for joint values of another size, for NaN, for a missing or an unknown name, and for an angle that double
+        precision cannot resolve.
 
         >>> from kinlib import DHTable
         >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], "standard").in_order({"q2": 0.5, "q1": [1, 2]})
@@ -214,34 +209,62 @@ class TakesJointValues(ABC):
             if q.ndim > 1 and q.shape[-2] == self.n:
                 advice = f"Joints go in the last dimension: try {argument}.T"
             raise ValueError(
-                f"{self.name} has {self._values_in_words}, so {argument} must have shape (..., {self.n}); got {q.shape}. {advice}."
+                f"{self.name} has {self.n} joint value{'s'[: self.n != 1]}, so {argument} must have shape (..., {self.n}); got "
+                f"{q.shape}. {advice}."
             )
-        return q
+        return rotation_angles(q)
+
+
+class TakesLimitedValues(TakesJointValues):
+    """A robot whose joint values have limits."""
+
+    limits: Any
+
+    @property
+    def _limits(self) -> Array:
+        return np.tile([-np.inf, np.inf], (self.n, 1)) if self.limits is None else np.asarray(self.limits)
+
+    def within_limits(self, q: JointValues) -> NDArray[np.bool_]:
+        """Return for each configuration whether all its joint values are within the limits: q (..., n) -> (...).
+
+        Raises ValueError for joint values of another size, and for NaN.
+
+        >>> from kinlib import Chain
+        >>> Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[-1, 1]]).within_limits([[0.5], [1.5]])
+        array([ True, False])
+        """
+        lower, upper = self._limits.T
+        q = self.in_order(q)
+        inside: NDArray[np.bool_] = ((lower <= q) & (q <= upper)).all(axis=-1)
+        return inside
+
+    def random_configurations(self, count: int, seed: int = 0) -> Array:
+        """Draw configurations within the limits, the same ones for the same seed: (count, n).
+
+        A joint without limits takes values between -pi and pi, in radians or metres; one with a single limit, up to 2 pi from it.
+        A limit beyond MAX_ROTATION_RAD, as some files have for a joint that rotates without end, is none.
+
+        >>> from kinlib import Chain
+        >>> Chain([[0, 0, 1, 0, 0, 0]] * 2, np.eye(4), limits=[[0, 1], [5, np.inf]]).random_configurations(2).round(2)
+        array([[0.64, 6.7 ],
+               [0.04, 5.1 ]])
+        """
+        lower, upper = self._limits.T
+        has_lower, has_upper = (np.abs(limit) < MAX_ROTATION_RAD for limit in (lower, upper))
+        low = np.where(has_lower, lower, np.where(has_upper, upper - 2 * np.pi, -np.pi))
+        high = np.where(has_upper, upper, np.where(has_lower, lower + 2 * np.pi, np.pi))
+        return np.random.default_rng(seed).uniform(low, high, (count, self.n))
 
 
 def _stacked(values: Mapping[str, ArrayLike], names: Sequence[str], robot: str) -> Array:
     """Return values by name in the order of the names, (..., n); single numbers are repeated for every configuration."""
-    if values and not names:
+    if {*values} != {*names}:
         raise ValueError(
-            f"q must be an array, because the joints of {robot} have no names; got {describe(values)}. Pass their "
-            "values in order, or name the joints of a chain first, chain.changed(joint_names=[...])."
+            f"q must have a value for each joint of {robot}: {_listed(names) or 'they have no names, so pass an array'}; got "
+            f"{_listed([*map(str, values)]) or 'none'}."
         )
-    if unknown := [name for name in values if name not in names]:
-        raise ValueError(
-            f"q must have the names of the joint values of {robot}; got {unknown[0]!r}.{suggest_name(unknown[0], names, 'joint values')}"
-        )
-    if missing := [name for name in names if name not in values]:
-        raise ValueError(
-            f"q must have a value for each joint of {robot}; got none for {_listed(missing)}. "
-            "Where no other value is given, it is 0 with dict.fromkeys(names, 0.0) | {...}."
-        )
-    columns = [array(values[name], f"q[{name!r}]") for name in names]
-    try:
-        columns = [*np.broadcast_arrays(*columns)]
-    except ValueError as error:
-        shapes = ", ".join(f"{name} {column.shape}" for name, column in zip(names, columns, strict=True))
-        raise ValueError(f"The values in q must have one shape, or be single numbers; got {shapes}.") from error
-    return np.stack(columns, axis=-1) if columns else np.zeros(0)
+    columns = np.broadcast_arrays(*(array(values[name], f"q[{name!r}]") for name in names))
+    return np.stack(columns, axis=-1) if names else np.zeros(0)
 
 
 def suggest_name(name: object, names: Sequence[str], what: str) -> str:
@@ -266,18 +289,58 @@ def read_only_copy(values: ArrayLike) -> Array:
 class ReadOnly:
     """A frozen dataclass that is equal to another one with equal fields."""
 
+    def changed(self, **fields: Any) -> Self:
+        """Copy it with some fields replaced; ValueError for the same reasons as a new one.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> rpr().changed(joint_names=["lift", "slide", "tilt"]).fk({"lift": 0, "slide": 0.5, "tilt": 0})[:3, 3] + 0.0
+        array([0. , 0. , 1.5])
+        """
+        return replace(self, **fields)  # type: ignore[type-var]
+
     def __eq__(self, other: object) -> bool:
         return self._key() == other._key() if isinstance(other, type(self)) else NotImplemented
 
     def __hash__(self) -> int:
         return hash(self._key())
 
+    def to_dict(self) -> dict[str, Any]:
+        """Convert it to plain JSON types; an infinite limit is None, because JSON has no infinity.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> rpr().to_dict()["screws"][1]
+        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]
+        """
+        plain: dict[str, Any] = self._fields()
+        arrays = {
+            name: np.where(np.isfinite(x), x, np.array(None)) for name, x in plain.items() if isinstance(x, np.ndarray)
+        }
+        return plain | {name: np.asarray(x).tolist() for name, x in arrays.items()}
+
+    @classmethod
+    def from_dict(cls, data: Any) -> Self:
+        """Read what `to_dict` wrote, for example from a JSON or a YAML file that other people can edit.
+
+        Raises ValueError for a missing or an unknown key, and for the same reasons as a new one.
+
+        >>> from kinlib.chains.robots import youbot
+        >>> arm = type(youbot()).from_dict(youbot().to_dict())
+        >>> bool((arm.fk([1, 2, 3, 4, 5]) == youbot().fk([1, 2, 3, 4, 5])).all())
+        True
+        """
+        try:
+            return cls(**data)
+        except TypeError as error:
+            raise ValueError(
+                f"The data must be a dictionary with the fields of a {cls.__name__} as keys: {error}."
+            ) from error
+
     def _fields(self) -> dict[str, Any]:
-        return {each.name: getattr(self, each.name) for each in fields(self) if each.init}  # type: ignore[arg-type]
+        return {each.name: getattr(self, each.name) for each in fields(self) if each.compare}  # type: ignore[arg-type]
 
     def _key(self) -> tuple[Any, ...]:
         """The fields that are compared, arrays as their shape and their bytes."""
-        values = [getattr(self, each.name) for each in fields(self) if each.compare]  # type: ignore[arg-type]
+        values = self._fields().values()
         return tuple((x.shape, (x + 0.0).tobytes()) if isinstance(x, np.ndarray) else x for x in values)
 
 

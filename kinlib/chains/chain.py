@@ -9,18 +9,16 @@ The same motion can be written in three forms, which differ in the position of t
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, reduce
 from itertools import accumulate
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table
-from kinlib.arrays.limits import TakesLimitedValues, validate_limits
-from kinlib.arrays.validation import Array, JointValues
+from kinlib.arrays.validation import Array, JointValues, TakesLimitedValues
 from kinlib.rigid.lie import adjoint, compose, exponentials, homogeneous, inverse, moved_screw
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
 
@@ -39,8 +37,8 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
     joint_names      the n names of the joints in that document; optional
 
     Raises ValueError if there are no joints, if the screws are in columns or not normalized, if home is not rigid, if a point
-    is not on its axis, if a lower limit is above the upper one, or if the limits of a revolute joint look like degrees. Methods do for
-    joint values of another size, for NaN, and for a missing or an unknown name.
+    is not on its axis, or if a lower limit is above the upper one. Methods do for joint values of another size, for NaN, and for a
+    missing or an unknown name.
     Source: Modern Robotics, 4.1; Chapter 4 review.
 
     >>> from kinlib import exp, screw
@@ -66,7 +64,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         if self.points is not None:
             self._set("points", _validate_points(self.screws, self.points))
         if self.limits is not None:
-            self._set("limits", validate_limits(self.limits, self.joint_types))
+            self._set("limits", validation.joint_limits(self.limits, len(screws)))
         object.__setattr__(self, "joint_names", tuple(self.joint_names))
         if not all(isinstance(text, str) for text in (self.name, self.source, *self.joint_names)):
             raise ValueError(
@@ -84,17 +82,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         return f"Chain({self.name!r}, {self.n} joints: {self.joint_types})"
 
     def __str__(self) -> str:
-        """Write the screw axes and the home pose.
-
-        >>> from kinlib.chains.robots import rpr
-        >>> print(rpr())
-        RPR, 3 joints (RPR)
-        i | joint | omega      | v
-        1 | R     | (0, -1, 0) | (0, 0, 4)
-        2 | P     | (0, 0, 0)  | (0, 0, 1)
-        3 | R     | (0, -1, 0) | (0, 0, 0)
-        M = [[0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 1], [0, 0, 0, 1]]
-        """
+        """Write the screw axes and the home pose."""
         return "\n".join([self._title, aligned_table([SCREW_HEADINGS, *self._screw_rows()]), self._home_line])
 
     def _repr_html_(self) -> str:
@@ -103,11 +91,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
 
     @property
     def _title(self) -> str:
-        return f"{self.name}, {self._values_in_words}"
-
-    @property
-    def _values_in_words(self) -> str:
-        return f"{self.n} joints ({self.joint_types})"
+        return f"{self.name}, {self.n} joints ({self.joint_types})"
 
     @property
     def _home_line(self) -> str:
@@ -212,7 +196,8 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         True
         """
         q = self.in_order(q)
-        k = validation.whole_number(k, "k", self.n)  # the number of joints to the left of M
+        if k not in range(self.n + 1):
+            raise ValueError(f"k must be a whole number from 0 to {self.n}, of joints to the left of M; got {k!r}.")
         before = exponentials(self.screws[:k], q[..., :k])  # e^[S1]q1, ..., e^[Sk]qk
         after = exponentials(self.body_screws[k:], q[..., k:])  # e^[Bk+1]qk+1, ..., e^[Bn]qn
         return reduce(compose, [*before, self.home, *after])
@@ -268,69 +253,6 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         after = accumulate(motions[:-1], compose, initial=identity)  # e^-[Bn]qn ... e^-[Bi+1]qi+1
         columns = [moved_screw(T, B) for T, B in zip(after, self.body_screws[::-1], strict=True)]
         return np.stack(columns[::-1], axis=-1)
-
-    def changed(self, **fields: Any) -> Chain:
-        """Copy the chain with some fields replaced: screws, home, points, name, source, limits, joint_names.
-
-        Raises ValueError for the same reasons as a new chain.
-
-        >>> from kinlib.chains.robots import rpr
-        >>> rpr().changed(joint_names=["lift", "slide", "tilt"]).fk({"lift": 0, "slide": 0.5, "tilt": 0})[:3, 3] + 0.0
-        array([0. , 0. , 1.5])
-        """
-        return replace(self, **fields)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Convert the chain to plain JSON types; an infinite limit is None, because JSON has no infinity.
-
-        >>> from kinlib.chains.robots import rpr
-        >>> rpr().to_dict()["screws"][1]
-        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]
-        """
-        data = {name: x.tolist() if isinstance(x, np.ndarray) else x for name, x in self._fields().items()}
-        if self.limits is not None:
-            data["limits"] = [[x if np.isfinite(x) else None for x in pair] for pair in self.limits.tolist()]
-        return data | {"joint_names": list(self.joint_names)}
-
-    @classmethod
-    def from_dict(cls, data: Any) -> Chain:
-        """Read a chain that `to_dict` wrote, for example from a JSON or a YAML file that other people can edit.
-
-        Raises ValueError for a missing or an unknown key, and for the same reasons as a new chain.
-
-        >>> from kinlib.chains.robots import youbot
-        >>> arm = Chain.from_dict(youbot().to_dict())
-        >>> bool((arm.fk([1, 2, 3, 4, 5]) == youbot().fk([1, 2, 3, 4, 5])).all())
-        True
-        """
-        required, optional = ("screws", "home"), ("points", "name", "source", "limits", "joint_names")
-        validation.keys(data, "A chain", required, optional)
-        if (limits := data.get("limits")) is not None:
-            infinite = (-np.inf, np.inf)
-            limits = [[end if x is None else x for x, end in zip(pair, infinite, strict=True)] for pair in limits]
-        return cls(**data | {"limits": limits})
-
-    @property
-    def _limits(self) -> Array:
-        return np.tile([-np.inf, np.inf], (self.n, 1)) if self.limits is None else self.limits
-
-    @property
-    def _value_names(self) -> tuple[str, ...]:
-        return self.joint_names
-
-    def in_order(self, q: JointValues, argument: str = "q") -> Array:
-        """Read joint values as an array (..., n) in the order of the joints, from an array or a mapping by joint name.
-
-        Raises ValueError for joint values of another size, for NaN, for a missing or an unknown name, and for an angle that double
-        precision cannot resolve.
-
-        >>> arm = Chain([[0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0]], np.eye(4), joint_names=("turn", "slide"))
-        >>> arm.in_order({"slide": 0.5, "turn": 1})
-        array([1. , 0.5])
-        """
-        q = super().in_order(q, argument)
-        validation.rotation_angles(np.abs(q * self.screws[:, :3].any(axis=1)))
-        return q
 
 
 def random_configurations(n: int, count: int) -> Array:

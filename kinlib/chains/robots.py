@@ -85,12 +85,8 @@ def rppr() -> Chain:
     array([ 0.,  1.,  0.,  0.,  0., -2.])
     """
     joints = [(X, (0, 2, 0)), (X, (0, 2, 0), SLIDE), (Z, (2, 2, 0), SLIDE), (X, (2, 2, 0))]
-    return arm(
-        joints,
-        pose((-Y, X, Z), (2, 0, 0)),
-        "RPPR",
-        "Forward kinematics II, body-form example; the slides are reconstructed",
-    )
+    source = "Forward kinematics II, body-form example; the slides are reconstructed"
+    return arm(joints, pose((-Y, X, Z), (2, 0, 0)), "RPPR", source)
 
 
 def rprr(l2: float = 0.5, l4: float = 0.2, l5: float = 0.3) -> Chain:
@@ -111,13 +107,8 @@ def youbot() -> Chain:
     >>> youbot().home[:3, 3]
     array([0.5405, 0.    , 0.147 ])
     """
-    joints = [
-        (Z, (0, 0, 0)),
-        (-Y, (0.033, 0, 0.147)),
-        (-Y, (0.188, 0, 0.147)),
-        (-Y, (0.323, 0, 0.147)),
-        (X, (0.323, 0, 0.147)),
-    ]
+    parallel = [(-Y, (x, 0, 0.147)) for x in (0.033, 0.188, 0.323)]
+    joints = [(Z, (0, 0, 0)), *parallel, (X, (0.323, 0, 0.147))]
     return arm(joints, pose((Z, -Y, X), (0.5405, 0, 0.147)), "youBot", "EduFill manipulation module, lecture 1")
 
 
@@ -156,9 +147,8 @@ def panda() -> Chain:
     shoulder, elbow, wrist, flange = (0, 0, 0.333), (0.0825, 0, 0.649), (0, 0, 1.033), (0.088, 0, 1.033)
     upper = [(Z, (0, 0, 0)), (Y, shoulder), (Z, shoulder), (-Y, elbow)]
     joints = [*upper, (Z, wrist), (-Y, wrist), (-Z, flange)]
-    return arm(
-        joints, pose((X, -Y, -Z), (0.088, 0, 0.926)), "Panda", 'Franka Emika, "Robot and interface specifications"'
-    )
+    source = 'Franka Emika, "Robot and interface specifications"'
+    return arm(joints, pose((X, -Y, -Z), (0.088, 0, 0.926)), "Panda", source)
 
 
 def scara() -> Chain:
@@ -169,9 +159,8 @@ def scara() -> Chain:
     """
     tool = (0.6, 0, 0.387)
     joints = [(Z, (0, 0, 0)), (Z, (0.325, 0, 0.387)), (-Z, tool, SLIDE), (-Z, tool)]
-    return arm(
-        joints, pose((X, -Y, -Z), tool), "SCARA", "Adept Cobra 600, as in the Robotics Toolbox for Python (Corke)"
-    )
+    source = "Adept Cobra 600, as in the Robotics Toolbox for Python (Corke)"
+    return arm(joints, pose((X, -Y, -Z), tool), "SCARA", source)
 
 
 def rpr_lecture7(a1: float = 0.4) -> Chain:
@@ -192,12 +181,8 @@ def plain_arm(column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Cha
     """
     shoulder, wrist = (0, 0, column), (upper, 0, column)
     joints = [(Z, (0, 0, 0)), (-Y, shoulder), (X, shoulder, SLIDE), (X, wrist)]
-    return arm(
-        joints,
-        pose((X, Y, Z), (upper + fore, 0, column)),
-        "plain arm",
-        "Chapter 4 review: family of exercises 4.7 to 4.9",
-    )
+    home = pose((X, Y, Z), (upper + fore, 0, column))
+    return arm(joints, home, "plain arm", "Chapter 4 review: family of exercises 4.7 to 4.9")
 
 
 def angled_arm(tilt: float = np.pi / 4, column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Chain:

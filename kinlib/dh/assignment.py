@@ -22,23 +22,13 @@ import numpy as np
 
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import format_number, format_vector
-from kinlib.arrays.tolerances import INTERSECTION_TOL_M, PARALLEL_TOL_RAD, RELOCATE_PRISMATIC_RAD, TYPED_PI_ERROR
+from kinlib.arrays.tolerances import INTERSECTION_TOL_M, PARALLEL_TOL_RAD, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.dh.parsing import MAX_LENGTH_M
 from kinlib.dh.table import Convention, DHTable, format_rows, joint_transform, normal_transform, validate_convention
 from kinlib.rigid.lie import cross, homogeneous, nearest_rotation
-
-ACCURACY_SAMPLES = 24
-"""Number of configurations at which a table is compared with its chain."""
-
-PARALLEL_BOUNDS_RAD = 10.0 ** np.arange(-11.5, -4.5, 0.5)
-"""The bounds below which axes are tried as parallel; the last one is beyond every pair that is nearly parallel."""
-
-SNAPPED_DECIMALS = 5
-"""To how many decimals of a metre a snapped table is rounded, unless a number has few more, such as 0.089159; its angles have one
-fewer, in degrees."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,17 +45,13 @@ class FrameAssignment:
     frames: Array = field(repr=False)
     normals: tuple[CommonNormal, ...] = field(repr=False)
 
-    def __str__(self) -> str:
-        """Write the table, with base and tool unless they are the identity."""
-        return f"{self.table.name}, {self.table.convention} convention\n{self.table}"
-
     def _repr_html_(self) -> str:
         return self.table._repr_html_()
 
     @cached_property
     def accuracy(self) -> float:
         """The largest difference in an entry between the table's poses and the chain's, at many configurations."""
-        q = random_configurations(self.chain.n, ACCURACY_SAMPLES)
+        q = random_configurations(self.chain.n, 24)
         return largest_difference(self.table.fk(q), self.chain.fk(q))
 
     @cached_property
@@ -110,7 +96,7 @@ def assign_frames(chain: Chain, convention: Convention, *, snap: bool = False) -
     if exact and not any(normal.is_nearly_parallel for normal in exact.normals):
         return _snapped(exact) if snap else exact
     # One bound for the whole arm: an axis that is treated as parallel passes its small error on to the next comparison.
-    results = [exact, *(_assign(chain, convention, bound) for bound in PARALLEL_BOUNDS_RAD)]
+    results = [exact, *(_assign(chain, convention, bound) for bound in 10.0 ** np.arange(-11.5, -4.5, 0.5))]
     best = min((result for result in results if result), key=lambda result: result.accuracy)
     if not snap:
         return best
@@ -125,7 +111,7 @@ def _snapped(found: FrameAssignment) -> FrameAssignment:
     degrees = np.degrees(table.rows[:, [1, 3]])
     rows = _short(table.rows)
     near = np.abs(degrees - degrees.round()) < np.degrees(TYPED_PI_ERROR)
-    rows[:, [1, 3]] = np.radians(np.where(near, degrees.round(), degrees.round(SNAPPED_DECIMALS - 1))) + 0.0
+    rows[:, [1, 3]] = np.radians(np.where(near, degrees.round(), degrees.round(4))) + 0.0
     base, tool = (_clean_pose(T) for T in (table.base, table.tool))
     clean = table.changed(rows=rows, base=base, tool=tool)
     frames = np.array([*accumulate(clean.link_transforms(np.zeros(chain.n)), np.matmul, initial=clean.base)])
@@ -141,8 +127,8 @@ def _clean_pose(T: Array) -> Array:
 
 
 def _short(lengths: Array) -> Array:
-    """Round lengths, but not those that have only a few more decimals."""
-    return np.where(np.abs(lengths - lengths.round(7)) < 1e-10, lengths.round(7), lengths.round(SNAPPED_DECIMALS)) + 0.0
+    """Round lengths to five decimals, but not those that have only a few more, such as 0.089159."""
+    return np.where(np.abs(lengths - lengths.round(7)) < 1e-10, lengths.round(7), lengths.round(5)) + 0.0
 
 
 def _assign(chain: Chain, convention: Convention, parallel_below: float) -> FrameAssignment | None:
@@ -189,7 +175,7 @@ def _points_on_axes(chain: Chain) -> Array:
     axes = chain.lines.axis
     for i in [i for i, joint_type in enumerate(chain.joint_types) if joint_type == "P"]:
         for neighbour in range(max(i - 1, 0), min(i + 2, chain.n)):
-            if PARALLEL_TOL_RAD < np.linalg.norm(cross(axes[i], axes[neighbour])) < RELOCATE_PRISMATIC_RAD:
+            if PARALLEL_TOL_RAD < np.linalg.norm(cross(axes[i], axes[neighbour])) < 1e-3:
                 points[i] = points[neighbour]
     return points
 
@@ -222,14 +208,11 @@ def _move_about_z(frame: Array, x: Array, origin: Array) -> tuple[Array, tuple[f
 
 def _move_about_x(frame: Array, normal: CommonNormal, z: Array) -> tuple[Array, tuple[float, float]]:
     """Move a frame about and along its own x onto the next axis; return the frame, and a and alpha."""
-    a = float(frame[:3, 0] @ (normal.end - frame[:3, 3])) if normal.case not in _ZERO_LENGTH_CASES else 0.0
+    a = float(frame[:3, 0] @ (normal.end - frame[:3, 3])) if normal.has_length else 0.0
     straight = np.pi if normal.case.startswith("anti") else 0.0
     _, minus_sin, cos = z @ frame[:3, :3]
     alpha = math.atan2(-minus_sin, cos) if normal.is_unique else straight
     return frame @ normal_transform(a, alpha), (a, alpha)
-
-
-_ZERO_LENGTH_CASES = {"intersecting", "coincident", "anti-coincident"}
 
 
 def _relative_pose(frame: Array, T: Array) -> Array:
@@ -246,17 +229,6 @@ def _first_perpendicular(candidates: Array, z: Array) -> Array:
     k = np.argmax(np.linalg.norm(across, axis=1) > 0.1)  # of three orthogonal ones at least two are not
     return np.asarray(across[k] / np.linalg.norm(across[k]))
 
-
-NEARLY_PARALLEL = (
-    "These axes are nearly parallel, {angle:.1e} rad apart, where DH is ill-conditioned: if one of them moves by a millimetre, "
-    "their normal moves by {far:.2g} m along them, so the last digits of d are lost. (Hayati's remedy is a fifth parameter: a "
-    "small rotation about y instead of the distant normal.)"
-)
-
-PRISMATIC_AXIS_RELOCATED = (
-    "These axes are nearly parallel, {angle:.1e} rad apart. But a prismatic joint has no line of its own, so its axis is placed "
-    "to intersect its neighbour, and their normal stays near."
-)
 
 CASES = {
     "skew": "Axes {i} and {j} are skew: there is one common normal, {a} m long.",
@@ -326,7 +298,7 @@ def _steps(found: FrameAssignment) -> Iterator[AssignmentStep]:
         k = i if standard else i - 1
         yield AssignmentStep("row", i, f"Row {i}: a_{k} = {a}, alpha_{k} = {alpha}, d_{i} = {d}, theta_{i} = {theta}.")
     is_exact = found.accuracy < 1e-11
-    text = f"This table describes the arm{', up to rounding' if is_exact else ' only approximately'}: at {ACCURACY_SAMPLES} "
+    text = f"This table describes the arm{', up to rounding' if is_exact else ' only approximately'}: at 24 "
     text += f"configurations its poses differ by at most {found.accuracy:.1e}."
     if any(normal.is_nearly_parallel for normal in normals) and not is_exact:
         text += " The nearly parallel axes limit its accuracy."
@@ -347,13 +319,15 @@ def _explain_link(
     i, j, frame = pair + 1, pair + 2, pair + 1
     length = format_number(float(np.linalg.norm(normal.end - normal.start)))
     text, others = CASES[normal.case].format(i=i, j=j, a=length), ALTERNATIVES[normal.case]
-    has_length = normal.case in {"skew", "parallel", "antiparallel"}
-    if normal.is_nearly_parallel and (has_length or "P" not in chain.joint_types[pair : pair + 2]):
-        text += " " + NEARLY_PARALLEL.format(angle=normal.sine, far=1e-3 / normal.sine)
-        text += f" Here they are taken as {normal.case}" + (", with the distant normal." if normal.is_unique else ".")
-        others = others if normal.is_unique else "The distant normal."
-    elif normal.is_nearly_parallel:
-        text += " " + PRISMATIC_AXIS_RELOCATED.format(angle=normal.sine)
+    if normal.is_nearly_parallel:
+        text += f" These axes are nearly parallel, {normal.sine:.1e} rad apart"
+        if (
+            normal.has_length or "P" not in chain.joint_types[pair : pair + 2]
+        ):  # a prismatic axis is placed beside its neighbour
+            text += f", where DH is ill-conditioned: if one of them moves by a millimetre, their normal moves by {1e-3 / normal.sine:.2g} m"
+            text += " along them, so the last digits of d are lost"
+            others = others if normal.is_unique else "The distant normal."
+        text += f". Here they are taken as {normal.case}."
     yield AssignmentStep("normal", frame, text, others)
     reason = "where the common normal meets it"
     if not normal.is_unique:
@@ -362,7 +336,7 @@ def _explain_link(
     text = f"O_{frame} lies on axis {j if standard else i}, {reason}: {format_vector(T[:3, 3])}."
     yield AssignmentStep("origin", frame, text, "" if normal.is_unique else ALTERNATIVES[normal.case])
     direction = "the same as before"
-    if has_length:
+    if normal.has_length:
         direction = "along the common normal, from axis to axis"
     elif normal.case == "intersecting":
         is_tie = abs(normal.x @ previous[:3, 0]) <= PARALLEL_TOL_RAD

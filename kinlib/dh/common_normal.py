@@ -37,6 +37,11 @@ class CommonNormal:
         return PARALLEL_TOL_RAD < self.sine < NEARLY_PARALLEL_RAD
 
     @property
+    def has_length(self) -> bool:
+        """Whether the axes do not meet."""
+        return self.case in {"skew", "parallel", "antiparallel"}
+
+    @property
     def is_unique(self) -> bool:
         """Whether the axes determine the position of the normal; parallel axes have a common normal at every point."""
         return self.case in {"skew", "intersecting"}

@@ -20,7 +20,7 @@ from kinlib.arrays.formatting import format_number
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.alignment.invariants import neighbours
+from kinlib.dh.alignment import neighbours
 from kinlib.dh.equivalence import CHOICES, NEARLY_PARALLEL_LOSS, Equivalence, equivalent, measured_difference
 from kinlib.dh.explanation.rounding import entries_off, nearest_rows, nearest_table, rounding_effect, typed_half_units
 from kinlib.dh.explanation.search import (

@@ -4,7 +4,7 @@ Two chains a and b are equivalent if there are poses X and Y, signs s and offset
 
     T_b(q) = X T_a(s q + c) Y      for every q.
 
-`kinlib.dh.alignment.maps` finds such maps. The poses at random configurations decide, and the map is part of the answer, so it can be
+`kinlib.dh.alignment` finds such maps. The poses at random configurations decide, and the map is part of the answer, so it can be
 checked again.
 """
 
@@ -22,8 +22,7 @@ from kinlib.arrays.formatting import format_different, format_number, format_vec
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, NEARLY_PARALLEL_RAD, PARALLEL_TOL_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
-from kinlib.dh.alignment.invariants import Booleans, neighbours
-from kinlib.dh.alignment.maps import Map, nearest_maps, same_q
+from kinlib.dh.alignment import Booleans, Map, nearest_maps, neighbours, same_q
 from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import log
 
@@ -31,9 +30,6 @@ Verdict = Literal["same", "different", "undecided"]
 
 CHOICES = ("base", "tool", "zeros", "signs")
 """What two descriptions of one mechanism may choose: the frames at both ends, the zero and the sign of each joint."""
-
-MEASURED_CONFIGURATIONS = 1000
-"""At how many random configurations a difference of poses that is told is measured."""
 
 NEARLY_PARALLEL_LOSS = 1e-5
 """By how much the poses of a right description may be off, on an arm of one metre, if some of its axes are nearly parallel."""
@@ -151,7 +147,7 @@ def measured_difference(one: Chain, other: Chain) -> tuple[float, float]:
     >>> measured_difference(rpr(), rpr())
     (0.0, 0.0)
     """
-    q = random_configurations(one.n, MEASURED_CONFIGURATIONS)
+    q = random_configurations(one.n, 1000)
     T, U = one.fk(q), other.fk(q)
     angles = np.linalg.norm(log(np.swapaxes(T[:, :3, :3], -1, -2) @ U[:, :3, :3]), axis=-1)
     return float(np.linalg.norm(T[:, :3, 3] - U[:, :3, 3], axis=-1).max()), float(angles.max())
@@ -190,7 +186,7 @@ def equivalent(
         types = f"The joint types differ: {letters} in the first, {other.joint_types} in the second."
         return Equivalence(verdict="different", reason=types)
     sines = np.array([neighbours(one)[0], neighbours(other)[0]])
-    near = np.asarray(((sines > PARALLEL_TOL_RAD) & (sines < NEARLY_PARALLEL_RAD)).any(axis=0))
+    near: Booleans = np.any((sines > PARALLEL_TOL_RAD) & (sines < NEARLY_PARALLEL_RAD), axis=0)
     found = [same_q(one, other)]
     if found[0].difference > tolerance and len({*fixed}) < len(CHOICES):
         loose = max(10 * tolerance, NEARLY_PARALLEL_LOSS * near.any())

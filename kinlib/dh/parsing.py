@@ -35,8 +35,6 @@ HEADING_UNIT = re.compile(
 )
 HEADING_INDEX = re.compile(r"[_\s({\[]*(?:[ijkn]|\d)\s*(-\s*1)?[)}\]]*\s*$")
 
-JOINT_VARIABLE = re.compile(r"(?:q|theta|d)_?(\d*)", re.ASCII)
-
 NUMBER = r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
 SPELLINGS = {
@@ -202,4 +200,4 @@ def _evaluate(node: ast.expr, column: str, lengths: Mapping[str, float]) -> comp
 
 def _is_variable(name: str, column: str) -> bool:
     """Whether a name is that of a joint variable: in another column than d, d_3 is a length whose value is missing."""
-    return JOINT_VARIABLE.fullmatch(name) is not None and (column == "d" or name[0] != "d")
+    return re.fullmatch(r"(?:q|theta|d)_?\d*", name, re.ASCII) is not None and (column == "d" or name[0] != "d")

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property, partial, reduce
 from itertools import accumulate
 from typing import TYPE_CHECKING, Any, Literal, cast, get_args
@@ -43,9 +43,6 @@ Convention = Literal["standard", "modified"]
 
 TableRows = str | Sequence[Mapping[str, Any]] | ArrayLike
 """What a table is made from: text, dictionaries by column name, or numbers (m, 4)."""
-
-DICT_KEYS = ("rows", "convention", "joints", "signs", "base", "tool")
-"""The keys of `DHTable.to_dict`."""
 
 
 def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike, *, convention: Convention) -> Array:
@@ -183,10 +180,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         return dict(zip(COLUMNS, self.rows.T, strict=True))
 
     @property
-    def _values_in_words(self) -> str:
-        return f"{self.n} joint{'s'[: self.n != 1]} ({self.joints.replace('F', '')})"
-
-    @property
     def _value_names(self) -> list[str]:
         return [f"q{i + 1}" for i in range(self.n)]
 
@@ -248,45 +241,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         rows[left + step, :2] = 0.0
         ends = {"tool": end @ self.tool} if convention == "modified" else {"base": self.base @ end}
         return self.changed(rows=rows, convention=convention, **ends)
-
-    def changed(self, **fields: Any) -> DHTable:
-        """Copy the table with some fields replaced: rows as numbers (m, 4), convention, joints, signs, base, tool, name.
-
-        Raises ValueError for the same reasons as a new table.
-
-        >>> DHTable([[0.4, 0, 0, 0]], convention="standard").changed(convention="modified").convention
-        'modified'
-        """
-        return replace(self, **fields)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Convert the table to plain JSON types: everything except its name, with rows as numbers in the order a, alpha, d, theta.
-
-        >>> data = DHTable([[0.4, 0, 0.1, 0]], convention="standard", signs=[-1]).to_dict()
-        >>> data["rows"], data["convention"], data["joints"], data["signs"]
-        ([[0.4, 0.0, 0.1, 0.0]], 'standard', 'R', [-1])
-        >>> data["base"] == data["tool"] == np.eye(4).tolist()
-        True
-        """
-        lists = {name: getattr(self, name).tolist() for name in ("rows", "base", "tool")}
-        signs = self.signs.astype(int).tolist()
-        return lists | {"convention": self.convention, "joints": self.joints, "signs": signs}
-
-    @classmethod
-    def from_dict(cls, data: Any) -> DHTable:
-        """Read a table that `to_dict` wrote, for example from a JSON file that other people can edit.
-
-        Raises ValueError for a missing or unknown key, for anything but lists of numbers, and for the same reasons as a new table.
-
-        >>> table = DHTable([[0.4, 0, 0.1, 0], [0.3, 0, 0, 0]], convention="modified", joints="RP", signs=[1, -1])
-        >>> DHTable.from_dict(table.to_dict()).to_dict() == table.to_dict()
-        True
-        """
-        validation.keys(data, "A table", DICT_KEYS)
-        for name in ("rows", "signs", "base", "tool"):
-            if not isinstance(data[name], list) or not data[name]:
-                raise ValueError(f"{name} must be a list of numbers or of rows; got {validation.describe(data[name])}.")
-        return cls(**data)
 
 
 DHTable.__init__.__annotations__["rows"] = "TableRows"  # for `help`, because the attribute is an array
@@ -425,15 +379,12 @@ def _validate_rows(numbers: Array, joints: Any) -> None:
 
 def _signs(given: Array, own: Sequence[float], count: int) -> Array:
     """The signs of the rows: those of the variables, the given ones, or 1."""
+    if np.size(given) and len(own):
+        raise ValueError("signs must be left out, because the variables in the rows have their own.")
     signs = validation.array(given, "signs") if np.size(given) else np.array(own) if len(own) else np.ones(count)
     if signs.shape != (count,) or (np.abs(signs) != 1).any():
         raise ValueError(
             f"signs must have an entry 1 or -1 for each of the {count} rows; got {validation.describe(given)}."
-        )
-    if len(own) and (signs != own).any():
-        raise ValueError(
-            f"signs must agree with the variables in the rows, {[*map(int, own)]}; got {signs.astype(int).tolist()}. If the rows have "
-            "variables, leave signs out."
         )
     return signs
 

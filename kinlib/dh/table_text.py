@@ -42,11 +42,6 @@ LENGTH_UNITS, ANGLE_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}, {"rad": 1.0, "de
 
 NEEDED, ALL_COLUMNS = {"a", "alpha", "d"}, {*COLUMNS, "offset"}
 
-NUMBERING = re.compile(r"(?:joint|link|axis|frame|row|[ijkn]|no|nr)\b", re.IGNORECASE)
-"""The headings of the numbers of rows."""
-
-TOOL_WORDS = re.compile(r"\b(flange|tool|hand|tcp|end.?effector|ee|fixed|gripper|base)\b", re.IGNORECASE)
-
 LABEL = re.compile(r"\b(joint|link|axis|j|l|link_?joint|row|frame)[\s_-]?(\d+)\b", re.IGNORECASE)
 
 REPLACEMENTS = [
@@ -471,7 +466,9 @@ def _heading(line: str, splits: list[list[str]], before: list[str], grid: _Grid)
         ):
             found.append(heads)  # in a comment, and below another heading, no other word stands between the names
     is_behind_words = is_comment and not any(heads[0].name in ALL_COLUMNS for heads in found[:-1])
-    prefers_run = is_behind_words and len(run) > 3 and not NUMBERING.match(re.sub(r"^\W+", "", line))
+    prefers_run = (
+        is_behind_words and len(run) > 3 and not re.match(r"(?i)\W*(?:joint|link|axis|frame|row|[ijkn]|no|nr)\b", line)
+    )
     found.sort(key=lambda heads: (len(_columns_of(heads)), prefers_run and len(heads) == len(run)), reverse=True)
     if not found or len(_columns_of(found[0])) < len({*before} & ALL_COLUMNS):
         return []
@@ -659,7 +656,8 @@ def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str) -> tuple[s
     if "?" in letters and set(letters) <= {"?", "P"}:
         others = "each row" if "P" not in letters else "each row that is not prismatic"
         words = f"theta has no variable: {others} is a revolute joint, with the number as its offset."
-        fixed = [k for k, row in enumerate(grid.rows) if TOOL_WORDS.search(row.get("label", "")) and k]
+        tools = re.compile(r"\b(flange|tool|hand|tcp|end.?effector|ee|fixed|gripper|base)\b", re.IGNORECASE)
+        fixed = [k for k, row in enumerate(grid.rows) if tools.search(row.get("label", "")) and k]
         letters = "".join("F" if k in fixed else letter.replace("?", "R") for k, letter in enumerate(letters))
         if fixed:
             words = f"{words[:-1]}; row {fixed[0] + 1} is fixed, as its name says."

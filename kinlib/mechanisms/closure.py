@@ -15,19 +15,9 @@ from kinlib.mechanisms.continuation import Curve, CurveTracer
 from kinlib.mechanisms.levenberg_marquardt import Equations, null_space, solve
 from kinlib.mechanisms.mobility import finite_mobility
 
-GUESSES_PER_ROUND, MAX_STEPS_PER_GUESS = 64, 40
-"""Each round of the search for assembly modes starts from so many random configurations, and gives one up after so many steps."""
-
-MIN_IDLE_ROUNDS, MAX_IDLE_ROUNDS = 3, 30
-"""The search for assembly modes ends after so many rounds in a row without a new mode: after the smaller number if every mode has
-been found at least twice, because then it is likely that none is missing (Good, 1953), and otherwise after the larger number."""
-
-MAX_STEPS = 5000
-"""A curve is left unfinished after so many steps in either direction, for example that of a screw jack without limits."""
-
-MODE_TOL, WRAPPING_TOL = 1e-5, 1e-6
-"""Two configurations are different assembly modes if an entry of the pose of some body differs by more than the first: at a dead
-point two modes become one, found only to the square root of the residual. An angle nearer to pi than the second is written as -pi."""
+MODE_TOL = 1e-5
+"""Two configurations are different assembly modes if an entry of the pose of some body differs by more than this. At a dead
+point two modes become one, and there the search finds it only to the square root of the residual, about 1e-6."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,10 +55,12 @@ class Closure:
         rng = np.random.default_rng(0)
         reach = self.search_range[self.free]
         modes, known, hits, idle_rounds = list[Array](), list[Array](), list[int](), 0
-        while idle_rounds < (MAX_IDLE_ROUNDS if 1 in hits else MIN_IDLE_ROUNDS):
+        # If every mode has been found at least twice, it is likely that none is missing (Good, 1953).
+        while idle_rounds < (30 if 1 in hits else 3):
             idle_rounds += 1
-            guesses = rng.uniform(-reach, reach, (GUESSES_PER_ROUND, len(reach)))
-            found = solve(self._free_equations, guesses, self.tolerance, MAX_STEPS_PER_GUESS)
+            found = solve(
+                self._free_equations, rng.uniform(-reach, reach, (64, len(reach))), self.tolerance, iterations=40
+            )
             # Near a solution a step squares the error, so one more step leaves only rounding errors.
             exact = solve(self._free_equations, found.x[found.residual <= self.tolerance], tolerance=0.0, iterations=1)
             candidates = self._wrapped(self._with_held_values(exact.x))
@@ -91,7 +83,7 @@ class Closure:
         Raises ValueError if the configuration does not close, and if not exactly one motion leads away from it.
         """
         tracer = CurveTracer(self._free_equations, self.tolerance, self.is_angle[self.free])
-        curve = tracer.follow(self.configuration[self.free], step, MAX_STEPS, points)
+        curve = tracer.follow(self.configuration[self.free], step, 5000, points)
         return replace(curve, q=self._with_held_values(curve.q))
 
     def _free_equations(self, x: Array) -> tuple[Array, Array]:
@@ -107,6 +99,6 @@ class Closure:
 
     def _wrapped(self, q: Array) -> Array:
         """The same configurations (m, n), every free angle from -pi to pi, where pi is -pi even with a rounding error."""
-        lower = -np.pi - WRAPPING_TOL
+        lower = -np.pi - 1e-6
         is_free = np.isin(np.arange(len(self.configuration)), self.free)
         return np.where(is_free & self.is_angle, (q - lower) % (2 * np.pi) + lower, q)

@@ -18,12 +18,8 @@ MAX_BEND_RAD, MAX_CORRECTION = 0.25, 0.3
 """The largest angle between the tangents before and after a step, and the largest correction as a fraction of the step: where the
 curve bends more, the step is halved."""
 
-MIN_STEP, CROSSING_STEP = 1e-5, 1e-3
-"""As fractions of the step asked for: if even the smallest one finds no solution, the curve ends there, and two branches that
-pass each other within the other one are taken to cross."""
-
-POINT_TOL, RETURN_TOL = 1e-9, 1e-6
-"""Points nearer to each other than the first are the same; a curve that passes its start nearer than the second has returned."""
+POINT_TOL = 1e-9
+"""Points nearer to each other than this are the same."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,9 +90,10 @@ class CurveTracer:
             guess = x + h * tangent
             new, new_tangent, new_J = self._correct(guess, tangent)
             is_lost = new_tangent @ tangent < np.cos(MAX_BEND_RAD) or np.linalg.norm(new - guess) > MAX_CORRECTION * h
-            if is_lost and h <= MIN_STEP * step:
+            if is_lost and h <= 1e-5 * step:
                 break
-            if is_lost or (h > CROSSING_STEP * step and not _same_branch(J, tangent, new_J, new_tangent)):
+            # Two branches that pass each other within a thousandth of a step are taken to cross.
+            if is_lost or (h > 1e-3 * step and not _same_branch(J, tangent, new_J, new_tangent)):
                 h /= 2
                 continue
             # The start, its angles counted on from x. If this step passes the plane across it, the curve may have closed.
@@ -104,7 +101,7 @@ class CurveTracer:
             passed, along = gap @ direction, (new - x) @ direction
             if POINT_TOL < passed <= along + POINT_TOL and along > np.cos(MAX_BEND_RAD) * np.linalg.norm(new - x):
                 point, _, _ = self._correct(x + passed / along * (new - x), direction)
-                if np.linalg.norm(point - x - gap) < RETURN_TOL:
+                if np.linalg.norm(point - x - gap) < 1e-6:
                     return np.array([*points, x + gap]), True
             points.append(new)
             x, tangent, J, h = new, new_tangent, new_J, min(1.5 * h, step)

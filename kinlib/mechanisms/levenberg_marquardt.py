@@ -19,10 +19,6 @@ RANK_RTOL = 1e-7
 """Singular values below this, relative to the largest, count as 0. A configuration in which branches cross is known only to
 the square root of the residual, about 1e-8, so its smallest singular value has this size and is never exactly 0."""
 
-START_TOL_FACTOR = 1e3
-"""The residual of a point that the caller passes as a solution may be this many times the tolerance: it may have been found by
-another method, or typed with few digits."""
-
 
 class Solution(NamedTuple):
     """Where the search ended from each of m guesses: x (m, n), |r| (m,) and J (m, e, n) there."""
@@ -68,7 +64,7 @@ def solve(equations: Equations, guess: Array, tolerance: float, iterations: int 
 def validate_solution(equations: Equations, x: Array, tolerance: float) -> Array:
     """Return the Jacobian (e, n) at a point (n,) that the caller passes as a solution; ValueError if it is none."""
     r, (J,) = equations(x[None])
-    if (residual := np.linalg.norm(r)) > START_TOL_FACTOR * tolerance:
+    if (residual := np.linalg.norm(r)) > 1e3 * tolerance:  # it may be typed with few digits
         raise ValueError(
             f"The linkage must be closed here; the residual is {residual:.2g}. Assemble it first, and pass the q that you get."
         )

@@ -40,12 +40,9 @@ def four_bar(ground: float, crank: float, coupler: float, rocker: float) -> Mech
     _check_lengths(ground=ground, crank=crank, coupler=coupler, rocker=rocker)
     tip = (ground + rocker) * X
     end = Joint("C", ("rocker", "coupler"), screw(Z, tip), _translation(tip - (crank + coupler) * X), tip)
-    joints = [
-        _pin("A", "ground", "crank", 0 * X),
-        _pin("B", "crank", "coupler", crank * X),
-        _pin("D", "ground", "rocker", ground * X),
-    ]
-    return Mechanism([*joints, end], name="four-bar", source="Modern Robotics, figure 2.4(a)")
+    joints = [_pin("A", "ground", "crank", 0 * X), _pin("B", "crank", "coupler", crank * X)]
+    joints += [_pin("D", "ground", "rocker", ground * X), end]
+    return Mechanism(joints, name="four-bar", source="Modern Robotics, figure 2.4(a)")
 
 
 def slider_crank(crank: float, rod: float, offset: float = 0.0) -> Mechanism:
@@ -96,9 +93,8 @@ def ten_links(left: Sequence[float] = (1.0,) * 5, right: Sequence[float] = (1.0,
     """
     left_arm = _planar_arm(0.0, left, [f"theta_{i}" for i in range(1, 6)])
     right_arm = _planar_arm(0.0, right, [*(f"theta_{i}" for i in range(10, 5, -1)), "pin"])
-    return Mechanism.from_branches(
-        left_arm, right_arm, name="ring of ten links", source="Forward kinematics II, (3.81)"
-    )
+    source = "Forward kinematics II, (3.81)"
+    return Mechanism.from_branches(left_arm, right_arm, name="ring of ten links", source=source)
 
 
 def parallelogram(ground: float = 0.4, crank: float = 0.2) -> Mechanism:

@@ -19,12 +19,6 @@ PROBE_DISTANCE = 0.02
 residual there is about PROBE_DISTANCE^2 or, in the rarest linkages, PROBE_DISTANCE^4 = 2e-7: far more than the tolerance of
 about 1e-12 to which a configuration closes."""
 
-MAX_PROBE_DISTANCES = 10
-"""A closed configuration farther away than this many times PROBE_DISTANCE says nothing about the mobility at this one."""
-
-TRIALS_PER_DIMENSION = 12
-"""The number of random sets of planes for each dimension: at a crossing of branches some of them miss all branches."""
-
 
 @dataclass(frozen=True, eq=False)
 class Mobility:
@@ -44,21 +38,6 @@ class Mobility:
     finite: int
     singular_values: Array
     directions: Array
-
-    def __str__(self) -> str:
-        """Describe the three numbers in words.
-
-        >>> from kinlib.mechanisms.linkages import stretched_arch
-        >>> print(stretched_arch().mobility([0, 0, 0]))
-        The Gruebler-Kutzbach count is 0. The infinitesimal mobility is 1, but the finite mobility is 0: ...
-        """
-        comparison = "and so is the finite mobility." if self.finite else "so nothing can move."
-        if self.finite != self.infinitesimal:
-            cause = "perhaps branches of the motion cross here"
-            cause = cause if self.finite else "no infinitesimal motion continues to a finite one"
-            comparison = f"but the finite mobility is {self.finite}: this configuration is singular, {cause}."
-        count = f"The Gruebler-Kutzbach count is {self.kutzbach}."
-        return f"{count} The infinitesimal mobility is {self.infinitesimal}, {comparison}"
 
 
 def group_dimension(screws: Array) -> int:
@@ -97,13 +76,13 @@ def finite_mobility(equations: Equations, x: Array, directions: Array, tolerance
     # The planes are random but the result must not be: every call draws the same ones.
     rng = np.random.default_rng(0)
     for d in range(directions.shape[1], 0, -1):
-        for _ in range(TRIALS_PER_DIMENSION):
+        for _ in range(12):  # at a crossing of branches some sets of planes miss all branches
             mix, _ = np.linalg.qr(rng.normal(size=(directions.shape[1], d)))
             offsets = rng.normal(size=d)
             offsets *= PROBE_DISTANCE / np.linalg.norm(offsets)
             planes = on_planes(equations, x, directions @ mix, offsets)
             found = solve(planes, (x + directions @ mix @ offsets)[None], tolerance)
-            is_near = np.linalg.norm(found.x[0] - x) < MAX_PROBE_DISTANCES * PROBE_DISTANCE
+            is_near = np.linalg.norm(found.x[0] - x) < 10 * PROBE_DISTANCE
             if found.residual[0] <= tolerance and is_near:
                 return d
     return 0

@@ -24,10 +24,6 @@ from kinlib.mechanisms.joints import Joint
 from kinlib.rigid.lie import adjoint, exp, inverse
 from kinlib.rigid.screw import is_prismatic
 
-PARALLEL_RCOND = 1e-2
-"""If all axes of a path are parallel to within the square root of this, in radians, then its centre is determined only across
-them, and no centre is sought along them."""
-
 
 def joints_of_chain(chain: Chain, bodies: Sequence[str], names: Sequence[str], closing_offset: Array) -> list[Joint]:
     """Write the n joints of an open chain one by one, between n + 1 bodies, without limits.
@@ -97,7 +93,7 @@ class JointPath:
         # Only the distance across an axis counts, and not that along it: I - a a^T projects onto the plane across a.
         across = np.eye(3) - axis[:, :, None] * axis[:, None, :]
         # Axes that are nearly parallel intersect far away, and a centre there would be of no use.
-        nearest = np.linalg.pinv(across.sum(axis=0), rcond=PARALLEL_RCOND, hermitian=True) @ point.sum(axis=0)
+        nearest = np.linalg.pinv(across.sum(axis=0), rcond=1e-2, hermitian=True) @ point.sum(axis=0)
         return validation.read_only_copy(nearest)
 
     @cached_property

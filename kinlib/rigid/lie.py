@@ -238,11 +238,10 @@ def nearest_rotation(X: ArrayLike) -> Array:
     U, _, Vt = np.linalg.svd(R)
     nearest = U @ Vt
     distance = np.abs(nearest - R).max(initial=0.0)
-    if distance > tolerances.ROUNDED_ROTATION_TOL or (np.linalg.det(nearest) < 0).any():
-        what = "a reflection" if distance <= tolerances.ROUNDED_ROTATION_TOL else f"one that differs by {distance:.2g}"
+    if distance > 0.1 or (np.linalg.det(nearest) < 0).any():
         raise ValueError(
-            f"X must be almost a rotation, within {tolerances.ROUNDED_ROTATION_TOL} in each entry; got {what}. "
-            "Are its columns the axes of the frame, right-handed and of length 1?"
+            f"X must be almost a right-handed rotation, within 0.1 in each entry; it differs by "
+            f"{distance:.2g}. Are its columns the axes of the frame, of length 1?"
         )
     R[...] = nearest
     return X
@@ -300,17 +299,13 @@ def perpendicular(axis: ArrayLike) -> Array:
 def _generator(x: ArrayLike) -> Array:
     x = validation.array(x, "x")
     if x.shape[-1:] not in {(3,), (6,)}:
-        if x.shape[-2:] == (4, 4):
-            advice = "Is it the matrix of a twist? Then take its vee first, exp(vee(x))."
-        elif x.ndim > 1 and x.shape[-2] in {3, 6}:
-            advice = "Are the components in the first dimension? Try x.T."
-        else:
-            advice = "A twist is (omega, v), six numbers."
-        raise ValueError(f"x must be a rotation vector (..., 3) or a twist (..., 6); got shape {x.shape}. {advice}")
+        raise ValueError(
+            f"x must be a rotation vector (..., 3) or a twist (..., 6); got shape {x.shape}. Components go in the last dimension: try x.T; "
+            "of a matrix take its vee first."
+        )
     if x.shape == (3, 3) and x.any() and np.array_equal(x, -x.T):
         raise ValueError(
-            "x must be a rotation vector (..., 3) or a twist (..., 6); got a skew-symmetric 3x3 matrix, which would be read as three "
-            "rotation vectors. Take its vee first, exp(vee(x))."
+            "x must be a rotation vector or a twist; got a skew-symmetric matrix, which is three vectors. Take its vee first, exp(vee(x))."
         )
     return x
 

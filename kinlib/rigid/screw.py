@@ -65,14 +65,6 @@ def line(S: ArrayLike) -> Line:
 
     >>> line(screw((0, 0, 1), point=(1, 2, 9), pitch=0.1)).point + 0.0
     array([1., 2., 0.])
-
-    The twist of a motion is its screw axis times its angle:
-
-    >>> from kinlib.rigid.lie import exp, log
-    >>> twist = log(exp(screw((0, 0, 1), point=(1, 2, 0)) * 0.5))
-    >>> angle = np.linalg.norm(twist[:3])
-    >>> angle.round(6), line(twist / angle).point.round(6) + 0.0
-    (np.float64(0.5), array([1., 2., 0.]))
     """
     S = axes(S, "S")
     omega, v = S[..., :3], S[..., 3:]
@@ -113,15 +105,10 @@ def axes(S: ArrayLike, name: str) -> Array:
         length = size[tuple(index)]
         if fits:
             advice = f"Screw axes go in rows, but yours are in columns: try {name}.T"
-        elif length == 0:
-            advice = "A revolute joint needs an axis, and a prismatic joint needs a direction"
         elif length < tolerances.ORTHONORMALITY_TOL:
-            advice = "Is it a prismatic joint with a rounding error in omega? Then set omega to zero"
+            advice = f"A revolute joint needs an axis, and a prismatic joint needs a direction{', and an omega of 0' * bool(length)}"
         else:
-            advice = (
-                "A twist is a screw axis times an angle or a length: divide all six numbers, omega and v, by this one, "
-                f"{name} / length"
-            )
+            advice = "A twist is a screw axis times an angle or a length: divide all six numbers by this one"
         raise ValueError(
             f"{name} must contain screw axes: |omega| = 1, or omega = 0 and |v| = 1. "
             f"In {name}{index or ''} the length of {part} is {length:.10g}. {advice}."

@@ -11,12 +11,6 @@ import sympy as sp
 
 from kinlib.arrays import validation
 
-FLOAT_RTOL = 1e-14
-"""The largest difference between a float and the exact number that it means, relative to max(1, |x|): about fifty roundings."""
-
-MAX_DECIMALS, MAX_PI_DENOMINATOR, MAX_SQUARE_DENOMINATOR = 9, 360, 10_000
-"""The simple exact numbers: with so many decimals; pi times a fraction, or the square root of a fraction, with such a denominator."""
-
 
 def exact(x: Any) -> Any:
     """Read floats as the exact numbers that they mean: 0.25 as 1/4, 1.5707963267948966 as pi/2, 0.7071067811865476 as sqrt(2)/2.
@@ -84,12 +78,12 @@ def _abbreviation(part: Any) -> str:
 
 def _exact_number(x: float) -> sp.Expr:
     candidates = (
-        lambda: sp.Rational(repr(round(x, MAX_DECIMALS))),
-        lambda: sp.Rational(x / np.pi).limit_denominator(MAX_PI_DENOMINATOR) * sp.pi,
-        lambda: sp.sign(x) * sp.sqrt(sp.Rational(x * x).limit_denominator(MAX_SQUARE_DENOMINATOR)),
+        lambda: sp.Rational(repr(round(x, 9))),
+        lambda: sp.Rational(x / np.pi).limit_denominator(360) * sp.pi,
+        lambda: sp.sign(x) * sp.sqrt(sp.Rational(x * x).limit_denominator(10_000)),
     )
     for candidate in candidates:
-        if abs(float(number := candidate()) - x) <= FLOAT_RTOL * max(1.0, abs(x)):
+        if abs(float(number := candidate()) - x) <= 1e-14 * max(1.0, abs(x)):
             return number
     fractions = (sp.Rational(x).limit_denominator(10**size) for size in range(3, 18, 3))
     return next((fraction for fraction in fractions if float(fraction) == x), sp.Rational(x))

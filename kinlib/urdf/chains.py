@@ -35,13 +35,11 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
     tree and down again: the base need not be an ancestor of the tip.
 
     Raises ValueError, with the element and its line, if the file is not XML, not a URDF or not a tree, if a number is not
-    valid, if several links could be the tip, and if a joint on the path is planar or floating, or mimics a joint in a way that
-    no chain has, as `Tree.chain` says. To use several chains of a file, or the frames of its links, read it once:
-    `Tree.from_urdf(file).poses(q)` has the frames as in the file, and `Chain.link_poses` others. No other file is opened, and nothing
-    is downloaded.
+    valid, if several links could be the tip, and if a joint on the path has no chain, as `Tree.chain` says. To use several chains
+    of a file, or the frames of its links, read it once, with `Tree.from_urdf(file)`. No other file is opened or downloaded.
 
-    Readers check different rules. This one also refuses what urdfdom, the parser of ROS, reads: a second parent that closes a loop,
-    lower > upper, an axis of length 0, and angles that look like degrees; and it does not need effort and velocity.
+    It also refuses what urdfdom, the parser of ROS, reads: a second parent that closes a loop, lower > upper, an axis of length 0,
+    and an rpy in degrees; and it does not need effort and velocity.
     Source: the URDF specification, "link" and "joint"; the meaning of its elements as in urdfdom.
 
     >>> text = '''<robot name="crane">
@@ -63,25 +61,26 @@ def to_urdf(chain: Chain) -> str:
     joint_1, joint_2, ..., and the links base_link, link_1, ..., tool. The limits of effort and velocity, which URDF requires and
     kinlib does not have, are 1.
 
-    Raises ValueError for anything but a chain, if a joint is helical, because URDF has no such joint, and if a name of a joint is
-    not printable, or that of a macro.
+    Raises ValueError for anything but a chain, and if a joint is helical, because URDF has no such joint.
     Source: the URDF specification, "joint".
 
     >>> from kinlib.chains.robots import youbot
     >>> np.allclose(load_urdf(to_urdf(youbot())).screws, youbot().screws, atol=1e-15)
     True
     """
+    from xml.sax.saxutils import quoteattr
+
     validation.instance(chain, "chain", Chain)
     if "H" in chain.joint_types:
         raise ValueError(
             f"The joints must be revolute or prismatic, because URDF has no helical joint; "
             f"joint {chain.joint_types.index('H') + 1} of {chain.name} is helical."
         )
-    names = [*(chain.joint_names or (f"joint_{i + 1}" for i in range(chain.n)))]
-    links = ["base_link", *(f"link_{i + 1}" for i in range(chain.n)), "tool"]
+    names = [quoteattr(name) for name in chain.joint_names or (f"joint_{i + 1}" for i in range(chain.n))]
+    links = ['"base_link"', *(f'"link_{i + 1}"' for i in range(chain.n)), '"tool"']
     limits = np.full((chain.n, 2), (-np.inf, np.inf)) if chain.limits is None else chain.limits
     steps = np.diff([np.zeros(3), *chain.joint_points, chain.home[:3, 3]], axis=0)
-    parts = [f"<robot name={_quoted(chain.name)}>", *(f"  <link name={_quoted(link)}/>" for link in links)]
+    parts = [f"<robot name={quoteattr(chain.name)}>", *(f"  <link name={link}/>" for link in links)]
     rows = zip(names, chain.joint_types, chain.lines.axis, limits, steps[:-1], strict=True)
     for i, (name, letter, axis, pair, step) in enumerate(rows):
         kind = "prismatic" if letter == "P" else "revolute" if np.isfinite(pair).any() else "continuous"
@@ -91,17 +90,16 @@ def to_urdf(chain: Chain) -> str:
             inside += [f'    <limit lower="{_numbers(lower)}" upper="{_numbers(upper)}" effort="1" velocity="1"/>']
         parts += _joint(name, kind, links[i : i + 2], f'xyz="{_numbers(*step)}"', inside)
     rpy = _numbers(*roll_pitch_yaw(chain.home[:3, :3]))
-    weld = next(name for name in ("weld", *(f"weld_{i}" for i in range(chain.n))) if name not in names)
+    weld = next(name for name in ('"weld"', *(f'"weld_{i}"' for i in range(chain.n))) if name not in names)
     parts += _joint(weld, "fixed", links[-2:], f'xyz="{_numbers(*steps[-1])}" rpy="{rpy}"', [])
     return "\n".join([*parts, "</robot>\n"])
 
 
 def _joint(name: str, kind: str, links: Sequence[str], origin: str, inside: Sequence[str]) -> list[str]:
-    """Write a joint in lines: between a parent and a child link, with its origin, and what else is inside."""
-    parent, child = map(_quoted, links)
+    """Write a joint in lines: between a parent and a child link, names in quotes, with its origin, and what else is inside."""
     return [
-        f'  <joint name={_quoted(name)} type="{kind}">',
-        f"    <parent link={parent}/> <child link={child}/>",
+        f'  <joint name={name} type="{kind}">',
+        f"    <parent link={links[0]}/> <child link={links[1]}/>",
         f"    <origin {origin}/>",
         *inside,
         "  </joint>",
@@ -111,14 +109,3 @@ def _joint(name: str, kind: str, links: Sequence[str], origin: str, inside: Sequ
 def _numbers(*values: float) -> str:
     """Numbers with as many digits as are needed to read the same numbers back."""
     return " ".join(repr(float(value) + 0.0).removesuffix(".0") for value in values)
-
-
-def _quoted(name: str) -> str:
-    from xml.sax.saxutils import quoteattr
-
-    if not name.isprintable() or not name or "${" in name or "$(" in name:
-        raise ValueError(
-            "A name in a URDF must consist of printable characters, without ${ and $(, which begin a macro of xacro; got "
-            f"{validation.describe(name)}."
-        )
-    return quoteattr(name)

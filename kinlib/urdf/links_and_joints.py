@@ -11,7 +11,6 @@ from typing import NamedTuple
 import numpy as np
 
 from kinlib.arrays import validation
-from kinlib.arrays.limits import look_like_degrees
 from kinlib.arrays.validation import Array, suggest_name
 from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
@@ -19,12 +18,6 @@ from kinlib.urdf.xml_elements import Element
 
 MOVING_TYPES = ("revolute", "continuous", "prismatic")
 JOINT_TYPES = (*MOVING_TYPES, "fixed", "planar", "floating")
-
-MAX_ORIGIN_M = 1e6
-"""The largest coordinate of an origin, in metres. Beyond it rounding errors exceed 0.1 nm, and the file probably uses another unit."""
-
-MAX_ORIGIN_RAD = 4 * np.pi
-"""The largest angle of an origin, in radians, as for DH tables: larger ones, such as 90, are probably in degrees."""
 
 MAX_NUMBER = float(np.finfo(float).max)
 """URDF has no prismatic joint without limits, so this largest number is written for an infinite limit, and read as one."""
@@ -65,6 +58,11 @@ class UrdfJoint:
     def moves(self) -> bool:
         """Whether it is of any other type than fixed."""
         return self.type != "fixed"
+
+    @property
+    def is_independent(self) -> bool:
+        """Whether it moves, and follows no other joint."""
+        return self.moves and self.mimic is None
 
     @property
     def screw(self) -> Array:
@@ -160,17 +158,11 @@ def _end(joint: Element, tag: str, links: Mapping[str, Element]) -> str:
 def _origin(joint: Element) -> Array:
     if (element := joint.child("origin")) is None:
         return np.eye(4)
-    bounds = {
-        "xyz": (MAX_ORIGIN_M, "m", "Is it in another unit than metres?"),
-        "rpy": (MAX_ORIGIN_RAD, "rad", "Is it in degrees? URDF uses radians."),
-    }
-    values = {name: element.numbers(name, 3) for name in bounds if name in element.attributes}
-    for name, numbers in values.items():
-        bound, unit, cause = bounds[name]
-        if abs(largest := max(numbers, key=abs)) > bound:
-            raise element.error(
-                f"{name} must be between -{bound:g} and {bound:g} {unit}; got {largest:g} {unit}. {cause}"
-            )
+    values = {name: element.numbers(name, 3) for name in ("xyz", "rpy") if name in element.attributes}
+    if abs(largest := max(values.get("rpy", [0.0]), key=abs)) > 4 * np.pi:
+        raise element.error(
+            f"rpy must be between -4 pi and 4 pi rad; got {largest:g} rad. Is it in degrees? URDF uses radians."
+        )
     return origin(**values)
 
 
@@ -179,40 +171,29 @@ def _axis(joint: Element) -> Array:
         # This is the default in the specification, although users who leave the axis out often expect z.
         return np.array([1.0, 0.0, 0.0])
     axis = np.array(element.numbers("xyz", 3))
-    if (largest := np.abs(axis).max()) < 1e-6:  # zero up to rounding errors
+    if np.abs(axis).max() < 1e-6:  # zero up to rounding errors
         raise element.error("xyz must be a direction; got zero. A joint that does not move has the type fixed.")
-    axis /= largest
     unit: Array = axis / np.linalg.norm(axis)
     return unit
 
 
 def _limits(joint: Element, kind: str) -> tuple[float, float]:
     if (element := joint.child("limit")) is None:
-        remedy = (
-            "A revolute joint without limits has the type continuous."
-            if kind == "revolute"
-            else "How far does it move?"
+        raise joint.error(
+            f"a {kind} joint must have a <limit lower=... upper=...>; it has none. A joint without limits is continuous."
         )
-        raise joint.error(f"a {kind} joint must have a <limit lower=... upper=...>; it has none. {remedy}")
     lower, upper = (element.numbers(name, 1)[0] if name in element.attributes else 0.0 for name in ("lower", "upper"))
     if lower > upper:
         raise element.error(
             f"lower must be at most upper; got lower {lower:g} and upper {upper:g}. Are they interchanged?"
-        )
-    if kind == "revolute" and look_like_degrees(lower, upper):
-        raise element.error(
-            f"lower and upper must be in radians; got {lower:g} and {upper:g}, which look like degrees. If so many turns are meant, "
-            "make the joint continuous."
         )
     return (lower if lower > -MAX_NUMBER else -np.inf), (upper if upper < MAX_NUMBER else np.inf)
 
 
 def _mimic(joint: Element, kind: str) -> Coupling | None:
     # A fixed joint has no value that could follow another one. urdfdom and Pinocchio ignore its <mimic>, too.
-    if kind == "fixed" or (element := joint.child("mimic")) is None:
+    if kind not in MOVING_TYPES or (element := joint.child("mimic")) is None:
         return None
-    if kind not in MOVING_TYPES:
-        raise element.error(f"a mimic joint must have one degree of freedom; this joint is {kind}. Remove <mimic>.")
     defaults = {"multiplier": 1.0, "offset": 0.0}
     values = {name: element.numbers(name, 1)[0] if name in element.attributes else x for name, x in defaults.items()}
     return Coupling(element.text("joint"), **values)

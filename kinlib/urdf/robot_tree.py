@@ -18,8 +18,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import aligned_table, format_number, html_table
-from kinlib.arrays.limits import TakesLimitedValues
-from kinlib.arrays.validation import Array, JointValues, suggest_name
+from kinlib.arrays.validation import Array, JointValues, TakesLimitedValues, suggest_name
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.screw import screw
@@ -28,8 +27,8 @@ from kinlib.urdf.xml_elements import Element, read_robot
 
 HEADINGS = ["link", "joint", "type", "value"]
 
-DEGREES_OF_FREEDOM = {"planar": 3, "floating": 6}
-"""Of the joints that do not move by a single value."""
+MOVED_BY_POSES = ("planar", "floating")
+"""The joints that do not move by a single value."""
 
 
 class PathStep(NamedTuple):
@@ -86,9 +85,6 @@ class Tree(TakesLimitedValues):
     def from_urdf(cls, path_or_text: str | os.PathLike[str]) -> Tree:
         """Read a URDF from the path of a file, or from its text, which begins with <.
 
-        Every link and every joint is read and checked. Only a mimic joint that follows no joint of the file is refused later, where
-        its value is needed. No other file is opened, and nothing is downloaded.
-
         Raises ValueError, with the element and its line, as kl.load_urdf does.
         Source: the URDF specification, "link" and "joint".
         """
@@ -110,11 +106,10 @@ class Tree(TakesLimitedValues):
 
     @property
     def _title(self) -> str:
-        return f"{self.name}, {len(self.links)} link{'s'[: len(self.links) != 1]}, {self._values_in_words}"
-
-    @property
-    def _values_in_words(self) -> str:
-        return f"{self.n} independent joint{'s'[: self.n != 1]}"
+        links, joints = (
+            f"{k} {word}{'s'[: k != 1]}" for k, word in ((len(self.links), "link"), (self.n, "independent joint"))
+        )
+        return f"{self.name}, {links}, {joints}"
 
     def _rows(self, indent: str) -> Iterator[list[str]]:
         for depth, link, _ in self._descendants(self.root):
@@ -165,20 +160,9 @@ class Tree(TakesLimitedValues):
 
     @cached_property
     def limits(self) -> Array:
-        """The lower and the upper limit (n, 2) of each independent joint, infinite where it has none.
-
-        The limits that a file gives for a mimic joint are not used, because its value follows from the other joint.
-        """
+        """The lower and the upper limit (n, 2) of each independent joint, infinite where it has none."""
         limits = [self._moving_joints[name].limits for name in self.joint_names]
         return validation.read_only_copy(np.reshape(limits, (-1, 2)))
-
-    @property
-    def _value_names(self) -> tuple[str, ...]:
-        return self.joint_names
-
-    @property
-    def _limits(self) -> Array:
-        return self.limits
 
     @cached_property
     def coupling(self) -> Array:
@@ -249,8 +233,7 @@ class Tree(TakesLimitedValues):
         base  the link whose frame is {s}; by default the root
         tip   the link whose frame is {b}; by default `default_tip(base)`
 
-        A mimic joint that is +-1 times an independent joint, plus an offset, takes the name and the limits of that joint. `poses` has
-        no such condition.
+        A mimic joint that is +-1 times an independent joint, plus an offset, takes the name and the limits of that joint.
 
         Raises ValueError for a name that is no link, if several links could be the tip, if no joint moves between base and tip, if
         a joint between them is planar or floating, and if two of them follow the same joint, or one has another multiplier.
@@ -265,11 +248,10 @@ class Tree(TakesLimitedValues):
         tip = self.default_tip(base) if tip is None else tip
         T, screws, points, moving = np.eye(4), [], [], []
         for joint, sign in self.path(base, tip):
-            if joint.type in DEGREES_OF_FREEDOM:
+            if joint.type in MOVED_BY_POSES:
                 raise joint.element.error(
-                    f"a joint between base and tip must have one degree of freedom; a {joint.type} joint has "
-                    f"{DEGREES_OF_FREEDOM[joint.type]}. Choose a base beyond it, such as {joint.child}, or pass its pose to "
-                    "kl.Tree.from_urdf(...).poses(q, joint_poses=...)."
+                    f"a joint between base and tip must have one degree of freedom; this one is {joint.type}. Choose a base beyond it, "
+                    f"such as {joint.child}, or pass its pose to kl.Tree.from_urdf(...).poses(q, joint_poses=...)."
                 )
             # The axis is given in the joint frame: the frame after this joint if the path goes down, and before it if it goes up.
             before, T = T, T @ (joint.origin if sign > 0 else inverse(joint.origin))
@@ -281,19 +263,16 @@ class Tree(TakesLimitedValues):
                 moving.append(joint)
         if not moving:
             raise self.link_elements[tip].error(
-                f"a joint must move between base and tip; none does between {base} and {tip}. Their constant pose is in "
-                "kl.Tree.from_urdf(...).poses(q). For a chain, pass other links as base or tip."
+                f"a joint must move between base and tip; none does between {base} and {tip}. Pass other links as base or tip."
             )
         # A faulty mimic joint elsewhere does not affect this chain.
         couplings = [self._couplings[m.name] if m.mimic else Coupling(m.name, 1.0, 0.0) for m in moving]
         drivers = [driver for driver, _, _ in couplings]
         for joint, (driver, multiplier, _) in zip(moving, couplings, strict=True):
             if joint.mimic and (drivers.count(driver) > 1 or abs(multiplier) != 1):
-                others = [m.name for m, name in zip(moving, drivers, strict=True) if name == driver and m != joint]
-                why = f"moves with {', '.join(others)}" if others else f"has the multiplier {multiplier:g}, not 1 or -1"
                 raise joint.element.error(
-                    f"the joints of a chain must move independently; joint {joint.name} mimics joint {driver}, and {why}. Compute "
-                    "with kl.Tree.from_urdf(...).poses(q), or pass other links as base or tip."
+                    f"the joints of a chain must move independently; joint {joint.name} mimics joint {driver}, multiplied by "
+                    f"{multiplier:g}. Compute with kl.Tree.from_urdf(...).poses(q), or pass other links as base or tip."
                 )
         limits = self.limits[[self._numbers[driver] for driver in drivers]]
         chain = Chain(
@@ -341,21 +320,25 @@ class Tree(TakesLimitedValues):
             link = self.parent_joints[link].parent
         return joints
 
+    @cached_property
+    def _below(self) -> dict[str, list[UrdfJoint]]:
+        """The joints below each link that has any."""
+        found: dict[str, list[UrdfJoint]] = {}
+        for joint in self.parent_joints.values():
+            found.setdefault(joint.parent, []).append(joint)
+        return found
+
     def _descendants(self, base: str) -> Iterator[tuple[int, str, bool]]:
         """Yield the base and every link below it, depth first: its depth, its name, and whether it moves relative to the base."""
-        child_joints: dict[str, list[UrdfJoint]] = {}
-        for joint in self.parent_joints.values():
-            child_joints.setdefault(joint.parent, []).append(joint)
         stack = [(0, base, False)]
         while stack:
             depth, link, moves = stack.pop()
             yield depth, link, moves
-            stack += [(depth + 1, joint.child, moves or joint.moves) for joint in reversed(child_joints.get(link, []))]
+            stack += [(depth + 1, joint.child, moves or joint.moves) for joint in reversed(self._below.get(link, []))]
 
     def _tips(self, base: str) -> list[str]:
         """The links below a base that have no child and move relative to it: the possible ends of an arm on this base."""
-        parents = {joint.parent for joint in self.parent_joints.values()}
-        return [link for _, link, moves in self._descendants(base) if moves and link not in parents]
+        return [link for _, link, moves in self._descendants(base) if moves and link not in self._below]
 
     def default_tip(self, base: str | None = None) -> str:
         """Find the end of the arm on a base: the fingers of a gripper at its end do not belong to it.
@@ -376,25 +359,23 @@ class Tree(TakesLimitedValues):
         tips, link, behind = self._tips(base), base, 0
         if len(tips) == 1:
             return tips[0]
-        below: dict[str, list[UrdfJoint]] = {}
-        for joint in self.parent_joints.values():
-            below.setdefault(joint.parent, []).append(joint)
+        below = self._below
         independent, moving = dict[str, int](), dict[str, int]()  # joints that follow a link, on the longest way
         for _, name, _ in reversed([*self._descendants(base)]):
             joints = below.get(name, [])
             moving[name] = max((moving[each.child] + each.moves for each in joints), default=0)
-            independent[name] = max((independent[each.child] + _is_independent(each) for each in joints), default=0)
+            independent[name] = max((independent[each.child] + each.is_independent for each in joints), default=0)
         while tips:
             body = [name for _, name, moves in self._descendants(link) if not moves]
             ways = [joint for name in body for joint in below.get(name, []) if joint.moves]
-            ways.sort(key=lambda joint: independent[joint.child] + _is_independent(joint), reverse=True)
-            follow = [independent[joint.child] + _is_independent(joint) for joint in ways]
+            ways.sort(key=lambda joint: independent[joint.child] + joint.is_independent, reverse=True)
+            follow = [independent[joint.child] + joint.is_independent for joint in ways]
             if behind and (not ways or (len(ways) > 1 and follow[0] < behind)):
                 ends = [joint.parent for joint in ways] or [name for name in body if name not in below]
                 return "tool0" if "tool0" in body else ends[0]
             if len(ways) > 1 and follow[0] < 2 * max(moving[joint.child] + 1 for joint in ways[1:]):
                 break
-            behind, link = behind + _is_independent(ways[0]), ways[0].child
+            behind, link = behind + ways[0].is_independent, ways[0].child
         raise self.link_elements[base].error(self._several_ends(base, tips))
 
     def _several_ends(self, base: str, tips: list[str]) -> str:
@@ -407,7 +388,7 @@ class Tree(TakesLimitedValues):
         return f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
 
     def _validate_joint_poses(self, given: Mapping[str, ArrayLike]) -> dict[str, Array]:
-        needed = [joint.name for joint in self.parent_joints.values() if joint.type in DEGREES_OF_FREEDOM]
+        needed = [joint.name for joint in self.parent_joints.values() if joint.type in MOVED_BY_POSES]
         if set(given) != set(needed):
             raise ValueError(
                 f"joint_poses must have a pose for each planar and each floating joint of {self.name}: "
@@ -415,7 +396,3 @@ class Tree(TakesLimitedValues):
                 "For a joint that is not displaced, pass np.eye(4)."
             )
         return {name: validation.poses(T, f"joint_poses[{name!r}]") for name, T in given.items()}
-
-
-def _is_independent(joint: UrdfJoint) -> bool:
-    return joint.moves and joint.mimic is None

@@ -1,6 +1,6 @@
 """Read the XML of an untrusted URDF into elements with line numbers.
 
-A URDF may come from anywhere, so its size and depth are limited, and nothing that it refers to is opened or downloaded. A
+A URDF may come from anywhere, so its size is limited, and nothing that it refers to is opened or downloaded. A
 document type declaration is refused before its first entity, because entities can expand without limit or refer to other
 files. Each error is a ValueError with the line.
 """
@@ -15,17 +15,6 @@ from kinlib.arrays import validation
 
 MAX_BYTES = 4_000_000
 """The largest file that is read: ten times the size of a humanoid robot's, and read in at most two seconds."""
-
-MAX_DEPTH = 100
-"""How deep elements may be nested. The mesh of a link is at depth five; the extensions of simulators reach about ten."""
-
-NUMBER_PATTERN = r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?"
-
-LIKELY_CAUSES = {
-    "invalid token": " Is a quote missing, is there a bare & or <, or is the file not saved as UTF-8?",
-    "mismatched tag": " An element opened above is not closed, or closed with another name.",
-    "no element found": " Does the file end too early?",
-}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,7 +58,9 @@ class Element:
         """Read the finite numbers of an attribute. Raises ValueError for anything else, and for another count."""
         words = self.text(attribute).split()
         for word in words:
-            if not re.fullmatch(NUMBER_PATTERN, word, re.ASCII) or not math.isfinite(float(word)):
+            if not re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", word, re.ASCII) or not math.isfinite(
+                float(word)
+            ):
                 hint = " Separate numbers by spaces." if re.search("[,;]", word) else ""
                 raise self.error(f'{attribute} must consist of finite numbers; got "{word}".{hint}')
         if len(words) != count:
@@ -84,7 +75,7 @@ def read_robot(path_or_text: str | os.PathLike[str]) -> Element:
     """Read the <robot> element of a URDF, from a path or from its text.
 
     Raises ValueError, with the line if there is one, if the file is missing, a directory, empty, too large or not XML, if its
-    root is another element, if it is nested too deeply, and if it has a document type or macros of xacro.
+    root is another element, and if it has a document type or macros of xacro.
     """
     text = _text(path_or_text)
     # A text in triple quotes often begins with an empty line, but XML must begin with its declaration: remove and count it.
@@ -107,8 +98,6 @@ def _parsed(document: str | bytes, above: int) -> Element:
         element = Element(tag, above + parser.CurrentLineNumber, attributes, opened[-1] if opened else None)
         if tag.startswith("xacro:"):
             raise element.error(f"a macro must be evaluated by xacro first. {EXPAND_HINT}")
-        if len(opened) == MAX_DEPTH:
-            raise element.error(f"elements must be nested at most {MAX_DEPTH} deep. Is an element above it not closed?")
         (opened[-1].children if opened else elements).append(element)
         opened.append(element)
 
@@ -122,13 +111,10 @@ def _parsed(document: str | bytes, above: int) -> Element:
     parser.StartDoctypeDeclHandler = refuse
     try:
         parser.Parse(document, True)
-    except expat.ExpatError as error:
-        why = expat.ErrorString(error.code)
-        cause = next((cause for words, cause in LIKELY_CAUSES.items() if words in why), "")
-        raise ValueError(f"Line {above + error.lineno}: the file must be XML; {why}.{cause}") from error
-    except (LookupError, UnicodeError) as error:
+    except (expat.ExpatError, LookupError, UnicodeError) as error:
         raise ValueError(
-            f"Line {above + parser.CurrentLineNumber}: {error}. Save the file as UTF-8, and declare this encoding."
+            f"Line {above + parser.ErrorLineNumber}: the file must be XML in UTF-8; {str(error).partition(':')[0]}. Is a tag not closed, "
+            "a quote missing, or a bare & or < in a text?"
         ) from error
     return elements[0]
 

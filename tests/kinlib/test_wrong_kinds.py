@@ -13,7 +13,6 @@ LINKAGE = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda: ARM.random_configurations(2.5), "count must be .*got float 2.5. Try int"),
         (lambda: kl.equivalent("abc", ARM), r"a must be a Chain .*got str 'abc'.*load_urdf"),
         (lambda: kl.equivalent(ARM, ARM, fixed="tool"), r"fixed must be .*got 'tool'. Try fixed=\["),
         (lambda: kl.assign_frames(kl.robots.rpr, "standard"), r"chain must be a Chain; got function.*call it, rpr\(\)"),
@@ -32,9 +31,3 @@ LINKAGE = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
 def test_a_wrong_kind_is_refused(call, said):
     with pytest.raises(ValueError, match=said):
         call()
-
-
-def test_an_arm_is_written_without_a_name_and_named_afterwards():
-    arm = kl.robots.arm([([0, 0, 1], [0, 0, 0])], np.eye(4)).changed(joint_names=["turn"], name="mast")
-    assert arm.fk({"turn": np.pi})[0, 0] == pytest.approx(-1)
-    assert (arm.name, arm.source, arm.joint_names) == ("mast", "", ("turn",))

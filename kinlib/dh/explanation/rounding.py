@@ -13,21 +13,14 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.alignment.maps import COMPARED_CONFIGURATIONS, Map, linearized, nearest_maps
+from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Map, linearized, nearest_maps
 from kinlib.dh.equivalence import ROUGH, equivalent
-from kinlib.dh.parsing import COLUMNS, joint_entries
+from kinlib.dh.parsing import joint_entries
 from kinlib.dh.table import DHTable, rows_at
 from kinlib.rigid.lie import exp
 
-ALL_DECIMALS, FIT_STEPS, LARGEST_FIT = 12, 20, 1e3
-"""A number with so many decimals was not rounded by a person; so many least-squares steps lead to the nearest numbers, and if one has
-to change by more than the last, in metres or radians, the fit diverges."""
-
-FACTORS = {"standard": ("theta", "d", "a", "alpha"), "modified": ("alpha", "a", "theta", "d")}
-"""The order of the four motions of a row, by convention."""
-
-ROW_SCREWS = {"theta": np.eye(6)[2], "d": np.eye(6)[5], "a": np.eye(6)[3], "alpha": np.eye(6)[0]}
-"""Their screw axes in the frame that the row begins with; all of them pass through its origin."""
+ALL_DECIMALS = 12
+"""A number with so many decimals was not rounded by a person."""
 
 
 def typed_half_units(rows: Array) -> tuple[Array, str]:
@@ -96,9 +89,9 @@ def nearest_rows(
     the poses change with the numbers, and each step is a least-squares problem. If few entries are to change, the weight of an
     entry grows with the change that it had in the step before.
     """
-    names = FACTORS[table.convention]
-    order = [COLUMNS.index(name) for name in names]
-    motions = Chain(np.tile([ROW_SCREWS[name] for name in names], (len(table.rows), 1)), np.eye(4))
+    order = [3, 2, 0, 1] if table.convention == "standard" else [1, 0, 3, 2]
+    axes = np.eye(6)[[3, 0, 5, 2]]  # of a, alpha, d, theta in the frame that the row begins with
+    motions = Chain(np.tile(axes[order], (len(table.rows), 1)), np.eye(4))
     q = random_configurations(arm.n, COMPARED_CONFIGURATIONS)
     values = rows_at(table, table.rows, start.signs * q + start.offsets)[..., order].reshape(len(q), -1)
     unit = half_unit.copy()
@@ -109,11 +102,11 @@ def nearest_rows(
     # Of parallel axes, any d can change; it is the one that is given.
     weight = np.where(table.rows[:, order].ravel() == 0, 0.1, 1.0) if few else np.ones(units.size)
     change = np.zeros(units.size)
-    for _ in range(FIT_STEPS):
+    for _ in range(20):
         error, J = linearized(X, motions, values + change, Y, target)
         scale = np.concatenate([base, units * weight, tool])
         step = np.linalg.lstsq(J * scale, J[:, 6:-6] @ change - error, rcond=1e-10)[0] * scale
-        if not np.isfinite(step).all() or np.abs(step).max() > LARGEST_FIT:
+        if not np.isfinite(step).all() or np.abs(step).max() > 1e3:  # it diverges
             return None
         X, Y, change = exp(step[:6]) @ X, Y @ exp(step[-6:]), step[6:-6]
         weight = np.abs(change / units) + 1e-2 if few else weight

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
-from kinlib.dh.alignment.invariants import AxisInvariants
+from kinlib.dh.alignment import AxisInvariants
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import CHOICES, Equivalence, describe_pose, equivalent, format_offset
 from kinlib.dh.parsing import COLUMNS, joint_entries
@@ -25,9 +25,6 @@ from kinlib.dh.slips import NUMBERS, Fault, corrections, starting_tables, wrong_
 from kinlib.dh.table import DHTable, joint_axes, table_poses
 from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import exp, homogeneous, log
-
-MAX_COMPARED, MAX_PAIRS = 60, 20_000
-"""How many corrected tables whose invariants agree are compared in full, and how many pairs of mistakes are tried."""
 
 FILTER_TOL_FACTOR = 3
 """How many times the tolerance an invariant may be off before a correction is refuted by it."""
@@ -184,7 +181,7 @@ class _Search:
     def explanations(self, count: int) -> Iterator[tuple[Price, list[Fault], DHTable, Equivalence]]:
         """Yield the explanations by so many corrections with the fewest edits: price, faults, corrected table, its comparison."""
         least = None
-        for price, places, rows, signs in self._candidates(count)[:MAX_COMPARED]:
+        for price, places, rows, signs in self._candidates(count)[:60]:
             if least is not None and price[0] > least:
                 return
             with suppress(ValueError):  # for example an angle of many turns, which no table has
@@ -236,4 +233,4 @@ class _Search:
         violated = self.invariants.violated(values).astype(float)
         unchanged = np.isclose(values, own, rtol=1e-9, atol=1e-10).astype(float)
         possible = violated @ unchanged.T == 0
-        return np.argwhere(np.triu(possible & possible.T, 1))[:MAX_PAIRS]
+        return np.argwhere(np.triu(possible & possible.T, 1))[:20_000]

@@ -6,8 +6,6 @@ from strategies import ROBOT_FUNCTIONS, ROBOTS, configurations
 
 from kinlib import robots
 
-PI = np.pi
-
 
 def close(got, expected, atol=1e-13):
     np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
@@ -43,45 +41,3 @@ def test_the_arms_of_makers_move_as_their_tables_do():
         robot = make()
         for q in configurations(robot, 5):
             close(robot.fk(q), table.fkine(q).A)
-
-
-def drawn_robots():
-    """Each robot, and how one walks from its base to its tool: turns and steps as the drawing has them."""
-    from spatialmath import SE3
-
-    turn = {"x": SE3.Rx, "y": SE3.Ry, "z": SE3.Rz}
-
-    def walk(*steps):
-        """Letter and angle, or a step along x, y, z."""
-        made = SE3()
-        for step in steps:
-            made = made * (turn[step[0]](step[1]) if isinstance(step[0], str) else SE3(*step))
-        return made.A
-
-    yield (
-        robots.plain_arm(0.4, 0.5, 0.3),
-        lambda q: walk(("z", q[0]), (0, 0, 0.4), ("y", -q[1]), (0.5 + q[2], 0, 0), ("x", q[3]), (0.3, 0, 0)),
-    )
-    yield (
-        robots.angled_arm(0.7, 0.4, 0.5, 0.3),
-        lambda q: walk(
-            *(("z", q[0]), (0, 0, 0.4), ("y", 0.7), ("z", q[1]), (0, 0, 0.5 + q[2]), ("y", q[3] - 0.7), (0.3, 0, 0))
-        ),
-    )
-    yield (
-        robots.mid_formula_arm(0.6, 0.4, 0.2),
-        lambda q: walk(
-            *(("z", q[0]), (0, 0, 0.4), ("y", q[1]), (0.6, 0, 0), ("x", q[2]), ("y", q[3]), (0.2, 0, 0), ("y", PI / 2))
-        ),
-    )
-    yield (
-        robots.hrr(0.1, 0.5, 0.3),
-        lambda q: walk(("z", q[0]), (0.5, 0, 0.1 * q[0]), ("z", q[1]), (0.3, 0, 0), ("z", q[2])),
-    )
-
-
-def test_a_robot_moves_as_spatialmath_walks_through_its_drawing():
-    pytest.importorskip("spatialmath")
-    for robot, walked in drawn_robots():
-        for q in configurations(robot, 5):
-            close(robot.fk(q), walked(q))

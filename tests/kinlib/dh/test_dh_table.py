@@ -1,6 +1,5 @@
 """DH tables: against the Robotics Toolbox, against the decks' print, and through both conventions without loss."""
 
-import json
 import re
 
 import numpy as np
@@ -12,7 +11,6 @@ from strategies import chains_with_values
 
 import kinlib as kl
 from kinlib import DHTable, robots
-from kinlib.dh.assignment import AssignmentStep
 
 EXACT = 1e-12
 
@@ -173,10 +171,7 @@ def test_a_joint_variable_is_found_anywhere_in_an_entry(constant, sign, entries,
 
 TWO_ROWS = {
     "bars": "a | alpha | d | theta\n0.4 | 0 | 0.1 | q1\n0.3 | pi/2 | q2 | 0.2",
-    "bars all round": "|a|alpha|d|theta|\n|---|:-:|--:|---|\n|0.4|0|0.1|q1|\n|0.3|pi/2|q2|0.2|",
-    "wide blanks": "a  alpha   d    theta\n0.4  0  0.1  q1 + 0\n0.3  pi / 2  q2  0.2",
     "Greek, shuffled, with indices": "θ_i | d_i | α_i [rad] | a_{i}\nq1 | 0.1 | 0 | 0.4\n0.2 | q2 | pi/2 | 0.3",
-    "other words": "Link | Angle | Offset | Twist | Length\n1 | q1 | 0.1 | 0 | 0.4\n2 | 0.2 | q2 | pi/2 | 0.3",
     "millimetres": "a (mm) | alpha | d [mm] | theta\n400 | 0 | 100 | q1\n300,0 | pi/2 | q2 | 0.2",
     "degrees": "a | psi (deg) | d | theta\n0.4 | 0 | 0.1 | q1\n0.3 | +90 | q2 | 0.2",
 }
@@ -243,13 +238,6 @@ def test_a_table_means_nothing_without_its_convention():
         DHTable([[0, 0, 0, 0]], convention="craig")
 
 
-def test_a_base_or_a_tool_that_is_no_pose_is_refused():
-    with pytest.raises(ValueError, match="tool is not rigid"):
-        DHTable([[0, 0, 0, 0]], convention="standard", tool=np.diag([2, 1, 1, 1]))
-    with pytest.raises(ValueError, match=r"base must be a single pose, \(4, 4\); got \(2, 4, 4\)\."):
-        DHTable([[0, 0, 0, 0]], convention="standard", base=np.tile(np.eye(4), (2, 1, 1)))
-
-
 def test_signs_are_read_from_the_variables_or_given_with_numbers():
     typed = DHTable("a | alpha | d | theta\n0.4 | 0 | 0 | 0.5 - q1\n0.3 | 0 | q2 | 0", convention="standard")
     given = DHTable([[0.4, 0, 0, 0.5], [0.3, 0, 0, 0]], convention="standard", joints="RP", signs=[-1, 1])
@@ -261,19 +249,8 @@ def test_signs_are_read_from_the_variables_or_given_with_numbers():
 
 
 def test_signs_that_disagree_with_the_variables_are_refused():
-    with pytest.raises(ValueError, match=r"signs must agree with the variables in the rows, \[-1\]; got \[1\]\. If"):
+    with pytest.raises(ValueError, match="signs must be left out"):
         DHTable("a|alpha|d|theta\n0|0|0|-q1", convention="standard", signs=[1])
-
-
-@given(tables(), st.data())
-def test_a_table_survives_json(table, data):
-    table = table.changed(
-        signs=data.draw(st.lists(st.sampled_from([1, -1]), min_size=len(table.rows), max_size=len(table.rows)))
-    )
-    back = DHTable.from_dict(json.loads(json.dumps(table.to_dict())))
-    assert back.to_dict() == table.to_dict()
-    q = np.linspace(-1, 1, table.n)
-    np.testing.assert_array_equal(back.fk(q), table.fk(q))
 
 
 @pytest.mark.parametrize("convention", ["standard", "modified"])
@@ -290,15 +267,3 @@ def test_a_printed_table_is_read_back(convention, drawn):
     for end in ("base", "tool"):
         np.testing.assert_allclose(getattr(again, end), getattr(table, end), rtol=1e-11, atol=1e-9)
     assert again.fk({f"q{i + 1}": 0 for i in range(table.n)}).shape == (4, 4)
-
-
-def test_the_repr_of_a_result_says_what_its_text_says():
-    step = AssignmentStep("x", 1, "x_1 is along the normal.", "The opposite direction.")
-    assert str(step) == "x_1 is along the normal. (Also right: The opposite direction.)"
-    table = kl.assign_frames(kl.robots.rpr(), convention="standard").table
-    assert repr(table).startswith("DHTable('RPR', standard, 3 rows: RPR, base = [[")
-    flipped = table.changed(signs=[1, 1, -1])
-    for found in (kl.equivalent(table, flipped), kl.diagnose(table, flipped)):
-        assert " ".join(str(found).splitlines()) in repr(found)
-        assert "joint 3: " in repr(found)
-    assert kl.equivalent(table, flipped).choices(1e-8) == [("signs", "joint 3: q counts in the opposite direction")]

@@ -64,14 +64,6 @@ def test_each_broken_rule_is_named_at_its_frame(frames, broken):
     assert any((breach.frame, breach.rule) == broken[:2] and breach.text.startswith(broken[2]) for breach in breaches)
 
 
-def test_frames_of_the_other_convention_are_recognised():
-    breaches = check_frames(ARM, assign_frames(ARM, convention="modified").frames, "standard")
-    assert [breach.text for breach in breaches if breach.rule == "z along axis"] == [
-        "z_1 must be along the axis of joint 2, but is not. It is along the axis of joint 1, as in the other convention.",
-        "z_4 must be along the axis of joint 5, but is not. It is along the axis of joint 4, as in the other convention.",
-    ]
-
-
 @given(rotations())
 def test_the_rules_do_not_hang_on_where_the_arm_stands(R):
     """Not on a rounding either, by which the determinant of a rotation falls short of 1."""

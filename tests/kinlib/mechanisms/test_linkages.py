@@ -200,10 +200,3 @@ def test_the_ring_of_ten_links_has_mobility_8_in_every_configuration():
         # The deck's equation: the tips of both branches are one point.
         tips = [sum(np.exp(1j * np.cumsum(branch))) for branch in (found.q[:5], found.q[5:10])]
         close(tips[0], tips[1])
-
-
-def test_invalid_dimensions_are_refused():
-    with pytest.raises(ValueError, match=r"crank must be a positive length in metres; got -1\. Lengths have"):
-        linkages.four_bar(4, -1, 3, 3)
-    with pytest.raises(ValueError, match=r"b sin\(alpha\) / a, must be at most 1; got 1\.2\. Try a smaller"):
-        linkages.bennett(0.5, 1.5, 0.6)

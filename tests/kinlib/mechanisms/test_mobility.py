@@ -20,10 +20,7 @@ GROUPS = {
     "one thread": (1, shared(screw(Z, X, 0.1))),
     "a thread and its own line": (2, shared(screw(Z, X, 0.1), screw(Z, X))),
     "a cylindrical joint": (2, screw(Z, X, [SLIDE, 0])),
-    "slides in a plane": (
-        2,
-        shared(screw(X, pitch=SLIDE), screw(Y, pitch=SLIDE), screw(0.6 * X + 0.8 * Y, pitch=SLIDE)),
-    ),
+    "slides in a plane": (2, screw([X, Y, 0.6 * X + 0.8 * Y], pitch=SLIDE)),
     "slides in space": (3, screw(np.eye(3), pitch=SLIDE)),
     "a spherical joint": (3, spherical(X + Y)),
     "two turns that meet": (3, universal(X, Y, Z)),

@@ -11,7 +11,7 @@ from urdf_files import poses_by_pinocchio
 import kinlib as kl
 from kinlib import load_urdf, robots, to_urdf
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
-from kinlib.urdf.xml_elements import MAX_BYTES, MAX_DEPTH
+from kinlib.urdf.xml_elements import MAX_BYTES
 
 CLOSE = 1e-9
 
@@ -62,12 +62,8 @@ def named_chains(draw):
 
 
 @given(named_chains())
-def test_any_chain_is_read_back_from_its_file(chain):
+def test_any_chain_is_read_back_from_its_file_here_and_by_pinocchio(chain):
     assert_same(load_urdf(to_urdf(chain)), chain)
-
-
-@given(named_chains())
-def test_pinocchio_reads_the_files_of_to_urdf(chain):
     q = configurations(chain, 2)
     names = chain.joint_names
     expected = poses_by_pinocchio(to_urdf(chain), "base_link", "tool", names, q)
@@ -77,12 +73,6 @@ def test_pinocchio_reads_the_files_of_to_urdf(chain):
 def test_a_helical_joint_is_refused_with_the_reason():
     with pytest.raises(ValueError, match=r"URDF has no helical joint; joint 1 of HRR arm is helical"):
         to_urdf(robots.hrr())
-
-
-def test_unprintable_names_are_refused():
-    arm = robots.rpr()
-    with pytest.raises(ValueError, match=r"printable characters, .*; got str 'b\\n'\.$"):
-        to_urdf(kl.Chain(arm.screws, arm.home, joint_names=("a", "b\n", "c")))
 
 
 ONE_JOINT = """<robot name="one">
@@ -114,7 +104,6 @@ def test_a_limit_that_is_not_given_is_0_and_a_joint_may_be_locked(said, limits):
         ('<axis xyz="0 0 0"/>', 'Line 5, <axis> in <joint name="j">: xyz must be a direction; got zero'),
         ('<axis xyz="0, 0, 1"/>', 'got "0,".*Separate numbers by spaces'),
         ('<origin rpy="0 0 90"/>', r"rpy must be .*; got 90 rad\. Is it in degrees\? URDF uses radians"),
-        ('<origin xyz="0 0 1e7"/>', r"between -1e\+06 and 1e\+06 m; got 1e\+07 m\. Is it in another unit than"),
         ('<origin xyz="${length} 0 0"/>', 'xyz="[$]{length} 0 0" must be evaluated by xacro first. Expand the file'),
     ],
 )
@@ -176,10 +165,6 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
     [
         ("", "must begin with <robot name=...>; got an empty text"),
         ("\n" + BOMB + "]>\n<robot name='&j;'/>", "Line 2, <!DOCTYPE>: a URDF must have no document type"),
-        (
-            "<robot name='r'>\n" + "<a>" * (MAX_DEPTH + 1),
-            f"Line 2, <a> in <a>: elements must be nested at most {MAX_DEPTH} deep",
-        ),
         ("<robot>" + " " * MAX_BYTES, "A URDF must have at most 4 MB; this one has more"),
         ("robot.urdf", "There is no file 'robot.urdf' to be read: .*. Pass the path of a URDF, or its text"),
     ],
@@ -188,10 +173,3 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
 def test_texts_that_are_not_a_urdf_are_refused(text, said):
     with pytest.raises(ValueError, match=said):
         load_urdf(text)
-
-
-def test_a_file_in_another_encoding_is_refused(tmp_path):
-    path = tmp_path / "arm.urdf"
-    path.write_bytes(one_joint().replace("one", "Ä").encode("latin-1"))
-    with pytest.raises(ValueError, match=r"Line 1: the file must be XML; .*not saved as UTF-8"):
-        load_urdf(path)

@@ -112,5 +112,5 @@ def test_show_refuses_what_it_cannot_draw():
         kl.show(view.draw_arm(kl.robots.rpr()), [0, 0, 0])
     with pytest.raises(ValueError, match="q must be given with a closed chain, the values of A, B, D, C"):
         kl.show(FOUR_BAR)
-    with pytest.raises(ValueError, match="5 joints"):
+    with pytest.raises(ValueError, match="5 joint values"):
         kl.show(kl.robots.youbot(), [0, 0, 0])

@@ -53,7 +53,7 @@ def test_the_first_configuration_is_the_start(crank_rocker):
 def test_what_is_no_configuration_of_the_linkage_is_refused():
     with pytest.raises(ValueError, match=r"four-bar has joint values A, B, D, C; got 'E'"):
         drive(GRASHOF, START, across=("A", "E"))
-    with pytest.raises(ValueError, match="Assemble the linkage first"):
+    with pytest.raises(ValueError, match="Assemble it first"):
         drive(GRASHOF, [1.0, 0, 0, 0])
 
 

@@ -44,7 +44,7 @@ def test_sliders_have_the_limits_of_the_joints_or_default_ranges():
 def test_what_cannot_be_shown_is_refused():
     for settings, says in [
         ({"joints": [1], "span": (10, 90)}, r"the start of joint 1, 0; got 10 to 90. Is one of them in degrees"),
-        ({"start": [0, 0]}, "RPR has 3 joints"),
+        ({"start": [0, 0]}, "RPR has 3 joint values"),
         ({"joints": [4]}, "RPR has joints 1 to 3; got 4"),
         ({"show": ["wheels"]}, r"show may contain axes, .*; got 'wheels'"),
     ]:
@@ -55,7 +55,7 @@ def test_what_cannot_be_shown_is_refused():
 def test_invalid_values_are_refused_and_the_old_ones_stay():
     arm = explore(kl.robots.rpr(), start=[0.1, 0.2, 0.3])
     for trait, values in product(("q", "start"), ([1, 2], [1, 2, np.nan])):
-        with pytest.raises(ValueError, match=r"RPR has 3 joints|NaN"):
+        with pytest.raises(ValueError, match=r"RPR has 3 joint values|NaN"):
             setattr(arm, trait, values)
         assert getattr(arm, trait) == [0.1, 0.2, 0.3]
 
