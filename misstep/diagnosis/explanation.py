@@ -127,27 +127,18 @@ def _explain_parts(
 
     groups  of mistakes: those of the author, the mutants, and the slips in answers of this kind
     """
-    left = set(left)
-    right = answer.agrees(value, answer.value)
-    matching: list[list[tuple[Mistake, set[int]]]] = []
-    for group in groups:
-        matching.append([])
-        for mistake in group if left else ():
-            same = answer.agrees(value, mistake.value) if mistake.part else [False] * len(right)
+    left, right = set(left), answer.agrees(value, answer.value)
+    fine, matching = {part for part, is_right in enumerate(right) if is_right}, []
+    for rank, group in enumerate(groups):
+        for mistake in (one for one in group if one.part) if left else ():
+            same = {part for part, is_same in enumerate(answer.agrees(value, mistake.value)) if is_same}
             # A change of the solution that would have changed a part that is right has not been made.
-            is_possible = all(is_same for is_same, is_right in zip(same, right, strict=True) if is_right)
-            if any(same) and (is_possible or group is not groups[1]):
-                matching[-1].append((mistake, {k for k in left if same[k]}))
-    while left:
-        count, rank = max(
-            ((len(parts & left), -rank) for rank, group in enumerate(matching) for _, parts in group), default=(0, 0)
-        )
-        if not count:
-            break
-        candidates = [(mistake, parts & left) for mistake, parts in matching[-rank] if len(parts & left) == count]
-        explained = candidates[0][1]
-        names = [answer.parts[part] for part in sorted(explained)]
-        yield names, _distinct([mistake for mistake, parts in candidates if parts == explained])
+            if rank != 1 or fine <= same:
+                matching.append((rank, mistake, same))
+    while found := [(rank, mistake, same & left) for rank, mistake, same in matching if same & left]:
+        best, _, explained = min(found, key=lambda one: (-len(one[2]), one[0]))
+        alike = [mistake for rank, mistake, parts in found if rank == best and parts == explained]
+        yield [answer.parts[part] for part in sorted(explained)], _distinct(alike)
         left -= explained
 
 

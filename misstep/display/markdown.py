@@ -6,7 +6,7 @@ A library for Markdown would be one more dependency of misstep, and would not ke
 import re
 from html import escape, unescape
 
-from misstep.display.static_output import is_page
+from misstep.display.lecture_address import is_page
 
 LITERAL = re.compile(r"(?<!`)`([^`]+)`(?!`)|\$\$(.+?)\$\$|\$([^$]+)\$", re.DOTALL)
 """Code and formulas, in which no other mark counts."""

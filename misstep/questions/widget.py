@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 from traitlets import Bool, HasTraits, Int
 
 from misstep.display.card import Card, inline
-from misstep.display.static_output import is_page
+from misstep.display.lecture_address import is_page
 from misstep.questions.item import KINDS, LETTERS, Item
 from misstep.questions.page import explanation_html, question_html
 

@@ -10,8 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from misstep.display.card import PAPER_SHARE, TITLE_SHARE, TONES, Card, Link
-from misstep.display.lecture_address import lecture_address
-from misstep.display.static_output import ENVIRONMENT_VARIABLE
+from misstep.display.lecture_address import ENVIRONMENT_VARIABLE, lecture_address
 from misstep.display.text import points
 
 

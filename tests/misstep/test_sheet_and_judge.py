@@ -152,7 +152,7 @@ def test_an_unreadable_value_is_refused_with_what_was_expected_and_given():
         (pair, [np.nan, 0], f"{two}. Your answer contains NaN or infinity at index [0]. "),
         (order, ["M", "e_a"] * 10, f"{names}; e_a appears 10 times."),
         (order, ["M"] * 21, f"{names}; got list ['M', 'M', "),
-        (choice, " " * 99 + "a", "Expected one of 'a', 'b'; got str '   "),
+        (choice, "c" * 99, "Expected one of 'a', 'b'; got str 'ccc"),
     ]:
         with pytest.raises(Unreadable) as refusal:
             answer.read(given)

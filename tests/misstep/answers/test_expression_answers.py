@@ -35,7 +35,7 @@ def test_a_formula_is_right_in_every_form_and_a_different_one_is_wrong():
         "a2 c12 + 1 - c1^2",
         "a2 (c1 c2 - s1 s2) + s1²",
         "2a2 cos(θ₁ + θ₂)/2 + sin(theta1)**2",
-        r"$a_2 \cos\left(\theta_{1} + \theta_{2}\right) + \frac{1 - \cos(2 \theta_1)}{2}$",
+        r"$a_2 \cos\left(\theta_{1} + \theta_{2}\right) + (1 - \cos(2 \theta_1))/2$",
         "a_2·cos(q1+q2) − (−1 + cos(q1)²)",
         "1.0*a2*c12 + s1*s1",
     ):
@@ -183,5 +183,5 @@ def test_every_function_has_the_values_of_sympy():
     for name in {*FUNCTIONS} - {"Matrix", "atan2"}:
         value = ({"abs": sp.Abs}.get(name) or getattr(sp, name))(x / 3)
         oracle = complex(value.subs(at).evalf(20)).real
-        for form in (f"{name}(x/3)", *([value] if name != "sinc" else [])):
+        for form in (f"{name}(x/3)", value):
             assert reader.read(form).values[0] == pytest.approx(oracle, rel=1e-12), name
