@@ -12,16 +12,11 @@ MANY = 3
 MAX_LIST = 60
 """A longer list of all parts that are wrong is not told, as the right ones are listed."""
 
-AND_MORE = "Other parts are not right either; begin with this one."
-"""What is said where there is no room for all findings."""
-
 
 def paragraphs(
     findings: Sequence[Finding], right_parts: Sequence[str] = (), said_of_right: str = RIGHT, *, is_first: bool = False
 ) -> list[str]:
-    r"""Return what findings say, in at most MAX_LENGTH characters together: checks go first, then further sentences and findings.
-
-    The first message is never cut.
+    """Return what findings say. Together they have at most MAX_LENGTH characters, or else no checks, or one sentence each.
 
     right_parts    the names of the parts that are right, to be listed in front
     said_of_right  the sentence for them; without right parts, the parts of a single finding need no names
@@ -31,9 +26,6 @@ def paragraphs(
     ['Right: y.', 'X and z: It is 0. Put in numbers.']
     >>> paragraphs([Finding(["x"], "It is 0.")])
     ['It is 0.']
-    >>> long = [Finding([name], f"{name} is {'very ' * 30}wrong. Look up.", check="Count.") for name in "abcd"]
-    >>> sum(map(len, paragraphs(long))) <= MAX_LENGTH
-    True
     """
     findings = [
         replace(one, message=one.message.partition("\n")[0] if is_first else one.message.replace("\n", " "))
@@ -50,17 +42,12 @@ def paragraphs(
     def texts(told: Sequence[Finding]) -> list[str]:
         return before + [_text(one, is_on_whole) for one in told]
 
-    def is_long(told: Sequence[Finding], *further: str) -> bool:
-        return sum(map(len, [*texts(told), *further])) > MAX_LENGTH
-
     unchecked = [replace(one, check="") for one in merged]
     brief = [replace(one, message=SENTENCE_END.split(one.message)[0]) for one in unchecked[1:]]
-    told = next((told for told in (merged, unchecked) if not is_long(told)), unchecked[:1] + brief)
-    if len(told) == 1 or not is_long(told):
-        return texts(told)
-    while len(told) > 1 and is_long(told, AND_MORE):
-        told.pop()
-    return [*texts(told), AND_MORE]
+    told = next(
+        (told for told in (merged, unchecked) if sum(map(len, texts(told))) <= MAX_LENGTH), unchecked[:1] + brief
+    )
+    return texts(told)
 
 
 def _text(one: Finding, is_on_whole: bool) -> str:

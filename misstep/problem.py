@@ -195,18 +195,20 @@ class Problem:
         told, solutions = set[int](), self._solutions
         for k, mutation in enumerate(solutions[0].mutations if solutions else ()):
             slip = mutation.slip
-            first = None if separating and slip.may_coincide else solutions[0].mutant(mutation)
+            first = None if separating and slip.may_coincide else solutions[0].mutant(k)
             if first is None or id(first) in told or not is_near(value_of(first)):
                 continue
             told.add(id(first))  # the inverse of an inverse is an inverse left out
             if len({len(one.mutations) for one in solutions}) > 1:
                 raise ValueError("The solution must have the same changes at each input; their numbers differ.")
-            others = [one.mutant(one.mutations[k]) for one in solutions[1:]]
             try:
-                value = collect(self.answer, [value_of(root) for root in (first, *others)])
+                value = collect(self.answer, [value_of(one.mutant(k)) for one in solutions])
             except Unreadable:
                 continue
-            spoils = slip.spoils or (has_alike_rows(self.answer) and solutions[0].is_in_every_row(mutation))
+            # A change belongs to the method for all rows, if each row has no expression of its own.
+            root = solutions[0].root
+            is_method = root.operation.name != "stack" or id(root) in mutation.replaced
+            spoils = slip.spoils or (has_alike_rows(self.answer) and is_method)
             yield mutant(slip, value, self.advice, spoils=spoils)
 
     def _near(
@@ -317,8 +319,6 @@ def templates_in(module: ModuleType) -> list[Template]:
     ['03.1', '03.10']
     """
     found = [value for value in vars(module).values() if isinstance(value, Template)]
-    if twice := {one.number for one in found if [other.number for other in found].count(one.number) > 1}:
-        raise ValueError(
-            f"Each problem of {module.__name__} must have a number of its own; {', '.join(twice)} is there twice."
-        )
+    if len({one.number for one in found}) < len(found):
+        raise ValueError(f"Each problem of {module.__name__} must have a number of its own.")
     return sorted(found, key=lambda template: (len(template.number), template.number))

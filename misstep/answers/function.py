@@ -76,8 +76,6 @@ class Function(AtInputs):
 
     def _remedy(self, given: Any) -> str:
         """Return how to give the function instead of this, with a leading space; "" if that is not known."""
-        if isinstance(given, str):
-            return " Give the function itself, without quotes."
         try:
             self.output.read(given)
         except Exception:  # reading a student's object may raise any error

@@ -76,11 +76,8 @@ class Likeness:
             return "left at 0", sentences.ZERO
         if self._equal(self.mine, self.right).all():
             return None
-        if (
-            self.mine.ndim == 3
-            and len(self.mine) == self.mine.shape[1]
-            and self._equal(self.mine, self.right.swapaxes(0, 1)).all()
-        ):
+        is_square = self.mine.ndim == 3 and len(self.mine) == self.mine.shape[1]
+        if is_square and self._equal(self.mine, self.right.swapaxes(0, 1)).all():
             return "transposed", "This is the transpose of the right one."
         return self._signs() or self.factor() or self.order() or self._mostly_zeros()
 
@@ -135,18 +132,10 @@ class Likeness:
         if is_one or count == seen:
             text = f"{SIGNS}\nLook at the signs: every one is wrong."
             return "all signs", "The size is right.\nLook at the sign." if is_one else text
-        if unsigned := self.without_minus():
-            return unsigned
         if count > MAX_PLACES:
             return "signs", f"{SIGNS}\nLook at the signs: {count} are wrong."
         places = " and ".join(self.place(index) for index in np.argwhere(wrong).tolist())
         return "signs", f"{SIGNS}\nLook at the sign{'' if count == 1 else 's'} of {places}."
-
-    def without_minus(self) -> Named | None:
-        """Return whether these are the sizes of the right numbers."""
-        if self.is_formula or (self.mine < 0).any() or not self._equal(self.mine, np.abs(self.right)).all():
-            return None
-        return "signs", f"{SIGNS}\nLook at the signs: no minus sign is left."
 
     def factor(self) -> Named | None:
         """Return whether these are the right numbers, multiplied by a factor."""
@@ -176,11 +165,8 @@ class Likeness:
         mine, right = (np.sort(x.reshape(-1, x.shape[-1]), axis=0) for x in (self.mine, self.right))
         is_short = self.mine.ndim == 2 and len(mine) <= 4
         is_telling = len(mine) <= 6 and not self.is_formula and np.unique(np.round(right, 6)).size > 3
-        return (
-            ("order of the numbers", self.reordered)
-            if (is_short or is_telling) and self._equal(mine, right).all()
-            else None
-        )
+        is_same = (is_short or is_telling) and self._equal(mine, right).all()
+        return ("order of the numbers", self.reordered) if is_same else None
 
     @property
     def _rows(self) -> tuple[Array, Array]:

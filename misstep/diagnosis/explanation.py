@@ -77,21 +77,20 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Finding]
             is_method, is_reordered = group is not problem.slips, is_moved and bool(answer.resemblance(value, None))
             if len(answer.parts) == 1 and (seen := answer.seen(value, 0)):  # whole numbers may be both
                 mistakes.insert(1, Mistake(seen[0], None, seen[1]))
-            told = Finding(names, message_of(mistakes, whole=True), mistakes, is_whole=True, is_method=is_method)
-            told = replace(told, spoils=is_reordered or all(one.spoils for one in mistakes))
-            return [told if is_method or is_reordered else _checked(answer, value, told)]
+            spoils = is_reordered or all(one.spoils for one in mistakes)
+            told = Finding(names, message_of(mistakes, whole=True), mistakes, "", True, is_method, spoils)
+            return [_checked(answer, value, told)]
     sights = {part: seen for part in wrong if (seen := answer.seen(value, part))}
     is_single = len(answer.parts) == 1
     if not is_single and (order := answer.resemblance(value, None)):
         is_reordered = order[0] in REORDERED
-        if is_reordered or all(
-            name == "placeholder" for name, _ in sights.values()
-        ):  # as is the gap where rows are moved
+        # As is the gap where rows are moved.
+        if is_reordered or all(name == "placeholder" for name, _ in sights.values()):
             return [replace(_seen(names, order), is_whole=True, spoils=is_reordered or is_moved)]
     found, left = _joined(answer, sights), [part for part in wrong if part not in sights]
     for parts, mistakes in () if is_single else _explain_parts(answer, value, left, groups):
         told = Finding(parts, message_of(mistakes, whole=False), mistakes, is_method=mistakes[0] not in problem.slips)
-        found.append(told if told.is_method else _checked(answer, value, told))
+        found.append(_checked(answer, value, told))
     explained = {part for one in found for part in one.parts}
     left = [part for part in left if answer.parts[part] not in explained]
     alike = {part: seen for part in left if (seen := answer.resemblance(value, part))}
@@ -110,10 +109,10 @@ def _joined(answer: Answer, seen: dict[int, Named]) -> list[Finding]:
 
 
 def _checked(answer: Answer, value: Any, told: Finding) -> Finding:
-    """Return a finding with what the student can check, of the first of its parts that does not pass."""
+    """Return a finding that says no method with what the student can check, of the first of its parts that does not pass."""
     checks = [(part, answer.check(value, answer.parts.index(part))) for part in told.parts]
     found = [(part, check) for part, check in checks if check]
-    if told.mistakes[0].name in UNCHECKED or not found:
+    if told.is_method or told.mistakes[0].name in UNCHECKED or not found:
         return told
     name, check = found[0]
     is_clear = len(told.parts) == 1 or (len(found) > 1 and len({text for _, text in found}) == 1)

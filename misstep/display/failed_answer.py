@@ -11,19 +11,13 @@ ANSWER = re.compile(r"^(\w+_\d+)\s*(?::[^=\n]+)?=(?!=)", re.MULTILINE)
 
 @dataclass(frozen=True)
 class FailedAnswer:
-    """Takes the place of an answer whose cell ended with an error.
-
-    error  the name of the error and its message
-    """
+    """Takes the place of an answer whose cell ended with an error, of which it has the name and the message."""
 
     error: str
 
 
 def replace_failed_answers(result: Any) -> None:
-    """Replace the answers that a cell of IPython sets, if it ended with an error. IPython calls it after each cell.
-
-    result  IPython's ExecutionResult
-    """
+    """Replace the answers that a cell sets, if it ended with an error; IPython calls this with the result of each cell."""
     error = result.error_before_exec or result.error_in_exec
     shell = current_shell()
     if error is None or shell is None:
