@@ -116,10 +116,7 @@ def test_without_a_roster_the_ids_in_the_sheets_may_count(tmp_path, capsys):
 
 
 def nested(depth):
-    data = None
-    for _ in range(depth):
-        data = {"list": [data]}
-    return data
+    return {"list": [nested(depth - 1)]} if depth else None
 
 
 HOSTILE = {
@@ -177,9 +174,8 @@ def test_a_submission_that_takes_too_long_or_ends_its_process_costs_no_other_one
     files = [file.__class__(file.name, file.path) for file in bob.files]  # without the fault that was seen
     right, stuck = (Request(sheet_name(COURSE, "01", ""), one) for one in (ada, bob.__class__("bob", "bob", files)))
     with open_executor(1, None) as executor:
-        first, late, second = (
-            executor.submit(grade_within, *how).result() for how in ((right, 600), (stuck, 1), (right, 600))
-        )
+        how = ((right, 600), (stuck, 1), (right, 600))
+        first, late, second = (executor.submit(grade_within, *one).result() for one in how)
         future = executor.submit(grade_within, stuck, 600)
         with endless.open("wb"):  # which waits until the process reads
             for process in multiprocessing.active_children():
@@ -221,14 +217,8 @@ def test_overrides_are_checked_before_anything_is_graded_and_all_faults_are_name
     table.write_text("\n".join(["student,problem,points,comment", *lines]), "utf-8")
     code, printed, rows = grade(folder, capsys)
     assert (code, rows) == (2, {})
-    for fault in (
-        "line 2: the points must",
-        "line 3: there is no problem",
-        "line 4: there is no student",
-        "line 5",
-        "line 7: bob",
-    ):
-        assert fault in printed
+    for fault in ("2: the points must", "3: there is no problem", "4: there is no student", "5: ", "7: bob"):
+        assert f"line {fault}" in printed
     table.write_text(
         "student;problem;points;comment\nADA;01.9;1,5;Nearly.\nbob;01.1;;See page 2.\ncyn;;5;Told me.\n", "utf-8"
     )
