@@ -90,7 +90,6 @@ def test_of_a_right_answer_in_another_form_no_entry_is_called_wrong():
 
 @given(st.lists(st.floats(-3, 3).map(lambda x: round(x, 2)), min_size=1, max_size=3))
 def test_no_slip_of_an_angle_is_the_right_answer(angles):
-    """Also of 0, pi/2 and angles that are equal."""
     problem = Problem("", Angles(np.array(angles), any_order=True))
     for slip in problem.slips:
         assert judge(problem, slip.value).state != "right"

@@ -148,10 +148,8 @@ def test_hostile_notebooks_decide_nothing_and_reach_neither_terminal_nor_table_n
     people["keys"] = b'{"cells": [{' + b'"a": 1, ' * 100_000 + b'"a": 1}]}'
     people["ada"] = answered("ada")
     folder = write(tmp_path / "in", **{f"{s}/{NAME}": one for s, one in people.items()})
-    write(
-        folder,
-        **{f"x{ESCAPE.replace('/', '')}/{NAME}": b"no", "slip/a.zip": zipped({f"../../{NAME}": answered("slip")})},
-    )
+    slip = zipped({f"../../{NAME}": answered("slip")})
+    write(folder, **{f"x{ESCAPE.replace('/', '')}/{NAME}": b"no", "slip/a.zip": slip})
     code, printed, rows = grade(folder, capsys)
     assert (code, len(rows), points(rows)["ada"]) == (1, len(people) + 2, FULL)
     assert (points(rows)["h00"], rows["slip"]["status"]) == (FULL, "unreadable")
@@ -205,7 +203,6 @@ def test_after_a_kill_the_next_run_writes_the_same_files(tmp_path):
     run.kill()
     run.wait()
     assert main(command("killed")) == 0
-    assert {name for name in files("whole") if "partial" not in name.name} == {*files("whole")}
     assert {k: v for k, v in files("killed").items() if "partial" not in k.name} == files("whole")
 
 
@@ -284,7 +281,6 @@ def test_a_platforms_download_gets_its_file_and_its_zip_of_pages(tmp_path, capsy
         ([".", "--sheet", "01"], "contains no submission"),
         ([".", "--sheet", "99"], "There is no sheet '99'"),
         ([".", "--sheet", "01", "--workers", "0"], "must be positive"),
-        ([".", "--sheet", "01", "--gradebook", "."], "contains no submission"),
     ],
 )
 def test_an_impossible_request_is_refused_with_what_to_do(tmp_path, capsys, monkeypatch, options, reason):
