@@ -22,9 +22,13 @@ def replace_failed_answers(result: Any) -> None:
     shell = current_shell()
     if error is None or shell is None:
         return
-    kind = "SyntaxError" if isinstance(error, SyntaxError) else type(error).__name__  # Python 3.13 has private ones
     for name in ANSWER.findall(result.info.raw_cell):
-        shell.user_ns[name] = FailedAnswer(f"{kind}: {getattr(error, 'msg', None) or error}")
+        shell.user_ns[name] = FailedAnswer(f"{error_name(error)}: {getattr(error, 'msg', None) or error}")
+
+
+def error_name(error: BaseException) -> str:
+    """Return the name of an error that a student can look up: the kinds of SyntaxError have private names in Python 3.13."""
+    return "SyntaxError" if isinstance(error, SyntaxError) else type(error).__name__
 
 
 def watch_cells() -> None:
