@@ -6,7 +6,6 @@ The notebook and the page of that name show what `examine` returns. Everything t
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -38,17 +37,6 @@ MAX_URDF_LENGTH = 20_000_000
 
 UR_SOURCE = 'Universal Robots, "DH parameters for calculations of kinematics and dynamics"'
 CORKE = "as in Corke's Robotics Toolbox"
-
-
-FORM_WORDS = [
-    (r"pass order \(", "write the right order under “Columns” ("), (r"pass length_unit \(", "choose “Lengths in” ("),
-    (r"pass angle_unit \(", "choose “Angles in” ("), (r"pass convention \(", "choose “Convention” ("),
-    (r"\(pass tip\)", "(choose “to link”)"), (r"Pass tip=\.\.\., one of", "Choose “to link”: one of"),
-    (r"Pass a base with", "Choose “from link” with"), (r"Pass (?:base|tool)=\.\.\. instead", "Leave this line out"),
-    (r"Pass packages=\[\.\.\.\] with the folder of its package", "Drop a folder or a zip archive with it on the form"),
-    (r"[Gg]ive lengths=\{(?:'|&#x27;)(\w+)(?:'|&#x27;): \.\.\.\}", r"Write \1 = and its value in a line above the table"),
-]  # fmt: skip
-"""What the form says for the arguments of functions."""
 
 JOINT_CHOICES = ("zeros", "signs")
 
@@ -124,7 +112,6 @@ class Examination:
     unread         why a table or a file could not be read; then the rest is what could
     notes          what else was decided, for example which joints are left at 0
     visuals        the file of the arm, and its base link, for `explore`
-    form           whether the answer names the fields of the page's form, and not the arguments of `examine`
     """
 
     arm: Chain | None = None
@@ -135,7 +122,6 @@ class Examination:
     unread: str = ""
     notes: Sequence[str] = ()
     visuals: tuple[Tree, str] | None = None
-    form: bool = False
 
     @property
     def sentence(self) -> str:
@@ -144,12 +130,7 @@ class Examination:
             return self.unread
         if self.table is None or self.arm is None:
             given = self.arm or self.table
-            ends = (
-                f" from {self.arm.link_names[0]} to {self.arm.link_names[-1]}"
-                if self.arm and self.arm.link_names
-                else ""
-            )
-            return f"{given.name}: {given.n} joints{ends}." if given else "Give a URDF file, a table, or both."
+            return f"{given.name}: {given.n} joints." if given else "Give a URDF file, a table, or both."
         if self.strict is None:
             letters, count = self.table.joints.replace("F", ""), f"{self.table.n} joint{'s'[: self.table.n != 1]}"
             return (
@@ -251,28 +232,17 @@ class Examination:
         if arm is None:
             return None
         if not self.table or self.table.n != arm.n:
-            return self._in_words_of_the_form(explore(arm, show=("axes", "base", "tool"), visuals=self.visuals))
+            return explore(arm, show=("axes", "base", "tool"), visuals=self.visuals)
         row, q = self.wrong_rows[0] if self.wrong_rows else 0, opening(arm)
         frames = table_frames(self.table, q)
         if self.corrected and self.wrong_rows:
             right = table_frames(self.corrected, q)
             frames |= {f"{name}'": T for name, T in right.items() if not np.allclose(T, frames[name], atol=1e-6)}
         shown = [f"frame {name}" for name in (row, row + 1, f"{row}'", f"{row + 1}'") if str(name) in frames]
-        picture = explore(arm, show=("axes", *shown), start=q, frames=frames, visuals=self.visuals)
-        return self._in_words_of_the_form(picture)
-
-    def _in_words_of_the_form(self, picture: Viewer) -> Viewer:
-        picture.notes = [self._said(note) for note in picture.notes]
-        return picture
-
-    def _said(self, text: str) -> str:
-        """The text, with the names of the form's fields for arguments if the form asks."""
-        for argument, field_name in FORM_WORDS if self.form else ():
-            text = re.sub(argument, field_name, text)
-        return text
+        return explore(arm, show=("axes", *shown), start=q, frames=frames, visuals=self.visuals)
 
     def _repr_html_(self) -> str:
-        return self._said("".join(self._blocks()))
+        return "".join(self._blocks())
 
     def _blocks(self) -> Iterator[str]:
         readings = self.readings
@@ -287,7 +257,10 @@ class Examination:
         if self.assumed or self.notes:
             asked = [each for each in self.assumed if each.options]
             items = [f"{note}" for note in self.notes] + [each.text for each in self.assumed if not each.options]
-            items += [f"{each.text} If not, pass {each.argument} ({', '.join(each.options)})." for each in asked]
+            items += [
+                f"{each.text} If not, choose another {each.argument.replace('_', ' ')} ({', '.join(each.options)})."
+                for each in asked
+            ]
             yield f"<p>What was assumed:</p><ul>{''.join(f'<li>{escape(item)}</li>' for item in items)}</ul>"
         if self.table:
             yield self._side_by_side()
@@ -357,9 +330,9 @@ def _entries(table: DHTable) -> list[list[str]]:
     return format_rows(table, length=lambda x: format_number(x, 6), angle=lambda x: format_degrees(x, 6))
 
 
-def _without_noise(numbers: Array) -> Array:
-    """Round numbers that are within 1e-9 of one with six decimals."""
-    return np.where(np.abs(numbers - numbers.round(6)) < 1e-9, numbers.round(6), numbers) + 0.0
+def _numbers(values: Array) -> list[list[float]]:
+    """Return numbers with twelve digits, without rounding errors."""
+    return [[float(format_number(x, 12, zero=1e-9)) for x in row] for row in values.tolist()]
 
 
 def formats(table: DHTable) -> dict[str, str]:
@@ -377,15 +350,11 @@ def formats(table: DHTable) -> dict[str, str]:
         " & ".join([str(i), *(cell.replace("°", r"^\circ").join("$$") for cell in row)]) + r" \\"
         for i, row in enumerate(rows, 1)
     ]
-    numbers = [[float(f"{x:.12g}") for x in row] for row in _without_noise(table.rows).tolist()]
+    numbers = _numbers(table.rows)
     extra = f", joints={table.joints!r}" if set(table.joints) != {"R"} else ""
     extra += f", signs={table.signs.astype(int).tolist()}" if (table.signs != 1).any() else ""
     ends = {"base": table.base, "tool": table.tool}
-    extra += "".join(
-        f",\n    {name}={_without_noise(T).round(12).tolist()}"
-        for name, T in ends.items()
-        if np.abs(T - np.eye(4)).max() > 1e-9
-    )
+    extra += "".join(f",\n    {name}={_numbers(T)}" for name, T in ends.items() if np.abs(T - np.eye(4)).max() > 1e-9)
     body = "\n".join(f"    {row}," for row in numbers)
     kind = {"standard": "DH", "modified": "MDH"}[table.convention]
     links = []
@@ -412,7 +381,6 @@ def examine(
     *,
     base: str = "",
     tip: str = "",
-    form: bool = False,
     **how: Any,
 ) -> Examination:
     r"""Read an arm and a table, and compare them.
@@ -420,13 +388,12 @@ def examine(
     arm    the path or the text of a URDF file, the name of an arm in KNOWN, a chain; or "" for none
     table  the text of a table as it was pasted; or "" for none
     base, tip  the links of the file between which the arm is; by default the root, and the end of the arm without a gripper
-    form   whether the form of the page asks, so that the answer names its fields
     how    what the text of the table does not say, as `read_table` takes it: convention, order, length_unit, angle_unit, joints
 
     >>> print(examine("UR5e", "a alpha d\n0 90 0.1625\n0.425 0 0\n-0.3922 0 0\n0 90 0.1333\n0 -90 0.0997\n0 0 0.0996").sentence)
     For the same q the tool differs by up to 0.85 m and 0°, at 1000 random configurations.
     """
-    found = Examination(form=form)
+    found = Examination()
     try:
         if arm != "":
             chain, notes, visuals = _read_arm(arm, base, tip)
@@ -484,7 +451,7 @@ def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, l
     notes = [f"The arm is from link {base} to link {tip}: {', '.join(chain.joint_names or ())}."]
     others = [name for name in tree.joint_names if name not in (chain.joint_names or ())]
     for text, names in (
-        ("Other ends of the file, if yours is one of them (pass tip):", ends),
+        ("Other ends of the file, if yours is one of them:", ends),
         ("Joints that are not on the way are left at 0:", others),
     ):
         notes += [f"{text} {', '.join(names[:12])}{' and more' * (len(names) > 12)}."] * bool(names)

@@ -38,9 +38,6 @@ class DHEntriesAnswer(_DHNumbers):
     """Named entries of a DH table, shape (k,): lengths in metres, angles in radians.
 
     An entry is an angle if its name contains alpha or theta. Each entry is a part.
-
-    >>> DHEntriesAnswer(np.array([0.4, np.pi]), names=["a_1", "theta_1"]).agrees(np.array([0.4, -np.pi]), np.array([0.4, np.pi]))
-    [True, True]
     """
 
     names: Sequence[str] = ()
@@ -75,11 +72,7 @@ class DHEntriesAnswer(_DHNumbers):
 
 @dataclass(frozen=True, eq=False)
 class DHRowAnswer(DHEntriesAnswer):
-    """One row of a DH table, shape (4,): a, alpha, d, theta, in metres and radians. Each entry is a part.
-
-    >>> DHRowAnswer(np.array([0.4, 0, 0, np.pi])).agrees(np.array([0.4, 0, 0, -np.pi]), np.array([0.4, 0, 0.1, np.pi]))
-    [True, True, False, True]
-    """
+    """One row of a DH table, shape (4,): a, alpha, d, theta, in metres and radians. Each entry is a part."""
 
     names: Sequence[str] = COLUMNS
     noun: ClassVar[str] = "row"
@@ -101,10 +94,6 @@ class DHRowsAnswer(AlikeRows, _DHNumbers):
     """Rows of a DH table at q = 0, shape (m, 4): a, alpha, d, theta, in metres and radians. Each row is a part.
 
     The numbers may also be listed one after the other.
-
-    >>> answer = DHRowsAnswer(np.array([[0, 0, 0.3, 0], [0.4, np.pi, 0.2, 0]]))
-    >>> answer.agrees(answer.read([0, 0, 0.3, 0, 0.4, -np.pi, 0.1, 0]), answer.value)
-    [True, False]
     """
 
     noun: ClassVar[str] = "rows of a, alpha, d, theta in metres and radians, an array"
@@ -168,12 +157,7 @@ class DHRowsAnswer(AlikeRows, _DHNumbers):
 
 
 def has_a_telling_row(rows: Array, right: Sequence[bool]) -> bool:
-    """Return whether one of the right rows has two numbers that are not 0: wrong methods get others right, too.
-
-    >>> rows = np.array([[0.0, 0.0, 0.3, 0.0], [0.4, 0.0, 0.2, 0.0]])
-    >>> has_a_telling_row(rows, [True, False]), has_a_telling_row(rows, [True, True])
-    (False, True)
-    """
+    """Return whether one of the right rows has two numbers that are not 0: wrong methods get others right, too."""
     return any(fine and np.count_nonzero(np.abs(row) > TOLERANCE) > 1 for fine, row in zip(right, rows, strict=True))
 
 

@@ -49,12 +49,6 @@ class DHTableAnswer(Remarking, Answer):
     anchored  whether the poses must be equal for the same q; otherwise every equivalent table is right
     printed   whether the statement prints most rows, so that they earn nothing
     lengths   values in metres for the names of lengths that a typed table may use
-
-    >>> import numpy as np
-    >>> right = DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard")
-    >>> flipped = DHTable([[-0.4, 0, 0, np.pi], [0.3, 0, 0, -np.pi]], convention="standard")
-    >>> DHTableAnswer(right).agrees(flipped, right)
-    [True]
     """
 
     value: DHTable

@@ -17,11 +17,7 @@ ANGLES_TOLERANCE_FACTOR = 3
 
 
 def rpy_rotation(angles: Array) -> Array:
-    """The rotation by roll, pitch and yaw, (3,) -> (3, 3).
-
-    >>> rpy_rotation(np.array([0, 0, np.pi / 2])).round(9)[:, 0]
-    array([0., 1., 0.])
-    """
+    """The rotation by roll, pitch and yaw, (3,) -> (3, 3)."""
     return origin(rpy=angles)[:3, :3]
 
 
@@ -30,10 +26,6 @@ class EulerAnglesAnswer(Equivalent):
     """Three angles for each of two rotations, in rows and in radians; the second rotation is at the singular case.
 
     Each row is a part, and right if it gives the right rotation.
-
-    >>> answer = EulerAnglesAnswer(np.array([[0.1, 0.2, 0.3], [0, np.pi / 2, 0.5]]))
-    >>> answer.agrees(np.array([[0.1 + np.pi, np.pi - 0.2, 0.3 + np.pi], [0.5, np.pi / 2, 1.0]]), answer.value)
-    [True, True]
     """
 
     noun: ClassVar[str] = "roll, pitch and yaw in radians, one row for each rotation, an array"

@@ -41,13 +41,6 @@ class DHFramesAnswer(Numbers):
 
     A student's frames are judged by the rules of the convention, because the choice of frames is not unique. Frames are
     compared entry by entry only with the frames of a mistake, which break a rule.
-
-    >>> from kinlib.dh.assignment import assign_frames
-    >>> from kinlib.chains.robots import pose, rpr, X, Y, Z
-    >>> frames = assign_frames(rpr(), convention="standard").frames
-    >>> other = frames @ pose((-X, -Y, Z), (0, 0, 0))                      # every x and y reversed
-    >>> DHFramesAnswer(frames, chain=rpr(), convention="standard").agrees(other, frames)
-    [True, True, True, True]
     """
 
     chain: Chain = field(kw_only=True)

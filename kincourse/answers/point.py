@@ -25,13 +25,7 @@ UNIT_TOLERANCE = 0.01
 
 @dataclass(frozen=True, eq=False)
 class VectorsAnswer(Numbers):
-    r"""Named vectors in rows, shape (k, 3); each vector is a part. Without names it is a single vector, shape (3,).
-
-    >>> VectorsAnswer(np.eye(2, 3), names=["the point", "the direction"]).agrees(np.zeros((2, 3)), np.eye(2, 3))
-    [False, False]
-    >>> VectorsAnswer(np.ones(3), unit="m").resemblance(np.array([1, 1, 5.0]), 0)
-    ('one entry', '2 of the 3 entries are right.\nLook at $z$.')
-    """
+    """Named vectors in rows, shape (k, 3); each vector is a part. Without names it is a single vector, shape (3,)."""
 
     names: Sequence[str] = ()
 

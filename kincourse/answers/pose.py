@@ -28,11 +28,7 @@ ORTHONORMAL_TOLERANCE = 0.03
 
 @dataclass(frozen=True, eq=False)
 class RotationAnswer(Numbers):
-    """One rotation matrix, shape (3, 3), in one part.
-
-    >>> RotationAnswer(np.eye(3)).expected
-    'a rotation, an array of shape (3, 3)'
-    """
+    """One rotation matrix, shape (3, 3), in one part."""
 
     noun: ClassVar[str] = "a rotation, an array"
 
@@ -95,11 +91,7 @@ class PoseParts:
 
 @dataclass(frozen=True, eq=False)
 class PoseAnswer(PoseParts, Numbers):
-    """One pose, shape (4, 4), in two parts: the rotation and the position, each with its entries of the last row.
-
-    >>> PoseAnswer(np.eye(4)).agrees(np.eye(4), np.diag([1, -1, -1, 1.0]))
-    [False, True]
-    """
+    """One pose, shape (4, 4), in two parts: the rotation and the position, each with its entries of the last row."""
 
     noun: ClassVar[str] = "a pose, an array"
 
@@ -143,11 +135,7 @@ def _origin_pose(rows: Array) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class OriginAnswer(Equivalent):
-    """The `xyz` and `rpy` of the origin of a joint in a URDF, shape (2, 3), in metres and radians, compared as a pose.
-
-    >>> OriginAnswer(np.zeros((2, 3))).agrees(np.array([[0, 0, 0], np.pi * np.ones(3)]), np.zeros((2, 3)))
-    [True]
-    """
+    """The `xyz` and `rpy` of the origin of a joint in a URDF, shape (2, 3), in metres and radians, compared as a pose."""
 
     noun: ClassVar[str] = "xyz and rpy in two rows, an array"
 
@@ -178,11 +166,7 @@ class OriginAnswer(Equivalent):
 
 
 def rotation_check(R: Array) -> str:
-    """Return the first property of rotations that a matrix does not have, with its own numbers; "" if it is a rotation.
-
-    >>> rotation_check(np.diag([1, 1, 2.0])), rotation_check(np.diag([-1, 1, 1.0]))[-16:], rotation_check(np.eye(3))
-    ('No entry of a rotation is larger than 1, and one of yours is 2.', 'and yours is -1.', '')
-    """
+    """Return the first property of rotations that a matrix does not have, with its own numbers; "" if it is a rotation."""
     largest = R.flat[np.abs(R).argmax()]
     if abs(largest) > 1 + ORTHONORMAL_TOLERANCE:
         beyond = "larger than 1" if largest > 0 else "smaller than -1"

@@ -11,12 +11,7 @@ from misstep.formulas.evaluation import Formula
 
 @dataclass(frozen=True, eq=False)
 class PoseExpressionAnswer(PoseParts, ClosedForm):
-    """A pose as a 4x4 matrix of formulas, in two parts: the rotation and the position, each with its entries of the last row.
-
-    >>> import sympy as sp
-    >>> PoseExpressionAnswer(sp.eye(4)).parts
-    ('rotation', 'position')
-    """
+    """A pose as a 4x4 matrix of formulas, in two parts: the rotation and the position, each with its entries of the last row."""
 
     def likeness(self, given: Formula, part: int | None) -> Likeness:
         found = super().likeness(given, part)

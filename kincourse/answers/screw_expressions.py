@@ -14,12 +14,7 @@ from misstep.formulas.evaluation import Formula
 
 @dataclass(frozen=True, eq=False)
 class ScrewExpressionsAnswer(AlikeRows, ClosedForm):
-    """Screw axes (omega, v) as rows of formulas, shape (n, 6); each screw axis is a part.
-
-    >>> import sympy as sp
-    >>> ScrewExpressionsAnswer(sp.eye(2, 6)).parts
-    ['screw 1', 'screw 2']
-    """
+    """Screw axes (omega, v) as rows of formulas, shape (n, 6); each screw axis is a part."""
 
     @property
     def parts(self) -> Sequence[str]:

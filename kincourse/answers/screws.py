@@ -59,11 +59,7 @@ SLIPS = (
 
 @dataclass(frozen=True, eq=False)
 class ScrewsAnswer(AlikeRows, Numbers):
-    """Screw axes (omega, v) in rows, shape (n, 6), or a single one, shape (6,); each screw axis is a part.
-
-    >>> ScrewsAnswer(np.eye(2, 6)).parts
-    ['screw 1', 'screw 2']
-    """
+    """Screw axes (omega, v) in rows, shape (n, 6), or a single one, shape (6,); each screw axis is a part."""
 
     names: Sequence[str] = ()
     noun: ClassVar[str] = "screw axes (omega, v), an array"
@@ -171,16 +167,7 @@ class ScrewsAnswer(AlikeRows, Numbers):
 
 
 def screw_check(mine: Array, right: Array) -> str:
-    r"""Return what every screw axis of this kind of joint fulfils and another one, (6,), does not; "" for twists of other lengths.
-
-    >>> S = np.array([0, 0, 1.0, 2, 3, 0])
-    >>> screw_check(S * (1, 1, 2, 1, 1, 1), S)
-    'The $\\omega$ of a screw axis has the length 1; yours has 2.'
-    >>> screw_check(S + (0, 0, 0, 0, 0, 4), S)
-    'A revolute joint has $\\omega \\cdot v = 0$; your numbers give 4.'
-    >>> screw_check(S, S), screw_check(3 * S, 2 * S), screw_check(-S, S) == THUMB
-    ('', '', True)
-    """
+    """Return what every screw axis of this kind of joint fulfils and another one, (6,), does not; "" for twists of other lengths."""
     (w, v), (direction, moment) = mine.reshape(2, 3), right.reshape(2, 3)
     letter, (own, ours) = ("\\omega", (w, direction)) if direction.any() else ("v", (v, moment))
     size = float(np.linalg.norm(own))
@@ -201,11 +188,7 @@ def screw_check(mine: Array, right: Array) -> str:
 
 @dataclass(frozen=True, eq=False)
 class TwistAnswer(ScrewsAnswer):
-    """One twist (omega, v), shape (6,), such as a logarithm or a velocity, in one part. It need not be normalized.
-
-    >>> TwistAnswer(np.ones(6)).expected
-    'a twist (omega, v), an array of shape (6,)'
-    """
+    """One twist (omega, v), shape (6,), such as a logarithm or a velocity, in one part. It need not be normalized."""
 
     names: Sequence[str] = ("the twist",)
     noun: ClassVar[str] = "a twist (omega, v), an array"

@@ -30,11 +30,6 @@ def wrong_rows(given: DHTable, right: DHTable) -> tuple[int, ...]:
     The rows are walked from frame to frame. A row can stay if its joint moves about the axis of the arm, and if it leads to a
     frame on the next axis. After a row that cannot, the walk goes on from our frame there. In the modified convention a row
     ends on the axis of its joint, so these are walked from the tool to the base.
-
-    >>> right = DHTable([[0.4, 0, 0.1, 0], [0.3, np.pi / 2, 0, 0], [0.2, 0, 0.5, 0]], convention="standard")
-    >>> flipped = right.rows * ((-1, 1, 1, 1), (1, 1, 1, 1), (1, 1, 1, 1)) + np.outer((1, 1, 0), (0, 0, 0, np.pi))
-    >>> wrong_rows(right.changed(rows=flipped), right), wrong_rows(right.changed(rows=flipped * (1, -1, 1, 1)), right)
-    ((), (1,))
     """
     arm, frames, is_standard = right.to_chain(), table_frames(right), right.convention == "standard"
     order = range(right.n) if is_standard else range(right.n)[::-1]

@@ -54,14 +54,9 @@ Link = Callable[[float, float, float, float], Array]
 
 
 def link(row: Array | Sequence[float | Expression], convention: Convention, i: int = 1, label: str = "") -> Expression:
-    r"""The link transform of row i: a, alpha, d, theta in metres and radians, as numbers or expressions.
+    """The link transform of row i: a, alpha, d, theta in metres and radians, as numbers or expressions.
 
     label  its own name in LaTeX; the numbers of its row then have no index
-
-    >>> link([1, 0, 0, np.pi / 2], "standard").value.round(6)[:3, 3]
-    array([0., 1., 0.])
-    >>> [slip.name for slip in link([1, 0, 0, np.pi / 2], "standard").slips()][:2]
-    ['the other convention', 'a and d swapped']
     """
     k = i - 1 if convention == "modified" else i
     names, kinds = (f"a_{k}", f"\\alpha_{k}", f"d_{i}", f"\\theta_{i}"), (_A, _ALPHA, _D, _THETA)
@@ -76,11 +71,7 @@ def link(row: Array | Sequence[float | Expression], convention: Convention, i: i
 
 
 def joint_variable(joint: str, i: int, q: float, constant: float) -> Expression:
-    """The theta of a revolute joint ("R"), or the d of a prismatic one ("P"): its value q and the constant of the table.
-
-    >>> joint_variable("R", 1, 0.5, 0.25).value
-    0.75
-    """
+    """The theta of a revolute joint ("R"), or the d of a prismatic one ("P"): its value q and the constant of the table."""
     variable = given(f"q_{i}", float(q), _Q_ANGLE if joint == "R" else _Q_LENGTH)
     letter = "\\theta" if joint == "R" else "d"
     return _joint_variable(variable, given(f"the constant of ${letter}_{i}$", float(constant)))
@@ -94,9 +85,6 @@ def links(
     rows    (n, 4): a, alpha, d, theta at q = 0, in metres and radians
     joints  "R" or "P" for each row
     first   the number of the first row
-
-    >>> len(links(np.ones((2, 4)), "RP", [0.1, 0.2], "modified"))
-    2
     """
     found = []
     for i, (row, joint, value) in enumerate(zip(rows, joints, q, strict=True), start=first):
@@ -115,11 +103,7 @@ def table_product(  # noqa: PLR0917
     after: Iterable[Expression] = (),
     first: int = 1,
 ) -> Expression:
-    """The product of the link transforms of a table at q, between a base and a tool.
-
-    >>> table_product([[1, 0, 0, 0], [2, 0, 0, 0]], "RR", [0.0, np.pi / 2], "standard").value.round(6)[:3, 3]
-    array([1., 2., 0.])
-    """
+    """The product of the link transforms of a table at q, between a base and a tool."""
     before, after, rows = list(before), list(after), np.asarray(rows, dtype=float)
 
     def of(rows: Rows, values: Array | Sequence[float] = q, order: int = 1) -> Expression:
@@ -149,11 +133,7 @@ _SEEN = {"inverse", "joint values reversed", "reversed"}
 
 
 def dh_row(a: float, alpha: float, d: float, theta: float) -> Expression:
-    """The entries of a row that is read off frames, (4,), in the order a, alpha, d, theta.
-
-    >>> [slip.name for slip in dh_row(3.0, 0.5, 4.0, 0.25).slips()][:2]
-    ['a and d swapped', 'angles swapped']
-    """
+    """The entries of a row that is read off frames, (4,), in the order a, alpha, d, theta."""
     return _row(
         *(given("a", a, _A), given("\\alpha", alpha, _TYPED_ALPHA)),
         *(given("d", d, _D), given("\\theta", theta, _TYPED_THETA)),

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from kincourse.expressions.poses import exp, inverse, logarithm
-from kinlib.arrays.validation import Array
 from misstep.mutants.expression import GIVEN, Expression, Operation, Slip, Slips, given, negative, product, table, total
 from misstep.mutants.operations import cos, sin, sqrt, square
 
@@ -22,14 +21,10 @@ BARS = ("ground", "crank", "coupler", "rocker")
 
 
 def closing_twist(branch_2: Sequence[Expression], branch_1: Sequence[Expression]) -> Expression:
-    r"""The residual of a loop of two branches, log(T_2 T_1^{-1}), as lecture 08 names them.
+    """The residual of a loop of two branches, log(T_2 T_1^{-1}), as lecture 08 names them.
 
     branch_2  the factors of T_2: exponentials of joints, and fixed poses
     branch_1  the factors of T_1: exponentials of joints, which are passed backwards, so their signs are negated
-
-    >>> from kincourse.expressions.screws import exponentials, joint_values
-    >>> closing_twist(*([factor] for factor in exponentials(np.eye(2, 6), joint_values("RR", [10, 20])))).latex
-    '\\log(e^{[S_1]q_1}\\,e^{-[S_2]q_2})'
     """
     products = product(*branch_1), product(*branch_2)
     T_1, T_2 = products[0].named("T_1"), products[1].named("T_2")
@@ -52,11 +47,7 @@ def closing_twist(branch_2: Sequence[Expression], branch_1: Sequence[Expression]
 
 
 def bars(lengths: Sequence[float]) -> list[Expression]:
-    r"""The lengths of a four-bar: ground, crank, coupler, rocker.
-
-    >>> bars([4, 1, 3, 2])[1].latex
-    '\\mathrm{crank}'
-    """
+    """The lengths of a four-bar: ground, crank, coupler, rocker."""
     return [length(name, x) for name, x in zip(BARS, lengths, strict=True)]
 
 
@@ -64,9 +55,6 @@ def length(name: str, x: float, kind: Operation = GIVEN) -> Expression:
     """A given length, named by a word.
 
     kind  LENGTH if it may be negative
-
-    >>> length("rod", 0.5).value
-    0.5
     """
     return given(f"\\mathrm{{{name}}}", float(x), kind)
 
@@ -77,9 +65,6 @@ def coupler_directions(lengths: Sequence[Expression], A: Expression) -> tuple[Ex
     lengths  of ground, crank, coupler, rocker
 
     In the first mode C lies to the left of the arrow from B to D.
-
-    >>> [float(k.value.round(4)) for k in coupler_directions(bars([4, 3, 4, 3]), given("A", np.pi / 2))]
-    [-0.0, -1.287]
     """
     ground, crank, coupler, rocker = lengths
     line = (_on_the_ground(ground).named("p_D") - _pin("p_B", crank, A)).named("BD")
@@ -89,11 +74,7 @@ def coupler_directions(lengths: Sequence[Expression], A: Expression) -> tuple[Ex
 
 
 def rocker_directions(lengths: Sequence[Expression], A: Expression) -> tuple[Expression, Expression]:
-    """The angles of the rocker from the x axis in both assembly modes, as `coupler_directions`.
-
-    >>> [float(k.value.round(4)) for k in rocker_directions(bars([4, 3, 4, 3]), given("A", np.pi / 2))]
-    [1.5708, 3.4254]
-    """
+    """The angles of the rocker from the x axis in both assembly modes, as `coupler_directions`."""
     ground, crank, coupler, rocker = lengths
     line = (_pin("p_B", crank, A) - _on_the_ground(ground).named("p_D")).named("DB")
     corner = corner_angle(_distance(line), rocker, coupler).named("\\angle BDC")
@@ -109,10 +90,6 @@ def with_other_bars(
     """An expression of the lengths of a four-bar, mistaken for the same one with two bars swapped.
 
     swaps  the pairs of ground, crank, coupler and rocker that may be swapped
-
-    >>> S = with_other_bars(lambda four: four[0] - four[1], bars([4, 1, 3, 2]))
-    >>> [slip.did for slip in S.slips()][0]
-    'swap the lengths of ground and crank'
     """
     slips = []
     for i, j in swaps:
@@ -123,11 +100,7 @@ def with_other_bars(
 
 
 def slider_place(crank: Expression, rod: Expression, offset: Expression, A: Expression) -> Expression:
-    """The x coordinate of the slider of a slider-crank, to the right of B, at the crank angle A in radians.
-
-    >>> float(slider_place(length("crank", 3), length("rod", 5), length("offset", 0), given("A", np.pi / 2)).value)
-    4.0
-    """
+    """The x coordinate of the slider of a slider-crank, to the right of B, at the crank angle A in radians."""
     height = offset - crank * sin(A)
     along, reach = crank * cos(A), sqrt(square(rod) - square(height))
     x = along + reach
@@ -152,9 +125,6 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
 
     d     the degrees of freedom of a body: 3 in the plane, 6 in space
     legs  for each leg, the degrees of freedom of its joints
-
-    >>> kutzbach(3, [(1, 1, 1), (1, 1)]).value
-    2.0
     """
     degrees_of_freedom = [float(f) for leg in legs for f in leg]
     J, F = float(len(degrees_of_freedom)), sum(degrees_of_freedom)
@@ -186,11 +156,6 @@ def _pin(name: str, distance: Expression, angle: Any) -> Expression:
 
 def _cosine(one: float, two: float, opposite: float) -> float:
     return float((one**2 + two**2 - opposite**2) / (2 * one * two))
-
-
-def _rotated(angle: float, p: Array) -> Array:
-    c, s = np.cos(angle), np.sin(angle)
-    return np.array([c * p[0] - s * p[1], s * p[0] + c * p[1]])
 
 
 def _direction_slips(node: Expression) -> Slips:
@@ -259,7 +224,7 @@ corner_angle: Operation = Operation(
 
 polar: Operation = Operation(
     "polar coordinates",
-    lambda r, angle: _rotated(angle, np.array([r, 0.0])),
+    lambda r, angle: r * np.array([np.cos(angle), np.sin(angle)]),
     "{0}\\,(\\cos {1}, \\sin {1})".format,
     _polar_slips,
 )
@@ -269,13 +234,6 @@ direction_of: Operation = Operation(
     "direction", lambda v: np.arctan2(v[1], v[0]), "\\angle(x, {0})".format, _direction_slips
 )
 """The angle in radians of a vector (2,) from the x axis."""
-
-rotated: Operation = Operation("rotated", _rotated, lambda angle, x: f"R{angle if angle.startswith('(') else f'({angle})'}\\,{x}", table(
-    ("rotation left out", "add ${1}$ without rotating it", lambda _, p: p),
-    ("rotation transposed", "rotate ${1}$ in the opposite direction", lambda angle, p: rotated(negative(angle), p)),
-    ("sine and cosine swapped", "swap sine and cosine", lambda angle, p: rotated(np.pi / 2 - angle, p)),
-))
-"""A vector (2,) of the plane, rotated by an angle in radians."""
 
 both_modes: Operation = Operation("both modes", lambda *angles: np.array(angles), "({0}, {1})".format, _both_slips)
 """The angles of both assembly modes of a linkage, (2,)."""

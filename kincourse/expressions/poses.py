@@ -32,48 +32,28 @@ DIRECTION_ADVICE = (
 
 
 def pose(label: str, T: Array) -> Expression:
-    """A given pose, (4, 4).
-
-    >>> [slip.name for slip in pose("T_{ab}", np.eye(4)).slips()]
-    ['inverse', 'transposed', 'rotation transposed', 'rotation left out', 'position left out']
-    """
+    """A given pose, (4, 4)."""
     return given(label, T, _POSE)
 
 
 def rotation(label: str, R: Array) -> Expression:
-    """A given rotation, (2, 2) or (3, 3).
-
-    >>> [slip.name for slip in rotation("R", np.eye(3)).slips()]
-    ['rotation transposed']
-    """
+    """A given rotation, (2, 2) or (3, 3)."""
     return given(label, R, _ROTATION)
 
 
 def point(label: str, p: Array) -> Expression:
-    """A given point or vector, (2,) or (3,), whose coordinates are typed one by one.
-
-    >>> [slip.did for slip in point("p", np.ones(2)).slips()][1:]
-    ['take the $x$ of $p$ with the opposite sign', 'take the $y$ of $p$ with the opposite sign', 'swap the $x$ and the $y$ of $p$']
-    """
+    """A given point or vector, (2,) or (3,), whose coordinates are typed one by one."""
     return given(label, p, _POINT)
 
 
 def rotation_about(axis: int, angle: Expression) -> Expression:
-    """The rotation (3, 3) by an angle in radians about axis 0, 1 or 2: x, y or z.
-
-    >>> rotation_about(2, given("q", np.pi / 2)).value.round(9)[:, 0]
-    array([0., 1., 0.])
-    """
+    """The rotation (3, 3) by an angle in radians about axis 0, 1 or 2: x, y or z."""
     name, turn = "xyz"[axis], partial(_plane_rotation, axis)
     return Operation(f"rotation about {name}", turn, f"R_{name}({{0}})".format, _about_slips)(angle)
 
 
 def with_position(T: Array, p: Array) -> Array:
-    """Return a pose (4, 4) with another position p (3,).
-
-    >>> with_position(np.eye(4), [1, 2, 3])[:3, 3]
-    array([1., 2., 3.])
-    """
+    """Return a pose (4, 4) with another position p (3,)."""
     return homogeneous(T[:3, :3], p)
 
 

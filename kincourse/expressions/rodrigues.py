@@ -114,21 +114,13 @@ _POSITION_ADVICE = {
 
 
 def angle_symbol(theta: float) -> Expression:
-    """The angle theta of a formula, in radians.
-
-    >>> [slip.name for slip in angle_symbol(1.0).slips()][0]
-    'converted to radians'
-    """
+    """The angle theta of a formula, in radians."""
     text = "convert $\\theta$ from degrees to radians, although it is in radians"
     return given("\\theta", theta, ANGLE).mistaken_for(("converted to radians", text, np.radians(theta)))
 
 
 def truncated(A: Array, terms: int) -> Array:
-    """The first terms of the series of the matrix exponential, (n, n).
-
-    >>> truncated(np.array([[2.0]]), 3)
-    array([[5.]])
-    """
+    """The first terms of the series of the matrix exponential, (n, n)."""
     total = term = np.eye(len(A))
     for k in range(1, terms):
         term = term @ A / k

@@ -49,29 +49,17 @@ UNIT_ADVICE = "The direction of an axis is a unit vector, with the components $\
 
 
 def direction(label: str, x: Array) -> Expression:
-    """A given direction or axis, (3,).
-
-    >>> [slip.name for slip in direction("d", np.ones(3)).slips()]
-    ['sign of a vector']
-    """
+    """A given direction or axis, (3,)."""
     return given(label, x, VECTOR)
 
 
 def screw_axes(label: str, S: Array) -> Expression:
-    """Given screw axes, (6,) or (n, 6).
-
-    >>> [slip.name for slip in screw_axes("S", np.eye(6)).slips()]
-    ['halves swapped', 'sign of v']
-    """
+    """Given screw axes, (6,) or (n, 6)."""
     return given(label, S, _SCREWS)
 
 
 def joint_values(types: str, typed: Sequence[float] | Array, letter: str = "q") -> list[Expression]:
-    """The values of joints: "P" in metres, all others in degrees, which are to be converted.
-
-    >>> [float(round(value.value, 4)) for value in joint_values("RP", [90, 0.5])]
-    [1.5708, 0.5]
-    """
+    """The values of joints: "P" in metres, all others in degrees, which are to be converted."""
     values = [
         given(f"{letter}_{i}", float(x), SLIDE if kind == "P" else ANGLE) for i, (kind, x) in _numbered(types, typed)
     ]
@@ -79,11 +67,7 @@ def joint_values(types: str, typed: Sequence[float] | Array, letter: str = "q") 
 
 
 def values_in_radians(types: str, q: Sequence[float] | Array) -> list[Expression]:
-    """The values of joints in radians and metres, as they are needed.
-
-    >>> [slip.name for slip in values_in_radians("P", [0.5])[0].slips()]
-    ['sign of a joint value', 'converted twice', 'converted to degrees']
-    """
+    """The values of joints in radians and metres, as they are needed."""
     return [
         given(f"q_{i}", float(x), _JOINT_LENGTH if kind == "P" else _JOINT_ANGLE)
         for i, (kind, x) in _numbered(types, q)
@@ -99,21 +83,13 @@ def exponentials(screws: Array, values: Sequence[Expression], letters: str = "S"
 
     screws   (n, 6)
     letters  the letter of all screws, or one for each
-
-    >>> exponentials(np.eye(2, 6), joint_values("RR", [10, 20]))[1].latex
-    'e^{[S_2]q_2}'
     """
     names = letters if len(letters) == len(screws) else letters * len(screws)
     return [exp(screw_axes(f"{letter}_{i}", S), value) for i, (letter, S, value) in _numbered(names, screws, values)]
 
 
 def forward_kinematics(before: Sequence[Expression], home: Expression, after: Sequence[Expression] = ()) -> Expression:
-    r"""The product of exponentials with the home pose after those of the screws in {s} and before those of the screws in {b}.
-
-    >>> from kincourse.expressions.poses import pose
-    >>> forward_kinematics(exponentials(np.eye(2, 6), joint_values("RR", [10, 20])), pose("M", np.eye(4))).latex
-    'e^{[S_1]q_1}\\,e^{[S_2]q_2}\\,M'
-    """
+    """The product of exponentials with the home pose after those of the screws in {s} and before those of the screws in {b}."""
     n = len(before)
     factors = [*before, *after]
     values = [factor.arguments[1] for factor in factors]
@@ -157,10 +133,6 @@ def joint_screws(
     points   (n, 3), a point on each axis
     pitches  (n,), 0 for a revolute joint and infinite for a prismatic one
     numbers  the numbers of the joints; by default 1, 2, ...
-
-    >>> joint_screws(np.eye(2, 3), np.ones((2, 3)), np.array([0, np.inf])).value + 0.0
-    array([[ 1.,  0.,  0.,  0.,  1., -1.],
-           [ 0.,  0.,  0.,  0.,  1.,  0.]])
     """
     numbers = numbers or range(1, len(axes) + 1)
     letters = ["d" if np.isinf(h) else "\\omega" for h in pitches]
@@ -199,10 +171,6 @@ def drawn_revolute(omega: Array, p: Array, others: Mapping[str, Array]) -> Expre
     """The screw of a revolute joint whose axis omega (3,) through p (3,) is read off a drawing with whole coordinates.
 
     others  the points that people take for p, in words
-
-    >>> S = drawn_revolute(np.array([0, 0, 1.0]), np.array([2.0, 3.0, 1.0]), {"the origin": np.zeros(3)})
-    >>> [slip.wrong.value.tolist() for slip in S.arguments[1].arguments[1].slips()][-1]
-    [0.0, 0.0, 0.0]
     """
     axis = direction("\\omega", omega).mistaken_for(
         *(("another axis", f"take the axis along ${text}{name}$", sign * np.eye(3)[i])
@@ -222,9 +190,6 @@ def read_screws(
     """The screws (n, 6) of revolute joints that are read off a dimensioned drawing, in rows.
 
     marks  other marks that people take for a point
-
-    >>> read_screws(np.eye(2, 3), np.ones((2, 3)), (1, 2), "s").value[0] + 0.0
-    array([ 1.,  0.,  0.,  0.,  1., -1.])
     """
     joints, pitches = zip(numbers, points, axes, strict=True), np.zeros(len(axes))
     read = [_read_point(f"P_{i}", p, axis, marks) for i, p, axis in joints]

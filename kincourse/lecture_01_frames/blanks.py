@@ -16,20 +16,12 @@ CONFIGURATION = (np.pi / 2, 0.2, np.pi / 6, np.pi / 3)
 
 
 def rotation_about_z(q: float) -> Array:
-    """The pose (4, 4) of a rotation about z by q radians.
-
-    >>> rotation_about_z(np.pi / 2)[:3, 0].round(6) + 0.0
-    array([0., 1., 0.])
-    """
+    """The pose (4, 4) of a rotation about z by q radians."""
     return frame((np.cos(q) * X + np.sin(q) * Y, np.cos(q) * Y - np.sin(q) * X, Z), (0, 0, 0))
 
 
 def links() -> tuple[Array, Array, Array]:
-    """The poses T_01, T_12 and T_23 at the lecture's configuration, with the lengths of robots.rprr.
-
-    >>> links()[2][:3, 3]
-    array([0.5, 0. , 0. ])
-    """
+    """The poses T_01, T_12 and T_23 at the lecture's configuration, with the lengths of robots.rprr."""
     q1, q2, q3, _ = CONFIGURATION
     return rotation_about_z(q1), frame((Z, X, Y), (0, q2, 0)), frame((X, -Z, Y), (0.5, 0, 0)) @ rotation_about_z(q3)
 

@@ -24,9 +24,6 @@ def draw_bolt(bolt: Array, *, base: bool = True, gripper: Array | None = None) -
     """Draw a bolt at a point (3,) of the base frame, seen from a camera and, if `base`, from the base of a robot.
 
     gripper  a pose (4, 4) in the base frame, drawn as a frame {g}
-
-    >>> draw_bolt(START).alt
-    'From the camera the bolt is at (0, -0.91, 0.25). From the base the bolt is at (0.9, 0, 0.2).'
     """
     seen = CAMERA[:3, :3].T @ (bolt - CAMERA[:3, 3])
     texts = [(CAMERA, "camera", seen, GREY)] + ([(np.eye(4), "base", bolt, ORANGE)] if base else [])
@@ -47,11 +44,7 @@ def draw_bolt(bolt: Array, *, base: bool = True, gripper: Array | None = None) -
 
 
 def opening() -> Film:
-    """Play a bolt that moves on a table, with its coordinates in the frame of a camera and in that of a base.
-
-    >>> opening().alt[:34]
-    'A camera measures where a bolt is.'
-    """
+    """Play a bolt that moves on a table, with its coordinates in the frame of a camera and in that of a base."""
 
     def draw(t: float) -> Picture:
         return draw_bolt(START + share(t, 4, 7) * (END - START), base=t >= 2)

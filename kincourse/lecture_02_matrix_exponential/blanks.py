@@ -21,11 +21,7 @@ logarithm = function("logarithm", log, "\\log({0})")
 
 
 def third_of_a_turn() -> Expression:
-    """The angle q of 120 degrees. At a quarter turn sin and 1 - cos are both 1, and those who swap them would be right.
-
-    >>> round(float(third_of_a_turn().value), 4)
-    2.0944
-    """
+    """The angle q of 120 degrees. At a quarter turn sin and 1 - cos are both 1, and those who swap them would be right."""
     return radians(given("q", 120.0, ANGLE))
 
 

@@ -21,11 +21,7 @@ BODY = np.array([(0.75, 0.1, 0), (0.75, 0.1, 0.3), (1.05, 0.1, 0.3), (1.05, 0.1,
 
 
 def opening() -> Film:
-    """Play the velocity field of a twist, and a body that flows along it.
-
-    >>> opening().alt[:40]
-    'A twist gives each point of space a velo'
-    """
+    """Play the velocity field of a twist, and a body that flows along it."""
     S = screw(AXIS, PLACE, pitch=PITCH)
     grid = np.array([(x, y, 0.0) for x in np.linspace(-0.8, 1.2, 6) for y in np.linspace(-0.8, 1.0, 5)])
     around = np.array([(-1.0, -1.0, 0), (1.3, 1.2, 0.9)])

@@ -7,12 +7,7 @@ from kinlib.chains.robots import rpr
 
 
 def corrections() -> str:
-    r"""Return what the library says of the printed values, and what they should be.
-
-    >>> print("\n".join(corrections().splitlines()[-2:]))
-     [0 0 0 1]]
-    s_1 = [ 0 -1  0  0  0  4]
-    """
+    """Return what the library says of the printed values, and what they should be."""
     printed, s_1 = np.array([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1], [0, 0, 0, 0]]), np.array([4, 0, 0, 0, 0, 0])
     said = []
     for screws, home in zip((s_1[None], rpr().screws), (np.eye(4), printed), strict=True):

@@ -8,12 +8,7 @@ from kinlib.rigid.lie import exp
 
 
 def errors_of_lines(arm: Chain) -> str:
-    """Return how wrong the printed lines are for an arm with four joints, in three cases, and the third line repaired.
-
-    >>> from kinlib.chains.robots import rppr
-    >>> print(errors_of_lines(rppr()).splitlines()[2])
-    at home             0.000        2.000                            0.000
-    """
+    """Return how wrong the printed lines are for an arm with four joints, in three cases, and the third line repaired."""
     cases = {
         "some configuration": (arm, np.array([0.4, 0.5, 0.6, 0.7])),
         "at home": (arm, np.zeros(4)),

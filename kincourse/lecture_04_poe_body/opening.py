@@ -19,11 +19,7 @@ SEEN, REST = np.array([(-0.6, -0.5, 0.0), (0.75, 0.6, 1.3)]), np.array([-0.55, 0
 
 
 def opening() -> Film:
-    """Play one motion twice, side by side: with the base at rest, and with the tool at rest.
-
-    >>> opening().alt[:42]
-    'One arm, two pictures. On the left you are'
-    """
+    """Play one motion twice, side by side: with the base at rest, and with the tool at rest."""
     arm = plain_arm()
     around = np.array([(-0.45, -0.4, 0), (0.8, 0.7, 1.05), APART + SEEN[0], APART + SEEN[1]])
     rest = arm.home.copy()

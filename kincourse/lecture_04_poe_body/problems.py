@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from itertools import combinations_with_replacement
 
 import numpy as np
-import sympy as sp
 
 from kincourse.answers.pose import PoseAnswer
-from kincourse.answers.screw_expressions import ScrewExpressionsAnswer
 from kincourse.answers.screws import ScrewsAnswer, TwistAnswer
 from kincourse.expressions.poses import inverse
 from kincourse.expressions.poses import pose as given_pose
@@ -20,7 +18,6 @@ from kincourse.expressions.screws import (
     drawn_revolute,
     exponentials,
     forward_kinematics,
-    joint_screws,
     joint_values,
     read_screws,
     screw_axes,
@@ -30,23 +27,20 @@ from kincourse.problem import ArmSampler, Problem, problem
 from kincourse.sampling.arms import are_distinguishable, shows_transposes
 from kincourse.sampling.configurations import Configuration, configuration_from_typed
 from kincourse.sampling.drawn_machines import is_readable, lengths
-from kincourse.sampling.lettered_arms import MIN_LINK_M, LetteredArm, draw_lettered_arm
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.chains.robots import X, Y, Z, arm, pose
-from kinlib.rigid.lie import adjoint, exp, homogeneous
+from kinlib.chains.robots import X, Y, Z, pose
+from kinlib.rigid.lie import exp, homogeneous
 from kinlib.rigid.screw import screw
-from kinlib.symbolic.formulas import screw as symbolic_screw
-from kinlib.symbolic.numbers import exact
-from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
+from kinlib.view import draw_arm, draw_joints
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.number import Numbers
 from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
-from misstep.display.text import matrix, number, vector
+from misstep.display.text import matrix, number
 from misstep.mistakes import mistake
-from misstep.mutants.expression import Expression, given, product, total
-from misstep.mutants.operations import LENGTH, function, stack
+from misstep.mutants.expression import given, product, total
+from misstep.mutants.operations import function
 
 TITLE = "The product of exponentials in the body frame"
 
@@ -57,7 +51,7 @@ CARRY_ADVICE = "Column $i$ of $J_b$ is the body screw $B_i$, changed by the join
 TO_BODY_ADVICE = "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here."
 
 
-@problem("04.1", "A body screw off a drawing", points=2, lecture="04_poe_body#A second method", level="Warm-up")
+@problem("04.1", "A body screw off a drawing", points=3, lecture="04_poe_body#A second method", level="Warm-up")
 def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     joint = sampler.integer(1, 3)
     while True:
@@ -120,7 +114,7 @@ def by_the_adjoint(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.3", "The place of M", points=2, lecture="04_poe_body#The mid-formula form")
+@problem("04.3", "The place of M", points=3, lecture="04_poe_body#The mid-formula form")
 def where_home_stands(sampler: ArmSampler) -> Problem:
     k, names = sampler.integer(1, 3), sampler.shuffled("abcd")
     while [names[:k], names[k:]] == [sorted(names[:k]), sorted(names[k:])]:  # too close to the alphabet
@@ -198,7 +192,7 @@ def body_form(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.5", "M in the middle", points=3, lecture="04_poe_body#The mid-formula form")
+@problem("04.5", "M in the middle", points=4, lecture="04_poe_body#The mid-formula form")
 def home_in_the_middle(sampler: ArmSampler) -> Problem:
     robot, k = _random_arm(sampler, sampler.choice(["RRRR", "RRPR", "RPRR"])), 2
     typed, _, words = _random_configuration(sampler, robot)
@@ -229,7 +223,7 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.6", "A new tool", points=3, lecture="04_poe_body#The adjoint")
+@problem("04.6", "A new tool", points=4, lecture="04_poe_body#The adjoint")
 def new_tool(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
     turn = _rotation(sampler.choice([X, Y]), sampler.choice([30, 40, -50, -60, 70]))
@@ -262,7 +256,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.7", "The twist of the tool", points=3, lecture="04b_velocity#Joint rates and the twist of the tool")
+@problem("04.7", "The twist of the tool", points=4, lecture="04b_velocity#Joint rates and the twist of the tool")
 def twist_of_the_tool(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRR", "RPR", "RRP"]))
     typed, q, words = _random_configuration(sampler, robot)
@@ -318,71 +312,14 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-@dataclass(frozen=True, eq=False)
-class WristAnswer(Numbers):
-    """The value of joint 2 and the rate of joint 1, (2,); each is a part."""
-
-    parts = ("$q_2$", "the rate of joint 1")
-
-
-@problem("04.8", "A singular wrist", points=3, lecture="04b_velocity#Singular configurations")
-def singular_wrist(sampler: ArmSampler) -> Problem:
-    tilt = sampler.choice([20, 25, 35, 40, 50, 55, 65, 70, 110, 115, 125, 130, 140, 145, 155, 160])
-    (toward, name), sign = sampler.choice([(X, "x"), (Y, "y")]), sampler.choice([1, -1])
-    second, rate = sign * np.cross(Z, toward), sampler.integer(3, 9) * 10.0
-    opposite = tilt > 90  # in the singular configuration axis 3 is opposite to axis 1
-    third = np.cos(np.radians(tilt)) * Z + np.sin(np.radians(tilt)) * toward
-    wrist = arm([(Z, -Z), (second, np.zeros(3)), (third, third)], pose((X, Y, Z), 2 * third), "your wrist", "")
-    q_2 = given("q_2", sign * (180.0 * opposite - tilt))
-    q_2 = q_2.mistaken_for(
-        ("sign of an angle", "rotate joint 2 in the opposite direction", -sign * (180.0 * opposite - tilt)),
-        ("perpendicular axes", "rotate joint 2 until axis 3 is perpendicular to axis 1", sign * (90.0 - tilt)),
-        ("tilt for angle", "give the tilt itself", float(tilt)),
-        (
-            "outside the range",
-            "give the other singular configuration, outside the range",
-            sign * (180.0 * (not opposite) - tilt),
-        ),
-        ("at home", "take the home configuration", 0.0),
-        ("supplement", "take the supplement", 180.0 - sign * (180.0 * opposite - tilt)),
-        ("radians", "give the angle in radians", np.radians(q_2.value)),
-        advice="The wrist is singular where axes 1 and 3 are on one line.",
-    )
-    qdot_1 = given("\\dot q_1", rate if opposite else -rate)
-    qdot_1 = qdot_1.mistaken_for(
-        ("sign of a rate", "let the two rotations add up", rate * (-1 if opposite else 1)),
-        ("joint 1 at rest", "leave joint 1 at rest", 0.0),
-        ("doubled", "take twice the rate", -2 * rate * (-1 if opposite else 1)),
-        ("radians", "give the rate in radians per second", np.radians(qdot_1.value)),
-        ("rate at home", "use the angle between axes 1 and 3 at home", -rate * np.cos(np.radians(tilt))),
-        advice="The two angular velocities must add up to zero.",
-    )
-    return Problem(
-        statement=f"The axes of the three revolute joints of a wrist meet in one point. At home axis 1 is along $z$ of {{s}}, axis 2 "
-        f"along ${'' if second.sum() > 0 else '-'}{'y' if name == 'x' else 'x'}$, and axis 3 is tilted by $\\delta = {tilt}$ degrees from "
-        f"$z$ towards ${name}$. Give two numbers. The first is the value $q_2$ between $-90$ and $90$ degrees at which the wrist is "
-        f"singular, in degrees. In this configuration joint 3 rotates at ${number(rate)}$ degrees per second, and joint 2 is at rest. The "
-        "second number is the rate of joint 1, in degrees per second, at which the tool does not move.",
-        method=f"The wrist is singular where axis 3 lies on axis 1. Joint 2 rotates axis 3, which is {tilt} degrees from $z$, into this "
-        f"line: by ${number(float(q_2.value))}$ degrees, so that axis 3 is along ${'-z' if opposite else 'z'}$.\nThere joint 3 gives the "
-        f"angular velocity ${number(-rate if opposite else rate)}\\,z$ in degrees per second. The tool is at "
-        "rest if joint 1 gives its negative.",
-        further="Does the wrist have a second singular configuration, and how far is it from this one?",
-        figure=partial(draw_arm, wrist),
-        given={"axis_2": second, "tilt": float(tilt), "towards": toward, "rate_3": rate},
-        answer=WristAnswer(np.array([q_2.value, qdot_1.value])),
-        solution=stack(q_2, qdot_1),
-    )
-
-
 size = function("size", np.abs, "|{0}|")
 in_order = function("in order", lambda *x: np.sort(x), "({0}, {1}, {2}, {3})")
 
 
 @problem(
-    "04.9",
+    "04.8",
     "All singular configurations of a planar arm",
-    points=3,
+    points=4,
     lecture="04b_velocity#Singular configurations",
     level="Hard",
 )
@@ -428,71 +365,6 @@ def planar_arm(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.10", "All body screws of a whole arm", points=3, lecture="04_poe_body#A second method")
-def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
-    robot = _lettered_arm_beside_its_tool(sampler)
-    n, symbols = robot.chain.n, sp.symbols(robot.letters, positive=True)
-    axes, links = robot.axes @ robot.tool.T, robot.links @ robot.tool.T  # in {b}
-
-    def solution(**lengths: float) -> Expression:
-        sizes = list(lengths.values())
-        points = []
-        for i, (letter, axis) in enumerate(zip(robot.joint_types, axes, strict=True)):
-            behind = [
-                given(f"{robot.letters[k]}\\,{vector(-links[k])}", -sizes[k] * links[k], LENGTH)
-                for k in range(i + 1, n + 1)
-                if letter == "P" or abs(links[k] @ axis) < 1e-9  # a link along the axis leads to another point of it
-            ]
-            point = total(*behind)
-            if letter != "P" and len(behind) > 1:
-                point = point.named(f"p_{i + 1}")
-                text = f"measure the point of joint {i + 1} from joint {i + 2} instead of from {{b}}"
-                point = point.mistaken_for(("from the joint behind", text, -sizes[i + 1] * links[i + 1]))
-            points.append(point)
-        chain = robot.with_lengths(np.array(sizes))
-        B = joint_screws(axes, points, chain.lines.pitch)
-        R = chain.home[:3, :3]
-        shifted = chain.screws @ adjoint(homogeneous(np.eye(3), -chain.home[:3, 3])).T
-        rotated = np.hstack([chain.screws[:, :3] @ R, chain.screws[:, 3:] @ R])
-        turned_back = shifted @ adjoint(homogeneous(R, np.zeros(3))).T
-        return B.mistaken_for(
-            ("rows reversed", "list the screws from the last joint to the first", B.value[::-1]),
-            ("frame not changed", "give the screws in {s}", chain.screws),
-            ("rotation left out", "measure from the origin of {b}, but along the axes of {s}", shifted),
-            ("rotation transposed", "rotate with $R$ instead of $R^T$", turned_back),
-            ("position left out", "use the axes of {b}, but the origin of {s}", rotated),
-            advice="Directions and points of body screws are given in {b}.",
-        )
-
-    steps = [letter * exact(link) for letter, link in zip(symbols, links, strict=True)]
-    points = [-sum(steps[i + 1 :], sp.zeros(3, 1)) for i in range(n)]
-    rows = [symbolic_screw(*joint).T for joint in zip(axes, points, robot.chain.lines.pitch, strict=True)]
-    return Problem(
-        statement="The drawing shows an arm at home. Each link is parallel to an axis of {s}, and its length is the letter beside "
-        f"it. Give the body screws $B_1$ to $B_{n}$ in {{b}}, in rows: {n} rows of six formulas in "
-        f"${robot.letters[0]}, \\ldots, {robot.letters[-1]}$.",
-        further="Which lengths do not occur in any body screw, and why?",
-        figure=partial(draw_lettered_chain, robot.chain, robot.letters, home=False),
-        given={"L": symbols},
-        answer=ScrewExpressionsAnswer(sp.Matrix.vstack(*rows), symbols),
-        solution=solution,
-        advice={
-            "term left out": "The point of an axis is the sum of all links between {b} and the joint, with the opposite signs."
-        },
-    )
-
-
-def _lettered_arm_beside_its_tool(sampler: ArmSampler) -> LetteredArm:
-    """Draw an arm whose last link is perpendicular to its last axis and to the link before, so that every axis has a moment in {b}."""
-    while True:
-        robot = draw_lettered_arm(sampler)
-        last = sampler.choice([1.0, -1.0]) * np.cross(robot.axes[-1], robot.links[-2])
-        robot = replace(robot, links=np.concatenate([robot.links[:-1], [last]]))
-        places = [np.zeros(3), *robot.chain.joint_points, robot.chain.home[:3, 3]]
-        if last.any() and are_distinguishable(places, MIN_LINK_M):
-            return robot
-
-
 def _has_different_entries(v: Array) -> bool:
     """Whether the moment of an axis along x, y or z has two entries besides 0, of different sizes, so that no swap is missed."""
     return len({0.0, *np.abs(v).round(6)}) == 3
@@ -517,7 +389,7 @@ def _random_configuration(sampler: ArmSampler, robot: Chain) -> Configuration:
     return configuration_from_typed(robot, typed)
 
 
-@problem("04.11", "A wrist with offsets", points=4, lecture="04_poe_body#A second method", level="Hard")
+@problem("04.9", "A wrist with offsets", points=4, lecture="04_poe_body#A second method", level="Hard")
 def drawn_wrist(sampler: ArmSampler) -> Problem:
     while True:
         a, b, c, d, e, f, g = lengths(sampler, 7, 0.04, 0.3)
@@ -541,7 +413,7 @@ def drawn_wrist(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("04.12", "What the controller should store", points=3, lecture="04_poe_body#The adjoint", level="Open")
+@problem("04.10", "What the controller should store", points=3, lecture="04_poe_body#The adjoint", level="Open")
 def what_to_store(_: ArmSampler) -> Problem:
     return Problem(
         statement="A controller can store space screws with $M$, or body screws with $M$. In the next year the tool will be changed "

@@ -18,11 +18,7 @@ TURN_1, TURN_2 = 0.6, 0.5
 
 
 def opening() -> Film:
-    """Play the same rotations of two joints, of an arm that is almost straight and of the same arm with a bent elbow.
-
-    >>> opening().alt[:31]
-    'One arm, in two configurations.'
-    """
+    """Play the same rotations of two joints, of an arm that is almost straight and of the same arm with a bent elbow."""
     chain = arm([(Z, (0, 0, 0)), (Z, (0.6, 0, 0))], pose((X, Y, Z), (1.1, 0, 0)), "plane arm", "")
     around = np.array([(-0.25, -0.3, 0), (2.6, 1.2, 0)])
 

@@ -8,11 +8,7 @@ from kinlib.view.viewer.film import Film, film, share
 
 
 def opening() -> Film:
-    """Play the common normal of two axes while the second axis moves: skew, crossing, and skew again.
-
-    >>> opening().alt[:45]
-    'Two joint axes in space, and the shortest con'
-    """
+    """Play the common normal of two axes while the second axis moves: skew, crossing, and skew again."""
 
     def draw(t: float) -> Picture:
         tilt = np.radians(70 - 40 * share(t, 2, 5))

@@ -13,11 +13,7 @@ ELBOW, TIP = np.array([0.7, 0.0, 0.0]), np.array([1.2, 0.0, 0.0])
 
 
 def opening() -> Film:
-    """Play two joints of an arm. The link between them has two frames, one at each of its ends.
-
-    >>> opening().alt[:26]
-    'A link between two joints.'
-    """
+    """Play two joints of an arm. The link between them has two frames, one at each of its ends."""
     chain = arm([(Z, (0, 0, 0)), (Y, ELBOW)], pose((X, Y, Z), TIP), "two joints", "")
     around = np.array([(-0.35, -0.5, -0.5), (1.3, 0.8, 0.6)])
 

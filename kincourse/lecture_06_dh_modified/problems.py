@@ -99,12 +99,7 @@ def _moved(rows: Array, by: int, columns: list[int]) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class WristAnglesAnswer(Remarking, EulerAnglesAnswer):
-    """Angles theta_4, theta_5, theta_6 of a wrist in rows, in radians; the second row is at the singular configuration.
-
-    >>> answer = WristAnglesAnswer(np.array([[0.1, 0.2, 0.3], [0, 0, 0.5]]))
-    >>> answer.agrees(np.array([[0.1 + np.pi, -0.2, 0.3 + np.pi], [0.25, 0, 0.25]]), answer.value)
-    [True, True]
-    """
+    """Angles theta_4, theta_5, theta_6 of a wrist in rows, in radians; the second row is at the singular configuration."""
 
     noun: ClassVar[str] = "theta_4, theta_5, theta_6 in radians, one row for each rotation, an array"
     meaning: Callable[[Array], Array] = field(default=wrist_rotation, kw_only=True)
@@ -402,11 +397,7 @@ def _letter_points(table: DHTable, lengths: Sequence[float]) -> list[str]:
 
 
 def _letter_sum(coefficients: Sequence[int]) -> str:
-    """A sum of the lengths l_1, l_2, ... in LaTeX.
-
-    >>> _letter_sum([1, 0, -1]), _letter_sum([0, 0])
-    ('l_1 - l_3', '0')
-    """
+    """A sum of the lengths l_1, l_2, ... in LaTeX."""
     terms = [f"{'-' if c < 0 else '+'} l_{k}" for k, c in enumerate(coefficients, start=1) if c]
     return " ".join(terms).removeprefix("+ ").replace("- ", "-", 1 if terms and terms[0][0] == "-" else 0) or "0"
 

@@ -19,11 +19,7 @@ NAMED_ENDS = (0.8, 0.8, -0.8)
 
 
 def opening() -> Film:
-    """Play the three joints of a spherical wrist, one after the other and then together.
-
-    >>> opening().alt[:41]
-    'A wrist has three joints. Joint 4 rotates'
-    """
+    """Play the three joints of a spherical wrist, one after the other and then together."""
     wrist = arm([(X, CENTRE), (Y, CENTRE), (X, CENTRE)], pose((Y, Z, X), (REACH, 0, 0)), "wrist", "")
     start = np.array([0.0, 0.6, 0.0])
     around = np.array([(-1.1, -0.9, -0.9), (1.0, 0.9, 0.9)])

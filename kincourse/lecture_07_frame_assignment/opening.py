@@ -8,11 +8,7 @@ from kinlib.view.viewer.film import Film, film, share
 
 
 def opening() -> Film:
-    """Play the common normal of two axes while the second axis turns towards the direction of the first.
-
-    >>> opening().alt[:36]
-    'The common normal of two axes, with '
-    """
+    """Play the common normal of two axes while the second axis turns towards the direction of the first."""
 
     def draw(t: float) -> Picture:
         return draw_moving_normal(np.radians(75 - 63 * share(t, 1.5, 6.5) - 12 * share(t, 8, 9)), 0.8)

@@ -18,15 +18,13 @@ from kincourse.expressions.planar import (
     length,
     polar,
     rocker_directions,
-    rotated,
     slider_place,
     with_other_bars,
 )
-from kincourse.expressions.poses import exp, point, pose
+from kincourse.expressions.poses import exp, pose
 from kincourse.expressions.screws import screw_axes
 from kincourse.problem import ArmSampler, Problem, problem
-from kincourse.sampling.four_bar_geometry import FourBar
-from kincourse.sampling.linkages import crank_rocker, four_bar_of_kind, limited_crank, overconstrained_case
+from kincourse.sampling.linkages import FourBar, crank_rocker, four_bar_of_kind, limited_crank, overconstrained_case
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms import linkages
 from kinlib.view.figures.linkage import draw_linkage
@@ -237,7 +235,7 @@ def residual(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("08.5", "Both assembly modes", points=3, lecture="08_closed_chains#The smallest loop")
+@problem("08.5", "Both assembly modes", points=4, lecture="08_closed_chains#The smallest loop")
 def both_ways(sampler: ArmSampler) -> Problem:
     four_bar, degrees = crank_rocker(sampler), sampler.degrees(25, 155)
     A = radians(given("A", degrees, ANGLE))
@@ -290,74 +288,7 @@ def _bar(begin: str, length: float, right: float) -> str:
     return f"{begin} {length:.3g} m long." if abs(length - right) > CHECK_TOLERANCE else ""
 
 
-@problem("08.6", "A point of the coupler", points=3, lecture="08_closed_chains#The smallest loop")
-def coupler_point(sampler: ArmSampler) -> Problem:
-    four_bar, degrees = crank_rocker(sampler), sampler.degrees(25, 155)
-    along, left = sampler.length(0.1, 0.25), sampler.length(0.1, 0.25)
-    linkage, lengths = linkages.four_bar(*four_bar), bars(four_bar)
-    A = radians(given("A", degrees, ANGLE))
-
-    def coupler(mode: int) -> Expression:
-        k = with_other_bars(lambda four: coupler_directions(four, A)[mode], lengths)
-        for text, wrong in (
-            ("rotate by the coupler's angle from the crank alone", k - A),
-            ("rotate by the crank's angle", A),
-            ("rotate by the crank's angle twice", k + A),
-            ("rotate by the rocker's angle", rocker_directions(lengths, A)[mode]),
-        ):
-            k = k.mistaken_for(
-                ("another angle", text, wrong, "The coupler's angle is measured from the $x$ axis here.")
-            )
-        return k
-
-    angle = coupler(0).mistaken_for(
-        ("other mode", "take the other assembly mode, with C to the right of the arrow from B to D", coupler(1))
-    )
-    p = point("p", np.array([along, left]))
-    for text, wrong in (
-        ("measure $p$ from C, towards B", (four_bar.coupler - along, left)),
-        ("measure $p$ from C, away from B", (four_bar.coupler + along, left)),
-        ("take $p$ along the coupler only", (along, 0.0)),
-        ("take $p$ across the coupler only", (0.0, left)),
-        ("give C instead of P", (four_bar.coupler, 0.0)),
-    ):
-        p = p.mistaken_for(
-            ("another point", text, np.array(wrong), "P's distance along the coupler is measured from B.")
-        )
-    start = polar(lengths[1], A).named("p_B")
-    start = start.mistaken_for(
-        ("from D", "add $p$ to the position of D instead of B", np.array([four_bar.ground, 0.0]))
-    )
-    P = start + rotated(angle, p)
-    P = P.mistaken_for(
-        ("mirror image", "give the mirror image of P in the ground line", P * np.array([1.0, -1.0]), MIRRORED)
-    )
-    P = P.mistaken_for(("from D", "measure P from D instead of A", P - np.array([four_bar.ground, 0.0])))
-    drawn = {"P": ("coupler", (four_bar.crank + along, left, 0.0))}
-
-    def distance_from_B(P: Array) -> str:
-        distance, right = float(np.linalg.norm(P - start.value)), float(np.hypot(along, left))
-        text = f"Your P is {distance:.3g} m from B; the two given distances along and across the coupler make it {right:.3g} m."
-        return text if abs(distance - right) > CHECK_TOLERANCE else ""
-
-    return Problem(
-        statement=f"{describe_lengths(four_bar)} The angle of its crank from the $x$ axis is $A = {degrees}°$, and C lies to the left of "
-        f"the arrow from B to D. A point P of the coupler lies {number(along)} m from B along the coupler, towards C, and {number(left)} "
-        f"m "
-        "to the left of the coupler. Call these two distances $p$. What is the position of P, as $[x, y]$ from the pin A?",
-        method="$\\angle(x, BD) + \\angle DBC$ is the angle of the coupler from the $x$ axis, and $R$ the rotation by it.",
-        further="Where is P in the other assembly mode?",
-        figure=partial(draw_linkage, linkage, four_bar.assembly_modes(np.radians(degrees))[0], points=drawn),
-        given={"bars": tuple(four_bar), "degrees": degrees, "along": along, "left": left},
-        answer=Numbers(P, unit="m", test=distance_from_B),
-        advice={
-            "take the $y$ of $p$ with the opposite sign": "P lies to the left of the arrow from B to C.",
-            "sine and cosine swapped": "At 0 degrees a bar lies along $x$.",
-        },
-    )
-
-
-@problem("08.7", "The range of a crank", points=3, lecture="08_closed_chains#The configuration-space curve")
+@problem("08.6", "The range of a crank", points=3, lecture="08_closed_chains#The configuration-space curve")
 def dead_point(sampler: ArmSampler) -> Problem:
     four_bar = limited_crank(sampler)
     lengths = ground, crank, coupler, rocker = bars(four_bar)
@@ -391,7 +322,7 @@ def dead_point(sampler: ArmSampler) -> Problem:
         statement=f"{describe_lengths(four_bar)} Its crank cannot make full turns. What is the greatest angle $A$ "
         "from the $x$ axis, between $-\\pi$ and $\\pi$ and in radians, at which the loop still closes?",
         further="What is the angle of the rocker from the $x$ axis at this dead point?",
-        figure=partial(draw_linkage, linkages.four_bar(*four_bar), four_bar.assembly_modes(0.6 * A.value)[0]),
+        figure=partial(draw_linkage, linkages.four_bar(*four_bar), four_bar.closed_at(0.6 * A.value)),
         given={"bars": tuple(four_bar)},
         answer=Angles(A, test=reach),
         advice={
@@ -402,7 +333,7 @@ def dead_point(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("08.8", "Three kinds of mobility", points=3, lecture="08_closed_chains#Where counting fails", level="Hard")
+@problem("08.7", "Three kinds of mobility", points=4, lecture="08_closed_chains#Where counting fails", level="Hard")
 def three_mobilities(sampler: ArmSampler) -> Problem:
     case = overconstrained_case(sampler)
     linkage, loops = case.linkage, len(case.linkage.loops)
@@ -452,7 +383,7 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
     ).without_duplicates()
 
 
-@problem("08.9", "A wiper to design", points=3, lecture="08_closed_chains#Grashof's condition", level="Hard")
+@problem("08.8", "A wiper to design", points=4, lecture="08_closed_chains#Grashof's condition", level="Hard")
 def wiper(sampler: ArmSampler) -> Problem:
     while True:
         ground, rocker = sampler.length(0.4, 0.8), sampler.length(0.25, 0.6)
@@ -527,7 +458,7 @@ class CountsAnswer(Numbers):
         return self.names
 
 
-@problem("08.10", "A tray that stays level", points=3, lecture="08_closed_chains#Where counting fails", level="Open")
+@problem("08.9", "A tray that stays level", points=3, lecture="08_closed_chains#Where counting fails", level="Open")
 def level_tray(_: ArmSampler) -> Problem:
     return Problem(
         statement="Design a planar linkage that carries a tray along a curve without tilting it, driven by one motor. Give its lengths, "

@@ -6,13 +6,7 @@ REPAIRS = (("-90 0 0", "-1.5708 0 0"), ('"Rod"', '"rod"'), ('"2" upper="-2"', '"
 
 
 def messages(text: str) -> str:
-    """Return what `load_urdf` says of a file while its lines are repaired one after the other.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> from kinlib.urdf.chains import to_urdf
-    >>> messages(to_urdf(rpr()))
-    'Then it reads the file, with the joints RPR.'
-    """
+    """Return what `load_urdf` says of a file while its lines are repaired one after the other."""
     said = []
     for wrong, right in REPAIRS:
         try:

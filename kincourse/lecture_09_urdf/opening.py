@@ -22,11 +22,7 @@ AROUND = np.array([(-0.2, -0.5, 0), (1.3, 0.9, 1.3)])
 
 
 def opening() -> Film:
-    """Play how an arm grows from the lines of a file, and how it changes with one number.
-
-    >>> opening().alt[:33]
-    'A file has one line for each join'
-    """
+    """Play how an arm grows from the lines of a file, and how it changes with one number."""
     grown = EACH_S * len(LINES)
 
     def draw(t: float) -> Picture:
@@ -47,11 +43,7 @@ def opening() -> Film:
 
 
 def draw_changed() -> Picture:
-    """Draw the last picture of the film: the arm of the changed file and, in grey, the arm as it was.
-
-    >>> draw_changed().alt[-28:]
-    ' In grey, the arm as it was.'
-    """
+    """Draw the last picture of the film: the arm of the changed file and, in grey, the arm as it was."""
     return _draw([1.0] * len(LINES), 1.0)
 
 

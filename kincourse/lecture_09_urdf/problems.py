@@ -1,10 +1,6 @@
 """Sheet 09: reading URDF files by hand: poses, axes, screws, the home pose, trees, mimic joints and faulty lines."""
 
-import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
-from itertools import accumulate, zip_longest
-from typing import Any
 
 import numpy as np
 
@@ -16,7 +12,6 @@ from kincourse.expressions.poses import assemble, point, translation
 from kincourse.expressions.screws import direction, revolute
 from kincourse.expressions.urdf import about_own_axes, rpy_rotation
 from kincourse.problem import ArmSampler, Problem, problem
-from kincourse.sampling.arms import AXIS_DIRECTIONS
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
 from kincourse.text.urdf_text import (
     UrdfJoint,
@@ -30,8 +25,6 @@ from kincourse.text.urdf_text import (
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
-from misstep.answers.base import Named
-from misstep.answers.number import Numbers
 from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.display.text import number, vector
@@ -114,7 +107,7 @@ def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
     )
 
 
-@problem("09.2", "The path through a tree", points=2, lecture="09_urdf#A URDF is a tree", level="Warm-up")
+@problem("09.2", "The path through a tree", points=3, lecture="09_urdf#A URDF is a tree", level="Warm-up")
 def path_through_a_tree(sampler: ArmSampler) -> Problem:
     a, b, c, d = sampler.shuffled(["pan", "tilt", "swing", "twist", "bend", "yaw"])[:4]
     near, far = sampler.shuffled(["left", "right"])
@@ -183,7 +176,7 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("09.4", "A screw axis from a file", points=3, lecture="09_urdf#From the file to screws")
+@problem("09.4", "A screw axis from a file", points=4, lecture="09_urdf#From the file to screws")
 def screw_from_a_file(sampler: ArmSampler) -> Problem:
     joints = _three_joints(sampler)
     axis = _random_axis(sampler)
@@ -255,235 +248,7 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
     )
 
 
-RULES = (
-    "`parent` and `child` name links of the file, and a link is the child of at most one joint.",
-    "The `axis` of a joint that moves must be a unit vector here.",
-    "`lower` is the lower limit and `upper` the upper one.",
-    "Angles are in radians. In this file every angle in an `rpy` is a multiple of a right angle.",
-)
-"""The rules of the URDF specification that problem 6 is about, as far as its files can break them."""
-
-FAULTY_ELEMENTS = {"limits swapped": "<limit", "another length": "<axis", "degrees": "<origin"}
-"""The faults by these rules, and the element in which each of them is."""
-
-UNIT_AXES = ("0.6 0 -0.8", "0 -0.8 0.6", "-0.6 0.8 0")
-"""Axes of length 1 that do not look it, for the joint without a fault."""
-
-
-@problem("09.6", "Which line is wrong?", points=2, lecture="09_urdf#Who notices an error?")
-def which_line(sampler: ArmSampler) -> Problem:
-    fault = sampler.choice(list(FAULTY_ELEMENTS))
-    where = sampler.choice([1, 2])
-    links, names = (
-        sampler.shuffled(["post", "boom", "rod", "hand"]),
-        sampler.shuffled(["swivel", "lift", "reach", "weld"]),
-    )
-    links = ["base", *links]
-    elements = [
-        f'<joint name="{names[0]}" type="continuous">\n  <parent link="base"/>\n  <child link="{links[1]}"/>\n</joint>',
-        *(_limited_joint(sampler, names[k], links[k : k + 2], "" if k != where else fault) for k in (1, 2)),
-    ]
-    ends = f'  <parent link="{links[3]}"/>\n  <child link="{links[4]}"/>\n'
-    weld = f'<joint name="{names[3]}" type="fixed">\n{ends}</joint>'
-    text = robot_urdf(links, [*elements, weld])
-    lines = text.splitlines()
-    begins = [_line_with(lines, f'<joint name="{name}"') for name in names]
-
-    def line_of(k: int, mark: str) -> int:
-        return _line_with(lines, mark, begins[k])
-
-    wrong = line_of(where, FAULTY_ELEMENTS[fault])
-    written = [float(x) for x in re.findall(r"-?\d[\d.]*", lines[wrong - 1])]
-    right = {"limits swapped": -written[0], "another length": next(filter(None, written)) / 2, "degrees": np.pi / 2}[
-        fault
-    ]
-
-    def at_line(line: int) -> Array:
-        return np.array([line, right])
-
-    rules = "\n".join(f"- {rule}" for rule in RULES)
-    return Problem(
-        statement=f"By the URDF specification, exactly one element of this file is wrong. These rules are enough to find it:\n\n{rules}\n\n"
-        "In which line is it, and which number must stand there in place of the first wrong one? Give both, such as `[7, 0.5]`. Lines "
-        f"count from 1.\n\n{fence_urdf(_number_lines(lines))}",
-        method={
-            "limits swapped": f"In line {wrong} the lower limit, {number(written[0])}, is above the upper one.",
-            "another length": f"The axis in line {wrong} has the length 2.",
-            "degrees": f"The `rpy` in line {wrong} has an angle of 90, which is a right angle in degrees.",
-        }[fault]
-        + " The line, and the number that must be in it:",
-        further="Which of the rules would a reader that only draws the robot never check?",
-        given={"urdf": text},
-        answer=FaultyLineAnswer(at_line(wrong), lines=lines, joint=range(begins[where], line_of(where, "</joint") + 1)),
-        mistakes=[
-            mistake(
-                "joint without limits",
-                at_line(begins[0]),
-                "This joint is correct: a continuous joint needs no limits, its axis is $x$ if `axis` is left out, and its frame at "
-                "$q = 0$ is the parent's if `origin` is left out.",
-            ),
-            mistake(
-                "axis of unit length",
-                at_line(line_of(3 - where, "<axis")),
-                "This axis is correct: it is a unit vector, because $0.6^2 + 0.8^2 = 1$, and its components may be negative.",
-            ),
-            mistake(
-                "counted from 0", at_line(wrong - 1), "This is the line above the wrong element. Lines count from 1."
-            ),
-            mistake(
-                "the end of the joint",
-                at_line(line_of(where, "</joint")),
-                "The wrong element is in this joint, but this line is only its end. Which of its elements breaks a rule?",
-            ),
-        ],
-    )
-
-
-def _line_with(lines: Sequence[str], mark: str, start: int = 1) -> int:
-    """The number of the first line from `start` on that contains a text; lines count from 1."""
-    return next(i for i, line in enumerate(lines, 1) if i >= start and mark in line)
-
-
-@dataclass(frozen=True, eq=False)
-class FaultyLineAnswer(Numbers):
-    """The number of the line of a file with the wrong element, counted from 1, and the numbers that must stand there, shape (1 + k,).
-
-    lines  the lines of the file
-    joint  the numbers of the lines of the joint that contains it
-
-    >>> answer = FaultyLineAnswer(np.array([2.0, 1.0]), lines=['<joint>', '<axis xyz="0 0 0"/>', '</joint>', '<joint/>'], joint=range(1, 4))
-    >>> answer.resemblance(np.array([4.0, 1.0]), 0)
-    ('a line that is in order', 'Line 4 is correct: `<joint/>`.')
-    """
-
-    lines: Sequence[str] = field(kw_only=True)
-    joint: range = field(kw_only=True)
-    parts = ("the line", "what must stand there")
-
-    def part_indices(self) -> list[Any]:
-        return [0, slice(1, None)]
-
-    def counts(self, given: Array, right: Sequence[bool]) -> bool:
-        return False
-
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        """Say of the line that was given what it is."""
-        if part != 0:
-            return None if part is None else super().resemblance(given, part)
-        given = given[0]
-        if given not in range(1, len(self.lines) + 1):
-            return "no line", f"The file has the lines 1 to {len(self.lines)}. Give one of these numbers."
-        line = f"`{self.lines[int(given) - 1].strip()}`"
-        if given in self.joint:
-            return (
-                "another line of the joint",
-                f"The wrong element is in this joint, but this line is correct: {line}. Look at the other elements of the joint.",
-            )
-        return "a line that is in order", f"Line {number(float(given))} is correct: {line}."
-
-
-def _limited_joint(sampler: ArmSampler, name: str, links: list[str], fault: str) -> str:
-    """Write a joint with limits and possibly a fault. Without a fault its axis is a unit vector that does not look like one."""
-    bound, xyz, unit_axis = sampler.length(0.5, 2.0), sampler.point(3), sampler.choice(UNIT_AXES)
-    lower, upper = (bound, -bound) if fault == "limits swapped" else (-bound, bound)
-    doubled = " ".join(f"{2 * float(x):g}" for x in unit_axis.split())
-    axis = {"another length": doubled, "": unit_axis}.get(fault, "0 0 1")
-    return (
-        f'<joint name="{name}" type="revolute">\n  <parent link="{links[0]}"/>\n  <child link="{links[1]}"/>\n'
-        f'  <origin xyz="{format_values(xyz)}" rpy="0 {"90" if fault == "degrees" else "1.5708"} 0"/>\n  <axis xyz="{axis}"/>\n'
-        f'  <limit lower="{number(lower)}" upper="{number(upper)}" effort="10" velocity="1"/>\n</joint>'
-    )
-
-
-def _number_lines(lines: list[str]) -> str:
-    return "\n".join(f"{i:2}  {line}" for i, line in enumerate(lines, start=1))
-
-
-LOOKALIKES = {
-    True: (
-        (
-            "The axis of this joint has the wrong direction, but not because of its `axis`: later origins disagree with the data sheet as "
-            "well, and at $q = 0$ an `axis` has no influence on them."
-        ),
-        (
-            "This origin is correct in the frame of its parent. It disagrees with the data sheet because an earlier frame is wrong. Look "
-            "for the first joint whose row disagrees."
-        ),
-    ),
-    False: (
-        (
-            "The axis of this joint has the wrong direction, but not because of its `origin`: all later origins agree with the data sheet. "
-            "If this frame were rotated wrongly, they would not."
-        ),
-        "This origin is correct: it agrees with the data sheet, and so does every other origin of the file.",
-    ),
-}
-"""For a wrong origin, and for a wrong axis: what to say of the other element of the joint, and of the next joint's origin."""
-
-
-@problem("09.7", "Origin or axis?", points=2, lecture="09_urdf#An error that every reader accepts")
-def origin_or_axis(sampler: ArmSampler) -> Problem:
-    meant = [_joint_across_its_rotation(sampler, f"joint_{k}") for k in (1, 2, 3)]
-    joints = [*meant, UrdfJoint("weld", sampler.point(3), kind="fixed")]
-    k, is_origin = sampler.choice([0, 1, 2]), sampler.choice([True, False])
-    R = meant[k].pose[:3, :3].round()
-    wrong = {"rpy": -np.asarray(meant[k].rpy)} if is_origin else {"axis": R @ meant[k].axis}
-    written = [*joints[:k], replace(joints[k], **wrong), *joints[k + 1 :]]
-    lines = serial_urdf(written, ("base", "boom", "forearm", "hand", "tool")).splitlines()
-    begins = [_line_with(lines, f'<joint name="{joint.name}"') for joint in joints]
-    here = {mark: _line_with(lines, mark, begins[k]) for mark in ("<origin", "<axis")}
-    poses = [T.round() + 0.0 for T in accumulate((joint.pose for joint in joints), np.matmul)]
-    origins, axes = [T[:3, 3] for T in poses], [T[:3, :3] @ joint.axis for T, joint in zip(poses, meant, strict=False)]
-    answer, other = (here["<origin"], here["<axis"]) if is_origin else (here["<axis"], here["<origin"])
-    lookalike, later = LOOKALIKES[is_origin]
-
-    def at_line(line: int) -> Array:
-        return np.array([line, *(meant[k].rpy if is_origin else meant[k].axis)])
-
-    return Problem(
-        statement="Every reader accepts this file, but it does not describe the robot of this data sheet. All joint values are 0, and "
-        f"lengths are in metres.\n\n{_data_sheet(joints, origins, axes)}\n\nExactly one line of the file is wrong. Which one, and which "
-        "three numbers must stand in it, as `rpy` or as `axis`? Give four numbers, such as `[7, 0, 0, 1]`. Lines count from 1. "
-        f"{ROUNDING_NOTE}\n\n{fence_urdf(_number_lines(lines))}",
-        method=f"`{joints[k].name}` is the first whose row disagrees with the data sheet: its axis has another direction. "
-        + (
-            "The next origin disagrees as well, so its frame is rotated wrongly: its `rpy` is wrong."
-            if is_origin
-            else "All origins agree, so its frame is right: its `axis` is wrong."
-        )
-        + " The line, and the three numbers:",
-        further="Which single measurement tells a wrong origin from a wrong axis?",
-        given={"urdf": "\n".join(lines), "origins": np.array(origins), "axes": np.array(axes)},
-        answer=FaultyLineAnswer(at_line(answer), lines=lines, joint=range(begins[k], begins[k + 1])),
-        mistakes=[
-            mistake("origin and axis swapped", at_line(other), lookalike),
-            mistake("a later origin", at_line(_line_with(lines, "<origin", begins[k + 1])), later),
-            mistake(
-                "the joint itself",
-                at_line(begins[k]),
-                "The wrong line is in this joint, but this line is correct. Is its `origin` wrong, or its `axis`?",
-            ),
-        ],
-    )
-
-
-def _joint_across_its_rotation(sampler: ArmSampler, name: str) -> UrdfJoint:
-    """Draw a joint whose axis is perpendicular to that of its `rpy`, so that a wrong `rpy` shows in its direction."""
-    rpy = random_right_angles(sampler, 1)
-    return UrdfJoint(name, sampler.point(3), rpy, sampler.choice([axis for axis in AXIS_DIRECTIONS if not axis @ rpy]))
-
-
-def _data_sheet(joints: Sequence[UrdfJoint], origins: Sequence[Array], axes: Sequence[Array]) -> str:
-    """A table of the origins of joints, and of the directions of the first of them, in the frame of the base."""
-    directions = [f"${vector(axis)}$" for axis in axes]
-    rows = zip_longest(
-        [joint.name for joint in joints], [f"${vector(p)}$" for p in origins], directions, fillvalue="none"
-    )
-    heads = ("joint", "origin in the base frame", "axis in the base frame")
-    return "\n".join(f"| {' | '.join(row)} |" for row in [heads, 3 * ("---",), *rows])
-
-
-@problem("09.8", "From a DH row to a URDF", points=3, lecture="09_urdf#The youBot, from a table and from a file")
+@problem("09.6", "From a DH row to a URDF", points=3, lecture="09_urdf#The youBot, from a table and from a file")
 def from_a_dh_row(sampler: ArmSampler) -> Problem:
     a, d = sampler.length(0.2, 0.9), sampler.length(0.2, 0.9)
     # Not 45 degrees, whose sine is its cosine, and no right angle, whose sine leaves a length as it is.
@@ -546,7 +311,7 @@ def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
 MIMIC_ADVICE = "A mimic joint has the value multiplier times the value of the other joint, plus offset."
 
 
-@problem("09.9", "A joint that follows another", points=3, lecture="09_urdf#Mimic joints")
+@problem("09.7", "A joint that follows another", points=4, lecture="09_urdf#Mimic joints")
 def mimic_joint(sampler: ArmSampler) -> Problem:
     boom, forearm, height = (sampler.length(0.2, 0.9) for _ in range(3))
     factor = sampler.choice((-1, 1)) * sampler.choice([0.5, 1.5, 2.0, 2.5])
@@ -617,7 +382,7 @@ WRONG_FRAME_ADVICE = (
 
 
 @problem(
-    "09.10", "An axis in the wrong frame", points=3, lecture="09_urdf#An error that every reader accepts", level="Hard"
+    "09.8", "An axis in the wrong frame", points=4, lecture="09_urdf#An error that every reader accepts", level="Hard"
 )
 def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
     joints, omega = _three_joints(sampler), _random_axis(sampler, (0.48, 0.6, 0.64))
@@ -648,7 +413,7 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("09.11", "The file of a gantry", points=4, lecture="09_urdf#From the file to screws", level="Hard")
+@problem("09.9", "The file of a gantry", points=4, lecture="09_urdf#From the file to screws", level="Hard")
 def gantry(sampler: ArmSampler) -> Problem:
     while True:
         a, b, c, d, e, f, g, h = lengths(sampler, 8)
@@ -693,7 +458,7 @@ def gantry(sampler: ArmSampler) -> Problem:
 
 
 @problem(
-    "09.12",
+    "09.10",
     "A fault that every reader accepts",
     points=3,
     lecture="09_urdf#An error that every reader accepts",
@@ -701,7 +466,7 @@ def gantry(sampler: ArmSampler) -> Problem:
 )
 def accepted_and_wrong(_: ArmSampler) -> Problem:
     return Problem(
-        statement="Change one number of the file of Problem 9, so that every reader accepts the file, the home pose of the tool is right, "
+        statement="Change one number of the file of Problem 7, so that every reader accepts the file, the home pose of the tool is right, "
         "and the robot moves wrongly. Say which line it is, what it does, and with which test a colleague who knows only the "
         "machine would find it. Which line would he suspect first, and why is it innocent?",
         answer=Prose(

@@ -15,11 +15,7 @@ BOOM, WRIST = (-4, -2, 0), (4, -2, 0)
 
 
 def slide_the_boom(after: Any) -> Any:
-    """Rotate joint 1 of the RPR arm, and show where the frame of its wrist is, once a prediction is committed.
-
-    >>> slide_the_boom(None).alt[:56]
-    'origin in the file: (4, -2, 0); wrist in {s}: (0, -4, 0)'
-    """
+    """Rotate joint 1 of the RPR arm, and show where the frame of its wrist is, once a prediction is committed."""
 
     def links(degrees: float) -> dict[str, Array]:
         boom = origin(BOOM) @ exp([0, -np.radians(degrees), 0, 0, 0, 0])

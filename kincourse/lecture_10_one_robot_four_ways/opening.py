@@ -17,11 +17,7 @@ AROUND = np.array([(-0.4, -0.4, 0), (0.9, 0.9, 1.2)])
 
 
 def described_arm() -> Chain:
-    """The description of the film: the plain arm with the axis of joint 2 tilted by 14 degrees, and no other fault.
-
-    >>> np.flatnonzero(np.any(described_arm().screws != plain_arm().screws, axis=1))
-    array([1])
-    """
+    """The description of the film: the plain arm with the axis of joint 2 tilted by 14 degrees, and no other fault."""
     real, tilt = plain_arm(), np.radians(14)
     screws, points = real.screws.copy(), real.joint_points
     screws[1] = screw((0, -np.cos(tilt), np.sin(tilt)), points[1])
@@ -29,11 +25,7 @@ def described_arm() -> Chain:
 
 
 def opening() -> Film:
-    """Play an arm, the places where its tool was measured, and where a description with a fault puts it.
-
-    >>> opening().alt[:40]
-    'This arm is being measured: a tracker se'
-    """
+    """Play an arm, the places where its tool was measured, and where a description with a fault puts it."""
 
     def draw(t: float) -> Picture:
         return draw_measured(END * share(t, 1, 6), dots=int(max(0.0, 2 * (min(t, 6) - 1)) + 1), described=t > 6.5)
@@ -54,11 +46,7 @@ def opening() -> Film:
 
 
 def draw_measured(q: Array, *, dots: int = 11, described: bool = True) -> Picture:
-    """Draw the plain arm at q (4,), the first places of its tool on the way to END, and in grey the arm of the description.
-
-    >>> draw_measured(END).alt[-36:]
-    'The description puts it 166 mm away.'
-    """
+    """Draw the plain arm at q (4,), the first places of its tool on the way to END, and in grey the arm of the description."""
     real, other = plain_arm(), described_arm()
     canvas = Canvas(AROUND)
     canvas.floor(AROUND)

@@ -41,14 +41,7 @@ class JointPath:
 
 
 def draw_paths(chain: Chain, limits: Array, sampler: Sampler) -> dict[str, JointPath]:
-    """Draw one path of each effect, named A to D in a random order.
-
-    >>> from kincourse.lecture_10_one_robot_four_ways.arms import draw_machine
-    >>> machine, sampler = draw_machine("ada"), Sampler("ada", "10.paths")
-    >>> paths = draw_paths(machine.chain, machine.limits, sampler)
-    >>> sorted(effect_of(machine.chain, path) for path in paths.values())
-    ['hits', 'hovers', 'leaves', 'writes']
-    """
+    """Draw one path of each effect, named A to D in a random order."""
     paths = None
     while paths is None:
         paths = _try(chain, limits, sampler)

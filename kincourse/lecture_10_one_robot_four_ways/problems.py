@@ -189,11 +189,7 @@ def one_of_four(sampler: ArmSampler) -> Problem:
 
 @dataclass(frozen=True, eq=False)
 class OriginsAnswer(AlikeRows, Numbers):
-    """Poses of frames, each in the frame before it, (k, 4, 4), as the origins of a URDF file; each pose is a part.
-
-    >>> OriginsAnswer(np.array([np.eye(4)] * 2)).parts
-    ['the origin of joint 1', 'the origin of the tool']
-    """
+    """Poses of frames, each in the frame before it, (k, 4, 4), as the origins of a URDF file; each pose is a part."""
 
     noun: ClassVar[str] = "the origins of the joints and of the tool, an array"
 

@@ -64,14 +64,7 @@ class Log:
 
 
 class Project:
-    """One student's project. Make one with `open_project`.
-
-    >>> project = open_project("ada")
-    >>> project.log.q.shape, project.log.poses.shape
-    ((14, 4), (14, 4, 4))
-    >>> project.drawing("table").alt[:40]
-    'Top view and front view of a machine, wi'
-    """
+    """One student's project. Make one with `open_project`."""
 
     def __init__(self, student: str) -> None:
         self._student, self._machine = student, draw_machine(student)

@@ -33,20 +33,12 @@ _COLUMN = re.compile(
 
 
 def symbol(name: str) -> str:
-    r"""Return the name of an entry as mathematics.
-
-    >>> symbol("alpha_2"), symbol("d")
-    ('$\\alpha_2$', '$d$')
-    """
+    """Return the name of an entry as mathematics."""
     return f"$\\{name.lower()}$" if name.lower().startswith(ANGLE_COLUMNS) else f"${name}$"
 
 
 def with_symbols(text: str) -> str:
-    r"""Return a sentence of `kinlib.dh` with the names of columns and axes as mathematics.
-
-    >>> with_symbols("Every alpha is 0.")
-    'Every $\\alpha$ is 0.'
-    """
+    """Return a sentence of `kinlib.dh` with the names of columns and axes as mathematics."""
     return _COLUMN.sub(lambda found: symbol(found[0]), text)
 
 
@@ -100,20 +92,12 @@ def slips_of_table(right: DHTable) -> list[Slip]:
 
 
 def is_in_several_rows(wrong: Array, right: Array) -> bool:
-    """Whether a mistake runs through a table, so that a row that it leaves as it is earns nothing.
-
-    >>> is_in_several_rows(np.zeros((2, 4)), np.ones((2, 4))), is_in_several_rows(np.zeros((2, 4)), np.eye(2, 4, 3))
-    (True, False)
-    """
+    """Whether a mistake runs through a table, so that a row that it leaves as it is earns nothing."""
     return bool(np.count_nonzero((wrong != right).any(axis=1)) > 1)
 
 
 def rows_of_the_other_convention(table: DHTable) -> Mistake:
-    """The rows of the frames that obey the rule of the other convention, as a mistake: z_i on the wrong joint.
-
-    >>> rows_of_the_other_convention(DHTable([[1, 0, 0, 0], [2, 0, 0, 0]], convention="standard")).value.columns["a"]
-    array([0., 1.])
-    """
+    """The rows of the frames that obey the rule of the other convention, as a mistake: z_i on the wrong joint."""
     wrong = table.changed(rows=table.converted(OTHER_CONVENTION[table.convention]).rows)
     text = (
         "You put $z_i$ on the wrong joint. In the standard convention $z_i$ lies on the axis of joint $i + 1$, in the "
@@ -130,11 +114,7 @@ def with_translation_in_a_row(table: DHTable, end: str) -> DHTable:
 
 
 def entry_names(n: int) -> dict[str, str]:
-    """The entries of a table with n rows, as a student types them, in words.
-
-    >>> entry_names(1)["alpha1"]
-    'alpha in row 1'
-    """
+    """The entries of a table with n rows, as a student types them, in words."""
     return {f"{column}{row}": f"{column} in row {row}" for row in range(1, n + 1) for column in COLUMNS}
 
 
@@ -142,9 +122,6 @@ def other_entries(faulty: str, n: int, convention: Convention) -> list[Mistake]:
     """The choices of an entry that agrees with the drawn frames, where one entry of a table with n rows is faulty.
 
     Each is told what this entry is, and nothing of the faulty one: a row or a column that is right would be half the answer.
-
-    >>> other_entries("d1", 1, "modified")[0].message
-    'This entry agrees with the frames: a in row 1 is the distance from $z_0$ to $z_1$ along $x_0$. Compare the others with them.'
     """
     return [_other_entry(chosen, name, convention) for chosen, name in entry_names(n).items() if chosen != faulty]
 

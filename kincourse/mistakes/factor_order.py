@@ -16,10 +16,6 @@ def factor_order_mistakes(
     right   the right order
     orders  wrong orders of the joints by the name of the mistake, each with its message
     places  by the name of the mistake, how many joints are to the left of M, each with its message
-
-    >>> found = factor_order_mistakes(("ab", ""), {"reversed": (("ba", ""), "...")}, {"home first": (0, "...")})
-    >>> [(wrong.name, wrong.value) for wrong in found][1:]
-    [('reversed', ['e_b', 'e_a', 'M']), ('reversed and home first', ['M', 'e_b', 'e_a'])]
     """
     found = []
     for order, (sides, order_text) in {"": (right, ""), **orders}.items():

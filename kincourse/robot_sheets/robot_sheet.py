@@ -9,19 +9,11 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from kincourse.robot_sheets.motion_tasks import home_pose, where_is_the_tool, which_mistake
-from kincourse.robot_sheets.screw_tasks import body_screws, space_screws
-from kincourse.robot_sheets.table_tasks import faulty_entry, modified_table, standard_table
-from kincourse.robot_sheets.task import RobotTask
+from kincourse.robot_sheets.tasks import TABLE_TASKS, TASKS, RobotTask
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.chain import Chain
 from misstep.problem import Problem, Template
 from misstep.sheet import Sheet
-
-TABLE_TASKS = (standard_table, modified_table, faulty_entry)
-"""They need rows: no DH row can describe a helical joint, and a single row is the frame of the tool."""
-
-TASKS = (home_pose, space_screws, body_screws, where_is_the_tool, *TABLE_TASKS, which_mistake)
 
 CLEAREST_OF = 4
 """The number of draws of which the one is taken in which the most mistakes can be seen."""
@@ -37,23 +29,13 @@ SHEET_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,39}")
 
 
 def tasks_for(robot: Chain) -> list[RobotTask]:
-    """Return the tasks that make sense for a robot.
-
-    >>> from kinlib.chains.robots import hrr, rpr
-    >>> len(tasks_for(rpr())), len(tasks_for(hrr()))
-    (8, 5)
-    """
+    """Return the tasks that make sense for a robot."""
     has_rows = robot.n > 1 and "H" not in robot.joint_types
-    return [task for task in TASKS if has_rows or task not in TABLE_TASKS]
+    return [*TASKS, *(TABLE_TASKS if has_rows else ())]
 
 
 def robot_sheet(name: str, robot: Chain) -> Sheet:
-    """Make the sheet of a robot.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> robot_sheet("my_robot", rpr()).problems[0].number
-    'my_robot.1'
-    """
+    """Make the sheet of a robot."""
     templates = [
         Template(f"{name}.{k}", task.title, task.points, task.lecture, partial(_clearest, task, robot), ArmSampler)
         for k, task in enumerate(tasks_for(robot), start=1)
@@ -80,22 +62,12 @@ def _clearest(task: RobotTask, robot: Chain, sampler: ArmSampler) -> Problem:
 
 
 def with_plain_name(robot: Chain) -> Chain:
-    """Return a robot whose name has no characters that Markdown, HTML or LaTeX would interpret, for its statements.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> with_plain_name(rpr().changed(name="ur5_robot *left*")).name
-    'ur5_robot left'
-    """
+    """Return a robot whose name has no characters that Markdown, HTML or LaTeX would interpret, for its statements."""
     return robot.changed(name=re.sub(r"[^\w .()+-]", "", robot.name)[:60].strip() or "the robot")
 
 
 def dumps(robot: Chain) -> str:
-    """Write a robot as the text of a JSON file. Numbers keep all their digits, so that variants are reproducible.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> loads(dumps(rpr()), "a test").n
-    3
-    """
+    """Write a robot as the text of a JSON file. Numbers keep all their digits, so that variants are reproducible."""
     return json.dumps({"kinlib sheet": FORMAT_VERSION, **robot.to_dict()}, ensure_ascii=False) + "\n"
 
 
@@ -123,9 +95,6 @@ def find(name: str) -> Sheet | None:
     It is searched for beside the notebook, then in the folder of its sheet below the project's root.
 
     Raises ValueError if the file is not a valid file of a robot sheet.
-
-    >>> find("nobodys_robot") is None
-    True
     """
     folders = (Path(), *(Path(folder, str(name)) for folder in ("", "solutions", "exercises")))
     for path in (folder / f"{name}.json" for folder in folders) if SHEET_NAME.fullmatch(str(name)) else ():

@@ -29,10 +29,6 @@ def step_size(chain: Chain) -> float:
     """The step in metres in which bases, tools and prismatic joints of a robot are drawn.
 
     It is the largest power of ten that is at most a fifth of the size of the robot at home.
-
-    >>> from kinlib.chains.robots import youbot
-    >>> step_size(youbot())
-    0.1
     """
     points = np.concatenate([np.zeros((1, 3)), chain.joint_points, chain.home[None, :3, 3]])
     size = max(float(np.ptp(points, axis=0).max()), MIN_ROBOT_SIZE_M)
@@ -55,12 +51,7 @@ def random_tool(sampler: ArmSampler, chain: Chain) -> Array:
 
 
 def rebased(chain: Chain, base: Array, tool: Array) -> Chain:
-    """The robot with its base at the pose `base` in {s} and the pose `tool` on its flange: T'(q) = base T(q) tool.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> rebased(rpr(), exp([0, 0, 0, 5, 0, 0]), np.eye(4)).joint_points[0]
-    array([ 1., -2.,  0.])
-    """
+    """The robot with its base at the pose `base` in {s} and the pose `tool` on its flange: T'(q) = base T(q) tool."""
     points = chain.joint_points @ base[:3, :3].T + base[:3, 3]
     screws = chain.screws @ adjoint(base).T
     return replace(chain, screws=screws, home=base @ chain.home @ tool, points=points)
@@ -75,24 +66,14 @@ def random_arm(sampler: ArmSampler, chain: Chain) -> Chain:
 
 
 def with_zero_at(chain: Chain, q: Array) -> Chain:
-    """The robot with q (n,) as its zero configuration: T'(x) = T(q + x).
-
-    >>> from kinlib.chains.robots import rpr
-    >>> np.allclose(with_zero_at(rpr(), np.array([0.1, 0.2, 0.3])).fk([1, 1, 1]), rpr().fk([1.1, 1.2, 1.3]))
-    True
-    """
+    """The robot with q (n,) as its zero configuration: T'(x) = T(q + x)."""
     points = chain.link_poses(q)[:, :3, 3]
     limits = None if chain.limits is None else chain.limits - q[:, None]
     return replace(chain, screws=chain.jacobian(q).T, home=chain.fk(q), points=points, limits=limits)
 
 
 def truncated(chain: Chain, joints: int) -> Chain:
-    """The robot with its first joints only, and {b} at the point of the next joint, parallel to {s}.
-
-    >>> from kinlib.chains.robots import youbot
-    >>> truncated(youbot(), 2).home[:3, 3]
-    array([0.188, 0.   , 0.147])
-    """
+    """The robot with its first joints only, and {b} at the point of the next joint, parallel to {s}."""
     if joints >= chain.n:
         return chain
     return replace(

@@ -32,11 +32,7 @@ PLAIN_ANGLES_DEG = (20, 25, 30, 35, 40, 50, 55, 60, 65, 70)
 
 
 def are_distinguishable(places: Sequence[Array], distance: float = MIN_POINT_DISTANCE_M) -> bool:
-    """Whether a drawing shows points (k, 3) at this distance from each other; False for fewer than two points.
-
-    >>> are_distinguishable([np.zeros(3), 3 * X]), are_distinguishable([np.zeros(3), 0.1 * X])
-    (True, False)
-    """
+    """Whether a drawing shows points (k, 3) at this distance from each other; False for fewer than two points."""
     _, sheet = view_axes("default")
     far = [np.linalg.norm(sheet @ (one - other)) for k, one in enumerate(places) for other in places[:k]]
     return bool(far and min(far) > distance)
@@ -46,21 +42,13 @@ def shows_transposes(robot: Chain) -> bool:
     """Whether the rotation R of the home pose takes every joint axis to a direction far from that to which R^T takes it.
 
     So a transpose in place of R changes the directions of all axes. No R = R^T does.
-
-    >>> from kinlib.chains.robots import mid_formula_arm, plain_arm
-    >>> shows_transposes(mid_formula_arm()), shows_transposes(plain_arm())
-    (False, False)
     """
     R = robot.home[:3, :3]
     return bool(np.abs(robot.lines.axis @ (R - R.T)).max(axis=-1).min() > MIN_TRANSPOSE_DIFFERENCE)
 
 
 class ArmSampler(Sampler):
-    """A sampler that also draws points, frames and arms.
-
-    >>> ArmSampler("ada", "03.1").arm("RPR").n
-    3
-    """
+    """A sampler that also draws points, frames and arms."""
 
     def __init__(self, student: str, problem: str, attempt: int = 0) -> None:
         super().__init__(student, problem, attempt)
@@ -68,11 +56,7 @@ class ArmSampler(Sampler):
         """Whose numbers are drawn: what several problems share is drawn from this alone."""
 
     def of_problem(self, number: str) -> "ArmSampler":
-        """Return the sampler of another problem for the same student, so that several problems can share a robot.
-
-        >>> ArmSampler("ada", "03.2", attempt=7).of_problem("03.1").integer(1, 99) == ArmSampler("ada", "03.1").integer(1, 99)
-        True
-        """
+        """Return the sampler of another problem for the same student, so that several problems can share a robot."""
         return ArmSampler(self.student, number)
 
     def point(self, reach: int) -> Array:

@@ -19,12 +19,7 @@ class Configuration(NamedTuple):
 
 
 def configuration_from_typed(chain: Chain, typed: Sequence[float]) -> Configuration:
-    """Complete a configuration of a chain from its joint values in degrees and metres.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> configuration_from_typed(rpr(), [90, 0.5, -30]).words
-    '90 degrees, 0.5 m, -30 degrees'
-    """
+    """Complete a configuration of a chain from its joint values in degrees and metres."""
     is_angle = np.array([kind != "P" for kind in chain.joint_types])
     values = np.array(typed)
     words = [f"{number(value)} {'degrees' if angle else 'm'}" for value, angle in zip(typed, is_angle, strict=True)]

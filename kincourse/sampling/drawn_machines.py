@@ -21,11 +21,7 @@ MIN_GAP_M = 0.03
 
 
 def lengths(sampler: ArmSampler, count: int, low: float = 0.1, high: float = 0.6) -> Array:
-    """Draw different lengths in metres, no two of which are equal or half of each other.
-
-    >>> len(set(lengths(ArmSampler("ada", "03.12"), 5).tolist()))
-    5
-    """
+    """Draw different lengths in metres, no two of which are equal or half of each other."""
     while True:
         drawn = STEP_M * np.array(sampler.shuffled(range(round(low / STEP_M), round(high / STEP_M)))[:count])
         doubled = np.abs(drawn[:, None] - 2 * drawn)
@@ -34,11 +30,7 @@ def lengths(sampler: ArmSampler, count: int, low: float = 0.1, high: float = 0.6
 
 
 def is_readable(points: Iterable[Array]) -> bool:
-    """Whether points are clearly apart or in line along each axis, so that their dimensions can be read.
-
-    >>> is_readable([np.zeros(3), np.array([0.01, 0, 0])]), is_readable([np.zeros(3), np.array([0.2, 0, 0])])
-    (False, True)
-    """
+    """Whether points are clearly apart or in line along each axis, so that their dimensions can be read."""
     gaps = np.diff(np.sort(np.array([np.zeros(3), *points]), axis=0), axis=0)
     return not ((gaps > 1e-6) & (gaps < MIN_GAP_M)).any()
 

@@ -40,9 +40,6 @@ class LetteredArm:
     links        (n + 1, 3) the direction of each link, from {s} to joint 1, from joint to joint, and to the tool
     tool         (3, 3) the axes x, y, z of the tool, in rows
     lengths      (n + 1,) the lengths of the links in the drawing
-
-    >>> draw_lettered_arm(ArmSampler("ada", "03.9")).chain.n in (5, 6)
-    True
     """
 
     joint_types: str

@@ -5,10 +5,38 @@ from typing import NamedTuple
 import numpy as np
 
 from kincourse.sampling.arms import ArmSampler
-from kincourse.sampling.four_bar_geometry import FourBar
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms import linkages
 from kinlib.mechanisms.mechanism import Mechanism
+from kinlib.rigid.angles import wrap_angle
+
+
+class FourBar(NamedTuple):
+    """The lengths of a four-bar linkage, in metres. Pin A is at the origin, and pin D on the x axis at x = ground."""
+
+    ground: float
+    crank: float
+    coupler: float
+    rocker: float
+
+    @property
+    def grashof_excess(self) -> float:
+        """Shortest plus longest length less the other two: negative if Grashof's condition holds, 0 at a change point."""
+        ordered = sorted(self)
+        return ordered[0] + ordered[3] - ordered[1] - ordered[2]
+
+    def closed_at(self, A: float) -> Array:
+        """The joint values A, B, D, C of `linkages.four_bar`, (4,), with C to the left of the arrow from B to D."""
+        B = self.crank * np.exp(1j * A)
+        reach = abs(self.ground - B)
+        corner = np.arccos((reach**2 + self.coupler**2 - self.rocker**2) / (2 * reach * self.coupler))
+        coupler = np.angle(self.ground - B) + corner
+        rocker = np.angle(B + self.coupler * np.exp(1j * coupler) - self.ground)
+        return wrap_angle(np.array([A, coupler - A, rocker, coupler - rocker]))
+
+    def cos_crank_angle(self, distance: float) -> float:
+        """The cosine of the crank angle at which B and D are `distance` metres apart, by the law of cosines."""
+        return (self.ground**2 + self.crank**2 - distance**2) / (2 * self.ground * self.crank)
 
 
 def crank_rocker(sampler: ArmSampler) -> FourBar:

@@ -17,10 +17,6 @@ def joint_table(chain: Chain, joints: Iterable[int] | None = None, points: Seque
 
     joints  which ones, counted from 0; all by default
     points  a point on each axis in LaTeX; by default the joint's own point, in metres
-
-    >>> from kinlib.chains.robots import rpr
-    >>> print(joint_table(rpr()).splitlines()[2])
-    | 1 | revolute | $(0, -1, 0)$ | $(-4, -2, 0)$ |
     """
     axis, _, pitch = chain.lines
     kinds = {"R": "revolute", "P": "prismatic", "H": "helical"}
@@ -36,11 +32,7 @@ def joint_table(chain: Chain, joints: Iterable[int] | None = None, points: Seque
 
 
 def rows_from_frames(table: DHTable) -> str:
-    """Say how the rows of a table follow from its frames at q = 0, with the numbers of these frames in {s} in lines of their own.
-
-    >>> rows_from_frames(DHTable([[2, 0, 0, 0]], convention="standard")).splitlines()[2]
-    '$O_1 = (2, 0, 0)$, $x_1 = (1, 0, 0)$, $z_1 = (0, 0, 1)$'
-    """
+    """Say how the rows of a table follow from its frames at q = 0, with the numbers of these frames in {s} in lines of their own."""
     x, z = ("$x_i$", "$z_{i-1}$") if table.convention == "standard" else ("$x_{i-1}$", "$z_i$")
     frames = table_frames(table)
     listed = (
@@ -56,11 +48,7 @@ def rows_from_frames(table: DHTable) -> str:
 
 
 def given_frames(table: DHTable) -> str:
-    """Write the first and the last frame of a table at q = 0, as {s} sees them, and where students find all their digits.
-
-    >>> given_frames(DHTable([[2, 0, 0, 0]], convention="standard")).count("$$T_{s")
-    2
-    """
+    """Write the first and the last frame of a table at q = 0, as {s} sees them, and where students find all their digits."""
     (first, base), (last, end) = end_frames(table).items()
     return (
         f"$$T_{{s0}} = {matrix(base)}$$\n\n$$T_{{s{len(table.rows)}}}(0) = {matrix(end)}$$\n\n"
@@ -70,9 +58,5 @@ def given_frames(table: DHTable) -> str:
 
 
 def end_frames(table: DHTable) -> dict[str, Array]:
-    """Return the first and the last frame of a table at q = 0, as {s} sees them, by the names of given values.
-
-    >>> list(end_frames(DHTable([[2, 0, 0, 0]], convention="standard")))
-    ['T_s0', 'T_s1']
-    """
+    """Return the first and the last frame of a table at q = 0, as {s} sees them, by the names of given values."""
     return {"T_s0": table.base, f"T_s{len(table.rows)}": table.fk(np.zeros(table.n)) @ inverse(table.tool)}

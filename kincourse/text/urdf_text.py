@@ -18,9 +18,6 @@ class UrdfJoint:
     """A joint of a URDF file: its origin in the frame of the parent link, in metres and radians, and its axis in its own frame.
 
     further  its further elements, such as a limit
-
-    >>> UrdfJoint("lean", (0, 0, 1), (np.pi / 2, 0, 0)).element("post", "rod").splitlines()[2]
-    '  <origin xyz="0 0 1" rpy="1.5708 0 0"/>'
     """
 
     name: str
@@ -50,48 +47,28 @@ class UrdfJoint:
 
 
 def serial_urdf(joints: Sequence[UrdfJoint], links: Sequence[str]) -> str:
-    """Write the URDF of an open chain: links from base to tip, and a joint between each two.
-
-    >>> serial_urdf([UrdfJoint("turn", (0, 0, 1))], ["base", "tip"]).count("<link ")
-    2
-    """
+    """Write the URDF of an open chain: links from base to tip, and a joint between each two."""
     ends = zip(joints, links[:-1], links[1:], strict=True)
     return robot_urdf(links, [joint.element(parent, child) for joint, parent, child in ends])
 
 
 def robot_urdf(links: Iterable[str], elements: Iterable[str]) -> str:
-    r"""Write a URDF of links and further elements.
-
-    >>> robot_urdf(["a"], [])
-    '<robot name="yours">\n<link name="a"/>\n</robot>'
-    """
+    """Write a URDF of links and further elements."""
     return "\n".join(['<robot name="yours">', *(f'<link name="{link}"/>' for link in links), *elements, "</robot>"])
 
 
 def fence_urdf(text: str) -> str:
-    r"""Put a URDF into a fenced code block of Markdown.
-
-    >>> fence_urdf("<robot/>")
-    '```xml\n<robot/>\n```'
-    """
+    """Put a URDF into a fenced code block of Markdown."""
     return f"```xml\n{text}\n```"
 
 
 def format_values(values: Array | Iterable[float]) -> str:
-    """Write numbers as a URDF attribute does, separated by spaces, with at most four decimals.
-
-    >>> format_values([0, -1, np.pi / 2])
-    '0 -1 1.5708'
-    """
+    """Write numbers as a URDF attribute does, separated by spaces, with at most four decimals."""
     return " ".join(number(round(value, 4)) if abs(value) != RIGHT_ANGLE_RAD else f"{value:.4f}" for value in values)
 
 
 def random_right_angles(sampler: ArmSampler, turns: int) -> Array:
-    """Draw roll, pitch and yaw in radians, (3,): `turns` of them are right angles of either sign, the others 0.
-
-    >>> int(np.count_nonzero(random_right_angles(ArmSampler("ada", "09.1"), 2)))
-    2
-    """
+    """Draw roll, pitch and yaw in radians, (3,): `turns` of them are right angles of either sign, the others 0."""
     chosen = sampler.shuffled([0, 1, 2])[:turns]
     return np.array([sampler.choice((-1, 1)) * RIGHT_ANGLE_RAD if k in chosen else 0.0 for k in range(3)])
 
@@ -100,9 +77,6 @@ def random_oblique_angles(sampler: ArmSampler) -> Array:
     """Draw roll, pitch and yaw in radians, (3,): one is a right angle, one is oblique, and one is 0.
 
     With right angles alone, the transpose of a rotation is often its square, which hides how the answer came about.
-
-    >>> int(np.count_nonzero(random_oblique_angles(ArmSampler("ada", "09.2"))))
-    2
     """
     sizes = np.array(sampler.shuffled([RIGHT_ANGLE_RAD, sampler.choice((0.5, 0.8, 1.1)), 0.0]))
     return sizes * [sampler.choice((-1, 1)) for _ in range(3)]

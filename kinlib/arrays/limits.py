@@ -56,8 +56,7 @@ class TakesLimitedValues(TakesJointValues):
 
     @property
     @abstractmethod
-    def _limits(self) -> Array:
-        """The lower and the upper limit of each joint value, (n, 2), infinite where there is none."""
+    def _limits(self) -> Array: ...  # (n, 2), infinite where there is none
 
     def within_limits(self, q: JointValues) -> NDArray[np.bool_]:
         """Return for each configuration whether all its joint values are within the limits: q (..., n) -> (...).

@@ -42,10 +42,6 @@ def real_array(x: ArrayLike, name: str) -> Array:
 
     Raises ValueError for anything else.
     """
-    if isinstance(x, np.matrix | np.ma.MaskedArray):  # np.asarray would drop what makes them different
-        raise ValueError(
-            f"{name} must be a plain array; got a {type(x).__name__}. Pass np.asarray(x), or x.compressed() if it has a mask."
-        )
     try:
         values = np.asarray(x)
         if values.dtype.kind not in "biufO":
@@ -159,16 +155,9 @@ def whole_number(x: Any, name: str, most: float = np.inf) -> int:
 
 ADVICE = {
     ("DHTable", "Chain"): "Try table.to_chain()",
-    ("Tree", "Chain"): "Try tree.chain(base, tip), the arm between two of its links",
-    ("FrameAssignment", "DHTable"): "Try assignment.table",
-    ("FrameAssignment", "Chain"): "Try assignment.chain",
     ("Chain", "DHTable"): "Try assign_frames(chain, convention=...).table",
-    ("Mechanism", "Chain"): "A closed chain has functions of its own: see help(kl.Mechanism)",
-    ("Chain", "Mechanism"): "Try Mechanism.from_chain(chain), which closes it",
+    ("Tree", "Chain"): "Try tree.chain(base, tip), the arm between two of its links",
     ("str", "Chain"): "Try load_urdf(...) with a file, or kl.robots",
-    ("str", "Tree"): "Try Tree.from_urdf(...)",
-    ("ndarray", "Chain"): "Try Chain(screws, home)",
-    ("list", "Chain"): "Try Chain(screws, home)",
     ("str", "Mapping"): "Try {'A': 1.0}, with the value of each name",
 }
 """What to try if something of one type is given where another one is needed."""
@@ -200,13 +189,11 @@ class TakesJointValues(ABC):
 
     @property
     @abstractmethod
-    def _values_in_words(self) -> str:
-        """What they are, such as "5 joints (RRRRR)"."""
+    def _values_in_words(self) -> str: ...  # such as "5 joints (RRRRR)"
 
     @property
     @abstractmethod
-    def _value_names(self) -> Sequence[str]:
-        """What they are called, () if they have no names."""
+    def _value_names(self) -> Sequence[str]: ...  # () if they have none
 
     def in_order(self, q: JointValues, argument: str = "q") -> Array:
         """Read joint values as an array (..., n) in the order of the joints, from an array or a mapping by name.
@@ -277,39 +264,21 @@ def read_only_copy(values: ArrayLike) -> Array:
 
 
 class ReadOnly:
-    """A frozen dataclass that is equal to another one with equal fields, and whose copies are constructed anew from them.
-
-    So the arrays of a copy or a pickle are read-only too, and nothing that was computed from the fields travels with it.
-    """
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _construct, (type(self), self._fields())
+    """A frozen dataclass that is equal to another one with equal fields."""
 
     def __eq__(self, other: object) -> bool:
-        return _comparable(self) == _comparable(other) if type(other) is type(self) else NotImplemented
+        return self._key() == other._key() if isinstance(other, type(self)) else NotImplemented
 
     def __hash__(self) -> int:
-        return hash(_comparable(self))
+        return hash(self._key())
 
     def _fields(self) -> dict[str, Any]:
         return {each.name: getattr(self, each.name) for each in fields(self) if each.init}  # type: ignore[arg-type]
 
-
-def _comparable(value: Any) -> Any:
-    """Convert a value to one that can be compared and hashed: arrays to their shape and their numbers."""
-    if isinstance(value, ReadOnly):
-        compared = [each.name for each in fields(value) if each.compare]  # type: ignore[arg-type]
-        return type(value), *(_comparable(getattr(value, name)) for name in compared)
-    if isinstance(value, np.ndarray):
-        return value.shape, tuple(value.ravel().tolist())
-    if isinstance(value, Mapping):
-        return frozenset((key, _comparable(each)) for key, each in value.items())
-    return tuple(map(_comparable, value)) if isinstance(value, tuple | list) else value
-
-
-def _construct(kind: type[Any], values: dict[str, Any]) -> Any:
-    # The arrays of a pickle can be written to, and not every class copies its arguments.
-    return kind(**{name: read_only_copy(x) if isinstance(x, np.ndarray) else x for name, x in values.items()})
+    def _key(self) -> tuple[Any, ...]:
+        """The fields that are compared, arrays as their shape and their bytes."""
+        values = [getattr(self, each.name) for each in fields(self) if each.compare]  # type: ignore[arg-type]
+        return tuple((x.shape, (x + 0.0).tobytes()) if isinstance(x, np.ndarray) else x for x in values)
 
 
 def describe(x: Any) -> str:

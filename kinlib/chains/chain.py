@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property, reduce
 from itertools import accumulate
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -37,7 +37,6 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
     name, source     the name of the robot, and the document it is taken from
     limits   (n, 2)  the lower and the upper limit of each joint, infinite where it has none; None: no joint has limits
     joint_names      the n names of the joints in that document; optional
-    link_names       the n + 1 names of its links from the base on, and one more if the tool is a link of its own; optional
 
     Raises ValueError if there are no joints, if the screws are in columns or not normalized, if home is not rigid, if a point
     is not on its axis, if a lower limit is above the upper one, or if the limits of a revolute joint look like degrees. Methods do for
@@ -57,21 +56,6 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
     source: str = ""
     limits: Array | None = None
     joint_names: tuple[str, ...] = ()
-    link_names: tuple[str, ...] = ()
-
-    if TYPE_CHECKING:  # the constructor takes lists, too, and the attributes are arrays
-
-        def __init__(  # noqa: PLR0917 - as the fields above
-            self,
-            screws: ArrayLike,
-            home: ArrayLike,
-            points: ArrayLike | None = None,
-            name: str = "arm",
-            source: str = "",
-            limits: ArrayLike | None = None,
-            joint_names: tuple[str, ...] = (),
-            link_names: tuple[str, ...] = (),
-        ) -> None: ...
 
     def __post_init__(self) -> None:
         screws = axes(self.screws, "screws")
@@ -83,21 +67,14 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
             self._set("points", _validate_points(self.screws, self.points))
         if self.limits is not None:
             self._set("limits", validate_limits(self.limits, self.joint_types))
-        for names in ("joint_names", "link_names"):
-            object.__setattr__(self, names, tuple(getattr(self, names)))
-        if not all(isinstance(text, str) for text in (self.name, self.source, *self.joint_names, *self.link_names)):
+        object.__setattr__(self, "joint_names", tuple(self.joint_names))
+        if not all(isinstance(text, str) for text in (self.name, self.source, *self.joint_names)):
             raise ValueError(
-                f"The names of a chain, of its joints and of its links must be text; got {self.name!r}, "
-                f"{self.joint_names} and {self.link_names}."
+                f"The names of a chain and of its joints must be text; got {self.name!r} and {self.joint_names}."
             )
         if self.joint_names and len(set(self.joint_names)) != len(screws):
             raise ValueError(
                 f"joint_names must have {len(screws)} different names, one per joint; got {self.joint_names}."
-            )
-        if self.link_names and len(self.link_names) - len(screws) not in (1, 2):
-            raise ValueError(
-                f"link_names must have {len(screws) + 1} names, the base and a link after each joint, or one more for the tool; "
-                f"got {len(self.link_names)}."
             )
 
     def _set(self, name: str, values: Array) -> None:
@@ -293,7 +270,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         return np.stack(columns[::-1], axis=-1)
 
     def changed(self, **fields: Any) -> Chain:
-        """Copy the chain with some fields replaced: screws, home, points, name, source, limits, joint_names, link_names.
+        """Copy the chain with some fields replaced: screws, home, points, name, source, limits, joint_names.
 
         Raises ValueError for the same reasons as a new chain.
 
@@ -313,7 +290,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         data = {name: x.tolist() if isinstance(x, np.ndarray) else x for name, x in self._fields().items()}
         if self.limits is not None:
             data["limits"] = [[x if np.isfinite(x) else None for x in pair] for pair in self.limits.tolist()]
-        return data | {"joint_names": list(self.joint_names), "link_names": list(self.link_names)}
+        return data | {"joint_names": list(self.joint_names)}
 
     @classmethod
     def from_dict(cls, data: Any) -> Chain:
@@ -326,7 +303,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         >>> bool((arm.fk([1, 2, 3, 4, 5]) == youbot().fk([1, 2, 3, 4, 5])).all())
         True
         """
-        required, optional = ("screws", "home"), ("points", "name", "source", "limits", "joint_names", "link_names")
+        required, optional = ("screws", "home"), ("points", "name", "source", "limits", "joint_names")
         validation.keys(data, "A chain", required, optional)
         if (limits := data.get("limits")) is not None:
             infinite = (-np.inf, np.inf)

@@ -28,7 +28,7 @@ X, Y, Z = np.eye(3)
 SLIDE = np.inf
 
 
-def arm(joints: Sequence[tuple[Any, ...]], home: ArrayLike, name: str = "arm", source: str = "") -> Chain:
+def arm(joints: Sequence[tuple[Any, ...]], home: Array, name: str = "arm", source: str = "") -> Chain:
     """Construct a chain from joints (axis, point) or (axis, point, pitch), as read from a drawing of the home configuration.
 
     home (4, 4), see `pose`; name and source as in Chain.

@@ -42,7 +42,7 @@ fewer, in degrees."""
 
 
 @dataclass(frozen=True, eq=False)
-class FrameAssignment(validation.ReadOnly):
+class FrameAssignment:
     """The DH frames of an arm, its table, and the steps of the assignment.
 
     table    with exactly one row per joint, and with base and tool
@@ -54,9 +54,6 @@ class FrameAssignment(validation.ReadOnly):
     table: DHTable
     frames: Array = field(repr=False)
     normals: tuple[CommonNormal, ...] = field(repr=False)
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "frames", validation.read_only_copy(self.frames))
 
     def __str__(self) -> str:
         """Write the table, with base and tool unless they are the identity."""

@@ -11,7 +11,6 @@ from typing import Literal
 
 import numpy as np
 
-from kinlib.arrays import validation
 from kinlib.arrays.tolerances import INTERSECTION_TOL_M, NEARLY_PARALLEL_RAD, PARALLEL_TOL_RAD
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import cross
@@ -20,7 +19,7 @@ Case = Literal["skew", "intersecting", "parallel", "antiparallel", "coincident",
 
 
 @dataclass(frozen=True, eq=False)
-class CommonNormal(validation.ReadOnly):
+class CommonNormal:
     """A common normal from one axis to the next: the case, its unit direction x, and its feet on both axes.
 
     sine   of the angle between the axes; if it is not 0 and the case is parallel, the axes were treated as parallel
@@ -31,10 +30,6 @@ class CommonNormal(validation.ReadOnly):
     start: Array
     end: Array
     sine: float
-
-    def __post_init__(self) -> None:
-        for name in ("x", "start", "end"):
-            object.__setattr__(self, name, validation.read_only_copy(getattr(self, name)))
 
     @property
     def is_nearly_parallel(self) -> bool:

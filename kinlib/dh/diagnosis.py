@@ -15,6 +15,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from kinlib.arrays import validation
 from kinlib.arrays.formatting import format_number
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD
 from kinlib.arrays.validation import Array
@@ -34,14 +35,12 @@ from kinlib.dh.slips import NUMBERS, SLIPS_OF_A_TABLE, Fault, wrong_number
 from kinlib.dh.table import Convention, DHTable
 from kinlib.urdf.chains import load_urdf
 
-MAX_TOLD, MAX_DIFFERENT_ENTRIES = 3, 8
-"""How many equally simple explanations the text lists, and how many different entries."""
+MAX_TOLD, MAX_DIFFERENT_ENTRIES, MAX_ROUNDED_TOL = 3, 8, 1e-2
+"""How many equally simple explanations the text lists, and how many different entries; and through which effect of rounding
+mistakes are looked for."""
 
 CALLED_EXACT_M = 1e-6
 """Poses that differ by less are told as equal."""
-
-MAX_ROUNDED_TOL = 1e-2
-"""Through a larger effect of rounding, mistakes are not looked for."""
 
 USUAL_SLIPS = {"other convention", *(slip.name for slip in SLIPS_OF_A_TABLE)} - {"columns in another order"}
 """The slips that are told of a table whose numbers may only be rounded."""
@@ -110,8 +109,6 @@ class Diagnosis:
             faults = _different_entries(self.table, self.nearest)
             lines.append(f"It would describe the arm{self.up_to} with these numbers, the largest difference first:")
             lines += [fault.text for fault in faults[:MAX_DIFFERENT_ENTRIES]]
-            if (more := len(faults) - MAX_DIFFERENT_ENTRIES) > 0:
-                lines.append(f"({more} more differ by less.)")
         return "\n".join(lines).rstrip()
 
     def _told_mistakes(self) -> list[str]:
@@ -120,9 +117,7 @@ class Diagnosis:
         told = {tuple((f.name, f.row, f.column) for f in each.faults): each for each in reversed(self.explanations)}
         texts = [[fault.text for fault in each.faults] for each in reversed(told.values())]
         if len(texts) > 1:
-            lines = ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
-            more = len(texts) - MAX_TOLD
-            return lines + [f"({more} more {'is' if more == 1 else 'are'} as simple.)"] * (more > 0)
+            return ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
         if texts and self.explanations[0].is_a_choice:
             metres, _ = measured_difference(self.explanations[0].corrected.to_chain(), self.arm)
             off = f" to within {format_number(metres, 2)} m" * (metres > CALLED_EXACT_M)
@@ -183,13 +178,12 @@ def diagnose(
     >>> print(diagnose(printed.changed(convention="standard"), puma560()))
     The table is in the modified convention, but was read as standard.
     """
-    table, reference = _table_or_arm(table, convention), _table_or_arm(reference, convention)
-    if not isinstance(table, DHTable) or not isinstance(reference, Chain | DHTable):
-        order = " They seem to be swapped." if isinstance(reference, DHTable) else ""
-        raise ValueError(
-            "diagnose takes a DHTable, or rows and convention=..., and the arm that it should describe, diagnose(table, arm); "
-            f"got {type(table).__name__} and {type(reference).__name__}.{order}"
-        )
+    if convention is not None and not isinstance(table, DHTable):
+        table = DHTable(table, convention=convention)
+    if isinstance(reference, str | os.PathLike):
+        reference = load_urdf(reference)
+    validation.instance(table, "table", DHTable)
+    validation.instance(reference, "reference", Chain, DHTable)
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
     if table.n != arm.n:
         raise ValueError(
@@ -223,13 +217,6 @@ def diagnose(
     if rounding == "possible" and not is_usual:
         return replace(found, verdict="undecided")
     return found if explanations or not in_pairs else _with_nearest(found, fixed, half, noise)
-
-
-def _table_or_arm(given: Any, convention: Convention | None) -> Any:
-    """Read the path or the text of a URDF file as a chain, and rows as a table."""
-    if isinstance(given, os.PathLike) or (isinstance(given, str) and (given.endswith(".urdf") or "<robot" in given)):
-        return load_urdf(given)
-    return given if convention is None or isinstance(given, DHTable | Chain) else DHTable(given, convention=convention)
 
 
 def _judge_rounding(

@@ -11,9 +11,8 @@ checked again.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection
-from dataclasses import dataclass, replace
-from functools import cached_property
+from collections.abc import Collection
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -28,6 +27,8 @@ from kinlib.dh.alignment.maps import Map, nearest_maps, same_q
 from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import log
 
+Verdict = Literal["same", "different", "undecided"]
+
 CHOICES = ("base", "tool", "zeros", "signs")
 """What two descriptions of one mechanism may choose: the frames at both ends, the zero and the sign of each joint."""
 
@@ -40,9 +41,6 @@ NEARLY_PARALLEL_LOSS = 1e-5
 ROUGH = 0.05
 """How far axes may be off, in metres and radians, where the nearest map is sought to describe a difference."""
 
-MAX_OFFERED_TOL = 1e-2
-"""No tolerance above this, in metres and radians, is offered as one with which two arms are the same."""
-
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Equivalence(Map):
@@ -52,14 +50,14 @@ class Equivalence(Map):
                                  nearly parallel, so that a right description may have lost as many digits
     base, tool, signs, offsets   X, Y, s, c with T_b(q) = X T_a(s q + c) Y
     difference                   the largest difference in an entry of a pose, over random configurations; inf if no map was found
-    reason                       unless they are the same: what differs, and the tolerance with which the answer would be "same"
+    reason                       unless they are the same: what differs
     joint_types, tolerance       of the mechanisms, a letter for each joint; and of the comparison
 
     bool() of it is True or False, and for "undecided" a ValueError, because both would be wrong.
     """
 
-    verdict: Literal["same", "different", "undecided"] = "same"
-    explain: Callable[[], str] = str
+    verdict: Verdict = "same"
+    reason: str = ""
     joint_types: str = ""
     tolerance: float = EQUIVALENCE_TOL
 
@@ -109,11 +107,6 @@ class Equivalence(Map):
             if (text := describe_pose(T, tolerance)) != "the identity":
                 found.append((name, f"{name}: {text}"))
         return found
-
-    @cached_property
-    def reason(self) -> str:
-        """Why the verdict is not "same"; computed when it is read, because that takes longer than the verdict."""
-        return self.explain()
 
 
 def format_offset(letter: str, offset: float, tolerance: float) -> str:
@@ -188,27 +181,36 @@ def equivalent(
     if not tolerance > 0:
         raise ValueError(f"tolerance must be a positive number, in metres and radians; got {tolerance!r}.")
     if isinstance(fixed, str) or not set(fixed) <= set(CHOICES):
-        advice = f' Try fixed=["{fixed}"].' if isinstance(fixed, str) and fixed in CHOICES else ""
-        raise ValueError(f"fixed must be a collection of names from {', '.join(CHOICES)}; got {fixed!r:.80}.{advice}")
+        raise ValueError(
+            f"fixed must be a collection of names from {', '.join(CHOICES)}; got {fixed!r:.80}. Try fixed=[...]."
+        )
     one, other = (arm.to_chain() if isinstance(arm, DHTable) else arm for arm in (a, b))
     letters = one.joint_types
     if letters != other.joint_types:
         types = f"The joint types differ: {letters} in the first, {other.joint_types} in the second."
-        return Equivalence(verdict="different", explain=lambda: types)
-    near, found = _nearly_parallel(one, other), [same_q(one, other)]
+        return Equivalence(verdict="different", reason=types)
+    sines = np.array([neighbours(one)[0], neighbours(other)[0]])
+    near = np.asarray(((sines > PARALLEL_TOL_RAD) & (sines < NEARLY_PARALLEL_RAD)).any(axis=0))
+    found = [same_q(one, other)]
     if found[0].difference > tolerance and len({*fixed}) < len(CHOICES):
         loose = max(10 * tolerance, NEARLY_PARALLEL_LOSS * near.any())
         found += nearest_maps(one, other, frozenset(fixed), loose, tolerance)
+    verdict: Verdict = "same"
+    reason = ""
     if same := [each for each in found if each.difference <= tolerance]:
         best = min(same, key=lambda each: _description_length(each, tolerance))
-        return Equivalence(**vars(best), joint_types=letters, tolerance=tolerance)
-    best = min(found, key=lambda each: each.difference)
-    size = 1 + max(np.abs(np.append(arm.joint_points, arm.home[None, :3, 3], axis=0)).max() for arm in (one, other))
-    is_lost = best.difference <= NEARLY_PARALLEL_LOSS * size or len(found) > 1
-    answer = Equivalence(**vars(best), verdict="different", joint_types=letters, tolerance=tolerance)
-    if near.any() and is_lost:
-        return replace(answer, verdict="undecided", explain=lambda: _why_undecided(near, best.difference))
-    return replace(answer, explain=lambda: _why_different(one, other, frozenset(fixed), answer))
+    else:
+        best = min(found, key=lambda each: each.difference)
+        size = 1 + max(np.abs(np.append(arm.joint_points, arm.home[None, :3, 3], axis=0)).max() for arm in (one, other))
+        is_lost = near.any() and (best.difference <= NEARLY_PARALLEL_LOSS * size or len(found) > 1)
+        verdict = "undecided" if is_lost else "different"
+        reason = _largest_axis_difference(one, other, near, tolerance)
+        if is_lost:
+            reason = (
+                f"The poses differ by {best.difference:.1e} under the nearest map that was found, and a better one is not excluded, "
+                f"because axes {np.argmax(near) + 1} and {np.argmax(near) + 2} are nearly parallel."
+            )
+    return Equivalence(**vars(best), verdict=verdict, reason=reason, joint_types=letters, tolerance=tolerance)
 
 
 def _description_length(found: Map, tolerance: float) -> tuple[int, float]:
@@ -218,46 +220,11 @@ def _description_length(found: Map, tolerance: float) -> tuple[int, float]:
     return int(joints) + sum(distance > tolerance for distance in distances), sum(distances)
 
 
-def _nearly_parallel(*arms: Chain) -> Booleans:
-    """Which pairs of neighbouring axes are nearly parallel in an arm, (n - 1,): a description of them has lost digits."""
-    sines = np.array([neighbours(arm)[0] for arm in arms])
-    return np.asarray(((sines > PARALLEL_TOL_RAD) & (sines < NEARLY_PARALLEL_RAD)).any(axis=0))
-
-
-def _why_undecided(near: Booleans, difference: float) -> str:
-    pair = int(np.argmax(near)) + 1
-    return (
-        f"The poses differ by {difference:.1e} under the nearest map that was found, and a better one is not excluded, because axes "
-        f"{pair} and {pair + 1} are nearly parallel."
-        + (f" With tolerance={_rounded_up(difference):g} the two are the same." if difference < 1e-3 else "")
-    )
-
-
-def _why_different(one: Chain, other: Chain, fixed: frozenset[str], found: Equivalence) -> str:
-    """Describe the largest difference, and offer the tolerance with which the two would be the same, if there is a small one."""
-    reason = _largest_axis_difference(one, other, found.tolerance) or (
-        "The angles and the distances of neighbouring axes agree; what differs is a distance along an axis, or a choice that is fixed."
-    )
-    nearest = min((each.difference for each in [found, *nearest_maps(one, other, fixed, ROUGH)]), default=np.inf)
-    if (
-        nearest < MAX_OFFERED_TOL
-        and equivalent(one, other, fixed=fixed, tolerance=_rounded_up(nearest)).verdict == "same"
-    ):
-        return f"{reason} With tolerance={_rounded_up(nearest):g} the two are called the same."
-    return reason
-
-
-def _rounded_up(value: float) -> float:
-    """Round a positive number up to one digit more than it needs, so that it is a tolerance with which the value passes."""
-    unit = 10.0 ** math.floor(math.log10(value))
-    return float(f"{(math.floor(value / unit) + 1) * unit:.0e}")
-
-
-def _largest_axis_difference(one: Chain, other: Chain, tolerance: float) -> str:
-    """Describe the pair of neighbouring axes whose angle or distance differs most; "" if they all agree."""
-    is_near = _nearly_parallel(one, other)
+def _largest_axis_difference(one: Chain, other: Chain, is_near: Booleans, tolerance: float) -> str:
+    """Describe the pair of neighbouring axes whose angle or distance differs most, if they do not all agree."""
     _, angles, distances = np.array([neighbours(one), neighbours(other)]).swapaxes(0, 1)
-    found = [(tolerance, "")]
+    agree = "The angles and the distances of neighbouring axes agree; what differs is a distance along an axis, or a choice that is fixed."
+    found = [(tolerance, agree)]
     for i, near in enumerate(is_near):
         if (off := abs(float(np.diff(angles[:, i])[0]))) > tolerance:
             first, second = format_different(*np.degrees(angles[:, i]).tolist())

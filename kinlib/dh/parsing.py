@@ -112,7 +112,9 @@ def parse_heading(head: str) -> Heading:
     plain = plain.strip().lower()
     index = HEADING_INDEX.search(plain)
     whole, bare = (re.sub("[^a-z0]", "", text) for text in (plain, plain[: index.start()] if index else plain))
-    name = COLUMN_NAMES.get(whole) or COLUMN_NAMES.get(bare) or plain
+    letters = {*re.findall("[a-z]+", plain)} - {"angle", "joint", "length", "link", "offset", "twist"}
+    alone = letters.pop() if len(letters) == 1 else ""  # in "link length a"
+    name = next((known for text in (whole, bare, alone) if (known := COLUMN_NAMES.get(text))), plain)
     indices = "i-1" if index and index[1] else "i" if index and re.search("[ijkn]", index[0]) else ""
     return Heading(name, unit, indices)
 
@@ -131,26 +133,15 @@ def joint_of_row(row: Mapping[str, Entry], place: str) -> tuple[str, float, str]
     Raises ValueError for a second variable, one in another column than d and theta, and one with a factor.
     """
     moving = {column: entry for column, entry in row.items() if entry.variables}
-    for column, entry in moving.items():
-        if len(entry.variables) > 1:
-            raise ValueError(
-                f"{place}, {column}: an entry must have one joint variable, that of its own joint; got "
-                f"{' and '.join(entry.variables)}. If the angle depends on two joints, their mechanism is not a chain of rows."
-            )
     if not moving:
         return "F", 1.0, ""
-    columns = ", ".join(moving)
-    if columns not in ("d", "theta"):
-        swapped = {"a": " Are the columns a and d swapped?", "alpha": " Are the columns alpha and theta swapped?"}
+    names, (column, entry) = [name for each in moving.values() for name in each.variables], next(iter(moving.items()))
+    if len(names) > 1 or column not in {"d", "theta"} or abs(entry.value.imag) != 1:
         raise ValueError(
-            f"{place}: the joint variable must be in theta or in d, once; it is in {columns}.{swapped.get(columns, '')}"
+            f"{place}: a row must have one joint variable, q or -q without a factor, in theta or in d; got {' and '.join(names)} in "
+            f"{' and '.join(moving)}{f', with the factor {entry.value.imag:g}' * (len(names) == 1)}. Are two columns swapped?"
         )
-    value, names, _ = moving[columns]
-    if abs(value.imag) != 1:
-        raise ValueError(
-            f"{place}: the joint variable in {columns} must be q or -q, without a factor; its factor is {value.imag:g}."
-        )
-    return ("R" if columns == "theta" else "P"), value.imag, names[0]
+    return ("R" if column == "theta" else "P"), entry.value.imag, names[0]
 
 
 def evaluate_entry(entry: str, column: str, lengths: Mapping[str, float]) -> Entry:
@@ -158,25 +149,21 @@ def evaluate_entry(entry: str, column: str, lengths: Mapping[str, float]) -> Ent
 
     Raises ValueError for anything but sums, products and fractions of numbers, names and a variable.
     """
-    if len(entry) > MAX_ENTRY_LENGTH:
-        raise ValueError(
-            f"an entry must have at most {MAX_ENTRY_LENGTH} characters; {entry[:20]!r}... has {len(entry)}."
-        )
     text = re.sub(r"\\frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))", respelled(entry)).strip()
     text = re.sub(r"[\\{}$]|\b(?:np|math)\.", "", text)
     text, degrees = re.subn(rf"({NUMBER})\s*(?:°|deg\b)", r"(\1*pi/180)", text)
     text = re.sub(rf"({NUMBER}|\))\s*(?=(?:pi|q_?\d*)\b|theta)", r"\1*", text)
     try:
-        if re.search(r"[^\w\s.+*/()-]|\d_|\b0[a-zA-Z]", text):  # Python also reads 0x1F and 1_000, but people do not
+        # Python also reads 0x1F and 1_000, but people do not.
+        if len(entry) > MAX_ENTRY_LENGTH or re.search(r"[^\w\s.+*/()-]|\d_|\b0[xXbBoO]", text):
             raise TypeError("not an entry of a table")
         tree = ast.parse(text, mode="eval").body
-        value = _evaluate(tree, column, lengths)
+        if not np.isfinite(value := _evaluate(tree, column, lengths)):
+            raise ValueError("not finite")
     except (SyntaxError, KeyError, TypeError, ZeroDivisionError, ValueError) as error:
         raise ValueError(
-            f"an entry must be a number, or a joint variable with a number; got {entry!r}. {_hint(text, column, error)}."
+            f"an entry must be a number, or a joint variable with a number; got {entry!r:.200}. {_hint(text, column, error)}."
         ) from error
-    if not np.isfinite(value):
-        raise ValueError(f"an entry must be a finite number; got {entry!r}.")
     names = (node.id for node in ast.walk(tree) if isinstance(node, ast.Name))
     variables = (name.replace("_", "") for name in names if name not in lengths and _is_variable(name, column))
     return Entry(value, [*dict.fromkeys(variables)], "°" if degrees else "pi" if re.search(r"\bpi\b", text) else "")
@@ -187,8 +174,8 @@ def _hint(text: str, column: str, error: Exception) -> str:
         return f"The decimal sign is a point: write {comma[1] or 0}.{comma[2]}"
     if isinstance(error, KeyError):
         name = error.args[0]
-        variable = f"If {name} is the joint variable, write q{re.sub(r'[^0-9]', '', name)}; if not, give"
-        return f"{variable if column in ('d', 'theta') else 'Give'} lengths={{{name!r}: ...}}"
+        variable = f"If {name} is the joint variable, write q{re.sub(r'[^0-9]', '', name)}; if not, write"
+        return f"{variable if column in ('d', 'theta') else 'Write'} its value in a line above the table, {name} = 0.3"
     return "Try 0.5, pi/2, q1 + pi/2 or -90°"
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from kinlib.arrays.validation import describe
@@ -25,8 +25,6 @@ def read_table(
     length_unit: str = "",
     angle_unit: str = "",
     joints: str = "",
-    lengths: Mapping[str, float] | None = None,
-    name: str = "table",
 ) -> Reading:
     r"""Read a table that was pasted, and list what was assumed.
 
@@ -34,7 +32,6 @@ def read_table(
     order        the columns of a text without a heading, for example "theta d a alpha"
     length_unit  "m", "cm" or "mm"; angle_unit  "rad" or "deg"; by default as the text says, or as the numbers suggest
     joints       a letter for each row, R, P or F; by default those that have a variable, or all rows
-    lengths      values in metres of names in the entries
 
     An assumption that the numbers alone suggest lists the options, so that a person can be asked.
 
@@ -50,7 +47,7 @@ def read_table(
     if not isinstance(text, str):
         raise ValueError(f"text must be the text of a table; got {describe(text)}. Pass rows of numbers to DHTable.")
     units = {"length_unit": length_unit, "angle_unit": angle_unit}
-    read = read_rows(text, strict=False, lengths=lengths or {}, joints=joints, order=order, **units)
+    read = read_rows(text, strict=False, lengths={}, joints=joints, order=order, **units)
     assumed = [*read.assumed]
     if convention is None and read.convention:
         assumed.append(Assumption(f"The convention is {read.convention}, as the text says."))
@@ -62,4 +59,4 @@ def read_table(
             "No row has a length or a twist: every a, alpha and d was read as 0. Name the columns in a heading."
         )
     used = convention or read.convention or "standard"
-    return Reading(DHTable(read.numbers, used, joints=read.joints, signs=read.signs, name=name, **read.ends), assumed)
+    return Reading(DHTable(read.numbers, used, joints=read.joints, signs=read.signs, **read.ends), assumed)

@@ -104,7 +104,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
     signs: Array = field(default_factory=lambda: np.empty(0), kw_only=True)
     base: Array = field(default_factory=lambda: np.eye(4), kw_only=True)
     tool: Array = field(default_factory=lambda: np.eye(4), kw_only=True)
-    lengths: Mapping[str, float] | None = field(default=None, kw_only=True)
+    lengths: Mapping[str, float] | None = field(default=None, kw_only=True, compare=False)
     name: str = field(default="table", kw_only=True)
 
     if TYPE_CHECKING:  # the constructor takes text, dictionaries and lists, too, and the attributes are arrays
@@ -211,17 +211,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         (1000, 4, 4)
         """
         return table_poses(self, self.rows, self.in_order(q))
-
-    def jacobian(self, q: JointValues) -> Array:
-        """Compute the space Jacobian: column i is the twist of the tool, in {s}, at unit speed of joint i.
-
-        q (..., n) -> (..., 6, n), that of the chain: J_i is the z axis of joint i at q, as a screw axis.
-        Source: Modern Robotics, (5.11).
-
-        >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard").jacobian([0, 0])[:, 1] + 0.0
-        array([ 0. ,  0. ,  1. ,  0. , -0.4,  0. ])
-        """
-        return self._chain.jacobian(self.in_order(q))
 
     def to_chain(self) -> Chain:
         """Convert the table to screw axes and a home pose: the z of each joint, in {s} at home.
@@ -391,8 +380,14 @@ def _read(given: Any, lengths: Mapping[str, float] | None, joints: str, conventi
     """Read rows in any form: the numbers, the letters, the signs, and base and tool if the text has them."""
     if not isinstance(lengths or {}, Mapping):
         raise ValueError(f"lengths must be a dictionary such as {{'l2': 0.5}}; got {validation.describe(lengths)}.")
-    is_listed = isinstance(given, Sequence) and any(isinstance(row, Mapping) for row in given)
-    if not isinstance(given, str) and not is_listed:
+    if isinstance(given, Sequence) and any(isinstance(row, Mapping) for row in given):
+        cells = [[row.get(name) if isinstance(row, Mapping) else None for name in COLUMNS] for row in given]
+        if missing := [k for k, row in enumerate(cells, start=1) if None in row]:
+            raise ValueError(
+                f"Each row must have all of {', '.join(COLUMNS)}, 0 where one is empty; row {missing[0]} does not."
+            )
+        given = "\n".join(" | ".join(map(str, row)) for row in [COLUMNS, *cells])
+    if not isinstance(given, str):
         numbers = validation.vectors(cast("ArrayLike", given), "rows", 4)
         if numbers.ndim != 2 or not len(numbers):
             raise ValueError(

@@ -1,4 +1,4 @@
-r"""Read the rows of a DH table from text, in any form in which people write one, or from dictionaries.
+r"""Read the rows of a DH table from text, in any form in which people write one.
 
 The text becomes rows of cells by one of three readers: calls and dictionaries by row, such as RevoluteDH(a=0.4); lists by column and
 names with indices, such as d1 = 0.3; or lines of cells. Then the columns, the units, the joints and the convention are found. What the
@@ -15,7 +15,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from kinlib.arrays.formatting import format_vector
-from kinlib.arrays.validation import Array, array, describe
+from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import (
     COLUMN_NAMES,
     COLUMNS,
@@ -54,19 +54,21 @@ REPLACEMENTS = [
     (r"<\w+\s([^<>]*\balpha\s*=[^<>]*?)/?>", r"{\1}"), (r"</t[dh]>\s*<t[dh][^>]*>", " | "), (r"</?(?:tr|table|br|p)\b[^>]*>", "\n"),
     (r"<su[bp]>(.*?)</su[bp]>", r"_\1"), (r"<[a-zA-Z/][^>]{0,200}>", " "),
     (r"\\(?:begin|end)\{\w+\*?\}(?:\{[^}]*\})?|\\(?:hline|(?:top|mid|bottom)rule|cline\{[^}]*\})", "\n"),
+    (r"\\ang\{([^{}]*)\}", r"\1°"), (r"\\milli\\met(?:re|er)", "mm"), (r"\\met(?:re|er)\b", "m"),
+    (r"\\(?:SI|qty)\{([^{}]*)\}\{([^{}]*)\}", r"\1 \2"), (r"\\(?:si|unit)\{([^{}]*)\}", r"\1"),
     (r"\\(?:text|mathrm|textbf|mathbf|mathit)\{([^{}]*)\}", r"\1"), (r"\^\{?\s*\\circ\s*\}?|\\degree", "°"),
     (r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}", r"(\1)/(\2)"), (r"\\\\(?:\[[^]]*\])?", "\n"), (r"\\,|\$", ""),
     (r"(?m)^\s*(?:\{\|.*|\|[-}]\s*)$", ""), (r"!!|\|\|", "|"), (r"(?m)^\s*!", "|"),  # of a wiki
     (r"\\(?:cdot|times)\b", "*"), (r"\\(alpha|theta|psi|pi)(?![a-zA-Z])", r"\1"), ("&", " | "), (r"\(\*|\*\)", "\n"),
     ("⍺", "alpha"), ("ⱼ", "_j"), ("ₙ", "_n"), ("’", "'"), ("\xa0", " "), ("½", "1/2"), ("[┃│║]", "|"), ("[\u2500-\u257f]+", ""),
-    (r"\b(?:M_PI|PI)_([24])\b", r"pi/\1"), (r"\b(?:M_PI|(?:np|numpy|math|Math|sp|sympy)\.(?:pi|PI)|PI|Pi)\b(?:\(\))?", "pi"),
+    (r"\b(?:M_PI|PI|FRAC_PI)_([24])\b", r"pi/\1"), (r"\b(?:M_PI|(?:np|numpy|math|Math|sp|sympy)\.(?:pi|PI)|PI|Pi)\b(?:\(\))?", "pi"),
     (r"\b(?:(?:np|numpy|math)\.)?(?:deg2rad|radians|RADIANS)\(([^()]*)\)", r"\1°"),
     (r"(?m)(^|[\t;,|])[ ]*=", r"\1"),  # of a cell in a spreadsheet
     (r"\b((?:theta|q|d)_?\{?\d+\}?)\*(?![\w(.]|-1\b)", r"\1"),  # the sign of a variable
     (r"(?<=\d)f\b|(?<=\d\.)f\b", ""), (r"(?<=\d)\s*\*\s*([mc]m)(?:_?(?:2|to)_?m)?\b", r" \1"),  # 0.1f and 145 * mm2m of code
     (r"\((?:float|double|real_t)\)", ""), (r"\b\w+[(\[](\d+)[)\]]\.(\w+)\s*=(?!=)", r"\2\1 ="),  # L(1).a = 0.1
     (r"\b([a-zA-Z]\w*)\[(\d+)\](?!\s*[\[.])", r"\1\2"), (r"(?<=[\[,])\s*\[([^\[\],]*\d[^\[\],]*)\](?=\s*[,\]])", r"\1"),
-    (r"(?m)^[ \t]*-[ \t]+\[([^\[\]\n]*)\]", r"\1"),  # of YAML
+    (r"(?m)^[ \t]*-[ \t]+\[([^\[\]\n]*)\]", r"\1"), (r"(?m)^[ \t]*\(?\d+\)[ \t]+(?=[-\w.])", ""),  # of YAML, and 1) of lists
     (r"\bth_?(\d+)\b", r"theta\1"), (r"(?m)^[ \t]*#define\s+(\w+)\s+", r"\1 = "), (r"\b\w+\s*<<\s*(?=\S)", ""),
 ]  # fmt: skip
 """What terminals, HTML, LaTeX and code write for signs and separators, and what a keyboard has for them."""
@@ -74,7 +76,7 @@ REPLACEMENTS = [
 CALL = re.compile(r"\b(?!\w*Robot)((?:Frame\W+)?\w*(?:Revolute|Prismatic|Link|DH)\w*)\s*\(((?:[^()]|\([^()]*\))*)\)")
 
 PAIR = re.compile(
-    r"(?:\b([a-zA-Z]\w*)\s*[:=]|['\"](\w+)['\"]\s*(?:[:=]|,(?=\s*[^\s'\"])))\s*['\"]?([^,=\[\]{}'\"\n;]+?)"
+    r"(?:\b([a-zA-Z]\w*)\s*[:=]|['\"](\w+)['\"]\s*(?:[:=]|,(?=\s*[^\s'\"])))[ \t]*['\"]?([^,=\[\]{}'\"\n;]+?)"
     r"(?=\s*(?:[,\[\]{}'\"\n;]|$)|\s+[a-zA-Z]\w*\s*[:=])"
 )
 
@@ -140,7 +142,7 @@ class _Grid:
 
 
 def read_rows(
-    given: str | Sequence[Any],
+    text: str,
     *,
     strict: bool,
     lengths: Mapping[str, float],
@@ -149,36 +151,42 @@ def read_rows(
     length_unit: str = "",
     angle_unit: str = "",
 ) -> Rows:
-    """Read rows from text or from dictionaries by column name; the arguments are those of `read_table`.
+    """Read rows from text; the arguments are those of `read_table`.
 
     strict  whether what the text only suggests is refused; numbers without a unit are metres and radians then
 
     Raises ValueError for anything else, with the place of what cannot be read.
     """
-    own, ends = _in_all_spellings(lengths), dict[str, Any]()
-    plain = ""
-    if isinstance(given, str):
-        plain, ends, told = _without_ends(given)
-        readers = (_from_calls, _from_columns, _from_pairs, _from_lines)
-        names = _in_all_spellings(_definitions(plain)) | own
-        grid = next((g for reader in readers if (g := reader(plain, names)) and (g.rows or g.cells)), None)
-        if grid is None:
-            raise ValueError(
-                "No table was found: no line has four numbers, and no call or list names a, alpha, d and theta. Paste the rows with a "
-                "heading such as 'a alpha d theta', one row in a line."
-            )
-        grid.assumed += told
-    else:
-        grid = _from_dictionaries(given, own)
+    if len(text) > MAX_TEXT_LENGTH:
+        raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
+    ends: dict[str, Any] = {end: _matrix(matrix) for end, matrix in END.findall(text)}
+    plain, told = _plain(END.sub("", text)), list[Assumption]()
+    for end, place, angles in re.findall(r"\b(base|tool)\s*\|\s*t = ([-\d., ]+);\s*rpy/xyz = ([-\d.°, ]+)\|?", plain):
+        if not re.search("[1-9]", angles):  # as the Robotics Toolbox prints them
+            ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
+            told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
+            plain = re.sub(rf"^.*\b{end}\s*\|\s*t = .*$", "", plain, flags=re.MULTILINE)
+    names = _in_all_spellings(_definitions(plain)) | _in_all_spellings(lengths)
+    if not strict and "t1" not in names and "theta" in plain and re.search(r"\bt_?1\b", plain):
+        plain = re.sub(r"\bt_?(\d+)\b", r"theta\1", plain)
+        told.append(Assumption("t1, t2, ... were read as the joint variables."))
+    readers = (_from_calls, _from_columns, _from_pairs, _from_lines)
+    grid = next((g for reader in readers if (g := reader(plain, names)) and (g.rows or g.cells)), None)
+    if grid is None:
+        raise ValueError(
+            "No table was found: no line has four numbers, and no call or list names a, alpha, d and theta. Paste the rows with a "
+            "heading such as 'a alpha d theta', one row in a line."
+        )
+    grid.assumed += told
     if not grid.rows:
         _name_columns(grid, order)
     if len(grid.rows) > MAX_ROWS:
         raise ValueError(f"A table must have at most {MAX_ROWS} rows; got {len(grid.rows)}.")
     entries = _evaluate(grid)
-    letters, signs = _joints(grid, entries, joints, strict)
+    letters, signs = _joints(grid, entries, joints)
     numbers = np.array([[row[column].value.real for column in COLUMNS] for row in entries])
-    for unit, units, argument in ((length_unit, LENGTH_UNITS, "length_unit"), (angle_unit, ANGLE_UNITS, "angle_unit")):
-        _scale(grid, entries, numbers, unit, units, argument, strict)
+    _scale(grid, entries, numbers, "length_unit", length_unit, strict)
+    _scale(grid, entries, numbers, "angle_unit", angle_unit, strict)
     if strict and grid.guesses:
         raise ValueError(
             f"A DHTable takes only what its rows say; kl.read_table reads these, and assumes: {grid.guesses[0]} Correct the rows, or use "
@@ -187,27 +195,10 @@ def read_rows(
     return Rows(numbers, letters, signs, _said_convention(plain, grid), ends, grid.assumed)
 
 
-def _without_ends(text: str) -> tuple[str, dict[str, Any], list[Assumption]]:
-    """Write a text as with a keyboard, and split off a base and a tool, as `print(table)` or the Robotics Toolbox prints them."""
-    import json  # for tables that were printed; `import kinlib` loads no more than NumPy
-
-    if len(text) > MAX_TEXT_LENGTH:
-        raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
-    ends, told = dict[str, Any](), list[Assumption]()
-    for end, matrix in END.findall(text):
-        try:
-            ends[end] = json.loads(matrix)
-        except (ValueError, RecursionError) as error:
-            raise ValueError(
-                f"{end} must be a pose, [[1, 0, 0, 0], [0, 1, 0, 0], ...]; got {matrix!r:.80}. Pass {end}=... instead."
-            ) from error
-    plain = _plain(END.sub("", text))
-    for end, place, angles in re.findall(r"\b(base|tool)\s*\|\s*t = ([-\d., ]+);\s*rpy/xyz = ([-\d.°, ]+)\|?", plain):
-        if not re.search("[1-9]", angles):
-            ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
-            told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
-            plain = re.sub(rf"^.*\b{end}\s*\|\s*t = .*$", "", plain, flags=re.MULTILINE)
-    return plain, ends, told
+def _matrix(text: str) -> Array:
+    """Read [[1, 0, 0, 0], ...]; what is no pose is refused by the table."""
+    numbers = [float(number) for number in re.findall(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", text)]
+    return np.array(numbers).reshape((4, 4) if len(numbers) == 16 else -1)
 
 
 def _plain(text: str) -> str:
@@ -238,6 +229,8 @@ def _one_by_one(found: re.Match[str]) -> str:
 def _column_in(name: str) -> str:
     """Return the column that a part of a name stands for, as in arm.dh_alpha_values; "" if there is none, or several."""
     whole = name.rpartition(".")[2]
+    if "home" in whole:  # q_home_offset of a controller
+        return ""
     found = {column for part in whole.split("_") if (column := _column(part) or _column(part.removesuffix("s")))}
     return _column(whole) or ("offset" if "offset" in found else found.pop() if len(found) == 1 else "")
 
@@ -246,27 +239,6 @@ def _column(name: str) -> str:
     """Return the column that a name stands for; "" if there is none."""
     found = parse_heading(name).name
     return found if found in COLUMN_NAMES.values() else ""
-
-
-def _from_dictionaries(given: Sequence[Any], names: Mapping[str, float]) -> _Grid:
-    grid = _Grid(names)
-    for number, row in enumerate(given, start=1):
-        missing = [column for column in COLUMNS if column not in row] if isinstance(row, Mapping) else [COLUMNS[0]]
-        if missing:
-            it_is = "" if isinstance(row, Mapping) else f"; it is {describe(row)}"
-            raise ValueError(
-                f"Row {number} has no {missing[0]}{it_is}. Each row must have all of {', '.join(COLUMNS)}; write 0 for an empty entry."
-            )
-        cells = {column: row[column] for column in COLUMNS}
-        for column, cell in cells.items():
-            if not isinstance(cell, str):
-                value = array(cell, f"Row {number}, {column}")
-                if value.ndim:
-                    raise ValueError(f"Row {number}, {column} must be a single number; got {describe(cell)}.")
-                cells[column] = repr(float(value))
-        grid.rows.append(cells)
-        grid.places.append(f"Row {number}")
-    return grid
 
 
 def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
@@ -280,9 +252,9 @@ def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
             row = {column: named.get(column, "0") for column in (*COLUMNS, "offset")}
         elif len(cells) >= 4 and all(map(grid.is_entry, cells[:4])):
             columns = ("a", "alpha", "d", "theta") if re.search("Frame|Craig", kind) else ("theta", "d", "a", "alpha")
-            row = dict(zip((*columns, "type"), cells[: 4 + (cells[4:5] in (["0"], ["1"]))], strict=False)) | {
-                "offset": "0"
-            }
+            row = dict(zip(columns, cells, strict=False)) | {"offset": "0"}
+            if columns[0] == "theta":  # of MATLAB: [theta d a alpha sigma offset]
+                row |= dict(zip(("type", "offset"), [*cells[4:6], *("0", "0")[len(cells[4:6]) :]], strict=True))
             note = f"{kind.rpartition(':')[2]}(...) was read as ({', '.join(columns)})."
         else:
             continue
@@ -299,7 +271,7 @@ def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
             row |= {"d": f"-q + {row['d']}"} if row.get("type") == "P" else {"theta": f"-q + {row['theta']}"}
         grid.rows.append(row)
         grid.places.append(f"Call {len(grid.rows)}, {found[0].strip():.60}")
-        if re.search("MDH|Craig|modified", kind):
+        if re.search("mdh|craig|modif", kind, re.IGNORECASE):
             grid.modified = True
         elif kind.endswith("DH"):
             grid.modified = bool(grid.modified)
@@ -386,9 +358,9 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
         if not re.sub(r"[|\s:+=-]", "", line):
             is_after_gap = True
             continue
-        place, splits = f"Line {number}, {raw.strip()!r:.80}", _splits(line)
-        if is_after_gap and widths:  # another table may follow
-            splits = [cells for cells in splits if len(cells) in widths]
+        # after a gap another table may follow
+        splits = [cells for cells in _splits(line) if not (is_after_gap and widths) or len(cells) in widths]
+        place = f"Line {number}, {raw.strip()!r:.80}"
         numbers = len(re.findall(rf"(?<![\w.])-?{NUMBER}", line))
         if is_spreadsheet and "\t" in line:  # a spreadsheet drops empty cells at the end
             splits[0] += [""] * (len(heads) - len(splits[0]))
@@ -413,19 +385,21 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
         elif plain:
             grid.cells.append(plain[0])
             grid.places.append(place)
-        elif grid.rows and (
-            any(cells[0].rstrip(".") == str(len(grid.rows) + 1) for cells in splits)
-            or (not is_after_gap and re.fullmatch(rf"[+-]?{NUMBER}", line))
-        ):
-            raise ValueError(f"{place} cannot be read: a cell is no number and no variable. Correct it, or write 0.")
-        elif (grid.rows or grid.cells) and (is_after_gap or (numbers and ("=" in line or numbers < 3))):
-            grid.assume(f"What follows the table was not read, from line {number}: {raw.strip()!r:.60}.")
-            break
-        elif (heads or grid.cells) and numbers >= 3:
-            raise ValueError(
-                f"{place} cannot be read: it has another number of cells than the heading, or cells that are no numbers. Write 0 into "
-                "empty cells, and one cell for each heading."
+        else:
+            is_row = any(cells[0].rstrip(".") == str(len(grid.rows) + 1) for cells in splits) or (
+                not is_after_gap and re.fullmatch(rf"[+-]?{NUMBER}", line)
             )
+            is_table = bool(grid.rows or grid.cells)
+            if is_table and not (grid.rows and is_row) and (is_after_gap or (numbers and ("=" in line or numbers < 3))):
+                grid.assume(f"What follows the table was not read, from line {number}: {raw.strip()!r:.60}.")
+                break
+            if (grid.rows and is_row) or ((heads or grid.cells) and numbers >= 3):
+                raise ValueError(
+                    f"{place} cannot be read: it has another number of cells than the heading, or a cell is no number and no variable. "
+                    "Correct it, and write 0 into empty cells."
+                )
+            if numbers >= 4 and not is_table:
+                grid.assume(f"Line {number} was not read: {raw.strip()!r:.60}.")
         is_after_gap = False
     return _uniform(_with_labels(grid, heads)) if grid.rows else grid
 
@@ -435,7 +409,9 @@ def _in_lines(text: str) -> str:
     text = re.sub(r"\[(mm?|cm|rad|deg|°)\]", r"(\1)", text)
     if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]{,999};", text):
         text = re.sub(r"[\]})]\s*,\s*['\"]?\w+['\"]?\s*[:=]\s*(?=[\[{(])", "\n", text)  # another one
-        text = re.sub(r"(?m)^(?:[^\n#%/=]*=|[^\n#%/]*?[=(:])\s*(?=[\[{])", "", text)  # the name of an array
+        text = re.sub(
+            r"(?m)^(?:(?:[^\n#%/=]*=|[^\n#%/]*?[=(:])\s*(?=[\[{])|[^\n#%/{\[]*(?=\{\s*\{))", "", text
+        )  # its name
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
     text = re.sub(
         r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.{,99}\balpha\b)", "\n# ", text
@@ -571,7 +547,9 @@ def _splits(line: str) -> list[list[str]]:
     if ("," in line and not has_decimal_commas) or (line.count(",") >= 3 and " " not in line):
         found.append([_cell(cell) for cell in line.split(",")[:MAX_CELLS]])
     spaced = re.sub(r"\s+([+*/])\s+|\s*([*/])\s*|(?<=[\w°)])\s+(-)\s+(?=\d|pi)", lambda f: f[1] or f[2] or f[3], line)
-    splits = (re.split(pattern, spaced)[:MAX_CELLS] for pattern in (r"\s{2,}", r"\s+"))
+    # a space before a minus is enough after a number or a label: "1 -0.2", where "1 - 0.2" is a difference
+    wide = re.sub(rf"(^\s*(?!theta|[qdt]_?\d)[A-Za-z]+\d+|{NUMBER})\s(?=-{NUMBER})", r"\1  ", spaced)
+    splits = (re.split(pattern, wide)[:MAX_CELLS] for pattern in (r"\s{2,}", r"\s+"))
     return found + [[_cell(cell, decimal_comma=True) for cell in cells] for cells in splits]
 
 
@@ -585,7 +563,7 @@ def _cell(cell: str, decimal_comma: bool = False) -> str:
 
 def _entry(cell: str, column: str, names: Mapping[str, float]) -> Entry:
     """Evaluate a cell: an empty one is 0, "theta" or "var" is a variable, and a length may have its unit, in metres then."""
-    cell = re.sub(r"\(\s*var\w*\s*\)|\*$|\b(?:rad|radians)$", "", _cell(respelled(cell))).strip()
+    cell = re.sub(r"\(\s*var\w*\.?\s*\)|\*$|\b(?:rad|radians)$", "", _cell(respelled(cell))).strip()
     if cell in {"", "-", "/", "n.a.", "n/a", "None", "none"}:
         return Entry(0j)
     if re.fullmatch(r"(?:var\w*|joint\w*|theta[_{]*[ijkn]?\}*|q[_{]*[ijkn]?\}*|d_?[ijkn])", cell, re.IGNORECASE):
@@ -660,7 +638,7 @@ def _evaluate(grid: _Grid) -> list[dict[str, Entry]]:
     return entries
 
 
-def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str, strict: bool) -> tuple[str, list[float]]:
+def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str) -> tuple[str, list[float]]:
     """Find the letter and the sign of the joint of each row: from its variable, a column of types, or because all rows have one.
 
     If no row has a variable, the signs are [].
@@ -672,17 +650,9 @@ def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str, strict: bo
         letters, signs = letters + (letter if variable else kind), [*signs, sign]
         variables += [variable] if variable else []
     if given:
-        if strict and variables and given != (own := letters.replace("?", "F")):
-            raise ValueError(
-                f"joints must agree with the variables in the rows, {own}; got {given!r:.60}. Which rows have a joint?"
-            )
         return given, signs if variables else []
     numbers = [int(number) for name in variables if (number := re.sub(r"\D", "", name))]
     if numbers and numbers != [*range(1, len(variables) + 1)]:
-        if strict:
-            raise ValueError(
-                f"Each row must have the variable of its own joint, q1, q2, ... in the order of the rows; got {', '.join(variables)}."
-            )
         grid.assume(
             f"The variables are {', '.join(variables)}, not 1, 2, ... in the order of the rows: each is the joint of its row."
         )
@@ -702,19 +672,13 @@ def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str, strict: bo
 
 
 def _scale(  # noqa: PLR0917
-    grid: _Grid,
-    entries: list[dict[str, Entry]],
-    numbers: Array,
-    given: str,
-    units: Mapping[str, float],
-    argument: str,
-    strict: bool,
+    grid: _Grid, entries: list[dict[str, Entry]], numbers: Array, argument: str, given: str, strict: bool
 ) -> None:
     """Convert the lengths or the angles to metres or radians: by their own unit, the argument, the heading, or their sizes."""
+    is_length = argument == "length_unit"
+    units, columns, basic = (LENGTH_UNITS, (0, 2), "m") if is_length else (ANGLE_UNITS, (1, 3), "rad")
     if given and given not in units:
         raise ValueError(f"{argument} must be one of {', '.join(units)}; got {given!r:.60}.")
-    is_length = argument == "length_unit"
-    columns, basic = ((0, 2), "m") if is_length else ((1, 3), "rad")
     plain = [(i, k) for i, row in enumerate(entries) for k in columns if not row[COLUMNS[k]].unit and numbers[i, k]]
     said = {unit for k in columns if (unit := grid.units.get(COLUMNS[k], "")) in units}
     unit = given or (said.pop() if len(said) == 1 and not strict else basic if strict else "")

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms.continuation import Curve, CurveTracer
-from kinlib.mechanisms.levenberg_marquardt import Equations, null_space, on_planes, solve
+from kinlib.mechanisms.levenberg_marquardt import Equations, null_space, solve
 from kinlib.mechanisms.mobility import finite_mobility
 
 GUESSES_PER_ROUND, MAX_STEPS_PER_GUESS = 64, 40
@@ -25,16 +25,9 @@ been found at least twice, because then it is likely that none is missing (Good,
 MAX_STEPS = 5000
 """A curve is left unfinished after so many steps in either direction, for example that of a screw jack without limits."""
 
-MODE_TOL = 1e-5
-"""Two configurations are different assembly modes if an entry of the pose of some body differs by more than this. At a dead
-point two modes become one, and there the search finds it only to the square root of the residual, about 1e-6."""
-
-MOVES_TOL, DIFFERENCE_STEP = 1e-6, 1e-5
-"""A body moves with a joint velocity of length 1 if its pose changes at more than the first rate, which central differences
-with the second as step find to about 1e-10."""
-
-WRAPPING_TOL = 1e-6
-"""An angle nearer to pi than this is written as -pi."""
+MODE_TOL, WRAPPING_TOL = 1e-5, 1e-6
+"""Two configurations are different assembly modes if an entry of the pose of some body differs by more than the first: at a dead
+point two modes become one, found only to the square root of the residual. An angle nearer to pi than the second is written as -pi."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,17 +49,17 @@ class Closure:
     search_range: Array
     tolerance: float
 
-    def assemble(self) -> tuple[Array, float, int]:
-        """Come as near to a closed configuration as possible: the configuration (n,), its residual, and the steps taken."""
+    def assemble(self) -> tuple[Array, float]:
+        """Come as near to a closed configuration as possible: the configuration (n,), and its residual."""
         found = solve(self._free_equations, self.configuration[None, self.free], self.tolerance)
-        return self._with_held_values(found.x)[0], float(found.residual[0]), found.iterations
+        return self._with_held_values(found.x)[0], float(found.residual[0])
 
     def search_modes(self, poses: Callable[[Array], Array]) -> Array:
         """Search for all configurations (k, n) that close, from random guesses, until nothing new is found.
 
         poses  of the bodies in configurations (m, n), first dimension m: equal in two configurations of one mode
 
-        Raises ValueError if in a configuration that closes the bodies can still move.
+        Raises ValueError if the linkage can still move in a configuration that closes.
         """
         # The guesses are random but the result must not be: every call draws the same ones.
         rng = np.random.default_rng(0)
@@ -84,7 +77,7 @@ class Closure:
                 if k < len(known):
                     hits[k] += 1
                     continue
-                if mobility := self._mobility(q, J, poses):
+                if mobility := finite_mobility(self._free_equations, q[self.free], null_space(J)[0], self.tolerance):
                     raise ValueError(
                         "Assembly modes are single configurations, so no degree of freedom may be left; "
                         f"{mobility} left. Hold as many joint values as the linkage has degrees of freedom."
@@ -98,27 +91,8 @@ class Closure:
         Raises ValueError if the configuration does not close, and if not exactly one motion leads away from it.
         """
         tracer = CurveTracer(self._free_equations, self.tolerance, self.is_angle[self.free])
-        curve = tracer.follow(self.configuration[self.free], step, MAX_STEPS)
-        if points is not None:
-            curve = tracer.resample(curve, points)
+        curve = tracer.follow(self.configuration[self.free], step, MAX_STEPS, points)
         return replace(curve, q=self._with_held_values(curve.q))
-
-    def _mobility(self, q: Array, J: Array, poses: Callable[[Array], Array]) -> int:
-        """The number of degrees of freedom with which the bodies move at a configuration (n,), J (e, k) of the free values.
-
-        Where two axes of a spherical joint coincide, their angles can change against each other, and no body moves.
-        """
-        directions, _ = null_space(J)
-        if not directions.shape[1]:
-            return 0
-        x = q[self.free]
-        steps = (x + h * directions.T for h in (DIFFERENCE_STEP, -DIFFERENCE_STEP))
-        ahead, behind = (poses(self._with_held_values(step)) for step in steps)
-        U, sizes, _ = np.linalg.svd((ahead - behind).reshape(len(ahead), -1) / (2 * DIFFERENCE_STEP))
-        moves = np.count_nonzero(sizes > MOVES_TOL)
-        moving, passive = directions @ U[:, :moves], directions @ U[:, moves:]
-        with_angles_fixed = on_planes(self._free_equations, x, passive, np.zeros(passive.shape[1]))
-        return finite_mobility(with_angles_fixed, x, moving, self.tolerance)
 
     def _free_equations(self, x: Array) -> tuple[Array, Array]:
         """The equations as functions of the free values (m, k) alone."""

@@ -6,20 +6,17 @@ and then corrects it within the hyperplane perpendicular to the tangent: pseudo-
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinlib.arrays.validation import Array
-from kinlib.mechanisms.levenberg_marquardt import START_TOL_FACTOR, Equations, null_space, on_planes, solve
+from kinlib.mechanisms.levenberg_marquardt import Equations, null_space, on_planes, solve, validate_solution
 from kinlib.rigid.angles import wrap_angle
 
-MAX_BEND_RAD = 0.25
-"""The largest angle between the tangents before and after a step; where the curve bends more, the step is halved."""
-
-MAX_CORRECTION = 0.3
-"""The largest distance between the predicted and the corrected point of a step, as a fraction of the step."""
+MAX_BEND_RAD, MAX_CORRECTION = 0.25, 0.3
+"""The largest angle between the tangents before and after a step, and the largest correction as a fraction of the step: where the
+curve bends more, the step is halved."""
 
 MIN_STEP, CROSSING_STEP = 1e-5, 1e-3
 """As fractions of the step asked for: if even the smallest one finds no solution, the curve ends there, and two branches that
@@ -35,20 +32,12 @@ class Curve:
 
     q         (m, n)  the points; an angle that makes more than one full turn is not wrapped
     closed            whether the last point is the first one again (angles modulo 2 pi)
-    ends              why the curve ends: (at its first point, at its last); "closed" twice for a closed curve
     residual          the largest norm of the residual at any point
     """
 
     q: Array
     closed: bool
-    ends: tuple[str, str]
     residual: float
-
-    @cached_property
-    def length(self) -> Array:
-        """The length of the curve up to each point, (m,), from 0 at the first; radians and metres have equal weight."""
-        steps = np.linalg.norm(np.diff(self.q, axis=0), axis=1)
-        return np.concatenate([[0.0], np.cumsum(steps)])
 
     def turning_points(self, i: int) -> NDArray[np.intp]:
         """Find the points at which coordinate i changes from increasing to decreasing or back: the dead points of a driver."""
@@ -65,51 +54,40 @@ class CurveTracer:
     tolerance: float
     is_angle: NDArray[np.bool_]
 
-    def follow(self, start: Array, step: float, max_steps: int) -> Curve:
+    def follow(self, start: Array, step: float, max_steps: int, count: int | None = None) -> Curve:
         """Follow the curve through start (n,) in both directions, until it closes or ends on either side.
 
         step       the longest step along the curve
-        max_steps  in either direction; after them the curve is left unfinished, which its `ends` then say
+        max_steps  in either direction; after them the curve is left unfinished
+        count      of points to return, at about equal steps; None: as many as the tracing needed
 
         Raises ValueError if start is not a solution, and if the number of directions that lead away from it is not one.
         """
+        validate_solution(self.equations, start, self.tolerance)
         found = solve(self.equations, start[None], self.tolerance)
-        residual = np.linalg.norm(self.equations(start[None])[0])
-        if residual > START_TOL_FACTOR * self.tolerance:
-            raise ValueError(
-                f"A curve must start at a solution; the residual of this start is {residual:.2g}. "
-                "Assemble the linkage first, and pass the q that you get."
-            )
         directions, _ = null_space(found.jacobian[0])
-        if (count := directions.shape[1]) != 1:
+        if (free := directions.shape[1]) != 1:
             remedy = "Nothing can move: the linkage is a structure."
-            if count:
+            if free:
                 remedy = "Hold all degrees of freedom but one or, if curves cross here, start at another configuration."
-            raise ValueError(f"Exactly one direction must lead away from the start of a curve; got {count}. {remedy}")
+            raise ValueError(f"Exactly one direction must lead away from the start of a curve; got {free}. {remedy}")
         # Both signs of the tangent are right. Fix one, so that the same start gives the same curve on every machine.
         tangent = directions[:, 0] * np.sign(directions[np.argmax(np.abs(directions[:, 0])), 0])
-        points, end = self._follow_one_way(found.x[0], tangent, step, max_steps)
-        beginning = end
-        if end != "closed":
-            before, beginning = self._follow_one_way(found.x[0], -tangent, step, max_steps)
-            points = [*before[:0:-1], *points]
-        return self._exact(np.array(points), (beginning, end))
+        q, closed = self._follow_one_way(found.x[0], tangent, step, max_steps)
+        if not closed:
+            before, _ = self._follow_one_way(found.x[0], -tangent, step, max_steps)
+            q = np.concatenate([before[:0:-1], q])
+        if count is not None and len(q) > 1:
+            length = np.cumsum([0.0, *np.linalg.norm(np.diff(q, axis=0), axis=1)])
+            at = np.linspace(0, length[-1], count)
+            near = np.stack([np.interp(at, length, values) for values in q.T], axis=1)
+            q = solve(self.equations, near, self.tolerance).x
+        # Near a solution a step squares the error, so one more step for all points leaves only rounding errors.
+        exact = solve(self.equations, q, tolerance=0.0, iterations=1)
+        return Curve(exact.x, closed, float(exact.residual.max()))
 
-    def resample(self, curve: Curve, count: int) -> Curve:
-        """Return the same curve in `count` points at about equal steps of its length. A curve of one point stays as it is."""
-        if len(curve.q) == 1:
-            return curve
-        s = np.linspace(0, curve.length[-1], count)
-        near = np.stack([np.interp(s, curve.length, values) for values in curve.q.T], axis=1)
-        return self._exact(solve(self.equations, near, self.tolerance).x, curve.ends)
-
-    def _exact(self, points: Array, ends: tuple[str, str]) -> Curve:
-        """Near a solution a step squares the error, so one more step for all points leaves only rounding errors."""
-        exact = solve(self.equations, points, tolerance=0.0, iterations=1)
-        return Curve(exact.x, ends[1] == "closed", ends, float(exact.residual.max()))
-
-    def _follow_one_way(self, start: Array, direction: Array, step: float, max_steps: int) -> tuple[list[Array], str]:
-        """Follow the curve from a point in the direction of its tangent: the points, and why it ends."""
+    def _follow_one_way(self, start: Array, direction: Array, step: float, max_steps: int) -> tuple[Array, bool]:
+        """Follow the curve from a point in the direction of its tangent: the points, and whether the last one is the start again."""
         points, h, x, tangent = [start], step, start, direction
         J = self.equations(x[None])[1][0]
         while len(points) <= max_steps:
@@ -117,7 +95,7 @@ class CurveTracer:
             new, new_tangent, new_J = self._correct(guess, tangent)
             is_lost = new_tangent @ tangent < np.cos(MAX_BEND_RAD) or np.linalg.norm(new - guess) > MAX_CORRECTION * h
             if is_lost and h <= MIN_STEP * step:
-                return points, "lost: no configuration closes further on"
+                break
             if is_lost or (h > CROSSING_STEP * step and not _same_branch(J, tangent, new_J, new_tangent)):
                 h /= 2
                 continue
@@ -127,10 +105,10 @@ class CurveTracer:
             if POINT_TOL < passed <= along + POINT_TOL and along > np.cos(MAX_BEND_RAD) * np.linalg.norm(new - x):
                 point, _, _ = self._correct(x + passed / along * (new - x), direction)
                 if np.linalg.norm(point - x - gap) < RETURN_TOL:
-                    return [*points, x + gap], "closed"
+                    return np.array([*points, x + gap]), True
             points.append(new)
             x, tangent, J, h = new, new_tangent, new_J, min(1.5 * h, step)
-        return points, f"{max_steps} point{'s' * (max_steps != 1)}"
+        return np.array(points), False
 
     def _correct(self, guess: Array, normal: Array) -> tuple[Array, Array, Array]:
         """Find where the curve meets the hyperplane through guess with a normal: the point, its tangent, the Jacobian there.

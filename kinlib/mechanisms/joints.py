@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,7 +14,7 @@ from kinlib.rigid.screw import axes, line, screw
 
 
 @dataclass(frozen=True, eq=False)
-class Joint(validation.ReadOnly):
+class Joint:
     """A joint between two bodies, read from a drawing of the linkage like the joints of an open chain.
 
     name            of the joint; the values of a joint with k > 1 degrees of freedom are called name.1, ..., name.k
@@ -37,17 +36,6 @@ class Joint(validation.ReadOnly):
     screws: Array = field(repr=False)
     closing_offset: Array = field(default_factory=lambda: np.eye(4), repr=False)
     point: Array | None = field(default=None, repr=False)
-
-    if TYPE_CHECKING:  # the constructor takes lists, too, and the attributes are arrays
-
-        def __init__(
-            self,
-            name: str,
-            bodies: tuple[str, str],
-            screws: ArrayLike,
-            closing_offset: ArrayLike = ...,
-            point: ArrayLike | None = None,
-        ) -> None: ...
 
     def __post_init__(self) -> None:
         bodies = list(self.bodies)

@@ -23,17 +23,13 @@ START_TOL_FACTOR = 1e3
 """The residual of a point that the caller passes as a solution may be this many times the tolerance: it may have been found by
 another method, or typed with few digits."""
 
-MIN_STEP = 1e-12
-"""A search ends where a step, relative to 1 + |x|, is shorter than this: at a local minimum the steps shrink to 0."""
-
 
 class Solution(NamedTuple):
-    """Where the search ended from each of m guesses: x (m, n), |r| (m,) and J (m, e, n) there, steps of the slowest search."""
+    """Where the search ended from each of m guesses: x (m, n), |r| (m,) and J (m, e, n) there."""
 
     x: Array
     residual: Array
     jacobian: Array
-    iterations: int
 
 
 def solve(equations: Equations, guess: Array, tolerance: float, iterations: int = 100) -> Solution:
@@ -48,11 +44,11 @@ def solve(equations: Equations, guess: Array, tolerance: float, iterations: int 
     """
     x = np.array(guess, dtype=float)
     r, J = equations(x)
-    size, mu, count = np.linalg.norm(r, axis=-1), np.ones(len(x)), 0
+    size, mu = np.linalg.norm(r, axis=-1), np.ones(len(x))
     active = size > tolerance
-    while active.any() and count < iterations:
-        count += 1
-        k = np.flatnonzero(active)
+    for _ in range(iterations):
+        if not (k := np.flatnonzero(active)).size:
+            break
         U, s, Vt = np.linalg.svd(J[k], full_matrices=False)
         gain = is_nonzero(s) * s / (s * s + (mu[k] * size[k] ** 2)[:, None] + np.finfo(float).tiny)
         dx = -np.einsum("mkn,mk,mek,me->mn", Vt, gain, U, r[k])
@@ -62,9 +58,21 @@ def solve(equations: Equations, guess: Array, tolerance: float, iterations: int 
         x[taken] += dx[better]
         r[taken], J[taken], size[taken] = r_new[better], J_new[better], np.linalg.norm(r_new[better], axis=-1)
         mu[k] = np.where(better, np.maximum(mu[k] / 4, 1e-8), mu[k] * 4)
-        moves = np.linalg.norm(dx, axis=-1) > MIN_STEP * (1 + np.linalg.norm(x[k], axis=-1))
+        moves = np.linalg.norm(dx, axis=-1) > 1e-12 * (
+            1 + np.linalg.norm(x[k], axis=-1)
+        )  # at a minimum they shrink to 0
         active[k] = (size[k] > tolerance) & moves
-    return Solution(x, size, J, count)
+    return Solution(x, size, J)
+
+
+def validate_solution(equations: Equations, x: Array, tolerance: float) -> Array:
+    """Return the Jacobian (e, n) at a point (n,) that the caller passes as a solution; ValueError if it is none."""
+    r, (J,) = equations(x[None])
+    if (residual := np.linalg.norm(r)) > START_TOL_FACTOR * tolerance:
+        raise ValueError(
+            f"The linkage must be closed here; the residual is {residual:.2g}. Assemble it first, and pass the q that you get."
+        )
+    return np.asarray(J)
 
 
 def null_space(J: Array) -> tuple[Array, Array]:

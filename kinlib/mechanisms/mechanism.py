@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Self
+from typing import NamedTuple, Self
 
 import numpy as np
 
@@ -26,7 +26,7 @@ from kinlib.chains.chain import Chain
 from kinlib.mechanisms.closure import Closure
 from kinlib.mechanisms.continuation import Curve
 from kinlib.mechanisms.joints import Joint
-from kinlib.mechanisms.levenberg_marquardt import START_TOL_FACTOR, null_space
+from kinlib.mechanisms.levenberg_marquardt import null_space, validate_solution
 from kinlib.mechanisms.mobility import Mobility, finite_mobility, group_dimension
 from kinlib.mechanisms.paths import (
     JointPath,
@@ -44,35 +44,19 @@ CLOSURE_TOL = 1e-13
 """A linkage is closed if the norm of all its residuals, each expressed about the centre of its loop, is at most (1 + d) times
 this, where d is the distance in metres from the origin to its farthest joint: rounding errors grow with d."""
 
-NOT_CLOSED = (
-    "the residual is {residual:.2g}, in metres and radians together, and no small change of the joint values decreases it. Try "
-    "another guess, because this one may be singular, with links in one line; assembly_modes(hold={{...}}) tries many. If none "
-    "closes, the links are not long enough to meet."
-)
-
 JOINT_HEADINGS = ["joint", "bodies", "omega", "v"]
 
 
-@dataclass(frozen=True, eq=False)
-class Assembly:
-    """The result of an attempt to close a linkage.
-
-    q           (n,)  the configuration reached
-    residual    the norm of its residual, radians and metres together
-    iterations  the number of steps taken
-    converged   whether the linkage is closed in it
-    message     the same in words, or why it is not closed
-    """
+class Assembly(NamedTuple):
+    """The configuration (n,) that an attempt to close a linkage reached, the norm of its residual, and whether it is closed."""
 
     q: Array
     residual: float
-    iterations: int
     converged: bool
-    message: str
 
 
 @dataclass(frozen=True, eq=False)
-class Mechanism(TakesJointValues, validation.ReadOnly):
+class Mechanism(TakesJointValues):
     """A linkage: bodies joined so that there is at least one loop.
 
     joints        in the order of their values in q; q = 0 is the drawing from which they are read
@@ -259,7 +243,8 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
 
         hold  the names of joint values (see `names`), and the values at which they are held
 
-        If no configuration near the guess closes, then `converged` of the result is False, and `message` says so in words.
+        If no configuration near the guess closes, `converged` of the result is False, and its residual, in metres and radians
+        together, is the smallest nearby. Try another guess then, because this one may be singular, or `assembly_modes`.
 
         Raises ValueError if a held name is not that of a joint value.
 
@@ -268,12 +253,8 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
         False
         """
         closure = self._closure(guess, hold, "guess")
-        q, residual, iterations = closure.assemble()
-        converged, steps = residual <= closure.tolerance, f"after {iterations} step{'s' * (iterations != 1)}"
-        message = f"Closed to {residual:.1g} {steps}."
-        if not converged:
-            message = f"Not closed {steps}: {NOT_CLOSED.format(residual=residual)}"
-        return Assembly(validation.read_only_copy(q), residual, iterations, converged, message)
+        q, residual = closure.assemble()
+        return Assembly(validation.read_only_copy(q), residual, residual <= closure.tolerance)
 
     def assembly_modes(self, hold: Mapping[str, float] | None = None) -> Array:
         """Find the ways of assembling the linkage while some joint values are held: configurations (m, n), each once.
@@ -302,8 +283,8 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
         step    the longest step along the curve, radians and metres together
         points  the number of configurations to return, at about equal steps; None: as many as the tracing needed
 
-        A curve ends where no configuration closes further on, or after 5000 steps; its `ends` say which. It goes
-        straight on where it crosses another curve, for example where a parallelogram lies flat.
+        A curve ends where no configuration closes further on, or after 5000 steps. It goes straight on where it crosses another
+        curve, for example where a parallelogram lies flat.
 
         Raises ValueError if the start does not close, or the linkage does not have exactly one degree of freedom there.
         Source: pseudo-arclength continuation, as in Allgower and Georg, Numerical Continuation Methods (1990).
@@ -332,13 +313,8 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
         (-2, 1)
         """
         closure = self._closure(q, None)
-        r, J = closure.equations(closure.configuration[None])
-        if (residual := np.linalg.norm(r)) > START_TOL_FACTOR * closure.tolerance:
-            raise ValueError(
-                f"The linkage must be closed at q; the residual is {residual:.2g}. "
-                "Assemble the linkage first, and pass the q that you get."
-            )
-        directions, singular_values = null_space(J[0])
+        J = validate_solution(closure.equations, closure.configuration, closure.tolerance)
+        directions, singular_values = null_space(J)
         finite = finite_mobility(closure.equations, closure.configuration, directions, closure.tolerance)
         return Mobility(self.kutzbach(), directions.shape[1], finite, singular_values, directions)
 
@@ -356,17 +332,6 @@ class Mechanism(TakesJointValues, validation.ReadOnly):
         (1, -2)
         """
         return self.n - sum(group_dimension(loop.centred.screws) for loop in self.loops)
-
-    def joint_points(self, q: JointValues) -> Array:
-        """Compute the position of every joint, which its first body carries: q (..., n) -> (..., j, 3) for j joints.
-
-        >>> from kinlib.mechanisms.linkages import four_bar
-        >>> four_bar(4, 1, 3.5, 3).joint_points([np.pi / 2, 0, 0, 0])[1].round(6) + 0.0      # B, at the end of the crank
-        array([0., 1., 0.])
-        """
-        poses = self.poses(q)
-        points = [(poses[joint.bodies[0]] @ np.append(joint.position, 1.0))[..., :3] for joint in self.joints]
-        return np.stack(points, axis=-2)
 
     @cached_property
     def _tree(self) -> dict[str, list[Traversal]]:

@@ -44,25 +44,17 @@ def vee(X: ArrayLike) -> Array:
     >>> vee(hat([1, 2, 3, 4, 5, 6]))
     array([1., 2., 3., 4., 5., 6.])
     """
-    X = validation.array(X, "X")
-    if X.shape[-2:] not in {(3, 3), (4, 4)}:
-        raise ValueError(f"X must have shape (..., 3, 3) or (..., 4, 4); got {X.shape}.")
-    W = X[..., :3, :3]
+    X = _square(X)
+    omega = X[..., [2, 0, 1], [1, 2, 0]]
+    x = omega if X.shape[-1] == 3 else np.concatenate([omega, X[..., :3, 3]], axis=-1)
     # The tolerance is relative to the largest entry: the rounding error of an entry of 1e9 would be a fault in one of 1.
-    scale = np.maximum(1, np.abs(W).max(axis=(-2, -1), keepdims=True))
-    if (np.abs(W + np.swapaxes(W, -1, -2)) > tolerances.ORTHONORMALITY_TOL * scale).any():
+    scale = np.maximum(1, np.abs(X).max(axis=(-2, -1), keepdims=True))
+    if (np.abs(_hat(x) - X) > tolerances.ORTHONORMALITY_TOL * scale).any():
         raise ValueError(
-            "The rotation block of X must be skew-symmetric, but it differs from minus its transpose. "
-            "Is X a rotation? Then take its log first."
+            "X must be skew-symmetric, with a last row of zeros if it is a matrix of se(3). Is X a rotation or a pose? Then take "
+            "its log first."
         )
-    omega = W[..., [2, 0, 1], [1, 2, 0]]
-    if X.shape[-1] == 3:
-        return omega
-    if (np.abs(X[..., 3, :]) > tolerances.ORTHONORMALITY_TOL).any():
-        raise ValueError(
-            "The last row of an se(3) matrix must be zero, but that of X is not. Is X a pose? Then take its log first."
-        )
-    return np.concatenate([omega, X[..., :3, 3]], axis=-1)
+    return x
 
 
 def exp(x: ArrayLike) -> Array:
@@ -241,9 +233,7 @@ def nearest_rotation(X: ArrayLike) -> Array:
     >>> nearest_rotation([[0.7071, -0.7071, 0], [0.7071, 0.7071, 0], [0, 0, 1]])[0, 0]
     np.float64(0.7071067811865475)
     """
-    X = validation.array(X, "X").copy()
-    if X.shape[-2:] not in {(3, 3), (4, 4)}:
-        raise ValueError(f"X must have shape (..., 3, 3) or (..., 4, 4); got {X.shape}.")
+    X = _square(X).copy()
     R = X[..., :3, :3]
     U, _, Vt = np.linalg.svd(R)
     nearest = U @ Vt
@@ -254,8 +244,6 @@ def nearest_rotation(X: ArrayLike) -> Array:
             f"X must be almost a rotation, within {tolerances.ROUNDED_ROTATION_TOL} in each entry; got {what}. "
             "Are its columns the axes of the frame, right-handed and of length 1?"
         )
-    if X.shape[-1] == 4 and (X[..., 3, :] != (0, 0, 0, 1)).any():
-        raise ValueError("The last row of a pose must be 0 0 0 1; got another one. Is X transposed?")
     R[...] = nearest
     return X
 
@@ -325,6 +313,13 @@ def _generator(x: ArrayLike) -> Array:
             "rotation vectors. Take its vee first, exp(vee(x))."
         )
     return x
+
+
+def _square(X: ArrayLike) -> Array:
+    X = validation.array(X, "X")
+    if X.shape[-2:] not in {(3, 3), (4, 4)}:
+        raise ValueError(f"X must have shape (..., 3, 3) or (..., 4, 4); got {X.shape}.")
+    return X
 
 
 def _hat(x: Array) -> Array:

@@ -1,8 +1,7 @@
 """The formulas of the course in SymPy, under the same names: they take and return symbols, and do not round.
 
-The joint values of an arm are the symbols q_1 ... q_n of `joints`. Floats are read as exact numbers: see `exact`. An arm may be a
-Chain, a DHTable, or screws or rows with symbols, also for link lengths. Results are not simplified, and need not be:
-`kinlib.symbolic.merge_rotations` explains why.
+The joint values of an arm are the symbols q_1 ... q_n of `joints`. Floats are read as exact numbers: see `exact`. Rows of a table may
+have symbols, also for link lengths. Results are not simplified, and need not be: `kinlib.symbolic.merge_rotations` explains why.
 
 There is no log here, because its arccosine loses full turns and signs, and SymPy cannot know which were meant. For numbers use
 `kl.log`.
@@ -18,25 +17,12 @@ import sympy as sp
 
 from kinlib.arrays import tolerances, validation
 from kinlib.chains.chain import Chain
-from kinlib.dh.parsing import is_plausible_angle, joint_entries
-from kinlib.dh.table import Convention, DHTable, validate_convention
+from kinlib.dh.parsing import is_plausible_angle
+from kinlib.dh.table import Convention, validate_convention
 from kinlib.symbolic.merge_rotations import AxisRotation, Factors, homogeneous, multiply, rotation, skew_symmetric
 from kinlib.symbolic.numbers import exact, joints, shorthand
 
-__all__ = ["exact", "exp", "fk", "hat", "joints", "screw", "shorthand", "table_fk"]
-
-
-def hat(x: Any) -> sp.Matrix:
-    """Write a rotation vector or a twist as a matrix of so(3) or se(3): 3 -> 3x3, 6 -> 4x4, as kl.hat.
-
-    Raises ValueError for any other size.
-
-    >>> hat(sp.symbols("w_1:4"))[0, :]
-    Matrix([[0, -w_3, w_2]])
-    """
-    x = _matrix(x, "x", (3, 1), (6, 1))
-    W = skew_symmetric(x[:3, 0])
-    return W if len(x) == 3 else W.row_join(x[3:, 0]).col_join(sp.zeros(1, 4))
+__all__ = ["exact", "exp", "fk", "joints", "screw", "shorthand", "table_fk"]
 
 
 def exp(x: Any) -> sp.Matrix:
@@ -84,88 +70,50 @@ def screw(axis: Any, point: Any = (0, 0, 0), pitch: Any = 0) -> sp.Matrix:
     return axis.col_join(point.cross(axis) + exact(pitch) * axis)
 
 
-def fk(arm: Chain | Iterable[Any], home: Any = None) -> sp.Matrix:
-    """Compute the forward kinematics in the space form: T(q) = e^[S1]q1 ... e^[Sn]qn M, 4x4.
+def fk(arm: Chain) -> sp.Matrix:
+    """Compute the forward kinematics of an arm in the space form: T(q) = e^[S1]q1 ... e^[Sn]qn M, 4x4.
 
-    arm   a Chain, or screw axes in {s}, six entries each, numbers or symbols
-    home  if arm is not a Chain: the home pose M, 4x4
-
-    Raises ValueError if a screw axis or the home pose is not valid.
+    Raises ValueError for anything but a Chain.
     Source: Modern Robotics, (4.14).
 
-    >>> a = sp.Symbol("a_1")
-    >>> shorthand(fk([screw((0, 0, 1)), screw((0, 0, 1), point=(a, 0, 0))], exp((0, 0, 0, 2 * a, 0, 0))))[:2, 3].T
-    Matrix([[a_1*c_1 + a_1*c_12, a_1*s_1 + a_1*s_12]])
+    >>> from kinlib.chains.robots import rpr_lecture7
+    >>> shorthand(fk(rpr_lecture7()))[0, :3]
+    Matrix([[c_13, -s_13, 0]])
     """
-    screws, M = _screws_and_home(arm, home)
+    validation.instance(arm, "arm", Chain)
     factors: Factors = []
-    for S, q in zip(screws, joints(len(screws)), strict=True):
+    for S, q in zip(map(exact, arm.screws), joints(arm.n), strict=True):
         w, v = S[:3, 0], S[3:, 0]
         point, pitch = w.cross(v), w.dot(v)
         # Each exponential is a translation to the axis, the motion about and along it, and the translation back.
         factors += [v * q] if w.is_zero_matrix else [point + pitch * q * w, AxisRotation(w, q), -point]
-    return multiply(factors, M)
+    return multiply(factors, exact(arm.home))
 
 
-def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = None) -> sp.Matrix:
-    """Compute the forward kinematics of a DH table: base A_1 ... A_m tool, 4x4.
+def table_fk(rows: Iterable[Any], convention: Convention) -> sp.Matrix:
+    """Compute the forward kinematics of the rows of a DH table: A_1 ... A_m, 4x4.
 
-    table       a DHTable, or rows (a, alpha, d, theta) in which the joint values are symbols
-    convention  of the rows: "standard" or "modified"
+    rows  (a, alpha, d, theta), in which the joint values are symbols; of a DHTable take fk(table.to_chain())
 
-    Raises ValueError if a row does not have four entries, if the convention is missing, and if alpha is in degrees.
+    Raises ValueError if a row does not have four entries, for an unknown convention, and if alpha is in degrees.
     Source: EduFill manipulation module (standard), DH example with n = 5 and Kinematics under DH (modified).
 
     >>> q_1, q_2, a_1, a_2 = sp.symbols("q_1 q_2 a_1 a_2")
     >>> shorthand(table_fk([(a_1, 0, 0, q_1), (a_2, 0, 0, q_2)], "standard"))[:2, 3].T
     Matrix([[a_1*c_1 + a_2*c_12, a_1*s_1 + a_2*s_12]])
     """
-    base = tool = sp.eye(4)
-    if isinstance(table, DHTable):
-        convention, base, tool = table.convention, exact(table.base), exact(table.tool)
-        rows = [list(exact(numbers)) for numbers in table.rows]
-        for q, (row, column) in zip(joints(table.n), joint_entries(table.joints), strict=True):
-            rows[row][column] += int(table.signs[row]) * q
-    else:
-        validation.instance(table, "table", DHTable, Iterable)
-        rows = [_matrix(row, f"row {number}", (4, 1)) for number, row in enumerate(table, start=1)]
+    validation.instance(rows, "rows", Iterable)
     factors: Factors = []
     x, _, z = (sp.Matrix(column) for column in np.eye(3, dtype=int))
-    for a, alpha, d, theta in rows:
+    for number, row in enumerate(rows, start=1):
+        a, alpha, d, theta = _matrix(row, f"row {number}", (4, 1))
         if alpha.is_number and not is_plausible_angle(float(alpha)):
             raise ValueError(
                 f"alpha must be at most a full turn; got {alpha} rad. If it is in degrees, write {alpha}*pi/180."
             )
         about_x, about_z = [AxisRotation(x, alpha), a * x], [AxisRotation(z, theta), d * z]
         factors += about_z + about_x[::-1] if validate_convention(convention) == "standard" else about_x + about_z
-    return base * multiply(factors, tool)
-
-
-def _screws_and_home(arm: Chain | Iterable[Any], home: Any) -> tuple[list[sp.Matrix], sp.Matrix]:
-    if isinstance(arm, Chain):
-        return [exact(S) for S in arm.screws], exact(arm.home)
-    if isinstance(arm, DHTable):
-        raise ValueError(
-            f"arm must be a Chain or screw axes; got {validation.describe(arm)}. Try table_fk(table), or table.to_chain()."
-        )
-    validation.instance(arm, "arm", Chain, Iterable)
-    if home is None:
-        raise ValueError("Screw axes must be given with the home pose of the arm; got no home. Write fk(screws, home).")
-    M = _matrix(home, "home", (4, 4))
-    if list(M[3, :]) != [0, 0, 0, 1]:
-        raise ValueError(f"home must be a pose with last row 0 0 0 1; got {list(M[3, :])}.")
-    if not M.free_symbols:
-        validation.poses(np.array(M.evalf(), dtype=float), "home")
-    screws = []
-    for number, row in enumerate(
-        [arm[i, :] for i in range(arm.rows)] if isinstance(arm, sp.MatrixBase) else arm, start=1
-    ):
-        screws.append(S := _matrix(row, f"screw {number}", (6, 1)))
-        if not _is_unit(size := _length(S[3:, 0] if S[:3, 0].is_zero_matrix else S[:3, 0])):
-            raise ValueError(
-                f"screw {number} must have |omega| = 1, or omega = 0 and |v| = 1; this length is {size}. Divide it by its length."
-            )
-    return screws, M
+    return multiply(factors, sp.eye(4))
 
 
 def _length(vector: sp.Matrix) -> sp.Expr:

@@ -12,14 +12,12 @@ A fixed joint contributes a T_i and no screw. Meshes, masses and colours do not 
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from kinlib.arrays import validation
-from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import homogeneous
 from kinlib.rigid.rpy import roll_pitch_yaw
 from kinlib.urdf.links_and_joints import MAX_NUMBER
 from kinlib.urdf.robot_tree import Tree
@@ -61,12 +59,12 @@ def to_urdf(chain: Chain) -> str:
     """Write a chain as the text of a URDF; what load_urdf reads back has the same motion of the tool.
 
     At the home position every frame is parallel to {s}, so an axis has the same components as in the base, and an origin is the
-    vector from one joint's point to the next. A fixed joint at the end completes the home pose, unless the last link of the chain
-    is the tool itself. Joints without names are called joint_1, joint_2, ..., and links base_link, link_1, ..., tool. The limits of
-    effort and velocity, which URDF requires and kinlib does not have, are 1.
+    vector from one joint's point to the next. A fixed joint at the end completes the home pose. Joints without names are called
+    joint_1, joint_2, ..., and the links base_link, link_1, ..., tool. The limits of effort and velocity, which URDF requires and
+    kinlib does not have, are 1.
 
-    Raises ValueError for anything but a chain, if a joint is helical, because URDF has no such joint, and if names of joints or of
-    links are equal, not printable, or those of a macro.
+    Raises ValueError for anything but a chain, if a joint is helical, because URDF has no such joint, and if a name of a joint is
+    not printable, or that of a macro.
     Source: the URDF specification, "joint".
 
     >>> from kinlib.chains.robots import youbot
@@ -80,51 +78,34 @@ def to_urdf(chain: Chain) -> str:
             f"joint {chain.joint_types.index('H') + 1} of {chain.name} is helical."
         )
     names = [*(chain.joint_names or (f"joint_{i + 1}" for i in range(chain.n)))]
-    links = [*(chain.link_names or ("base_link", *(f"link_{i + 1}" for i in range(chain.n)), "tool"))]
-    if len(set(links)) < len(links):
-        raise ValueError(
-            f"The names of the links must be different; got {', '.join(links)}. Pass other link_names to the chain."
-        )
+    links = ["base_link", *(f"link_{i + 1}" for i in range(chain.n)), "tool"]
     limits = np.full((chain.n, 2), (-np.inf, np.inf)) if chain.limits is None else chain.limits
     steps = np.diff([np.zeros(3), *chain.joint_points, chain.home[:3, 3]], axis=0)
-    axes, R = [*chain.lines.axis], chain.home[:3, :3]
-    # If the tool is the frame of the last joint, this joint's own frame has the rotation of the home pose.
-    is_tool = len(links) == chain.n + 1 and not steps[-1].any()
-    if is_tool:
-        axes[-1] = R.T @ axes[-1]
-    elif len(links) == chain.n + 1:
-        links[-1:-1] = [_unused(f"link_{chain.n}", links)]
     parts = [f"<robot name={_quoted(chain.name)}>", *(f"  <link name={_quoted(link)}/>" for link in links)]
-    for i, (name, letter, axis, pair) in enumerate(zip(names, chain.joint_types, axes, limits, strict=True)):
+    rows = zip(names, chain.joint_types, chain.lines.axis, limits, steps[:-1], strict=True)
+    for i, (name, letter, axis, pair, step) in enumerate(rows):
         kind = "prismatic" if letter == "P" else "revolute" if np.isfinite(pair).any() else "continuous"
         inside = [f'    <axis xyz="{_numbers(*axis)}"/>']
         if kind != "continuous":
             lower, upper = np.clip(pair, -MAX_NUMBER, MAX_NUMBER)
             inside += [f'    <limit lower="{_numbers(lower)}" upper="{_numbers(upper)}" effort="1" velocity="1"/>']
-        origin = homogeneous(R if is_tool and i == chain.n - 1 else np.eye(3), steps[i])
-        parts += _joint(name, kind, links[i : i + 2], origin, inside)
-    if not is_tool:
-        parts += _joint(_unused("weld", names), "fixed", links[-2:], homogeneous(R, steps[-1]), [])
+        parts += _joint(name, kind, links[i : i + 2], f'xyz="{_numbers(*step)}"', inside)
+    rpy = _numbers(*roll_pitch_yaw(chain.home[:3, :3]))
+    weld = next(name for name in ("weld", *(f"weld_{i}" for i in range(chain.n))) if name not in names)
+    parts += _joint(weld, "fixed", links[-2:], f'xyz="{_numbers(*steps[-1])}" rpy="{rpy}"', [])
     return "\n".join([*parts, "</robot>\n"])
 
 
-def _joint(name: str, kind: str, links: Sequence[str], origin: Array, inside: Sequence[str]) -> list[str]:
+def _joint(name: str, kind: str, links: Sequence[str], origin: str, inside: Sequence[str]) -> list[str]:
     """Write a joint in lines: between a parent and a child link, with its origin, and what else is inside."""
-    R, xyz = origin[:3, :3], origin[:3, 3]
-    rpy = f' rpy="{_numbers(*roll_pitch_yaw(R))}"' if kind == "fixed" or (np.eye(3) != R).any() else ""
     parent, child = map(_quoted, links)
     return [
         f'  <joint name={_quoted(name)} type="{kind}">',
         f"    <parent link={parent}/> <child link={child}/>",
-        f'    <origin xyz="{_numbers(*xyz)}"{rpy}/>',
+        f"    <origin {origin}/>",
         *inside,
         "  </joint>",
     ]
-
-
-def _unused(name: str, names: Collection[str]) -> str:
-    """The name itself if it is not used, otherwise with a number."""
-    return next(one for one in (name, *(f"{name}_{i}" for i in range(len(names)))) if one not in names)
 
 
 def _numbers(*values: float) -> str:

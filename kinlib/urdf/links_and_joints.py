@@ -5,7 +5,7 @@ element and its line.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -20,17 +20,11 @@ from kinlib.urdf.xml_elements import Element
 MOVING_TYPES = ("revolute", "continuous", "prismatic")
 JOINT_TYPES = (*MOVING_TYPES, "fixed", "planar", "floating")
 
-MIN_AXIS = 1e-6
-"""An axis whose largest component is less than this is zero up to rounding errors, and has no direction."""
-
 MAX_ORIGIN_M = 1e6
 """The largest coordinate of an origin, in metres. Beyond it rounding errors exceed 0.1 nm, and the file probably uses another unit."""
 
 MAX_ORIGIN_RAD = 4 * np.pi
 """The largest angle of an origin, in radians, as for DH tables: larger ones, such as 90, are probably in degrees."""
-
-MAX_COUPLING = 1e6
-"""The largest multiplier and the largest offset of a mimic joint, so that their products do not overflow."""
 
 MAX_NUMBER = float(np.finfo(float).max)
 """URDF has no prismatic joint without limits, so this largest number is written for an infinite limit, and read as one."""
@@ -45,7 +39,7 @@ class Coupling(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class UrdfJoint(validation.ReadOnly):
+class UrdfJoint:
     """A joint of the file.
 
     element        of the file that describes it
@@ -57,7 +51,7 @@ class UrdfJoint(validation.ReadOnly):
     mimic          how it follows another joint; None for an independent joint
     """
 
-    element: Element = field(compare=False)
+    element: Element
     name: str
     type: str
     parent: str
@@ -122,26 +116,22 @@ def resolve_mimic_joints(joints: Mapping[str, UrdfJoint]) -> dict[str, Coupling]
 
     Raises ValueError, with element and line, if a mimic joint follows no joint that moves, or itself.
     """
-    found: dict[str, Coupling] = {}
-    for start in joints.values():
-        joint, path = start, dict[str, Coupling]()
-        while joint.mimic is not None and joint.name not in found:
-            path[joint.name], other = joint.mimic, joint.mimic.joint
-            element = joint.element.child("mimic") or joint.element
-            if other in path:
-                circle = list(path)[list(path).index(other) :]
-                raise element.error(f"joints must not mimic each other in a circle; got {', '.join(circle[:12])}.")
-            if other not in joints:
-                moving = (
-                    f"The joints that move are {', '.join(list(joints)[:12])}{', ...' if len(joints) > 12 else '.'}"
-                )
-                raise element.error(f"it must name a joint that moves; got {other!r}. {moving}")
-            joint = joints[other]
-        driver, slope, shift = found.setdefault(joint.name, Coupling(joint.name, 1.0, 0.0))
-        for name, (_, multiplier, offset) in reversed(path.items()):
-            slope, shift = multiplier * slope, multiplier * shift + offset
-            found[name] = Coupling(driver, slope, shift)
-    return {name: found[name] for name in joints}
+    return {name: _followed(joint, joints) for name, joint in joints.items()}
+
+
+def _followed(joint: UrdfJoint, joints: Mapping[str, UrdfJoint]) -> Coupling:
+    slope, shift = 1.0, 0.0
+    for _ in range(len(joints)):
+        if joint.mimic is None:
+            return Coupling(joint.name, slope, shift)
+        other, multiplier, offset = joint.mimic
+        if other not in joints:
+            names = f"{', '.join([*joints][:12])}{', ...' if len(joints) > 12 else '.'}"
+            raise joint.element.error(
+                f"it must mimic a joint that moves; got {other!r}. The joints that move are {names}"
+            )
+        slope, shift, joint = slope * multiplier, shift + slope * offset, joints[other]
+    raise joint.element.error("joints must not mimic each other in a circle.")
 
 
 def _joint(element: Element, links: Mapping[str, Element]) -> UrdfJoint:
@@ -189,7 +179,7 @@ def _axis(joint: Element) -> Array:
         # This is the default in the specification, although users who leave the axis out often expect z.
         return np.array([1.0, 0.0, 0.0])
     axis = np.array(element.numbers("xyz", 3))
-    if (largest := np.abs(axis).max()) < MIN_AXIS:
+    if (largest := np.abs(axis).max()) < 1e-6:  # zero up to rounding errors
         raise element.error("xyz must be a direction; got zero. A joint that does not move has the type fixed.")
     axis /= largest
     unit: Array = axis / np.linalg.norm(axis)
@@ -225,31 +215,17 @@ def _mimic(joint: Element, kind: str) -> Coupling | None:
         raise element.error(f"a mimic joint must have one degree of freedom; this joint is {kind}. Remove <mimic>.")
     defaults = {"multiplier": 1.0, "offset": 0.0}
     values = {name: element.numbers(name, 1)[0] if name in element.attributes else x for name, x in defaults.items()}
-    if abs(largest := max(values.values(), key=abs)) > MAX_COUPLING:
-        raise element.error(
-            f"multiplier and offset must be between -{MAX_COUPLING:g} and {MAX_COUPLING:g}; got {largest:g}."
-        )
     return Coupling(element.text("joint"), **values)
 
 
 def _check_one_tree(links: Mapping[str, Element], parent_joints: Mapping[str, UrdfJoint]) -> None:
     roots = [link for link in links if link not in parent_joints]
-    if len(roots) > 1:
-        others = ", ".join([roots[0], *roots[2:12]])
-        raise links[roots[1]].error(
-            "a tree must have one root, a link that is not the child of a joint; "
-            f"there are others, such as {others}. Which joint is missing?"
+    connected, found = set[str](), set(roots[:1])
+    while found:
+        connected |= found
+        found = {child for child, joint in parent_joints.items() if joint.parent in found} - connected
+    if missing := [link for link in links if link not in connected]:
+        raise links[missing[0]].error(
+            "the links must form one tree, from one root that is not the child of a joint; from "
+            f"{roots[0] if roots else 'no link'} no joint leads to {', '.join(missing[:12])}. Which joint is missing, or in a circle?"
         )
-    # A link is connected if the path from child to parent ends at the root, and not in a cycle.
-    connected = set(roots)
-    for start in links:
-        link, path = start, dict[str, None]()
-        while link not in connected and link not in path:
-            path[link] = None
-            link = parent_joints[link].parent
-        if link in path:
-            cycle = list(path)[list(path).index(link) :]
-            raise parent_joints[link].element.error(
-                f"the links must form a tree; from child to parent these form a cycle: {', '.join(cycle[:12])}."
-            )
-        connected.update(path)

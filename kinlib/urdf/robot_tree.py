@@ -40,7 +40,7 @@ class PathStep(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Tree(TakesLimitedValues, validation.ReadOnly):
+class Tree(TakesLimitedValues):
     """All links and joints of a URDF, read once by `from_urdf`.
 
     name           of the robot
@@ -74,9 +74,9 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
     """
 
     name: str
-    link_elements: Mapping[str, Element] = field(default_factory=dict, repr=False, compare=False)
+    link_elements: Mapping[str, Element] = field(default_factory=dict, repr=False)
     parent_joints: Mapping[str, UrdfJoint] = field(default_factory=dict, repr=False)
-    folder: Path | None = field(default=None, repr=False, compare=False)
+    folder: Path | None = field(default=None, repr=False)
 
     def __post_init__(self) -> None:
         if not self.link_elements:
@@ -235,13 +235,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         steps = {each.name: each.origin @ exp(each.screw * values[..., i, None]) for i, each in enumerate(joints)}
         root = np.eye(4) if base is None else validation.poses(base, "base")
         free = self._validate_joint_poses(joint_poses or {})
-        try:
-            shape = np.broadcast_shapes(values.shape[:-1], root.shape[:-2], *(T.shape[:-2] for T in free.values()))
-        except ValueError as error:
-            raise ValueError(
-                f"q, base and joint_poses must have the same number of configurations, or one; got q of shape {q.shape} and "
-                f"poses of shape {', '.join(str(T.shape) for T in (root, *free.values()))}."
-            ) from error
+        shape = np.broadcast_shapes(values.shape[:-1], root.shape[:-2], *(T.shape[:-2] for T in free.values()))
         found = {self.root: np.broadcast_to(root, (*shape, 4, 4)).copy()}
         for _, link, _ in self._descendants(self.root):
             if joint := self.parent_joints.get(link):
@@ -269,7 +263,7 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
         """
         base = self.root if base is None else base
         tip = self.default_tip(base) if tip is None else tip
-        T, screws, points, moving, links = np.eye(4), [], [], [], [base]
+        T, screws, points, moving = np.eye(4), [], [], []
         for joint, sign in self.path(base, tip):
             if joint.type in DEGREES_OF_FREEDOM:
                 raise joint.element.error(
@@ -285,7 +279,6 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
                 screws.append(screw(axis, point, np.inf if joint.type == "prismatic" else 0.0))
                 points.append(point)
                 moving.append(joint)
-                links.append(joint.child if sign > 0 else joint.parent)
         if not moving:
             raise self.link_elements[tip].error(
                 f"a joint must move between base and tip; none does between {base} and {tip}. Their constant pose is in "
@@ -307,7 +300,6 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
             *(np.array(screws), T, np.array(points), self.name, f"URDF, from {base} to {tip}"),
             limits=limits if np.isfinite(limits).any() else None,
             joint_names=tuple(drivers),
-            link_names=(*links, tip)[: len(links) + (links[-1] != tip)],
         )
         if not any(joint.mimic for joint in moving):
             return chain
@@ -407,14 +399,11 @@ class Tree(TakesLimitedValues, validation.ReadOnly):
 
     def _several_ends(self, base: str, tips: list[str]) -> str:
         """Say which links could be the end of an arm on a base."""
-        choices = "Pass a base with a moving joint below it."
+        choices = "Choose a base with a moving joint below it."
         if tips:
-            paths = [[joint.child for joint in reversed(self._ancestors(tip))] for tip in tips]
-            shared = [same[0] for same in zip(*paths, strict=False) if len(set(same)) == 1]
-            before = f", or {shared[-1]}, from which they branch off" if shared and shared[-1] != base else ""
             counts = [sum(joint.moves for joint, _ in self.path(base, tip)) for tip in tips]
             named = (f"{tip} ({count} joint{'s'[: count != 1]})" for tip, count in zip(tips, counts, strict=True))
-            choices = f"Pass tip=..., one of {', '.join(named)}{before}."
+            choices = f"Choose the tip, one of {', '.join(named)}."
         return f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
 
     def _validate_joint_poses(self, given: Mapping[str, ArrayLike]) -> dict[str, Array]:

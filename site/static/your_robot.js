@@ -271,7 +271,7 @@
       'from kincourse.your_robot import examine',
       `arm = ${literal(meshes.length && given === urdf ? PLACE : given)}`,
       `table = ${literal(table.value)}`,
-      `found = examine(arm, table, form=True${options.join('')})`,
+      `found = examine(arm, table${options.join('')})`,
       'found',
     ].join('\n');
     const text = { path: PLACE, bytes: new TextEncoder().encode(urdf) };

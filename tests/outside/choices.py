@@ -1,4 +1,4 @@
-"""Letters, orders and lines of a file: the answers that are not numbers. Each wrong one is the choice of something else."""
+"""Letters and orders: the answers that are not numbers. Each wrong one is the choice of something else."""
 
 # fmt: off
 import re
@@ -228,18 +228,3 @@ def other_paths(g: Any, X: list[str]) -> Kinds:
     paths = {"from the root to both hands": [*inwards[::-1], *outwards], "only from the root to the tip": outwards,
              "the way back": X[::-1], "only to the base": inwards}
     return {f"listed {label}": (path, "root|file|reversed|torso|base|missing") for label, path in paths.items()}
-
-
-@kinds_of("09.6", "09.7")
-def other_lines(g: Any, X: float) -> Kinds:
-    words = "correct|agrees|this joint|element|axis|limit|parent|child|origin|line above|line below"
-    made: Kinds = {}
-    joint = 0
-    for i, line in enumerate(g.urdf.splitlines(), start=1):
-        element = re.findall(r"\w+", line)[0]
-        joint += line.startswith("<joint")
-        if joint and i != X[0] and not line.startswith("</"):
-            made[f"gave the {element} of joint {joint}"] = (np.array([i, *X[1:]]), words)
-    made["gave the line alone"] = (X * np.eye(len(X))[0], "0|placeholder|right")
-    made["negated what must stand there"] = (np.array([X[0], *-X[1:]]), "sign|negat")
-    return made

@@ -12,7 +12,7 @@ from outside.shared import ORDER, PLACE, SIGN, SWAP
 READ = "point|coordinate|view|measured|axis|" + PLACE
 
 
-@kinds_of("07.8", "09.11", "10.4")
+@kinds_of("07.8", "09.9", "10.4")
 def points(g: Any, X: Any) -> Kinds:
     return {
         "took the height for the depth": (X[:, [0, 2, 1]], SWAP + "|view|" + READ),
@@ -23,7 +23,7 @@ def points(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("03.12", "04.11", "10.5")
+@kinds_of("03.12", "04.9", "10.5")
 def screws(g: Any, X: Any) -> Kinds:
     turns = np.any(X[:, :3], axis=1)[:, None]
     w, v = X[:, :3], X[:, 3:]

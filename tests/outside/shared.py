@@ -66,7 +66,7 @@ def shared_kinds(kind: str, value: Any) -> Kinds:
         return {label: case for label, case in _of_formula(value).items() if differs(kind, case[0], value)}
     if kind == "order":
         return {label: case for label, case in shared_orders(value).items() if case[0] != value}
-    if kind in ("table", "letter", "line", "path"):
+    if kind in ("table", "letter", "path"):
         return {}
     made = _of_array(kind, np.asarray(value, dtype=float))
     return {label: case for label, case in made.items() if differs(kind, case[0], value)}
@@ -78,7 +78,7 @@ def differs(kind: str, wrong: Any, value: Any) -> bool:
         return kind == "letter" or bool(wrong != value)
     if kind == "formula":
         return any(sp.expand(x) != 0 for x in sp.Matrix(wrong) - sp.Matrix(value))
-    if kind in ("frames", "line"):
+    if kind == "frames":
         return not np.allclose(wrong, value)
     if kind in ("wrists", "table", "pose function") or np.shape(wrong) != np.shape(value):
         return True
@@ -264,7 +264,7 @@ def legal_forms(kind: str, value: Any) -> dict[str, Any]:
         X = sp.Matrix(value)
         lists = X.tolist() if X.shape[1] > 1 else list(X)
         return {"as text": str(lists), "expanded": sp.expand(X), "as lists": lists}
-    if kind in ("table", "letter", "line", "order", "path"):
+    if kind in ("table", "letter", "order", "path"):
         return _forms_of_a_choice(kind, value)
     X = np.asarray(value, dtype=float)
     forms: dict[str, Any] = {"as a list": X.tolist(), "as an array of objects": X.astype(object), "four decimals": np.round(X, 4)}
@@ -283,6 +283,4 @@ def _forms_of_a_choice(kind: str, value: Any) -> dict[str, Any]:
     if kind == "letter":
         letter, reason = value
         return {"as a list": [letter, reason], "with spaces": (f" {letter} ", reason)}
-    if kind in ("order", "path"):
-        return {"as a tuple": tuple(value), "as a list": list(value)}
-    return {"as a list": np.asarray(value).tolist()} if kind == "line" else {}
+    return {"as a tuple": tuple(value), "as a list": list(value)} if kind in ("order", "path") else {}

@@ -163,7 +163,7 @@ def screws_of_a_robot(g: Any, S: Any) -> Kinds:
     }
 
 
-@kinds_of("04.9")
+@kinds_of("04.8")
 def planar_arm(g: Any, X: Any) -> Kinds:
     a, b, c = g.links
     signed = [g.links @ np.array([1, s, t]) for s in (1, -1) for t in (1, -1)]
@@ -318,7 +318,7 @@ def screw_from_a_drawing(g: Any, S: Any) -> Kinds:
 
 
 
-@kinds_of("03.10", "04.10")
+@kinds_of("03.10")
 def screw_formulas(g: Any, S: Any) -> Kinds:
     L, n = g.L, S.shape[0]
     turns = [i for i in range(n) if any(S[i, :3])]

@@ -47,7 +47,7 @@ def gap_of_points(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("08.9")
+@kinds_of("08.8")
 def wiper(g: Any, X: Any) -> Kinds:
     far, near = X[1] + X[0], X[1] - X[0]
     swing = np.radians(abs(g.degrees[1] - g.degrees[0]))
@@ -222,26 +222,6 @@ def both_modes(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("08.6")
-def coupler_points(g: Any, X: Any) -> Kinds:
-    A = np.radians(g.degrees)
-    a = g.bars[1]
-    B = a * np.array([np.cos(A), np.sin(A)])
-    (k1, _D1), (k2, _) = to_point_C(g.bars, A)
-
-    def carried(angle: float, x: float = g.along, y: float = g.left, start: Any = B) -> Any:
-        c, s = np.cos(angle), np.sin(angle)
-        return np.asarray(start) + [c * x - s * y, s * x + c * y]
-
-    return {
-        "took the other mode": (carried(k2), MODE),
-        "did not turn": (B + [g.along, g.left], "rotat|turn|coupler|angle"),
-        "started at A": (carried(k1, start=[0, 0]), "A|B|" + LEFT_OUT),
-        "started at D": (carried(k1, start=[g.bars[0], 0]), "D|B"),
-        "measured from C": (carried(k1, g.bars[2] - g.along), "C"),
-    }
-
-
 @kinds_of("08.1")
 def slider_crank(g: Any, X: Any) -> Kinds:
     a, rod, e, A = g.crank, g.rod, g.offset, np.radians(g.degrees)
@@ -289,7 +269,7 @@ def screw_of_a_file(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("09.8")
+@kinds_of("09.6")
 def from_a_row(g: Any, X: Any) -> Kinds:
     (a, y, z), rpy = X
     d, along, _degrees = g.d, "along|lean|turn|z", np.degrees(rpy)
@@ -303,13 +283,13 @@ def from_a_row(g: Any, X: Any) -> Kinds:
     return {label: (np.array(case), words) for label, (case, words) in made.items()}
 
 
-@right_forms_of("09.8")
+@right_forms_of("09.6")
 def legal_origins(g: Any, X: Any) -> dict[str, Any]:
     xyz, (roll, _, _) = X
     return {"a turn more": [xyz, [roll + 2 * np.pi, 0, 0]], "other angles of the same rotation": [xyz, [roll + np.pi, np.pi, np.pi]]}
 
 
-@kinds_of("09.9")
+@kinds_of("09.7")
 def mimic(g: Any, X: Any) -> Kinds:
     _, fold, _ = joints_of(g.urdf)
     m, o = fold.multiplier, fold.offset

@@ -13,7 +13,6 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from kinlib.arrays import validation
 from kinlib.arrays.tolerances import SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
@@ -40,10 +39,6 @@ class Map:
     base: Array = field(default_factory=lambda: np.eye(4))
     tool: Array = field(default_factory=lambda: np.eye(4))
     difference: float = np.inf
-
-    def __post_init__(self) -> None:
-        for name in ("base", "tool", "signs", "offsets"):
-            object.__setattr__(self, name, validation.read_only_copy(getattr(self, name)))
 
     def poses(self, one: Chain, q: Array) -> Array:
         """Compute X T_a(s q + c) Y, for q (..., n)."""

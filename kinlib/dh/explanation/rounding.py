@@ -19,11 +19,9 @@ from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.table import DHTable, rows_at
 from kinlib.rigid.lie import exp
 
-ALL_DECIMALS = 12
-"""A number with as many decimals was not rounded by a person."""
-
-FIT_STEPS, LARGEST_FIT = 20, 1e3
-"""How many least-squares steps lead to the nearest numbers; if one has to change by more, in metres or radians, the fit diverges."""
+ALL_DECIMALS, FIT_STEPS, LARGEST_FIT = 12, 20, 1e3
+"""A number with so many decimals was not rounded by a person; so many least-squares steps lead to the nearest numbers, and if one has
+to change by more than the last, in metres or radians, the fit diverges."""
 
 FACTORS = {"standard": ("theta", "d", "a", "alpha"), "modified": ("alpha", "a", "theta", "d")}
 """The order of the four motions of a row, by convention."""
@@ -104,7 +102,7 @@ def nearest_rows(
     q = random_configurations(arm.n, COMPARED_CONFIGURATIONS)
     values = rows_at(table, table.rows, start.signs * q + start.offsets)[..., order].reshape(len(q), -1)
     unit = half_unit.copy()
-    for entry in _free_entries(table, fixed):
+    for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
         unit[entry] = 1.0
     units, X, Y, target = unit[:, order].ravel(), start.base @ table.base, table.tool @ start.tool, arm.fk(q)
     base, tool = (np.full(6, float(name not in fixed)) for name in ("base", "tool"))
@@ -124,15 +122,10 @@ def nearest_rows(
     return np.where(np.abs(rows) < ROUNDING_ERROR, 0.0, rows), difference
 
 
-def _free_entries(table: DHTable, fixed: frozenset[str]) -> list[tuple[int, int]]:
-    """The entries that the joints change, if the zeros are not fixed."""
-    return joint_entries(table.joints) if "zeros" not in fixed else []
-
-
 def entries_off(table: DHTable, rows: Array, fixed: frozenset[str], half_unit: Array) -> Array:
     """Compute by how many half units the entries of other rows are off, (m, 4); those that are free are not."""
     off = np.abs(rows - table.rows) / half_unit
-    for entry in _free_entries(table, fixed):
+    for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
         off[entry] = 0.0
     return off
 

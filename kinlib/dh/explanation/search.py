@@ -26,15 +26,11 @@ from kinlib.dh.table import DHTable, joint_axes, table_poses
 from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import exp, homogeneous, log
 
-MAX_COMPARED, MAX_COMPARED_WITH_SLIDES, MAX_PAIRS = 20, 60, 20_000
-"""How many corrected tables whose invariants agree are compared in full, more if prismatic joints leave fewer invariants; and how
-many pairs of mistakes are tried."""
+MAX_COMPARED, MAX_PAIRS = 60, 20_000
+"""How many corrected tables whose invariants agree are compared in full, and how many pairs of mistakes are tried."""
 
 FILTER_TOL_FACTOR = 3
 """How many times the tolerance an invariant may be off before a correction is refuted by it."""
-
-TYPED_POSE_TOL = 1e-6
-"""How far the inverse of a pose may be off that a person typed."""
 
 Price = tuple[int, int, float]
 """The edited entries, the invented numbers, and how large and unusual the change is."""
@@ -133,7 +129,7 @@ def choices_as_faults(table: DHTable, found: Equivalence) -> list[Fault]:
     ):
         if np.abs(T - own).max() > found.tolerance:
             is_missing = np.abs(own - np.eye(4)).max() < EQUIVALENCE_TOL
-            is_inverted = np.abs(own @ T - np.eye(4)).max() < TYPED_POSE_TOL
+            is_inverted = np.abs(own @ T - np.eye(4)).max() < 1e-6  # as a person types it
             what = "is missing" if is_missing else "is inverted" if is_inverted else "is wrong"
             faults.append(Fault(f"wrong {end}", f"{name} {what}: it should be {describe_pose(T, found.tolerance)}."))
     return faults
@@ -187,8 +183,8 @@ class _Search:
 
     def explanations(self, count: int) -> Iterator[tuple[Price, list[Fault], DHTable, Equivalence]]:
         """Yield the explanations by so many corrections with the fewest edits: price, faults, corrected table, its comparison."""
-        least, most = None, MAX_COMPARED_WITH_SLIDES if "P" in self.arm.joint_types else MAX_COMPARED
-        for price, places, rows, signs in self._candidates(count)[:most]:
+        least = None
+        for price, places, rows, signs in self._candidates(count)[:MAX_COMPARED]:
             if least is not None and price[0] > least:
                 return
             with suppress(ValueError):  # for example an angle of many turns, which no table has

@@ -164,4 +164,4 @@ def _content(places: Iterator[tuple[Path, Path]], name: str, read_bytes: int) ->
         raise ValueError(
             "it is outside of the folder of the file. If it may be read, pass packages=[...] with a folder that contains it."
         )
-    raise ValueError("it was not found. Pass packages=[...] with the folder of its package.")
+    raise ValueError("it was not found. Add the folder of its package: packages=[...] in Python.")

@@ -35,7 +35,7 @@ def test_numbers_dictionaries_and_text_are_read():
         assert judge_table(given).state == "right"
     lengths = RIGHT_TEXT.replace("\n0.3", "\nl1")
     assert judge_table(lengths, lengths={"l1": 0.3}).state == "right"
-    assert "Give lengths={'l1': ...}" in judge_table(lengths).findings[0].message
+    assert "Write its value in a line above the table, l1 = 0.3" in judge_table(lengths).findings[0].message
     assert DHTableAnswer(RIGHT).agrees(RIGHT, DHTable(ROWS[:2], convention="standard")) == [False]
 
 

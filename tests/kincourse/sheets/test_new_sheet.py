@@ -15,7 +15,7 @@ import kinlib as kl
 from kincourse import find_sheet, open_sheet
 from kincourse.cli import main
 from kincourse.new_sheet import new_sheet
-from kincourse.robot_sheets.robot_sheet import TASKS, dumps, loads, robot_sheet, tasks_for
+from kincourse.robot_sheets.robot_sheet import dumps, loads, robot_sheet, tasks_for
 from kincourse.sampling.arms import ArmSampler
 from misstep.cli import main as release
 from misstep.judge import judge
@@ -46,7 +46,7 @@ def variants(key, title, students=STUDENTS):
 def test_every_robot_gets_the_problems_that_suit_it_and_whose_mistakes_can_be_told_apart(key):
     """Rows of a table need two joints, and no DH row can describe a helical joint."""
     robot, sheet = ODD_ROBOTS[key], robot_sheet("odd", ODD_ROBOTS[key])
-    assert len(sheet.problems) == (8 if robot.n > 1 and "H" not in robot.joint_types else 5)
+    assert len(sheet.problems) == (6 if robot.n > 1 and "H" not in robot.joint_types else 4)
     for template in sheet.problems:
         problem = template.variant("ada")
         assert len([*problem.known_mistakes, *problem.slips]) >= 3
@@ -81,18 +81,6 @@ def test_a_right_table_has_the_given_end_frames_and_the_drawn_zero_configuration
         np.testing.assert_allclose(table.fk(q), mr.FKinSpace(given["home"], given["screws"].T, q), atol=1e-6)
         np.testing.assert_array_equal(table.base, given["T_s0"])
         np.testing.assert_allclose(given[f"T_s{table.n}"] @ table.tool, given["home"], atol=1e-12)
-
-
-@pytest.mark.parametrize("key", ["SCARA", "all on one axis"])
-def test_a_faulty_table_has_one_wrong_row_and_it_is_that_of_the_answer(key):
-    for problem in variants(key, "The faulty entry"):
-        frames, rows, convention = (problem.given[name] for name in ("frames", "rows", "convention"))
-        links = kl.inverse(frames[:-1]) @ frames[1:]
-        wrong = [
-            not np.allclose(kl.dh_transform(*row, convention=convention), link, atol=1e-9)
-            for row, link in zip(rows, links, strict=True)
-        ]
-        assert np.flatnonzero(wrong).tolist() == [int(problem.answer.value[0][-1]) - 1]
 
 
 def test_a_rounded_quarter_turn_of_a_urdf_leaves_no_tiny_numbers_in_statements():
@@ -145,13 +133,13 @@ def test_the_students_copy_runs_in_its_folder_and_contains_no_solution(project, 
     text = (folder / "lab_arm.ipynb").read_text("utf-8")
     assert "BEGIN SOLUTION" not in text
     tasks = tasks_for(loads((folder / "lab_arm.json").read_text("utf-8"), "here"))
-    assert tasks == list(TASKS)
+    assert len(tasks) == 6
     for task in tasks:
         for line in task.entry.solution.splitlines():
             assert len(line.strip()) < 13 or line.strip() not in text
     nbformat.validate(nbformat.reads(text, as_version=4))
     monkeypatch.chdir(folder)
-    assert solved(folder, "ada").tally()._repr_markdown_().count("nothing here yet") == len(TASKS)
+    assert solved(folder, "ada").tally()._repr_markdown_().count("nothing here yet") == len(tasks)
 
 
 def test_a_sheet_is_found_beside_the_notebook_and_below_the_root_and_replaces_no_other(project, monkeypatch):

@@ -52,7 +52,7 @@ def test_a_right_table_is_right(table):
     found = diagnose(table, PUMA)
     assert (found.verdict, found.corrected, [*found.faults]) == ("right", table, [])
     assert str(found) == "This table describes the arm."
-    assert diagnose(table.rows, PUMA, convention=table.convention).verdict == "right"
+    assert diagnose(table.rows, kl.to_urdf(PUMA), convention=table.convention).verdict == "right"
 
 
 def test_up_to_choices_the_difference_for_the_same_q_is_told_first_and_then_both_readings():
@@ -149,8 +149,11 @@ def test_what_nothing_explains_is_told_row_by_row_the_largest_difference_first()
 def test_what_cannot_be_compared_is_refused():
     with pytest.raises(ValueError, match=r"The table must have as many joints as the arm, 5 \(RRRRR\); it has 6"):
         diagnose(STANDARD, kl.robots.youbot())
-    for arguments in [(PUMA, STANDARD), (PUMA, PUMA), (STANDARD, STANDARD.rows)]:
-        with pytest.raises(ValueError, match=r"takes a DHTable, or rows and convention=\.\.\., and the arm"):
+    for arguments, words in [
+        ((PUMA, STANDARD), "table must be a DHTable"),
+        ((STANDARD, STANDARD.rows), "reference must be a Ch"),
+    ]:
+        with pytest.raises(ValueError, match=words):
             diagnose(*arguments)
     helical = kl.Chain([kl.screw((0, 0, 1), (0, 0, 0), 0.1), kl.screw((0, 1, 0), (1, 0, 0))], np.eye(4))
     found = diagnose(DHTable([[1, 0.5, 0, 0], [0.3, 0.2, 0.1, 0]], convention="standard"), helical)

@@ -162,6 +162,14 @@ SAME_ARM = {
     "a heading beside the first row": "links = [\n  (0.0, 0.3, 0.0, pi/2),   # theta, d, a, alpha\n  (pi/2, 0.0, 0.4, 0.0),\n"
     "  (0.0, 0.0, 0.2, 0.0),\n]",
     "one space between two cells": "i  a   alpha  d    theta\n1  0   90     0.3  q1*\n2  0.4 0      0 q2+90\n3  0.2   0      0  q3*",
+    "a frame as pandas prints it": "     a  alpha    d theta\nJ1   0 pi/2 0.3 q1\nJ2  0.4 0.0 0.0 q2 + pi/2\nJ3 0.2  -0.0  0.0 q3",
+    "C++ in nested braces": "std::array<double, 4> dh[3]{{0, FRAC_PI_2, 0.3, 0}, {0.4, 0.0e+00, 0, M_PI_2}, {2.0e-01, 0, 0, 0}};"
+    " // a alpha d theta",
+    "YAML below each other": "joint1:\n  a: 0\n  alpha: 90\n  d: 0.3\n  theta: 0\njoint2:\n  a: 0.4\n  alpha: 0\n  d: 0\n  theta: 90\n"
+    "joint3:\n  a: 0.2\n  alpha: 0\n  d: 0\n  theta: 0",
+    "Link with a type and an offset": "L1 = Link([0 0.3 0 pi/2]);\nL2 = Link([0 0 0.4 0 0 pi/2]);\nL3 = Link([0 0 0.2 0]);",
+    "siunitx": r"{$i$} & {$a_i$ / \si{\milli\metre}} & {$\alpha_i$ / \si{\degree}} & {Offset $d_i$} & {$\theta_i$} \\ 1 & 0 & \ang{90} & "
+    r"\SI{300}{\milli\metre} & {$q_1$} \\ 2 & 400 & 0 & 0 & {$q_2 + \ang{90}$} \\ 3 & 200 & 0 & 0 & {$q_3$} \\",
     "a list of lengths in calls": "length = [0.3, 0.4, 0.2]\nRevoluteDH(d=length[0], alpha=pi/2), RevoluteDH(a=length[1], offset=pi/2), "
     "RevoluteDH(a=length[2])",
 }

@@ -80,11 +80,9 @@ def test_every_joint_of_a_closed_linkage_joins_its_bodies_and_every_loop_closes_
         sorted(found) == sorted(linkage.bodies) == sorted({body for joint in linkage.joints for body in joint.bodies})
     )
     close(found[linkage.ground], np.eye(4))
-    for joint, value, point in zip(linkage.joints, values, linkage.joint_points(q), strict=True):
+    for joint, value in zip(linkage.joints, values, strict=True):
         first, second = (found[body] for body in joint.bodies)
         close(second, first @ displacement(joint, value), atol=1e-10)
-        drawn = joint.point if joint.point is not None else np.cross(joint.screws[0, :3], joint.screws[0, 3:])
-        close(point, (first @ [*drawn, 1])[:3], atol=1e-10)
     assert len(linkage.loops) == len(linkage.joints) - len(linkage.bodies) + 1
     for loop in linkage.loops:
         close(mr.FKinSpace(loop.chain.home, loop.chain.screws.T, q[loop.columns]), np.eye(4), atol=1e-10)
@@ -147,18 +145,13 @@ def test_assemble_finds_the_configuration_that_scipy_finds():
         close(found.q[free], oracle.x, atol=1e-9)
         close(found.q, mode, atol=1e-11)
         assert np.linalg.norm(linkage.residual(found.q)) < EXACT
-        assert f"after {found.iterations} step" in found.message
 
 
-def test_if_links_cannot_meet_the_message_has_the_residual():
+def test_if_links_cannot_meet_the_residual_is_what_is_missing():
     """Three links of 1 m each do not span 4 m: 1 m is missing, once all lie on the line of the ground."""
     found = linkages.four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0])
     assert not found.converged
     close(found.residual, 1.0, atol=0.3)
-    assert found.message.startswith(
-        f"Not closed after {found.iterations} steps: the residual is {found.residual:.2g}, in metres"
-    )
-    assert "assembly_modes" in found.message
     assert len(linkages.four_bar(4, 1, 1, 1).assembly_modes(hold={"A": 0.0})) == 0
 
 
@@ -177,7 +170,7 @@ def test_invalid_mechanisms_and_arguments_are_refused():
         (lambda: FOUR_BAR.assemble(zero, hold={"E": 1}), r"four-bar has no 'E'\. Its joint values are A, B, D, C\."),
         (lambda: FOUR_BAR.assemble(zero, hold=dict.fromkeys("ABCD", 0)), r"must not be held; all are held\."),
         (FOUR_BAR.assembly_modes, r"no degree of freedom may be left; 1 left\. Hold as many"),
-        (lambda: FOUR_BAR.mobility(zero), r"must be closed at q; the residual is 2\.5\. Assemble the linkage first"),
+        (lambda: FOUR_BAR.mobility(zero), r"must be closed here; the residual is 2\.5\. Assemble it first"),
     ]:
         with pytest.raises(ValueError, match=message):
             ask()

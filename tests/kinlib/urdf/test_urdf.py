@@ -149,7 +149,7 @@ def linked(links, *joints):
         (linked("abb", "ab"), 'Line 4, <link name="b">: the names of links must be different; the link in line 3 has'),
         (linked("ab", "aβ"), 'Line 4, <child> in <joint name="j0">: joint j0 must join links of this file; there is'),
         (linked("abcd", "ab", "bc", "cd", "db"), "Line 9, <child> in <joint .*link b is already the child of joint"),
-        (linked("abc", "ab", "ac"), r'Line 2, <link name="a">: exactly one end .*; got 2\. Pass tip=.*, one of b'),
+        (linked("abc", "ab", "ac"), r'Line 2, <link name="a">: exactly one end .*; got 2\. Choose the tip, one of b'),
         ('<robot name="r">\n<xacro:macro name="arm"/></robot>', 'Line 2, <xacro:macro name="arm">: a macro must be'),
     ],
 )
@@ -181,7 +181,7 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
             f"Line 2, <a> in <a>: elements must be nested at most {MAX_DEPTH} deep",
         ),
         ("<robot>" + " " * MAX_BYTES, "A URDF must have at most 4 MB; this one has more"),
-        ("robot.urdf", "There is no file 'robot.urdf'. Pass the path of a URDF, or its text"),
+        ("robot.urdf", "There is no file 'robot.urdf' to be read: .*. Pass the path of a URDF, or its text"),
     ],
     ids=lambda value: repr(value)[:40].replace("\\", "/"),  # a backslash cannot be typed on a command line
 )

@@ -53,7 +53,7 @@ REFUSED = {
     "/etc/passwd": "must end in .stl, .obj, .dae or .glb",
     "loop.stl": "was not found",
     "huge.stl": "has 2000 MB; at most 40 MB are read",
-    "missing.stl": r"was not found. Pass packages=\[...\] with the folder of its package",
+    "missing.stl": r"was not found. Add the folder of its package: packages=\[...\] in Python",
     "&lt;script>alert(1)&lt;/script>.stl": "was not found",
 }
 
