@@ -75,14 +75,14 @@ class Numbers(Answer):
         try:
             shape = np.shape(given)
         except Exception as error:  # reading the shape of a student's object may raise any error
-            raise refused(f"{type(given).__name__} whose rows differ in length.") from error
+            raise refused(f"{_kind(given)} whose rows differ in length.") from error
         if not expected and 0 < len(shape) <= 2 and np.prod(shape) == 1:
             return self.read(np.asarray(given).ravel()[0])  # [x] can only mean x
         if len(expected) == 1 and shape in ((*expected, 1), (1, *expected)):
             given = np.ravel(given)  # a column or a row of a matrix lists the same numbers
         elif shape != expected:
             quotes = " Give a list without quotes around it." if isinstance(given, str) and expected else ""
-            found = f"{type(given).__name__} of shape {shape}" if shape else validation.brief(given)
+            found = f"{_kind(given)} of shape {shape}" if shape else validation.brief(given)
             raise refused(f"{found}.{quotes or self.remedy(shape)}")
         try:
             values = validation.array(self._with_typed(given), "your answer")
@@ -90,7 +90,7 @@ class Numbers(Answer):
             text = str(error)
             raise Unreadable(f"Expected {self.expected}. {text[0].upper()}{text[1:]}") from error
         except Exception as error:
-            raise refused(f"{type(given).__name__} that does not turn into numbers.") from error
+            raise refused(f"{_kind(given)} that does not turn into numbers.") from error
         if (largest := np.abs(values).max(initial=0)) > MAX_NUMBER:
             raise refused(f"{largest:.3g}. Was there a division by almost zero?")
         return values
@@ -215,3 +215,8 @@ def scale_of(values: Array) -> float:
     """
     largest = float(np.abs(values).max(initial=0.0))
     return 10.0 ** (floor(log10(largest)) + 1) if ROUND_OFF < largest < 1 else 1.0
+
+
+def _kind(given: Any) -> str:
+    name = type(given).__name__
+    return f"{'an' if name == 'ndarray' or name[:1] in 'aeiouAEIOU' else 'a'} {name}"

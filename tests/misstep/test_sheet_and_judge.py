@@ -78,7 +78,7 @@ def test_right_blank_and_unreadable_answers_are_judged_in_all_parts():
     assert judge(p, p.answer.value) == Judgement("right", 1.0, parts, [])
     blank = Finding(parts, f"{expected.replace('ted', 'ted:', 1)}.")
     assert judge(p, ...) == judge(p, None) == Judgement("blank", 0.0, (), [blank])
-    unreadable = Finding(parts, f"{expected}; got list of shape (2,).")
+    unreadable = Finding(parts, f"{expected}; got a list of shape (2,).")
     assert judge(p, [1, 2]) == Judgement("unreadable", 0.0, (), [unreadable])
 
 
@@ -147,7 +147,7 @@ def test_an_unreadable_value_is_refused_with_what_was_expected_and_given():
     for answer, given, words in [
         (one, 1e308, "got 1e+308. Was there a division by almost zero"),
         (pair, 7, f"{two}; got int 7."),
-        (pair, [Rude(), Rude()], f"{two}; got list that does not turn into numbers."),
+        (pair, [Rude(), Rude()], f"{two}; got a list that does not turn into numbers."),
         (pair, [np.nan, 0], f"{two}. Your answer contains NaN or infinity at index [0]. "),
         (order, ["M", "e_a"] * 10, f"{names}; e_a appears 10 times."),
         (order, ["M"] * 21, f"{names}; got list ['M', 'M', "),

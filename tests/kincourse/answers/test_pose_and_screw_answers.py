@@ -48,8 +48,8 @@ def test_an_unreadable_value_is_refused_with_a_remedy():
         (one, [0, 0, 1], "is the other half missing"),
         (three, np.zeros(18), "arrangement is not"),
         (one, 0, r"Expected a screw axis \(omega, v\), an array of shape \(6,\); got int 0\."),
-        (three, np.zeros((2, 6)), r"ndarray of shape \(2, 6\)\.$"),
-        (one, np.zeros(5), r"ndarray of shape \(5,\)\.$"),
+        (three, np.zeros((2, 6)), r"an ndarray of shape \(2, 6\)\.$"),
+        (one, np.zeros(5), r"an ndarray of shape \(5,\)\.$"),
         (VectorsAnswer(np.zeros((2, 3)), names=["the point", "the arrow"]), np.zeros((2, 4)), homogeneous),
         (VectorsAnswer(np.zeros(3), unit="m"), np.zeros(4), homogeneous),
     ]:
