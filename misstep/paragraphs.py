@@ -6,12 +6,6 @@ from dataclasses import replace
 from misstep.diagnosis.explanation import MAX_LENGTH, SENTENCE_END, Finding
 from misstep.display.sentences import RIGHT
 
-MANY = 3
-"""More parts of one kind than this are listed with the name of the kind said once."""
-
-MAX_LIST = 60
-"""A longer list of all parts that are wrong is not told, as the right ones are listed."""
-
 
 def paragraphs(
     findings: Sequence[Finding], right_parts: Sequence[str] = (), said_of_right: str = RIGHT, *, is_first: bool = False
@@ -36,8 +30,8 @@ def paragraphs(
     before = [said_of_right.format(shown)] * bool(right_parts)
     is_on_whole = len(findings) == 1 and not right_parts
     merged = _merged(findings)
-    if len(merged) == 1 and right_parts and len(enumeration(merged[0].parts)) > MAX_LIST:
-        merged[0] = replace(merged[0], parts=["the others"])
+    if len(merged) == 1 and right_parts and len(enumeration(merged[0].parts)) > 60:
+        merged[0] = replace(merged[0], parts=["the others"])  # because the right ones are listed
 
     def texts(told: Sequence[Finding]) -> list[str]:
         return before + [_text(one, is_on_whole) for one in told]
@@ -62,7 +56,7 @@ def enumeration(names: Sequence[str]) -> str:
     ('x', 'x, y and z', 'entries 0, 1, 2 and 3')
     """
     kinds = {name.partition(" ")[0] for name in names if name.count(" ") == 1}
-    if len(names) > MANY and len(kinds) == 1 and all(name.count(" ") == 1 for name in names) and kinds != {"the"}:
+    if len(names) > 3 and len(kinds) == 1 and all(name.count(" ") == 1 for name in names) and kinds != {"the"}:
         [kind] = kinds
         plural = f"{kind[:-1]}ies" if kind.endswith("y") else f"{kind}s"
         return f"{plural} {enumeration([name.partition(' ')[2] for name in names])}"

@@ -16,8 +16,6 @@ FUNCTIONS = (FunctionType, BuiltinFunctionType, MethodType, partial, np.ufunc)
 
 TRUTH = (bool, np.bool_)
 """The classes of True and False."""
-IMAGINARY_ROUND_OFF = 1e-12
-"""How large the imaginary part of a real number may be after a computation in complex numbers, relative to the number."""
 
 
 def has_truth(x: Any) -> bool:
@@ -43,8 +41,8 @@ def array(x: ArrayLike, name: str) -> Array:
         values = np.asarray(x)
         if has_truth(x):
             raise TypeError("True and False are no numbers")
-        if values.dtype.kind == "c" and (np.abs(values.imag) <= IMAGINARY_ROUND_OFF * np.abs(values)).all():
-            values = values.real  # as np.linalg.eigvals gives them
+        if values.dtype.kind == "c" and (np.abs(values.imag) <= 1e-12 * np.abs(values)).all():
+            values = values.real  # as np.linalg.eigvals gives them, up to round-off
         if values.dtype.kind not in "iufO":
             raise TypeError(f"{values.dtype} is not a real number")
         # astype alone would read None as NaN and "1" as 1. Adding zero first refuses both.

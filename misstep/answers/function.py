@@ -61,9 +61,7 @@ class Function(AtInputs):
 
     def read(self, given: Any) -> FunctionCalls:
         if isinstance(given, FunctionCalls):
-            if given.function is None:
-                return given
-            given = given.function
+            return given
         if isinstance(given, Outputs):
             if len(given.values) != len(self.inputs):
                 raise Unreadable(

@@ -17,9 +17,6 @@ from misstep.answers.base import Named
 from misstep.display import sentences
 from misstep.validation import Array
 
-MAX_PLACES = 3
-"""How many wrong entries are named one by one."""
-
 ROUND_OFF = 1e-12
 """Smaller absolute values are zeros with an error of the computer's arithmetic."""
 
@@ -109,7 +106,7 @@ class Likeness:
         mine, right = (x.reshape(-1, x.shape[-1]) for x in (self.mine, self.right))
         wrong, rounded = (
             np.ravel(~self._equal(mine, right)),
-            ("rounded", sentences.ROUNDED.format(sentences.FOUR_DIGITS)),
+            ("rounded", sentences.ROUNDED),
         )
         unit = 10.0 ** (np.floor(np.log10(np.maximum(np.abs(right), 1e-12))) - 2)  # of the third digit
         is_short = np.asarray((np.abs(mine - unit * np.round(right / unit)) < 1e-6 * unit).all(axis=-1))
@@ -132,7 +129,7 @@ class Likeness:
         if is_one or count == seen:
             text = f"{SIGNS}\nLook at the signs: every one is wrong."
             return "all signs", "The size is right.\nLook at the sign." if is_one else text
-        if count > MAX_PLACES:
+        if count > 3:
             return "signs", f"{SIGNS}\nLook at the signs: {count} are wrong."
         places = " and ".join(self.place(index) for index in np.argwhere(wrong).tolist())
         return "signs", f"{SIGNS}\nLook at the sign{'' if count == 1 else 's'} of {places}."

@@ -5,9 +5,6 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import ArrayLike
 
-ZERO_TOLERANCE = 1e-5
-"""Smaller absolute values are written as 0. This is a hundredth of the tolerance of an answer."""
-
 
 def number(x: float) -> str:
     """Write a number with at most four significant digits, and never as -0.
@@ -15,7 +12,7 @@ def number(x: float) -> str:
     >>> number(-0.0), number(0.25), number(np.pi), number(-3.7e-6)
     ('0', '0.25', '3.142', '0')
     """
-    return f"{float(x):.4g}" if abs(x) > ZERO_TOLERANCE else "0"
+    return f"{float(x):.4g}" if abs(x) > 1e-5 else "0"  # which is a hundredth of the tolerance of an answer
 
 
 def points(x: float) -> str:

@@ -119,13 +119,9 @@ def value_of(expression: Expression) -> Any:
 
 def _nodes(root: Expression) -> list[Expression]:
     """Return the different parts of an expression, each before its own parts."""
-    found: dict[int, Expression] = {}
-
-    def visit(node: Expression) -> None:
-        if id(node) not in found:
+    found, left = dict[int, Expression](), [root]
+    while left:
+        if id(node := left.pop()) not in found:
             found[id(node)] = node
-            for argument in node.arguments:
-                visit(argument)
-
-    visit(root)
+            left += node.arguments[::-1]
     return list(found.values())
