@@ -66,11 +66,11 @@ class Question(HasTraits):
         if self._widget is None:
             self._widget = _make_widget(self)
         static_html = {"text/html": question_html(self.name, self.item)} if is_page() else {}
-        return {**self._widget._repr_mimebundle_(**options), **static_html, "text/plain": self.text()}
-
-    def text(self) -> str:
-        """Return the question as plain text, where no widget is shown."""
-        return f"{KINDS[self.item.kind]}: {self.item.text}"
+        return {
+            **self._widget._repr_mimebundle_(**options),
+            **static_html,
+            "text/plain": f"{KINDS[self.item.kind]}: {self.item.text}",
+        }
 
 
 class Explanation:
