@@ -47,6 +47,14 @@ def _stack_slips(node: Expression) -> Slips:
             yield Slip(f"{what} swapped", f"swap {what} {i + 1} and {i + 2}", stack(*rows))
 
 
+def cross_product(a: Any, b: Any) -> Any:
+    """Return a x b of two vectors. np.cross spends most of its time on the order of axes."""
+    if np.shape(a) != (3,) or np.shape(b) != (3,):
+        return np.cross(a, b)
+    (a1, a2, a3), (b1, b2, b3) = a, b
+    return np.array([a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1])
+
+
 def _listed(*entries: str) -> str:
     return f"({', '.join(entries)})"
 
@@ -95,7 +103,7 @@ _arctan: Operation = Operation("arctan", lambda y, x: np.arctan(y / x), "\\arcta
 sqrt: Operation = Operation("root", np.sqrt, "\\sqrt{{{0}}}".format, table(("root left out", "leave out the square root", lambda x: x)))
 square: Operation = Operation("square", np.square, power("2"), table(("square left out", "leave out the square of ${0}$", lambda x: x)))
 unit: Operation = Operation("unit vector", lambda x: x / np.linalg.norm(x), "{0} / |{0}|".format, _unit_slips)
-cross: Operation = Operation("cross product", np.cross, "{0} \\times {1}".format, table(
+cross: Operation = Operation("cross product", cross_product, "{0} \\times {1}".format, table(
     ("order", "write ${1} \\times {0}$ instead of ${0} \\times {1}$", lambda a, b: cross(b, a)),
 ))
 inverse: Operation = Operation("inverse", np.linalg.inv, power("{-1}"), table(
