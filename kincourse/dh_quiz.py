@@ -10,7 +10,7 @@ from kinlib.dh.assignment import assign_frames
 from kinlib.dh.slips import OTHER_CONVENTION
 from kinlib.dh.table import Convention, validate_convention
 from kinlib.view import draw_joints
-from misstep.display.card import TITLES, Card
+from misstep.display.card import TONES, Card
 from misstep.judge import Judgement, judge
 from misstep.mistakes import mistake
 from misstep.problem import Problem
@@ -101,7 +101,7 @@ class Quiz:
             self.right += 1
         lines = [finding.text for finding in judgement.findings]
         self._feedback_box.value = Card(
-            judgement.state, TITLES[judgement.state], [*lines, f"{self.right} right of {self.asked}."]
+            judgement.state, TONES[judgement.state][2], [*lines, f"{self.right} right of {self.asked}."]
         ).html()
         return judgement
 

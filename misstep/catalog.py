@@ -26,9 +26,6 @@ from misstep.questions.widget import Explanation, Question
 from misstep.sheet import SAMPLE_ID, OpenSheet, Sheet
 from misstep.verdict import Verdict
 
-ENTRY_POINT_GROUP = "misstep.courses"
-"""The group of entry points by which the course is found."""
-
 FOLDER_PREFIX = "lecture_"
 """The beginning of the name of each lecture's folder."""
 
@@ -60,7 +57,7 @@ class Course:
     fallback: Callable[[str], Sheet | None] | None = None
     fallback_hint: str = ""
     site: str = ""
-    _asked: dict[str, Any] = field(default_factory=dict, init=False, repr=False)
+    _asked: dict[str, Question] = field(default_factory=dict, init=False, repr=False)
 
     @property
     def folder(self) -> Path:
@@ -151,10 +148,7 @@ class Course:
 
         Raises ValueError for an unknown name.
         """
-        item, asked = self.find_question(name), self._asked.get(name)
-        if asked is None or asked.item != item:
-            asked = self._asked[name] = Question(item, name)
-        return asked
+        return self._asked.setdefault(name, Question(self.find_question(name), name))
 
     def explain(self, name: str, output: str = "") -> Explanation:
         """Return the explanation of the prediction at ask(name), which displays itself and opens when the reader has answered.
@@ -163,7 +157,7 @@ class Course:
 
         Raises ValueError for an unknown name.
         """
-        return Explanation(self._asked.get(name) or Question(self.find_question(name), name), output)
+        return Explanation(self.ask(name), output)
 
     def _module(self, lecture: str, name: str) -> Any:
         return importlib.import_module(f"{self.package}.{FOLDER_PREFIX}{lecture}.{name}")
@@ -180,5 +174,5 @@ def find_course() -> Course:
     >>> find_course().package
     'kincourse'
     """
-    (installed,) = entry_points(group=ENTRY_POINT_GROUP)
+    (installed,) = entry_points(group="misstep.courses")
     return installed.load()  # type: ignore[no-any-return]

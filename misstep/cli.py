@@ -42,25 +42,19 @@ def run_command(
     arguments = sys.argv[1:] if arguments is None else arguments
     parser = argparse.ArgumentParser(prog=program, description=description)
     subparsers = parser.add_subparsers(metavar="command", dest="command", required=True)
-    for name, (module, purpose) in commands.items():
-        subparser = subparsers.add_parser(name, help=purpose, description=f"{purpose[0].upper()}{purpose[1:]}.")
-        if name in arguments[:1]:
-            try:
-                command = importlib.import_module(module)
-            except ModuleNotFoundError as missing:
-                subparser.error(_advice(missing, extras.get(name, program)))
-            command.add_arguments(subparser)
-            subparser.set_defaults(run=command.run)
-    options = parser.parse_args(arguments)
     try:
+        for name, (module, purpose) in commands.items():
+            subparser = subparsers.add_parser(name, help=purpose, description=f"{purpose[0].upper()}{purpose[1:]}.")
+            if name in arguments[:1]:
+                command = importlib.import_module(module)
+                command.add_arguments(subparser)
+                subparser.set_defaults(run=command.run)
+        options = parser.parse_args(arguments)
         code: int = options.run(options)
     except ModuleNotFoundError as missing:
-        parser.error(_advice(missing, extras.get(options.command, program)))
+        package = extras.get(arguments[0], program)
+        parser.error(f"{missing}. Install what this command requires: pip install '{package}'")
     except (OSError, ValueError) as error:
-        print(f"{program} {options.command}: {error}", file=sys.stderr)
+        print(f"{program} {arguments[0]}: {error}", file=sys.stderr)
         return 2
     return code
-
-
-def _advice(missing: ModuleNotFoundError, package: str) -> str:
-    return f"{missing}. Install what this command requires: pip install '{package}'"

@@ -1,7 +1,6 @@
 """Judging: from a student's answer to a fraction of the points and a reason.
 
 Which right parts earn nothing alone is said by `Answer.counts`, and of rows in another order by REORDERED in answers/likeness.py.
-The judge only computes. It neither draws nor prints, so it can run in a process in which no student code ever ran.
 """
 
 from collections.abc import Sequence
@@ -52,11 +51,9 @@ def judge(problem: Problem, given: Any) -> Judgement:  # noqa: PLR0911 - one for
         return Judgement("right", 1.0, answer.parts, [Finding(answer.parts, remark)] if remark else [])
     findings = explain(problem, value, wrong)
     explained = {part for one in findings for part in one.parts}
-    for part in wrong:
-        if (name := answer.parts[part]) not in explained:
-            findings.append(Finding([name], UNKNOWN, check=answer.check(value, part) or STEP_BY_STEP))
-    place = {name: k for k, name in enumerate(answer.parts)}
-    findings.sort(key=lambda one: [place[part] for part in one.parts])
+    for part in (part for part in wrong if answer.parts[part] not in explained):
+        findings.append(Finding([answer.parts[part]], UNKNOWN, check=answer.check(value, part) or STEP_BY_STEP))
+    findings.sort(key=lambda one: [list(answer.parts).index(part) for part in one.parts])
     fine = [part for part, is_right in zip(answer.parts, right, strict=True) if is_right]
     if fine and (spoiling := [one for one in findings if one.spoils]):
         return Judgement("wrong", 0.0, fine if any(one.is_method for one in spoiling) else (), findings)

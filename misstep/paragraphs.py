@@ -6,22 +6,11 @@ from dataclasses import replace
 from misstep.diagnosis.explanation import MAX_LENGTH, SENTENCE_END, Finding
 from misstep.display.sentences import RIGHT
 
-MANY = 3
-"""More parts of one kind than this are listed with the name of the kind said once."""
-
-MAX_LIST = 60
-"""A longer list of all parts that are wrong is not told, as the right ones are listed."""
-
-AND_MORE = "Other parts are not right either; begin with this one."
-"""What is said where there is no room for all findings."""
-
 
 def paragraphs(
     findings: Sequence[Finding], right_parts: Sequence[str] = (), said_of_right: str = RIGHT, *, is_first: bool = False
 ) -> list[str]:
-    r"""Return what findings say, in at most MAX_LENGTH characters together: checks go first, then further sentences and findings.
-
-    The first message is never cut.
+    """Return what findings say. Together they have at most MAX_LENGTH characters, or else no checks, or one sentence each.
 
     right_parts    the names of the parts that are right, to be listed in front
     said_of_right  the sentence for them; without right parts, the parts of a single finding need no names
@@ -31,9 +20,6 @@ def paragraphs(
     ['Right: y.', 'X and z: It is 0. Put in numbers.']
     >>> paragraphs([Finding(["x"], "It is 0.")])
     ['It is 0.']
-    >>> long = [Finding([name], f"{name} is {'very ' * 30}wrong. Look up.", check="Count.") for name in "abcd"]
-    >>> sum(map(len, paragraphs(long))) <= MAX_LENGTH
-    True
     """
     findings = [
         replace(one, message=one.message.partition("\n")[0] if is_first else one.message.replace("\n", " "))
@@ -44,23 +30,18 @@ def paragraphs(
     before = [said_of_right.format(shown)] * bool(right_parts)
     is_on_whole = len(findings) == 1 and not right_parts
     merged = _merged(findings)
-    if len(merged) == 1 and right_parts and len(enumeration(merged[0].parts)) > MAX_LIST:
-        merged[0] = replace(merged[0], parts=["the others"])
+    if len(merged) == 1 and right_parts and len(enumeration(merged[0].parts)) > 60:
+        merged[0] = replace(merged[0], parts=["the others"])  # because the right ones are listed
 
     def texts(told: Sequence[Finding]) -> list[str]:
         return before + [_text(one, is_on_whole) for one in told]
 
-    def is_long(told: Sequence[Finding], *further: str) -> bool:
-        return sum(map(len, [*texts(told), *further])) > MAX_LENGTH
-
     unchecked = [replace(one, check="") for one in merged]
     brief = [replace(one, message=SENTENCE_END.split(one.message)[0]) for one in unchecked[1:]]
-    told = next((told for told in (merged, unchecked) if not is_long(told)), unchecked[:1] + brief)
-    if len(told) == 1 or not is_long(told):
-        return texts(told)
-    while len(told) > 1 and is_long(told, AND_MORE):
-        told.pop()
-    return [*texts(told), AND_MORE]
+    told = next(
+        (told for told in (merged, unchecked) if sum(map(len, texts(told))) <= MAX_LENGTH), unchecked[:1] + brief
+    )
+    return texts(told)
 
 
 def _text(one: Finding, is_on_whole: bool) -> str:
@@ -75,7 +56,7 @@ def enumeration(names: Sequence[str]) -> str:
     ('x', 'x, y and z', 'entries 0, 1, 2 and 3')
     """
     kinds = {name.partition(" ")[0] for name in names if name.count(" ") == 1}
-    if len(names) > MANY and len(kinds) == 1 and all(name.count(" ") == 1 for name in names) and kinds != {"the"}:
+    if len(names) > 3 and len(kinds) == 1 and all(name.count(" ") == 1 for name in names) and kinds != {"the"}:
         [kind] = kinds
         plural = f"{kind[:-1]}ies" if kind.endswith("y") else f"{kind}s"
         return f"{plural} {enumeration([name.partition(' ')[2] for name in names])}"

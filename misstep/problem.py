@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from importlib import import_module
 from importlib.util import find_spec
-from itertools import combinations
+from itertools import combinations, islice
 from types import ModuleType
 from typing import Any, Literal, TypeVar
 
@@ -172,11 +172,15 @@ class Problem:
                 yield wrong
 
     @cached_property
+    def _first_solution(self) -> MutableSolution:
+        """The solution at the first input, which is often enough to see that a mistake is not the one that was made."""
+        return MutableSolution(next(at_inputs(self.answer, self.solution)))
+
+    @cached_property
     def _solutions(self) -> Sequence[MutableSolution]:
-        """The solution at each input, of which there is one as a rule; none if the problem has no solution."""
-        if self.solution is None:
-            return []
-        solutions = [MutableSolution(root) for root in at_inputs(self.answer, self.solution)]
+        """The solution at each input, of which there is one as a rule."""
+        others = islice(at_inputs(self.answer, self.solution), 1, None)
+        solutions = [self._first_solution, *map(MutableSolution, others)]
         reached = collect(self.answer, [one.root.value for one in solutions])
         if not self._same(reached, self.answer.value):
             raise ValueError(
@@ -192,21 +196,24 @@ class Problem:
         is_near     whether a value at the first input is near enough for computing it at the others
         separating  whether to leave out those that may lead to the right answer
         """
-        told, solutions = set[int](), self._solutions
-        for k, mutation in enumerate(solutions[0].mutations if solutions else ()):
+        told = set[int]()
+        for k, mutation in enumerate(() if self.solution is None else self._first_solution.mutations):
             slip = mutation.slip
-            first = None if separating and slip.may_coincide else solutions[0].mutant(mutation)
+            first = None if separating and slip.may_coincide else self._first_solution.mutant(k)
             if first is None or id(first) in told or not is_near(value_of(first)):
                 continue
+            solutions = self._solutions
             told.add(id(first))  # the inverse of an inverse is an inverse left out
             if len({len(one.mutations) for one in solutions}) > 1:
                 raise ValueError("The solution must have the same changes at each input; their numbers differ.")
-            others = [one.mutant(one.mutations[k]) for one in solutions[1:]]
             try:
-                value = collect(self.answer, [value_of(root) for root in (first, *others)])
+                value = collect(self.answer, [value_of(one.mutant(k)) for one in solutions])
             except Unreadable:
                 continue
-            spoils = slip.spoils or (has_alike_rows(self.answer) and solutions[0].is_in_every_row(mutation))
+            # A change belongs to the method for all rows, if each row has no expression of its own.
+            root = solutions[0].root
+            is_method = root.operation.name != "stack" or id(root) in mutation.replaced
+            spoils = slip.spoils or (has_alike_rows(self.answer) and is_method)
             yield mutant(slip, value, self.advice, spoils=spoils)
 
     def _near(
@@ -317,8 +324,6 @@ def templates_in(module: ModuleType) -> list[Template]:
     ['03.1', '03.10']
     """
     found = [value for value in vars(module).values() if isinstance(value, Template)]
-    if twice := {one.number for one in found if [other.number for other in found].count(one.number) > 1}:
-        raise ValueError(
-            f"Each problem of {module.__name__} must have a number of its own; {', '.join(twice)} is there twice."
-        )
+    if len({one.number for one in found}) < len(found):
+        raise ValueError(f"Each problem of {module.__name__} must have a number of its own.")
     return sorted(found, key=lambda template: (len(template.number), template.number))

@@ -8,7 +8,7 @@ from typing import Any
 
 from misstep.answers.base import inputs_of
 from misstep.diagnosis.explanation import Finding
-from misstep.display.failed_answer import FailedAnswer
+from misstep.display.failed_answer import FailedAnswer, current_shell
 from misstep.display.lecture_address import lecture_address
 from misstep.judge import Judgement, judge
 from misstep.problem import Problem, Template
@@ -102,14 +102,11 @@ class OpenSheet:
             f"**{template.title}** ({template.level}, {template.points} point{'s' * (template.points != 1)})\n\n"
             f"{problem.statement}{note}"
         )
-        try:
-            from IPython import get_ipython
-            from IPython.display import Markdown, display
-        except ModuleNotFoundError:  # it is not a dependency, because sheets also work in a plain interpreter
-            get_ipython = lambda: None  # noqa: E731
-        if get_ipython() is None:
+        if current_shell() is None:
             print(text)
             return
+        from IPython.display import Markdown, display  # not a dependency: sheets also work in a plain interpreter
+
         display(Markdown(text))
         if problem.figure:
             display(problem.figure())

@@ -14,15 +14,8 @@ Array = NDArray[np.float64]
 FUNCTIONS = (FunctionType, BuiltinFunctionType, MethodType, partial, np.ufunc)
 """The classes of functions that a student may give. Others can be called too, such as symbols of SymPy."""
 
-
 TRUTH = (bool, np.bool_)
 """The classes of True and False."""
-
-NO_NUMBER = "True and False are no numbers; give the number itself."
-
-
-IMAGINARY_ROUND_OFF = 1e-12
-"""How large the imaginary part of a real number may be after a computation in complex numbers, relative to the number."""
 
 
 def has_truth(x: Any) -> bool:
@@ -31,11 +24,9 @@ def has_truth(x: Any) -> bool:
     >>> has_truth([[1, True]]), has_truth(np.array([1.0]))
     (True, False)
     """
-    if isinstance(x, np.ndarray) and x.dtype != object:
-        return bool(x.dtype.kind == "b")
-    return isinstance(x, TRUTH) or (
-        isinstance(x, list | tuple | np.ndarray) and np.ndim(x) > 0 and any(map(has_truth, x))
-    )
+    if isinstance(x, np.ndarray):
+        return any(map(has_truth, x.ravel().tolist())) if x.dtype == object else bool(x.dtype.kind == "b")
+    return isinstance(x, TRUTH) or (isinstance(x, list | tuple) and any(map(has_truth, x)))
 
 
 def array(x: ArrayLike, name: str) -> Array:
@@ -49,9 +40,9 @@ def array(x: ArrayLike, name: str) -> Array:
     try:
         values = np.asarray(x)
         if has_truth(x):
-            raise TypeError(NO_NUMBER)
-        if values.dtype.kind == "c" and (np.abs(values.imag) <= IMAGINARY_ROUND_OFF * np.abs(values)).all():
-            values = values.real  # as np.linalg.eigvals gives them
+            raise TypeError("True and False are no numbers")
+        if values.dtype.kind == "c" and (np.abs(values.imag) <= 1e-12 * np.abs(values)).all():
+            values = values.real  # as np.linalg.eigvals gives them, up to round-off
         if values.dtype.kind not in "iufO":
             raise TypeError(f"{values.dtype} is not a real number")
         # astype alone would read None as NaN and "1" as 1. Adding zero first refuses both.

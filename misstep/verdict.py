@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from misstep.display.card import TITLES, Card, Link
+from misstep.display.card import TONES, Card, Link
 from misstep.display.sentences import RIGHT, TOGETHER
 from misstep.display.text import points
 from misstep.judge import Judgement
@@ -46,7 +46,7 @@ class Verdict:
     def card(self) -> Card:
         """The feedback: title, points, the right parts, the message of each finding, and the section to re-read."""
         judgement, template = self.judgement, self.template
-        title = f"Problem {template.number}: {TITLES[judgement.state]}"
+        title = f"Problem {template.number}: {TONES[judgement.state][2]}"
         full = f"{template.points} point{'s' * (template.points != 1)}"
         if judgement.state == "open":
             return Card("open", title, [f"Your text is kept. Your instructor gives up to {full} for it."])
@@ -95,13 +95,12 @@ class Tally:
         rows = ["| problem | points | state |", "| --- | --- | --- |"]
         for k, template in enumerate(self.problems, start=1):
             verdict = self.verdicts.get(k)
-            state = TITLES[verdict.judgement.state].lower() if verdict else "not checked yet"
+            state = TONES[verdict.judgement.state][2].lower() if verdict else "not checked yet"
             score = "…" if verdict and verdict.judgement.state == "open" else points(verdict.score if verdict else 0)
             rows.append(f"| {template.number} {template.title} | {score} of {template.points} | {state} |")
         total = sum(template.points for template in self.problems)
         rows.append(f"| **together** | **{points(self.score)} of {total}** | {self.note} |")
-        lines = [f"- {sentence}" for sentence in self.returning]
-        return "\n".join([*rows, "", *lines] if lines else rows)
+        return "\n".join([*rows, *[""] * bool(self.returning), *(f"- {sentence}" for sentence in self.returning)])
 
 
 def returning(found: Iterable[tuple[str, str]]) -> list[str]:

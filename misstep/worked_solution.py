@@ -72,7 +72,11 @@ def _steps(root: Expression, other: Expression | None = None, result: str = "") 
         unit = ("°/\\mathrm{s}" if "dot" in node.label else "°") if id(node) in in_degrees else ""
         return f"{text}{unit}" if id(node) in constant and (text := _written(node.value)) else ""
 
-    leaves = [node for node in nodes if not node.arguments and not _is_number(node.label) and "$" not in node.label]
+    leaves = [
+        node
+        for node in nodes
+        if not node.arguments and not node.label.lstrip("-")[:1].isdigit() and "$" not in node.label
+    ]
     named = [node for node in nodes if node.arguments and node.label and node is not root]
     steps = []
     for node in [*_by_index(named)[-MAX_STEPS:], root]:
@@ -116,7 +120,3 @@ def _written(value: Any) -> str:
     if array.size > MAX_ENTRIES or array.ndim > 2:
         return ""
     return matrix(array) if array.ndim == 2 else vector(array) if array.ndim else number(float(array))
-
-
-def _is_number(label: str) -> bool:
-    return label.lstrip("-")[:1].isdigit()

@@ -58,12 +58,6 @@ class Angles(Numbers):
             return ["the angle"]
         return ["one angle", "the other angle"] if count == 2 else [f"angle {i + 1}" for i in range(count)]
 
-    def part_indices(self) -> list[Any]:
-        return [...] if np.ndim(self.value) == 0 else list(range(np.size(self.value)))
-
-    def place(self, index: Sequence[Any]) -> str:
-        return self.parts[int(index[0])]
-
     def read(self, given: Any) -> Array:
         """Read angles, each shifted by full turns to within half a turn of the one with which it is compared.
 
@@ -100,12 +94,11 @@ class Angles(Numbers):
         return SLIPS
 
     def seen(self, given: Array, part: int | None) -> Named | None:
-        if part is None and (
-            seen := replace(self.likeness(given, None), mine=_within_half_a_turn(given)[..., None]).placeholder()
-        ):
-            return seen
-        if part is not None or not self.any_order:
+        if part is not None:
             return super().seen(given, part)
+        wrapped = replace(self.likeness(given, None), mine=_within_half_a_turn(given)[..., None])
+        if (seen := wrapped.placeholder()) or not self.any_order:
+            return seen
         # The order in which most angles are right does not count if none is, as with degrees.
         orders = (given[list(order)] for order in permutations(range(len(given))))
         return next(filter(None, (self.likeness(angles, None).at_sight() for angles in orders)), None)

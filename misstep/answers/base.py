@@ -33,24 +33,6 @@ class Answer(ABC):
     and a mistake in one part does not cost the points of the others.
 
     value   the right answer
-
-    >>> class Gain:
-    ...     def __init__(self, decibel): self.decibel = decibel
-    ...     def to_dict(self): return {"decibel": self.decibel}
-    >>> class GainAnswer(Answer):
-    ...     expected, parts = "a gain", ["the gain"]
-    ...     def __init__(self, value): self.value = value
-    ...     def read(self, given):
-    ...         if not isinstance(given, Gain):
-    ...             raise Unreadable(f"Expected {self.expected}; got {given!r}.")
-    ...         return given
-    ...     def agrees(self, one, other, tolerance=TOLERANCE):
-    ...         return [abs(one.decibel - other.decibel) <= tolerance]
-    >>> from misstep.storage import from_data, register_object
-    >>> register_object(Gain, lambda fields: Gain(float(fields["decibel"])))
-    >>> answer = GainAnswer(Gain(20.0))
-    >>> answer.agrees(answer.read(from_data({"object": "Gain", "fields": {"decibel": 20.0}})), answer.value)
-    [True]
     """
 
     value: Any

@@ -11,9 +11,6 @@ from misstep import validation
 from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import Answer, Named, Unreadable, seen_at_sight
 
-MAX_LENGTH = 100
-"""A text of so many characters is not the name of an option."""
-
 
 def plain(text: str) -> str:
     """Return the letters, digits and signs of a text, in small letters, with Greek letters by their names.
@@ -54,7 +51,7 @@ class Choice(Answer):
         options |= {word + plain(option): option for word in ("option", "answer", "") for option in self.options}
         if isinstance(given, int | np.integer) and not isinstance(given, bool):
             given = str(given)
-        if not isinstance(given, str) or len(given) >= MAX_LENGTH or plain(given) not in options:
+        if not isinstance(given, str) or plain(given) not in options:
             raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.")
         return options[plain(given)]
 

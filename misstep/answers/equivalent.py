@@ -11,9 +11,6 @@ from misstep.answers.number import Numbers, scale_of
 from misstep.display.sentences import IN_DEGREES
 from misstep.validation import Array
 
-OF_ALL_ENTRIES = {"all signs", "factor", "doubled", "halved"}
-"""What may be said of an answer beside ours, although single entries of another right answer may differ from ours."""
-
 
 @dataclass(frozen=True, eq=False)
 class Equivalent(Numbers):
@@ -50,4 +47,5 @@ class Equivalent(Numbers):
     def resemblance(self, given: Array, part: int | None) -> Named | None:
         """Return what is true of all entries at once."""
         seen = None if part is None else self.likeness(given, part).resemblance()
-        return seen if seen and seen[0] in OF_ALL_ENTRIES else None
+        # Single entries of another right answer may differ from ours.
+        return seen if seen and seen[0] in {"all signs", "factor", "doubled", "halved"} else None

@@ -16,7 +16,6 @@ from misstep.answers.accuracy import TOLERANCE
 from misstep.answers.base import AtInputs, Named, Unreadable, has_alike_rows
 from misstep.answers.likeness import Likeness, entries_hint, place_of
 from misstep.answers.number import scale_of
-from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
 from misstep.mutants.expression import Expression
 from misstep.validation import Array
@@ -85,35 +84,9 @@ class ClosedForm(AtInputs):
     def resemblance(self, given: Formula, part: int | None) -> Named | None:
         if part is None:
             return self.likeness(given, None).order() if has_alike_rows(self) else None
-        if found := self.likeness(given, part).resemblance():
-            return found
+        found = self.likeness(given, part).resemblance()
         same = self.same_entries(given, self.value)[self.core_indices()[part]]
-        if same.ndim == 2 and same.shape[0] == same.shape[1] and (same | np.eye(len(same), dtype=bool)).all():
-            return "the diagonal", "Only entries of the diagonal are wrong."
-        hint = entries_hint(same) if same.ndim else None
-        trial = "" if same.ndim else self._trial(given)
-        return hint if hint and hint[0] else self._letters(given, trial) or hint or (("", trial) if trial else None)
-
-    def _letters(self, given: Formula, trial: str) -> Named | None:
-        """Return which letters the right formulas have and others have not, or the other way round."""
-        wanted = dict(zip(self._reader.points[0], map(sp.latex, self._declared), strict=True))
-        for name, symbols, which in (
-            ("letters missing", self._right.symbols - given.symbols, "contain {}, and yours do not"),
-            ("letters too many", given.symbols - self._right.symbols, "do not contain {}, and yours do"),
-        ):
-            if symbols and given.given is not None:
-                *others, last = [f"${wanted[symbol]}$" for symbol in sorted(symbols)]
-                listed = f"{', '.join(others)} and {last}" if others else last
-                return name, f"The right formulas {which.format(listed)}. {trial}".rstrip()
-        return None
-
-    def _trial(self, given: Formula) -> str:
-        """Return the values of both formulas at the point at which they differ most."""
-        far = np.abs(given.values - self._right.values) / (np.abs(given.values) + np.abs(self._right.values) + 1e-300)
-        k = int(np.argmax(far))  # at some points two formulas look the same when they are rounded
-        point = ", ".join(f"{name} = {number(value)}" for name, value in self._reader.points[k].items())
-        yours, right = given.values[k], self._right.values[k]
-        return f"Try numbers: at {point} your formula gives {number(yours)}, and {number(right)} is right."
+        return found or (entries_hint(same) if same.ndim else None)
 
     def likeness(self, given: Formula, part: int | None) -> Likeness:
         """Return a part of an answer, or with None the whole, beside the right one, by their values."""

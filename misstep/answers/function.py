@@ -61,9 +61,7 @@ class Function(AtInputs):
 
     def read(self, given: Any) -> FunctionCalls:
         if isinstance(given, FunctionCalls):
-            if given.function is None:
-                return given
-            given = given.function
+            return given
         if isinstance(given, Outputs):
             if len(given.values) != len(self.inputs):
                 raise Unreadable(
@@ -76,8 +74,6 @@ class Function(AtInputs):
 
     def _remedy(self, given: Any) -> str:
         """Return how to give the function instead of this, with a leading space; "" if that is not known."""
-        if isinstance(given, str):
-            return " Give the function itself, without quotes."
         try:
             self.output.read(given)
         except Exception:  # reading a student's object may raise any error

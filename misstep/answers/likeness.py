@@ -17,12 +17,6 @@ from misstep.answers.base import Named
 from misstep.display import sentences
 from misstep.validation import Array
 
-MAX_PLACES = 3
-"""How many wrong entries are named one by one."""
-
-MAX_ROWS = 12
-"""Of how many rows the order is looked for."""
-
 ROUND_OFF = 1e-12
 """Smaller absolute values are zeros with an error of the computer's arithmetic."""
 
@@ -76,11 +70,8 @@ class Likeness:
             return "left at 0", sentences.ZERO
         if self._equal(self.mine, self.right).all():
             return None
-        if (
-            self.mine.ndim == 3
-            and len(self.mine) == self.mine.shape[1]
-            and self._equal(self.mine, self.right.swapaxes(0, 1)).all()
-        ):
+        is_square = self.mine.ndim == 3 and len(self.mine) == self.mine.shape[1]
+        if is_square and self._equal(self.mine, self.right.swapaxes(0, 1)).all():
             return "transposed", "This is the transpose of the right one."
         return self._signs() or self.factor() or self.order() or self._mostly_zeros()
 
@@ -113,17 +104,20 @@ class Likeness:
         if self.is_formula or not self.mine.any():
             return None
         mine, right = (x.reshape(-1, x.shape[-1]) for x in (self.mine, self.right))
-        wrong = np.ravel(~self._equal(mine, right))
+        wrong, rounded = (
+            np.ravel(~self._equal(mine, right)),
+            ("rounded", sentences.ROUNDED),
+        )
+        unit = 10.0 ** (np.floor(np.log10(np.maximum(np.abs(right), 1e-12))) - 2)  # of the third digit
+        is_short = np.asarray((np.abs(mine - unit * np.round(right / unit)) < 1e-6 * unit).all(axis=-1))
+        if (is_short | ~wrong).all() and (is_short & (np.abs(mine - right) > 1e-9).any(axis=-1)).any():
+            return rounded
         # Numbers that are left at 0 are not rounded, and one short number may be another one.
-        is_short = np.asarray(has_three_digits(mine, right, or_zeros=True).all(axis=-1))
-        is_filled = 2 * np.count_nonzero(mine[wrong]) >= np.count_nonzero(wrong)
         count, are_short = np.count_nonzero(wrong), bool(is_short[wrong].all())
-        if (is_short | ~wrong).all() and (has_three_digits(mine, right) & (np.abs(mine - right) > 1e-9)).any():
-            return "rounded", sentences.ROUNDED.format(sentences.FOUR_DIGITS)
-        for decimals in (3, 2, 1, 0) if is_filled else ():
-            is_rounded = are_short or count > (1 if decimals else 2)
-            if is_rounded and (np.abs(mine - np.round(right, decimals)) < 1e-9).all():
-                return "rounded", sentences.ROUNDED.format(sentences.FOUR_DIGITS)
+        for decimals in (3, 2, 1, 0) if 2 * np.count_nonzero(mine[wrong]) >= count else ():
+            is_told = are_short or count > (1 if decimals else 2)
+            if is_told and (np.abs(mine - np.round(right, decimals)) < 1e-9).all():
+                return rounded
         return None
 
     def _signs(self) -> Named | None:
@@ -135,18 +129,10 @@ class Likeness:
         if is_one or count == seen:
             text = f"{SIGNS}\nLook at the signs: every one is wrong."
             return "all signs", "The size is right.\nLook at the sign." if is_one else text
-        if unsigned := self.without_minus():
-            return unsigned
-        if count > MAX_PLACES:
+        if count > 3:
             return "signs", f"{SIGNS}\nLook at the signs: {count} are wrong."
         places = " and ".join(self.place(index) for index in np.argwhere(wrong).tolist())
         return "signs", f"{SIGNS}\nLook at the sign{'' if count == 1 else 's'} of {places}."
-
-    def without_minus(self) -> Named | None:
-        """Return whether these are the sizes of the right numbers."""
-        if self.is_formula or (self.mine < 0).any() or not self._equal(self.mine, np.abs(self.right)).all():
-            return None
-        return "signs", f"{SIGNS}\nLook at the signs: no minus sign is left."
 
     def factor(self) -> Named | None:
         """Return whether these are the right numbers, multiplied by a factor."""
@@ -156,7 +142,7 @@ class Likeness:
         factor = float(np.median(self.mine[seen] / self.right[seen]))
         if not 1e-3 <= abs(factor) <= 1e3 or not self._relative(self.mine, factor * self.right).all():
             return None
-        for size, (name, text) in FACTORS.items():
+        for size, name, text in ((2, "doubled", "twice"), (0.5, "halved", "half")):
             if abs(factor - size) < 0.005 * size:
                 return name, f"This is {text} the right one." if is_one else f"{SCALED}\nEach is {text} the right one."
         return None if is_one else ("factor", SCALED)
@@ -176,11 +162,8 @@ class Likeness:
         mine, right = (np.sort(x.reshape(-1, x.shape[-1]), axis=0) for x in (self.mine, self.right))
         is_short = self.mine.ndim == 2 and len(mine) <= 4
         is_telling = len(mine) <= 6 and not self.is_formula and np.unique(np.round(right, 6)).size > 3
-        return (
-            ("order of the numbers", self.reordered)
-            if (is_short or is_telling) and self._equal(mine, right).all()
-            else None
-        )
+        is_same = (is_short or is_telling) and self._equal(mine, right).all()
+        return ("order of the numbers", self.reordered) if is_same else None
 
     @property
     def _rows(self) -> tuple[Array, Array]:
@@ -190,7 +173,7 @@ class Likeness:
     def _permuted_rows(self) -> Named | None:
         """Return whether the rows are the right ones, each once, in another order."""
         mine, right = self._rows
-        if mine.ndim != 3 or not 1 < len(mine) <= MAX_ROWS:
+        if mine.ndim != 3 or len(mine) < 2:
             return None
         order: list[int] = []
         for k, row in enumerate(mine):
@@ -215,7 +198,7 @@ class Likeness:
             if moved.all():
                 filled = f"the {gap} one is there twice" if is_right[place] else f"your {gap} row is an extra one"
                 text = f"Your rows are moved {where} by one: the {lost} one of the right rows is missing, and {filled}."
-                return ROWS_MOVED, text
+                return "rows moved", text
         return None
 
     def _is_seen(self, values: Array) -> NDArray[np.bool_]:
@@ -234,19 +217,6 @@ class Likeness:
         difference = np.remainder(mine - np.degrees(right) + 180, 360) - 180
         is_whole = (mine == np.round(mine)).all()
         return bool((np.abs(difference) <= (0.5 if is_whole else 0.05 + 5e-4 * np.abs(mine))).all() and mine.any())
-
-
-def has_three_digits(given: Array, value: Array, *, or_zeros: bool = False) -> NDArray[np.bool_]:
-    """Return, for each entry, whether a typed number is a value, rounded to three significant digits; a whole 9 is not 8.998.
-
-    or_zeros  whether the last digits may be zeros, which a number does not show
-
-    >>> has_three_digits(np.array([1.23, 1.2, 0.0512, 9]), np.array([1.2345, 1.2345, 0.05123, 8.998]))
-    array([ True, False,  True, False])
-    """
-    unit = 10.0 ** (np.floor(np.log10(np.maximum(np.abs(value), 1e-12))) - 2)
-    is_short, is_shorter = (np.abs(given / x - np.round(given / x)) < 1e-6 for x in (unit, 10 * unit))
-    return np.asarray(is_short & (or_zeros | ~is_shorter) & (np.abs(given - value) <= 0.5 * unit * (1 + 1e-6)))
 
 
 def entries_hint(same: NDArray[np.bool_], names: Sequence[str] | None = None) -> Named | None:
@@ -297,10 +267,7 @@ def _order_of(what: str, order: Sequence[int], names: Sequence[str] = ()) -> Nam
     return name, f"The {what}s are right, but their order is not: yours are {what}s {listed} of the right one."
 
 
-ROWS_MOVED = "rows moved"
-"""The name of rows of which one fell out."""
-
-REORDERED = {ROWS_MOVED, "rows in another order", "rows reversed", "columns in another order", "two columns moved"}
+REORDERED = {"rows moved", "rows in another order", "rows reversed", "columns in another order", "two columns moved"}
 """The names of orders in which a row that stands right does so by chance: at most one keeps its place, or columns are mixed up."""
 
 UNITS = {
@@ -312,6 +279,3 @@ UNITS = {
 SIGNS = "Apart from the signs, this is right."
 
 SCALED = "These are the right numbers, all multiplied by the same factor."
-
-FACTORS = {2.0: ("doubled", "twice"), 0.5: ("halved", "half")}
-"""The factors that have a word of their own: the name of the mistake, and the word."""

@@ -68,49 +68,46 @@ class Numbers(Answer):
         return self.part_indices()
 
     def read(self, given: Any) -> Array:
-        if isinstance(given, validation.FUNCTIONS):
-            raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}. Give its value, as in f(x).")
-        expected_shape = np.shape(self.value)
+        def refused(what: str) -> Unreadable:
+            return Unreadable(f"Expected {self.expected}; got {what}")
+
+        expected = np.shape(self.value)
         try:
             shape = np.shape(given)
         except Exception as error:  # reading the shape of a student's object may raise any error
-            raise Unreadable(f"Expected {self.expected}; got {_kind(given)} whose rows differ in length.") from error
-        if not expected_shape and 0 < len(shape) <= 2 and np.prod(shape) == 1:
+            raise refused(f"{_kind(given)} whose rows differ in length.") from error
+        if not expected and 0 < len(shape) <= 2 and np.prod(shape) == 1:
             return self.read(np.asarray(given).ravel()[0])  # [x] can only mean x
-        if len(expected_shape) == 1 and shape in (column := (*expected_shape, 1), column[::-1]):
+        if len(expected) == 1 and shape in ((*expected, 1), (1, *expected)):
             given = np.ravel(given)  # a column or a row of a matrix lists the same numbers
-        elif shape != expected_shape:
-            description = f"{_kind(given)} of shape {shape}" if shape else validation.brief(given)
-            quotes = " Give a list without quotes around it." if isinstance(given, str) and expected_shape else ""
-            raise Unreadable(f"Expected {self.expected}; got {description}.{quotes or self.remedy(shape)}")
+        elif shape != expected:
+            quotes = " Give a list without quotes around it." if isinstance(given, str) and expected else ""
+            found = f"{_kind(given)} of shape {shape}" if shape else validation.brief(given)
+            raise refused(f"{found}.{quotes or self.remedy(shape)}")
         try:
             values = validation.array(self._with_typed(given), "your answer")
         except ValueError as error:
             text = str(error)
             raise Unreadable(f"Expected {self.expected}. {text[0].upper()}{text[1:]}") from error
         except Exception as error:
-            raise Unreadable(
-                f"Expected {self.expected}; got {_kind(given)} that does not turn into numbers."
-            ) from error
-        largest = np.abs(values).max(initial=0)
-        if largest > MAX_NUMBER:
-            raise Unreadable(f"Expected {self.expected}; got {largest:.3g}. Was there a division by almost zero?")
+            raise refused(f"{_kind(given)} that does not turn into numbers.") from error
+        if (largest := np.abs(values).max(initial=0)) > MAX_NUMBER:
+            raise refused(f"{largest:.3g}. Was there a division by almost zero?")
         return values
 
     def _with_typed(self, given: Any) -> Any:
         """Return numbers in which those that are typed as text are read. Raises ValueError for text that is no number."""
-        values = given if isinstance(given, np.ndarray) else np.asarray(given)
-        if values.dtype.kind not in "OU" or not any(isinstance(x, str) for x in values.ravel().tolist()):
+        values = np.asarray(given)
+        entries = values.ravel().tolist() if values.dtype.kind in "OU" else []
+        if not any(isinstance(x, str) for x in entries):
             return given
         filled = np.empty(values.shape, dtype=object)
-        filled.ravel()[:] = [self.typed(x) if isinstance(x, str) else x for x in values.ravel().tolist()]
+        filled.ravel()[:] = [self.typed(x) if isinstance(x, str) else x for x in entries]
         return filled
 
     def typed(self, text: str) -> float:
         """Return the number that a text writes; the unit of the answer may follow it. Raises ValueError for any other text."""
-        plain = text.strip()
-        unit = self.unit if self.unit and plain.endswith(self.unit) else ""
-        return numeral(plain[: len(plain) - len(unit)])
+        return numeral(text.strip().removesuffix(self.unit))
 
     def remedy(self, shape: tuple[int, ...]) -> str:
         """Return a sentence on how to repair an answer of this wrong shape, with a leading space; "" if there is none."""
@@ -184,8 +181,6 @@ class Numbers(Answer):
         if has_alike_rows(self) or len(self.parts) == len(np.atleast_2d(self.value)) > 1:
             return likeness.order()
         is_list = np.ndim(self.value) == 1 and len(self.parts) == np.size(self.value) > 1
-        if is_list and np.count_nonzero(np.asarray(self.value) < -TOLERANCE) > 1 and (seen := likeness.without_minus()):
-            return seen
         if not is_list or (self.same_entries(given, self.value) & (np.abs(self.value) > TOLERANCE)).any():
             return None
         factor = likeness.factor()

@@ -73,9 +73,7 @@ class Ordering(Answer):
         if mine == right[::-1]:
             return "reversed", "Your order is the right one, reversed."
         if missing := set(right) - set(mine):
-            return "left out", f"{len(missing)} of the {len(right)} names are missing." if len(
-                missing
-            ) > 1 else "One name is missing."
+            return "left out", f"Missing: {len(missing)} of the {len(right)} names."
         if len(mine) > len(right):
             return "too many", "Your list has a name that does not belong to it."
         wrong = [k for k, name in enumerate(mine) if name != right[k]]

@@ -77,21 +77,20 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Finding]
             is_method, is_reordered = group is not problem.slips, is_moved and bool(answer.resemblance(value, None))
             if len(answer.parts) == 1 and (seen := answer.seen(value, 0)):  # whole numbers may be both
                 mistakes.insert(1, Mistake(seen[0], None, seen[1]))
-            told = Finding(names, message_of(mistakes, whole=True), mistakes, is_whole=True, is_method=is_method)
-            told = replace(told, spoils=is_reordered or all(one.spoils for one in mistakes))
-            return [told if is_method or is_reordered else _checked(answer, value, told)]
+            spoils = is_reordered or all(one.spoils for one in mistakes)
+            told = Finding(names, message_of(mistakes, whole=True), mistakes, "", True, is_method, spoils)
+            return [_checked(answer, value, told)]
     sights = {part: seen for part in wrong if (seen := answer.seen(value, part))}
     is_single = len(answer.parts) == 1
     if not is_single and (order := answer.resemblance(value, None)):
         is_reordered = order[0] in REORDERED
-        if is_reordered or all(
-            name == "placeholder" for name, _ in sights.values()
-        ):  # as is the gap where rows are moved
+        # As is the gap where rows are moved.
+        if is_reordered or all(name == "placeholder" for name, _ in sights.values()):
             return [replace(_seen(names, order), is_whole=True, spoils=is_reordered or is_moved)]
     found, left = _joined(answer, sights), [part for part in wrong if part not in sights]
     for parts, mistakes in () if is_single else _explain_parts(answer, value, left, groups):
         told = Finding(parts, message_of(mistakes, whole=False), mistakes, is_method=mistakes[0] not in problem.slips)
-        found.append(told if told.is_method else _checked(answer, value, told))
+        found.append(_checked(answer, value, told))
     explained = {part for one in found for part in one.parts}
     left = [part for part in left if answer.parts[part] not in explained]
     alike = {part: seen for part in left if (seen := answer.resemblance(value, part))}
@@ -110,10 +109,10 @@ def _joined(answer: Answer, seen: dict[int, Named]) -> list[Finding]:
 
 
 def _checked(answer: Answer, value: Any, told: Finding) -> Finding:
-    """Return a finding with what the student can check, of the first of its parts that does not pass."""
+    """Return a finding that says no method with what the student can check, of the first of its parts that does not pass."""
     checks = [(part, answer.check(value, answer.parts.index(part))) for part in told.parts]
     found = [(part, check) for part, check in checks if check]
-    if told.mistakes[0].name in UNCHECKED or not found:
+    if told.is_method or told.mistakes[0].name in UNCHECKED or not found:
         return told
     name, check = found[0]
     is_clear = len(told.parts) == 1 or (len(found) > 1 and len({text for _, text in found}) == 1)
@@ -127,27 +126,18 @@ def _explain_parts(
 
     groups  of mistakes: those of the author, the mutants, and the slips in answers of this kind
     """
-    left = set(left)
-    right = answer.agrees(value, answer.value)
-    matching: list[list[tuple[Mistake, set[int]]]] = []
-    for group in groups:
-        matching.append([])
-        for mistake in group if left else ():
-            same = answer.agrees(value, mistake.value) if mistake.part else [False] * len(right)
+    left, right = set(left), answer.agrees(value, answer.value)
+    fine, matching = {part for part, is_right in enumerate(right) if is_right}, []
+    for rank, group in enumerate(groups):
+        for mistake in (one for one in group if one.part) if left else ():
+            same = {part for part, is_same in enumerate(answer.agrees(value, mistake.value)) if is_same}
             # A change of the solution that would have changed a part that is right has not been made.
-            is_possible = all(is_same for is_same, is_right in zip(same, right, strict=True) if is_right)
-            if any(same) and (is_possible or group is not groups[1]):
-                matching[-1].append((mistake, {k for k in left if same[k]}))
-    while left:
-        count, rank = max(
-            ((len(parts & left), -rank) for rank, group in enumerate(matching) for _, parts in group), default=(0, 0)
-        )
-        if not count:
-            break
-        candidates = [(mistake, parts & left) for mistake, parts in matching[-rank] if len(parts & left) == count]
-        explained = candidates[0][1]
-        names = [answer.parts[part] for part in sorted(explained)]
-        yield names, _distinct([mistake for mistake, parts in candidates if parts == explained])
+            if rank != 1 or fine <= same:
+                matching.append((rank, mistake, same))
+    while found := [(rank, mistake, same & left) for rank, mistake, same in matching if same & left]:
+        best, _, explained = min(found, key=lambda one: (-len(one[2]), one[0]))
+        alike = [mistake for rank, mistake, parts in found if rank == best and parts == explained]
+        yield [answer.parts[part] for part in sorted(explained)], _distinct(alike)
         left -= explained
 
 

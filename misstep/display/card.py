@@ -9,25 +9,15 @@ from typing import Any
 from misstep.display.markdown import CODE_STYLE, link_html, markdown_html
 
 TONES = {
-    "right": ("✓", "#1a7f37"),
-    "partly": ("◐", "#8a5a00"),
-    "wrong": ("✗", "#b42318"),
-    "open": ("✎", "#0b5cad"),
-    "blank": ("…", "#57606a"),
-    "unreadable": ("?", "#6e40c9"),
-    "note": ("i", "#0b5cad"),
+    "right": ("✓", "#1a7f37", "Right"),
+    "partly": ("◐", "#8a5a00", "Partly right"),
+    "wrong": ("✗", "#b42318", "Not yet"),
+    "open": ("✎", "#0b5cad", "To be marked by your instructor"),
+    "blank": ("…", "#57606a", "Nothing here yet"),
+    "unreadable": ("?", "#6e40c9", "This cannot be read as an answer"),
+    "note": ("i", "#0b5cad", ""),
 }
-"""For each tone the icon and the colour of the edge."""
-
-TITLES = {
-    "right": "Right",
-    "partly": "Partly right",
-    "wrong": "Not yet",
-    "open": "To be marked by your instructor",
-    "blank": "Nothing here yet",
-    "unreadable": "This cannot be read as an answer",
-}
-"""For each state of an answer the title of its card."""
+"""For each tone the icon, the colour of the edge, and the title of the card of an answer in this state."""
 
 PAPER = "var(--jp-layout-color1,#fff)"
 INK = "var(--jp-content-font-color1,#1f2328)"
@@ -76,7 +66,7 @@ class Card:
 
     def html(self) -> str:
         """Return the card as HTML, with special characters of messages escaped."""
-        icon, tone = TONES[self.tone]
+        icon, tone, _ = TONES[self.tone]
         title = f'<p style="{TITLE.format(tone=tone)}"><span aria-hidden="true">{icon}</span> {inline(self.title)}</p>'
         body = "".join(_paragraph(part) for part in self.body)
         return f'<div role="status" style="{FRAME.format(tone=tone)}">{title}{body}</div>'

@@ -11,26 +11,24 @@ ANSWER = re.compile(r"^(\w+_\d+)\s*(?::[^=\n]+)?=(?!=)", re.MULTILINE)
 
 @dataclass(frozen=True)
 class FailedAnswer:
-    """Takes the place of an answer whose cell ended with an error.
-
-    error  the name of the error and its message
-    """
+    """Takes the place of an answer whose cell ended with an error, of which it has the name and the message."""
 
     error: str
 
 
 def replace_failed_answers(result: Any) -> None:
-    """Replace the answers that a cell of IPython sets, if it ended with an error. IPython calls it after each cell.
-
-    result  IPython's ExecutionResult
-    """
+    """Replace the answers that a cell sets, if it ended with an error; IPython calls this with the result of each cell."""
     error = result.error_before_exec or result.error_in_exec
     shell = current_shell()
     if error is None or shell is None:
         return
-    kind = "SyntaxError" if isinstance(error, SyntaxError) else type(error).__name__  # Python 3.13 has private ones
     for name in ANSWER.findall(result.info.raw_cell):
-        shell.user_ns[name] = FailedAnswer(f"{kind}: {getattr(error, 'msg', None) or error}")
+        shell.user_ns[name] = FailedAnswer(f"{error_name(error)}: {getattr(error, 'msg', None) or error}")
+
+
+def error_name(error: BaseException) -> str:
+    """Return the name of an error that a student can look up: the kinds of SyntaxError have private names in Python 3.13."""
+    return "SyntaxError" if isinstance(error, SyntaxError) else type(error).__name__
 
 
 def watch_cells() -> None:

@@ -1,15 +1,19 @@
-"""The address of a section of a lecture: of its notebook on a server of notebooks, or of its page on the site of the course."""
+"""The address of a section of a lecture: of its notebook on a server of notebooks, or of its page on the site of the course.
+
+Whether a page is made is read from the variable that kinlib/view/drawing/picture.py reads, too.
+"""
 
 import os
 import re
 
-from misstep.display.static_output import is_page
+ENVIRONMENT_VARIABLE = "NOTEBOOK_STATIC_PAGE"
+"""Set while notebooks are executed for a page. Then questions include their explanations; otherwise Python shows them after the
+answer, so that a student's saved notebook does not contain them."""
 
-FOLDER = "notebooks"
-"""The folder of the lectures' notebooks, beside the folder of a sheet or above it."""
 
-MAX_LEVELS = 3
-"""How many folders upwards it is searched: a sheet is in exercises/01_frames, a blank step in notebooks."""
+def is_page() -> bool:
+    """Whether outputs are for a page, without a kernel or, where the variable is "live", with a Python of its own."""
+    return bool(os.environ.get(ENVIRONMENT_VARIABLE))
 
 
 def lecture_address(lecture: str, site: str = "") -> str:
@@ -21,7 +25,8 @@ def lecture_address(lecture: str, site: str = "") -> str:
     site     the address of the site of the course, "" if it has none
     """
     name, _, heading = lecture.partition("#")
-    paths = [f"{'../' * level}{FOLDER}/{name}.ipynb" for level in range(MAX_LEVELS)]
+    # A sheet is in exercises/01_frames, and a blank step in the folder of the notebooks itself.
+    paths = [f"{'../' * level}notebooks/{name}.ipynb" for level in range(3)]
     found = filter(os.path.isfile, paths)  # Path.is_file raises an error for a folder that cannot be read
     path = next(found, paths[1] if is_page() else "")
     # A heading has this id in JupyterLab.

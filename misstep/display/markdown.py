@@ -6,7 +6,7 @@ A library for Markdown would be one more dependency of misstep, and would not ke
 import re
 from html import escape, unescape
 
-from misstep.display.static_output import is_page
+from misstep.display.lecture_address import is_page
 
 LITERAL = re.compile(r"(?<!`)`([^`]+)`(?!`)|\$\$(.+?)\$\$|\$([^$]+)\$", re.DOTALL)
 """Code and formulas, in which no other mark counts."""
@@ -65,14 +65,11 @@ def markdown_html(text: str) -> str:
         else:
             blocks.append(("p", [line.strip()]))
             is_open = True
-    html = "".join(_block(element, [_marked_up(part) for part in parts]) for element, parts in blocks)
+    html = ""
+    for element, parts in blocks:
+        marked = map(_marked_up, parts)
+        html += f"<{element}>{''.join(marked if element == 'p' else (f'<li>{one}</li>' for one in marked))}</{element}>"
     return re.sub(KEPT.format(r"(\d+)"), lambda found: kept[int(found[1])], html)
-
-
-def _block(element: str, parts: list[str]) -> str:
-    if element == "p":
-        return f"<p>{parts[0]}</p>"
-    return f"<{element}>{''.join(f'<li>{part}</li>' for part in parts)}</{element}>"
 
 
 def _marked_up(text: str) -> str:

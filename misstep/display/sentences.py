@@ -13,10 +13,7 @@ IN_DEGREES_WITH_WRONG_SIGN = "This is in degrees, and with the wrong sign. Give 
 LIKE_DEGREES = "This is read as {:g} rad, more than a full turn. Is it in degrees?"
 """What is said of an angle that nobody means in radians, and that is not right in degrees either."""
 
-ROUNDED = "These are the right numbers, but rounded too much. {}"
-"""What is said of rounded numbers, with how many digits are needed."""
-
-FOUR_DIGITS = "Keep at least four significant digits."
+ROUNDED = "These are the right numbers, but rounded too much. Keep at least four significant digits."
 
 ZERO = "This is 0, and the right number is not."
 

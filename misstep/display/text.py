@@ -5,16 +5,6 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import ArrayLike
 
-ZERO_TOLERANCE = 1e-5
-"""Smaller absolute values are written as 0. This is a hundredth of the tolerance of an answer."""
-
-
-MAX_DENOMINATOR = 12
-"""The largest denominator of a fraction of points."""
-
-ROUNDING_ERROR = 1e-9
-"""How far a sum of points may be from the fraction that it is."""
-
 
 def number(x: float) -> str:
     """Write a number with at most four significant digits, and never as -0.
@@ -22,7 +12,7 @@ def number(x: float) -> str:
     >>> number(-0.0), number(0.25), number(np.pi), number(-3.7e-6)
     ('0', '0.25', '3.142', '0')
     """
-    return f"{float(x):.4g}" if abs(x) > ZERO_TOLERANCE else "0"
+    return f"{float(x):.4g}" if abs(x) > 1e-5 else "0"  # which is a hundredth of the tolerance of an answer
 
 
 def points(x: float) -> str:
@@ -31,8 +21,8 @@ def points(x: float) -> str:
     >>> points(2.0), points(2 / 3), points(4 / 3), points(0.0), points(0.43)
     ('2', '2/3', '1 1/3', '0', '0.43')
     """
-    exact = Fraction(float(x)).limit_denominator(MAX_DENOMINATOR)
-    if abs(exact - Fraction(float(x))) > ROUNDING_ERROR:
+    exact = Fraction(float(x)).limit_denominator(12)
+    if abs(exact - Fraction(float(x))) > 1e-9:
         return f"{x:.2f}"
     whole, rest = divmod(exact, 1)
     return f"{whole} {rest}" if whole and rest else str(whole or rest)

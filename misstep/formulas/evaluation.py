@@ -56,11 +56,9 @@ def _atan2(y: Values, x: Values) -> Values:
 
 
 VALUES: dict[str, Callable[..., Any]] = {
-    name: getattr(np, name) for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "sqrt", "exp", "log", "abs")
+    name: getattr(np, name) for name in ("sin", "cos", "tan", "sqrt", "exp", "log", "abs")
 }
 VALUES |= {"asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "atan2": _atan2, "ln": np.log, "Abs": np.abs}
-VALUES |= {"cot": lambda x: 1 / np.tan(x), "sec": lambda x: 1 / np.cos(x), "csc": lambda x: 1 / np.sin(x)}
-VALUES |= {"sign": lambda x: x / np.abs(x), "sinc": lambda x: np.sin(x) / x}
 """The functions of the language; all but atan2 have one argument."""
 
 
@@ -69,13 +67,11 @@ class Formula:
     """A formula or a matrix of formulas: as it was given, its values (..., POINT_COUNT), and what occurs in it.
 
     rounded  whether it has rounded decimals
-    symbols  the names of its symbols, without underscores and braces
     """
 
     given: Any
     values: Array
     rounded: bool
-    symbols: frozenset[str] = frozenset()
 
 
 class Reader:
@@ -91,7 +87,6 @@ class Reader:
     def __init__(self, symbols: Sequence[sp.Symbol]) -> None:
         self._points = {_key(symbol.name): _random_values(symbol) for symbol in symbols}
         self._names = ", ".join(symbol.name for symbol in symbols) or "there are none"
-        self._seen = set[str]()
 
     @property
     def points(self) -> list[dict[str, float]]:
@@ -106,7 +101,6 @@ class Reader:
         Raises ValueError for what is not a formula, for another shape, for symbols that are not declared, and if there is no
         finite real value.
         """
-        self._seen.clear()
         try:
             given_shape, entries = _unpacked(given)
             given_shape = tuple(size for size in given_shape if size != 1)
@@ -127,7 +121,7 @@ class Reader:
             isinstance(part, ast.Constant) and isinstance(part.value, float) and part.value % 1 for part in parts
         )
         numbers = np.array(values, dtype=float).reshape(*given_shape, POINT_COUNT)
-        return Formula(given, numbers, rounded, frozenset(self._seen))
+        return Formula(given, numbers, rounded)
 
     def _value(self, tree: ast.expr) -> Values:
         """Return the values of a part of a formula."""
@@ -174,9 +168,7 @@ class Reader:
     def _declared(self, key: str) -> str:
         """Return the declared symbol of this name, where q1 is theta1; "" if there is none."""
         other = re.sub(r"^(q|theta)(?=\d)", lambda letter: "theta" if letter[0] == "q" else "q", key)
-        found = next((name for name in (key, other) if name in self._points), "")
-        self._seen.update({found} - {""})
-        return found
+        return next((name for name in (key, other) if name in self._points), "")
 
 
 def numeral(text: str) -> float:

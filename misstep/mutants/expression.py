@@ -158,27 +158,20 @@ class Expression:
         """Return the same expression with a name of its own in LaTeX, by which messages speak of it."""
         return replace(self, label=label)
 
-    def mistaken_for(
-        self,
-        *slips: tuple[Any, ...],
-        advice: str = "",
-        spoils: bool = False,
-        may_coincide: bool = False,
-    ) -> "Expression":
+    def mistaken_for(self, *slips: tuple[Any, ...], advice: str = "", **fields: Any) -> "Expression":
         """Return the same expression with further slips: here, and in this problem, people take other values.
 
         slips   (name, text, value) or (name, text, value, advice)
-        spoils  whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
-        may_coincide  whether it may lead to the right answer for some numbers
+        fields  of all these slips, such as spoils=True
 
         >>> pitch = given("h", 0.1).mistaken_for(("lead for pitch", "use the lead as the pitch", 0.6))
         >>> [(slip.name, slip.wrong.value) for slip in pitch.slips()]
         [('lead for pitch', 0.6)]
         """
         further = [
-            Slip(name, text, as_expression(other), advice=why[0] if why else advice, may_coincide=may_coincide, spoils=spoils)
+            Slip(name, text, as_expression(other), advice=why[0] if why else advice, **fields)
             for name, text, other, *why in slips
-        ]  # fmt: skip
+        ]
         return replace(self, alternatives=(*self.alternatives, *further))
 
     @property
@@ -349,6 +342,14 @@ def _joined_sum(*terms: str) -> str:
     return " + ".join(terms).replace("+ -", "- ")
 
 
+def _side_by_side(*factors: str) -> str:
+    return "\\,".join(factors)
+
+
+def _reduced(by: Callable[[Any, Any], Any]) -> Callable[..., Any]:
+    return lambda *factors: reduce(by, factors)
+
+
 def power(exponent: str) -> Callable[[str], str]:
     """Return the LaTeX of a power; a base that is a power itself gets brackets, because LaTeX refuses two exponents.
 
@@ -358,31 +359,15 @@ def power(exponent: str) -> Callable[[str], str]:
     return lambda base: f"({base})^{exponent}" if "^" in base and not base.endswith(")") else f"{base}^{exponent}"
 
 
-product = Operation(
-    "product",
-    lambda *factors: reduce(matmul, factors),
-    lambda *factors: "\\,".join(factors),
-    _product_slips,
-    PRODUCT,
-    associative=True,
-)
+product = Operation("product", _reduced(matmul), _side_by_side, _product_slips, PRODUCT, associative=True)
 """The product of matrices, A @ B."""
 
-_entrywise = Operation(
-    "entry by entry", lambda *factors: reduce(mul, factors), lambda *factors: " * ".join(factors), binds=PRODUCT
-)
+_entrywise = Operation("entry by entry", _reduced(mul), lambda *factors: " * ".join(factors), binds=PRODUCT)
 
 total = Operation("sum", lambda *terms: sum(terms[1:], terms[0]), _joined_sum, _sum_slips, SUM, associative=True)
 """The sum, A + B; a difference is a sum with `negative`."""
 
-multiple = Operation(
-    "multiple",
-    lambda *factors: reduce(mul, factors),
-    lambda *factors: "\\,".join(factors),
-    _multiple_slips,
-    PRODUCT,
-    associative=True,
-)
+multiple = Operation("multiple", _reduced(mul), _side_by_side, _multiple_slips, PRODUCT, associative=True)
 """The product of numbers, or of a number and an array, a * B."""
 
 quotient = Operation("quotient", lambda a, b: a / b, "{0} / {1}".format, table(

@@ -42,13 +42,9 @@ class MutableSolution:
         """Its changes, in the same order at each input."""
         return mutations(self.root)
 
-    def is_in_every_row(self, mutation: Mutation) -> bool:
-        """Return whether a change belongs to the method for all rows: rows that are put on top of each other have one each."""
-        return self.root.operation.name != "stack" or id(self.root) in mutation.replaced
-
-    def mutant(self, mutation: Mutation) -> Expression:
-        """Return the solution with a slip."""
-        return mutate(self.root, mutation.replaced, self.built)
+    def mutant(self, k: int) -> Expression:
+        """Return the solution with the change of this index."""
+        return mutate(self.root, self.mutations[k].replaced, self.built)
 
 
 def mutate(root: Expression, replaced: Mapping[int, Expression], built: Built) -> Expression:
@@ -123,13 +119,9 @@ def value_of(expression: Expression) -> Any:
 
 def _nodes(root: Expression) -> list[Expression]:
     """Return the different parts of an expression, each before its own parts."""
-    found: dict[int, Expression] = {}
-
-    def visit(node: Expression) -> None:
-        if id(node) not in found:
+    found, left = dict[int, Expression](), [root]
+    while left:
+        if id(node := left.pop()) not in found:
             found[id(node)] = node
-            for argument in node.arguments:
-                visit(argument)
-
-    visit(root)
+            left += node.arguments[::-1]
     return list(found.values())

@@ -47,22 +47,16 @@ def _stack_slips(node: Expression) -> Slips:
             yield Slip(f"{what} swapped", f"swap {what} {i + 1} and {i + 2}", stack(*rows))
 
 
-def _listed(*entries: str) -> str:
-    return f"({', '.join(entries)})"
-
-
 def cross_product(a: Any, b: Any) -> Any:
-    """Return a x b.
-
-    np.cross spends most of its time on the order of axes, which a single pair of vectors does not need.
-
-    >>> cross_product(np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]))
-    array([0., 0., 1.])
-    """
+    """Return a x b of two vectors. np.cross spends most of its time on the order of axes."""
     if np.shape(a) != (3,) or np.shape(b) != (3,):
         return np.cross(a, b)
     (a1, a2, a3), (b1, b2, b3) = a, b
     return np.array([a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1])
+
+
+def _listed(*entries: str) -> str:
+    return f"({', '.join(entries)})"
 
 
 # fmt: off

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 from traitlets import Bool, HasTraits, Int
 
 from misstep.display.card import Card, inline
-from misstep.display.static_output import is_page
+from misstep.display.lecture_address import is_page
 from misstep.questions.item import KINDS, LETTERS, Item
 from misstep.questions.page import explanation_html, question_html
 
@@ -21,8 +21,6 @@ class Question(HasTraits):
 
     >>> from misstep.questions.item import Option
     >>> question = Question(Item("sum", "check", "2 + 2?", [Option("3", "One more."), Option("4", "Yes.", right=True)]))
-    >>> print(question.text().splitlines()[2])
-    B  4
     >>> question.commit(1)
     >>> question.explanation().title
     'You said B, and B is right'
@@ -68,12 +66,11 @@ class Question(HasTraits):
         if self._widget is None:
             self._widget = _make_widget(self)
         static_html = {"text/html": question_html(self.name, self.item)} if is_page() else {}
-        return {**self._widget._repr_mimebundle_(**options), **static_html, "text/plain": self.text()}
-
-    def text(self) -> str:
-        """Return the question as plain text, for a terminal."""
-        lines = [f"{letter}  {option.text}" for letter, option in zip(LETTERS, self.item.options, strict=False)]
-        return "\n".join([f"{KINDS[self.item.kind]}: {self.item.text}", *lines])
+        return {
+            **self._widget._repr_mimebundle_(**options),
+            **static_html,
+            "text/plain": f"{KINDS[self.item.kind]}: {self.item.text}",
+        }
 
 
 class Explanation:

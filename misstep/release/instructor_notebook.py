@@ -11,10 +11,6 @@ from typing import Any, NamedTuple
 from misstep.sheet import SAMPLE_ID, Sheet
 from misstep.worked_solution import worked_solution
 
-SCHEMA = 3
-"""The version of nbgrader's metadata."""
-
-
 FOLDED = {"jupyter": {"source_hidden": True}, "tags": ["hide-input"]}
 """The call that shows a problem is folded, in the lab and on a page."""
 
@@ -100,7 +96,7 @@ def _markdown(name: str, text: str) -> dict[str, Any]:
 
 
 def _code(name: str, text: str, nbgrader: Mapping[str, Any] | None = None) -> dict[str, Any]:
-    fields = {**nbgrader, "grade_id": name, "schema_version": SCHEMA, "task": False} if nbgrader else {}
+    fields = {**nbgrader, "grade_id": name, "schema_version": 3, "task": False} if nbgrader else {}
     return {
         "cell_type": "code",
         "execution_count": None,

@@ -10,16 +10,7 @@ from misstep.answers.number import Numbers
 from misstep.judge import judge
 from misstep.mistakes import mistake
 from misstep.mutants.expression import given
-from misstep.mutants.operations import (
-    ANGLE,
-    LENGTH,
-    SLIDE,
-    cos,
-    inverse,
-    radians,
-    sin,
-    stack,
-)
+from misstep.mutants.operations import ANGLE, LENGTH, SLIDE, cos, inverse, radians, sin, stack
 from misstep.problem import Problem, problem
 
 rng = np.random.default_rng(5)
@@ -58,10 +49,8 @@ def test_advice_replaces_the_general_one_by_name_or_by_text():
     named = matrices(advice={"inverse left out": "Use the letters."})
     assert judge(named, BY_HAND["inverse left out"]).findings[0].message.endswith("belongs. Use the letters.")
     by_text = matrices(advice={"leave out $B$": "B is needed."})
-    assert (
-        judge(by_text, BY_HAND["factor left out"]).findings[0].message
-        == "This is what you get if you leave out $B$. B is needed."
-    )
+    message = judge(by_text, BY_HAND["factor left out"]).findings[0].message
+    assert message == "This is what you get if you leave out $B$. B is needed."
     assert judge(by_text, B @ C).findings[0].message == "This is what you get if you leave out $A^{-1}$."
 
 
@@ -91,17 +80,13 @@ def test_the_mutants_of_a_formula_are_compared_as_functions():
 
 
 def test_a_draw_in_which_a_mutant_gives_the_right_answer_is_drawn_again():
-    @problem("99.1", "A product", points=1, lecture="none#none")
-    def commuting_or_not(sampler):
-        one, two = np.diag([1.0, 2.0]), np.array([[0, 1], [sampler.integer(0, 1), 0.0]])
-        solution = given("A", one) @ given("B", two + np.eye(2) * 3)
+    def product_of(one, two):
+        solution = given("A", one) @ given("B", two)
         return Problem(str(two), Numbers(solution.value), solution=solution)
 
-    @problem("99.2", "Always commuting", points=1, lecture="none#none")
-    def commuting(_):
-        solution = given("A", np.eye(2) * 2) @ given("B", np.eye(2) * 3)
-        return Problem("", Numbers(solution.value), solution=solution)
-
+    kind = problem("99.2", "A product", points=1, lecture="none#none")
+    commuting_or_not = kind(lambda draw: product_of(np.diag([1.0, 2.0]), np.array([[3, 1], [draw.integer(0, 1), 3.0]])))
+    commuting = kind(lambda _: product_of(np.eye(2) * 2, np.eye(2) * 3))
     for i in range(20):
         assert not commuting_or_not.variant(f"s{i}").hidden
     with pytest.raises(ValueError, match=r"Problem 99\.2.*last draw, the mutant .order. .* the right answer"):

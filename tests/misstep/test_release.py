@@ -51,12 +51,3 @@ def test_a_folder_without_solutions_is_refused(tmp_path, capsys):
     assert "no solutions" in capsys.readouterr().err
     with pytest.raises(ValueError, match="01_ohm has 1 problems; got 2 entries"):
         notebook(SHEET, [ENTRY, ENTRY], "", "")
-
-
-def test_a_copied_cell_that_keeps_its_grade_id_is_refused_by_name(source, tmp_path, capsys):
-    source.write_text(
-        notebook(SHEET, [ENTRY], "", "").replace('"grade_id": "check-1"', '"grade_id": "answer-1"'), encoding="utf-8"
-    )
-    assert main(["release", "--root", str(tmp_path)]) == 2
-    assert "failed to validate" in capsys.readouterr().err
-    assert not (tmp_path / "exercises").exists()

@@ -17,7 +17,7 @@ from misstep.mutants.expression import given as of_solution
 from misstep.problem import Problem, problem
 from misstep.sampling import Sampler
 from misstep.sheet import OpenSheet, Sheet
-from misstep.verdict import Verdict
+from misstep.storage import MIME
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +40,15 @@ class Rows(Numbers):
 
 def two_rows(mistakes):
     return Problem("Give both.", Rows(np.array([[0, 0, 1, 0, -2, 0], [0, 1, 0, 3, 0, 0.0]])), mistakes)
+
+
+def template(make, number="01.1", points=1):
+    return problem(number, "A title", points=points, lecture="01_ohm#Currents")(make)
+
+
+def opened(drawn, points=1):
+    """A sheet with this one problem."""
+    return OpenSheet(Sheet("01_ohm", "Ohm's law", [template(lambda _: drawn, points=points)]), "ada")
 
 
 NEGATED = mistake(
@@ -86,15 +95,10 @@ def test_a_mistake_in_all_parts_is_one_finding_and_each_unexplained_part_is_one(
 
 def test_a_mistake_in_one_part_is_named_for_that_part():
     p = two_rows([NEGATED, SHIFTED])
+    negated = (["row 2"], "negated", "This row has the opposite sign.")
     cases = [
-        ([p.answer.value[0], NEGATED.value[1]], [(["row 2"], "negated", "This row has the opposite sign.")]),
-        (
-            [SHIFTED.value[0], NEGATED.value[1]],
-            [
-                (["row 1"], "shifted", "This point is moved."),
-                (["row 2"], "negated", "This row has the opposite sign."),
-            ],
-        ),
+        ([p.answer.value[0], NEGATED.value[1]], [negated]),
+        ([SHIFTED.value[0], NEGATED.value[1]], [(["row 1"], "shifted", "This point is moved."), negated]),
         ([p.answer.value[0], [0, 1, 0, 9, 9, 9]], [(["row 2"], None, "Its first half is right.")]),
     ]
     for given, told in cases:
@@ -107,17 +111,12 @@ def test_a_mistake_in_one_part_is_named_for_that_part():
 
 
 def test_a_variant_in_which_a_mistake_is_right_is_drawn_again_or_refused():
-    @problem("99.1", "A sign", points=1, lecture="none#none")
-    def sign(draw):
-        x = draw.integer(0, 1)
+    def signs(x):
         return Problem(f"{x}", Numbers(np.array(float(x))), [mistake("sign", np.array(-float(x)), "Sign.")])
 
-    @problem("99.2", "Nothing to get wrong", points=1, lecture="none#none")
-    def degenerate(draw):
-        return Problem("", Numbers(np.array(0.0)), [mistake("sign", np.array(-0.0), "Sign.")])
-
+    sign, degenerate = template(lambda draw: signs(draw.integer(0, 1))), template(lambda _: signs(0))
     assert {sign.variant(f"s{i}").statement for i in range(50)} == {"1"}
-    with pytest.raises(ValueError, match=r"Problem 99.2.*wider range"):
+    with pytest.raises(ValueError, match=r"Problem 01.1.*wider range"):
         degenerate.variant("ada")
 
 
@@ -152,7 +151,7 @@ def test_an_unreadable_value_is_refused_with_what_was_expected_and_given():
         (pair, [np.nan, 0], f"{two}. Your answer contains NaN or infinity at index [0]. "),
         (order, ["M", "e_a"] * 10, f"{names}; e_a appears 10 times."),
         (order, ["M"] * 21, f"{names}; got list ['M', 'M', "),
-        (choice, " " * 99 + "a", "Expected one of 'a', 'b'; got str '   "),
+        (choice, "c" * 99, "Expected one of 'a', 'b'; got str 'ccc"),
     ]:
         with pytest.raises(Unreadable) as refusal:
             answer.read(given)
@@ -160,24 +159,28 @@ def test_an_unreadable_value_is_refused_with_what_was_expected_and_given():
 
 
 def test_a_card_names_score_mistake_and_section_and_its_findings_are_in_the_order_of_the_parts():
-    @problem("99.3", "Two rows", points=4, lecture="01_ohm#Currents")
-    def template(draw):
-        return two_rows([NEGATED, mistake("swapped", NEGATED.value[::-1], "A whole.", "This row is swapped.")])
-
-    p = template.variant("ada")
-    text = Verdict(template, judge(p, [p.answer.value[0], NEGATED.value[1]]))._repr_mimebundle_()["text/plain"]
-    for words in (
+    p = two_rows([NEGATED, mistake("swapped", NEGATED.value[::-1], "A whole.", "This row is swapped.")])
+    sheet = opened(p, points=4)
+    text = sheet.check(1, [p.answer.value[0], NEGATED.value[1]])._repr_mimebundle_()["text/plain"]
+    said = (
         "Partly right",
         "2 of 4 points",
         "Row 2: This row has the opposite sign.",
         "section “Currents” of lecture 01",
-    ):
-        assert words in text
+    )
+    assert all(words in text for words in said)
     for row_1, row_2 in [(p.mistakes[1], p.mistakes[0]), (p.mistakes[0], p.mistakes[1])]:
-        verdict = Verdict(template, judge(p, [row_1.value[0], row_2.value[1]]))
+        verdict = sheet.check(1, [row_1.value[0], row_2.value[1]])
         begins = [line.partition(":")[0].strip() for line in verdict.card.text().splitlines()[2:]]
         assert begins == ["Row 1", "Row 2", "Re-read"]
         assert verdict.judgement.mistakes == [row_1.name, row_2.name]
+
+
+def test_a_check_shows_its_card_and_stores_the_answer_with_it():
+    bundle = opened(Problem("Give both.", Numbers(np.array([1.0, 2.0])))).check(1, [1, 3])._repr_mimebundle_()
+    assert set(bundle) == {"text/plain", "text/html", MIME}
+    expected = {"array": [1.0, 3.0], "shape": [2]}
+    assert bundle[MIME] == {"sheet": "01_ohm", "problem": 1, "student": "ada", "answer": expected}
 
 
 class Remarked(Remarking, Numbers):
@@ -188,15 +191,10 @@ class Remarked(Remarking, Numbers):
 
 
 def test_a_remark_on_a_right_answer_is_no_mistake_and_nothing_to_reread():
-    @problem("99.4", "A number", points=2, lecture="01_ohm#Currents")
-    def template(draw):
-        return Problem("", Remarked(np.array(2.0)))
-
-    sheet = OpenSheet(Sheet("01_ohm", "Ohm", [template]), "ada")
+    sheet = opened(Problem("", Remarked(np.array(2.0))), points=2)
     verdict = sheet.check(1, 2)
-    assert verdict.card.text() == "✓ Problem 99.4: Right\n  2 of 2 points.\n  You wrote it in another form."
-    assert verdict.judgement.mistakes == []
-    assert sheet.tally().returning == []
+    assert verdict.card.text() == "✓ Problem 01.1: Right\n  2 of 2 points.\n  You wrote it in another form."
+    assert (verdict.judgement.mistakes, sheet.tally().returning) == ([], [])
     assert "2 of 2 | right" in repr(sheet.tally()) == sheet.tally()._repr_markdown_()
 
 
@@ -221,11 +219,7 @@ def test_a_check_after_an_answer_cell_that_failed_judges_no_older_answer():
 
 
 def test_the_first_card_tells_the_idea_and_the_second_one_the_place():
-    @problem("01.1", "Three signs", points=1, lecture="01_ohm#Currents")
-    def currents(sampler):
-        return Problem("Give all.", Numbers(np.array([1.0, -2.0, 4.0])))
-
-    sheet = OpenSheet(Sheet("01_ohm", "Ohm's law", [currents]), "ada")
+    sheet = opened(Problem("Give all.", Numbers(np.array([1.0, -2.0, 4.0]))))
     sheet.check(1, None)
     first, second = (" ".join(map(str, sheet.check(1, [1, -2, -4]).card.body)) for _ in range(2))
     assert "Apart from the signs, this is right." in first
@@ -234,32 +228,20 @@ def test_the_first_card_tells_the_idea_and_the_second_one_the_place():
 
 
 def test_a_right_answer_is_followed_by_a_worked_solution_and_a_further_question():
-    @problem("01.1", "A half", points=1, lecture="01_ohm#Currents")
-    def half(sampler):
-        solution = of_solution("x", 6.0) / 2
-        return Problem("Halve 6.", Numbers(np.array(3.0)), further="And a third?", solution=solution)
-
-    sheet = OpenSheet(Sheet("01_ohm", "Ohm's law", [half]), "ada")
+    solution = of_solution("x", 6.0) / 2
+    sheet = opened(Problem("Halve 6.", Numbers(np.array(3.0)), further="And a third?", solution=solution))
     assert sheet.check(1, 12).worked == ()
-    assert sheet.check(1, 3).card.body[1:] == [
-        "One way to it:",
-        "$x = 6$",
-        "$x / 2 = 3$",
-        "A further question: And a third?",
-    ]
+    further = "A further question: And a third?"
+    assert sheet.check(1, 3).card.body[1:] == ["One way to it:", "$x = 6$", "$x / 2 = 3$", further]
 
 
 def test_the_tally_names_a_mistake_that_returns_also_if_it_was_corrected():
-    def half(k):
-        @problem(f"01.{k}", "A half", points=1, lecture="01_fractions#Halves")
-        def drawn(sampler):
-            x = sampler.integer(3, 9)
-            wrong = [mistake("sign", np.array(-x / 2), "A sentence.")]
-            return Problem("Halve it.", Numbers(x / 2), wrong, given={"x": x}, solution=of_solution("x", float(x)) / 2)
+    def half(sampler):
+        x = sampler.integer(3, 9)
+        wrong = [mistake("sign", np.array(-x / 2), "A sentence.")]
+        return Problem("Halve it.", Numbers(x / 2), wrong, given={"x": x}, solution=of_solution("x", float(x)) / 2)
 
-        return drawn
-
-    sheet = OpenSheet(Sheet("01_fractions", "Fractions", [half(k) for k in range(1, 5)]), "ada")
+    sheet = OpenSheet(Sheet("01_ohm", "Ohm's law", [template(half, f"01.{k}") for k in range(1, 5)]), "ada")
     x = {k: sheet.given(k).x for k in range(1, 5)}
     for k, answer in ((1, 2 * x[1]), (1, x[1] / 2), (2, 2 * x[2]), (3, -x[3] / 2), (4, ...)):
         sheet.check(k, answer)

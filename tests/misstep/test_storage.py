@@ -11,9 +11,7 @@ from hypothesis import strategies as st
 
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
-from misstep.problem import Problem, problem
-from misstep.sheet import OpenSheet, Sheet
-from misstep.storage import MIME, Opaque, Outputs, from_data, register_object, to_data
+from misstep.storage import Opaque, Outputs, from_data, register_object, to_data
 
 
 def sent(value, inputs=()):
@@ -113,15 +111,3 @@ def test_json_of_any_other_form_is_refused():
     for data in MALFORMED:
         with pytest.raises(ValueError, match=r"\w"):
             from_data(data)
-
-
-def test_a_check_shows_its_card_and_stores_the_answer_with_it():
-    @problem("01.1", "Two currents", points=2, lecture="01_ohm#Currents")
-    def currents(sampler):
-        return Problem("Give both.", Numbers(np.array([1.0, 2.0])), [])
-
-    verdict = OpenSheet(Sheet("01_ohm", "Ohm's law", [currents]), "ada").check(1, [1, 3])
-    bundle = verdict._repr_mimebundle_()
-    assert set(bundle) == {"text/plain", "text/html", MIME}
-    expected = {"array": [1.0, 3.0], "shape": [2]}
-    assert bundle[MIME] == {"sheet": "01_ohm", "problem": 1, "student": "ada", "answer": expected}

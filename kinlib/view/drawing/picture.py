@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 ENVIRONMENT_VARIABLE = "NOTEBOOK_STATIC_PAGE"
 """Set while notebooks are executed for a static page, on which no Python runs afterwards. Then sliders include a picture for each
-value. misstep/display/static_output.py reads the same variable, because the two packages are installed independently."""
+value. misstep/display/lecture_address.py reads the same variable, because the two packages are installed independently."""
 
 MIN_ALT_CHARACTERS = 20
 """A shorter text alternative can name a figure, but cannot say what it shows."""

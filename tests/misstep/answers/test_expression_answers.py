@@ -35,7 +35,7 @@ def test_a_formula_is_right_in_every_form_and_a_different_one_is_wrong():
         "a2 c12 + 1 - c1^2",
         "a2 (c1 c2 - s1 s2) + s1²",
         "2a2 cos(θ₁ + θ₂)/2 + sin(theta1)**2",
-        r"$a_2 \cos\left(\theta_{1} + \theta_{2}\right) + \frac{1 - \cos(2 \theta_1)}{2}$",
+        r"$a_2 \cos\left(\theta_{1} + \theta_{2}\right) + (1 - \cos(2 \theta_1))/2$",
         "a_2·cos(q1+q2) − (−1 + cos(q1)²)",
         "1.0*a2*c12 + s1*s1",
     ):
@@ -46,12 +46,9 @@ def test_a_formula_is_right_in_every_form_and_a_different_one_is_wrong():
 
 def test_decimals_are_compared_to_three_digits_and_exact_formulas_exactly():
     form = ClosedForm(sp.sqrt(2) / 2 * sp.sin(theta))
-    assert all(
-        is_right(form, typed) for typed in ("0.7071*sin(1*theta)", np.sqrt(2) / 2 * sp.sin(theta), "sin(theta)/√2")
-    )
-    assert not any(
-        is_right(form, typed) for typed in ("7071/10000*sin(theta)", sp.Rational(7071, 10000) * sp.sin(theta))
-    )
+    for typed in ("0.7071*sin(1*theta)", np.sqrt(2) / 2 * sp.sin(theta), "sin(theta)/√2"):
+        assert is_right(form, typed)
+    assert not is_right(form, "7071/10000*sin(theta)")
     assert is_right(ClosedForm(0.7071 * sp.sin(theta)), "sin(theta)/√2")
     assert is_right(ClosedForm(sp.sqrt(2) / 2), np.float32(0.7071))
     assert not is_right(ClosedForm(theta), "1.0*theta + 1/10^6")
@@ -96,10 +93,6 @@ def test_a_matrix_or_vector_may_be_given_as_sympy_text_or_rows():
             form.read([bracketed])
 
 
-def test_intermediate_values_may_be_complex_if_the_result_is_real():
-    np.testing.assert_allclose(Reader([q_1]).read("10^10 exp(I q1)^2 exp(-2 I q1)").values, 1e10, rtol=1e-15)
-
-
 def test_an_angle_may_be_called_q_or_theta():
     angles = sp.symbols("theta_1 theta_2")
     form = ClosedForm(sp.cos(sum(angles)) + angles[0])
@@ -108,12 +101,21 @@ def test_an_angle_may_be_called_q_or_theta():
     assert is_right(ClosedForm(sp.cos(q_1 + q_2) + q_1), "cos(θ₁ + theta_2) + q1")
 
 
+def test_spellings_of_paper_are_read():
+    reader = Reader(sp.symbols("q theta_1"))
+    for typed, plain in {
+        r"3\pi/2 + q": "3*pi/2 + q",
+        "3π/2": "3*pi/2",
+        "np.pi/2": "pi/2",
+        "-½π": "-pi/2",
+        "\theta_1": "theta_1",
+        "q + 90º": "q + pi/2",
+        "exp(I q)^2 exp(-2 I q)": "1",
+    }.items():
+        np.testing.assert_allclose(reader.read(typed).values, reader.read(plain).values, rtol=1e-14, err_msg=typed)
+
+
 # --- refused ---
-
-SHARED = q_1
-for _ in range(60):
-    SHARED = sp.sin(SHARED) * sp.cos(SHARED)
-
 
 NESTED = q_1
 for _ in range(2000):
@@ -130,8 +132,6 @@ class Rude(list):
 UNREADABLE = (
     ("9**9**9**9", "grows beyond"),
     (sp.Pow(9, sp.Pow(9, 9, evaluate=False), evaluate=False), "grows beyond"),
-    ("exp(exp(exp(exp(9))))", "grows beyond"),
-    (sp.Integer(7) ** 3000, "grows beyond"),
     ("__import__('os').system('true')", "is not part of a formula"),
     ("[q1, q2][0]", "Only numbers, names"),
     ("eval(q1)", "eval is none of the symbols"),
@@ -148,6 +148,7 @@ UNREADABLE = (
     (float("nan"), "grows beyond|NaN or infinity"),
     ("sqrt(-1 - q1^2)", "not real"),
     ("[q1, q2]", "Yours is a vector of 2 formulas"),
+    ("0,5", "vector of 2 formulas. A comma separates entries; the decimal sign is a point"),
     ([["q1"], ["q1", "q2"]], "rows differ in length"),
     ([], "It is empty"),
     ("q1+" * 10_000 + "q1", "at most 10000 characters"),
@@ -183,5 +184,5 @@ def test_every_function_has_the_values_of_sympy():
     for name in {*FUNCTIONS} - {"Matrix", "atan2"}:
         value = ({"abs": sp.Abs}.get(name) or getattr(sp, name))(x / 3)
         oracle = complex(value.subs(at).evalf(20)).real
-        for form in (f"{name}(x/3)", *([value] if name != "sinc" else [])):
+        for form in (f"{name}(x/3)", value):
             assert reader.read(form).values[0] == pytest.approx(oracle, rel=1e-12), name

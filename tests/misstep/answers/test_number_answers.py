@@ -68,11 +68,7 @@ def test_what_an_answer_resembles_is_named_and_true():
         (1000 * MATRIX, "millimetres", "right in millimetres"),
         (MATRIX[[0, 2, 1]], "rows in another order", "Two rows are swapped.\nThey are rows 2 and 3."),
         (MATRIX[:, [1, 0, 2]], "columns in another order", "They are columns 1 and 2."),
-        (
-            MATRIX * [[1, -1, 1], [1, 1, 1], [1, 1, 1]],
-            "signs",
-            "Apart from the signs, this is right.\nLook at the sign of row 1, column 2.",
-        ),
+        (MATRIX * [[1, -1, 1], [1, 1, 1], [1, 1, 1]], "signs", "this is right.\nLook at the sign of row 1, column 2."),
         (2 * MATRIX, "doubled", "twice"),
         (MATRIX / 2, "halved", "half"),
         (MATRIX**2 + 1, None, "We do not recognise"),
@@ -94,7 +90,6 @@ def test_of_a_right_answer_in_another_form_no_entry_is_called_wrong():
 
 @given(st.lists(st.floats(-3, 3).map(lambda x: round(x, 2)), min_size=1, max_size=3))
 def test_no_slip_of_an_angle_is_the_right_answer(angles):
-    """Also of 0, pi/2 and angles that are equal."""
     problem = Problem("", Angles(np.array(angles), any_order=True))
     for slip in problem.slips:
         assert judge(problem, slip.value).state != "right"
@@ -116,3 +111,29 @@ def test_a_test_of_the_author_is_shown_with_what_is_not_recognised():
     answer = Numbers(np.array(3.0), test=lambda x: "" if abs(x - 3) < 0.01 else f"Its square is {x * x:g}, and not 9.")
     found = [judge(Problem("", answer, []), x).findings for x in (4.0, -2.0)]
     assert [finding.check for [finding] in found] == ["Its square is 16, and not 9.", "Its square is 4, and not 9."]
+
+
+# --- angles ---
+
+right = st.lists(st.floats(-3, 3), min_size=2, max_size=4)
+
+
+@given(right, st.data())
+def test_full_turns_and_the_order_make_no_difference(angles, data):
+    answer = Angles(np.array(angles), any_order=True)
+    turns = data.draw(st.lists(st.integers(-3, 3), min_size=len(angles), max_size=len(angles)))
+    mixed = data.draw(st.permutations(angles))
+    read = answer.read(np.array(mixed) + 2 * np.pi * np.array(turns))
+    assert all(answer.agrees(read, answer.value))
+
+
+@given(st.floats(-3, 3), st.floats(0.01, 6.27))
+def test_a_different_angle_is_wrong(angle, off):
+    answer = Angles(np.array(angle))
+    assert not any(answer.agrees(answer.read(angle + off), answer.value))
+
+
+def test_in_any_order_one_right_angle_of_two_is_recognised_and_otherwise_the_order_counts():
+    for any_order, typed, right in [(False, [-0.5, 0.5], [False, False]), (True, [2.0, 0.5], [False, True])]:
+        answer = Angles(np.array([0.5, -0.5]), any_order=any_order)
+        assert sorted(answer.agrees(answer.read(typed), answer.value)) == right

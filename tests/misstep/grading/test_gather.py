@@ -52,10 +52,7 @@ def students(source, roster=None):
     [
         ([f"ada/{NAME}", f"bob/{NAME}", "roster.txt"], "ada bob"),
         (["ada.ipynb", f"bob_{NAME}", f"{SHEET}-cyn.ipynb", "d.e.ipynb", "ada (1).ipynb"], "ada bob cyn d.e"),
-        (
-            [f"section A/ada/{NAME}", f"section A/bob/{NAME}", f"section B/cyn/{NAME}", "section A/notes.txt"],
-            "ada bob cyn",
-        ),
+        ([f"A/ada/{NAME}", f"A/bob/{NAME}", f"B/cyn/{NAME}", "A/notes.txt"], "ada bob cyn"),
         ([f"ada/{NAME}", f"bob/week 3/{NAME}", f"cyn/{NAME}", "dan/sketch.pdf"], "ada bob cyn dan"),
         (["A/ada.zip", f"A/bob/{NAME}", "A/bob/data.csv", f"A/cyn/{NAME}"], "ada bob cyn"),
         ([f"ada/{SHEET}/{NAME}", "ada/05_dh/05_dh.ipynb", "bob/05_dh/05_dh.ipynb"], "ada bob"),
@@ -129,11 +126,10 @@ def roster(path, text, column=None):
 MOODLE_LANGUAGES = {
     "English": ("Participant ", "Identifier,Full name,Email address,Status,Grade,Maximum grade,Grade can be changed"),
     "German": ("Teilnehmer/in", "ID,Vollständiger Name,E-Mail-Adresse,Status,Bewertung,Bestwertung,Bewertung änderbar"),
-    "Arabic": ("مشارك", "المعرف,الاسم الكامل,البريد,الحالة,الدرجة,الدرجة العظمى,يمكن تغيير الدرجة"),
 }
 
 
-@pytest.mark.parametrize(("language", "with_numbers"), [("English", False), ("German", True), ("Arabic", False)])
+@pytest.mark.parametrize(("language", "with_numbers"), [("English", False), ("German", True)])
 def test_a_worksheet_of_moodle_is_known_in_every_language_and_filled_in(tmp_path, language, with_numbers):
     word, header = MOODLE_LANGUAGES[language]
     titles = [*header.split(","), "..."]
@@ -213,10 +209,7 @@ def test_a_roster_names_those_without_a_file_and_spells_ids(tmp_path):
     [
         ("a,b\n1,2\n", "must be an export of Canvas"),
         ("id,name\nada,A\nADA,B\n", "repeats ada"),
-        (
-            "Identifiant,Name,Nummer,Status,Note,Best\nParticipant 1,A,1,x,,gut\nParticipant 2,B,2,x,,gut\n",
-            "points, not a scale",
-        ),
+        ("Identifiant,Name,Nr,Status,Note,Best\nParticipant 1,A,1,x,,gut\nParticipant 2,B,2,x,,gut\n", "not a scale"),
     ],
 )
 def test_a_list_that_cannot_be_the_roster_is_refused_with_the_reason(tmp_path, text, reason):

@@ -116,10 +116,7 @@ def test_without_a_roster_the_ids_in_the_sheets_may_count(tmp_path, capsys):
 
 
 def nested(depth):
-    data = None
-    for _ in range(depth):
-        data = {"list": [data]}
-    return data
+    return {"list": [nested(depth - 1)]} if depth else None
 
 
 HOSTILE = {
@@ -151,10 +148,8 @@ def test_hostile_notebooks_decide_nothing_and_reach_neither_terminal_nor_table_n
     people["keys"] = b'{"cells": [{' + b'"a": 1, ' * 100_000 + b'"a": 1}]}'
     people["ada"] = answered("ada")
     folder = write(tmp_path / "in", **{f"{s}/{NAME}": one for s, one in people.items()})
-    write(
-        folder,
-        **{f"x{ESCAPE.replace('/', '')}/{NAME}": b"no", "slip/a.zip": zipped({f"../../{NAME}": answered("slip")})},
-    )
+    slip = zipped({f"../../{NAME}": answered("slip")})
+    write(folder, **{f"x{ESCAPE.replace('/', '')}/{NAME}": b"no", "slip/a.zip": slip})
     code, printed, rows = grade(folder, capsys)
     assert (code, len(rows), points(rows)["ada"]) == (1, len(people) + 2, FULL)
     assert (points(rows)["h00"], rows["slip"]["status"]) == (FULL, "unreadable")
@@ -177,9 +172,8 @@ def test_a_submission_that_takes_too_long_or_ends_its_process_costs_no_other_one
     files = [file.__class__(file.name, file.path) for file in bob.files]  # without the fault that was seen
     right, stuck = (Request(sheet_name(COURSE, "01", ""), one) for one in (ada, bob.__class__("bob", "bob", files)))
     with open_executor(1, None) as executor:
-        first, late, second = (
-            executor.submit(grade_within, *how).result() for how in ((right, 600), (stuck, 1), (right, 600))
-        )
+        how = ((right, 600), (stuck, 1), (right, 600))
+        first, late, second = (executor.submit(grade_within, *one).result() for one in how)
         future = executor.submit(grade_within, stuck, 600)
         with endless.open("wb"):  # which waits until the process reads
             for process in multiprocessing.active_children():
@@ -209,7 +203,6 @@ def test_after_a_kill_the_next_run_writes_the_same_files(tmp_path):
     run.kill()
     run.wait()
     assert main(command("killed")) == 0
-    assert {name for name in files("whole") if "partial" not in name.name} == {*files("whole")}
     assert {k: v for k, v in files("killed").items() if "partial" not in k.name} == files("whole")
 
 
@@ -221,14 +214,8 @@ def test_overrides_are_checked_before_anything_is_graded_and_all_faults_are_name
     table.write_text("\n".join(["student,problem,points,comment", *lines]), "utf-8")
     code, printed, rows = grade(folder, capsys)
     assert (code, rows) == (2, {})
-    for fault in (
-        "line 2: the points must",
-        "line 3: there is no problem",
-        "line 4: there is no student",
-        "line 5",
-        "line 7: bob",
-    ):
-        assert fault in printed
+    for fault in ("2: the points must", "3: there is no problem", "4: there is no student", "5: ", "7: bob"):
+        assert f"line {fault}" in printed
     table.write_text(
         "student;problem;points;comment\nADA;01.9;1,5;Nearly.\nbob;01.1;;See page 2.\ncyn;;5;Told me.\n", "utf-8"
     )
@@ -294,7 +281,6 @@ def test_a_platforms_download_gets_its_file_and_its_zip_of_pages(tmp_path, capsy
         ([".", "--sheet", "01"], "contains no submission"),
         ([".", "--sheet", "99"], "There is no sheet '99'"),
         ([".", "--sheet", "01", "--workers", "0"], "must be positive"),
-        ([".", "--sheet", "01", "--gradebook", "."], "contains no submission"),
     ],
 )
 def test_an_impossible_request_is_refused_with_what_to_do(tmp_path, capsys, monkeypatch, options, reason):
