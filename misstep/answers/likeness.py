@@ -264,7 +264,7 @@ def _order_of(what: str, order: Sequence[int], names: Sequence[str] = ()) -> Nam
     if len(moved) == 2:
         return name, f"Two {what}s are swapped.\nThey are {what}s {moved[0]} and {moved[1]}."
     listed = ", ".join(str(k + 1) for k in order)
-    return name, f"The {what}s are right, but their order is not: yours are {what}s {listed} of the right one."
+    return name, f"The {what}s are right, but their order is not.\nYours are {what}s {listed} of the right answer."
 
 
 REORDERED = {"rows moved", "rows in another order", "rows reversed", "columns in another order", "two columns moved"}

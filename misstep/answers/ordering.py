@@ -16,13 +16,13 @@ from misstep.answers.choice import plain
 
 @dataclass(frozen=True, eq=False)
 class Ordering(Answer):
-    """Names in an order, each used once.
+    r"""Names in an order, each used once.
 
     among  all names that may be typed, if an answer may also have too many or too few; by default those of the value, and no fewer
 
     >>> answer = Ordering(["M", "e1", "e2"])
     >>> answer.read("E2, m, e1"), answer.resemblance(["e2", "M", "e1"], None)[1]
-    (['e2', 'M', 'e1'], 'Only e2 is in the wrong place: at the beginning.')
+    (['e2', 'M', 'e1'], 'Only one name is in the wrong place.\\nIt is e2, at the beginning.')
     """
 
     value: Sequence[str]
@@ -78,9 +78,9 @@ class Ordering(Answer):
             return "too many", "Your list has a name that does not belong to it."
         wrong = [k for k, name in enumerate(mine) if name != right[k]]
         if len(wrong) == 2 and wrong[1] - wrong[0] == 1:
-            return "neighbours swapped", f"Only {mine[wrong[1]]} and {mine[wrong[0]]} are swapped."
+            return "neighbours swapped", f"Two neighbours are swapped.\nThey are {mine[wrong[1]]} and {mine[wrong[0]]}."
         for end, one in enumerate(mine):
             if [name for name in mine if name != one] == [name for name in right if name != one]:
-                where = {0: ": at the beginning", len(right) - 1: ": at the end"}.get(end, "")
-                return "one in the wrong place", f"Only {one} is in the wrong place{where}."
+                where = {0: ", at the beginning", len(right) - 1: ", at the end"}.get(end, "")
+                return "one in the wrong place", f"Only one name is in the wrong place.\nIt is {one}{where}."
         return None
