@@ -22,7 +22,7 @@ class Ordering(Answer):
 
     >>> answer = Ordering(["M", "e1", "e2"])
     >>> answer.read("E2, m, e1"), answer.resemblance(["e2", "M", "e1"], None)[1]
-    (['e2', 'M', 'e1'], 'Only one name is in the wrong place.\\nIt is e2, at the beginning.')
+    (['e2', 'M', 'e1'], 'Only one name is in the wrong place.\nIt is e2, at the beginning.')
     """
 
     value: Sequence[str]
