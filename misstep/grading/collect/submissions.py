@@ -139,6 +139,12 @@ def list_files(source: Path) -> list[SourceFile]:
                 add(path, fault=f"{path.name} is a link, or no regular file. Hand in the notebook itself.")
         if not names and not folders and current != str(source):
             add(Path(current, "folder"), fault="The folder is empty.")
+    if len(files) == 1 and zipfile.is_zipfile(files[0].path):  # a folder that was made for the download of a platform
+        members = _members(files[0].path)
+        if any(GRADESCOPE in one.name.parts or MOODLE.fullmatch(one.name.parts[0]) for one in members) or (
+            len(members) > 1 and all(CANVAS.fullmatch(one.name.name) for one in members)
+        ):
+            return members
     return sorted(files, key=lambda file: file.name)
 
 

@@ -108,7 +108,7 @@ def test_a_download_is_known_packed_and_unpacked(tmp_path, kind, files, named):
     packed = write(tmp_path, **{"in/s.zip": zipped(files)}) / "in" / "s.zip"
     with zipfile.ZipFile(packed) as archive:
         archive.extractall(tmp_path / "unpacked" / "submissions")
-    for source in (packed, tmp_path / "unpacked"):
+    for source in (packed, packed.parent, tmp_path / "unpacked"):
         gathered = gather(source, SHEET)
         assert (gathered.platform, [one.student for one in gathered.submissions]) == (kind, named)
         assert {one.id for one in gathered.submissions} == {""}
