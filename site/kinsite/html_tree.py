@@ -34,8 +34,3 @@ def insert_html(parent: HtmlElement, place: int, html: str) -> None:
     else:
         parent.text = (parent.text or "") + (new.text or "")
     parent[place:place] = list(new)
-
-
-def append_html(parent: HtmlElement, html: str) -> None:
-    """Insert HTML after all that an element contains."""
-    insert_html(parent, len(parent), html)

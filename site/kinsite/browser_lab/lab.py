@@ -66,14 +66,6 @@ APPS = ("tree", "notebooks")
 HASH_FILE = "input_hash.txt"
 """Contains the hash of what a finished lab was built from; while the lab is being built it does not exist."""
 
-DISABLED = (
-    "@jupyter-notebook/notebook-extension:trusted",
-    "@jupyter-notebook/notebook-extension:checkpoints",
-    "@jupyter-notebook/notebook-extension:kernel-logo",
-    "@jupyterlite/notebook-application-extension:logo",
-)
-"""What says nothing to a reader of the course: whether a notebook's scripts are trusted, when it was saved first, logos."""
-
 
 def build() -> Path | None:
     """Build the lab unless it is up to date. Returns its folder, or None if the site has no lab.
@@ -117,7 +109,6 @@ def build_with_jupyterlite(folder: Path) -> None:
     settings = {
         "appName": "Forward kinematics",
         "appUrl": "./tree/",
-        "disabledExtensions": DISABLED,
         "litePluginSettings": {"@jupyterlite/pyodide-kernel-extension:kernel": kernel_settings},
     }
     whole = {"jupyter-lite-schema-version": 0, "jupyter-config-data": settings}
