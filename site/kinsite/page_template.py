@@ -78,9 +78,7 @@ def copy_files(app: Sphinx) -> None:
         shutil.copy(font, target / "fonts" / name)
     sitemap = f"User-agent: *\nSitemap: {app.config.html_baseurl}sitemap.xml\n"
     (Path(app.outdir) / "robots.txt").write_text(sitemap, "utf-8")
-    files = Path(app.srcdir) / "files"
-    if files.exists():
-        shutil.copytree(files, Path(app.outdir) / "files", dirs_exist_ok=True)
+    shutil.copytree(Path(app.srcdir) / "files", Path(app.outdir) / "files", dirs_exist_ok=True)
 
 
 def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree: Any) -> None:

@@ -63,9 +63,6 @@ LATER = ("matplotlib", "mpmath", "sympy")
 
 APPS = ("tree", "notebooks")
 
-HASH_FILE = "input_hash.txt"
-"""Contains the hash of what a finished lab was built from; while the lab is being built it does not exist."""
-
 
 def build() -> Path | None:
     """Build the lab unless it is up to date. Returns its folder, or None if the site has no lab.
@@ -77,7 +74,7 @@ def build() -> Path | None:
         raise ValueError(f"{VARIABLE} must be offline or none; got {choice!r}.")
     if choice == "none":
         return None
-    current, finished = input_hash(), LAB / HASH_FILE
+    current, finished = input_hash(), LAB / "input_hash.txt"  # which does not exist while the lab is being built
     try:
         if not finished.exists() or finished.read_text("utf-8") != current:
             build_with_jupyterlite(LAB)
@@ -241,17 +238,6 @@ def complete_page(page: Path) -> None:
     icon = '<link rel="icon" type="image/svg+xml" href="../../_static/favicon.svg">'
     text = page.read_text("utf-8").replace("<html>", '<html lang="en">')
     page.write_text(text.replace("<head>", f"<head>\n    {icon}", 1), "utf-8")
-
-
-def copy_to_site(built: Path | None, target: Path) -> None:
-    """Copy the lab into the site unless it is up to date there; if there is no lab, delete the old one."""
-    there, here = target / HASH_FILE, built.parent / HASH_FILE if built else None
-    if here and there.exists() and there.read_bytes() == here.read_bytes():
-        return
-    shutil.rmtree(target, ignore_errors=True)
-    if built and here:
-        shutil.copytree(built, target)
-        shutil.copy(here, target)
 
 
 def contents() -> Iterable[Path]:

@@ -56,9 +56,7 @@ def build(folder: Path) -> Path:
 
     Its name contains a hash of its content. So a browser that caches files by name never uses an old wheel.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    for old in folder.glob("*.whl"):
-        old.unlink()
+    folder.mkdir(parents=True)
     command = (sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", str(folder))
     subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
     (wheel,) = folder.glob("*.whl")

@@ -47,12 +47,6 @@ START_CONFIGURATIONS: dict[str, ArrayLike] = {
 LEADING = ("youbot", "puma560", "ur5e", "panda", "scara")
 """What the gallery begins with: arms that readers know."""
 
-GREEK_NAME = re.compile(rf"\b({'|'.join(GREEK)})\b")
-"""The name of a Greek letter, as it stands in a docstring."""
-
-CURVE_POINTS = 160
-"""Configurations along the curve of a linkage with one degree of freedom."""
-
 
 @dataclass(frozen=True, eq=False)
 class Entry:
@@ -66,10 +60,7 @@ class Entry:
 
 
 def pages() -> Iterator[tuple[str, str]]:
-    """Yield one page and one picture for each robot and linkage, and an overview.
-
-    Raises ValueError for a robot without a source.
-    """
+    """Yield one page and one picture for each robot and linkage, and an overview."""
     arms = [entry(name, make) for name, make in public_functions(robots) if name not in NOT_ROBOTS]
     mechanisms = [entry(name, make) for name, make in public_functions(linkages)]
     for one in arms + mechanisms:
@@ -148,11 +139,10 @@ def page(entry: Entry) -> str:
     """Write the page of one robot: the figure, the source and the tables."""
     # the reference says what the function raises, and the source follows below
     paragraphs = [text for text in entry.docstring.split("\n\n") if not text.startswith(("Raises", "Source:"))]
-    text = GREEK_NAME.sub(lambda found: GREEK[found[0]], "\n\n".join(paragraphs))
+    text = re.sub(rf"\b({'|'.join(GREEK)})\b", lambda found: GREEK[found[0]], "\n\n".join(paragraphs))
     module = robots if isinstance(entry.robot, Chain) else linkages
-    function = (
-        f"{{py:func}}`kl.{module.__name__.rpartition('.')[2]}.{entry.function} <{module.__name__}.{entry.function}>`"
-    )
+    short = module.__name__.rpartition(".")[2]
+    function = f"{{py:func}}`kl.{short}.{entry.function} <{module.__name__}.{entry.function}>`"
     source = f"**Source.** {escape(entry.robot.source)}. In Python it is {function}."
     tables = arm_tables(entry.robot) if isinstance(entry.robot, Chain) else linkage_tables(entry.robot, entry.q)
     return "\n\n".join([f"# {escape(entry.robot.name)}", prose(text), raw_html(figure(entry)), source, tables]) + "\n"
@@ -163,7 +153,7 @@ def figure(entry: Entry) -> str:
     if isinstance(entry.robot, Chain):
         return explore(entry.robot, start=entry.q).html()
     if entry.robot.mobility(entry.q).finite == 1:
-        curve = entry.robot.trace(entry.q, points=CURVE_POINTS).q
+        curve = entry.robot.trace(entry.q, points=160).q
         return drive(entry.robot, entry.q, curves=[curve], labels=["as it is assembled"]).html()
     return entry.picture.html()
 
