@@ -17,8 +17,6 @@ from kinsite.sphinx_source import write_source
 from sphinx.cmd.build import main as sphinx
 
 HERE = Path(__file__).resolve().parent
-STRICT = ("-n", "-W", "--keep-going")
-"""Options of Sphinx: every warning fails the build, after all of them have been reported."""
 
 
 def build(folder: Path) -> int:
@@ -30,9 +28,10 @@ def build(folder: Path) -> int:
     built_lab = lab.build()
     values = (f"kinlib_lab={'lab' if built_lab else ''}", f"kinlib_python_mb={lab.megabytes(built_lab)}")
     settings = [word for value in values for word in ("-D", value)]
-    arguments = (*STRICT, "-c", HERE, "-d", folder / "doctrees", *settings, folder / "source", folder / "html")
+    strict = ["-n", "-W", "--keep-going"]  # every warning fails the build, after all of them have been reported
+    arguments = ("-c", HERE, "-d", folder / "doctrees", *settings, folder / "source", folder / "html")
     print("Writing the pages that have changed.", flush=True)
-    failed = int(sphinx(["-b", "html", *map(str, arguments)]))
+    failed = int(sphinx([*strict, "-b", "html", *map(str, arguments)]))
     if not failed:
         index_words(folder / "html")
     shutil.rmtree(folder / "html" / "lab", ignore_errors=True)

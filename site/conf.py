@@ -13,7 +13,6 @@ SETTINGS = tomllib.loads((HERE / "settings.toml").read_text("utf-8"))
 sys.path.insert(0, str(HERE))
 
 project = "Forward kinematics"
-author = "The kinlib authors"
 project_copyright = "the kinlib authors. Code: MIT, lectures: CC BY 4.0"
 version = release = kinlib.__version__
 

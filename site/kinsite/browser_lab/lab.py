@@ -43,8 +43,6 @@ NEVER = ("jedi", "prompt-toolkit", "sqlite3", "wcwidth")
 
 WASM, MODULES = "pyodide.asm.wasm", "python_stdlib.zip"
 """The files of Python itself that a page loads compressed, with the ending `.packed`."""
-PACKAGES_FILE = "packages.packed"
-"""The packages that a page loads, in one file."""
 
 WARM_UP = """
 import sympy
@@ -88,10 +86,7 @@ def build() -> Path | None:
 
 
 def build_with_jupyterlite(folder: Path) -> None:
-    """Build the lab into an empty folder.
-
-    Raises ValueError if JupyterLite fails, Unreachable if a file cannot be downloaded.
-    """
+    """Build the lab into an empty folder."""
     shutil.rmtree(folder, ignore_errors=True)
     kernel = sorted((EXTENSIONS[0] / "static" / "pypi").glob("*.whl"))
     packages = pyodide.install([wheels.build(folder / "wheel"), *kernel], folder / "python")
@@ -196,7 +191,7 @@ def add_own_files(built: Path) -> None:
     whole = json.loads((python / "pyodide-lock.json").read_text("utf-8"))
     lock: dict[str, Any] = {canonicalize_name(name): entry for name, entry in whole["packages"].items()}
     needed = required(lock, LIVE_PACKAGES)
-    (live / PACKAGES_FILE).write_bytes(pack(python / lock[name]["file_name"] for name in sorted(needed)))
+    (live / "packages.packed").write_bytes(pack(python / lock[name]["file_name"] for name in sorted(needed)))
     # no import loads from the lock file of a page what is there already, or what shell.py loads
     elsewhere = {*needed, *LATER}
     whole["packages"] = {

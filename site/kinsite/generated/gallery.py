@@ -24,9 +24,6 @@ from kinlib.view.figures.bodies import body_of
 from kinlib.view.figures.linkage import draw_linkage
 from kinsite.markdown import escape, prose
 
-NOT_ROBOTS = {"arm", "pose"}
-"""Public functions of kl.robots that do not make a robot of the course."""
-
 LENGTHS: dict[str, dict[str, Any]] = {
     "four_bar": {"ground": 0.4, "crank": 0.1, "coupler": 0.35, "rocker": 0.3},
     "slider_crank": {"crank": 0.2, "rod": 0.5},
@@ -61,7 +58,8 @@ class Entry:
 
 def pages() -> Iterator[tuple[str, str]]:
     """Yield one page and one picture for each robot and linkage, and an overview."""
-    arms = [entry(name, make) for name, make in public_functions(robots) if name not in NOT_ROBOTS]
+    # the functions arm and pose make no robot of the course
+    arms = [entry(name, make) for name, make in public_functions(robots) if name not in ("arm", "pose")]
     mechanisms = [entry(name, make) for name, make in public_functions(linkages)]
     for one in arms + mechanisms:
         yield f"robots/{one.function}.svg", follow_theme(one.picture.svg)
@@ -77,10 +75,7 @@ def public_functions(module: Any) -> list[tuple[str, Callable[..., Any]]]:
 
 
 def entry(name: str, make: Callable[..., Chain | Mechanism]) -> Entry:
-    """Make the entry of a robot; an arm is drawn where its shape is seen, a linkage where it closes.
-
-    Raises ValueError if it has no source, or a linkage does not close from the guess in START_CONFIGURATIONS.
-    """
+    """Make the entry of a robot, which must have a source; an arm is drawn where its shape is seen, a linkage where it closes."""
     robot = make(**LENGTHS.get(name, {}))
     if not robot.source.strip():
         raise ValueError(f"{name} must have a source; got none. Name the document that it comes from.")
