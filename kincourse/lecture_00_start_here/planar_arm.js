@@ -386,11 +386,7 @@ globalThis.planarArm = (() => {
     function rotated(share) {
       state.share = share;
       if (share === 1) running = null;
-      if (share === 1 && state.order.length === 3) judge();
-      render();
-    }
-
-    function judge() {
+      if (share < 1 || state.order.length < 3) return render();
       const order = state.order.join(', ');
       const miss = distance(movedLinks()[2][1], target());
       state.done.add(order);
@@ -573,13 +569,13 @@ globalThis.planarArm = (() => {
         const sum = indices.map((n) => letter('q', n)).join(' + ');
         const angle = isShort ? `<i>${f[0]}</i><sub>${indices.join('')}</sub>` : `${f} ${i ? `(${sum})` : sum}`;
         const key = `${axis}${i + 1}`;
-        const term = button(`${letter('l', i + 1)} ${angle}`, () => light(key), { class: `term c${i + 1}` });
+        const term = button(`${letter('l', i + 1)} ${angle}`, () => light(key));
         for (const name of ['pointerenter', 'focus']) term.addEventListener(name, () => light(key));
         for (const name of ['pointerleave', 'blur']) term.addEventListener(name, () => light());
         keep(term, () => {
           const [a, b] = pairs(points())[i];
-          term.classList.toggle('hot', state.term === key);
-          return { ariaLabel: `${axis} part of link ${i + 1}: ${number(b[k] - a[k])}` };
+          const className = `term c${i + 1}${state.term === key ? ' hot' : ''}`;
+          return { className, ariaLabel: `${axis} part of link ${i + 1}: ${number(b[k] - a[k])}` };
         });
         return i ? [' + ', term] : [term];
       });
@@ -654,8 +650,10 @@ globalThis.planarArm = (() => {
         const made = button(`${name} ${j}: ${degree(goal[j - 1])}`, () => press(j), { class: `c${j}` });
         return keep(made, () => ({ ariaDisabled: state.order.includes(j) }));
       });
-      const home = button('Home', () => press(0));
-      row(...buttons, home);
+      row(
+        ...buttons,
+        button('Home', () => press(0)),
+      );
       tasks(wanted);
       says(() => (state.order.length === 3 && state.share === 1 ? state.says : ''));
     }
