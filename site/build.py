@@ -3,6 +3,7 @@
 The pages are written to build/site/html, or to the folder html in the folder that is given as the only argument.
 """
 
+import shutil
 import subprocess
 import sys
 import time
@@ -16,27 +17,26 @@ from kinsite.sphinx_source import write_source
 from sphinx.cmd.build import main as sphinx
 
 HERE = Path(__file__).resolve().parent
-STRICT = ("-n", "-W", "--keep-going")
-"""Options of Sphinx: every warning fails the build, after all of them have been reported."""
 
 
 def build(folder: Path) -> int:
     """Build the pages and the lab into a folder. Returns Sphinx's exit code: every warning counts as an error."""
     npm_packages.install()
-    print(
-        "Running the notebooks whose outputs are not kept from before, and writing the source of the pages.", flush=True
-    )
+    print("Running the notebooks that are not kept from before, and writing the source of the pages.", flush=True)
     write_source(folder / "source")
     print("Building the lab, that is, Python for the pages, unless it is kept from before.", flush=True)
     built_lab = lab.build()
     values = (f"kinlib_lab={'lab' if built_lab else ''}", f"kinlib_python_mb={lab.megabytes(built_lab)}")
     settings = [word for value in values for word in ("-D", value)]
-    arguments = (*STRICT, "-c", HERE, "-d", folder / "doctrees", *settings, folder / "source", folder / "html")
+    strict = ["-n", "-W", "--keep-going"]  # every warning fails the build, after all of them have been reported
+    arguments = ("-c", HERE, "-d", folder / "doctrees", *settings, folder / "source", folder / "html")
     print("Writing the pages that have changed.", flush=True)
-    failed = int(sphinx(["-b", "html", *map(str, arguments)]))
+    failed = int(sphinx([*strict, "-b", "html", *map(str, arguments)]))
     if not failed:
         index_words(folder / "html")
-    lab.copy_to_site(built_lab, folder / "html" / "lab")
+    shutil.rmtree(folder / "html" / "lab", ignore_errors=True)
+    if built_lab:
+        shutil.copytree(built_lab, folder / "html" / "lab")
     return failed
 
 
@@ -50,13 +50,13 @@ def index_words(html: Path) -> None:
     )
 
 
-def summary(html: Path, seconds: float) -> str:
+def summarize(html: Path, seconds: float) -> None:
     """Say what was built, and how to look at it."""
     sizes = [path.stat().st_size for path in html.rglob("*") if path.is_file()]
     pages = sum("lab" not in path.relative_to(html).parts for path in html.rglob("*.html"))
     lab = "with Python for their cells" if (html / "lab").exists() else "without Python for their cells"
-    built = f"{pages} pages in {html}, {sum(sizes) / 1e6:.0f} MB {lab}, in {seconds:.0f} s."
-    return f"{built}\nTo look at them: python course.py serve"
+    print(f"{pages} pages in {html}, {sum(sizes) / 1e6:.0f} MB {lab}, in {seconds:.0f} s.")
+    print("To look at them: python course.py serve")
 
 
 if __name__ == "__main__":
@@ -67,5 +67,5 @@ if __name__ == "__main__":
     except (NotebookError, Unreachable, ValueError) as error:
         sys.exit(f"The site was not built. {error}")
     if not failed:
-        print(summary(folder / "html", time.monotonic() - start))
+        summarize(folder / "html", time.monotonic() - start)
     sys.exit(failed)

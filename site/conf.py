@@ -13,10 +13,8 @@ SETTINGS = tomllib.loads((HERE / "settings.toml").read_text("utf-8"))
 sys.path.insert(0, str(HERE))
 
 project = "Forward kinematics"
-author = "The kinlib authors"
 project_copyright = "the kinlib authors. Code: MIT, lectures: CC BY 4.0"
 version = release = kinlib.__version__
-language = "en"
 
 extensions = [
     "myst_nb",
@@ -41,10 +39,8 @@ myst_enable_extensions = [
 ]
 myst_substitutions = {"version": release}
 myst_heading_anchors = 3
-myst_links_external_new_tab = False
 exclude_patterns = ["files/**"]
 nb_execution_mode = "off"  # kinsite.execute has executed the notebooks
-nb_execution_show_tb = True
 nb_merge_streams = True
 nb_code_prompt_show = "Show the code"
 nb_code_prompt_hide = "Hide the code"
@@ -56,7 +52,6 @@ nb_mime_priority_overrides = [
     ("html", "application/vnd.jupyter.widget-view+json", None),
 ]
 suppress_warnings = ["mystnb.unknown_mime_type"]  # answers are stored for a grader, and show nothing
-nitpicky = True
 # Types of other libraries have no page here, and the build must not depend on their sites.
 nitpick_ignore_regex = [("py:.*", r"(?!kinlib\.|misstep\.|kincourse\.).*")]
 python_use_unqualified_type_names = True
@@ -72,9 +67,8 @@ templates_path = ["templates"]
 html_css_files = ["course.css"]
 html_js_files = [(name, {"defer": "defer"}) for name in ("course.js", "loader.js")]
 html_baseurl = os.environ.get("KINLIB_SITE_URL", "http://127.0.0.1:8000/").rstrip("/") + "/"
-notfound_urls_prefix = urlsplit(
-    html_baseurl
-).path  # the page for missing addresses is shown at any depth, so its links must be absolute
+# the page for missing addresses is shown at any depth, so its links must be absolute
+notfound_urls_prefix = urlsplit(html_baseurl).path
 html_copy_source = False
 html_show_sourcelink = False
 html_use_index = False
@@ -99,5 +93,4 @@ ogp_site_url = html_baseurl
 ogp_image = "_static/opengraph.png"
 ogp_image_alt = "An arm with its screw axes, and the words: where is the tool?"
 ogp_social_cards = {"enable": False}
-ogp_enable_meta_description = True
 ogp_custom_meta_tags = ['<meta name="twitter:card" content="summary_large_image">']

@@ -95,8 +95,8 @@ globalThis.planarArm = (() => {
       q: [...model.get('q')],
       done: new Set(model.get('done')),
       term: null, // the term that is lit, such as x1
-      hidden: false,
-      cross: null,
+      hidden: false, // the arm of scene "drag"
+      cross: null, // where the reader expects the tool
       answer: null, // the line from which joint 2 is said to be measured
       order: [], // the joints that were pressed
       share: 1, // how much of the last rotation has been made
@@ -172,14 +172,13 @@ globalThis.planarArm = (() => {
 
     /** Something to take with mouse, finger or keys: grab(point), drag(point, grip), key(dx, dy), and what is said of it. */
     const handlesByName = new Map();
-    const specs = new WeakMap();
     function handle(name, kind, attributes, { says, now, value, ...spec }) {
       const aria = { role: 'slider', 'aria-label': says, 'aria-valuenow': Math.round(now), 'aria-valuetext': value };
       const range = { 'aria-valuemin': -180, 'aria-valuemax': 180, tabindex: 0 };
       const node = handlesByName.get(name) ?? document.createElementNS(SVG, kind);
       if (!node.isConnected) handles.append(node); // never again: a node that moves in the document loses the focus
       handlesByName.set(name, node);
-      specs.set(set(node, { class: 'hit', ...attributes, ...aria, ...range }), spec);
+      set(node, { class: 'hit', ...attributes, ...aria, ...range }).spec = spec;
       parts.handles.add(node);
     }
 
@@ -191,9 +190,8 @@ globalThis.planarArm = (() => {
     };
     let held = null;
     stage.addEventListener('pointerdown', (event) => {
-      const spec = specs.get(event.target);
+      const { spec } = event.target;
       if (!spec || event.button) return;
-      finish();
       event.target.focus({ preventScroll: true, focusVisible: false });
       stage.setPointerCapture(event.pointerId);
       held = { spec, grip: spec.grab(world(event)) };
@@ -204,46 +202,19 @@ globalThis.planarArm = (() => {
       held.spec.drag(world(event), held.grip);
       render();
     });
-    for (const name of ['pointerup', 'pointercancel', 'lostpointercapture']) {
-      stage.addEventListener(name, () => {
-        if (held) save();
-        held = null;
-      });
-    }
+    stage.addEventListener('lostpointercapture', () => {
+      held = null;
+      save();
+    });
     root.addEventListener('keydown', (event) => {
       const step = ARROWS[event.key];
-      const spec = specs.get(event.target);
+      const { spec } = event.target;
       if (!step || !spec) return;
       event.preventDefault();
       event.stopPropagation(); // JupyterLab would select another cell
-      finish();
       spec.key(...step.map((value) => value * (event.shiftKey ? 10 : 1)));
       save();
     });
-
-    // --- animation: one at a time; for readers who want no motion only its end is shown ---
-
-    let running = null;
-    function finish() {
-      const moment = running;
-      running = null;
-      moment?.(1);
-    }
-    function animate(milliseconds, moment) {
-      running = moment;
-      const start = performance.now();
-      const tick = () => {
-        if (running !== moment) return;
-        const t = clamp((performance.now() - start) / milliseconds, 0, 1);
-        if (t === 1 || still.matches || document.hidden) finish();
-        else {
-          moment(t * t * (3 - 2 * t));
-          requestAnimationFrame(tick);
-        }
-        render();
-      };
-      tick();
-    }
 
     // --- parts of the picture ---
 
@@ -332,19 +303,15 @@ globalThis.planarArm = (() => {
 
     /** A handle that moves in two directions. */
     function pointHandle(name, says, point, move) {
-      handle(
-        name,
-        'circle',
-        { cx: X(point[0]), cy: Y(point[1]), r: 24 },
-        {
-          says,
-          now: point[0],
-          value: `x = ${point[0].toFixed(1)}, y = ${point[1].toFixed(1)}`,
-          grab: (p) => [point[0] - p[0], point[1] - p[1]],
-          drag: (p, grip) => move(add(p, grip)),
-          key: (dx, dy) => move(add(point, [dx * 0.1, dy * 0.1])),
-        },
-      );
+      const area = { cx: X(point[0]), cy: Y(point[1]), r: 24 };
+      handle(name, 'circle', area, {
+        says,
+        now: point[0],
+        value: `x = ${point[0].toFixed(1)}, y = ${point[1].toFixed(1)}`,
+        grab: (p) => [point[0] - p[0], point[1] - p[1]],
+        drag: (p, grip) => move(add(p, grip)),
+        key: (dx, dy) => move(add(point, [dx * 0.1, dy * 0.1])),
+      });
     }
 
     /** The terms of x and y as arrows beside the axes, on the side where the arm is not. */
@@ -358,12 +325,10 @@ globalThis.planarArm = (() => {
           const term = `${axis}${i + 1}`;
           const isHot = state.term === term;
           const style = `c${i + 1}${isHot ? ' hot' : ''}${state.term && !isHot ? ' faint' : ''}`;
-          const foot = (p) =>
-            k ? [X(0) + side[0] * (margin + i * 16), Y(p[1])] : [X(p[0]), Y(0) + side[1] * (margin + i * 16)];
-          const [from, to, value] = [foot(a), foot(b), b[k] - a[k]];
-          const where = k
-            ? [X(0) + side[0] * (outside + 4), middle[1] + 5]
-            : [middle[0], Y(0) + side[1] * (outside + 16 * i) + 5];
+          const beside = (p, away) => (k ? [X(0) + side[0] * away, p[1]] : [p[0], Y(0) + side[1] * away]);
+          const [from, to] = [a, b].map((p) => beside(at(p), margin + i * 16));
+          const value = b[k] - a[k];
+          const where = add(beside(middle, outside + (k ? 4 : 16 * i)), [0, 5]);
           if (isHot) triangle(i, a, b);
           line(at(b), to, 'drop');
           line(from, offset(to, -Math.min(distance(from, to), 12), heading(from, to)), `seg ${style}`);
@@ -400,20 +365,28 @@ globalThis.planarArm = (() => {
     /** The links after which the arm is broken. */
     const torn = (links) => [1, 2].filter((k) => distance(links[k - 1][1], links[k][0]) > 0.05);
 
+    let running = null; // the time at which a rotation began
+    /** Rotate about an axis, or go home if j is 0. One rotation at a time; readers who want no motion see only its end. */
     function press(j) {
-      finish();
+      if (running) rotated(1);
       if (j === 0) state.order = [];
-      else if (!state.order.includes(j)) {
-        state.order.push(j);
-        animate(900, (t) => {
-          state.share = t;
-          if (t === 1 && state.order.length === 3) judge();
-        });
-      }
-      render();
+      if (j === 0 || state.order.includes(j)) return render();
+      state.order.push(j);
+      const start = performance.now();
+      running = start;
+      const tick = () => {
+        if (running !== start) return;
+        const t = still.matches || document.hidden ? 1 : clamp((performance.now() - start) / 900, 0, 1);
+        rotated(t * t * (3 - 2 * t));
+        requestAnimationFrame(tick);
+      };
+      tick();
     }
 
-    function judge() {
+    function rotated(share) {
+      state.share = share;
+      if (share === 1) running = null;
+      if (share < 1 || state.order.length < 3) return render();
       const order = state.order.join(', ');
       const miss = distance(movedLinks()[2][1], target());
       state.done.add(order);
@@ -461,16 +434,13 @@ globalThis.planarArm = (() => {
       }
       rotations(project, back);
       const whole = { x: 4, y: 4, width: size[0] - 8, height: size[1] - 8, class: 'hit orbit' };
-      const look = (view) => {
-        state.view = view;
-      };
       handle('view', 'rect', whole, {
         says: 'View, rotates about the vertical',
         now: wrap(state.view),
         value: `view from ${Math.round(wrap(state.view))} degrees`,
         grab: (p) => state.view - p[0] * 30,
-        drag: (p, grip) => look(grip + p[0] * 30),
-        key: (dx) => look(state.view + dx * 5),
+        drag: (p, grip) => Object.assign(state, { view: grip + p[0] * 30 }),
+        key: (dx) => Object.assign(state, { view: state.view + dx * 5 }),
       });
     }
 
@@ -510,17 +480,13 @@ globalThis.planarArm = (() => {
     function wall(tool) {
       rect(X(WALL), 0, size[0] - X(WALL), size[1], 'wall');
       label([X(WALL) + 12, 26], 'wall');
-      for (const [name, where] of Object.entries(MARKS)) {
-        const isTouched = state.done.has(name);
+      for (const [mark, where] of Object.entries(MARKS)) {
+        const isTouched = state.done.has(mark);
         dot(at(where), 9, `mark${isTouched ? ' ok' : ''}`);
-        label(add(at(where), [18, 6]), isTouched ? `${name} ✓` : name);
+        label(add(at(where), [18, 6]), isTouched ? `${mark} ✓` : mark);
       }
-      touch(tool);
-    }
-
-    function touch(tip) {
-      const name = Object.keys(MARKS).find((one) => distance(tip, MARKS[one]) < 0.13);
-      if (tip[0] > WALL + 0.13) state.says = 'The pen is inside the wall.';
+      const name = Object.keys(MARKS).find((one) => distance(tool, MARKS[one]) < 0.13);
+      if (tool[0] > WALL + 0.13) state.says = 'The pen is inside the wall.';
       else if (!name) state.says = '';
       else if (Math.abs(phi()) > 3)
         state.says = `At mark ${name}, but φ = ${degree(phi())}: the pen must be perpendicular to the wall.`;
@@ -603,13 +569,13 @@ globalThis.planarArm = (() => {
         const sum = indices.map((n) => letter('q', n)).join(' + ');
         const angle = isShort ? `<i>${f[0]}</i><sub>${indices.join('')}</sub>` : `${f} ${i ? `(${sum})` : sum}`;
         const key = `${axis}${i + 1}`;
-        const term = button(`${letter('l', i + 1)} ${angle}`, () => light(key), { class: `term c${i + 1}` });
+        const term = button(`${letter('l', i + 1)} ${angle}`, () => light(key));
         for (const name of ['pointerenter', 'focus']) term.addEventListener(name, () => light(key));
         for (const name of ['pointerleave', 'blur']) term.addEventListener(name, () => light());
         keep(term, () => {
           const [a, b] = pairs(points())[i];
-          term.classList.toggle('hot', state.term === key);
-          return { ariaLabel: `${axis} part of link ${i + 1}: ${number(b[k] - a[k])}` };
+          const className = `term c${i + 1}${state.term === key ? ' hot' : ''}`;
+          return { className, ariaLabel: `${axis} part of link ${i + 1}: ${number(b[k] - a[k])}` };
         });
         return i ? [' + ', term] : [term];
       });
@@ -684,8 +650,10 @@ globalThis.planarArm = (() => {
         const made = button(`${name} ${j}: ${degree(goal[j - 1])}`, () => press(j), { class: `c${j}` });
         return keep(made, () => ({ ariaDisabled: state.order.includes(j) }));
       });
-      const home = button('Home', () => press(0));
-      row(...buttons, home);
+      row(
+        ...buttons,
+        button('Home', () => press(0)),
+      );
       tasks(wanted);
       says(() => (state.order.length === 3 && state.share === 1 ? state.says : ''));
     }
@@ -763,9 +731,7 @@ globalThis.planarArm = (() => {
     ifAllowed(() => Object.assign(state, JSON.parse(localStorage.getItem(key) ?? '{}')));
     return {
       get: (name) => state[name],
-      set: (name, value) => {
-        state[name] = value;
-      },
+      set: (name, value) => Object.assign(state, { [name]: value }),
       save_changes: () => ifAllowed(() => localStorage.setItem(key, JSON.stringify({ q: state.q, done: state.done }))),
     };
   }

@@ -10,7 +10,6 @@ import re
 import socket
 import subprocess
 import time
-from functools import cache
 from html import escape, unescape
 from pathlib import Path
 from typing import Any
@@ -22,17 +21,15 @@ from lxml.html import HtmlElement
 from sphinx.application import Sphinx
 from sphinxcontrib import katex
 
-from kinsite.html_tree import inner_html, insert_html, read_html
+from kinsite.html_tree import inner_html, read_html
 
 katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")  # a formula with an error fails the build
 katex.STARTUP_TIMEOUT = 60.0  # a busy machine needs more than the 5 s of the extension
 
 NOT_TEXT = ("script", "style", "pre", "code", "textarea", "svg")
 PUNCTUATION = re.compile(r"[.,;:?!)\]’”]+")
-MAX_UNBROKEN_LENGTH = 24
-"""Characters of LaTeX that fit on one line of any phone. A longer formula may be broken."""
-TAG = re.compile(r"\\tag\{([^}]+)\}")
-"""The number of a formula."""
+MAX_UNBROKEN_LENGTH = 24  # characters of LaTeX that fit on one line of any phone; a longer formula may be broken
+TAG = re.compile(r"\\tag\{([^}]+)\}")  # the number of a formula
 SIDE_TRACK = "Side track:"
 """The beginning of the heading of a section that may be skipped. JupyterLab folds it by the metadata of its cell."""
 LENGTH = re.compile(r"([\d.]+)(?:pt|px)?")
@@ -43,8 +40,7 @@ def start_katex(folder: Path, timeout: float) -> tuple[subprocess.Popen[bytes], 
     """Start the server that typesets formulas, and connect to it as soon as it listens.
 
     The extension's own function connects as soon as the socket's file exists, and gives up when the connection is
-    refused. But on a busy machine, the server listens only a moment later. (The extension's way for Windows, a network
-    socket, waits 40 ms for each formula: two minutes for the site.)
+    refused. But on a busy machine, the server listens only a moment later.
     """
     address = str(folder / "katex.sock")
     command = katex.KaTeXServer.build_command(socket=address)
@@ -66,7 +62,6 @@ katex.KaTeXServer.start_server_process = staticmethod(start_katex)
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the functions of this module with Sphinx."""
-    katex.render_latex = cached(katex.render_latex)
     app.connect("doctree-resolved", prepare_page)
     app.connect("doctree-resolved", fold_side_tracks)
     return {"parallel_read_safe": True, "parallel_write_safe": False}
@@ -86,13 +81,9 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
     for cell in doctree.findall(nodes.container):
         if name := cell.get("cell_metadata", {}).get("kinlib-cell"):
             cell["classes"].append(f"kinlib-cell-{name}")  # for live.js, which hands in the cells of a sheet
-    # within a line, a raw node is a single tag
-    html = [
-        node
-        for node in doctree.findall(nodes.raw)
-        if node.get("format") == "html" and not isinstance(node.parent, nodes.TextElement)
-    ]
-    for node in html:
+    for node in list(doctree.findall(nodes.raw)):
+        if node.get("format") != "html" or isinstance(node.parent, nodes.TextElement):
+            continue  # within a line, a raw node is a single tag
         output = read_html(node.astext())
         typeset_formulas(output)
         extract_images(output, folder, f"{up}_images")
@@ -130,13 +121,14 @@ def typeset_formulas(html: HtmlElement) -> None:
     """Typeset the formulas in HTML: $...$ within the line, $$...$$ on a line of their own; none in code."""
     outside = " and ".join(f"not(ancestor::{name})" for name in NOT_TEXT)
     for text in html.xpath(f".//text()[contains(., '$')][{outside}]"):
-        element, typeset_text = text.getparent(), FORMULA.sub(typeset, escape(text, quote=False))
+        element, new = text.getparent(), read_html(FORMULA.sub(typeset, escape(text, quote=False)))
         if text.is_text:
             element.text = None
-            insert_html(element, 0, typeset_text)
+            element.insert(0, new)
         else:
             element.tail = None
-            insert_html(element.getparent(), element.getparent().index(element) + 1, typeset_text)
+            element.addnext(new)
+        new.drop_tag()
 
 
 def typeset(found: re.Match[str]) -> str:
@@ -152,21 +144,10 @@ def extract_images(html: HtmlElement, folder: Path, address: str) -> None:
         data, ending = base64.b64decode(encoded), "png" if kind.endswith("png") else "svg"
         name = f"{hashlib.sha256(data).hexdigest()[:20]}.{ending}"
         folder.mkdir(parents=True, exist_ok=True)
-        if not (folder / name).exists():
-            (folder / name).write_bytes(data)
+        (folder / name).write_bytes(data)
         image.set("loading", "lazy")
         image.set("src", f"{address}/{name}")
         if ending == "svg":  # so that the page does not jump when it is loaded
             for side, size in etree.fromstring(data).attrib.items():
                 if side in ("width", "height") and (length := LENGTH.fullmatch(size)):
                     image.set(side, str(round(float(length[1]))))
-
-
-def cached(render: Any) -> Any:
-    """Cache the typeset formulas, because the same formula occurs in many places."""
-
-    @cache
-    def render_once(latex: str, options: tuple[tuple[str, Any], ...]) -> str:
-        return str(render(latex, dict(options) or None))
-
-    return lambda latex, options=None: render_once(latex, tuple(sorted((options or {}).items())))

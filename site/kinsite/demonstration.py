@@ -29,10 +29,6 @@ ATTEMPTS = (
 )
 """Answers as a student writes them, each with the name of its mistake; the last one is right."""
 
-LINK_LENGTH_M = 2.0
-"""From the axis of the joint to its tool."""
-TURN_RAD = np.pi / 2
-
 
 class WrongAnswersDirective(SphinxDirective):
     """The statement of a problem, and answers to choose from; each opens its card."""
@@ -73,9 +69,8 @@ def answer_html(sheet: Sheet, code: str, mistake: str, first: bool) -> str:
 def draw_motions(point: Array, right: Array, typed: Array) -> Picture:
     """Draw a link on a joint as the joint turns it by 90 degrees, and dashed where the typed screw axis would take it."""
     across = np.cross(right[:3], (0.0, 0.0, 1.0))
-    out = across / np.linalg.norm(across) if np.linalg.norm(across) > 0.1 else np.array([1.0, 0.0, 0.0])
-    link = np.array([point, point + LINK_LENGTH_M * out])
-    angles = np.linspace(0.0, TURN_RAD, 25)
+    link = np.array([point, point + 2.0 * across / np.linalg.norm(across)])  # 2 m from the axis to the tool
+    angles = np.linspace(0.0, np.pi / 2, 25)
     true, said = (np.array([moved(T, link) for T in exp(S * angles[:, None])]) for S in (right, typed))
     axis = point + np.outer((-1.5, 2.0), right[:3])
     canvas = Canvas(np.concatenate([true.reshape(-1, 3), said.reshape(-1, 3), axis]), size=(780, 460))

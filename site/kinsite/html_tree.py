@@ -18,24 +18,3 @@ def inner_html(element: HtmlElement) -> str:
     """
     text = escape(element.text or "", quote=False)
     return text + "".join(tostring(child, encoding="unicode") for child in element)
-
-
-def insert_html(parent: HtmlElement, place: int, html: str) -> None:
-    """Insert HTML before the child with the number `place`, after the text that is there.
-
-    >>> paragraph = read_html("a <b>c</b>")
-    >>> insert_html(paragraph, 0, "and <i>b</i>, ")
-    >>> inner_html(paragraph)
-    'a and <i>b</i>, <b>c</b>'
-    """
-    new = read_html(html)
-    if place:
-        parent[place - 1].tail = (parent[place - 1].tail or "") + (new.text or "")
-    else:
-        parent.text = (parent.text or "") + (new.text or "")
-    parent[place:place] = list(new)
-
-
-def append_html(parent: HtmlElement, html: str) -> None:
-    """Insert HTML after all that an element contains."""
-    insert_html(parent, len(parent), html)

@@ -1,11 +1,10 @@
-"""Write Markdown: docstrings as prose, text with its special characters escaped, tables.
+"""Write Markdown: docstrings as prose, and text with its special characters escaped.
 
 Docstrings are plain text with aligned lists, to be read in the source. No standard docstring parser understands these lists.
 """
 
 import inspect
 import re
-from collections.abc import Iterable, Sequence
 
 SPECIAL = re.compile(r"([\\`*_{}\[\]<>$|~^#])")
 DEFINITION = re.compile(r"^(\S.{,40}?)(?:  +|(?<=\)) +(?=->))(\S.*)$")
@@ -61,17 +60,3 @@ def escape(text: str) -> str:
     """
     parts = re.split(r"(`[^`]+`|(?<![\w*])\*[a-z]+\*(?![\w*]))", text)
     return "".join(part if index % 2 else SPECIAL.sub(r"\\\1", part) for index, part in enumerate(parts))
-
-
-def table(heads: Sequence[str], rows: Iterable[Sequence[str]], rule: str = "---") -> str:
-    """Write a table.
-
-    rule  the alignment of all columns but the first
-
-    >>> print(table(["robot", "joints"], [["youBot", "5"]], rule="---:"))
-    | robot | joints |
-    | --- | ---: |
-    | youBot | 5 |
-    """
-    lines = [heads, ["---", *[rule] * (len(heads) - 1)], *rows]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)

@@ -27,9 +27,7 @@ def install() -> None:
     """
     node, npm = shutil.which("node"), shutil.which("npm")
     if node is None or npm is None:
-        sys.exit(
-            "The site's formulas are typeset by Node 20 or newer, and there is none on the path. Install it from nodejs.org."
-        )
+        sys.exit("The site needs Node 20 or newer, and there is none on the path. Install it from nodejs.org.")
     installed = MODULES / ".package-lock.json"
     if installed.exists() and installed.stat().st_mtime >= (SITE / "package-lock.json").stat().st_mtime:
         return

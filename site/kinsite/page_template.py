@@ -3,7 +3,7 @@
 import hashlib
 import shutil
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 from docutils import nodes
 from sphinx.application import Sphinx
@@ -29,7 +29,8 @@ UNCOLOURED = {"n", "nn", "p", "pm", "w"}
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the functions of this module with Sphinx."""
     # Sphinx reads all pages again if this value changes, because the packages and these modules generate what they show
-    app.add_config_value("kinlib_generator_hash", generator_hash(), "env")
+    own = b"".join(path.read_bytes() for path in sorted(Path(__file__).parent.rglob("*.py")))
+    app.add_config_value("kinlib_generator_hash", package_hash() + hashlib.sha256(own).hexdigest(), "env")
     app.add_config_value("kinlib_lab", "", "html")  # the folder of the lab, or nothing if there is no lab
     app.add_config_value("kinlib_python_mb", "", "html")  # how many megabytes of Python a page loads, if there is a lab
     app.add_config_value("kinlib_repository", "", "html")  # its address, or nothing: then no page links to it
@@ -40,22 +41,12 @@ def setup(app: Sphinx) -> dict[str, Any]:
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
-def generator_hash() -> str:
-    """Hash the packages and the site's own modules."""
-    own = sorted(Path(__file__).parent.rglob("*.py"))
-    return hashlib.sha256(b"".join([package_hash().encode(), *(path.read_bytes() for path in own)])).hexdigest()
-
-
 class ArmDirective(SphinxDirective):
-    """An interactive arm of kl.robots; the option `at` sets the joint values at the start."""
-
-    required_arguments = 1
-    option_spec: ClassVar = {"at": lambda text: [float(value) for value in text.split()]}
+    """The interactive arm of the home page."""
 
     def run(self) -> list[nodes.Node]:
         """Insert the viewer of the arm."""
-        chain = getattr(robots, self.arguments[0])()
-        return [nodes.raw("", explore(chain, start=self.options.get("at")).html(), format="html")]
+        return [nodes.raw("", explore(robots.youbot(), start=(0.5, 1.0, -1.3, -0.5, 0.4)).html(), format="html")]
 
 
 def copy_files(app: Sphinx) -> None:
@@ -78,9 +69,7 @@ def copy_files(app: Sphinx) -> None:
         shutil.copy(font, target / "fonts" / name)
     sitemap = f"User-agent: *\nSitemap: {app.config.html_baseurl}sitemap.xml\n"
     (Path(app.outdir) / "robots.txt").write_text(sitemap, "utf-8")
-    files = Path(app.srcdir) / "files"
-    if files.exists():
-        shutil.copytree(files, Path(app.outdir) / "files", dirs_exist_ok=True)
+    shutil.copytree(Path(app.srcdir) / "files", Path(app.outdir) / "files", dirs_exist_ok=True)
 
 
 def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree: Any) -> None:

@@ -19,7 +19,7 @@ from kinsite.generated import gallery, mistakes, progress, reference
 
 SITE = ROOT / "site"
 LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
-SHEETS = sorted(path for path in (ROOT / "exercises").glob("*/*.ipynb"))
+SHEETS = sorted((ROOT / "exercises").glob("*/*.ipynb"))
 
 LINK_TARGETS = {
     r"(?:\.\./)+notebooks/(\w+)\.ipynb": r"../lectures/\1.ipynb",
@@ -46,10 +46,7 @@ work on this page in a browser that runs scripts, or
 
 
 def write_source(folder: Path) -> None:
-    """Write everything that Sphinx reads into a folder, and delete the files of earlier builds that are not needed any more.
-
-    Raises NotebookError for a notebook that fails, ValueError for a robot without a source.
-    """
+    """Write everything that Sphinx reads into a folder, and delete the files of earlier builds that are not needed any more."""
     pages = {folder / name: text for name, text in all_pages()}
     for path, text in pages.items():
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -99,7 +96,9 @@ def notebook_pages(executed: Mapping[Path, NotebookNode]) -> Iterator[tuple[str,
     """Yield the executed lectures, the sheets without answers, and the file of each notebook for download."""
     for path in LECTURES:
         yield f"lectures/{path.name}", nbformat.writes(picture_first(adapt(executed[path])))
-        yield f"files/lectures/{path.name}", nbformat.writes(without_image(nbformat.read(path, as_version=4)))
+        download = nbformat.read(path, as_version=4)
+        download.cells[0].source = IMAGE.sub("", download.cells[0].source)  # its file is not downloaded
+        yield f"files/lectures/{path.name}", nbformat.writes(download)
     for path in SHEETS:
         yield f"sheets/{path.name}", nbformat.writes(without_cards(adapt(executed[path]), path))
         yield f"files/sheets/{path.name}", path.read_text("utf-8")
@@ -130,12 +129,6 @@ def picture_first(notebook: NotebookNode) -> NotebookNode:
         title, _, text = IMAGE.sub("", first.source).partition("\n\n")
         first.source = title
         notebook.cells.insert(2, nbformat.v4.new_markdown_cell(text, id=f"{first.id}-text"))
-    return notebook
-
-
-def without_image(notebook: NotebookNode) -> NotebookNode:
-    """Remove the picture below the title, because the file of the picture is not downloaded."""
-    notebook.cells[0].source = IMAGE.sub("", notebook.cells[0].source)
     return notebook
 
 

@@ -43,8 +43,6 @@ NEVER = ("jedi", "prompt-toolkit", "sqlite3", "wcwidth")
 
 WASM, MODULES = "pyodide.asm.wasm", "python_stdlib.zip"
 """The files of Python itself that a page loads compressed, with the ending `.packed`."""
-PACKAGES_FILE = "packages.packed"
-"""The packages that a page loads, in one file."""
 
 WARM_UP = """
 import sympy
@@ -63,17 +61,6 @@ LATER = ("matplotlib", "mpmath", "sympy")
 
 APPS = ("tree", "notebooks")
 
-HASH_FILE = "input_hash.txt"
-"""Contains the hash of what a finished lab was built from; while the lab is being built it does not exist."""
-
-DISABLED = (
-    "@jupyter-notebook/notebook-extension:trusted",
-    "@jupyter-notebook/notebook-extension:checkpoints",
-    "@jupyter-notebook/notebook-extension:kernel-logo",
-    "@jupyterlite/notebook-application-extension:logo",
-)
-"""What says nothing to a reader of the course: whether a notebook's scripts are trusted, when it was saved first, logos."""
-
 
 def build() -> Path | None:
     """Build the lab unless it is up to date. Returns its folder, or None if the site has no lab.
@@ -85,7 +72,7 @@ def build() -> Path | None:
         raise ValueError(f"{VARIABLE} must be offline or none; got {choice!r}.")
     if choice == "none":
         return None
-    current, finished = input_hash(), LAB / HASH_FILE
+    current, finished = input_hash(), LAB / "input_hash.txt"  # which does not exist while the lab is being built
     try:
         if not finished.exists() or finished.read_text("utf-8") != current:
             build_with_jupyterlite(LAB)
@@ -99,10 +86,7 @@ def build() -> Path | None:
 
 
 def build_with_jupyterlite(folder: Path) -> None:
-    """Build the lab into an empty folder.
-
-    Raises ValueError if JupyterLite fails, Unreachable if a file cannot be downloaded.
-    """
+    """Build the lab into an empty folder."""
     shutil.rmtree(folder, ignore_errors=True)
     kernel = sorted((EXTENSIONS[0] / "static" / "pypi").glob("*.whl"))
     packages = pyodide.install([wheels.build(folder / "wheel"), *kernel], folder / "python")
@@ -117,7 +101,6 @@ def build_with_jupyterlite(folder: Path) -> None:
     settings = {
         "appName": "Forward kinematics",
         "appUrl": "./tree/",
-        "disabledExtensions": DISABLED,
         "litePluginSettings": {"@jupyterlite/pyodide-kernel-extension:kernel": kernel_settings},
     }
     whole = {"jupyter-lite-schema-version": 0, "jupyter-config-data": settings}
@@ -208,7 +191,7 @@ def add_own_files(built: Path) -> None:
     whole = json.loads((python / "pyodide-lock.json").read_text("utf-8"))
     lock: dict[str, Any] = {canonicalize_name(name): entry for name, entry in whole["packages"].items()}
     needed = required(lock, LIVE_PACKAGES)
-    (live / PACKAGES_FILE).write_bytes(pack(python / lock[name]["file_name"] for name in sorted(needed)))
+    (live / "packages.packed").write_bytes(pack(python / lock[name]["file_name"] for name in sorted(needed)))
     # no import loads from the lock file of a page what is there already, or what shell.py loads
     elsewhere = {*needed, *LATER}
     whole["packages"] = {
@@ -250,17 +233,6 @@ def complete_page(page: Path) -> None:
     icon = '<link rel="icon" type="image/svg+xml" href="../../_static/favicon.svg">'
     text = page.read_text("utf-8").replace("<html>", '<html lang="en">')
     page.write_text(text.replace("<head>", f"<head>\n    {icon}", 1), "utf-8")
-
-
-def copy_to_site(built: Path | None, target: Path) -> None:
-    """Copy the lab into the site unless it is up to date there; if there is no lab, delete the old one."""
-    there, here = target / HASH_FILE, built.parent / HASH_FILE if built else None
-    if here and there.exists() and there.read_bytes() == here.read_bytes():
-        return
-    shutil.rmtree(target, ignore_errors=True)
-    if built and here:
-        shutil.copytree(built, target)
-        shutil.copy(here, target)
 
 
 def contents() -> Iterable[Path]:

@@ -22,9 +22,6 @@ UNUSED = re.compile(
 )
 """Files that no cell can use."""
 
-UNCHECKED = (1).to_bytes(4, "little")
-"""The flag of a compiled module that is not compared with its source."""
-
 
 def loaded_paths() -> set[str]:
     """List the modules that this Python has loaded, by their paths in their archives."""
@@ -32,22 +29,16 @@ def loaded_paths() -> set[str]:
     return {re.sub(r".*/(?:site-packages|python\d+\.zip)/", "", file) for file in files if isinstance(file, str)}
 
 
-def compiled(source: bytes, path: str) -> bytes:
-    """Compile a module to the bytes of a .pyc file.
-
-    >>> compiled(b"x = 1", "m.py")[:4] == MAGIC_NUMBER
-    True
-    """
-    code = compile(source, path, "exec", dont_inherit=True)
-    return MAGIC_NUMBER + UNCHECKED + source_hash(source) + marshal.dumps(code)
-
-
 def compile_loaded(source: str, target: str, with_sources: bool, loaded: set[str] | None = None) -> None:
     """Write the modules of an archive that are loaded into another archive, compiled, at their places beside the sources."""
     loaded = loaded_paths() if loaded is None else loaded
     with ZipFile(source) as old, ZipFile(target, "w") as new:
         for path in (name for name in old.namelist() if name in loaded and name.endswith(".py")):
-            new.writestr(cache_from_source(path) if with_sources else f"{path}c", compiled(old.read(path), path))
+            text = old.read(path)
+            code = marshal.dumps(compile(text, path, "exec", dont_inherit=True))
+            unchecked = (1).to_bytes(4, "little")  # the flag of a module that is not compared with its source
+            place = cache_from_source(path) if with_sources else f"{path}c"
+            new.writestr(place, MAGIC_NUMBER + unchecked + source_hash(text) + code)
 
 
 def rewrite(source: Path, modules: Path, target: Path) -> None:

@@ -87,10 +87,7 @@ def find(name: str, locked: dict[str, Any] | None, archive: ZipFile, python: str
     if locked and path in archive.namelist():
         data = archive.read(path)
         if (got := hashlib.sha256(data).hexdigest()) != locked["sha256"]:
-            raise ValueError(
-                f"{locked['file_name']} must have the sha256 {locked['sha256']}; got {got}. "
-                "The download may be incomplete: delete build/lab, and build again."
-            )
+            raise ValueError(f"{path} must have the sha256 {locked['sha256']}; got {got}. Delete build/lab.")
         return locked, data
     wheel = wheels.download(name, locked["version"] if locked else "", python)
     return wheels.entry(wheel, python), wheel.read_bytes()

@@ -18,9 +18,6 @@ from kinsite.execute import ROOT
 DOWNLOADS = ROOT / "build" / "lab" / "downloads"
 """Downloaded files are kept here, and each is downloaded once."""
 
-PURE_PYTHON = "--only-binary=:all: --platform=any --abi=none --implementation=py"
-"""Options of pip for a wheel that contains no compiled code."""
-
 
 class Unreachable(Exception):
     """A file of the lab cannot be downloaded, because there is no network or the network does not allow it."""
@@ -37,17 +34,17 @@ def download(name: str, release: str = "", python: str = "3.12", sha256: str = "
     release = release or version(name)
     folder = DOWNLOADS / f"{canonicalize_name(name)}-{release}"
     if not list(folder.glob("*.whl")):
-        pip = f"-m pip download --quiet --disable-pip-version-check --no-deps {PURE_PYTHON} --python-version={python}"
-        command = [sys.executable, *pip.split(), f"--dest={folder}", f"{name}=={release}"]
+        pip = f"-m pip download --quiet --disable-pip-version-check --no-deps --python-version={python}"
+        pure_python = "--only-binary=:all: --platform=any --abi=none --implementation=py"
+        options = [*pip.split(), *pure_python.split(), f"--dest={folder}"]
+        command = [sys.executable, *options, f"{name}=={release}"]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode:
             raise Unreachable(f"pip could not download {name} {release}: {done.stderr.strip().splitlines()[-1]}")
     (wheel,) = folder.glob("*.whl")
     if sha256 and (found := sha256_of(wheel)) != sha256:
         wheel.unlink()
-        raise ValueError(
-            f"{wheel.name} must have the sha256 {sha256}; got {found}. Build again: the file has been deleted."
-        )
+        raise ValueError(f"{wheel.name} must have the sha256 {sha256}; got {found}. It is deleted: build again.")
     return wheel
 
 
@@ -56,9 +53,7 @@ def build(folder: Path) -> Path:
 
     Its name contains a hash of its content. So a browser that caches files by name never uses an old wheel.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    for old in folder.glob("*.whl"):
-        old.unlink()
+    folder.mkdir(parents=True)
     command = (sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", str(folder))
     subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
     (wheel,) = folder.glob("*.whl")

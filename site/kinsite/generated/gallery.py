@@ -24,9 +24,6 @@ from kinlib.view.figures.bodies import body_of
 from kinlib.view.figures.linkage import draw_linkage
 from kinsite.markdown import escape, prose
 
-NOT_ROBOTS = {"arm", "pose"}
-"""Public functions of kl.robots that do not make a robot of the course."""
-
 LENGTHS: dict[str, dict[str, Any]] = {
     "four_bar": {"ground": 0.4, "crank": 0.1, "coupler": 0.35, "rocker": 0.3},
     "slider_crank": {"crank": 0.2, "rod": 0.5},
@@ -47,12 +44,6 @@ START_CONFIGURATIONS: dict[str, ArrayLike] = {
 LEADING = ("youbot", "puma560", "ur5e", "panda", "scara")
 """What the gallery begins with: arms that readers know."""
 
-GREEK_NAME = re.compile(rf"\b({'|'.join(GREEK)})\b")
-"""The name of a Greek letter, as it stands in a docstring."""
-
-CURVE_POINTS = 160
-"""Configurations along the curve of a linkage with one degree of freedom."""
-
 
 @dataclass(frozen=True, eq=False)
 class Entry:
@@ -66,11 +57,9 @@ class Entry:
 
 
 def pages() -> Iterator[tuple[str, str]]:
-    """Yield one page and one picture for each robot and linkage, and an overview.
-
-    Raises ValueError for a robot without a source.
-    """
-    arms = [entry(name, make) for name, make in public_functions(robots) if name not in NOT_ROBOTS]
+    """Yield one page and one picture for each robot and linkage, and an overview."""
+    # the functions arm and pose make no robot of the course
+    arms = [entry(name, make) for name, make in public_functions(robots) if name not in ("arm", "pose")]
     mechanisms = [entry(name, make) for name, make in public_functions(linkages)]
     for one in arms + mechanisms:
         yield f"robots/{one.function}.svg", follow_theme(one.picture.svg)
@@ -86,10 +75,7 @@ def public_functions(module: Any) -> list[tuple[str, Callable[..., Any]]]:
 
 
 def entry(name: str, make: Callable[..., Chain | Mechanism]) -> Entry:
-    """Make the entry of a robot; an arm is drawn where its shape is seen, a linkage where it closes.
-
-    Raises ValueError if it has no source, or a linkage does not close from the guess in START_CONFIGURATIONS.
-    """
+    """Make the entry of a robot, which must have a source; an arm is drawn where its shape is seen, a linkage where it closes."""
     robot = make(**LENGTHS.get(name, {}))
     if not robot.source.strip():
         raise ValueError(f"{name} must have a source; got none. Name the document that it comes from.")
@@ -148,11 +134,10 @@ def page(entry: Entry) -> str:
     """Write the page of one robot: the figure, the source and the tables."""
     # the reference says what the function raises, and the source follows below
     paragraphs = [text for text in entry.docstring.split("\n\n") if not text.startswith(("Raises", "Source:"))]
-    text = GREEK_NAME.sub(lambda found: GREEK[found[0]], "\n\n".join(paragraphs))
+    text = re.sub(rf"\b({'|'.join(GREEK)})\b", lambda found: GREEK[found[0]], "\n\n".join(paragraphs))
     module = robots if isinstance(entry.robot, Chain) else linkages
-    function = (
-        f"{{py:func}}`kl.{module.__name__.rpartition('.')[2]}.{entry.function} <{module.__name__}.{entry.function}>`"
-    )
+    short = module.__name__.rpartition(".")[2]
+    function = f"{{py:func}}`kl.{short}.{entry.function} <{module.__name__}.{entry.function}>`"
     source = f"**Source.** {escape(entry.robot.source)}. In Python it is {function}."
     tables = arm_tables(entry.robot) if isinstance(entry.robot, Chain) else linkage_tables(entry.robot, entry.q)
     return "\n\n".join([f"# {escape(entry.robot.name)}", prose(text), raw_html(figure(entry)), source, tables]) + "\n"
@@ -163,7 +148,7 @@ def figure(entry: Entry) -> str:
     if isinstance(entry.robot, Chain):
         return explore(entry.robot, start=entry.q).html()
     if entry.robot.mobility(entry.q).finite == 1:
-        curve = entry.robot.trace(entry.q, points=CURVE_POINTS).q
+        curve = entry.robot.trace(entry.q, points=160).q
         return drive(entry.robot, entry.q, curves=[curve], labels=["as it is assembled"]).html()
     return entry.picture.html()
 

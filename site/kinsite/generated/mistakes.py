@@ -22,8 +22,7 @@ STUDENT = "your id"
 """The id of the numbers that the pages of the sheets show."""
 
 MAX_SHOWN = 10
-MAX_ENTRIES = 24
-"""The entries of the largest array that is shown as an example."""
+MAX_ENTRIES = 24  # of an array that is shown as an example
 
 
 def pages() -> Iterator[tuple[str, str]]:
@@ -31,7 +30,8 @@ def pages() -> Iterator[tuple[str, str]]:
     everything: dict[str, dict[str, str]] = {}
     for name in sheets():
         sheet = find_sheet(name)
-        found = {template.number: messages(template) for template in sheet.problems}
+        known = {template.number: template.variant(STUDENT).known_mistakes for template in sheet.problems}
+        found = {number: {one.name: one.message for one in mistakes} for number, mistakes in known.items()}
         everything |= found
         yield f"mistakes/{name}.md", page(name, sheet, found)
     yield "files/mistakes.json", json.dumps(everything, ensure_ascii=False, indent=1)
@@ -113,8 +113,3 @@ def marked(one: Array, other: Array) -> str:
         for row in zip(one.tolist(), differs.tolist(), strict=True)
     )
     return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
-
-
-def messages(template: Template) -> dict[str, str]:
-    """Collect the message of each mistake of a problem, by name."""
-    return {mistake.name: mistake.message for mistake in template.variant(STUDENT).known_mistakes}

@@ -10,6 +10,7 @@ from nbformat import NotebookNode
 from kincourse.table_of_lectures import sheet_of
 
 QUESTION = re.compile(r'data-misstep-question="([^"]+)"[^>]*data-right="(\d)"')
+"""The name of a question, and the index of its right option."""
 
 HEAD = """\
 # Your progress
@@ -28,7 +29,9 @@ def pages(lectures: Mapping[Path, NotebookNode], sheets: Mapping[Path, NotebookN
     rows = []
     problems = {path.stem: sum(cell.id.startswith("check-") for cell in sheet.cells) for path, sheet in sheets.items()}
     for path, notebook in sorted(lectures.items()):
-        if not (found := questions(notebook)):
+        outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
+        html = ("".join(output.get("data", {}).get("text/html", "")) for output in outputs)
+        if not (found := [pair for text in html for pair in QUESTION.findall(text)]):
             continue
         names, right = zip(*found, strict=True)
         number, problem_count = path.stem.partition("_")[0], problems.get(path.stem, 0)
@@ -49,11 +52,3 @@ def pages(lectures: Mapping[Path, NotebookNode], sheets: Mapping[Path, NotebookN
         f"<tbody>{''.join(rows)}</tbody></table></div>"
     )
     yield "progress.md", f"{HEAD}\n````{{raw}} html\n{table}\n````\n"
-
-
-def questions(notebook: NotebookNode) -> list[tuple[str, str]]:
-    """List the questions of a lecture, in order: the name of each, and the index of the right option."""
-    html = (
-        output.get("data", {}).get("text/html", "") for cell in notebook.cells for output in cell.get("outputs", [])
-    )
-    return [pair for text in html for pair in QUESTION.findall("".join(text))]

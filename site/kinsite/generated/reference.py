@@ -141,10 +141,7 @@ def signature(member: Any) -> str:
     """Write the signature of a function, method or class, with its types. A property has none."""
     if not callable(member):
         return ""
-    try:
-        parsed = inspect.signature(member)
-    except ValueError:
-        return ""
+    parsed = inspect.signature(member)
     parameters = list(parsed.parameters.values())
     if parameters and parameters[0].name in ("self", "cls"):
         parsed = parsed.replace(parameters=parameters[1:])

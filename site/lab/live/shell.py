@@ -13,7 +13,6 @@ import sys
 import time
 import zipfile
 from base64 import b64encode
-from collections.abc import Callable
 from importlib import invalidate_caches
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec, PathFinder
@@ -21,9 +20,7 @@ from traceback import format_exception
 from types import ModuleType
 from typing import Any, ClassVar
 
-os.environ["NOTEBOOK_STATIC_PAGE"] = (
-    "live"  # questions in the form that the page's own script runs, widgets with Python
-)
+os.environ["NOTEBOOK_STATIC_PAGE"] = "live"  # questions in the form that the page's script runs, widgets with Python
 os.environ["JUPYTER_WIDGETS_ECHO"] = "0"  # the page knows what it has set
 os.environ["MPLBACKEND"] = "agg"
 sys.modules["jedi"] = None  # type: ignore[assignment]  # only completion needs it, and its import takes a second
@@ -45,8 +42,6 @@ from misstep.display.failed_answer import error_name  # noqa: E402
 
 del sys.modules["sqlite3"]
 logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # "building the font cache"
-
-Report = Callable[[str], None]
 
 SITE_PACKAGES = site.getsitepackages()[0]
 
@@ -74,8 +69,6 @@ class Later(MetaPathFinder, Loader):
                 wheel.extractall(SITE_PACKAGES)
         invalidate_caches()
         spec = PathFinder.find_spec(module.__name__)
-        assert spec is not None  # noqa: S101  the wheel has it
-        assert spec.loader is not None  # noqa: S101
         module.__spec__, module.__file__, module.__loader__ = spec, spec.origin, spec.loader
         module.__path__ = spec.submodule_search_locations or []
         module.__package__ = module.__name__
@@ -93,9 +86,6 @@ class LateModule(ModuleType):
 
 LATER_PACKAGES = Later(dict(globals().get("LATER", {})))
 sys.meta_path.insert(0, LATER_PACKAGES)
-
-FLUSH_S = 0.1
-"""How long printed text is collected before it is reported."""
 
 
 def report(**output: Any) -> None:
@@ -125,14 +115,10 @@ comm.create_comm = PageComm  # before ipywidgets is imported
 
 
 class PageKernel:
-    """Names the cell that runs, as a kernel of Jupyter does.
-
-    request  what runs, replaced for each cell
-    widget   the widget whose message is being heard: what is printed meanwhile belongs to its cell
-    """
+    """Names the cell that runs, as a kernel of Jupyter does."""
 
     request: ClassVar[dict[str, Any]] = {}
-    widget: ClassVar[str] = ""
+    widget: ClassVar[str] = ""  # whose message is being heard: what is printed meanwhile belongs to its cell
 
     def get_parent(self, *_: Any) -> dict[str, Any]:
         """Return the request that runs."""
@@ -147,7 +133,7 @@ class PageStream(io.TextIOBase):
 
     def write(self, text: str) -> int:
         self.text += text
-        if time.monotonic() - self.reported > FLUSH_S:
+        if time.monotonic() - self.reported > 0.1:  # seconds; one report for each character would be slow
             self.flush()
         return len(text)
 
@@ -217,15 +203,10 @@ def display_figures() -> None:
     """Display the figures of pyplot that are open, and close them, as a notebook does at the end of a cell."""
     if pyplot := sys.modules.get("matplotlib.pyplot"):
         for number in pyplot.get_fignums():
-            shell.display_pub.publish({"image/svg+xml": save_as_svg(pyplot.figure(number))})
+            text = io.StringIO()
+            pyplot.figure(number).savefig(text, format="svg", bbox_inches="tight")
+            shell.display_pub.publish({"image/svg+xml": text.getvalue()})
         pyplot.close("all")
-
-
-def save_as_svg(figure: Any) -> str:
-    """Save a figure of pyplot as SVG."""
-    text = io.StringIO()
-    figure.savefig(text, format="svg", bbox_inches="tight")
-    return text.getvalue()
 
 
 async def run(source: str, cell: str = "") -> None:
