@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 from kincourse.mistakes.dh import slips_of_rows, symbol
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, is_plausible_angle
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import AlikeRows, Named
+from misstep.answers.base import TOLERANCE, AlikeRows, Named
 from misstep.answers.likeness import Likeness
 from misstep.answers.number import LENGTH, PURE, Numbers
 from misstep.display.sentences import LIKE_DEGREES

@@ -24,8 +24,7 @@ from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import CHOICES, Equivalence, equivalent
 from kinlib.dh.slips import Fault
 from kinlib.dh.table import DHTable
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, Named, Remarking, Unreadable
+from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable
 from misstep.diagnosis.explanation import MAX_ALTERNATIVES
 from misstep.display.sentences import UNTOUCHED
 from misstep.mutants.expression import Slip
@@ -42,7 +41,7 @@ ENDS = {
 
 
 @dataclass(frozen=True, eq=False)
-class DHTableAnswer(Remarking, Answer):
+class DHTableAnswer(Answer):
     """A DH table of an arm, in a given convention.
 
     value     the right table; its convention, base and tool are those of the problem

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.rigid.rpy import origin
-from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import TOLERANCE
 from misstep.answers.equivalent import Equivalent
 
 ANGLES_TOLERANCE_FACTOR = 3

@@ -5,8 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Named
+from misstep.answers.base import TOLERANCE, Named
 from misstep.answers.number import Numbers, scale_of
 from misstep.display.sentences import IN_DEGREES
 from misstep.validation import Array

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 
 from misstep import validation
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, AtInputs, Named, Unreadable
+from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable
 from misstep.mutants.expression import Expression, Slip
 from misstep.storage import Outputs
 
@@ -30,7 +29,7 @@ class FunctionCalls:
 
 
 @dataclass(frozen=True, eq=False)
-class Function(AtInputs):
+class Function(Answer):
     """A function, judged by its outputs at random inputs.
 
     value   the right function

@@ -12,8 +12,7 @@ from itertools import permutations
 import numpy as np
 from numpy.typing import NDArray
 
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Named
+from misstep.answers.base import TOLERANCE, Named
 from misstep.display import sentences
 from misstep.validation import Array
 

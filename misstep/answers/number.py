@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep import validation
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import MAX_NUMBER, Answer, Named, Unreadable, has_alike_rows
+from misstep.answers.base import MAX_NUMBER, TOLERANCE, Answer, Named, Unreadable, has_alike_rows
 from misstep.answers.likeness import ROUND_OFF, UNITS, Likeness, entries_hint, place_of
 from misstep.formulas.evaluation import numeral
 from misstep.validation import Array

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from misstep.answers.base import Remarking, Unreadable
+from misstep.answers.base import Unreadable
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.ordering import Ordering
@@ -183,7 +183,7 @@ def test_a_check_shows_its_card_and_stores_the_answer_with_it():
     assert bundle[MIME] == {"sheet": "01_ohm", "problem": 1, "student": "ada", "answer": expected}
 
 
-class Remarked(Remarking, Numbers):
+class Remarked(Numbers):
     """Numbers with a remark on every right answer."""
 
     def remark(self, given):
