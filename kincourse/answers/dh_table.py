@@ -28,7 +28,7 @@ from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable
 from misstep.diagnosis.explanation import MAX_ALTERNATIVES
 from misstep.display.sentences import UNTOUCHED
 from misstep.mutants.expression import Slip
-from misstep.storage import register_object
+from misstep.storage import OBJECTS
 
 MAX_TEXT_LENGTH = 10_000
 """Maximum number of characters of a typed table. A longer text is refused, because parsing it would take too long."""
@@ -236,7 +236,7 @@ def _is_same(one: DHTable, other: DHTable, tolerance: float = TOLERANCE) -> bool
     return one.convention == other.convention and bool(is_near)
 
 
-register_object(DHTable, DHTable.from_dict)
+OBJECTS["DHTable"] = DHTable.from_dict
 
 
 @lru_cache(maxsize=16)

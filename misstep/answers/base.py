@@ -5,7 +5,7 @@ how a value is read (`read`) and compared (`agrees`); of the other methods only 
 
 A check cell stores the answer as JSON (`misstep.storage`), so that a grader reads data and never runs what made it. Numbers,
 arrays, text, lists, dictionaries, SymPy expressions and the outputs of functions are stored without further ado; an object is
-stored if it has a method to_dict(), and read back if its class is registered.
+stored if it has a method to_dict(), and read back if its class is in `misstep.storage.OBJECTS`.
 """
 
 from abc import ABC, abstractmethod

@@ -103,10 +103,7 @@ class Likeness:
         if self.is_formula or not self.mine.any():
             return None
         mine, right = (x.reshape(-1, x.shape[-1]) for x in (self.mine, self.right))
-        wrong, rounded = (
-            np.ravel(~self._equal(mine, right)),
-            ("rounded", sentences.ROUNDED),
-        )
+        wrong, rounded = np.ravel(~self._equal(mine, right)), ("rounded", sentences.ROUNDED)
         unit = 10.0 ** (np.floor(np.log10(np.maximum(np.abs(right), 1e-12))) - 2)  # of the third digit
         is_short = np.asarray((np.abs(mine - unit * np.round(right / unit)) < 1e-6 * unit).all(axis=-1))
         if (is_short | ~wrong).all() and (is_short & (np.abs(mine - right) > 1e-9).any(axis=-1)).any():
@@ -236,11 +233,7 @@ def entries_hint(same: NDArray[np.bool_], names: Sequence[str] | None = None) ->
 
 
 def place_of(index: Sequence[int]) -> str:
-    """Name the place of an entry, counted from 1.
-
-    >>> place_of([1]), place_of([0, 1]), place_of([0, 1, 2])
-    ('entry 2', 'row 1, column 2', 'entry (1, 2, 3)')
-    """
+    """Name the place of an entry, counted from 1."""
     counted = [int(i) + 1 for i in index]
     if len(counted) == 2:
         return f"row {counted[0]}, column {counted[1]}"

@@ -8,8 +8,6 @@ OTHER_UNIT = "This is right in {}. Give it in {}."
 
 IN_DEGREES = OTHER_UNIT.format("degrees", "radians")
 
-IN_DEGREES_WITH_WRONG_SIGN = "This is in degrees, and with the wrong sign. Give it in radians."
-
 LIKE_DEGREES = "This is read as {:g} rad, more than a full turn. Is it in degrees?"
 """What is said of an angle that nobody means in radians, and that is not right in degrees either."""
 

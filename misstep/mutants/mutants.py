@@ -32,6 +32,11 @@ class MutableSolution:
     """A solution at one input, and its changes, which are looked for when they are needed.
 
     built  the parts that were built for its mutants; each is built and computed once
+
+    >>> from misstep.mutants.expression import given
+    >>> A, B = given("A", np.eye(2)), given("B", np.ones((2, 2)))
+    >>> [mutation.slip.did for mutation in MutableSolution(A @ B).mutations][:2]
+    ['swap $A$ and $B$', 'leave out $A$']
     """
 
     root: Expression
@@ -40,7 +45,18 @@ class MutableSolution:
     @cached_property
     def mutations(self) -> Sequence[Mutation]:
         """Its changes, in the same order at each input."""
-        return mutations(self.root)
+        single = [Mutation(slip, {id(node): slip.wrong}) for node in _nodes(self.root) for slip in node.slips()]
+        everywhere: dict[tuple[str, str], list[Mutation]] = {}
+        for mutation in single:
+            if text := mutation.slip.everywhere:
+                everywhere.setdefault((mutation.slip.name, text), []).append(mutation)
+        for (name, text), several in everywhere.items():
+            first = several[0].slip
+            replaced = {key: node for mutation in reversed(several) for key, node in mutation.replaced.items()}
+            if len(replaced) > 1:
+                single = [mutation for mutation in single if mutation not in several or mutation.slip.one_by_one]
+                single.append(Mutation(Slip(name, text, advice=first.advice, in_parts=first.in_parts), replaced))
+        return single
 
     def mutant(self, k: int) -> Expression:
         """Return the solution with the change of this index."""
@@ -66,29 +82,6 @@ def mutate(root: Expression, replaced: Mapping[int, Expression], built: Built) -
     if key not in built:
         built[key] = arguments, new.operation(*arguments)
     return built[key][1]
-
-
-def mutations(root: Expression) -> list[Mutation]:
-    """Return every change of an expression.
-
-    >>> from misstep.mutants.expression import given
-    >>> A, B = given("A", np.eye(2)), given("B", np.ones((2, 2)))
-    >>> [mutation.slip.did for mutation in mutations(A @ B)][:2]
-    ['swap $A$ and $B$', 'leave out $A$']
-    """
-    nodes = _nodes(root)
-    single = [Mutation(slip, {id(node): slip.wrong}) for node in nodes for slip in node.slips()]
-    everywhere: dict[tuple[str, str], list[Mutation]] = {}
-    for mutation in single:
-        if text := mutation.slip.everywhere:
-            everywhere.setdefault((mutation.slip.name, text), []).append(mutation)
-    for (name, text), several in everywhere.items():
-        first = several[0].slip
-        replaced = {key: node for mutation in reversed(several) for key, node in mutation.replaced.items()}
-        if len(replaced) > 1:
-            single = [mutation for mutation in single if mutation not in several or mutation.slip.one_by_one]
-            single.append(Mutation(Slip(name, text, advice=first.advice, in_parts=first.in_parts), replaced))
-    return single
 
 
 def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = False) -> Mistake:

@@ -122,10 +122,5 @@ def function(name: str, of: Any, latex: str) -> Operation:
     """Make an operation about which people make no mistake of their own from a function of arrays.
 
     latex  the LaTeX, with {0}, {1} for the arguments
-
-    >>> from misstep.mutants.expression import given
-    >>> cube = function("cube", lambda x: x**3, "{0}^3")
-    >>> cube(given("x", 2.0)).value
-    8.0
     """
     return Operation(name, of, latex.format, binds=ATOM)
