@@ -10,9 +10,12 @@ from typing import Any, Literal
 from misstep.answers.base import Unreadable
 from misstep.answers.prose import Prose
 from misstep.diagnosis.explanation import Finding, explain
-from misstep.display.sentences import STEP_BY_STEP, UNKNOWN
 from misstep.problem import Problem
 from misstep.validation import is_blank
+
+UNKNOWN = "We do not recognise what happened here."
+
+STEP_BY_STEP = "Go back to what is given, and check one step at a time."
 
 State = Literal["right", "partly", "wrong", "open", "blank", "unreadable"]
 """Open: a text that only an instructor can mark."""

@@ -4,7 +4,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from misstep.diagnosis.explanation import MAX_LENGTH, SENTENCE_END, Finding
-from misstep.display.sentences import RIGHT
+
+RIGHT = "Right: {}."
+"""What is said of the right parts of an answer."""
+
+TOGETHER = "Right: {}. You get no points for this alone."
+"""What is said of right parts that a wrong method gives as well, and that earn nothing alone."""
 
 
 def paragraphs(

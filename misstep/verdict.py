@@ -6,10 +6,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from misstep.display.card import TONES, Card, Link
-from misstep.display.sentences import RIGHT, TOGETHER
 from misstep.display.text import points
 from misstep.judge import Judgement
-from misstep.paragraphs import paragraphs
+from misstep.paragraphs import RIGHT, TOGETHER, paragraphs
 from misstep.problem import Template
 from misstep.storage import MIME
 

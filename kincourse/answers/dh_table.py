@@ -25,8 +25,8 @@ from kinlib.dh.equivalence import CHOICES, Equivalence, equivalent
 from kinlib.dh.slips import Fault
 from kinlib.dh.table import DHTable
 from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable
+from misstep.answers.likeness import UNTOUCHED
 from misstep.diagnosis.explanation import MAX_ALTERNATIVES
-from misstep.display.sentences import UNTOUCHED
 from misstep.mutants.expression import Slip
 from misstep.storage import OBJECTS
 

@@ -13,8 +13,8 @@ from kinlib.dh.slips import OTHER_CONVENTION
 from kinlib.dh.table import Convention
 from kinlib.rigid.lie import homogeneous, inverse
 from misstep.answers.base import TOLERANCE, Named, Unreadable
+from misstep.answers.likeness import UNTOUCHED
 from misstep.answers.number import Numbers
-from misstep.display.sentences import UNTOUCHED
 from misstep.mutants.expression import Slip
 
 FRAMES_SLIPS = (

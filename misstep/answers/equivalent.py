@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from misstep.answers.base import TOLERANCE, Named
+from misstep.answers.likeness import IN_DEGREES
 from misstep.answers.number import Numbers, scale_of
-from misstep.display.sentences import IN_DEGREES
 from misstep.validation import Array
 
 

@@ -60,28 +60,24 @@ class MutableSolution:
 
     def mutant(self, k: int) -> Expression:
         """Return the solution with the change of this index."""
-        return mutate(self.root, self.mutations[k].replaced, self.built)
+        return self._changed(self.root, self.mutations[k].replaced)
 
-
-def mutate(root: Expression, replaced: Mapping[int, Expression], built: Built) -> Expression:
-    """Return the expression with some of its parts replaced; all other parts are shared with the original one.
-
-    built  the parts that were built for other mutants of the same expression; they are shared too, and new ones are added
-    """
-    if replaced.keys().isdisjoint(root.part_ids):
-        return root
-    # A replacement is searched for further parts to replace, but not for the part that it replaces: that may stand within it.
-    new = root
-    while id(new) in replaced:
-        done, new = id(new), replaced[id(new)]
-        replaced = {key: node for key, node in replaced.items() if key != done}
-    arguments = tuple([mutate(node, replaced, built) for node in new.arguments])
-    if all(map(is_, arguments, new.arguments)):
-        return new
-    key = (new.operation, *map(id, arguments))
-    if key not in built:
-        built[key] = arguments, new.operation(*arguments)
-    return built[key][1]
+    def _changed(self, root: Expression, replaced: Mapping[int, Expression]) -> Expression:
+        """Return a part with some of its parts replaced; all other parts are shared with the original one."""
+        if replaced.keys().isdisjoint(root.part_ids):
+            return root
+        # A replacement is searched for further parts to replace, but not for the part that it replaces: that may stand within it.
+        new = root
+        while id(new) in replaced:
+            done, new = id(new), replaced[id(new)]
+            replaced = {key: node for key, node in replaced.items() if key != done}
+        arguments = tuple([self._changed(node, replaced) for node in new.arguments])
+        if all(map(is_, arguments, new.arguments)):
+            return new
+        key = (new.operation, *map(id, arguments))
+        if key not in self.built:
+            self.built[key] = arguments, new.operation(*arguments)
+        return self.built[key][1]
 
 
 def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = False) -> Mistake:

@@ -10,8 +10,7 @@ from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.ordering import Ordering
 from misstep.diagnosis.explanation import Finding
-from misstep.display.sentences import STEP_BY_STEP, UNKNOWN
-from misstep.judge import Judgement, judge
+from misstep.judge import STEP_BY_STEP, UNKNOWN, Judgement, judge
 from misstep.mistakes import mistake
 from misstep.mutants.expression import given as of_solution
 from misstep.problem import Problem, problem
