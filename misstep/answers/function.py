@@ -16,9 +16,6 @@ from misstep.storage import Outputs
 CALL_COUNT = 4
 """The number of inputs at which a function is called."""
 
-Sample = Callable[["np.random.Generator"], tuple[Any, ...]]
-"""Draws the arguments of one call."""
-
 
 @dataclass(frozen=True, eq=False)
 class Function(Answer):
@@ -36,7 +33,7 @@ class Function(Answer):
 
     value: Callable[..., Any]
     output: Answer
-    sample: Sample
+    sample: Callable[[np.random.Generator], tuple[Any, ...]]
     inputs: Sequence[tuple[Any, ...]] = field(default=())
 
     def __post_init__(self) -> None:

@@ -85,9 +85,6 @@ def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = 
 
     advice  for names or texts of changes, a sentence on what is right, instead of their own
     spoils  whether it belongs to the method for all parts of the answer
-
-    >>> mutant(Slip("degrees", "use degrees as radians"), 3.0, {}).message
-    'This is what you get if you use degrees as radians.'
     """
     further = advice.get(slip.did, advice.get(slip.name, slip.advice))
     is_sentence = slip.did.endswith(".")
