@@ -255,11 +255,8 @@ def table(*rows: tuple[Any, ...], of_values: bool = False) -> Callable[[Expressi
                 for one in (text, more[0] if more else "")
             )
             did, bar, everywhere = (part.strip() for part in said.partition(" |"))
-            wrong = (
-                Operation(name, change, node.operation.latex)(*arguments)
-                if of_values
-                else as_expression(change(*arguments))
-            )
+            make = Operation(name, change, node.operation.latex) if of_values else change
+            wrong = as_expression(make(*arguments))
             yield Slip(name, did, wrong, everywhere or did * bool(bar), advice, **(more[1] if len(more) > 1 else {}))
 
     return slips

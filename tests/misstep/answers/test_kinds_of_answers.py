@@ -15,9 +15,8 @@ import sympy as sp
 from misstep import Problem
 from misstep.answers.angle import Angles
 from misstep.answers.choice import Choice
-from misstep.answers.equivalent import Equivalent
 from misstep.answers.expression import ClosedForm
-from misstep.answers.number import Numbers
+from misstep.answers.number import Equivalent, Numbers
 from misstep.answers.ordering import Ordering
 from misstep.judge import judge
 from misstep.storage import from_data, to_data
