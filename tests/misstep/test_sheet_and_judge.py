@@ -83,7 +83,7 @@ def test_right_blank_and_unreadable_answers_are_judged_in_all_parts():
 
 def test_a_mistake_in_all_parts_is_one_finding_and_each_unexplained_part_is_one():
     p = two_rows([SHIFTED, NEGATED])
-    whole = Finding(["row 1", "row 2"], "You reversed the axes.", [p.mistakes[1]], is_whole=True, is_method=True)
+    whole = Finding(["row 1", "row 2"], "You reversed the axes.", [p.mistakes[1]], is_method=True)
     assert judge(p, NEGATED.value) == Judgement("wrong", 0.0, [], [whole])
     assert whole.mistake == "negated"
     unforeseen = judge(p, [[0, 1, 0, 0, -2, 0], [1, 0, 0, 3, 0, 0]])
