@@ -29,9 +29,6 @@ def array(x: ArrayLike, name: str) -> Array:
     """Read x as an array of finite real numbers.
 
     Raises ValueError for anything else, with the index of the first NaN or infinity.
-
-    >>> array([1, 2, 3], "your answer")
-    array([1., 2., 3.])
     """
     try:
         values = np.asarray(x)

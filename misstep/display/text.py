@@ -39,10 +39,6 @@ def vector(x: ArrayLike) -> str:
 
 
 def matrix(X: ArrayLike) -> str:
-    r"""Write a matrix in LaTeX, for use between dollar signs.
-
-    >>> matrix(np.eye(2))
-    '\\begin{pmatrix} 1 & 0 \\\\ 0 & 1 \\end{pmatrix}'
-    """
+    """Write a matrix in LaTeX, for use between dollar signs."""
     rows = r" \\ ".join(" & ".join(number(value) for value in row) for row in np.asarray(X, dtype=float))
     return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
