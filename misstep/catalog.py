@@ -145,8 +145,6 @@ class Course:
 
         Pass the result as `after=` to a figure to cover the figure until the reader has answered. The question that is asked
         again is the same one, so an answer survives running a cell again.
-
-        Raises ValueError for an unknown name.
         """
         return self._asked.setdefault(name, Question(self.find_question(name), name))
 
@@ -154,8 +152,6 @@ class Course:
         """Return the explanation of the prediction at ask(name), which displays itself and opens when the reader has answered.
 
         output  text that a computation has given; it is shown with the explanation, because it tells the answer
-
-        Raises ValueError for an unknown name.
         """
         return Explanation(self.ask(name), output)
 

@@ -23,11 +23,7 @@ EXTRAS = {"grade": "kincourse[grading]", "release": "kincourse[grading]"}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command that the arguments name, and return its exit code: 0 done, 2 invalid request.
-
-    >>> main(["release", "--root", "nowhere"])
-    2
-    """
+    """Run the command that the arguments name, and return its exit code: 0 done, 2 invalid request."""
     return run_command("misstep", "Sheets that check themselves.", COMMANDS, EXTRAS, arguments)
 
 

@@ -7,12 +7,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from misstep.answers.base import Remarking, Unreadable
+from misstep.answers.base import Unreadable
 from misstep.answers.prose import Prose
 from misstep.diagnosis.explanation import Finding, explain
-from misstep.display.sentences import STEP_BY_STEP, UNKNOWN
 from misstep.problem import Problem
 from misstep.validation import is_blank
+
+UNKNOWN = "We do not recognise what happened here."
+
+STEP_BY_STEP = "Go back to what is given, and check one step at a time."
 
 State = Literal["right", "partly", "wrong", "open", "blank", "unreadable"]
 """Open: a text that only an instructor can mark."""
@@ -47,7 +50,7 @@ def judge(problem: Problem, given: Any) -> Judgement:  # noqa: PLR0911 - one for
     right = answer.agrees(value, answer.value)
     wrong = [part for part, is_right in enumerate(right) if not is_right]
     if not wrong:
-        remark = answer.remark(value) if isinstance(answer, Remarking) else ""
+        remark = answer.remark(value)
         return Judgement("right", 1.0, answer.parts, [Finding(answer.parts, remark)] if remark else [])
     findings = explain(problem, value, wrong)
     explained = {part for one in findings for part in one.parts}

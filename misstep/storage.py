@@ -7,7 +7,7 @@ because anybody can write JSON:
     {"number": 1.5}, {"text": "..."}, {"truth": true}  a formula is stored as its text
     {"array": [flat numbers], "shape": [3, 6]}         null stands for NaN and infinity
     {"list": [...]}, {"map": [["a", ...], ...]}
-    {"object": "Resistor", "fields": {...}}            an object of a class that a kind of answer has registered
+    {"object": "Resistor", "fields": {...}}            an object of a class in OBJECTS
     {"function": "name"}, and with "outputs": [...] if it was called
     {"other": "what it is"}
 """
@@ -37,7 +37,10 @@ MAX_CHARACTERS = 100_000
 """The most characters of a stored answer."""
 
 OBJECTS: dict[str, Callable[[Mapping[str, Any]], Any]] = {}
-"""For each registered class, by its name, the function that makes an object from its fields."""
+"""For each class whose objects are answers, by its name, what makes an object from the fields that its to_dict() returns.
+
+It raises ValueError for fields that to_dict() never returns.
+"""
 
 Data = dict[str, Any] | None
 
@@ -112,7 +115,7 @@ def _written(value: Any, parts: Iterator[int]) -> Data:  # noqa: PLR0911 - one f
         return {"function": _name(value)}
     if hasattr(value, "__array__"):
         return _array(np.asarray(value), parts)
-    # Whether the class is registered is known only where the object is read.
+    # Whether the class is in OBJECTS is known only where the object is read.
     name = type(value).__name__
     return {"object": name, "fields": value.to_dict()} if hasattr(value, "to_dict") else {"other": name}
 
@@ -162,9 +165,6 @@ def from_data(data: Any) -> Any:
     """Read a stored answer: arrays as NumPy arrays, formulas as text, and what could not be stored as Opaque.
 
     Raises ValueError for JSON of any other form.
-
-    >>> from_data({"array": [1.0, None], "shape": [2]})
-    array([ 1., nan])
     """
     try:
         return _read(data)
@@ -195,19 +195,3 @@ def _read(data: Any) -> Any:  # noqa: PLR0911 - one for each form
         case {"other": str(name)}:
             return Opaque(name)
     raise ValueError("A stored answer must be null or a JSON object of a known form.")
-
-
-def register_object(kind: type, read: Callable[[Mapping[str, Any]], Any]) -> None:
-    """Register a class whose objects are answers, so that they can be read back from storage.
-
-    kind  the class; its objects are stored by its name and the fields that their method to_dict() returns
-    read  makes an object from these fields, and raises ValueError for fields that to_dict() never returns
-
-    >>> class Coil:
-    ...     def __init__(self, henry):
-    ...         self.henry = henry
-    >>> register_object(Coil, lambda fields: Coil(fields["henry"]))
-    >>> from_data({"object": "Coil", "fields": {"henry": 5.0}}).henry
-    5.0
-    """
-    OBJECTS[kind.__name__] = read

@@ -10,11 +10,9 @@ from numpy.typing import NDArray
 from kincourse.mistakes.dh import slips_of_rows, symbol
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, is_plausible_angle
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import AlikeRows, Named
+from misstep.answers.base import TOLERANCE, AlikeRows, Named
 from misstep.answers.likeness import Likeness
 from misstep.answers.number import LENGTH, PURE, Numbers
-from misstep.display.sentences import LIKE_DEGREES
 from misstep.mutants.expression import Slip
 
 
@@ -69,7 +67,8 @@ class DHEntriesAnswer(_DHNumbers):
         is_angle = self._is_angle(part)
         if is_angle and _same_angle(given[part], self.value[part] + np.pi):
             return "half a turn", "It differs from the right angle by half a turn."
-        return ("", LIKE_DEGREES.format(given[part])) if is_angle and not is_plausible_angle(given[part]) else None
+        text = f"This is read as {given[part]:g} rad, more than a full turn. Is it in degrees?"
+        return ("", text) if is_angle and not is_plausible_angle(given[part]) else None
 
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
         """Return whether half of the entries are right, which no wrong method gives."""

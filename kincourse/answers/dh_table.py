@@ -24,12 +24,11 @@ from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import CHOICES, Equivalence, equivalent
 from kinlib.dh.slips import Fault
 from kinlib.dh.table import DHTable
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, Named, Remarking, Unreadable
+from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable
+from misstep.answers.likeness import UNTOUCHED
 from misstep.diagnosis.explanation import MAX_ALTERNATIVES
-from misstep.display.sentences import UNTOUCHED
 from misstep.mutants.expression import Slip
-from misstep.storage import register_object
+from misstep.storage import OBJECTS
 
 MAX_TEXT_LENGTH = 10_000
 """Maximum number of characters of a typed table. A longer text is refused, because parsing it would take too long."""
@@ -42,7 +41,7 @@ ENDS = {
 
 
 @dataclass(frozen=True, eq=False)
-class DHTableAnswer(Remarking, Answer):
+class DHTableAnswer(Answer):
     """A DH table of an arm, in a given convention.
 
     value     the right table; its convention, base and tool are those of the problem
@@ -237,7 +236,7 @@ def _is_same(one: DHTable, other: DHTable, tolerance: float = TOLERANCE) -> bool
     return one.convention == other.convention and bool(is_near)
 
 
-register_object(DHTable, DHTable.from_dict)
+OBJECTS["DHTable"] = DHTable.from_dict
 
 
 @lru_cache(maxsize=16)

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.rigid.rpy import origin
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.equivalent import Equivalent
+from misstep.answers.base import TOLERANCE
+from misstep.answers.number import Equivalent
 
 ANGLES_TOLERANCE_FACTOR = 3
 """How many times the tolerance of one entry a rotation may be off: the rounding errors of three angles add up."""

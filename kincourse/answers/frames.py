@@ -12,10 +12,9 @@ from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.slips import OTHER_CONVENTION
 from kinlib.dh.table import Convention
 from kinlib.rigid.lie import homogeneous, inverse
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Named, Unreadable
+from misstep.answers.base import TOLERANCE, Named, Unreadable
+from misstep.answers.likeness import UNTOUCHED
 from misstep.answers.number import Numbers
-from misstep.display.sentences import UNTOUCHED
 from misstep.mutants.expression import Slip
 
 FRAMES_SLIPS = (

@@ -10,11 +10,9 @@ from numpy.typing import NDArray
 from kincourse.answers.point import REORDERED, XYZ
 from kinlib.rigid.lie import homogeneous, inverse, log, nearest_rotation
 from kinlib.rigid.rpy import origin
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Named
-from misstep.answers.equivalent import Equivalent
+from misstep.answers.base import TOLERANCE, Named
 from misstep.answers.likeness import Likeness, entries_hint
-from misstep.answers.number import LENGTH, PURE, Numbers
+from misstep.answers.number import LENGTH, PURE, Equivalent, Numbers
 from misstep.mutants.expression import Slip
 from misstep.validation import Array
 

@@ -14,7 +14,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import inverse
-from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import TOLERANCE
 
 POSE_TOLERANCE_FACTOR = 3
 """How many times the tolerance of one entry a pose may be off: the rounding errors of the rows add up along the arm."""

@@ -27,7 +27,7 @@ from misstep.mutants.expression import (
     table,
     total,
 )
-from misstep.mutants.operations import ANGLE, LENGTH, SLIDE, VECTOR, cross_product, radians, stack
+from misstep.mutants.operations import ANGLE, LENGTH, SLIDE, VECTOR, radians, stack
 
 MIN_SHIFT_M = 0.01
 """By how much another origin must change a moment, so that it can be seen that the points were measured from it."""
@@ -352,7 +352,7 @@ _MOMENTS = table(
     ("point as moment", "take $-p$ as the moment |", lambda _, p: negative(p), MOMENT_ADVICE),
     ("no moment", "leave out the moment |", lambda w, _: 0 * w, MOMENT_ADVICE),
 )
-moment: Operation = Operation("moment", lambda w, p: -cross_product(w, p), "-{0} \\times {1}".format, _moment_slips)
+moment: Operation = Operation("moment", lambda w, p: -np.cross(w, p), "-{0} \\times {1}".format, _moment_slips)
 """The moment of an axis omega through p: -omega x p."""
 
 prismatic: Operation = Operation("prismatic", lambda d, _: _joined(0 * d, d), "(0, {0})".format, table(

@@ -35,8 +35,7 @@ from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.lie import homogeneous
 from kinlib.view import draw_arm, draw_frames, draw_joints
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Named, Remarking
+from misstep.answers.base import TOLERANCE, Named
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
@@ -93,7 +92,7 @@ def _moved(rows: Array, by: int, columns: list[int]) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class WristAnglesAnswer(Remarking, EulerAnglesAnswer):
+class WristAnglesAnswer(EulerAnglesAnswer):
     """Angles theta_4, theta_5, theta_6 of a wrist in rows, in radians; the second row is at the singular configuration."""
 
     noun: ClassVar[str] = "theta_4, theta_5, theta_6 in radians, one row for each rotation, an array"

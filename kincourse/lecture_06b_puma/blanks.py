@@ -6,7 +6,7 @@ from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import link
 from kincourse.expressions.wrist import wrist_angles, wrist_rotation
 from kincourse.problem import ArmSampler, Problem, problem
-from misstep.answers.equivalent import Equivalent
+from misstep.answers.number import Equivalent
 from misstep.display.text import matrix
 
 RIGHT_ANGLE_RAD = np.pi / 2

@@ -9,8 +9,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Named
+from misstep.answers.base import TOLERANCE, Named
 from misstep.answers.number import Numbers
 from misstep.formulas.evaluation import numeral
 from misstep.mutants.expression import Slip

@@ -5,15 +5,17 @@ how a value is read (`read`) and compared (`agrees`); of the other methods only 
 
 A check cell stores the answer as JSON (`misstep.storage`), so that a grader reads data and never runs what made it. Numbers,
 arrays, text, lists, dictionaries, SymPy expressions and the outputs of functions are stored without further ado; an object is
-stored if it has a method to_dict(), and read back if its class is registered.
+stored if it has a method to_dict(), and read back if its class is in `misstep.storage.OBJECTS`.
 """
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from misstep.answers.accuracy import TOLERANCE
 from misstep.mutants.expression import Expression, Slip
+
+TOLERANCE = 1e-3
+"""The accepted error of a number, relative to its size if that is above 1: three printed decimals are enough."""
 
 MAX_NUMBER = 1e12
 """The largest number that an answer may have. A larger one is the result of an error, and its square might overflow."""
@@ -33,9 +35,11 @@ class Answer(ABC):
     and a mistake in one part does not cost the points of the others.
 
     value   the right answer
+    inputs  the arguments of each call, if the answer is a function
     """
 
     value: Any
+    inputs: Sequence[Any] = ()
 
     @property
     @abstractmethod
@@ -77,17 +81,21 @@ class Answer(ABC):
         """Return what every right answer fulfils and this part does not, with its own numbers; "" if there is no such thing."""
         return ""
 
+    def at_inputs(self, solution: Any = None) -> Iterator[Expression | Any]:
+        """Yield a solution, or without one the right value: of a function or a formula at each input, otherwise the only one."""
+        return iter([self.value if solution is None else solution])
+
+    def collect(self, values: Sequence[Any]) -> Any:
+        """Return the answer that has these values at the first inputs, as if it had been read. Raises Unreadable if there is none."""
+        return self.read(values[0])
+
+    def remark(self, given: Any) -> str:
+        """Return how this right answer differs from ours, if several are right; "" if there is nothing to say."""
+        return ""
+
     def counts(self, given: Any, right: Sequence[bool]) -> bool:
         """Return whether the right parts of a partly right answer earn their share: what a wrong method gives does not."""
         return True
-
-
-class Remarking(ABC):
-    """A kind of answer of which several are right."""
-
-    @abstractmethod
-    def remark(self, given: Any) -> str:
-        """Return a sentence on how a right answer differs from ours; "" if there is nothing to say."""
 
 
 class AlikeRows:
@@ -97,43 +105,6 @@ class AlikeRows:
 def has_alike_rows(answer: Answer) -> bool:
     """Whether one method gives all parts of an answer, of which there are several."""
     return isinstance(answer, AlikeRows) and len(answer.parts) > 1
-
-
-class AtInputs(Answer):
-    """A function or a formula, whose solution is an expression at each of some inputs.
-
-    inputs  the arguments of each call, if the answer is a function
-    """
-
-    inputs: Sequence[Any] = ()
-
-    @abstractmethod
-    def at_inputs(self, solution: Any = None) -> Iterator[Expression | Any]:
-        """Yield the solution as an expression at each input, or without one the right value."""
-
-    @abstractmethod
-    def collect(self, values: Sequence[Any]) -> Any:
-        """Return the answer with these values at the first inputs, as if it had been read. Raises Unreadable if there is none.
-
-        It is compared with other answers at these inputs only.
-        """
-
-
-def inputs_of(answer: Answer) -> Sequence[Any]:
-    """Return the arguments of each call, if an answer is a function."""
-    return answer.inputs if isinstance(answer, AtInputs) else ()
-
-
-def at_inputs(answer: Answer, solution: Any = None) -> Iterator[Expression | Any]:
-    """Yield a solution at each input, or without one the right value; the only one, if the answer is no function of inputs."""
-    if isinstance(answer, AtInputs):
-        return answer.at_inputs(solution)
-    return iter([answer.value if solution is None else solution])
-
-
-def collect(answer: Answer, values: Sequence[Any]) -> Any:
-    """Return the answer that has these values at the inputs. Raises Unreadable if there is none."""
-    return answer.collect(values) if isinstance(answer, AtInputs) else answer.read(values[0])
 
 
 def seen_at_sight(answer: Answer, given: Any) -> Named | None:

@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from misstep import validation
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, Named, Unreadable, seen_at_sight
+from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable, seen_at_sight
 
 
 def plain(text: str) -> str:

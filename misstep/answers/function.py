@@ -9,28 +9,16 @@ from typing import Any
 import numpy as np
 
 from misstep import validation
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, AtInputs, Named, Unreadable
+from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable
 from misstep.mutants.expression import Expression, Slip
 from misstep.storage import Outputs
 
 CALL_COUNT = 4
 """The number of inputs at which a function is called."""
 
-Sample = Callable[["np.random.Generator"], tuple[Any, ...]]
-"""Draws the arguments of one call."""
-
-
-@dataclass(frozen=True)
-class FunctionCalls:
-    """A function, and its outputs at the inputs of the problem. The function is None if only the outputs were stored."""
-
-    function: Callable[..., Any] | None
-    outputs: Sequence[Any]
-
 
 @dataclass(frozen=True, eq=False)
-class Function(AtInputs):
+class Function(Answer):
     """A function, judged by its outputs at random inputs.
 
     value   the right function
@@ -45,7 +33,7 @@ class Function(AtInputs):
 
     value: Callable[..., Any]
     output: Answer
-    sample: Sample
+    sample: Callable[[np.random.Generator], tuple[Any, ...]]
     inputs: Sequence[tuple[Any, ...]] = field(default=())
 
     def __post_init__(self) -> None:
@@ -59,18 +47,16 @@ class Function(AtInputs):
     def expected(self) -> str:
         return f"a function whose every call gives {self.output.expected}"
 
-    def read(self, given: Any) -> FunctionCalls:
-        if isinstance(given, FunctionCalls):
-            return given
+    def read(self, given: Any) -> Outputs:
         if isinstance(given, Outputs):
             if len(given.values) != len(self.inputs):
                 raise Unreadable(
                     f"Expected {self.expected}; it gave {len(given.values)} outputs for {len(self.inputs)} calls."
                 )
-            return FunctionCalls(None, [self._output(value) for value in given.values])
+            return Outputs([self._output(value) for value in given.values])
         if not callable(given) or isinstance(given, type):
             raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.{self._remedy(given)}")
-        return FunctionCalls(given, [self._output(self._call(given, arguments)) for arguments in self.inputs])
+        return Outputs([self._output(self._call(given, arguments)) for arguments in self.inputs])
 
     def _remedy(self, given: Any) -> str:
         """Return how to give the function instead of this, with a leading space; "" if that is not known."""
@@ -95,7 +81,8 @@ class Function(AtInputs):
         return self.output.read(value)
 
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
-        pairs = zip(self._called(one).outputs, self._called(other).outputs, strict=False)
+        called = (self._right if given is self.value else given for given in (one, other))
+        pairs = zip(*(given.values for given in called), strict=False)
         return [all(all(self.output.agrees(mine, yours, tolerance)) for mine, yours in pairs)]
 
     @property
@@ -104,26 +91,26 @@ class Function(AtInputs):
 
     def at_inputs(self, solution: Callable[..., Expression] | None = None) -> Iterator[Expression | Any]:
         if solution is None:
-            return iter(self._right.outputs)
+            return iter(self._right.values)
         return (solution(*deepcopy(arguments)) for arguments in self.inputs)
 
     @cached_property
-    def _right(self) -> FunctionCalls:
+    def _right(self) -> Outputs:
         return self.read(self.value)
 
-    def collect(self, values: Sequence[Any]) -> FunctionCalls:
-        return FunctionCalls(None, [self._output(value) for value in values])
+    def collect(self, values: Sequence[Any]) -> Outputs:
+        return Outputs([self._output(value) for value in values])
 
-    def seen(self, given: FunctionCalls, part: int | None) -> Named | None:
+    def seen(self, given: Outputs, part: int | None) -> Named | None:
         def ask(answer: Answer, mine: Any) -> Named | None:
             right = answer.agrees(mine, answer.value) if part is not None else []
             return next((answer.seen(mine, k) for k, fine in enumerate(right) if not fine), answer.seen(mine, None))
 
         return self._at_every_input(given, ask)
 
-    def resemblance(self, given: FunctionCalls, part: int | None) -> Named | None:
+    def resemblance(self, given: Outputs, part: int | None) -> Named | None:
         """Return what is the same at every input: which parts are wrong, or how they differ from the right ones."""
-        pairs = zip(given.outputs, self._right.outputs, strict=True)
+        pairs = zip(given.values, self._right.values, strict=True)
         agrees = [self.output.agrees(mine, right) for mine, right in pairs]
         parts = list(zip(self.output.parts, map(all, zip(*agrees, strict=True)), strict=True))
         fine, wrong = (" and ".join(name for name, is_fine in parts if is_fine is what) for what in (True, False))
@@ -134,15 +121,10 @@ class Function(AtInputs):
         count = sum(map(all, agrees))
         return ("", f"It is right at {count} of {len(agrees)} inputs that were tried.") if count else None
 
-    def _at_every_input(self, given: FunctionCalls, ask: Callable[[Answer, Any], Named | None]) -> Named | None:
+    def _at_every_input(self, given: Outputs, ask: Callable[[Answer, Any], Named | None]) -> Named | None:
         """Return what is to be said of the outputs, if it is the same at every input."""
-        pairs = zip(given.outputs, self._right.outputs, strict=True)
+        pairs = zip(given.values, self._right.values, strict=True)
         found = {ask(replace(self.output, value=right), mine) for mine, right in pairs}  # type: ignore[type-var]
         if len(found) > 1 or not (named := found.pop()):
             return None
         return named[0], f"At every input that was tried: {named[1][:1].lower()}{named[1][1:]}"
-
-    def _called(self, given: Any) -> Any:
-        if given is self.value:
-            return self._right
-        return given if isinstance(given, FunctionCalls) else self.read(given)

@@ -12,13 +12,23 @@ from itertools import permutations
 import numpy as np
 from numpy.typing import NDArray
 
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Named
-from misstep.display import sentences
+from misstep.answers.base import TOLERANCE, Named
 from misstep.validation import Array
 
 ROUND_OFF = 1e-12
 """Smaller absolute values are zeros with an error of the computer's arithmetic."""
+
+OTHER_UNIT = "This is right in {}. Give it in {}."
+"""What is said of the right numbers in another unit, with both units."""
+
+IN_DEGREES = OTHER_UNIT.format("degrees", "radians")
+
+ROUNDED = "These are the right numbers, but rounded too much. Keep at least four significant digits."
+
+ZERO = "This is 0, and the right number is not."
+
+UNTOUCHED = "{}. Put in the numbers that you find."
+"""What is said of a placeholder."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,18 +66,18 @@ class Likeness:
         mine, right, n = self.mine, self.right, self.mine.shape[0] if self.mine.ndim > 1 else 1
         is_one = mine.size == mine.shape[-1]
         if not mine.any() and self._is_seen(right).any() and not (is_one and not self._has_unit):  # a count may be 0
-            return "placeholder", sentences.ZERO if is_one else sentences.UNTOUCHED.format("Every number is 0")
+            return "placeholder", ZERO if is_one else UNTOUCHED.format("Every number is 0")
         if not is_one and (mine == 1).all() and not (right == 1).all():
-            return "placeholder", sentences.UNTOUCHED.format("Every number is 1")
+            return "placeholder", UNTOUCHED.format("Every number is 1")
         is_square = mine.ndim == 3 and mine.shape[1] == n
         if is_square and (mine == np.eye(n)[..., None]).all() and not self._equal(mine, right).all():
-            return "placeholder", sentences.IDENTITY
+            return "placeholder", UNTOUCHED.format("This is the identity matrix")
         return None
 
     def resemblance(self) -> Named | None:
         """Return how the numbers differ from the right ones as a whole: by signs, by a factor, or by their order."""
         if not self.mine.any() and self._is_seen(self.right).any():
-            return "left at 0", sentences.ZERO
+            return "left at 0", ZERO
         if self._equal(self.mine, self.right).all():
             return None
         is_square = self.mine.ndim == 3 and len(self.mine) == self.mine.shape[1]
@@ -93,21 +103,18 @@ class Likeness:
             if not (self._is_seen(right).any() and self._equal(self.mine[~which], self.right[~which]).all()):
                 continue
             if is_angle and self._in_degrees(mine, right):
-                return "degrees", sentences.IN_DEGREES
+                return "degrees", IN_DEGREES
             wanted, others = UNITS[self.unit]
             for name, factor in () if is_angle else others.items():
                 if self._relative(mine, factor * right).all():
-                    return name, sentences.OTHER_UNIT.format(name, wanted)
+                    return name, OTHER_UNIT.format(name, wanted)
         return None
 
     def _rounded(self) -> Named | None:
         if self.is_formula or not self.mine.any():
             return None
         mine, right = (x.reshape(-1, x.shape[-1]) for x in (self.mine, self.right))
-        wrong, rounded = (
-            np.ravel(~self._equal(mine, right)),
-            ("rounded", sentences.ROUNDED),
-        )
+        wrong, rounded = np.ravel(~self._equal(mine, right)), ("rounded", ROUNDED)
         unit = 10.0 ** (np.floor(np.log10(np.maximum(np.abs(right), 1e-12))) - 2)  # of the third digit
         is_short = np.asarray((np.abs(mine - unit * np.round(right / unit)) < 1e-6 * unit).all(axis=-1))
         if (is_short | ~wrong).all() and (is_short & (np.abs(mine - right) > 1e-9).any(axis=-1)).any():
@@ -237,11 +244,7 @@ def entries_hint(same: NDArray[np.bool_], names: Sequence[str] | None = None) ->
 
 
 def place_of(index: Sequence[int]) -> str:
-    """Name the place of an entry, counted from 1.
-
-    >>> place_of([1]), place_of([0, 1]), place_of([0, 1, 2])
-    ('entry 2', 'row 1, column 2', 'entry (1, 2, 3)')
-    """
+    """Name the place of an entry, counted from 1."""
     counted = [int(i) + 1 for i in index]
     if len(counted) == 2:
         return f"row {counted[0]}, column {counted[1]}"

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 
 from misstep import validation
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, Named, Unreadable
+from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable
 from misstep.answers.choice import plain
 
 

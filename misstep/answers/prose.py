@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from misstep import validation
-from misstep.answers.accuracy import TOLERANCE
-from misstep.answers.base import Answer, Unreadable
+from misstep.answers.base import TOLERANCE, Answer, Unreadable
 
 MIN_WORDS = 5
 """A text of fewer words is no answer to an open question."""

@@ -37,7 +37,6 @@ class Finding:
 
     message    its first line is the idea; what follows is the place, or the number itself, which is told from the second try on
     check      what the student can check on the own numbers, and what these numbers give
-    is_whole   whether they explain the whole answer
     is_method  whether it says how the answer came about, and not only how it differs from the right one
     spoils     whether the parts that are right are what a wrong method gives as well
     """
@@ -46,7 +45,6 @@ class Finding:
     message: str
     mistakes: Sequence[Mistake] = ()
     check: str = ""
-    is_whole: bool = False
     is_method: bool = False
     spoils: bool = False
 
@@ -69,7 +67,7 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Finding]
     """
     answer, names = problem.answer, [problem.answer.parts[part] for part in wrong]
     if seen := seen_at_sight(answer, value):
-        return [replace(_seen(names, seen), is_whole=True, spoils=True)]
+        return [replace(_seen(names, seen), spoils=True)]
     groups = [problem.mistakes, list(problem.mutants_near(value)), problem.slips]
     is_moved = has_alike_rows(answer) and len(wrong) >= len(answer.parts) - 1 > 1
     for group in groups:
@@ -78,7 +76,7 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Finding]
             if len(answer.parts) == 1 and (seen := answer.seen(value, 0)):  # whole numbers may be both
                 mistakes.insert(1, Mistake(seen[0], None, seen[1]))
             spoils = is_reordered or all(one.spoils for one in mistakes)
-            told = Finding(names, message_of(mistakes, whole=True), mistakes, "", True, is_method, spoils)
+            told = Finding(names, message_of(mistakes, whole=True), mistakes, "", is_method, spoils)
             return [_checked(answer, value, told)]
     sights = {part: seen for part in wrong if (seen := answer.seen(value, part))}
     is_single = len(answer.parts) == 1
@@ -86,7 +84,7 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Finding]
         is_reordered = order[0] in REORDERED
         # As is the gap where rows are moved.
         if is_reordered or all(name == "placeholder" for name, _ in sights.values()):
-            return [replace(_seen(names, order), is_whole=True, spoils=is_reordered or is_moved)]
+            return [replace(_seen(names, order), spoils=is_reordered or is_moved)]
     found, left = _joined(answer, sights), [part for part in wrong if part not in sights]
     for parts, mistakes in () if is_single else _explain_parts(answer, value, left, groups):
         told = Finding(parts, message_of(mistakes, whole=False), mistakes, is_method=mistakes[0] not in problem.slips)

@@ -93,9 +93,5 @@ def _paragraph(part: str | tuple[str, str] | Link) -> str:
 
 
 def inline(text: str) -> str:
-    """Return a line of text as HTML: special characters escaped, `code` marked up, formulas left for MathJax or KaTeX.
-
-    >>> inline("a < b")
-    'a &lt; b'
-    """
+    """Return a line of text as HTML: special characters escaped, `code` marked up, formulas left for MathJax or KaTeX."""
     return re.sub(r"`([^`]+)`", rf'<code style="{CODE_STYLE}">\1</code>', html.escape(text))

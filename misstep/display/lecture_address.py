@@ -34,11 +34,7 @@ def lecture_address(lecture: str, site: str = "") -> str:
 
 
 def page_address(lecture: str, site: str) -> str:
-    """Return the address of a section of a lecture on the site of the course; "" if it has none.
-
-    >>> page_address("01_ohm#Kirchhoff's laws, and Ohm's", "https://example.org/circuits/")
-    'https://example.org/circuits/lectures/01_ohm.html#kirchhoff-s-laws-and-ohm-s'
-    """
+    """Return the address of a section of a lecture on the site of the course; "" if it has none."""
     name, _, heading = lecture.partition("#")
     section = re.sub(r"[^a-z0-9]+", "-", heading.lower()).lstrip("-0123456789").rstrip("-")  # as docutils does
     return f"{site.rstrip('/')}/lectures/{name}.html#{section}" if site else ""

@@ -29,28 +29,16 @@ def points(x: float) -> str:
 
 
 def degrees(angle: float) -> str:
-    """Write an angle, given in radians, in degrees.
-
-    >>> degrees(np.pi / 2), degrees(0)
-    ('90°', '0°')
-    """
+    """Write an angle, given in radians, in degrees."""
     return f"{number(float(np.degrees(angle)))}°"
 
 
 def vector(x: ArrayLike) -> str:
-    """Write a vector as a row, for use between dollar signs.
-
-    >>> vector([0, -1, 0])
-    '(0, -1, 0)'
-    """
+    """Write a vector as a row, for use between dollar signs."""
     return "(" + ", ".join(number(value) for value in np.asarray(x, dtype=float)) + ")"
 
 
 def matrix(X: ArrayLike) -> str:
-    r"""Write a matrix in LaTeX, for use between dollar signs.
-
-    >>> matrix(np.eye(2))
-    '\\begin{pmatrix} 1 & 0 \\\\ 0 & 1 \\end{pmatrix}'
-    """
+    """Write a matrix in LaTeX, for use between dollar signs."""
     rows = r" \\ ".join(" & ".join(number(value) for value in row) for row in np.asarray(X, dtype=float))
     return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"

@@ -79,9 +79,6 @@ class Reader:
 
     Symbols are identified by their names: theta_1, theta1 and θ₁ are the same symbol, and so is q_1 unless it is declared as a
     symbol of its own. The usual shorthand works, too: c_23 is the cosine of the sum of angles 2 and 3.
-
-    >>> Reader(sp.symbols("q_1 q_2")).read("c1*s12").values.shape
-    (5,)
     """
 
     def __init__(self, symbols: Sequence[sp.Symbol]) -> None:
@@ -184,11 +181,7 @@ def numeral(text: str) -> float:
 
 
 def shaped(shape: tuple[int, ...]) -> str:
-    """Describe a shape in words.
-
-    >>> shaped(()), shaped((3,)), shaped((3, 3))
-    ('one formula', 'a vector of 3 formulas', 'a 3x3 matrix of formulas')
-    """
+    """Describe a shape in words."""
     if len(shape) < 2:
         return f"a vector of {shape[0]} formulas" if shape else "one formula"
     return f"a {'x'.join(map(str, shape))} matrix of formulas"

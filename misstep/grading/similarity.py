@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from itertools import combinations
 from typing import Any
 
-from misstep.answers.accuracy import TOLERANCE
+from misstep.answers.base import TOLERANCE
 from misstep.grading.result import Result
 
 MIN_SHARED = 2

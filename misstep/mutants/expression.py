@@ -163,10 +163,6 @@ class Expression:
 
         slips   (name, text, value) or (name, text, value, advice)
         fields  of all these slips, such as spoils=True
-
-        >>> pitch = given("h", 0.1).mistaken_for(("lead for pitch", "use the lead as the pitch", 0.6))
-        >>> [(slip.name, slip.wrong.value) for slip in pitch.slips()]
-        [('lead for pitch', 0.6)]
         """
         further = [
             Slip(name, text, as_expression(other), advice=why[0] if why else advice, **fields)
@@ -225,19 +221,12 @@ def given(label: str, value: Any, kind: Operation = GIVEN) -> Expression:
 
     label  its name in LaTeX, without dollar signs
     kind   an operation without arguments whose changes are those of such a value, such as POSE or ANGLE
-
-    >>> given("q_1", 0.5).latex
-    'q_1'
     """
     return Expression(kind, (), value if np.isscalar(value) else np.asarray(value, dtype=float), label)
 
 
 def as_expression(value: Any) -> Expression:
-    """Return an expression unchanged, and anything else as a given value, whose name is the number that it is.
-
-    >>> as_expression(2).latex
-    '2'
-    """
+    """Return an expression unchanged, and anything else as a given value, whose name is the number that it is."""
     if isinstance(value, Expression):
         return value
     return given(f"{float(value):g}" if np.ndim(value) == 0 else "\\ldots", value)
@@ -266,11 +255,8 @@ def table(*rows: tuple[Any, ...], of_values: bool = False) -> Callable[[Expressi
                 for one in (text, more[0] if more else "")
             )
             did, bar, everywhere = (part.strip() for part in said.partition(" |"))
-            wrong = (
-                Operation(name, change, node.operation.latex)(*arguments)
-                if of_values
-                else as_expression(change(*arguments))
-            )
+            make = Operation(name, change, node.operation.latex) if of_values else change
+            wrong = as_expression(make(*arguments))
             yield Slip(name, did, wrong, everywhere or did * bool(bar), advice, **(more[1] if len(more) > 1 else {}))
 
     return slips

@@ -32,6 +32,11 @@ class MutableSolution:
     """A solution at one input, and its changes, which are looked for when they are needed.
 
     built  the parts that were built for its mutants; each is built and computed once
+
+    >>> from misstep.mutants.expression import given
+    >>> A, B = given("A", np.eye(2)), given("B", np.ones((2, 2)))
+    >>> [mutation.slip.did for mutation in MutableSolution(A @ B).mutations][:2]
+    ['swap $A$ and $B$', 'leave out $A$']
     """
 
     root: Expression
@@ -40,55 +45,39 @@ class MutableSolution:
     @cached_property
     def mutations(self) -> Sequence[Mutation]:
         """Its changes, in the same order at each input."""
-        return mutations(self.root)
+        single = [Mutation(slip, {id(node): slip.wrong}) for node in _nodes(self.root) for slip in node.slips()]
+        everywhere: dict[tuple[str, str], list[Mutation]] = {}
+        for mutation in single:
+            if text := mutation.slip.everywhere:
+                everywhere.setdefault((mutation.slip.name, text), []).append(mutation)
+        for (name, text), several in everywhere.items():
+            first = several[0].slip
+            replaced = {key: node for mutation in reversed(several) for key, node in mutation.replaced.items()}
+            if len(replaced) > 1:
+                single = [mutation for mutation in single if mutation not in several or mutation.slip.one_by_one]
+                single.append(Mutation(Slip(name, text, advice=first.advice, in_parts=first.in_parts), replaced))
+        return single
 
     def mutant(self, k: int) -> Expression:
         """Return the solution with the change of this index."""
-        return mutate(self.root, self.mutations[k].replaced, self.built)
+        return self._changed(self.root, self.mutations[k].replaced)
 
-
-def mutate(root: Expression, replaced: Mapping[int, Expression], built: Built) -> Expression:
-    """Return the expression with some of its parts replaced; all other parts are shared with the original one.
-
-    built  the parts that were built for other mutants of the same expression; they are shared too, and new ones are added
-    """
-    if replaced.keys().isdisjoint(root.part_ids):
-        return root
-    # A replacement is searched for further parts to replace, but not for the part that it replaces: that may stand within it.
-    new = root
-    while id(new) in replaced:
-        done, new = id(new), replaced[id(new)]
-        replaced = {key: node for key, node in replaced.items() if key != done}
-    arguments = tuple([mutate(node, replaced, built) for node in new.arguments])
-    if all(map(is_, arguments, new.arguments)):
-        return new
-    key = (new.operation, *map(id, arguments))
-    if key not in built:
-        built[key] = arguments, new.operation(*arguments)
-    return built[key][1]
-
-
-def mutations(root: Expression) -> list[Mutation]:
-    """Return every change of an expression.
-
-    >>> from misstep.mutants.expression import given
-    >>> A, B = given("A", np.eye(2)), given("B", np.ones((2, 2)))
-    >>> [mutation.slip.did for mutation in mutations(A @ B)][:2]
-    ['swap $A$ and $B$', 'leave out $A$']
-    """
-    nodes = _nodes(root)
-    single = [Mutation(slip, {id(node): slip.wrong}) for node in nodes for slip in node.slips()]
-    everywhere: dict[tuple[str, str], list[Mutation]] = {}
-    for mutation in single:
-        if text := mutation.slip.everywhere:
-            everywhere.setdefault((mutation.slip.name, text), []).append(mutation)
-    for (name, text), several in everywhere.items():
-        first = several[0].slip
-        replaced = {key: node for mutation in reversed(several) for key, node in mutation.replaced.items()}
-        if len(replaced) > 1:
-            single = [mutation for mutation in single if mutation not in several or mutation.slip.one_by_one]
-            single.append(Mutation(Slip(name, text, advice=first.advice, in_parts=first.in_parts), replaced))
-    return single
+    def _changed(self, root: Expression, replaced: Mapping[int, Expression]) -> Expression:
+        """Return a part with some of its parts replaced; all other parts are shared with the original one."""
+        if replaced.keys().isdisjoint(root.part_ids):
+            return root
+        # A replacement is searched for further parts to replace, but not for the part that it replaces: that may stand within it.
+        new = root
+        while id(new) in replaced:
+            done, new = id(new), replaced[id(new)]
+            replaced = {key: node for key, node in replaced.items() if key != done}
+        arguments = tuple([self._changed(node, replaced) for node in new.arguments])
+        if all(map(is_, arguments, new.arguments)):
+            return new
+        key = (new.operation, *map(id, arguments))
+        if key not in self.built:
+            self.built[key] = arguments, new.operation(*arguments)
+        return self.built[key][1]
 
 
 def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = False) -> Mistake:
@@ -96,9 +85,6 @@ def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = 
 
     advice  for names or texts of changes, a sentence on what is right, instead of their own
     spoils  whether it belongs to the method for all parts of the answer
-
-    >>> mutant(Slip("degrees", "use degrees as radians"), 3.0, {}).message
-    'This is what you get if you use degrees as radians.'
     """
     further = advice.get(slip.did, advice.get(slip.name, slip.advice))
     is_sentence = slip.did.endswith(".")

@@ -1,33 +1,23 @@
 """Operations of a solution that are the same in every subject: functions of angles, vectors, arrays put together."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
-from misstep.mutants.expression import (
-    ALL_AT_ONCE,
-    ATOM,
-    Expression,
-    Operation,
-    Slip,
-    Slips,
-    negative,
-    power,
-    table,
-    transpose,
-)
+from misstep.mutants.expression import ALL_AT_ONCE, Expression, Operation, Slip, negative, power, table, transpose
 
 DEGREES_ADVICE = "`np.sin`, `np.cos` and exponentials take radians: use `np.radians` first."
 
 
-def _unit_slips(node: Expression) -> Slips:
+def _unit_slips(node: Expression) -> Iterator[Slip]:
     [x] = node.arguments
     yield Slip("not a unit vector", f"use ${x.latex}$ as it is, without dividing it by its length", x)
     if np.count_nonzero(x.value) > 1:  # otherwise its square may be its length
         yield Slip("not a unit vector", f"divide ${x.latex}$ by the square of its length", x / (x.value @ x.value))
 
 
-def _concatenation_slips(node: Expression) -> Slips:
+def _concatenation_slips(node: Expression) -> Iterator[Slip]:
     if len(node.arguments) == 2:
         first, second = node.arguments
         yield Slip(
@@ -38,21 +28,13 @@ def _concatenation_slips(node: Expression) -> Slips:
         )
 
 
-def _stack_slips(node: Expression) -> Slips:
+def _stack_slips(node: Expression) -> Iterator[Slip]:
     what = "entries" if np.ndim(node.value) == 1 else "rows"
     for i in range(len(node.arguments) - 1):
         rows = list(node.arguments)
         if not np.array_equal(rows[i].value, rows[i + 1].value):
             rows[i : i + 2] = rows[i + 1], rows[i]
             yield Slip(f"{what} swapped", f"swap {what} {i + 1} and {i + 2}", stack(*rows))
-
-
-def cross_product(a: Any, b: Any) -> Any:
-    """Return a x b of two vectors. np.cross spends most of its time on the order of axes."""
-    if np.shape(a) != (3,) or np.shape(b) != (3,):
-        return np.cross(a, b)
-    (a1, a2, a3), (b1, b2, b3) = a, b
-    return np.array([a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1])
 
 
 def _listed(*entries: str) -> str:
@@ -103,7 +85,7 @@ _arctan: Operation = Operation("arctan", lambda y, x: np.arctan(y / x), "\\arcta
 sqrt: Operation = Operation("root", np.sqrt, "\\sqrt{{{0}}}".format, table(("root left out", "leave out the square root", lambda x: x)))
 square: Operation = Operation("square", np.square, power("2"), table(("square left out", "leave out the square of ${0}$", lambda x: x)))
 unit: Operation = Operation("unit vector", lambda x: x / np.linalg.norm(x), "{0} / |{0}|".format, _unit_slips)
-cross: Operation = Operation("cross product", cross_product, "{0} \\times {1}".format, table(
+cross: Operation = Operation("cross product", np.cross, "{0} \\times {1}".format, table(
     ("order", "write ${1} \\times {0}$ instead of ${0} \\times {1}$", lambda a, b: cross(b, a)),
 ))
 inverse: Operation = Operation("inverse", np.linalg.inv, power("{-1}"), table(
@@ -122,10 +104,5 @@ def function(name: str, of: Any, latex: str) -> Operation:
     """Make an operation about which people make no mistake of their own from a function of arrays.
 
     latex  the LaTeX, with {0}, {1} for the arguments
-
-    >>> from misstep.mutants.expression import given
-    >>> cube = function("cube", lambda x: x**3, "{0}^3")
-    >>> cube(given("x", 2.0)).value
-    8.0
     """
-    return Operation(name, of, latex.format, binds=ATOM)
+    return Operation(name, of, latex.format)

@@ -31,10 +31,6 @@ def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str) -
     imports  the first lines of the first code cell, before those that open the sheet
 
     Raises ValueError if there is not one entry for each problem.
-
-    >>> notebook(Sheet("01_ohm", "Ohm's law", []), [Entry("U", "In volts.", "U_1 = 5")], "", "")
-    Traceback (most recent call last):
-    ValueError: 01_ohm has 0 problems; got 1 entries.
     """
     if len(entries) != len(sheet.problems):
         raise ValueError(f"{sheet.name} has {len(sheet.problems)} problems; got {len(entries)} entries.")

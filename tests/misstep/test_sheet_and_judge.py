@@ -5,13 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from misstep.answers.base import Remarking, Unreadable
+from misstep.answers.base import Unreadable
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.ordering import Ordering
 from misstep.diagnosis.explanation import Finding
-from misstep.display.sentences import STEP_BY_STEP, UNKNOWN
-from misstep.judge import Judgement, judge
+from misstep.judge import STEP_BY_STEP, UNKNOWN, Judgement, judge
 from misstep.mistakes import mistake
 from misstep.mutants.expression import given as of_solution
 from misstep.problem import Problem, problem
@@ -84,7 +83,7 @@ def test_right_blank_and_unreadable_answers_are_judged_in_all_parts():
 
 def test_a_mistake_in_all_parts_is_one_finding_and_each_unexplained_part_is_one():
     p = two_rows([SHIFTED, NEGATED])
-    whole = Finding(["row 1", "row 2"], "You reversed the axes.", [p.mistakes[1]], is_whole=True, is_method=True)
+    whole = Finding(["row 1", "row 2"], "You reversed the axes.", [p.mistakes[1]], is_method=True)
     assert judge(p, NEGATED.value) == Judgement("wrong", 0.0, [], [whole])
     assert whole.mistake == "negated"
     unforeseen = judge(p, [[0, 1, 0, 0, -2, 0], [1, 0, 0, 3, 0, 0]])
@@ -183,7 +182,7 @@ def test_a_check_shows_its_card_and_stores_the_answer_with_it():
     assert bundle[MIME] == {"sheet": "01_ohm", "problem": 1, "student": "ada", "answer": expected}
 
 
-class Remarked(Remarking, Numbers):
+class Remarked(Numbers):
     """Numbers with a remark on every right answer."""
 
     def remark(self, given):

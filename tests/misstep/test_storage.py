@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
-from misstep.storage import Opaque, Outputs, from_data, register_object, to_data
+from misstep.storage import OBJECTS, Opaque, Outputs, from_data, to_data
 
 
 def sent(value, inputs=()):
@@ -58,7 +58,7 @@ class Resistor:
         return {"ohm": self.ohm}
 
 
-register_object(Resistor, lambda fields: Resistor(fields["ohm"]))
+OBJECTS["Resistor"] = lambda fields: Resistor(fields["ohm"])
 
 
 def test_an_object_is_read_back_if_its_class_is_registered_and_its_fields_are_json_and_otherwise_named():

@@ -5,11 +5,9 @@ import json
 from hostile_answers import HOSTILE, Rude
 
 from kincourse import find_sheet, sheets
-from misstep.answers.base import inputs_of
-from misstep.answers.function import FunctionCalls
 from misstep.formulas.evaluation import Formula
 from misstep.judge import judge
-from misstep.storage import from_data, to_data
+from misstep.storage import Outputs, from_data, to_data
 
 
 def sent(value, inputs=()):
@@ -20,7 +18,7 @@ def sent(value, inputs=()):
 def as_typed(value):
     """What was read goes back to what was typed; mutants of functions and formulas are numbers alone, which gives None."""
     value = value.given if isinstance(value, Formula) else value
-    return value.function if isinstance(value, FunctionCalls) else value
+    return None if isinstance(value, Outputs) else value
 
 
 def test_an_answer_of_each_kind_is_judged_from_json_as_in_the_notebook():
@@ -30,5 +28,5 @@ def test_an_answer_of_each_kind_is_judged_from_json_as_in_the_notebook():
             as_typed(one) for one in (problem.answer.value, *(wrong.value for wrong in problem.known_mistakes[:5]))
         ]
         for value in [*(one for one in typed if one is not None), ..., *HOSTILE.values(), Rude()]:
-            home, away = judge(problem, value), judge(problem, sent(value, inputs_of(problem.answer)))
+            home, away = judge(problem, value), judge(problem, sent(value, problem.answer.inputs))
             assert (away.state, away.fraction, away.mistakes) == (home.state, home.fraction, home.mistakes)

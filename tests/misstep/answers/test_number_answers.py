@@ -7,8 +7,7 @@ from hypothesis import strategies as st
 
 from misstep.answers.angle import Angles
 from misstep.answers.base import Unreadable
-from misstep.answers.equivalent import Equivalent
-from misstep.answers.number import Numbers
+from misstep.answers.number import Equivalent, Numbers
 from misstep.judge import judge
 from misstep.problem import Problem
 
