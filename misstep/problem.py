@@ -16,7 +16,16 @@ from typing import Any, Literal, TypeVar
 
 import numpy as np
 
-from misstep.answers.base import TOLERANCE, Answer, Unreadable, has_alike_rows, seen_at_sight
+from misstep.answers.base import (
+    TOLERANCE,
+    Answer,
+    AtInputs,
+    Unreadable,
+    at_inputs,
+    collect,
+    has_alike_rows,
+    seen_at_sight,
+)
 from misstep.answers.choice import ReasonedChoice
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
@@ -86,7 +95,7 @@ class Problem:
         found = []
         for slip in self.answer.slips:
             try:
-                value = self.answer.collect([slip.wrong(right) for right in self.answer.at_inputs()])
+                value = collect(self.answer, [slip.wrong(right) for right in at_inputs(self.answer)])
             except Unreadable:
                 continue
             if not all(self.answer.agrees(value, self.answer.value)):
@@ -165,14 +174,14 @@ class Problem:
     @cached_property
     def _first_solution(self) -> MutableSolution:
         """The solution at the first input, which is often enough to see that a mistake is not the one that was made."""
-        return MutableSolution(next(self.answer.at_inputs(self.solution)))
+        return MutableSolution(next(at_inputs(self.answer, self.solution)))
 
     @cached_property
     def _solutions(self) -> Sequence[MutableSolution]:
         """The solution at each input, of which there is one as a rule."""
-        others = islice(self.answer.at_inputs(self.solution), 1, None)
+        others = islice(at_inputs(self.answer, self.solution), 1, None)
         solutions = [self._first_solution, *map(MutableSolution, others)]
-        reached = self.answer.collect([one.root.value for one in solutions])
+        reached = collect(self.answer, [one.root.value for one in solutions])
         if not self._same(reached, self.answer.value):
             raise ValueError(
                 f"The solution must lead to the answer; it gives {reached}, and the answer is {self.answer.value}."
@@ -198,7 +207,7 @@ class Problem:
             if len({len(one.mutations) for one in solutions}) > 1:
                 raise ValueError("The solution must have the same changes at each input; their numbers differ.")
             try:
-                value = self.answer.collect([value_of(one.mutant(k)) for one in solutions])
+                value = collect(self.answer, [value_of(one.mutant(k)) for one in solutions])
             except Unreadable:
                 continue
             # A change belongs to the method for all rows, if each row has no expression of its own.
@@ -214,11 +223,11 @@ class Problem:
 
         def is_near(first: Any) -> bool:
             try:
-                return parts(self.answer.agrees(self.answer.collect([first]), given, tolerance))
+                return parts(self.answer.agrees(collect(self.answer, [first]), given, tolerance))
             except Unreadable:
                 return False
 
-        return is_near if callable(self.solution) else lambda _: True
+        return is_near if isinstance(self.answer, AtInputs) else lambda _: True
 
     def _same(self, one: Any, other: Any) -> bool:
         return all(self.answer.agrees(one, other, SEPARATION_TOLERANCES * TOLERANCE))

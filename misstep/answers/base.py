@@ -35,11 +35,9 @@ class Answer(ABC):
     and a mistake in one part does not cost the points of the others.
 
     value   the right answer
-    inputs  the arguments of each call, if the answer is a function
     """
 
     value: Any
-    inputs: Sequence[Any] = ()
 
     @property
     @abstractmethod
@@ -81,14 +79,6 @@ class Answer(ABC):
         """Return what every right answer fulfils and this part does not, with its own numbers; "" if there is no such thing."""
         return ""
 
-    def at_inputs(self, solution: Any = None) -> Iterator[Expression | Any]:
-        """Yield a solution, or without one the right value: of a function or a formula at each input, otherwise the only one."""
-        return iter([self.value if solution is None else solution])
-
-    def collect(self, values: Sequence[Any]) -> Any:
-        """Return the answer that has these values at the first inputs, as if it had been read. Raises Unreadable if there is none."""
-        return self.read(values[0])
-
     def remark(self, given: Any) -> str:
         """Return how this right answer differs from ours, if several are right; "" if there is nothing to say."""
         return ""
@@ -105,6 +95,40 @@ class AlikeRows:
 def has_alike_rows(answer: Answer) -> bool:
     """Whether one method gives all parts of an answer, of which there are several."""
     return isinstance(answer, AlikeRows) and len(answer.parts) > 1
+
+
+class AtInputs(Answer):
+    """A function or a formula, whose solution is an expression at each of some inputs.
+
+    inputs  the arguments of each call, if the answer is a function
+    """
+
+    inputs: Sequence[Any] = ()
+
+    @abstractmethod
+    def at_inputs(self, solution: Any = None) -> Iterator[Expression | Any]:
+        """Yield the solution as an expression at each input, or without one the right value."""
+
+    @abstractmethod
+    def collect(self, values: Sequence[Any]) -> Any:
+        """Return the answer with these values at the first inputs, as if it had been read. Raises Unreadable if there is none."""
+
+
+def inputs_of(answer: Answer) -> Sequence[Any]:
+    """Return the arguments of each call, if an answer is a function."""
+    return answer.inputs if isinstance(answer, AtInputs) else ()
+
+
+def at_inputs(answer: Answer, solution: Any = None) -> Iterator[Expression | Any]:
+    """Yield a solution at each input, or without one the right value; the only one, if the answer is no function of inputs."""
+    if isinstance(answer, AtInputs):
+        return answer.at_inputs(solution)
+    return iter([answer.value if solution is None else solution])
+
+
+def collect(answer: Answer, values: Sequence[Any]) -> Any:
+    """Return the answer that has these values at the inputs. Raises Unreadable if there is none."""
+    return answer.collect(values) if isinstance(answer, AtInputs) else answer.read(values[0])
 
 
 def seen_at_sight(answer: Answer, given: Any) -> Named | None:

@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable, has_alike_rows
+from misstep.answers.base import TOLERANCE, AtInputs, Named, Unreadable, has_alike_rows
 from misstep.answers.likeness import Likeness, entries_hint, place_of
 from misstep.answers.number import scale_of
 from misstep.formulas.evaluation import Formula, Reader, shaped
@@ -24,7 +24,7 @@ EXACT_TOLERANCE = 1e-10
 
 
 @dataclass(frozen=True, eq=False)
-class ClosedForm(Answer):
+class ClosedForm(AtInputs):
     """A formula, or a vector or matrix of formulas, given as SymPy or as text.
 
     value    the right formula; its symbols may be used

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from misstep import validation
-from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable
+from misstep.answers.base import TOLERANCE, Answer, AtInputs, Named, Unreadable
 from misstep.mutants.expression import Expression, Slip
 from misstep.storage import Outputs
 
@@ -18,7 +18,7 @@ CALL_COUNT = 4
 
 
 @dataclass(frozen=True, eq=False)
-class Function(Answer):
+class Function(AtInputs):
     """A function, judged by its outputs at random inputs.
 
     value   the right function

@@ -5,6 +5,7 @@ import json
 from hostile_answers import HOSTILE, Rude
 
 from kincourse import find_sheet, sheets
+from misstep.answers.base import inputs_of
 from misstep.formulas.evaluation import Formula
 from misstep.judge import judge
 from misstep.storage import Outputs, from_data, to_data
@@ -28,5 +29,5 @@ def test_an_answer_of_each_kind_is_judged_from_json_as_in_the_notebook():
             as_typed(one) for one in (problem.answer.value, *(wrong.value for wrong in problem.known_mistakes[:5]))
         ]
         for value in [*(one for one in typed if one is not None), ..., *HOSTILE.values(), Rude()]:
-            home, away = judge(problem, value), judge(problem, sent(value, problem.answer.inputs))
+            home, away = judge(problem, value), judge(problem, sent(value, inputs_of(problem.answer)))
             assert (away.state, away.fraction, away.mistakes) == (home.state, home.fraction, home.mistakes)
