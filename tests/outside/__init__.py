@@ -33,11 +33,6 @@ class OutsideAnswer:
     right: bool = False
 
     @property
-    def earns_nothing(self) -> bool:
-        """Whether a part of it that comes out right does so by chance."""
-        return self.label in EARNS_NOTHING
-
-    @property
     def has_name(self) -> bool:
         """Whether a tutor could say what was done."""
         return self.did != NAMELESS

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 from kincourse import find_sheet, sheets
 from misstep.judge import judge
-from outside import outside_answers
+from outside import EARNS_NOTHING, outside_answers
 
 COUNTED = ("told", "unnamed", "false", "full marks", "refused", "undeserved", "blamed")
 """The maker's word is on the card; no name, a false claim, full marks of a wrong answer; a right form that has not full marks; a
@@ -58,7 +58,7 @@ def found(made, judgement, right):
         yield "false"
     if any(right.intersection(finding.parts) for finding in judgement.findings):
         yield "blamed"
-    if made.earns_nothing and 0 < judgement.fraction < 1:
+    if made.label in EARNS_NOTHING and 0 < judgement.fraction < 1:
         yield "undeserved"
 
 
