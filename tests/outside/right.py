@@ -59,9 +59,10 @@ def tilted(g: Any) -> Array:
 
 
 def axes_to_screws(g: Any) -> Array:
-    """The screws of a table of joints."""
+    """The screws of axes through points, of revolute joints unless letters say otherwise."""
+    letters = getattr(g, "letters", "R" * len(g.axes))
     return np.array(
-        [[0, 0, 0, *d] if k == "P" else screw(d, p) for k, d, p in zip(g.letters, g.axes, g.points, strict=True)]
+        [[0, 0, 0, *d] if k == "P" else screw(d, p) for k, d, p in zip(letters, g.axes, g.points, strict=True)]
     )
 
 
@@ -108,9 +109,8 @@ def joints_of(text: str) -> list[Given]:
 
     joints = []
     for block in re.findall(r"<joint.*?</joint>", text, re.DOTALL):
-        origin = (re.search(r"<origin[^>]*>", block) or [""])[0]
-        axis = (re.search(r"<axis[^>]*>", block) or [""])[0]
-        mimic = (re.search(r"<mimic[^>]*>", block) or [""])[0]
+        elements = (re.search(rf"<{name}[^>]*>", block) for name in ("origin", "axis", "mimic"))
+        origin, axis, mimic = (found[0] if found else "" for found in elements)
         joints.append(
             Given(
                 xyz=numbers("xyz", origin, [0, 0, 0]),
@@ -204,11 +204,6 @@ def hinge(g: Any) -> Array:
     return np.array(np.linalg.solve(steps, (steps * middles).sum(axis=1)))
 
 
-def all_screws(g: Any) -> Array:
-    """The screws of axes through points."""
-    return np.array([screw(w, p) for w, p in zip(g.axes, g.points, strict=True)])
-
-
 def screws_of_a_modified_table(g: Any) -> Array:
     """The screws of 06.9: z of frame i is the axis of joint i."""
     frames = [product(g.base, chain(g.rows[: i + 1], "modified")) for i in range(len(g.rows))]
@@ -252,9 +247,9 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "01.9": ("pose", moved),
     "01.10": ("wrists", lambda g: np.array([rpy_of(np.asarray(R)) for R in (g.R_1, g.R_2)])),
     "02.8": ("vector", hinge),
-    "03.2": ("vectors", lambda g: all_screws(g)[:, 3:]),
+    "03.2": ("vectors", lambda g: axes_to_screws(g)[:, 3:]),
     "03.7": ("pose", lambda g: product(*map(exp, g.screws[: g.link], g.q[: g.link]), g.camera_home)),
-    "03.13": ("screws", all_screws),
+    "03.13": ("screws", axes_to_screws),
     "04.8": ("vector", lambda g: np.sort(np.abs([g.links @ np.array([1, s, t]) for s in (1, -1) for t in (1, -1)]))),
     "06.9": ("screws", screws_of_a_modified_table),
     "08.3": ("vector", gap),
