@@ -4,24 +4,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from outside.motions import at, chain
 
 import kinlib as kl
 from kincourse.your_robot import KNOWN, examine, formats, practise
 
 
 def poses(table, q):
-    """Forward kinematics in plain NumPy, which shares no code with kinlib."""
-    found = []
-    for values in q:
-        T, moving = np.array(table.base), iter(values)
-        for (a, alpha, d, theta), letter, sign in zip(table.rows, table.joints, table.signs, strict=True):
-            angle = theta + (sign * next(moving) if letter == "R" else 0.0)
-            c, s, ca, sa = np.cos(angle), np.sin(angle), np.cos(alpha), np.sin(alpha)
-            Z = np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
-            X = np.array([[1, 0, 0, a], [0, ca, -sa, 0], [0, sa, ca, 0], [0, 0, 0, 1]])
-            T = T @ (Z @ X if table.convention == "standard" else X @ Z)
-        found.append(T @ table.tool)
-    return np.array(found)
+    """Forward kinematics that shares no code with kinlib."""
+    angles = np.zeros((len(q), len(table.joints)))
+    angles[:, [letter == "R" for letter in table.joints]] = q
+    rows = (at(table.rows, "R" * len(table.joints), table.signs * row) for row in angles)
+    return np.array([table.base @ chain(row, table.convention) @ table.tool for row in rows])
 
 
 def shipped(package, name):
