@@ -26,7 +26,7 @@ SHEETS = [*map(find_sheet, sheets()), generated_sheet()]
 TEMPLATES = [template for sheet in SHEETS for template in sheet.problems if template.level != "Open"]
 OPEN = [template for sheet in SHEETS for template in sheet.problems if template.level == "Open"]
 BLANK_STEPS = list(blanks().values())
-NOTEBOOKS = Path(__file__).parents[3] / "notebooks"
+NOTEBOOKS, SOLUTIONS = (Path(__file__).parents[3] / name for name in ("notebooks", "solutions"))
 STUDENTS = [f"student {i}" for i in range(3)]
 
 
@@ -103,6 +103,20 @@ def test_a_sheet_is_a_ladder_from_two_warm_ups_to_two_hard_problems_and_an_open_
     assert levels[:2] == ["Warm-up"] * 2
     assert (levels.count("Hard"), levels[-1], levels.count("Open")) == (2, "Open", 1)
     assert levels.count("Usual") >= 4
+
+
+@pytest.mark.parametrize("name", sheets())
+def test_every_official_solution_has_full_marks(name):
+    """Where a problem is read off a drawing, the solution has what the drawing of SAMPLE_ID shows: update it with the drawing."""
+    cells = json.loads((SOLUTIONS / name / f"{name}.ipynb").read_text("utf-8"))["cells"]
+    names = {}
+    for cell in cells:
+        source = "".join(cell["source"])
+        if cell["cell_type"] == "code" and not source.startswith("sheet.show("):
+            exec(source, names)
+    verdicts, sheet = names["sheet"].verdicts, find_sheet(name)
+    for k, template in enumerate(sheet.problems, start=1):
+        assert verdicts[k].judgement.state == ("open" if template.level == "Open" else "right"), template.number
 
 
 @pytest.mark.parametrize("template", OPEN, ids=lambda template: template.number)
