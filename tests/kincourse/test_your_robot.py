@@ -160,9 +160,8 @@ def test_the_frames_of_the_arm_are_beside_those_of_a_wrong_row_and_named_with_a_
     assert [name for name, (frame,) in frames.items() if frame["grey"]] == ["frame 4'", "frame 5'", "frame 6'"]
     right, arm = frames["frame 4'"][0]["pose"], examine("UR5e").arm
     z = np.reshape(right, (4, 4))[:3, 2]
-    assert (
-        np.abs(np.cross(z, arm.lines.axis[4])).max() < 1e-9
-    )  # on the next joint axis, as the wrong one is, but along it
+    # on the next joint axis, as the wrong one is, but along it
+    assert np.abs(np.cross(z, arm.lines.axis[4])).max() < 1e-9
     assert z @ arm.lines.axis[4] > 0
 
 

@@ -27,9 +27,8 @@ def test_every_problem_has_its_cells_and_its_points_in_the_sheet():
             assert f"sheet.show({k})" in "".join(cells[f"show-{k}"]["source"])
             assert cells[f"answer-{k}"]["metadata"]["nbgrader"]["solution"]
             assert f"sheet.check({k}, " in "".join(check["source"])
-            scored = (
-                cells[f"answer-{k}"] if template.level == "Open" else check
-            )  # nbgrader asks a person for the points of a text
+            # nbgrader asks a person for the points of a text
+            scored = cells[f"answer-{k}"] if template.level == "Open" else check
             assert scored["metadata"]["nbgrader"]["points"] == template.points
         assert f"check-{len(problems) + 1}" not in cells
 

@@ -144,9 +144,7 @@ def test_the_choices_that_the_decks_prescribe(convention):
         if convention == "standard":
             np.testing.assert_allclose(frames[-1][:3, 2], frames[-2][:3, 2], atol=1e-12)  # z_n parallel to z_{n-1}
             assert found.table.rows[-1, 1] == 0
-            np.testing.assert_allclose(
-                frames[-1][:3, 3], chain.home[:3, 3], atol=1e-9
-            )  # as near the tool as z_n allows
+            np.testing.assert_allclose(frames[-1][:3, 3], chain.home[:3, 3], atol=1e-9)  # as near as z_n allows
             x, _, z, origin = frames[0][:3].T
             assert abs(origin @ z) < 1e-9, "frame 0 stands where its axis is nearest {s}"
             if z[0] ** 2 < 0.98:  # x of {s} is not along the axis

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from hypothesis import given
+from outside.motions import pose
 from strategies import rotations
 
 import kinlib as kl
@@ -63,7 +64,6 @@ def test_each_broken_rule_is_named_at_its_frame(frames, broken):
 @given(rotations())
 def test_the_rules_do_not_hang_on_where_the_arm_stands(R):
     """Not on a rounding either, by which the determinant of a rotation falls short of 1."""
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = R, (1, 2, 3)
+    T = pose(R, (1, 2, 3))
     moved = kl.Chain(ARM.screws @ kl.adjoint(T).T, T @ ARM.home)
     assert check_frames(moved, T @ RIGHT, "standard") == []

@@ -70,16 +70,13 @@ def test_any_chain_is_read_back_from_its_file_here_and_by_pinocchio(chain):
     np.testing.assert_allclose(chain.fk(q), expected, rtol=0, atol=CLOSE)
 
 
-ONE_JOINT = """<robot name="one">
+def one_joint(parts="", kind="continuous"):
+    return f"""<robot name="one">
 <link name="a"/>
 <link name="b"/>
-<joint name="j" type="{type}"><parent link="a"/><child link="b"/>
+<joint name="j" type="{kind}"><parent link="a"/><child link="b"/>
 {parts}
 </joint></robot>"""
-
-
-def one_joint(parts="", kind="continuous"):
-    return ONE_JOINT.format(type=kind, parts=parts)
 
 
 def test_without_an_axis_it_is_x_and_without_an_origin_it_is_the_parent_s():

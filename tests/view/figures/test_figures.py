@@ -21,6 +21,7 @@ from kinlib.view.figures.dh_table import draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
 
 ROOT = Path(__file__).parents[3]
+RPR = kl.robots.rpr()
 FOUR_BAR = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
 CLOSED = FOUR_BAR.assembly_modes(hold={"A": 1.0})[0]
 
@@ -85,8 +86,15 @@ def test_labels_are_escaped_for_the_browser():
 def test_what_cannot_be_drawn_is_refused():
     curve = partial(plot, [0, 1], xlabel="x", ylabel="y", alt="Curves that cannot be drawn.")
     for draw, says in [
-        (lambda: draw_arm(kl.robots.rpr(), show=["wheels"]), r"show may contain axes, .*; got 'wheels'"),
-        (lambda: draw_arm(kl.robots.rpr(), view="behind"), r"view must be one of default, front.*'behind'"),
+        (
+            lambda: explore(RPR, joints=[1], span=(10, 90)),
+            r"the start of joint 1, 0; got 10 to 90. Is one of them in degr",
+        ),
+        (lambda: explore(RPR, start=[0, 0]), "RPR has 3 joint values"),
+        (lambda: explore(RPR, joints=[4]), "RPR has joints 1 to 3; got 4"),
+        (lambda: explore(RPR, show=["wheels"]), r"show may contain axes, .*; got 'wheels'"),
+        (lambda: draw_arm(RPR, show=["wheels"]), r"show may contain axes, .*; got 'wheels'"),
+        (lambda: draw_arm(RPR, view="behind"), r"view must be one of default, front.*'behind'"),
         (lambda: draw_frames({"b": np.diag([2.0, 1, 1, 1])}), "frame b is not rigid"),
         (lambda: draw_frames({}), "at least one pose"),
         (lambda: Picture("<svg/>", "arm"), r"at least 20 characters; got 'arm'.*cannot see it"),
@@ -96,16 +104,16 @@ def test_what_cannot_be_drawn_is_refused():
         (lambda: slide(lambda _: None, "nothing", []), "at least one value"),
         (lambda: kl.show([1, 2]), r"show takes a Chain, .*got list \[1, 2\]"),
         (
-            lambda: kl.show(draw_arm(kl.robots.rpr()), [0, 0, 0]),
+            lambda: kl.show(draw_arm(RPR), [0, 0, 0]),
             "q must be given with a robot only; got it with a Picture",
         ),
         (lambda: kl.show(FOUR_BAR), "q must be given with a closed chain, the values of A, B, D, C"),
         (lambda: kl.show(kl.robots.youbot(), [0, 0, 0]), "5 joint values"),
-        (lambda: draw_lettered_chain(kl.robots.rpr(), ["L_0"]), "letters must have"),
+        (lambda: draw_lettered_chain(RPR, ["L_0"]), "letters must have"),
         (lambda: drive(FOUR_BAR, np.zeros(4)), "Assemble it first"),
         (lambda: drive(FOUR_BAR, CLOSED, across=("A", "E")), "four-bar has joint values A, B, D, C; got 'E'"),
         (lambda: drive(FOUR_BAR, CLOSED, curves=[[CLOSED[:3]]]), "curves"),
-        (lambda: explore(kl.robots.rpr(), frames={"elbow": np.eye(4)}), "number of their link, .*; got 'elbow'"),
+        (lambda: explore(RPR, frames={"elbow": np.eye(4)}), "number of their link, .*; got 'elbow'"),
         (lambda: crop([Picture("<svg></svg>", "A drawing with nothing in it.")]), "crop takes drawings made by kinlib"),
     ]:
         with pytest.raises(ValueError, match=says):
