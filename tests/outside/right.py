@@ -292,10 +292,7 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
             [(0, k * np.pi / 2, 0, np.radians(t)) for k, t in zip((-1, 1, -1), g.degrees, strict=True)], "modified"
         )[:3, :3],
     ),
-    "06.2": (
-        "pose",
-        lambda g: chain(at(g.rows, "RPR", [np.radians(g.values[0]), g.values[1], np.radians(g.values[2])]), "modified"),
-    ),
+    "06.2": ("pose", lambda g: chain(at(g.rows, "RPR", g.values * np.radians([1, 180 / np.pi, 1])), "modified")),
     "07.1": ("vector", lambda g: np.array([g.moved_to, g.a_1 + g.a_2 - g.moved_to])),
     "08.4": (
         "screw",
