@@ -43,21 +43,16 @@ MESHES = {
 }
 
 
-def broken_frames():
-    """Return frames of the arm, one of which breaks a rule."""
-    frames = RIGHT.copy()
-    frames[1, :3, 3] += RIGHT[1, :3, 0]
-    return frames
-
-
 def broken():
-    hand = assign(ARM, "standard")
-    hand.frames, hand.asked = broken_frames(), 1
+    """Frames by hand, one of which breaks a rule."""
+    hand, frames = assign(ARM, "standard"), RIGHT.copy()
+    frames[1, :3, 3] += RIGHT[1, :3, 0]
+    hand.frames, hand.asked = frames, 1
     return hand
 
 
 def frames_at(degrees):
-    return {"s": np.eye(4), "b": kl.exp(np.array([0, 0, np.radians(degrees), 0.4, 0, 0.1]))}
+    return {"s": np.eye(4), "b": kl.exp([0, 0, np.radians(degrees), 0.4, 0, 0.1])}
 
 
 VIEWERS = {

@@ -102,7 +102,7 @@ def name_of(requirement):
     return re.match(r"[\w.-]+", requirement)[0].lower().replace("_", "-")
 
 
-def dependencies():
+def test_every_dependency_is_pinned():
     project = PROJECT["project"]
     groups = [*PROJECT["dependency-groups"].values(), *project.get("optional-dependencies", {}).values()]
     requirements = [
@@ -110,12 +110,9 @@ def dependencies():
         *project["dependencies"],
         *(item for group in groups for item in group),
     ]
-    return {name_of(requirement) for requirement in requirements if isinstance(requirement, str)}
-
-
-def test_every_dependency_is_pinned():
+    named = {name_of(requirement) for requirement in requirements if isinstance(requirement, str)}
     pins = {name_of(line) for line in (ROOT / "constraints.txt").read_text("utf-8").splitlines() if line[0] not in "# "}
-    assert dependencies() - pins == set(), "write it anew: guides/dependencies.md"
+    assert named - pins == set(), "write it anew: guides/dependencies.md"
 
 
 def test_the_documents_have_the_version_of_the_packages():

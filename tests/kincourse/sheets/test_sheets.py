@@ -39,26 +39,21 @@ def drawn(template, student):
 each_problem = pytest.mark.parametrize("template", TEMPLATES, ids=lambda template: template.number)
 
 
-def assert_mistakes_are_named(problem):
-    """The right answer has full marks, and each mistake of the author has its own message."""
-    assert judge(problem, problem.answer.value).fraction == 1.0
+@each_problem
+def test_right_answers_score_mistakes_have_messages_and_students_have_different_numbers(template):
+    problem, *_ = problems = [drawn(template, student) for student in STUDENTS]
+    assert len({one.statement + str(one.answer.value) for one in problems}) > 1
+    assert len([*problem.known_mistakes, *problem.slips]) >= 3
+    answer = problem.answer
+    assert judge(problem, answer.value).fraction == 1.0
     for wrong in problem.mistakes:
         judgement = judge(problem, wrong.value)
         assert judgement.mistakes == [wrong.name]
         assert judgement.fraction < 1
         assert wrong.message in [finding.message for finding in judgement.findings]
-
-
-@each_problem
-def test_right_answers_score_mistakes_have_messages_and_students_have_different_numbers(template):
-    problems = [drawn(template, student) for student in STUDENTS]
-    assert len({problem.statement + str(problem.answer.value) for problem in problems}) > 1
-    assert len([*problems[0].known_mistakes, *problems[0].slips]) >= 3
-    assert_mistakes_are_named(problems[0])
-    answer = problems[0].answer
     if isinstance(answer, (Numbers, ClosedForm)):  # what a right answer fulfils, it fulfils
         rounded = np.round(answer.value, 3).tolist() if isinstance(answer, Numbers) else answer.value
-        assert judge(problems[0], rounded).state == "right", "three decimals are enough"
+        assert judge(problem, rounded).state == "right", "three decimals are enough"
         for right in (answer.value, rounded):
             assert not any(answer.check(answer.read(right), part) for part in range(len(answer.parts)))
 
