@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 from kincourse import find_sheet, sheets
 from misstep.judge import judge
-from outside import EARNS_NOTHING, outside_answers
+from outside import EARNS_NOTHING, NAMELESS, outside_answers
 
 COUNTED = ("told", "unnamed", "false", "full marks", "refused", "undeserved", "blamed")
 """The maker's word is on the card; no name, a false claim, full marks of a wrong answer; a right form that has not full marks; a
@@ -36,12 +36,13 @@ def found(made, judgement, answer):
         yield "unreadable"
         return
     yield "wrong"
-    if made.has_name:
+    has_name = made.did != NAMELESS  # a tutor could say what was done
+    if has_name:
         yield "with a name"
     named = [finding for finding in judgement.findings if finding.mistake]
     if judgement.state == "right":
         yield "full marks"
-    elif made.has_name and not named:
+    elif has_name and not named:
         yield "unnamed"
     if made.is_named_by(" ".join(f"{one.mistake} {one.message}" for one in judgement.findings)):
         yield "told"
@@ -75,9 +76,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--students", type=int, default=1, help="how many students (1)")
     parser.add_argument("--sheet", action="append", help="only this sheet; may be repeated")
-    parser.add_argument(
-        "--examples", action="store_true", help="print the answers without a name, and those that are judged wrongly"
-    )
+    parser.add_argument("--examples", action="store_true", help="print what has no name, and what is judged wrongly")
     options = parser.parse_args()
     total = Counter()
     for template in (problem for name in options.sheet or sheets() for problem in find_sheet(name).problems):

@@ -11,7 +11,6 @@ from outside.right import frames_of, joints_of, mimicked, moved_columns, screw, 
 from outside.shared import DEGREES, ORDER, PLACE, SIGN, SIZE, SWAP, UNIT
 
 LEFT_OUT = shared.LEFT_OUT + "|kept|left at"
-JOINT = "joint|row|axis|point|column|q_|instead|belongs"
 MODE = "mode|other|twice|mirror|same|" + SIGN
 
 
