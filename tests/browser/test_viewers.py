@@ -636,8 +636,6 @@ def test_a_broken_rule_disappears_when_its_frame_changes_and_is_restored_with_it
 
 # --- the page ---
 
-LABELS = ["ink", "quiet", "axis", "normal", "x", "y", "z", "trail"]
-
 
 @pytest.mark.parametrize(("theme", "background"), [("light", "white"), ("dark", "#111418")])
 def test_every_text_has_sufficient_contrast_in_both_themes_which_follow_the_page(page, theme, background):
@@ -659,7 +657,8 @@ def test_every_text_has_sufficient_contrast_in_both_themes_which_follow_the_page
     off = page.locator(".kv :is([aria-disabled=true], :disabled)").all_inner_texts()
     assert not {text for text, ink, paper in texts if contrast(ink, paper) < 4.5} - set(off)
     drawn = page.evaluate("document.querySelector('.kv').viewer.stage.theme")
-    assert not {label for label in LABELS if contrast(drawn[label], drawn["paper"]) < 4.5}
+    labels = ("ink", "quiet", "axis", "normal", "x", "y", "z", "trail")
+    assert not {label for label in labels if contrast(drawn[label], drawn["paper"]) < 4.5}
 
 
 def test_every_control_has_a_name_its_own_keys_and_a_visible_focus_and_fits_on_a_narrow_page(page):
