@@ -1,6 +1,8 @@
 """What all tests share: the profiles of Hypothesis, one BLAS thread per worker, the browser, the site."""
 
 import os
+import subprocess
+from pathlib import Path
 
 if "PYTEST_XDIST_WORKER" in os.environ:
     # Workers already share the cores. BLAS reads this once, when NumPy is imported; kernels that tests start inherit it.
@@ -25,6 +27,14 @@ hypothesis.settings.load_profile("kinlib")
 def pytest_configure(config):
     """Record what nbval executes."""
     config.pluginmanager.register(Recorder())
+
+
+@pytest.fixture
+def committed(tmp_path):
+    """The files as git stores them, so that the tests also pass if you have worked in a notebook and saved it."""
+    root = Path(__file__).parents[1]
+    command = ["git", "checkout-index", "--all", f"--prefix={tmp_path.as_posix()}/"]
+    return root if subprocess.run(command, cwd=root, capture_output=True, check=False).returncode else tmp_path
 
 
 # --- the browser and the site ---

@@ -14,7 +14,7 @@ from kincourse.lecture_00_start_here.planar_arm import HERE, SCENES, PlanarArm, 
 def show(chromium_without_webgl, tmp_path):
     """Show the arms of some scenes on a page without a kernel."""
 
-    def page_with(page, *scenes):
+    def page_with(*scenes):
         parts = [f"<style>{PlanarArm._css}</style>", *(PlanarArm(scene).html() for scene in scenes)]
         script = (HERE / "planar_arm.js").read_text("utf-8")
         path = tmp_path / "page.html"
@@ -25,8 +25,8 @@ def show(chromium_without_webgl, tmp_path):
         page.goto(path.as_uri())
         return page
 
-    with watched(chromium_without_webgl, viewport={"width": 390, "height": 844}, reduced_motion="reduce") as opened:
-        yield lambda *scenes: page_with(opened, *scenes)
+    with watched(chromium_without_webgl, viewport={"width": 390, "height": 844}, reduced_motion="reduce") as page:
+        yield page_with
 
 
 def words(page, text):

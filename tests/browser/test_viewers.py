@@ -43,21 +43,16 @@ MESHES = {
 }
 
 
-def broken_frames():
-    """Return frames of the arm, one of which breaks a rule."""
-    frames = RIGHT.copy()
-    frames[1, :3, 3] += RIGHT[1, :3, 0]
-    return frames
-
-
 def broken():
-    hand = assign(ARM, "standard")
-    hand.frames, hand.asked = broken_frames(), 1
+    """Frames by hand, one of which breaks a rule."""
+    hand, frames = assign(ARM, "standard"), RIGHT.copy()
+    frames[1, :3, 3] += RIGHT[1, :3, 0]
+    hand.frames, hand.asked = frames, 1
     return hand
 
 
 def frames_at(degrees):
-    return {"s": np.eye(4), "b": kl.exp(np.array([0, 0, np.radians(degrees), 0.4, 0, 0.1]))}
+    return {"s": np.eye(4), "b": kl.exp([0, 0, np.radians(degrees), 0.4, 0, 0.1])}
 
 
 VIEWERS = {
@@ -641,8 +636,6 @@ def test_a_broken_rule_disappears_when_its_frame_changes_and_is_restored_with_it
 
 # --- the page ---
 
-LABELS = ["ink", "quiet", "axis", "normal", "x", "y", "z", "trail"]
-
 
 @pytest.mark.parametrize(("theme", "background"), [("light", "white"), ("dark", "#111418")])
 def test_every_text_has_sufficient_contrast_in_both_themes_which_follow_the_page(page, theme, background):
@@ -664,7 +657,8 @@ def test_every_text_has_sufficient_contrast_in_both_themes_which_follow_the_page
     off = page.locator(".kv :is([aria-disabled=true], :disabled)").all_inner_texts()
     assert not {text for text, ink, paper in texts if contrast(ink, paper) < 4.5} - set(off)
     drawn = page.evaluate("document.querySelector('.kv').viewer.stage.theme")
-    assert not {label for label in LABELS if contrast(drawn[label], drawn["paper"]) < 4.5}
+    labels = ("ink", "quiet", "axis", "normal", "x", "y", "z", "trail")
+    assert not {label for label in labels if contrast(drawn[label], drawn["paper"]) < 4.5}
 
 
 def test_every_control_has_a_name_its_own_keys_and_a_visible_focus_and_fits_on_a_narrow_page(page):

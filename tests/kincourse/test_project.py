@@ -14,13 +14,8 @@ from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint, inverse
 from kinlib.rigid.rpy import roll_pitch_yaw
 
-
-def student_with(machine):
-    """The first id whose machine is of this kind."""
-    return next(student for student in map("student {}".format, count()) if draw_machine(student).name == machine)
-
-
-STUDENTS = [student_with(name) for name, *_ in KINDS]
+STUDENTS = [next(s for s in map("student {}".format, count()) if draw_machine(s).name == name) for name, *_ in KINDS]
+"""For each kind of machine the first id that has it."""
 each_machine = pytest.mark.parametrize("student", STUDENTS, ids=[name for name, *_ in KINDS])
 
 

@@ -4,24 +4,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from outside.motions import at, chain
 
 import kinlib as kl
 from kincourse.your_robot import KNOWN, examine, formats, practise
 
 
 def poses(table, q):
-    """Forward kinematics in plain NumPy, which shares no code with kinlib."""
-    found = []
-    for values in q:
-        T, moving = np.array(table.base), iter(values)
-        for (a, alpha, d, theta), letter, sign in zip(table.rows, table.joints, table.signs, strict=True):
-            angle = theta + (sign * next(moving) if letter == "R" else 0.0)
-            c, s, ca, sa = np.cos(angle), np.sin(angle), np.cos(alpha), np.sin(alpha)
-            Z = np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
-            X = np.array([[1, 0, 0, a], [0, ca, -sa, 0], [0, sa, ca, 0], [0, 0, 0, 1]])
-            T = T @ (Z @ X if table.convention == "standard" else X @ Z)
-        found.append(T @ table.tool)
-    return np.array(found)
+    """Forward kinematics that shares no code with kinlib."""
+    angles = np.zeros((len(q), len(table.joints)))
+    angles[:, [letter == "R" for letter in table.joints]] = q
+    rows = (at(table.rows, "R" * len(table.joints), table.signs * row) for row in angles)
+    return np.array([table.base @ chain(row, table.convention) @ table.tool for row in rows])
 
 
 def shipped(package, name):
@@ -166,9 +160,8 @@ def test_the_frames_of_the_arm_are_beside_those_of_a_wrong_row_and_named_with_a_
     assert [name for name, (frame,) in frames.items() if frame["grey"]] == ["frame 4'", "frame 5'", "frame 6'"]
     right, arm = frames["frame 4'"][0]["pose"], examine("UR5e").arm
     z = np.reshape(right, (4, 4))[:3, 2]
-    assert (
-        np.abs(np.cross(z, arm.lines.axis[4])).max() < 1e-9
-    )  # on the next joint axis, as the wrong one is, but along it
+    # on the next joint axis, as the wrong one is, but along it
+    assert np.abs(np.cross(z, arm.lines.axis[4])).max() < 1e-9
     assert z @ arm.lines.axis[4] > 0
 
 

@@ -32,16 +32,6 @@ class OutsideAnswer:
     did: frozenset[str] = frozenset()
     right: bool = False
 
-    @property
-    def earns_nothing(self) -> bool:
-        """Whether a part of it that comes out right does so by chance."""
-        return self.label in EARNS_NOTHING
-
-    @property
-    def has_name(self) -> bool:
-        """Whether a tutor could say what was done."""
-        return self.did != NAMELESS
-
     def is_named_by(self, text: str) -> bool:
         """Return whether a text contains one of the words."""
         return any(word.casefold() in text.casefold() for word in self.did)

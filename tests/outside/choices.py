@@ -78,10 +78,6 @@ def convention_of(g: Any) -> tuple[str, Any]:
     return letter, np.array([T[0, 3] for T in poses])
 
 
-
-
-
-
 def broken_rule(g: Any) -> tuple[str, float]:
     """The letter of 07.5, and a number that shows it."""
     i, F = g.frame, np.asarray(g.frames)

@@ -30,18 +30,15 @@ def screws(g: Any, X: Any) -> Kinds:
     p = np.cross(w, v)
     one = np.arange(len(X))[:, None] == np.argmax(turns)
 
-    def through(p: Any, which: Any = turns) -> Any:
+    def through(p: Any, which: Any = turns, w: Any = w) -> Any:
         return np.where(turns & which, np.hstack([w, np.cross(p, w)]), X)
-
-    def tilted(w: Any) -> Any:
-        return np.where(turns & one, np.hstack([w, np.cross(p, w)]), X)
 
     return {
         "took the points as moments": (np.where(turns, np.hstack([w, p]), X), "point|moment|" + PLACE),
         "misread one coordinate": (through(p + np.roll(w, 1, axis=1) * 0.1, one), "parallel|moment|" + READ),
         "swapped height and depth of the points": (through(p[:, [0, 2, 1]]), "parallel|moment|" + SWAP + "|" + READ),
         "used the point of the joint before": (through(np.roll(p, 1, axis=0)), "joint|row|parallel|moment|" + READ),
-        "took another direction for one axis": (tilted(np.roll(w, 1, axis=1)), ORDER + "|direction|omega|" + READ),
+        "took another direction for one axis": (through(p, one, np.roll(w, 1, axis=1)), ORDER + "|direction|omega|" + READ),
     }
 
 

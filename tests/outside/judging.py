@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 from kincourse import find_sheet, sheets
 from misstep.judge import judge
-from outside import outside_answers
+from outside import EARNS_NOTHING, NAMELESS, outside_answers
 
 COUNTED = ("told", "unnamed", "false", "full marks", "refused", "undeserved", "blamed")
 """The maker's word is on the card; no name, a false claim, full marks of a wrong answer; a right form that has not full marks; a
@@ -19,22 +19,13 @@ def says_a_fact(message):
     return bool(re.search(r"\bYou\b", message)) and not message.startswith(("This is ", "Several mistakes"))
 
 
-def judged(template, student):
-    """Yield each answer from outside to a problem, with its judgement and the names of its right parts."""
-    problem = template.variant(student)
-    given, neighbour = (
-        SimpleNamespace(**one.given, **one.shown) for one in (problem, template.variant(f"the neighbour of {student}"))
-    )
-    for made in outside_answers(template.number, given, problem.answer.value, neighbour):
-        judgement = judge(problem, made.value)
-        right = set[str]()
-        if judgement.state in {"partly", "wrong"}:
-            agrees = problem.answer.agrees(problem.answer.read(made.value), problem.answer.value)
-            right = {part for part, is_right in zip(problem.answer.parts, agrees, strict=True) if is_right}
-        yield made, judgement, right
+def right_parts(answer, value):
+    """Return the names of the parts of an answer that are right."""
+    agrees = answer.agrees(answer.read(value), answer.value)
+    return {part for part, is_right in zip(answer.parts, agrees, strict=True) if is_right}
 
 
-def found(made, judgement, right):
+def found(made, judgement, answer):
     """Yield what is counted of an answer: "wrong" or "right form", and what of COUNTED is so."""
     if made.right:
         yield "right form"
@@ -45,29 +36,36 @@ def found(made, judgement, right):
         yield "unreadable"
         return
     yield "wrong"
-    if made.has_name:
+    has_name = made.did != NAMELESS  # a tutor could say what was done
+    if has_name:
         yield "with a name"
     named = [finding for finding in judgement.findings if finding.mistake]
     if judgement.state == "right":
         yield "full marks"
-    elif made.has_name and not named:
+    elif has_name and not named:
         yield "unnamed"
     if made.is_named_by(" ".join(f"{one.mistake} {one.message}" for one in judgement.findings)):
         yield "told"
     elif any(says_a_fact(one.message) for one in named):
         yield "false"
-    if any(right.intersection(finding.parts) for finding in judgement.findings):
-        yield "blamed"
-    if made.earns_nothing and 0 < judgement.fraction < 1:
+    if judgement.state in {"partly", "wrong"}:
+        right = right_parts(answer, made.value)
+        if any(right.intersection(finding.parts) for finding in judgement.findings):
+            yield "blamed"
+    if made.label in EARNS_NOTHING and 0 < judgement.fraction < 1:
         yield "undeserved"
 
 
 def counts_of(template, student):
     """Return how often each of COUNTED is so, and for each the answers with what was said."""
     counts, examples = Counter(), {}
-    for made, judgement, right in judged(template, student):
+    problems = template.variant(student), template.variant(f"the neighbour of {student}")
+    given, neighbour = (SimpleNamespace(**one.given, **one.shown) for one in problems)
+    answer = problems[0].answer
+    for made in outside_answers(template.number, given, answer.value, neighbour):
+        judgement = judge(problems[0], made.value)
         said = " | ".join(f"{one.mistake}: {one.text}" for one in judgement.findings)
-        for what in found(made, judgement, right):
+        for what in found(made, judgement, answer):
             counts[what] += 1
             examples.setdefault(what, []).append(f"{template.number}, {made.label}: {said}")
     return counts, examples
@@ -78,9 +76,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--students", type=int, default=1, help="how many students (1)")
     parser.add_argument("--sheet", action="append", help="only this sheet; may be repeated")
-    parser.add_argument(
-        "--examples", action="store_true", help="print the answers without a name, and those that are judged wrongly"
-    )
+    parser.add_argument("--examples", action="store_true", help="print what has no name, and what is judged wrongly")
     options = parser.parse_args()
     total = Counter()
     for template in (problem for name in options.sheet or sheets() for problem in find_sheet(name).problems):

@@ -27,31 +27,24 @@ def parts(T: Any) -> tuple[Array, Array]:
     return np.array(T)[:3, :3], np.array(T)[:3, 3]
 
 
-def twist(S: Any) -> Array:
-    """The matrix [S] (4, 4) of a twist (omega, v)."""
-    return np.block([[hat(S[:3]), np.reshape(S[3:], (3, 1))], [np.zeros((1, 4))]])
+def exp(S: Any, q: float = 1.0) -> Array:
+    """The exponential of S q, a rotation for S (3,), a pose for S (6,): eighteen terms of A / 2**s, squared s times.
 
-
-def expm(A: Array) -> Array:
-    """The matrix exponential: eighteen terms of the series of A / 2**s, squared s times.
-
-    >>> expm(hat([0, 0, np.pi / 2])).round(6) + 0.0
+    >>> exp([0, 0, 1], np.pi / 2).round(6) + 0.0
     array([[ 0., -1.,  0.],
            [ 1.,  0.,  0.],
            [ 0.,  0.,  1.]])
     """
+    S = np.asarray(S, dtype=float) * q
+    A = hat(S[:3])
+    if S.shape == (6,):
+        A = np.block([[A, S[3:, None]], [np.zeros((1, 4))]])
     s = max(0, int(np.ceil(np.log2(np.abs(A).sum() + 1e-300))))
     term = total = np.eye(len(A))
     for k in range(1, 18):
         term = term @ A / 2**s / k
         total = total + term
     return np.linalg.matrix_power(total, 2**s)
-
-
-def exp(S: Any, q: float = 1.0) -> Array:
-    """The exponential of S q: a rotation for S (3,), a pose for S (6,)."""
-    S = np.asarray(S, dtype=float) * q
-    return expm(hat(S) if S.shape == (3,) else twist(S))
 
 
 def Ad(T: Any) -> Array:
@@ -61,9 +54,8 @@ def Ad(T: Any) -> Array:
 
 
 def rot(axis: Any, degrees: float) -> Array:
-    """The rotation (3, 3) about a unit vector, or about axis number 0, 1 or 2."""
-    w = I3[axis] if isinstance(axis, int) else np.asarray(axis)
-    return exp(w, np.radians(degrees))
+    """The rotation (3, 3) about a unit vector."""
+    return exp(axis, np.radians(degrees))
 
 
 def product(*factors: Any) -> Array:
@@ -71,11 +63,10 @@ def product(*factors: Any) -> Array:
     return np.array(reduce(np.matmul, factors))
 
 
-def negated_one(x: Any, which: int = 0) -> Array:
-    """A copy of x with the sign of one of its entries wrong, which is not zero: the first one, the second one, ..."""
-    places = [tuple(place) for place in np.argwhere(np.abs(x) > 0.01)]
-    y = np.array(x, dtype=float)
-    y[places[which % len(places)]] *= -1
+def negated_one(x: Array) -> Array:
+    """A copy of x with the wrong sign of its first entry that is not zero."""
+    y = x.copy()
+    y.flat[np.argmax(np.abs(x) > 0.01)] *= -1
     return y
 
 

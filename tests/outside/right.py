@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 
 from outside import choices
-from outside.motions import Ad, Array, at, chain, exp, link, logarithm, pose, product, rot, rpy_matrix, turn
+from outside.motions import I3, Ad, Array, at, chain, exp, link, logarithm, pose, product, rot, rpy_matrix, turn
 
 inv = np.linalg.inv
 theta, a = sp.symbols("theta a")
@@ -32,16 +32,16 @@ def rodrigues(w: Any, sine: Any = None, one_minus_cosine: Any = None) -> Any:
     return sp.eye(3) + sine * skew(w) + one_minus_cosine * skew(w) ** 2
 
 
-def plane(g: Any, order: int = 1, angle: float = 1) -> Array:
+def plane(g: Any) -> Array:
     """The motion of the plane of 01.3."""
-    R, p = rot(2, angle * g.degrees)[:2, :2], np.asarray(g.p, dtype=float)
-    column = R @ p if (g.first == "shift") == (order == 1) else p
+    R, p = rot(I3[2], g.degrees)[:2, :2], np.asarray(g.p, dtype=float)
+    column = R @ p if g.first == "shift" else p
     return np.array([*np.column_stack([R, column]), [0, 0, 1]])
 
 
-def moved(g: Any, swap: bool = False, angle: float = 1) -> Array:
+def moved(g: Any, swap: bool = False) -> Array:
     """The pose of 01.9; with `swap` the sides of both motions are exchanged."""
-    own, fixed = pose(rot(np.asarray(g.axis), angle * g.degrees), [0] * 3), pose(np.eye(3), g.shift)
+    own, fixed = pose(rot(np.asarray(g.axis), g.degrees), [0] * 3), pose(np.eye(3), g.shift)
     if (g.own == "turn") == swap:
         own, fixed = fixed, own
     return product(fixed, g.T_sb, own)
@@ -59,9 +59,10 @@ def tilted(g: Any) -> Array:
 
 
 def axes_to_screws(g: Any) -> Array:
-    """The screws of a table of joints."""
+    """The screws of axes through points, of revolute joints unless letters say otherwise."""
+    letters = getattr(g, "letters", "R" * len(g.axes))
     return np.array(
-        [[0, 0, 0, *d] if k == "P" else screw(d, p) for k, d, p in zip(g.letters, g.axes, g.points, strict=True)]
+        [[0, 0, 0, *d] if k == "P" else screw(d, p) for k, d, p in zip(letters, g.axes, g.points, strict=True)]
     )
 
 
@@ -69,12 +70,6 @@ def series_error(g: Any) -> float:
     """The distance of 02.4 in millimetres."""
     t = g.theta
     return float(1000 * g.radius * np.hypot(np.cos(t) - 1 + t**2 / 2, np.sin(t) - t))
-
-
-def log_of_rotation(R: Any) -> Array:
-    """The logarithm of a rotation, unit axis times angle."""
-    m = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
-    return np.array(m / np.linalg.norm(m) * np.arctan2(np.linalg.norm(m), np.trace(R) - 1))
 
 
 def helix(g: Any) -> Any:
@@ -92,12 +87,17 @@ def jacobian(g: Any, q: Any) -> Array:
     return np.array([Ad(inv(product(np.eye(4), *e[i + 1 :]))) @ B[i] for i in range(len(B))])
 
 
-def moved_columns(g: Any, step: int) -> Array:
+def moved_columns(rows: Any, step: int) -> Array:
     """The rows of the other convention: a and alpha one row down (1) or up (-1), 0 in the empty row."""
-    rows = np.array(g.rows, dtype=float)
+    rows = np.array(rows, dtype=float)
     rows[:, :2] = np.roll(rows[:, :2], step, axis=0)
     rows[0 if step == 1 else -1, :2] = 0
     return rows
+
+
+def exact(rpy: Any) -> Array:
+    """The angles, of which those that are typed as 1.5708 are right angles."""
+    return np.array(np.where(np.abs(np.abs(rpy) - 1.5708) < 1e-3, np.sign(rpy) * np.pi / 2, rpy))
 
 
 def joints_of(text: str) -> list[Given]:
@@ -109,15 +109,12 @@ def joints_of(text: str) -> list[Given]:
 
     joints = []
     for block in re.findall(r"<joint.*?</joint>", text, re.DOTALL):
-        origin = (re.search(r"<origin[^>]*>", block) or [""])[0]
-        axis = (re.search(r"<axis[^>]*>", block) or [""])[0]
-        mimic = (re.search(r"<mimic[^>]*>", block) or [""])[0]
-        rpy = numbers("rpy", origin, [0, 0, 0])
-        rpy = np.where(np.abs(np.abs(rpy) - 1.5708) < 1e-3, np.sign(rpy) * np.pi / 2, rpy)
+        elements = (re.search(rf"<{name}[^>]*>", block) for name in ("origin", "axis", "mimic"))
+        origin, axis, mimic = (found[0] if found else "" for found in elements)
         joints.append(
             Given(
                 xyz=numbers("xyz", origin, [0, 0, 0]),
-                rpy=rpy,
+                rpy=exact(numbers("rpy", origin, [0, 0, 0])),
                 axis=numbers("xyz", axis, [1, 0, 0]),
                 multiplier=float(numbers("multiplier", mimic, [1])[0]),
                 offset=float(numbers("offset", mimic, [0])[0]),
@@ -126,11 +123,11 @@ def joints_of(text: str) -> list[Given]:
     return joints
 
 
-def frames_of(g: Any, order: str = "zyx") -> list[Array]:
+def frames_of(g: Any) -> list[Array]:
     """The poses of all joints in the base, at home."""
     poses = [np.eye(4)]
     for joint in joints_of(g.urdf):
-        poses.append(poses[-1] @ pose(rpy_matrix(joint.rpy, order), joint.xyz))
+        poses.append(poses[-1] @ pose(rpy_matrix(joint.rpy), joint.xyz))
     return poses[1:]
 
 
@@ -178,25 +175,21 @@ def last_screw(g: Any) -> Array:
     return screw(T[:3, 2], T[:3, 3])
 
 
-def poe(g: Any, S: Any = None, M: Any = None, q: Any = None) -> Array:
+def poe(S: Any, q: Any, M: Any) -> Array:
     """The pose by the product of exponentials."""
-    S = axes_to_screws(g) if S is None else S
-    return product(*(exp(s, x) for s, x in zip(S, g.q if q is None else q, strict=True)), g.home if M is None else M)
+    return product(*map(exp, S, q), M)
 
 
-def joint_origin(g: Any, order: str = "zyx") -> Array:
+def joint_origin(g: Any) -> Array:
     """The origin of joint 2 in the frame of joint 1, 10.4."""
-    R = rpy_matrix(np.radians(g.rpy_1_in_degrees), order)
+    R = rpy_matrix(np.radians(g.rpy_1_in_degrees))
     return np.array(R.T @ (np.asarray(g.place_2) - g.xyz_1))
 
 
 def rpy_of(R: Any) -> list[float]:
     """Roll, pitch and yaw of a rotation, by turning it back: first the yaw, then the pitch."""
-    yaw = (
-        float(np.arctan2(R[1][0], R[0][0]))
-        if np.hypot(R[0][0], R[1][0]) > 1e-6
-        else float(np.arctan2(-R[0][1], R[1][1]))
-    )
+    upright = np.hypot(R[0][0], R[1][0]) < 1e-6
+    yaw = float(np.arctan2(-R[0][1], R[1][1]) if upright else np.arctan2(R[1][0], R[0][0]))
     rest = turn("z", -yaw) @ R
     pitch = float(np.arctan2(-rest[2, 0], rest[0, 0]))
     rest = turn("y", -pitch) @ rest
@@ -211,32 +204,17 @@ def hinge(g: Any) -> Array:
     return np.array(np.linalg.solve(steps, (steps * middles).sum(axis=1)))
 
 
-def at_sight(g: Any) -> Array:
-    """The velocities of 03.2: distance times the direction that the right-hand rule gives."""
-    return np.array(
-        [
-            w[[1, 2, 0]] * p[[2, 0, 1]] - w[[2, 0, 1]] * p[[1, 2, 0]]
-            for w, p in zip(g.axes, -np.asarray(g.points), strict=True)
-        ]
-    )
-
-
-def all_screws(g: Any) -> Array:
-    """The screws of axes through points."""
-    return np.array([screw(w, p) for w, p in zip(g.axes, g.points, strict=True)])
-
-
 def screws_of_a_modified_table(g: Any) -> Array:
     """The screws of 06.9: z of frame i is the axis of joint i."""
     frames = [product(g.base, chain(g.rows[: i + 1], "modified")) for i in range(len(g.rows))]
     return np.array([screw(T[:3, 2], T[:3, 3]) for T in frames])
 
 
-def gap(g: Any, B: float = 1) -> Array:
+def gap(g: Any) -> Array:
     """The vector of 08.3, by complex numbers."""
     ground, crank, coupler, rocker = g.bars
     a, b, d = (np.exp(1j * np.radians(g.degrees[name])) for name in "ABD")
-    z = crank * a + coupler * a * b**B - ground - rocker * d
+    z = crank * a + coupler * a * b - ground - rocker * d
     return np.array([z.real, z.imag])
 
 
@@ -252,13 +230,11 @@ def offset(g: Any) -> tuple[str, float]:
     for k in range(len(S)):
         found = []
         for q, T in zip(g.q, g.poses, strict=True):
-            e = [exp(s, x) for s, x in zip(S, q, strict=True)]
+            e = list(map(exp, S, q))
             E = product(inv(product(np.eye(4), *e[: k + 1])), T, inv(product(np.eye(4), *e[k + 1 :], M)))
             found.append(logarithm(E) @ S[k] / (S[k] @ S[k]))
-        if all(
-            np.allclose(poe(g, S, M, q + found[0] * np.eye(len(S))[k]), T, atol=1e-6)
-            for q, T in zip(g.q, g.poses, strict=True)
-        ):
+        off = found[0] * np.eye(len(S))[k]
+        if all(np.allclose(poe(S, q + off, M), T, atol=1e-6) for q, T in zip(g.q, g.poses, strict=True)):
             return str(k + 1), float(found[0])
     raise AssertionError
 
@@ -271,9 +247,9 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "01.9": ("pose", moved),
     "01.10": ("wrists", lambda g: np.array([rpy_of(np.asarray(R)) for R in (g.R_1, g.R_2)])),
     "02.8": ("vector", hinge),
-    "03.2": ("vectors", at_sight),
+    "03.2": ("vectors", lambda g: axes_to_screws(g)[:, 3:]),
     "03.7": ("pose", lambda g: product(*map(exp, g.screws[: g.link], g.q[: g.link]), g.camera_home)),
-    "03.13": ("screws", all_screws),
+    "03.13": ("screws", axes_to_screws),
     "04.8": ("vector", lambda g: np.sort(np.abs([g.links @ np.array([1, s, t]) for s in (1, -1) for t in (1, -1)]))),
     "06.9": ("screws", screws_of_a_modified_table),
     "08.3": ("vector", gap),
@@ -284,12 +260,12 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "02.6": ("formula", lambda g: sp.Matrix(g.point) - rodrigues(g.omega) * sp.Matrix(g.point)),
     "02.4": ("millimetres", series_error),
     "02.3": ("pose", lambda g: exp([*g.omega, *g.v], g.seconds)),
-    "02.7": ("vector", lambda g: log_of_rotation(np.asarray(g.R))),
+    "02.7": ("vector", lambda g: logarithm(pose(g.R, [0, 0, 0]))[:3]),
     "02.5": ("formula", helix),
     "03.1": ("screws", axes_to_screws),
     "03.3": ("screw", lambda g: screw(tilted(g), g.point)),
     "03.4": ("screw", lambda g: screw(g.axis, g.point) + np.array([0, 0, 0, *g.lead / 2 / np.pi * np.array(g.axis)])),
-    "03.8": ("pose", lambda g: poe(g, g.screws, g.home @ pose(np.eye(3), [0, 0, g.longer]))),
+    "03.8": ("pose", lambda g: poe(g.screws, g.q, g.home @ pose(I3, [0, 0, g.longer]))),
     "04.2": ("screws", lambda g: np.asarray(g.screws) @ Ad(inv(g.home)).T),
     "04.4": ("pose", lambda g: product(g.home, *map(exp, g.body_screws, radians_of(g.values, g.body_screws)))),
     "04.5": (
@@ -298,10 +274,7 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     ),
     "04.6": ("screws", lambda g: np.asarray(g.body_screws) @ Ad(inv(g.T_bt)).T),
     "04.7": ("screw", lambda g: np.radians(g.rates) @ jacobian(g, np.radians(g.values))),
-    "05.2": (
-        "pose",
-        lambda g: link((g.a, np.radians(g.alpha_degrees), g.d, np.radians(g.theta_degrees)), "standard"),
-    ),
+    "05.2": ("pose", lambda g: link((g.a, np.radians(g.alpha_degrees), g.d, np.radians(g.theta_degrees)), "standard")),
     "05.4": ("entries", lambda g: np.radians(np.diff([0, *g.headings_degrees]))),
     "05.7": (
         "vector",
@@ -312,17 +285,14 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     ),
     "05.6": ("pose", lambda g: product(g.base, chain(at(g.rows, "RR", g.q), "standard"), g.tool)),
     "06.1": ("pose", lambda g: link((g.a, g.alpha, g.d, g.theta), "modified")),
-    "06.3": ("rows", lambda g: moved_columns(g, 1)),
+    "06.3": ("rows", lambda g: moved_columns(g.rows, 1)),
     "06.4": (
         "rotation",
         lambda g: chain(
             [(0, k * np.pi / 2, 0, np.radians(t)) for k, t in zip((-1, 1, -1), g.degrees, strict=True)], "modified"
         )[:3, :3],
     ),
-    "06.2": (
-        "pose",
-        lambda g: chain(at(g.rows, "RPR", [np.radians(g.values[0]), g.values[1], np.radians(g.values[2])]), "modified"),
-    ),
+    "06.2": ("pose", lambda g: chain(at(g.rows, "RPR", g.values * np.radians([1, 180 / np.pi, 1])), "modified")),
     "07.1": ("vector", lambda g: np.array([g.moved_to, g.a_1 + g.a_2 - g.moved_to])),
     "08.4": (
         "screw",
@@ -341,7 +311,7 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
             np.arccos((g.bars[0] ** 2 + g.bars[1] ** 2 - (g.bars[2] + g.bars[3]) ** 2) / (2 * g.bars[0] * g.bars[1]))
         ),
     ),
-    "09.1": ("pose", lambda g: pose(rpy_matrix(np.where(np.abs(np.abs(g.rpy) - 1.5708) < 1e-3, np.sign(g.rpy) * np.pi / 2, g.rpy)), g.xyz)),
+    "09.1": ("pose", lambda g: pose(rpy_matrix(exact(g.rpy)), g.xyz)),
     "09.3": ("vector", lambda g: frames_of(g)[2][:3, 3]),
     "09.4": ("screw", last_axis),
     "09.5": ("pose", lambda g: frames_of(g)[-1]),
@@ -359,10 +329,7 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "07.7": ("letter", choices.same_arm),
     "08.2": ("letter", choices.grashof),
     "09.2": ("path", choices.path_through_a_tree),
-    "09.6": (
-        "origin",
-        lambda g: np.array([[g.a, -g.d * np.sin(g.alpha), g.d * np.cos(g.alpha)], [g.alpha, 0, 0]]),
-    ),
+    "09.6": ("origin", lambda g: np.array([[g.a, -g.d * np.sin(g.alpha), g.d * np.cos(g.alpha)], [g.alpha, 0, 0]])),
     "10.3": ("letter", choices.one_of_four),
 }  # fmt: skip
 """For each problem the kind of its answer, and the function from its given values to the right answer."""

@@ -171,7 +171,7 @@ def _special(kind: str, X: Any) -> Kinds:
             "wrote the axes in the order y, z, x": (pose(R[:, [1, 2, 0]], p), ORDER + "|axes"),
             "wrote the axes in the order z, y, x": (pose(R[:, ::-1], p), ORDER + "|axes"),
             "swapped x and y of the position": (pose(R, p[[1, 0, 2]]), SWAP + "|order|sizes"),
-            "turned the frame by a right angle about its z": (pose(R @ rot(2, 90), p), "turn|90|right angle|quarter|" + ORDER + "|axes|swap"),
+            "turned the frame by a right angle about its z": (pose(R @ rot(I3[2], 90), p), "turn|90|right angle|quarter|" + ORDER + "|axes|swap"),
             "left out the last 1": (X - np.diag([0, 0, 0, 1.0]), "last row|corner|0 0 0 1"),
             "doubled the position": (pose(R, 2 * p), SIZE),
         }
@@ -264,8 +264,11 @@ def legal_forms(kind: str, value: Any) -> dict[str, Any]:
         X = sp.Matrix(value)
         lists = X.tolist() if X.shape[1] > 1 else list(X)
         return {"as text": str(lists), "expanded": sp.expand(X), "as lists": lists}
-    if kind in ("table", "letter", "order", "path"):
-        return _forms_of_a_choice(kind, value)
+    if kind == "letter":
+        letter, reason = value
+        return {"as a list": [letter, reason], "with spaces": (f" {letter} ", reason)}
+    if kind in ("table", "order", "path"):
+        return {"as a tuple": tuple(value), "as a list": list(value)} if kind != "table" else {}
     X = np.asarray(value, dtype=float)
     forms: dict[str, Any] = {"as a list": X.tolist(), "as an array of objects": X.astype(object), "four decimals": np.round(X, 4)}
     if kind == "rows":
@@ -277,10 +280,3 @@ def legal_forms(kind: str, value: Any) -> dict[str, Any]:
         forms["a turn more"] = X + 2 * np.pi
         forms["from 0 to a turn"] = X % (2 * np.pi)
     return forms
-
-
-def _forms_of_a_choice(kind: str, value: Any) -> dict[str, Any]:
-    if kind == "letter":
-        letter, reason = value
-        return {"as a list": [letter, reason], "with spaces": (f" {letter} ", reason)}
-    return {"as a tuple": tuple(value), "as a list": list(value)} if kind in ("order", "path") else {}

@@ -8,15 +8,7 @@ import sympy as sp
 
 from outside import Kinds, kinds_of, right, shared
 from outside.motions import I3, Ad, exp, hat, logarithm, pose, product, rot
-from outside.right import (
-    inv,
-    moved,
-    radians_of,
-    rodrigues,
-    screw,
-    skew,
-    theta,
-)
+from outside.right import inv, moved, radians_of, rodrigues, screw, skew, theta
 from outside.shared import DEGREES, ORDER, PLACE, PLACEHOLDER, POINT, SIGN, SIZE, SWAP
 
 LEFT_OUT = shared.LEFT_OUT + "|not rotat|kept"
@@ -200,7 +192,7 @@ def given_axis(g: Any, X: Any) -> Kinds:
 @kinds_of("02.2")
 def rotation_formula(g: Any, X: Any) -> Kinds:
     w = sp.Matrix(g.omega)
-    W, _s, c = skew(w), sp.sin(theta), sp.cos(theta)
+    W, c = skew(w), sp.cos(theta)
     return {
         "used cos for 1 - cos": (rodrigues(w, one_minus_cosine=c), "cos"),
         "used 1 + cos": (rodrigues(w, one_minus_cosine=1 + c), "cos|sign"),
@@ -244,7 +236,6 @@ def series(g: Any, X: Any) -> Kinds:
 def logarithm_near_half_a_turn(g: Any, x: Any) -> Kinds:
     t = np.linalg.norm(x)
     u = x / t
-    np.asarray(g.R)
     return {
         "went round once more": (u * (t + 2 * np.pi), "turn|angle|long|direction"),
         "gave the axis alone": (u, "axis|angle|unit|length"),
@@ -316,8 +307,6 @@ def screw_from_a_drawing(g: Any, S: Any) -> Kinds:
     }
 
 
-
-
 @kinds_of("03.10")
 def screw_formulas(g: Any, S: Any) -> Kinds:
     L, n = g.L, S.shape[0]
@@ -374,61 +363,36 @@ def whole_arm(g: Any, f: Any) -> Kinds:
     }
 
 
-def _carried(S: Any, T: Any) -> Kinds:
+@kinds_of("04.2", "04.6")
+def carried(g: Any, X: Any) -> Kinds:
     """Screws that must be carried by Ad of the inverse of T."""
-    (R, p), zero, Q = (T[:3, :3], T[:3, 3]), np.zeros((3, 3)), inv(T)
-    w, v = S[:, :3], S[:, 3:]
-
-    def by(A: Any) -> Any:
-        return S @ A.T
-
+    S, T = map(np.asarray, (g.screws, g.home) if hasattr(g, "screws") else (g.body_screws, g.T_bt))
+    R, p, w, v = T[:3, :3], T[:3, 3], S[:, :3], S[:, 3:]
     rotated = "rotat|transpos|R^T|turned|position|left out|p$|moved"
     return {
         "moved and did not rotate": (np.hstack([w, v - np.cross(p, w)]), rotated + "|axes|" + PLACE),
-        "carried the wrong way": (by(Ad(T)), INVERSE + "|Ad"),
-        "forgot .T after the rows": (S @ Ad(Q), "transpos|.T|rows"),
+        "carried the wrong way": (S @ Ad(T).T, INVERSE + "|Ad"),
+        "forgot .T after the rows": (S @ Ad(inv(T)), "transpos|.T|rows"),
         "position left out": (np.hstack([w @ R, v @ R]), rotated),
-        "used -p for the way back": (by(np.block([[R.T, zero], [hat(-p) @ R.T, R.T]])), "p|position|" + rotated),
+        "used -p for the way back": (S @ Ad(pose(R.T, -p)).T, "p|position|" + rotated),
     }
 
 
-@kinds_of("04.2")
-def to_body(g: Any, X: Any) -> Kinds:
-    return _carried(np.asarray(g.screws), np.asarray(g.home))
-
-
-
-
-@kinds_of("04.6")
-def to_tool(g: Any, X: Any) -> Kinds:
-    return _carried(np.asarray(g.body_screws), np.asarray(g.T_bt))
-
-
-@kinds_of("04.4")
-def behind_home(g: Any, X: Any) -> Kinds:
-    return _with_home(g, np.asarray(g.body_screws), 0)
-
-
-@kinds_of("04.5")
-def around_home(g: Any, X: Any) -> Kinds:
-    return _with_home(g, np.asarray(g.screws), 2)
-
-
-def _with_home(g: Any, S: Any, k: int) -> Kinds:
+@kinds_of("04.4", "04.5")
+def with_home(g: Any, X: Any) -> Kinds:
     """Wrong poses where k screws are read in {s}, and stand to the left of the home pose."""
-    q, M = radians_of(g.values, S), np.asarray(g.home)
+    S, k = (g.screws, 2) if hasattr(g, "screws") else (g.body_screws, 0)
+    e, M = list(map(exp, S, radians_of(g.values, S))), np.asarray(g.home)
 
-    def of(q: Any = q, M: Any = M, k: int = k, S: Any = S) -> Any:
-        e = [exp(s, x) for s, x in zip(S, q, strict=True)]
+    def of(k: int) -> Any:
         return product(*e[:k], M, *e[k:])
 
-    e = [exp(s, x) for s, x in zip(S, q, strict=True)]
     return {
         "swapped the sides of M": (product(*e[k:], M, *e[:k]), ORDER + "|sides|first|last"),
         "put M last": (of(k=len(S)), ORDER + "|last"),
         "put M first": (of(k=0), ORDER + "|first|front"),
         "put M one joint later": (of(k=k + 1), ORDER + "|M|place"),
-        "put M on both sides": (product(M, *e, M) if k == 0 else product(M, of()), "twice|two|both|M"),
+        "put M on both sides": (product(M, *e, M) if k == 0 else product(M, of(k)), "twice|two|both|M"),
     }
 
 

@@ -7,17 +7,10 @@ import numpy as np
 
 from outside import Kinds, kinds_of, right_forms_of, shared
 from outside.motions import I3, at, chain, exp, logarithm, pose, product, rpy_matrix
-from outside.right import (
-    frames_of,
-    joints_of,
-    mimicked,
-    screw,
-    to_point_C,
-)
+from outside.right import frames_of, joints_of, mimicked, moved_columns, screw, to_point_C
 from outside.shared import DEGREES, ORDER, PLACE, SIGN, SIZE, SWAP, UNIT
 
 LEFT_OUT = shared.LEFT_OUT + "|kept|left at"
-JOINT = "joint|row|axis|point|column|q_|instead|belongs"
 MODE = "mode|other|twice|mirror|same|" + SIGN
 
 
@@ -87,40 +80,23 @@ def offset_of_a_joint(g: Any, X: Any) -> Kinds:
 
 @kinds_of("06.3")
 def converted(g: Any, X: Any) -> Kinds:
-    rows, down = np.asarray(g.rows, dtype=float), X[0, 0] == 0 and X[0, 1] == 0
-    step = 1 if down else -1
-    rolled = rows.copy()
-    rolled[:, :2] = np.roll(rows[:, :2], step, axis=0)
-    empty = 0 if down else -1
-
-    def shifted(columns: list[int]) -> Any:
-        Y = rows.copy()
-        Y[:, columns] = np.roll(rows[:, columns], step, axis=0)
-        Y[empty, columns] = 0
-        return Y
-
-    wrong_way = rows.copy()
-    wrong_way[:, :2] = np.roll(rows[:, :2], -step, axis=0)
-    wrong_way[-1 if down else 0, :2] = 0
+    rows = np.asarray(g.rows, dtype=float)
     return {
         "copied the rows": (rows, "given|same|copied|unchanged|convention|row"),
-        "moved a and alpha the wrong way": (wrong_way, ORDER + "|way|wrong row|shift"),
-        "rolled a and alpha round": (rolled, "last|first|empty|0|row"),
-        "moved only a": (shifted([0]), "alpha|a"),
-        "moved only alpha": (shifted([1]), "a"),
+        "moved a and alpha the wrong way": (moved_columns(rows, -1), ORDER + "|way|wrong row|shift"),
+        "rolled a and alpha round": (np.hstack([np.roll(rows[:, :2], 1, axis=0), rows[:, 2:]]), "last|first|empty|0|row"),
+        "moved only a": (np.column_stack([X[:, 0], rows[:, 1:]]), "alpha|a"),
+        "moved only alpha": (np.column_stack([rows[:, 0], X[:, 1], rows[:, 2:]]), "a"),
     }
 
 
 @right_forms_of("06.3")
 def legal_rows(g: Any, X: Any) -> dict[str, Any]:
-    k = 1 if X[0, 0] == 0 and X[0, 1] == 0 else 0
     flip = X.copy()
-    flip[k, :2] *= -1
+    flip[1, :2] *= -1
     flip[:2, 3] += (np.pi, -np.pi)
     turned = X + 2 * np.pi * np.outer(np.arange(len(X)) == 1, np.arange(4) == 1)
     return {"x_1 reversed": flip, "an alpha with a turn more": turned}
-
-
 
 
 @kinds_of("06.2")

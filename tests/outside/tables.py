@@ -7,6 +7,7 @@ import numpy as np
 
 from outside import Kinds, kinds_of, right_forms_of
 from outside.motions import Array, at, chain
+from outside.right import moved_columns
 from outside.shared import CENTI, DEGREES, PLACEHOLDER, SIGN, SWAP, UNIT
 
 TABLES = ("05.3", "06.7", "07.3", "07.4", "07.6")
@@ -42,14 +43,6 @@ def moves_alike(table: Any, rows: Any, signs: Any) -> bool:
     return np.allclose(poses(rows, signs), poses(table.rows, table.signs), atol=1e-6)
 
 
-def _shifted(rows: Array, convention: str) -> Array:
-    """The rows with a and alpha one row down, or up in the modified convention, and 0 in the empty row."""
-    step, moved = 1 if convention == "standard" else -1, rows.copy()
-    moved[:, :2] = np.roll(rows[:, :2], step, axis=0)
-    moved[0 if step == 1 else -1, :2] = 0
-    return moved
-
-
 def _with_a_slip(rows: Array) -> Kinds:
     """One number of the table is wrong."""
     negated, digit, one = rows.copy(), rows.copy(), rows.copy()
@@ -75,7 +68,7 @@ def _as_a_whole(rows: Array, joints: str, convention: str) -> Kinds:
     shift = "row|convention|shift|a and alpha|column|one row"
     return {
         "dropped the offsets": (off, "offset|theta|zero|start"),
-        "moved a and alpha one row, with 0 in the empty row": (_shifted(rows, convention), shift),
+        "moved a and alpha one row, with 0 in the empty row": (moved_columns(rows, 1 if convention == "standard" else -1), shift),
         "negated every alpha": (rows * (1, -1, 1, 1), SIGN + "|alpha"),
         "swapped a and d in every row": (rows[:, [2, 1, 0, 3]], SWAP),
         "swapped alpha and theta in every row": (rows[:, [0, 3, 2, 1]], SWAP),

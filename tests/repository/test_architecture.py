@@ -1,4 +1,4 @@
-"""Import contracts, notebooks without output, and consistent dependencies and versions."""
+"""Import contracts, notebooks without output, consistent dependencies and versions, and a wheel with every file."""
 
 import copy
 import json
@@ -7,9 +7,9 @@ import re
 import subprocess
 import sys
 import tomllib
+import zipfile
 from pathlib import Path
 
-import pytest
 from tidy_notebooks import TAG, is_checked, tidied
 
 import kinlib
@@ -19,8 +19,8 @@ GENERATED = {".venv", ".ipynb_checkpoints"}
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
 
 
-def run(*command):
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, encoding="utf-8", check=False)
+def run(*command, **options):
+    return subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False, **options)
 
 
 def files(pattern):
@@ -33,22 +33,13 @@ def files(pattern):
     return sorted({path for path in paths if path.is_file()})
 
 
-@pytest.fixture
-def committed(tmp_path):
-    """The files as git stores them, so that the tests also pass if you have worked in a notebook and saved it."""
-    done = run("git", "checkout-index", "--all", f"--prefix={tmp_path.as_posix()}/")
-    return tmp_path if done.returncode == 0 else ROOT
-
-
 # --- imports ---
 
 
 def test_the_import_contracts_are_kept():
     """Those of pyproject.toml, of the packages in this folder."""
     script = "import sys; from importlinter.cli import lint_imports; sys.exit(lint_imports(no_cache=True))"
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    command = [sys.executable, "-P", "-c", script]
-    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, encoding="utf-8", check=False)
+    done = run(sys.executable, "-P", "-c", script, env={**os.environ, "PYTHONPATH": str(ROOT)})
     assert done.returncode == 0, done.stdout
 
 
@@ -111,7 +102,7 @@ def name_of(requirement):
     return re.match(r"[\w.-]+", requirement)[0].lower().replace("_", "-")
 
 
-def dependencies():
+def test_every_dependency_is_pinned():
     project = PROJECT["project"]
     groups = [*PROJECT["dependency-groups"].values(), *project.get("optional-dependencies", {}).values()]
     requirements = [
@@ -119,14 +110,21 @@ def dependencies():
         *project["dependencies"],
         *(item for group in groups for item in group),
     ]
-    return {name_of(requirement) for requirement in requirements if isinstance(requirement, str)}
-
-
-def test_every_dependency_is_pinned():
+    named = {name_of(requirement) for requirement in requirements if isinstance(requirement, str)}
     pins = {name_of(line) for line in (ROOT / "constraints.txt").read_text("utf-8").splitlines() if line[0] not in "# "}
-    assert dependencies() - pins == set(), "write it anew: guides/dependencies.md"
+    assert named - pins == set(), "write it anew: guides/dependencies.md"
 
 
 def test_the_documents_have_the_version_of_the_packages():
     assert f"\nversion: {kinlib.__version__}\n" in (ROOT / "CITATION.cff").read_text("utf-8")
     assert f"## {kinlib.__version__}" in (ROOT / "CHANGELOG.md").read_text("utf-8")
+
+
+def test_the_wheel_has_every_file_of_the_packages(tmp_path):
+    done = run(sys.executable, "-P", "-m", "hatchling", "build", "-t", "wheel", "-d", str(tmp_path))
+    assert done.returncode == 0, done.stderr
+    (wheel,) = tmp_path.glob("*.whl")
+    built = {name for name in zipfile.ZipFile(wheel).namelist() if ".dist-info/" not in name}
+    paths = [path for package in ("kinlib", "misstep", "kincourse") for path in (ROOT / package).rglob("*")]
+    packed = {path.relative_to(ROOT).as_posix() for path in paths if path.is_file() and path.suffix != ".pyc"}
+    assert built == {file for file in packed if ".ipynb_checkpoints" not in file and "node_modules" not in file}

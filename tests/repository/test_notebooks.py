@@ -10,10 +10,8 @@ import pytest
 from kinsite.execute import execute
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = ("notebooks", "exercises")
-ALL_FILES = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.ipynb"))]
-# JupyterLab keeps copies of notebooks that it has opened
-NOTEBOOKS = [path for path in ALL_FILES if ".ipynb_checkpoints" not in path.parts]
+FILES = [path for folder in ("notebooks", "exercises") for path in sorted((ROOT / folder).rglob("*.ipynb"))]
+NOTEBOOKS = [path for path in FILES if ".ipynb_checkpoints" not in path.parts]  # JupyterLab's copies
 LECTURES = [path for path in NOTEBOOKS if path.parent.name == "notebooks"]
 
 MIN_ALTERNATIVE_LENGTH = 20

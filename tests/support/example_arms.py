@@ -45,9 +45,8 @@ def _next_axis(rng, case, z, point, angle):
     if case == "intersecting":
         other = normalized(rng.normal(size=3))
         place = point + z * rng.uniform(-0.3, 0.3)
-        return other, place + other * rng.uniform(-0.3, 0.3) * (
-            rng.random() < 0.5
-        )  # in half of the cases the joint is at the intersection
+        # In half of the cases the joint is at the intersection.
+        return other, place + other * rng.uniform(-0.3, 0.3) * (rng.random() < 0.5)
     if case == NEARLY_PARALLEL:
         leaning = normalized(z + angle * normalized(np.cross(z, rng.normal(size=3))))
         return leaning * rng.choice([-1, 1]), point + off

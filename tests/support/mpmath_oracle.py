@@ -21,19 +21,6 @@ def fk(chain, q):
         return doubles(product(chain, numbers(q)))
 
 
-def jacobian(chain, q):
-    """(dT/dq_i) T^-1 as a twist, for each i: differences over 1e-12, whose error of 1e-24 forty digits can afford."""
-    with mpmath.workdps(DIGITS):
-        q, h = numbers(q), mpmath.mpf("1e-12")
-        back = product(chain, q) ** -1
-        columns = []
-        for i in range(chain.n):
-            ahead, behind = ([value + (i == j) * step for j, value in enumerate(q)] for step in (h, -h))
-            X = (product(chain, ahead) - product(chain, behind)) * back / (2 * h)
-            columns.append([X[2, 1], X[0, 2], X[1, 0], X[0, 3], X[1, 3], X[2, 3]])
-        return doubles(mpmath.matrix(columns).T)
-
-
 def hat(x):
     """The matrix of a rotation vector (3 numbers) or a twist (6)."""
     wx, wy, wz, *v = x

@@ -7,6 +7,7 @@ from inspect import get_annotations, getmembers, isfunction
 
 import numpy as np
 from hypothesis import strategies as st
+from outside.motions import pose
 
 import kinlib as kl
 from kinlib import robots
@@ -65,7 +66,7 @@ def rotations():
 
 
 def poses():
-    return st.builds(_pose, rotations(), points())
+    return st.builds(pose, rotations(), points())
 
 
 def screws():
@@ -99,9 +100,3 @@ def _rotation(angle, axis):
             [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
         ]
     )
-
-
-def _pose(R, p):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = R, p
-    return T

@@ -15,16 +15,10 @@ ARM = kl.robots.mid_formula_arm()
 TABLE = kl.assign_frames(kl.robots.youbot(), convention="standard").table
 
 
-def alts(make, monkeypatch):
-    """Return the text alternative of each picture of a slider."""
-    monkeypatch.setenv(ENVIRONMENT_VARIABLE, "1")
-    return [said["alt"] for said in make().texts]
-
-
-def around_the_curve(**settings):
+def around_the_curve():
     curve = WIDE.trace(WIDE.assembly_modes(hold={"A": 0.5})[0], points=25).q[:-1]  # the last point is the first again
     left = np.sin(curve[:, 3]) > 0
-    return slide_curve(WIDE, curve, ("A", "D"), parts={"one mode": left, "other mode": ~left}, **settings)
+    return slide_curve(WIDE, curve, ("A", "D"), parts={"one mode": left, "other mode": ~left})
 
 
 SLIDERS = {
@@ -37,8 +31,9 @@ SLIDERS = {
 
 
 def test_every_picture_of_a_slider_has_its_own_text(monkeypatch):
+    monkeypatch.setenv(ENVIRONMENT_VARIABLE, "1")
     for make in SLIDERS.values():
-        texts = alts(make, monkeypatch)
+        texts = [said["alt"] for said in make().texts]
         assert len(set(texts)) == len(texts) > 1
     curve = WIDE.trace(WIDE.assembly_modes(hold={"A": 0.5})[0], points=25).q[:-1:2]
     said = [re.search(r"now is at A = (\S+)°, D = (\S+)°", text).groups() for text in texts]  # around the curve

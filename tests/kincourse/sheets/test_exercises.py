@@ -1,7 +1,6 @@
 """exercises/ contains what `misstep release` writes from solutions/, and no line of a solution."""
 
 import json
-import subprocess
 from pathlib import Path
 
 import pytest
@@ -13,14 +12,6 @@ pytest.importorskip("nbgrader", reason="exercises/ is made with nbgrader")
 
 ROOT = Path(__file__).parents[3]
 SOURCES = sorted((ROOT / "solutions").glob("*/*.ipynb"))
-
-
-@pytest.fixture
-def committed(tmp_path):
-    """The sheets as git holds them: a student may have worked in exercises/ and saved it."""
-    exported = ["git", "checkout-index", "--all", f"--prefix={tmp_path.as_posix()}/"]
-    done = subprocess.run(exported, cwd=ROOT, capture_output=True, check=False)
-    return tmp_path if done.returncode == 0 else ROOT
 
 
 def test_every_sheet_in_exercises_is_up_to_date(committed):
@@ -36,9 +27,8 @@ def test_every_problem_has_its_cells_and_its_points_in_the_sheet():
             assert f"sheet.show({k})" in "".join(cells[f"show-{k}"]["source"])
             assert cells[f"answer-{k}"]["metadata"]["nbgrader"]["solution"]
             assert f"sheet.check({k}, " in "".join(check["source"])
-            scored = (
-                cells[f"answer-{k}"] if template.level == "Open" else check
-            )  # nbgrader asks a person for the points of a text
+            # nbgrader asks a person for the points of a text
+            scored = cells[f"answer-{k}"] if template.level == "Open" else check
             assert scored["metadata"]["nbgrader"]["points"] == template.points
         assert f"check-{len(problems) + 1}" not in cells
 

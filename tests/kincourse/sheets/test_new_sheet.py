@@ -31,7 +31,6 @@ UNUSUAL = (
     "in millimetres",
     "narrow",
 )
-each_robot = pytest.mark.parametrize("key", UNUSUAL)
 
 
 def variants(key, title, students=STUDENTS):
@@ -42,7 +41,7 @@ def variants(key, title, students=STUDENTS):
 # --- the tasks ---
 
 
-@each_robot
+@pytest.mark.parametrize("key", UNUSUAL)
 def test_every_robot_gets_the_problems_that_suit_it_and_whose_mistakes_can_be_told_apart(key):
     """Rows of a table need two joints, and no DH row can describe a helical joint."""
     robot, sheet = ODD_ROBOTS[key], robot_sheet("odd", ODD_ROBOTS[key])
@@ -55,17 +54,13 @@ def test_every_robot_gets_the_problems_that_suit_it_and_whose_mistakes_can_be_to
             assert judge(problem, wrong.value).mistakes == [wrong.name]
 
 
-def joint_values(problem):
-    slides = ~problem.given["screws"][:, :3].any(axis=1)
-    typed = problem.given["values"]
-    return np.where(slides, typed, np.radians(typed))
-
-
 @pytest.mark.parametrize("key", ["eight", "gantry", "helical"])
 def test_poses_agree_with_modern_robotics(key):
     """FKinSpace and Adjoint of the book's own code, computed from the given values."""
     for problem in variants(key, "Where is the tool?"):
-        expected = mr.FKinSpace(problem.given["home"], problem.given["screws"].T, joint_values(problem))
+        screws, typed = problem.given["screws"], problem.given["values"]
+        q = np.where(screws[:, :3].any(axis=1), np.radians(typed), typed)
+        expected = mr.FKinSpace(problem.given["home"], screws.T, q)
         np.testing.assert_allclose(problem.answer.value, expected, atol=1e-6)
     for problem in variants(key, "The same axes in the tool frame"):
         expected = (mr.Adjoint(mr.TransInv(problem.given["home"])) @ problem.given["screws"].T).T

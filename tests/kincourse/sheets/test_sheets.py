@@ -26,7 +26,7 @@ SHEETS = [*map(find_sheet, sheets()), generated_sheet()]
 TEMPLATES = [template for sheet in SHEETS for template in sheet.problems if template.level != "Open"]
 OPEN = [template for sheet in SHEETS for template in sheet.problems if template.level == "Open"]
 BLANK_STEPS = list(blanks().values())
-NOTEBOOKS = Path(__file__).parents[3] / "notebooks"
+NOTEBOOKS, SOLUTIONS = (Path(__file__).parents[3] / name for name in ("notebooks", "solutions"))
 STUDENTS = [f"student {i}" for i in range(3)]
 
 
@@ -39,26 +39,21 @@ def drawn(template, student):
 each_problem = pytest.mark.parametrize("template", TEMPLATES, ids=lambda template: template.number)
 
 
-def assert_mistakes_are_named(problem):
-    """The right answer has full marks, and each mistake of the author has its own message."""
-    assert judge(problem, problem.answer.value).fraction == 1.0
+@each_problem
+def test_right_answers_score_mistakes_have_messages_and_students_have_different_numbers(template):
+    problem, *_ = problems = [drawn(template, student) for student in STUDENTS]
+    assert len({one.statement + str(one.answer.value) for one in problems}) > 1
+    assert len([*problem.known_mistakes, *problem.slips]) >= 3
+    answer = problem.answer
+    assert judge(problem, answer.value).fraction == 1.0
     for wrong in problem.mistakes:
         judgement = judge(problem, wrong.value)
         assert judgement.mistakes == [wrong.name]
         assert judgement.fraction < 1
         assert wrong.message in [finding.message for finding in judgement.findings]
-
-
-@each_problem
-def test_right_answers_score_mistakes_have_messages_and_students_have_different_numbers(template):
-    problems = [drawn(template, student) for student in STUDENTS]
-    assert len({problem.statement + str(problem.answer.value) for problem in problems}) > 1
-    assert len([*problems[0].known_mistakes, *problems[0].slips]) >= 3
-    assert_mistakes_are_named(problems[0])
-    answer = problems[0].answer
     if isinstance(answer, (Numbers, ClosedForm)):  # what a right answer fulfils, it fulfils
         rounded = np.round(answer.value, 3).tolist() if isinstance(answer, Numbers) else answer.value
-        assert judge(problems[0], rounded).state == "right", "three decimals are enough"
+        assert judge(problem, rounded).state == "right", "three decimals are enough"
         for right in (answer.value, rounded):
             assert not any(answer.check(answer.read(right), part) for part in range(len(answer.parts)))
 
@@ -103,6 +98,20 @@ def test_a_sheet_is_a_ladder_from_two_warm_ups_to_two_hard_problems_and_an_open_
     assert levels[:2] == ["Warm-up"] * 2
     assert (levels.count("Hard"), levels[-1], levels.count("Open")) == (2, "Open", 1)
     assert levels.count("Usual") >= 4
+
+
+@pytest.mark.parametrize("name", sheets())
+def test_every_official_solution_has_full_marks(name):
+    """Where a problem is read off a drawing, the solution has what the drawing of SAMPLE_ID shows: update it with the drawing."""
+    cells = json.loads((SOLUTIONS / name / f"{name}.ipynb").read_text("utf-8"))["cells"]
+    names = {}
+    for cell in cells:
+        source = "".join(cell["source"])
+        if cell["cell_type"] == "code" and not source.startswith("sheet.show("):
+            exec(source, names)
+    verdicts, sheet = names["sheet"].verdicts, find_sheet(name)
+    for k, template in enumerate(sheet.problems, start=1):
+        assert verdicts[k].judgement.state == ("open" if template.level == "Open" else "right"), template.number
 
 
 @pytest.mark.parametrize("template", OPEN, ids=lambda template: template.number)

@@ -8,17 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import poses
 
+import kinlib as kl
 from kinlib.arrays import validation
 
-QUARTER_TURN = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
-
-
-def pose(R, p=(1, 2, 3)):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = R, p
-    return T
-
-
+C, S = np.cos(0.7).round(4), np.sin(0.7).round(4)
 PRINTED_AXIS = np.array([0.577350269] * 3).round(6)
 NO_NUMBERS = r"x must be an array of real numbers; got \w+ .*Does it contain None, a symbol, a str"
 REFUSED = [
@@ -42,11 +35,24 @@ REFUSED = [
     ),
     (validation.unit_vectors, [0, 0, 0], r"its length is 0\. The zero vector has no direction"),
     (validation.unit_vectors, PRINTED_AXIS, r"its length is 0\.99999953"),
+    *(
+        (validation.rotations_or_poses, x, message)
+        for x, message in (
+            (np.zeros((3, 4)), r"x must be a rotation \(\.\.\., 3, 3\) or a pose .*; got shape"),
+            (kl.inverse(kl.exp([0, 0, 0, 1, 2, 3])).T, r"x is not a pose.*0 0 0 1; got \[-1\. -2\. -3\."),
+            (
+                [[C, -S, 0], [S, C, 0], [0, 0, 1]],
+                r"R\^T R differs from the identity by \d\.?\d?e-05\. Were its entries",
+            ),
+            (np.eye(3)[:, [1, 0, 2]], r"reflection \(det R = -1\).*Are two axes swapped"),
+            (np.stack([np.eye(3), 1.1 * np.eye(3)]), r"x is not rigid at index \[1\]: .* by 0\.21\."),
+        )
+    ),
 ]
 
 
 @pytest.mark.parametrize(("read", "x", "message"), REFUSED)
-def test_what_is_no_array_no_vector_and_no_direction_is_refused_with_the_reason(read, x, message):
+def test_what_is_no_array_no_vector_no_direction_and_not_rigid_is_refused_with_the_reason(read, x, message):
     with pytest.raises(ValueError, match=message):
         read(x, "x", *([3] if read is validation.vectors else []))
 
@@ -68,19 +74,3 @@ def test_a_matrix_is_accepted_if_and_only_if_modern_robotics_accepts_it(T, size,
         else:
             with pytest.raises(ValueError, match=r"not rigid|reflection"):
                 read(Y, "X")
-
-
-C, S = np.cos(0.7).round(4), np.sin(0.7).round(4)
-NOT_RIGID = [
-    (np.zeros((3, 4)), r"home must be a rotation \(\.\.\., 3, 3\) or a pose .*; got shape"),
-    (pose(QUARTER_TURN).T, r"home is not a pose.*0 0 0 1; got \[1\. 2\. 3\."),
-    ([[C, -S, 0], [S, C, 0], [0, 0, 1]], r"R\^T R differs from the identity by \d\.?\d?e-05\. Were its entries"),
-    (QUARTER_TURN[:, [1, 0, 2]], r"reflection \(det R = -1\).*Are two axes swapped"),
-    (np.stack([np.eye(3), 1.1 * np.eye(3)]), r"home is not rigid at index \[1\]: .* by 0\.21\."),
-]
-
-
-@pytest.mark.parametrize(("x", "message"), NOT_RIGID)
-def test_a_matrix_that_is_not_rigid_is_refused_with_the_reason(x, message):
-    with pytest.raises(ValueError, match=message):
-        validation.rotations_or_poses(x, "home")

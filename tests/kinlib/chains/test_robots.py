@@ -7,10 +7,6 @@ from strategies import ROBOT_FUNCTIONS, ROBOTS, configurations
 from kinlib import robots
 
 
-def close(got, expected, atol=1e-13):
-    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
-
-
 @pytest.mark.parametrize("family", ROBOT_FUNCTIONS, ids=lambda family: family.__name__)
 def test_every_robot_knows_its_source_and_has_a_name_of_its_own(family):
     robot = family()
@@ -40,4 +36,4 @@ def test_the_arms_of_makers_move_as_their_tables_do():
     for make, table in tables.items():
         robot = make()
         for q in configurations(robot, 5):
-            close(robot.fk(q), table.fkine(q).A)
+            np.testing.assert_allclose(robot.fk(q), table.fkine(q).A, rtol=0, atol=1e-13)

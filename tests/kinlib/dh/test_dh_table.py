@@ -248,11 +248,6 @@ def test_signs_are_read_from_the_variables_or_given_with_numbers():
     close(given.fk(q), given.to_chain().fk(q), atol=1e-14)
 
 
-def test_signs_that_disagree_with_the_variables_are_refused():
-    with pytest.raises(ValueError, match="signs must be left out"):
-        DHTable("a|alpha|d|theta\n0|0|0|-q1", convention="standard", signs=[1])
-
-
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 @given(chains_with_values())
 def test_a_printed_table_is_read_back(convention, drawn):

@@ -124,14 +124,6 @@ def test_what_is_fixed_and_differs_is_another_arm(name, seed, n):
     assert not equivalent(chain, other, fixed=[name])
 
 
-def test_what_is_no_choice_and_no_tolerance_is_refused():
-    for fixed in ("base", ["zero"], [1]):
-        with pytest.raises(ValueError, match="fixed must be a collection of names from base, tool, zeros, signs; got"):
-            equivalent(kl.robots.rpr(), kl.robots.rpr(), fixed=fixed)
-    with pytest.raises(ValueError, match="tolerance must be a positive number"):
-        equivalent(kl.robots.rpr(), kl.robots.rpr(), tolerance=0)
-
-
 def test_what_is_undecided_is_neither_true_nor_false():
     chain = arm(np.random.default_rng(3), 4, cases=(), angle=3e-8, slides=0)[0]
     table = kl.assign_frames(chain, convention="standard").table

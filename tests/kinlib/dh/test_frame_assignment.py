@@ -13,9 +13,7 @@ from kinlib import robots
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.common_normal import common_normal
 
-CONVENTIONS = ("standard", "modified")
-
-each_convention = pytest.mark.parametrize("convention", CONVENTIONS)
+each_convention = pytest.mark.parametrize("convention", ["standard", "modified"])
 
 
 def error(found, q):
@@ -146,9 +144,7 @@ def test_the_choices_that_the_decks_prescribe(convention):
         if convention == "standard":
             np.testing.assert_allclose(frames[-1][:3, 2], frames[-2][:3, 2], atol=1e-12)  # z_n parallel to z_{n-1}
             assert found.table.rows[-1, 1] == 0
-            np.testing.assert_allclose(
-                frames[-1][:3, 3], chain.home[:3, 3], atol=1e-9
-            )  # as near the tool as z_n allows
+            np.testing.assert_allclose(frames[-1][:3, 3], chain.home[:3, 3], atol=1e-9)  # as near as z_n allows
             x, _, z, origin = frames[0][:3].T
             assert abs(origin @ z) < 1e-9, "frame 0 stands where its axis is nearest {s}"
             if z[0] ** 2 < 0.98:  # x of {s} is not along the axis
@@ -190,7 +186,7 @@ def test_the_steps_say_where_axes_and_frames_stand(convention):
                 assert float(length) == pytest.approx(np.linalg.norm(normal.end - normal.start), rel=1e-3)
 
 
-@pytest.mark.parametrize("convention", CONVENTIONS)
+@each_convention
 def test_snapped_numbers_are_clean_and_what_they_cost_is_said(convention):
     """A file with 1.5708 for a right angle; the poses differ by what the clean numbers change."""
     exact = assign_frames(robots.puma560(), convention=convention).table
@@ -200,12 +196,3 @@ def test_snapped_numbers_are_clean_and_what_they_cost_is_said(convention):
     np.testing.assert_allclose(degrees, degrees.round(), rtol=0, atol=1e-12)
     assert 1e-7 < found.accuracy < 1e-4
     assert error(found, configurations(np.random.default_rng(0), typed)) < 2 * found.accuracy
-
-
-@each_convention
-def test_a_helical_joint_is_refused_by_its_number(convention):
-    with pytest.raises(ValueError, match="joint 1 of HRR arm is helical"):
-        assign_frames(robots.hrr(), convention=convention)
-    screws = [kl.screw((0, 0, 1), (k, 0, 0), pitch) for k, pitch in enumerate([0, 0.1, 0.2])]
-    with pytest.raises(ValueError, match=r"joint 2 of .* is helical: it rotates and translates at once"):
-        assign_frames(kl.Chain(screws, np.eye(4)), convention=convention)

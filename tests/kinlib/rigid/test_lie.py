@@ -1,15 +1,16 @@
-"""exp, log and their relatives: against 40 digits, against libraries that we did not write, and what is refused."""
+"""exp, log and their relatives, and screw axes: against 40 digits, against libraries that we did not write, and what is refused."""
 
 import modern_robotics as mr
 import mpmath_oracle
 import numpy as np
 import pytest
+import pytransform3d.transformations as pt
 import scipy.linalg
 from hypothesis import given
 from hypothesis import strategies as st
-from strategies import poses, rotations, twists
+from strategies import directions, points, poses, rotations, screws, twists
 
-from kinlib import adjoint, exp, hat, inverse, log, nearest_rotation, vee
+from kinlib import adjoint, exp, hat, inverse, line, log, nearest_rotation, screw, vee
 
 EXACT = 1e-13
 """The promise of the library. Entries are of size 1 to 4, so this is some hundred roundings; the worst seen is ten."""
@@ -80,6 +81,19 @@ def test_hat_and_vee_agree_with_modern_robotics(x):
 def test_inverse_and_adjoint_agree_with_modern_robotics(T):
     close(inverse(T), mr.TransInv(T))
     close(adjoint(T), mr.Adjoint(T))
+
+
+@given(points(), directions(), st.floats(-1, 1))
+def test_a_screw_agrees_with_modern_robotics(point, axis, pitch):
+    close(screw(axis, point, pitch), mr.ScrewToAxis(point, axis, pitch))
+    close(screw(axis, point), mr.ScrewToAxis(point, axis, 0))
+
+
+@given(screws())
+def test_a_line_is_the_one_of_pytransform3d(S):
+    point, axis, pitch = pt.screw_parameters_from_screw_axis(S)
+    for got, expected in zip(line(S), (axis, point, pitch), strict=True):
+        close(got, expected)
 
 
 @pytest.mark.parametrize("shape", [(0,), (1,), (2, 0, 3), (3, 4)])

@@ -12,7 +12,7 @@ from sympy.physics.vector import Point, ReferenceFrame
 
 import kinlib as kl
 from kinlib import symbolic
-from kinlib.symbolic.formulas import exact, joints
+from kinlib.symbolic.formulas import joints
 
 AGREES = 1e-12
 """Both sides carry some hundred roundings: the numeric one its own, the symbolic one those of evaluating it."""
@@ -96,16 +96,3 @@ def test_parallel_joints_give_sums_and_antiparallel_joints_differences_of_angles
     }
     antiparallel = kl.Chain([kl.screw((0, 0, 1)), kl.screw((0, 0, -1), (1, 0, 0))], np.eye(4))
     assert symbolic.fk(antiparallel)[0, 0] == sp.cos(q_1 - q_2)
-
-
-@pytest.mark.parametrize(
-    ("call", "words"),
-    [
-        (lambda: exact(sp.zoo), "division by zero"),
-        (lambda: symbolic.screw((1, 1, 0)), r"axis must be a unit vector; its length is sqrt\(2\)"),
-        (lambda: symbolic.table_fk([(0, 10, 0, q)], "standard"), "got 10 rad. If it is in degrees, write"),
-    ],
-)
-def test_invalid_arguments_are_refused_with_a_remedy(call, words):
-    with pytest.raises(ValueError, match=words):
-        call()

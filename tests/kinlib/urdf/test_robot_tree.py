@@ -51,14 +51,12 @@ def test_every_link_of_any_tree_moves_as_pinocchio_says(drawn, base, seed):
 
 
 @given(trees(mimic=True))
-def test_pose_and_chain_agree_with_pinocchio_between_any_two_links(drawn):
+def test_a_chain_between_any_two_links_agrees_with_pinocchio(drawn):
     text, base, tip = drawn
     tree = Tree.from_urdf(text)
     q = np.random.default_rng(1).uniform(-3, 3, (3, tree.n))
     values = q @ tree.coupling.T + tree.offsets
     expected = poses_by_pinocchio(text, base, tip, tree.moving_joint_names, values)
-    found = tree.poses(q)
-    np.testing.assert_allclose(kl.inverse(found[base]) @ found[tip], expected, rtol=0, atol=CLOSE)
     try:
         chain = kl.load_urdf(text, base, tip)
     except ValueError as error:

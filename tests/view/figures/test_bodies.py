@@ -44,10 +44,6 @@ def test_a_known_robot_has_its_body_and_says_whose_the_sizes_are(maker):
     assert body_of(kl.Chain(longer, chain.home)).source.startswith("By rule")
 
 
-def distance_to_axis(point, direction, body_points):
-    return np.linalg.norm(np.cross(direction, body_points - point), axis=-1).min()
-
-
 ARMS = {robot.name: robot for robot in ROBOTS} | {name: KNOWN[name] for name in ("Paul", "KUKA, LBR iiwa")}
 
 
@@ -59,7 +55,7 @@ def test_both_links_of_a_joint_are_at_its_axis_and_the_base_stands_on_the_floor(
     reach = np.linalg.norm(np.diff([*chain.joint_points, chain.home[:3, 3]], axis=0), axis=1).sum()
     for i, (axis, point) in enumerate(zip(chain.lines.axis, chain.joint_points, strict=True)):
         for link in (points[i], points[i + 1]):
-            assert distance_to_axis(point, axis, link) < 0.2 * reach
+            assert np.linalg.norm(np.cross(axis, link - point), axis=-1).min() < 0.2 * reach
     assert body.lowest == pytest.approx(points[0][:, 2].min())
     by_rule = body.source.startswith("By rule")  # a known robot is bolted to a table, and may reach below it
     assert not by_rule or body.lowest <= min(link[:, 2].min() for link in points)

@@ -14,13 +14,16 @@ from strategies import ROBOTS
 
 import kinlib as kl
 from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
-from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, plot, slide
+from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, draw_lettered_chain, drive, explore, plot, slide
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.crop import crop
 from kinlib.view.figures.dh_table import draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
 
 ROOT = Path(__file__).parents[3]
+RPR = kl.robots.rpr()
+FOUR_BAR = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
+CLOSED = FOUR_BAR.assembly_modes(hold={"A": 1.0})[0]
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 
@@ -37,6 +40,17 @@ def test_no_label_in_a_drawing_of_an_arm_covers_another_or_leaves_the_sheet(robo
             assignment = kl.assign_frames(robot, convention=convention)
             pictures += [draw_table(assignment.table), draw_assignment(assignment)]
     assert [overlapping_labels(picture) for picture in pictures] == [[] for _ in pictures]
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_the_arm_stays_in_view_if_a_common_normal_is_far_away(convention):
+    angle = 1e-6
+    joints = [((0, 0, 1), (0, 0, 0)), ((0, np.sin(angle), np.cos(angle)), (0.5, 0, 0.1)), ((1, 0, 0), (0.9, 0, 0.3))]
+    chain = kl.robots.arm(joints, kl.robots.pose(np.eye(3), (1, 0, 0.3)), "leaning arm", "a test")
+    found = kl.assign_frames(chain, convention=convention)
+    for k in [*range(len(found.steps)), None]:
+        numbers = [abs(float(x)) for x in re.findall(r'[xy]\d?="(-?[\d.]+)"', draw_assignment(found, k).svg)]
+        assert max(numbers) < 1000
 
 
 def test_a_slider_draws_drawings_at_once_and_plots_when_they_are_selected():
@@ -72,8 +86,15 @@ def test_labels_are_escaped_for_the_browser():
 def test_what_cannot_be_drawn_is_refused():
     curve = partial(plot, [0, 1], xlabel="x", ylabel="y", alt="Curves that cannot be drawn.")
     for draw, says in [
-        (lambda: draw_arm(kl.robots.rpr(), show=["wheels"]), r"show may contain axes, .*; got 'wheels'"),
-        (lambda: draw_arm(kl.robots.rpr(), view="behind"), r"view must be one of default, front.*'behind'"),
+        (
+            lambda: explore(RPR, joints=[1], span=(10, 90)),
+            r"the start of joint 1, 0; got 10 to 90. Is one of them in degr",
+        ),
+        (lambda: explore(RPR, start=[0, 0]), "RPR has 3 joint values"),
+        (lambda: explore(RPR, joints=[4]), "RPR has joints 1 to 3; got 4"),
+        (lambda: explore(RPR, show=["wheels"]), r"show may contain axes, .*; got 'wheels'"),
+        (lambda: draw_arm(RPR, show=["wheels"]), r"show may contain axes, .*; got 'wheels'"),
+        (lambda: draw_arm(RPR, view="behind"), r"view must be one of default, front.*'behind'"),
         (lambda: draw_frames({"b": np.diag([2.0, 1, 1, 1])}), "frame b is not rigid"),
         (lambda: draw_frames({}), "at least one pose"),
         (lambda: Picture("<svg/>", "arm"), r"at least 20 characters; got 'arm'.*cannot see it"),
@@ -81,6 +102,18 @@ def test_what_cannot_be_drawn_is_refused():
         (lambda: curve({"a": [0, 1, 2]}), r"curve 'a' must have the shape of x, \(2,\); got \(3,\)"),
         (lambda: curve({"a": [0, 1]}, log="z"), "log must be"),
         (lambda: slide(lambda _: None, "nothing", []), "at least one value"),
+        (lambda: kl.show([1, 2]), r"show takes a Chain, .*got list \[1, 2\]"),
+        (
+            lambda: kl.show(draw_arm(RPR), [0, 0, 0]),
+            "q must be given with a robot only; got it with a Picture",
+        ),
+        (lambda: kl.show(FOUR_BAR), "q must be given with a closed chain, the values of A, B, D, C"),
+        (lambda: kl.show(kl.robots.youbot(), [0, 0, 0]), "5 joint values"),
+        (lambda: draw_lettered_chain(RPR, ["L_0"]), "letters must have"),
+        (lambda: drive(FOUR_BAR, np.zeros(4)), "Assemble it first"),
+        (lambda: drive(FOUR_BAR, CLOSED, across=("A", "E")), "four-bar has joint values A, B, D, C; got 'E'"),
+        (lambda: drive(FOUR_BAR, CLOSED, curves=[[CLOSED[:3]]]), "curves"),
+        (lambda: explore(RPR, frames={"elbow": np.eye(4)}), "number of their link, .*; got 'elbow'"),
         (lambda: crop([Picture("<svg></svg>", "A drawing with nothing in it.")]), "crop takes drawings made by kinlib"),
     ]:
         with pytest.raises(ValueError, match=says):

@@ -103,14 +103,3 @@ def test_show_takes_every_kind_of_robot_with_values_by_name(opened, tmp_path):
     assert view.draw_arm(named, by_name).alt == view.draw_arm(named, [0.1, 0.2, 0.3]).alt
     assert view.explore(named, start=by_name).q == [0.1, 0.2, 0.3]
     assert not opened
-
-
-def test_show_refuses_what_it_cannot_draw():
-    with pytest.raises(ValueError, match=r"show takes a Chain, .*got list \[1, 2\]"):
-        kl.show([1, 2])
-    with pytest.raises(ValueError, match="q must be given with a robot only; got it with a Picture"):
-        kl.show(view.draw_arm(kl.robots.rpr()), [0, 0, 0])
-    with pytest.raises(ValueError, match="q must be given with a closed chain, the values of A, B, D, C"):
-        kl.show(FOUR_BAR)
-    with pytest.raises(ValueError, match="5 joint values"):
-        kl.show(kl.robots.youbot(), [0, 0, 0])

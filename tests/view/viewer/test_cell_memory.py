@@ -32,10 +32,6 @@ def run(monkeypatch):
     return run_cell
 
 
-def pictures():
-    return slide(lambda x: draw_arm(ARM, [x, 0, 0]), "joint 1", [0, 1, 2])
-
-
 WIDGETS = {
     "arm": (lambda: explore(ARM), "q", [0.1, 0.2, 0.3]),
     "layers": (lambda: explore(ARM), "shown", ["axes"]),
@@ -44,7 +40,7 @@ WIDGETS = {
     "motions": (lambda: play_row([0.8, 0.6, 0.6, 1.4]), "at", 2.0),
     "linkage": (lambda: drive(LINKAGE, CLOSED[0], curves=[CLOSED[:1], CLOSED[1:]]), "variant", "assembly mode 2"),
     "placed by hand": (lambda: assign(ARM, "standard"), "frames", FRAMES),
-    "pictures": (pictures, "at", 2),
+    "pictures": (lambda: slide(lambda x: draw_arm(ARM, [x, 0, 0]), "joint 1", [0, 1, 2]), "at", 2),
 }
 
 

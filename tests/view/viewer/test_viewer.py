@@ -4,10 +4,14 @@ from itertools import product
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from strategies import ROBOTS
+from urdf_files import trees
 
 import kinlib as kl
 from kinlib.view import explore
+from kinlib.view.figures.tree import branches
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 
@@ -30,26 +34,30 @@ def test_every_frame_is_fixed_to_a_body_and_dh_frames_are_those_of_the_assignmen
         np.testing.assert_array_equal(np.reshape(shown[str(i)], (4, 4)), T)
 
 
+@given(trees(mimic=True), st.integers(0, 2**32 - 1))
+def test_every_branch_of_a_tree_ends_at_its_tip_and_every_joint_is_drawn_once(drawn, seed):
+    tree = kl.Tree.from_urdf(drawn[0])
+    q = np.random.default_rng(seed).uniform(-1, 1, tree.n)
+    if not tree.tips:
+        with pytest.raises(ValueError, match="must have a joint that moves"):
+            branches(tree)
+        return
+    found, poses = branches(tree), tree.poses(q)
+    assert [branch.tip for branch in found] == list(tree.tips)
+    for branch in found:
+        np.testing.assert_allclose(branch.chain.fk(branch.values(q)), poses[branch.tip], atol=1e-9)
+        np.testing.assert_allclose(branch.stations(q)[-1], poses[branch.tip][:3, 3], atol=1e-9)
+    arms = explore(tree, start=q).scene["arms"]
+    shown = [joint["name"] for arm in arms for joint in arm["joints"] if not joint["hidden"]]
+    assert sorted(shown) == sorted({name for branch in found for name in branch.names})
+
+
 def test_sliders_have_the_limits_of_the_joints_or_default_ranges():
     rpr = kl.robots.rpr()
     limited = kl.Chain(rpr.screws, rpr.home, limits=[(-1, 2), (-np.inf, np.inf), (0, np.inf)])
     ends = [(s["low"], s["high"]) for s in explore(limited).scene["sliders"]]
     assert ends == [(-1, 2), (-1, 1), (0, np.pi)]
     assert explore(limited).scene["limits"] == [[-1, 2], [None, None], [0, None]]
-
-
-# --- arguments that are refused ---
-
-
-def test_what_cannot_be_shown_is_refused():
-    for settings, says in [
-        ({"joints": [1], "span": (10, 90)}, r"the start of joint 1, 0; got 10 to 90. Is one of them in degrees"),
-        ({"start": [0, 0]}, "RPR has 3 joint values"),
-        ({"joints": [4]}, "RPR has joints 1 to 3; got 4"),
-        ({"show": ["wheels"]}, r"show may contain axes, .*; got 'wheels'"),
-    ]:
-        with pytest.raises(ValueError, match=says):
-            explore(kl.robots.rpr(), **settings)
 
 
 def test_invalid_values_are_refused_and_the_old_ones_stay():
