@@ -676,14 +676,12 @@ def test_every_control_has_a_name_its_own_keys_and_a_visible_focus_and_fits_on_a
     assert not faults
 
 
-THEMES = {'data-jp-theme-light="false"': "light", 'data-theme="dark"': "light", 'data-theme="auto"': "dark"}
-"""How the lab and the site say that they are dark, each with what the reader prefers."""
-
-
 def test_a_figure_has_the_theme_of_the_page_and_is_printed_light(chromium_without_webgl, tmp_path):
+    """The lab and the site say in their own ways that they are dark; beside each is what the reader prefers."""
+    themes = {'data-jp-theme-light="false"': "light", 'data-theme="dark"': "light", 'data-theme="auto"': "dark"}
     light, dark = (255, 255, 255), (23, 27, 33)
     with watched(chromium_without_webgl) as page:
-        for attributes, preference in {**THEMES, "": "dark"}.items():
+        for attributes, preference in {**themes, "": "dark"}.items():
             body = static_page(tmp_path, draw_arm(RPR).html())
             body.write_text(body.read_text("utf-8").replace("<body ", f"<body {attributes} "), "utf-8")
             page.goto(body.as_uri())

@@ -119,9 +119,7 @@ def test_one_story_is_told_once_and_rounding_leaves_no_noise_in_the_corrected_ta
         "The table describes the same arm with other choices:\njoint 1: add 180° to theta (or rotate the base by as much about axis 1)."
     ]
     assert found.corrected.rows[:, 3].tolist() == [np.pi, 0, 0, 0, 0, 0]
-    assert found.wrong_rows == [0]
-    # of another arm with the same zero, the few numbers that differ
-    assert examine(turned, UR5E).wrong_rows == [3, 4]
+    assert [found.wrong_rows, examine(turned, UR5E).wrong_rows] == [[0], [3, 4]]
 
 
 def test_what_is_given_is_escaped_and_what_cannot_be_read_is_said():

@@ -32,10 +32,6 @@ class OutsideAnswer:
     did: frozenset[str] = frozenset()
     right: bool = False
 
-    def is_named_by(self, text: str) -> bool:
-        """Return whether a text contains one of the words."""
-        return any(word.casefold() in text.casefold() for word in self.did)
-
 
 Kinds = dict[str, tuple[Any, str]]
 """What was done -> the answer, and the words for it, separated by |."""

@@ -19,12 +19,6 @@ def says_a_fact(message):
     return bool(re.search(r"\bYou\b", message)) and not message.startswith(("This is ", "Several mistakes"))
 
 
-def right_parts(answer, value):
-    """Return the names of the parts of an answer that are right."""
-    agrees = answer.agrees(answer.read(value), answer.value)
-    return {part for part, is_right in zip(answer.parts, agrees, strict=True) if is_right}
-
-
 def found(made, judgement, answer):
     """Yield what is counted of an answer: "wrong" or "right form", and what of COUNTED is so."""
     if made.right:
@@ -36,20 +30,21 @@ def found(made, judgement, answer):
         yield "unreadable"
         return
     yield "wrong"
-    has_name = made.did != NAMELESS  # a tutor could say what was done
-    if has_name:
+    if has_name := made.did != NAMELESS:  # a tutor could say what was done
         yield "with a name"
     named = [finding for finding in judgement.findings if finding.mistake]
     if judgement.state == "right":
         yield "full marks"
     elif has_name and not named:
         yield "unnamed"
-    if made.is_named_by(" ".join(f"{one.mistake} {one.message}" for one in judgement.findings)):
+    said = " ".join(f"{one.mistake} {one.message}" for one in judgement.findings).casefold()
+    if any(word.casefold() in said for word in made.did):
         yield "told"
     elif any(says_a_fact(one.message) for one in named):
         yield "false"
     if judgement.state in {"partly", "wrong"}:
-        right = right_parts(answer, made.value)
+        agrees = answer.agrees(answer.read(made.value), answer.value)
+        right = {part for part, is_right in zip(answer.parts, agrees, strict=True) if is_right}
         if any(right.intersection(finding.parts) for finding in judgement.findings):
             yield "blamed"
     if made.label in EARNS_NOTHING and 0 < judgement.fraction < 1:
@@ -75,11 +70,10 @@ def main():
     """Print the counts of all problems."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--students", type=int, default=1, help="how many students (1)")
-    parser.add_argument("--sheet", action="append", help="only this sheet; may be repeated")
     parser.add_argument("--examples", action="store_true", help="print what has no name, and what is judged wrongly")
     options = parser.parse_args()
     total = Counter()
-    for template in (problem for name in options.sheet or sheets() for problem in find_sheet(name).problems):
+    for template in (problem for name in sheets() for problem in find_sheet(name).problems):
         for k in range(options.students):
             counts, examples = counts_of(template, f"student {k}")
             total.update(counts)
