@@ -65,9 +65,8 @@ def test_a_link_to_a_section_leads_there(chromium_without_webgl, site_address):
         page.goto("about:blank")
         page.goto(f"{site_address}/{LONGEST_LECTURE}#{section}")
         top = f"document.getElementById('{section}').getBoundingClientRect().top"
-        page.wait_for_function(f"{top} > -5 && {top} < {UPPER_PART_PX}")
         page.wait_for_load_state("networkidle")
-        assert -5 < page.evaluate(top) < UPPER_PART_PX
+        page.wait_for_function(f"{top} > -5 && {top} < {UPPER_PART_PX}")
         page.mouse.move(PHONE["width"] / 2, PHONE["height"] / 2)
         page.mouse.wheel(0, 2000)
         page.wait_for_function(f"{top} < -500")
@@ -243,8 +242,7 @@ def test_without_storage_a_page_still_works_and_a_message_is_in_sight(chromium_w
     """If the storage is full the answer to a sheet says so, and in a private window a question."""
 
     def assert_message(page):
-        notice = page.get_by_text("stores nothing for this page").bounding_box()
-        assert 0 < notice["y"] < page.viewport_size["height"] - notice["height"]
+        expect(page.get_by_text("stores nothing for this page")).to_be_in_viewport(ratio=1)
 
     with watched(chromium_without_webgl) as page:
         page.goto(f"{site_address}/{SHEET}")
