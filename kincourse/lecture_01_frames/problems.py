@@ -294,10 +294,12 @@ FLAWS_REFUTED = {
 def rigid_or_not(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(FLAWS))
     T = np.eye(4)
-    for _ in range(2):  # with sides 3, 4 and 5 every entry has two decimals, so it can be squared on paper
-        axis, (c, s) = sampler.choice((X, Y, Z)), np.array(sampler.shuffled([0.6, 0.8])) * (1, sampler.choice((-1, 1)))
-        T = T @ homogeneous(exp(np.arctan2(s, c) * axis), np.zeros(3))
-    T[:3, :3], T[:3, 3] = (T[:3, :3] @ frame(sampler.axes(), (0, 0, 0))[:3, :3]).round(2), sampler.point(5)
+    while not 0.1 < abs(T[0, 2]) < 0.9:  # the first entry of the cross product is to be computed, not guessed
+        T = frame(sampler.axes(), (0, 0, 0))
+        for axis in sampler.shuffled([X, Y, Z])[:2]:  # with sides 3, 4 and 5 an entry has two decimals
+            c, s = np.array(sampler.shuffled([0.6, 0.8])) * (1, sampler.choice((-1, 1)))
+            T = homogeneous(exp(np.arctan2(s, c) * axis), np.zeros(3)) @ T
+    T[:3, :3], T[:3, 3] = T[:3, :3].round(2), sampler.point(5)
     j, k = sampler.shuffled([0, 1, 2])[:2]
     if right == "b":
         T[:3, j] *= sampler.choice([0.5, 1.5, 2])
@@ -316,7 +318,7 @@ def rigid_or_not(sampler: ArmSampler) -> Problem:
     }.get(right, np.cross(R[:, 0], R[:, 1])[0])
     problem = Problem(
         statement="Is this matrix a rigid motion? If not, which condition fails? $R$ is its upper left block, of shape (3, 3).\n\n"
-        f"$${matrix(T)}$$\n\n{listed}\n\nAnswer with a letter and a number that shows it, such as `('a', 0.8)`: for `'b'` the length of "
+        f"$${matrix(T)}$$\n\n{listed}\n\nAnswer with a letter and a number that shows it, such as `('b', 1.7)`: for `'b'` the length of "
         "the column that is no unit vector, for `'c'` the dot product of the two columns that are not orthogonal, for `'e'` the sum of the "
         "squares of the last row, and for `'a'` and `'d'` the first entry of the cross product of columns 1 and 2.",
         method={

@@ -230,6 +230,14 @@ def which_rule(sampler: ArmSampler) -> Problem:
         "d": np.linalg.norm(np.cross(origin - robot.joint_points[i], robot.screws[i, :3])),
         "e": before[:3, 2] @ step,
     }[right]
+    shown = {
+        "a": f"$x_{i} \\cdot z_{i - 1}$ must be 0, and it is",
+        "b": f"The distance of the line of $x_{i}$ from the axis $z_{i - 1}$ is $|(x_{i} \\times z_{i - 1}) \\cdot (O_{i} - O_{i - 1})|$. "
+        "It must be 0, and it is",
+        "c": f"$z_{i}$ must have the direction of joint {i + 1}. The scalar product of the two would be 1 or -1, and it is",
+        "d": f"$O_{i}$ must lie on the axis of joint {i + 1}. Its distance from this axis is",
+        "e": f"All rules hold. $d_{i} = z_{i - 1} \\cdot (O_{i} - O_{i - 1})$, which is",
+    }[right]
     listed = "\n".join(f"- {letter}) {rule}" for letter, rule in RULES.items())
     problem = Problem(
         statement=f"Frames were placed on this arm in the standard convention. Frame {i - 1} is right: its origin is at "
@@ -238,6 +246,7 @@ def which_rule(sampler: ArmSampler) -> Problem:
         f"\n\n{joint_table(robot)}\n\n{listed}\n\nAnswer with a letter and a number that shows it, such as `('a', 0.5)`: for a) the "
         "scalar product of $x_i$ and $z_{i-1}$, for b) the distance of the line from the axis, for c) the scalar product of $z_i$ and the "
         "direction of joint $i + 1$, for d) the distance of the origin from the axis of joint $i + 1$, and for e) $d_i$.",
+        method=f"{shown} ${number(float(shows))}$.",
         further="Change one frame so that exactly two rules are broken.",
         figure=partial(_with_frames, robot, frames),
         given={"frame": i, "frames": frames, "screws": robot.screws, "points": robot.joint_points},
