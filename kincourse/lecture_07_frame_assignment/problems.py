@@ -223,20 +223,18 @@ def which_rule(sampler: ArmSampler) -> Problem:
     frames[i] = pose(axes, origin)
     before = frames[i - 1]
     step = origin - before[:3, 3]
-    shows = {
-        "a": axes[0] @ before[:3, 2],
-        "b": abs(np.cross(axes[0], before[:3, 2]) @ step),
-        "c": axes[2] @ robot.screws[i, :3],
-        "d": np.linalg.norm(np.cross(origin - robot.joint_points[i], robot.screws[i, :3])),
-        "e": before[:3, 2] @ step,
-    }[right]
-    shown = {
-        "a": f"$x_{i} \\cdot z_{i - 1}$ must be 0, and it is",
-        "b": f"The distance of the line of $x_{i}$ from the axis $z_{i - 1}$ is $|(x_{i} \\times z_{i - 1}) \\cdot (O_{i} - O_{i - 1})|$. "
-        "It must be 0, and it is",
-        "c": f"$z_{i}$ must have the direction of joint {i + 1}. The scalar product of the two would be 1 or -1, and it is",
-        "d": f"$O_{i}$ must lie on the axis of joint {i + 1}. Its distance from this axis is",
-        "e": f"All rules hold. $d_{i} = z_{i - 1} \\cdot (O_{i} - O_{i - 1})$, which is",
+    shows, shown = {
+        "a": (axes[0] @ before[:3, 2], f"$x_{i} \\cdot z_{i - 1}$ must be 0, and it is"),
+        "b": (
+            abs(np.cross(axes[0], before[:3, 2]) @ step),
+            f"$|(x_{i} \\times z_{i - 1}) \\cdot (O_{i} - O_{i - 1})|$, the distance of the two lines, must be 0, and it is",
+        ),
+        "c": (axes[2] @ robot.screws[i, :3], f"$z_{i}$ must be parallel to the axis, but the scalar product is"),
+        "d": (
+            np.linalg.norm(np.cross(origin - robot.joint_points[i], robot.screws[i, :3])),
+            f"$O_{i}$ must lie on the axis of joint {i + 1}, and its distance from there is",
+        ),
+        "e": (before[:3, 2] @ step, f"All rules hold. $d_{i} = z_{i - 1} \\cdot (O_{i} - O_{i - 1})$, which is"),
     }[right]
     listed = "\n".join(f"- {letter}) {rule}" for letter, rule in RULES.items())
     problem = Problem(
