@@ -157,8 +157,8 @@ class Problem:
 
         >>> from misstep.answers.choice import Choice
         >>> from misstep.answers.number import Numbers
-        >>> from misstep.mistakes import mistake
-        >>> side = Problem("Which?", Choice("b", {"a": "left", "b": "right"}), [mistake("left", "a", "Look again.")])
+        >>> from misstep.mistakes import Mistake
+        >>> side = Problem("Which?", Choice("b", {"a": "left", "b": "right"}), [Mistake("left", "a", "Look again.")])
         >>> side.with_reason(Numbers(np.array(0.5)), "the height").mistakes[0].value
         ('a', array(0.5))
         """
