@@ -55,16 +55,8 @@ class Function(AtInputs):
                 )
             return Outputs([self._output(value) for value in given.values])
         if not callable(given) or isinstance(given, type):
-            raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.{self._remedy(given)}")
+            raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.")
         return Outputs([self._output(self._call(given, arguments)) for arguments in self.inputs])
-
-    def _remedy(self, given: Any) -> str:
-        """Return how to give the function instead of this, with a leading space; "" if that is not known."""
-        try:
-            self.output.read(given)
-        except Exception:  # reading a student's object may raise any error
-            return ""
-        return " This is what one call gives. Leave the brackets off: fk, not fk(q)."
 
     def _call(self, function: Callable[..., Any], arguments: Sequence[Any]) -> Any:
         try:

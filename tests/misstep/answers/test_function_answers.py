@@ -50,7 +50,7 @@ def test_the_hint_counts_the_inputs_at_which_a_function_is_right():
 
 def test_anything_but_such_a_function_is_refused_with_a_reason():
     for odd, message in [
-        (np.ones(2), r"Leave the brackets off"),
+        (np.ones(2), "got ndarray"),
         (object(), r"got an object of class object\."),
         ({"fk": 1}, "got dict"),
         (float, "got an object of class type"),
@@ -61,6 +61,5 @@ def test_anything_but_such_a_function_is_refused_with_a_reason():
         (lambda _: "text", "got str"),
         (lambda x: x * np.nan, "NaN"),
     ]:
-        with pytest.raises(Unreadable, match=message) as refusal:
+        with pytest.raises(Unreadable, match=message):
             squares().read(odd)
-        assert ("brackets" in str(refusal.value)) == isinstance(odd, np.ndarray), "only where a call is given"
