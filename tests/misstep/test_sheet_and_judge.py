@@ -148,7 +148,7 @@ def test_an_unreadable_value_is_refused_with_what_was_expected_and_given():
         (pair, 7, f"{two}; got int 7."),
         (pair, [Rude(), Rude()], f"{two}; got a list that does not turn into numbers."),
         (pair, [np.nan, 0], f"{two}. Your answer contains NaN or infinity at index [0]. "),
-        (order, ["M", "e_a"] * 10, f"{names}; e_a appears 10 times."),
+        (order, ["M", "e_a"] * 10, f"{names}; M appears 10 times."),
         (order, ["M"] * 21, f"{names}; got list ['M', 'M', "),
         (choice, "c" * 99, "Expected one of 'a', 'b'; got str 'ccc"),
     ]:
