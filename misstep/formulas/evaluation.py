@@ -64,12 +64,8 @@ VALUES |= {"asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "atan2": _at
 
 @dataclass(frozen=True)
 class Formula:
-    """A formula or a matrix of formulas: as it was given, its values (..., POINT_COUNT), and what occurs in it.
+    """A formula or a matrix of formulas by its values (..., POINT_COUNT), and whether it has rounded decimals."""
 
-    rounded  whether it has rounded decimals
-    """
-
-    given: Any
     values: Array
     rounded: bool
 
@@ -118,7 +114,7 @@ class Reader:
             isinstance(part, ast.Constant) and isinstance(part.value, float) and part.value % 1 for part in parts
         )
         numbers = np.array(values, dtype=float).reshape(*given_shape, POINT_COUNT)
-        return Formula(given, numbers, rounded)
+        return Formula(numbers, rounded)
 
     def _value(self, tree: ast.expr) -> Values:
         """Return the values of a part of a formula."""
