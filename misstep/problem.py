@@ -8,8 +8,6 @@ changes by which people go wrong are made in it (`misstep.mutants`). A problem a
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
-from importlib import import_module
-from importlib.util import find_spec
 from itertools import combinations, islice
 from types import ModuleType
 from typing import Any, Literal, TypeVar
@@ -157,10 +155,9 @@ class Problem:
 
         >>> from misstep.answers.choice import Choice
         >>> from misstep.answers.number import Numbers
-        >>> from misstep.mistakes import Mistake
-        >>> side = Problem("Which?", Choice("b", {"a": "left", "b": "right"}), [Mistake("left", "a", "Look again.")])
-        >>> side.with_reason(Numbers(np.array(0.5)), "the height").mistakes[0].value
-        ('a', array(0.5))
+        >>> side = Problem("Which?", Choice("b", {"a": "left", "b": "right"}))
+        >>> side.with_reason(Numbers(np.array(0.5)), "the height").answer.parts
+        ['the choice', 'the height']
         """
         wrong = [replace(one, value=(one.value, reason.value), part=one.part or one.message) for one in self.mistakes]
         return replace(self, answer=ReasonedChoice(self.answer, reason, called), mistakes=wrong)  # type: ignore[arg-type]
@@ -260,15 +257,6 @@ class Template:
     make_problem: Callable[[Any], Problem]
     sampler: type[Sampler] = Sampler
     level: Level = "Usual"
-
-    @property
-    def lecture_name(self) -> str:
-        """The lecture as a card names it: its number, and the TITLE of its folder if that has one."""
-        name = self.lecture.partition("#")[0]
-        package, is_in_course, _ = getattr(self.make_problem, "__module__", "").partition(".lecture_")
-        folder = f"{package}.lecture_{name}"
-        title = getattr(import_module(folder), "TITLE", "") if is_in_course and find_spec(folder) else ""
-        return f"lecture {name.partition('_')[0]}" + (f", {title}" if title else "")
 
     def variant(self, student: str) -> Problem:
         """Draw one student's problem: the first variant in which the mistakes and the right answer all differ.

@@ -68,8 +68,8 @@ class Verdict:
         if judgement.state == "right" and self.further:
             body.append(f"A further question: {self.further}")
         if judgement.state not in ("right", "blank"):
-            section = template.lecture.partition("#")[2]
-            body.append(Link(f"Re-read: section “{section}” of {template.lecture_name}.", self.address))
+            lecture, _, section = template.lecture.partition("#")
+            body.append(Link(f"Re-read: section “{section}” of lecture {lecture.partition('_')[0]}.", self.address))
         return Card(judgement.state, title, body)
 
     def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:
