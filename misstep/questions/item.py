@@ -89,11 +89,11 @@ def _item(key: str, table: Any, place: str) -> Item:
         raise ValueError(f"{place}: {missing}") from error
     is_prediction = item.kind == "predict"
     has_reasons = all(bool(option.why) != (option.right and is_prediction) for option in options)
+    if not 2 <= len(options) <= len(LETTERS) or [option.right for option in options].count(True) != 1:
+        raise ValueError(f"{place}: exactly one of 2 to {len(LETTERS)} options must have right = true.")
     if item.kind not in KINDS or bool(item.explanation) != is_prediction or not has_reasons:
         raise ValueError(
             f"{place}: kind must be one of {', '.join(KINDS)}. Each option has why, but the right one of a prediction, which has "
             "an explanation instead."
         )
-    if not 2 <= len(options) <= len(LETTERS) or [option.right for option in options].count(True) != 1:
-        raise ValueError(f"{place}: exactly one of 2 to {len(LETTERS)} options must have right = true.")
     return item.shuffled(place)
