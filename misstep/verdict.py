@@ -129,7 +129,8 @@ def returning(found: Iterable[tuple[str, str]]) -> list[str]:
 def _paragraphs(
     findings: Sequence[Finding], right_parts: Sequence[str] = (), said_of_right: str = RIGHT, *, is_first: bool = False
 ) -> list[str]:
-    """Return what findings say. Together they have at most MAX_LENGTH characters, or else no checks, or one sentence each.
+    """Return what findings say. If they have more than MAX_LENGTH characters, the first is told without its check, and of others
+    the first sentence.
 
     right_parts    the names of the parts that are right, to be listed in front
     said_of_right  the sentence for them; without right parts, the parts of a single finding need no names
@@ -147,25 +148,19 @@ def _paragraphs(
     listed = _enumeration(right_parts)
     shown = listed if len(listed) < MAX_LENGTH / 4 else f"{len(right_parts)} parts"
     before = [said_of_right.format(shown)] * bool(right_parts)
-    is_on_whole = len(findings) == 1 and not right_parts
     merged = _merged(findings)
+    is_on_whole = len(merged) == 1 and not right_parts
     if len(merged) == 1 and right_parts and len(_enumeration(merged[0].parts)) > 60:
         merged[0] = replace(merged[0], parts=["the others"])  # because the right ones are listed
 
-    def texts(told: Sequence[Finding]) -> list[str]:
-        return before + [_text(one, is_on_whole) for one in told]
-
-    unchecked = [replace(one, check="") for one in merged]
-    brief = [replace(one, message=SENTENCE_END.split(one.message)[0]) for one in unchecked[1:]]
-    told = next(
-        (told for told in (merged, unchecked) if sum(map(len, texts(told))) <= MAX_LENGTH), unchecked[:1] + brief
-    )
-    return texts(told)
-
-
-def _text(one: Finding, is_on_whole: bool) -> str:
-    said = f"{one.message} {one.check}".strip()
-    return said if is_on_whole else f"{_capitalized(_enumeration(one.parts))}: {said}"
+    whole = [f"{one.message} {one.check}".strip() for one in merged]
+    if sum(map(len, whole)) > MAX_LENGTH:
+        whole = [one.message if one is merged[0] else SENTENCE_END.split(one.message)[0] for one in merged]
+    if is_on_whole:
+        return whole
+    return before + [
+        f"{_capitalized(_enumeration(one.parts))}: {said}" for one, said in zip(merged, whole, strict=True)
+    ]
 
 
 def _enumeration(names: Sequence[str]) -> str:
