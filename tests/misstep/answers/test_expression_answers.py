@@ -137,7 +137,7 @@ UNREADABLE = (
     ("eval(q1)", "eval is none of the symbols"),
     ("a3 c12", "a3 is none of the symbols here: a_2, q_1, q_2"),
     (sp.Function("f")(q_1), "f is none of the symbols"),
-    ("sin q1", "Write sin with brackets"),
+    ("sin q1", "Write functions with brackets"),
     ("sin^2(q1)", "must be followed by brackets"),
     ("cos(q1, q2)", "takes another number of arguments"),
     ("sin(q1", "a bracket is missing"),
