@@ -36,7 +36,6 @@ class ProblemResult:
     state: str  # right, partly, wrong, open, blank, unreadable; marked by hand; or missing, if no answer is stored
     lines: Sequence[str] = ()  # of the card
     address: str = ""  # of the section to re-read, which the last line names
-    statement: str = ""
     answer: Any = None  # as data; None if it has no known form
     mistakes: Sequence[str] = ()
     unnamed: tuple[str, Any] | None = None  # of a wrong answer without a name: its relation to the right one, and that
