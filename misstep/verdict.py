@@ -164,16 +164,7 @@ def _paragraphs(
 
 
 def _enumeration(names: Sequence[str]) -> str:
-    """Return names as a list in words: "entries 1, 2, 3 and 4".
-
-    >>> _enumeration(["x"]), _enumeration(["x", "y", "z"]), _enumeration([f"entry {k}" for k in range(4)])
-    ('x', 'x, y and z', 'entries 0, 1, 2 and 3')
-    """
-    kinds = {name.partition(" ")[0] for name in names if name.count(" ") == 1}
-    if len(names) > 3 and len(kinds) == 1 and all(name.count(" ") == 1 for name in names) and kinds != {"the"}:
-        [kind] = kinds
-        plural = f"{kind[:-1]}ies" if kind.endswith("y") else f"{kind}s"
-        return f"{plural} {_enumeration([name.partition(' ')[2] for name in names])}"
+    """Return names as a list in words: "x, y and z"."""
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 

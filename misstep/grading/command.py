@@ -134,11 +134,6 @@ def sentences(results: Sequence[Result]) -> list[str]:
             named = [f"{about} of {count} student{'s' * (count > 1)}" for about, count in counts]
         if named:
             lines.append(f"{text}: {', '.join(named)}.")
-    typed = [one for one in results if one.typed]
-    if len(typed) > 1 and 2 * sum("other id" in one.flags for one in typed) > len(typed):
-        lines.append(
-            "Most ids that were typed are not those of the submissions. Pass --roster, or --typed-ids to take them."
-        )
     return lines
 
 

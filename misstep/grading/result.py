@@ -15,7 +15,7 @@ FLAGS = {
     "unreadable": "Could not be read",
     "not graded": "Could not be graded",
     "changed": "An answer cell was run after its check, so another answer may be stored than the one in the cell",
-    "other id": "The id that was typed is not the student's",
+    "other id": "The id that was typed is not the student's (--roster gives them, --typed-ids takes those that were typed)",
     "same id": "One id was typed in the notebooks of several students",
     "same answers": "Several answers are the same as those of another student, although their numbers differ",
     "several ids": "The notebooks under this name are of several ids. Is it the folder of a section or a group?",

@@ -60,7 +60,7 @@ def test_an_error_in_a_file_of_questions_is_named():
     for text, words in [
         ("[order", "03.toml is not TOML"),
         ("[order]\nkind = 'check'\ntext = '?'", "question 'order': 'options' is missing"),
-        (QUESTIONS.replace(why, ""), "question 'order': kind must be .* Each option has why, but the right one of a prediction"),
+        (QUESTIONS.replace(why, ""), "question 'order': kind must be .* the right one of a prediction"),
         (QUESTIONS.replace(why, "why = ''\nbecause = ''"), "unexpected keyword argument 'because'"),
         (QUESTIONS.replace("right = true", ""), "exactly one of 2 to 8 options must have right"),
         (QUESTIONS.replace("explanation", "# explanation"), "which has an explanation instead"),

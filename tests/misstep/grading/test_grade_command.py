@@ -89,7 +89,7 @@ def test_what_an_instructor_must_know_is_said_with_names(tmp_path, capsys):
         "Some check cells were not run, so these problems have no stored answer": "some (01.4, 01.7)",
         "An answer cell was run after its check, so another answer may be stored than the one in the cell": "late (01.3)",
         "Could not be read": "pdf (The file is a PDF",
-        "The id that was typed is not the student's": "other (The answers were checked for 'bob'",
+        "The id that was typed is not the student's (--roster gives them, --typed-ids takes those that were typed)": "other (The",
         "One id was typed in the notebooks of several students": "bob (also other)",
         "Several answers are the same as those of another student, although their numbers differ": "ada (eve",
         "The notebooks under this name are of several ids. Is it the folder of a section or a group?": "group",
@@ -109,7 +109,7 @@ def test_what_an_instructor_must_know_is_said_with_names(tmp_path, capsys):
 def test_without_a_roster_the_ids_in_the_sheets_may_count(tmp_path, capsys):
     folder = write(tmp_path / "in", **{f"Lovelace/{NAME}": answered("ada"), f"Boole/{NAME}": answered("bob")})
     code, printed, rows = grade(folder, capsys)
-    assert (code, "or --typed-ids to take them" in printed) == (1, True)
+    assert (code, "--typed-ids takes those" in printed) == (1, True)
     assert max(points(rows).values()) < FULL
     _, _, rows = grade(folder, capsys, "--typed-ids")
     assert points(rows) == {"Boole": FULL, "Lovelace": FULL}
