@@ -54,7 +54,7 @@ def film(draw: Callable[[float], Picture], scenes: Sequence[tuple[float, str]]) 
     shown = [replace(one, alt=key.alt, caption=key.caption) for one, key in zip(pictures, told, strict=True)]
     labels = [f"{k / FRAMES_PER_SECOND:.0f} of {durations.sum():.0f} s" for k in range(len(pictures))]
     looks = {"label": "Time", "rate": FRAMES_PER_SECOND, "ends": ends}
-    return Film(keys, shown.__getitem__, dict(enumerate(shown)), labels, looks)
+    return Film(keys, shown, labels, looks)
 
 
 def share(t: float, start: float, end: float) -> float:
