@@ -8,7 +8,7 @@ The links of a URDF show the boxes, cylinders and spheres of their <visual> elem
 import json
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -57,13 +57,13 @@ class Body:
     """The body of an arm.
 
     links   the primitives of link 0 to link n
-    pose    (n,) a configuration that shows its shape
+    pose    (n,) a configuration of an arm that shows its shape
     source  where its dimensions come from
     """
 
     links: tuple[tuple[Primitive, ...], ...]
-    pose: Array
-    source: str
+    pose: Array = field(default_factory=lambda: np.zeros(0))
+    source: str = "By rule, from the screw axes and the joint points."
 
     @property
     def lowest(self) -> float:
@@ -269,8 +269,7 @@ class _Builder:
         if hand:
             self._hand()
         self._foot()
-        source = "By rule, from the screw axes and the joint points."
-        return Body(_coloured(self.links, {}), self._shown(), source)
+        return Body(_coloured(self.links, {}), self._shown())
 
     def _shown(self) -> Array:
         """Return a configuration within the limits that is not stretched out."""

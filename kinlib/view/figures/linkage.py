@@ -194,7 +194,7 @@ def linkage_body(mechanism: Mechanism, configurations: Array) -> Body:
     places = np.unique(np.round(standing or ends[ground], 9), axis=0)
     low = float(places[:, 2].min()) - (0.1 if planar else 0.06) * size
     links[ground] += _base(places, low, R, plate=not planar and _span(places) > 1)
-    return Body(tuple(tuple(links[body]) for body in mechanism.bodies), q[0], "By rule, from the joints.")
+    return Body(tuple(tuple(links[body]) for body in mechanism.bodies))
 
 
 def _span(points: Array) -> int:

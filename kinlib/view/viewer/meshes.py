@@ -52,12 +52,11 @@ class Meshes:
 
 
 def read_meshes(
-    arms: Sequence[Sequence[Sequence[Element]]], home: Mapping[str, Array], folder: Path | None, packages: Packages = ()
+    arms: Sequence[Sequence[Sequence[tuple[Element, Array]]]], folder: Path | None, packages: Packages = ()
 ) -> Meshes:
     """Read the files of the meshes that links show.
 
-    arms      for each arm the links of each of its bodies
-    home      the poses of the links
+    arms      for each arm the links of each of its bodies, with their poses in {s} at home
     folder    where the URDF is, if it was read from a file
     packages  folders of packages, or {name: folder}. Those in ROS_PACKAGE_PATH, and the package that contains the URDF, are found
               without it
@@ -81,10 +80,10 @@ def read_meshes(
                 read.refused.setdefault(why, []).append(name[-200:])
         return known[name]
 
-    def shown(link: Element) -> Iterator[dict[str, Any]]:
+    def shown(link: Element, T: Array) -> Iterator[dict[str, Any]]:
         for visual, mesh in (one for one in shapes(link) if one[1].tag == "mesh"):
             try:
-                name, pose = mesh.text("filename"), visual_pose(visual, home[link.text("name")]) + 0.0
+                name, pose = mesh.text("filename"), visual_pose(visual, T) + 0.0
                 scale = mesh.numbers("scale", 3) if "scale" in mesh.attributes else [1.0, 1.0, 1.0]
                 if not np.all(scale):
                     raise mesh.error("its scale must not be 0.")
@@ -96,7 +95,7 @@ def read_meshes(
                 yield {"file": file, "name": name, "colour": _colour(visual), **place}
 
     for bodies in arms:
-        read.arms.append([[mesh for link in links for mesh in shown(link)] for links in bodies])
+        read.arms.append([[mesh for link in links for mesh in shown(*link)] for links in bodies])
     return read
 
 

@@ -19,18 +19,8 @@ from kinlib.chains.chain import Chain
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.picture import Picture, page, save
 from kinlib.view.figures.arm import ARM_LAYERS, body_motions, describe_arm, draw_arm
-from kinlib.view.figures.bodies import body_of, solid_data, visual_solids
-from kinlib.view.figures.tree import (
-    MAX_NAMED_TIPS,
-    branches,
-    describe_tree,
-    draw_tree,
-    home_poses,
-    joint_share,
-    links_of_arm,
-    links_of_bodies,
-)
-from kinlib.view.viewer.meshes import Meshes, Packages, read_meshes
+from kinlib.view.figures.tree import MAX_NAMED_TIPS, branches, describe_tree, draw_tree, joint_share
+from kinlib.view.viewer.meshes import Packages, read_meshes
 from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, scene
 from kinlib.view.viewer.widget import STATIC, Covered
 
@@ -252,26 +242,18 @@ def explore(
     """
     validation.instance(robot, "robot", Chain, Tree)
     home = opening(robot) if start is None else validation.single(robot.in_order(start), "q")
-    found = branches(robot)
+    found = branches(robot, visuals)
     few_joints, few_tips = joint_share(found) == 1, len(found) <= MAX_NAMED_TIPS
     layers = [*["axes"] * few_joints, "base", *["tool"] * few_tips] if show is None else list(show)
     if frames:
         layers = [layer for layer in layers if layer not in FRAME_LAYERS]
         named = any(f"frame {name}" in layers for name in frames)
         layers += [] if named else [f"frame {next(iter(frames))}"]
-    whole = scene(robot, home, joints=joints, span=span, frames=frames)
+    whole = scene(robot, found, home, joints=joints, span=span, frames=frames)
     shows_pose = isinstance(robot, Chain) if readout is None else readout
-    read = Meshes()
-    if isinstance(robot, Tree):
-        read = read_meshes(links_of_bodies(robot, found), home_poses(robot), robot.folder, packages)
-    elif visuals:
-        tree, base = visuals
-        bodies, at = links_of_arm(tree, base, robot.joint_names or ())
-        solids = [[solid for link in one for solid in visual_solids(link, at[link.text("name")])] for one in bodies]
-        shown = [own or rule for own, rule in zip(solids, body_of(robot).links, strict=True)]
-        whole["arms"][0] |= {"body": solid_data(shown), "rule": [not own for own in solids]}
-        read = read_meshes([bodies], at, tree.folder, packages)
-    for arm, meshes in zip(whole["arms"], read.arms, strict=False):
+    file = visuals[0] if visuals else robot if isinstance(robot, Tree) else None
+    read = read_meshes([branch.links for branch in found], file.folder if file else None, packages)
+    for arm, meshes in zip(whole["arms"], read.arms, strict=True):
         arm["meshes"] = meshes
     loaders = (STATIC / "meshes.js").read_text("utf-8") if read.files else ""
     files = {"meshes": read.files, "loaders": loaders, "notes": read.notes}
