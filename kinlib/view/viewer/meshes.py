@@ -6,6 +6,7 @@ package://../../ leads to, nothing is downloaded, and sizes are limited. What a 
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -106,11 +107,8 @@ def _colour(visual: Element) -> str | None:
     others = [child for child in robot.children if child.tag == "material"] if robot and own else []
     named = [other for other in others if other.attributes.get("name") == own[0].attributes.get("name")]
     for colour in (child for material in own + named for child in material.children if child.tag == "color"):
-        try:
-            values = np.clip(colour.numbers("rgba", 4), 0, 1)
-        except ValueError:
-            continue
-        return "#" + "".join(f"{round(255 * x):02x}" for x in values[:3])
+        with suppress(ValueError):
+            return "#" + "".join(f"{round(255 * x):02x}" for x in np.clip(colour.numbers("rgba", 4), 0, 1)[:3])
     return None
 
 
