@@ -25,13 +25,6 @@ from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, scene
 from kinlib.view.viewer.widget import STATIC, Covered
 
 
-class Values(traitlets.List[float]):
-    """Joint values: anything that NumPy can convert to numbers."""
-
-    def validate(self, obj: Any, value: Any) -> list[float] | None:
-        return super().validate(obj, np.asarray(value, dtype=float).tolist())
-
-
 class ViewerBase(Covered):
     """The base of every viewer: the traits that it shares with the page, and its HTML for pages without a kernel.
 
@@ -57,8 +50,8 @@ class ViewerBase(Covered):
     """
 
     scene = traitlets.Dict().tag(sync=True)
-    q = Values(traitlets.Float()).tag(sync=True)
-    start = Values(traitlets.Float()).tag(sync=True)
+    q = traitlets.Any().tag(sync=True)
+    start = traitlets.Any().tag(sync=True)
     shown = traitlets.List(traitlets.Unicode()).tag(sync=True)
     readout = traitlets.Bool(False).tag(sync=True)
     mode = traitlets.Dict().tag(sync=True)
@@ -80,7 +73,7 @@ class ViewerBase(Covered):
 
     @traitlets.validate("q", "start")
     def _validate_values(self, proposal: Any) -> list[float]:
-        values: list[float] = proposal["value"]
+        values: list[float] = np.asarray(proposal["value"], dtype=float).tolist()
         self.check(values)
         return values
 
