@@ -7,7 +7,6 @@ package://../../ leads to, nothing is downloaded, and sizes are limited. What a 
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -25,44 +24,26 @@ FOLDERS_OF_URDF = {"urdf", "robots"}
 
 KINDS = (".stl", ".obj", ".dae", ".glb")
 
+Mesh = dict[str, Any]
+"""A mesh of a body: {"file", "name", "pose" at home in {s}, "scale", "colour"}."""
+
 Packages = Mapping[str, str | os.PathLike[str]] | Sequence[str | os.PathLike[str]]
-
-
-@dataclass(eq=False)
-class Meshes:
-    """The meshes of a robot.
-
-    files    the bytes of each file by a short name
-    arms     for each body of each branch its meshes: {"file", "name", "pose" at home in {s}, "scale", "colour"}
-    refused  for each reason the names of what is not shown
-    """
-
-    files: dict[str, bytes] = field(default_factory=dict)
-    arms: list[list[list[dict[str, Any]]]] = field(default_factory=list)
-    refused: dict[str, list[str]] = field(default_factory=dict)
-
-    @property
-    def notes(self) -> list[str]:
-        """A sentence for each reason for which meshes are not shown, with some of their names."""
-        sentences = []
-        for why, names in self.refused.items():
-            listed = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
-            meshes = "A mesh is" if len(names) == 1 else f"{len(names)} meshes are"
-            sentences.append(f"{meshes} not shown, {listed}: {why}")
-        return sentences
 
 
 def read_meshes(
     arms: Sequence[Sequence[Sequence[tuple[Element, Array]]]], folder: Path | None, packages: Packages = ()
-) -> Meshes:
+) -> tuple[dict[str, bytes], list[list[list[Mesh]]], list[str]]:
     """Read the files of the meshes that links show.
+
+    Returns the bytes of each file by a short name, for each body of each arm its meshes, and for each reason why some are not shown
+    a sentence with their names.
 
     arms      for each arm the links of each of its bodies, with their poses in {s} at home
     folder    where the URDF is, if it was read from a file
     packages  folders of packages, or {name: folder}. Those in ROS_PACKAGE_PATH, and the package that contains the URDF, are found
               without it
     """
-    read, known = Meshes(), dict[str, str]()
+    known, files, refused = dict[str, str](), dict[str, bytes](), dict[str, list[str]]()
     folder = _real(folder) if folder else None
     named = packages.items() if isinstance(packages, Mapping) else [(_real(path).name, path) for path in packages]
     roots = [(str(name), _real(path)) for name, path in named]
@@ -73,15 +54,15 @@ def read_meshes(
         if name not in known:
             known[name] = ""
             try:
-                content = _content(_places(name, folder, roots), name, sum(map(len, read.files.values())))
-                known[name] = f"{len(read.files)}{Path(name).suffix.lower()}"
-                read.files[known[name]] = content
+                content = _content(_places(name, folder, roots), name, sum(map(len, files.values())))
+                known[name] = f"{len(files)}{Path(name).suffix.lower()}"
+                files[known[name]] = content
             except (OSError, ValueError) as error:
                 why = str(error) if type(error) is ValueError else "it cannot be opened."
-                read.refused.setdefault(why, []).append(name[-200:])
+                refused.setdefault(why, []).append(name[-200:])
         return known[name]
 
-    def shown(link: Element, T: Array) -> Iterator[dict[str, Any]]:
+    def shown(link: Element, T: Array) -> Iterator[Mesh]:
         for visual, mesh in (one for one in shapes(link) if one[1].tag == "mesh"):
             try:
                 name, pose = mesh.text("filename"), visual_pose(visual, T) + 0.0
@@ -89,15 +70,18 @@ def read_meshes(
                 if not np.all(scale):
                     raise mesh.error("its scale must not be 0.")
             except ValueError as error:
-                read.refused.setdefault(str(error), []).append(f"in line {mesh.line}")
+                refused.setdefault(str(error), []).append(f"in line {mesh.line}")
                 continue
             if file := file_of(name):
                 place = {"pose": pose.ravel().tolist(), "scale": scale}
                 yield {"file": file, "name": name, "colour": _colour(visual), **place}
 
-    for bodies in arms:
-        read.arms.append([[mesh for link in links for mesh in shown(*link)] for links in bodies])
-    return read
+    meshes = [[[mesh for link in links for mesh in shown(*link)] for links in bodies] for bodies in arms]
+    notes = []
+    for why, names in refused.items():
+        listed = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
+        notes.append(f"{'A mesh is' if len(names) == 1 else f'{len(names)} meshes are'} not shown, {listed}: {why}")
+    return files, meshes, notes
 
 
 def _colour(visual: Element) -> str | None:

@@ -100,7 +100,7 @@ def slide(
 
     Drawings are cropped alike.
 
-    Raises ValueError if there are no values, or not as many pictures as values.
+    Raises ValueError if there are no values.
 
     >>> from kinlib.view import plot
     >>> def line(slope):
@@ -110,8 +110,6 @@ def slide(
     """
     if len(values) == 0:
         raise ValueError("values must contain at least one value; got none.")
-    if not callable(draw) and len(draw) != len(values):
-        raise ValueError(f"values must be {len(draw)} values, one for each picture; got {list(values)!r}.")
     pictures = crop([draw(value) for value in values] if callable(draw) else draw)
     labels = list(map(value_text, values))
     return Pictures([pictures[start]], pictures, labels, {"label": label}, at=start, after=after)

@@ -49,7 +49,7 @@ class ByHand(ViewerBase):
         arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would reveal the answer
         arm["normals"] = []
         self.convention = convention
-        self.chain = chain
+        self.robot = self.chain = chain
         super().__init__(
             {**scene, "offered": ["base", "tool"]},
             np.zeros(chain.n),
@@ -86,10 +86,6 @@ class ByHand(ViewerBase):
                 f"got {frames.shape}."
             )
         return frames
-
-    def check(self, values: list[float]) -> None:
-        """Raise ValueError if the arm has another number of joints."""
-        self.chain.in_order(values)
 
     def picture(self) -> Picture:
         """Draw the joints of the arm, without the frames."""

@@ -41,7 +41,6 @@ class ViewerBase(Covered):
 
     >>> from kinlib.chains.robots import rpr
     >>> arm = explore(rpr(), frames={"1": np.eye(4)})
-    >>> arm.check([0, 0.5, 0])
     >>> arm.html()[:25], arm.own_frames(), arm.picture().alt[:3]
     ('<div data-kinlib-viewer><', ['frame 1'], 'RPR')
     >>> arm.save("arm.jpg")
@@ -61,6 +60,8 @@ class ViewerBase(Covered):
     loaders = traitlets.Unicode().tag(sync=True)
     notes = traitlets.List(traitlets.Unicode()).tag(sync=True)
     set_by_reader: Sequence[str] = ("q", "shown")
+    robot: Chain | Tree | None = None
+    """What q are the joint values of, if it is an arm or a tree."""
 
     def __init__(self, scene: dict[str, Any], start: ArrayLike = (), *, after: Any = None, **traits: Any) -> None:
         mode = traits.get("mode", {})
@@ -74,7 +75,9 @@ class ViewerBase(Covered):
     @traitlets.validate("q", "start")
     def _validate_values(self, proposal: Any) -> list[float]:
         values: list[float] = np.asarray(proposal["value"], dtype=float).tolist()
-        self.check(values)
+        if self.robot:
+            self.robot.in_order(values)
+        validation.array(values, "q")
         return values
 
     @traitlets.validate("shown")
@@ -88,10 +91,6 @@ class ViewerBase(Covered):
     def own_frames(self) -> list[str]:
         """Return the layers of the frames that were given to `explore`."""
         return [layer for arm in self.scene.get("arms", []) for layer in arm.get("frames", {}) if layer not in LAYERS]
-
-    def check(self, values: list[float]) -> None:
-        """Raise ValueError if joint values have another size or contain NaN."""
-        validation.array(values, "q")
 
     def picture(self) -> Picture:
         """Return the drawing that is shown before the script starts, without WebGL, and in print."""
@@ -133,9 +132,11 @@ class Viewer(ViewerBase):
 
     >>> from kinlib.chains.robots import rpr
     >>> arm = explore(rpr())
-    >>> arm.check([0, 0.5, 0]) or arm.picture().alt[:13]
+    >>> arm.picture().alt[:13]
     'RPR, 3 joints'
     """
+
+    robot: Chain | Tree
 
     def __init__(self, robot: Chain | Tree, scene: dict[str, Any], start: ArrayLike, **traits: Any) -> None:
         self.robot = robot
@@ -147,10 +148,6 @@ class Viewer(ViewerBase):
         if isinstance(self.robot, Tree):
             return describe_tree(self.robot, self.q)
         return describe_arm(self.robot, self.q, home_axes="home axes" in self.shown, frames=self._frames())
-
-    def check(self, values: list[float]) -> None:
-        """Raise ValueError if the robot has another number of (independent) joints."""
-        self.robot.in_order(values)
 
     def picture(self) -> Picture:
         """Draw the robot with the layers that are shown."""
@@ -224,14 +221,6 @@ def explore(
     >>> arm.q = [0, 0, np.pi / 2, 0, 0]
     >>> arm.alt[-43:]
     'The end-effector is at (0.188, 0, 0.499) m.'
-
-    An arm with frames {0} and {1}, of which {1} is switched on as well:
-
-    >>> q = [0.5, 0, 0, 0, 0]
-    >>> arm = explore(youbot(), start=q, frames={"0": np.eye(4), "1": youbot().link_poses(q)[0]})
-    >>> arm.shown = [*arm.shown, "frame 1"]
-    >>> arm.shown
-    ['axes', 'frame 0', 'frame 1']
     """
     validation.instance(robot, "robot", Chain, Tree)
     home = opening(robot) if start is None else validation.single(robot.in_order(start), "q")
@@ -245,9 +234,9 @@ def explore(
     whole = scene(robot, found, home, joints=joints, span=span, frames=frames)
     shows_pose = isinstance(robot, Chain) if readout is None else readout
     file = visuals[0] if visuals else robot if isinstance(robot, Tree) else None
-    read = read_meshes([branch.links for branch in found], file.folder if file else None, packages)
-    for arm, meshes in zip(whole["arms"], read.arms, strict=True):
-        arm["meshes"] = meshes
-    loaders = (STATIC / "meshes.js").read_text("utf-8") if read.files else ""
-    files = {"meshes": read.files, "loaders": loaders, "notes": read.notes}
-    return Viewer(robot, whole, home, shown=layers, readout=shows_pose, after=after, **files)
+    files, meshes, notes = read_meshes([branch.links for branch in found], file.folder if file else None, packages)
+    for arm, own in zip(whole["arms"], meshes, strict=True):
+        arm["meshes"] = own
+    loaders = (STATIC / "meshes.js").read_text("utf-8") if files else ""
+    read = {"meshes": files, "loaders": loaders, "notes": notes}
+    return Viewer(robot, whole, home, shown=layers, readout=shows_pose, after=after, **read)
