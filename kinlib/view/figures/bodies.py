@@ -51,6 +51,12 @@ class Primitive(NamedTuple):
     colour: str = "body"
     axes: Array = np.eye(3)
 
+    @property
+    def along(self) -> Array:
+        """The unit vector along a drum, or between the balls of a tube, (3,)."""
+        way = self.points[1] - self.points[0]
+        return np.asarray(way / np.linalg.norm(way))
+
 
 @dataclass(frozen=True, eq=False)
 class Body:
@@ -142,11 +148,7 @@ def rim_points(solid: Primitive, eye: Array, count: int = 24) -> Array:
     """Return points on a primitive, (m, 3), whose hull is its silhouette, seen along eye: rings of count points, or corners."""
     if solid.kind == "box":
         return np.asarray(solid.points[0] + (CORNERS * solid.sizes) @ solid.axes.T)
-    z = eye
-    if solid.kind == "drum":
-        way = solid.points[1] - solid.points[0]
-        z = way / np.linalg.norm(way)
-    ring = circle(z, count)
+    ring = circle(solid.along if solid.kind == "drum" else eye, count)
     return np.concatenate([p + r * ring for p, r in zip(solid.points, solid.sizes, strict=True)])
 
 

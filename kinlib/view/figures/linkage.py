@@ -31,12 +31,10 @@ GAP_TOL_M = 1e-6
 class LinkageGeometry:
     """The positions of everything that is drawn of a linkage.
 
-    q              (n,)    the configuration
     poses                  the motion of each body from home, (b, 4, 4)
     first, second  (j, 3)  the point of each joint on its first and on its second body; equal if the loop is closed
     """
 
-    q: Array
     poses: Array
     first: Array
     second: Array
@@ -65,7 +63,7 @@ def linkage_geometry(mechanism: Mechanism, q: JointValues) -> LinkageGeometry:
         first.append(moved(reduce(np.matmul, exp(joint.screws * own[:, None]), here), joint.position))
         second.append(moved(there @ inverse(joint.closing_offset), joint.position))
     moves = np.array([poses[body] for body in mechanism.bodies])
-    return LinkageGeometry(values, moves, np.array(first), np.array(second))
+    return LinkageGeometry(moves, np.array(first), np.array(second))
 
 
 def body_points(mechanism: Mechanism) -> dict[str, Array]:
@@ -113,7 +111,7 @@ def draw_linkage(
     # No axis or frame extends beyond the joints, so the margin can be smaller, most of all for a planar linkage.
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
     canvas = Canvas(middle + (0.72 if planar else 0.9) * (seen - middle), "top" if planar else "default", size)
-    body = linkage_body(mechanism, geometry.q[None])
+    body = linkage_body(mechanism, mechanism.in_order(q)[None])
     canvas.floor(seen, height=body.lowest)
     for T, (name, ends) in zip(shade.poses, body_points(mechanism).items(), strict=True) if shade else ():
         if name != mechanism.ground:

@@ -80,7 +80,6 @@ def test_what_cannot_be_drawn_is_refused():
         (lambda: draw_arm(RPR, show=["wheels"]), r"show may contain axes, .*; got 'wheels'"),
         (lambda: draw_arm(RPR, view="behind"), r"view must be one of default, front.*'behind'"),
         (lambda: draw_frames({"b": np.diag([2.0, 1, 1, 1])}), "frame b is not rigid"),
-        (lambda: draw_frames({}), "at least one pose"),
         (lambda: Picture("<svg/>", "arm"), r"at least 20 characters; got 'arm'.*cannot see it"),
         (lambda: curve({"a": [0, 1, 2]}), "same first dimension"),
         (lambda: slide(lambda _: None, "nothing", []), "at least one value"),
