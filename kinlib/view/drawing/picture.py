@@ -44,7 +44,7 @@ class Picture:
     '<figure class="kinlib-figure" ...><style>...</style><img alt="A drawing with nothing in it." ...></figure>'
     >>> nothing.save("nothing.jpg") if sorted(nothing.contents()) == ["html", "png", "svg"] else None
     Traceback (most recent call last):
-    ValueError: path must end in one of .svg, .html, .png; got 'nothing.jpg'.
+    ValueError: path must end in .svg or .html or .png; got 'nothing.jpg'.
     """
 
     svg: str
@@ -97,7 +97,7 @@ class Gallery:
 
     >>> Gallery((Picture("<svg></svg>", "A drawing with nothing in it."),)).save("nothing.svg")
     Traceback (most recent call last):
-    ValueError: path must end in one of .html; got 'nothing.svg'.
+    ValueError: path must end in .html; got 'nothing.svg'.
     >>> Gallery((Picture("<svg></svg>", "A drawing with nothing in it."),)).html().count("<figure")
     1
     """
@@ -151,7 +151,7 @@ def save(path: str | PathLike[str], contents: Mapping[str, Callable[[], str | by
     """
     kind = Path(path).suffix.lower().removeprefix(".")
     if kind not in contents:
-        raise ValueError(f"path must end in one of {', '.join(f'.{name}' for name in contents)}; got {str(path)!r}.")
+        raise ValueError(f"path must end in {' or '.join(f'.{name}' for name in contents)}; got {str(path)!r}.")
     if not Path(path).parent.is_dir():
         raise ValueError(f"path must be in a folder that exists; got {str(path)!r}. Make the folder first.")
     content = contents[kind]()

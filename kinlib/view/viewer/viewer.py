@@ -45,7 +45,7 @@ class ViewerBase(Covered):
     ('<div data-kinlib-viewer><', ['frame 1'], 'RPR')
     >>> arm.save("arm.jpg")
     Traceback (most recent call last):
-    ValueError: path must end in one of .svg, .html, .png; got 'arm.jpg'.
+    ValueError: path must end in .svg or .html or .png; got 'arm.jpg'.
     """
 
     scene = traitlets.Dict().tag(sync=True)
