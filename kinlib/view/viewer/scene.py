@@ -220,7 +220,7 @@ def _link_paths(chain: Chain) -> list[Any]:
 def _joints(branch: Branch) -> list[dict[str, Any]]:
     """Return the joints of a branch: their screws for the values that move them, and where and how they are drawn."""
     chain = branch.chain
-    axis, _, pitch = chain.lines
+    axis = chain.lines.axis
     shifts = axial_offsets(axis, chain.joint_points)
     found = []
     for i, letter in enumerate(chain.joint_types):
@@ -231,8 +231,6 @@ def _joints(branch: Branch) -> list[dict[str, Any]]:
             "axis": axis[i].tolist(),
             "point": chain.joint_points[i].tolist(),
             "shift": float(shifts[i]),
-            # JSON has no infinity; a prismatic joint translates by 1 for each unit of its value
-            "travel": float(branch.multipliers[i]) * {"P": 1.0, "R": 0.0}.get(letter, float(pitch[i])),
         }
         found.append(joint | (named if branch.tip else {}))
     return found
