@@ -336,7 +336,7 @@ class ReadOnly:
             ) from error
 
     def _fields(self) -> dict[str, Any]:
-        return {each.name: getattr(self, each.name) for each in fields(self) if each.compare}  # type: ignore[arg-type]
+        return {each.name: getattr(self, each.name) for each in fields(self)}  # type: ignore[arg-type]
 
     def _key(self) -> tuple[Any, ...]:
         """The fields that are compared, arrays as their shape and their bytes."""

@@ -14,10 +14,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property, partial, reduce
 from itertools import accumulate
-from typing import TYPE_CHECKING, Any, Literal, cast, get_args
+from typing import Any, Literal, cast, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -73,7 +73,7 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
     return T
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, eq=False, repr=False, init=False)
 class DHTable(TakesJointValues, validation.ReadOnly):
     r"""An open chain as a DH table, together with the base and the tool, which the rows cannot describe.
 
@@ -97,40 +97,35 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 
     rows: Array
     convention: Convention
-    joints: str = field(default="", kw_only=True)
-    signs: Array = field(default_factory=lambda: np.empty(0), kw_only=True)
-    base: Array = field(default_factory=lambda: np.eye(4), kw_only=True)
-    tool: Array = field(default_factory=lambda: np.eye(4), kw_only=True)
-    lengths: Mapping[str, float] | None = field(default=None, kw_only=True, compare=False)
-    name: str = field(default="table", kw_only=True)
+    joints: str
+    signs: Array
+    base: Array
+    tool: Array
+    name: str
 
-    if TYPE_CHECKING:  # the constructor takes text, dictionaries and lists, too, and the attributes are arrays
-
-        def __init__(
-            self,
-            rows: TableRows,
-            convention: Convention,
-            *,
-            joints: str = "",
-            signs: ArrayLike = (),
-            base: ArrayLike = (),
-            tool: ArrayLike = (),
-            lengths: Mapping[str, float] | None = None,
-            name: str = "table",
-        ) -> None: ...
-
-    def __post_init__(self) -> None:
-        convention = validate_convention(self.convention)
-        rows, joints, signs, ends = _read(self.rows, self.lengths, self.joints, convention)
-        _validate_rows(rows, joints)
-        arrays = {"rows": rows, "signs": _signs(self.signs, signs, len(rows))}
-        for name, value in (("base", self.base), ("tool", self.tool)):
-            if name in ends and not np.array_equal(value, np.eye(4)):
-                raise ValueError(f"{name} must be given once; got it in the text and as an argument. Remove one.")
-            arrays[name] = validation.single_pose(ends.get(name, value), name)
-        for name, array in arrays.items():
-            object.__setattr__(self, name, validation.read_only_copy(array))
-        object.__setattr__(self, "joints", joints)
+    def __init__(
+        self,
+        rows: TableRows,
+        convention: Convention,
+        *,
+        joints: str = "",
+        signs: ArrayLike = (),
+        base: ArrayLike = (),
+        tool: ArrayLike = (),
+        lengths: Mapping[str, float] | None = None,
+        name: str = "table",
+    ) -> None:
+        numbers, joints, own_signs, ends = _read(rows, lengths, joints, validate_convention(convention))
+        _validate_rows(numbers, joints)
+        arrays = {"rows": numbers, "signs": _signs(signs, own_signs, len(numbers))}
+        for end, given in (("base", base), ("tool", tool)):
+            given = given if np.size(given) else np.eye(4)
+            if end in ends and not np.array_equal(given, np.eye(4)):
+                raise ValueError(f"{end} must be given once; got it in the text and as an argument. Remove one.")
+            arrays[end] = validation.single_pose(ends.get(end, given), end)
+        values = {key: validation.read_only_copy(array) for key, array in arrays.items()}
+        for key, value in {**values, "convention": convention, "joints": joints, "name": name}.items():
+            object.__setattr__(self, key, value)
 
     def __str__(self) -> str:
         r"""Write the table as text that DHTable reads back; the indices in the headings show the convention.
@@ -241,9 +236,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         rows[left + step, :2] = 0.0
         ends = {"tool": end @ self.tool} if convention == "modified" else {"base": self.base @ end}
         return self.changed(rows=rows, convention=convention, **ends)
-
-
-DHTable.__init__.__annotations__["rows"] = "TableRows"  # for `help`, because the attribute is an array
 
 
 def rows_at(table: DHTable, rows: Array, q: Array, signs: Array | None = None) -> Array:
@@ -377,7 +369,7 @@ def _validate_rows(numbers: Array, joints: Any) -> None:
             raise ValueError(f"Row {row + 1}: {name} must be at most {MAX_LENGTH_M:g} m; got {value:g} m.")
 
 
-def _signs(given: Array, own: Sequence[float], count: int) -> Array:
+def _signs(given: ArrayLike, own: Sequence[float], count: int) -> Array:
     """The signs of the rows: those of the variables, the given ones, or 1."""
     if np.size(given) and len(own):
         raise ValueError("signs must be left out, because the variables in the rows have their own.")
