@@ -128,9 +128,9 @@ class _Grid:
 
     def is_entry(self, cell: str) -> bool:
         """Whether a cell can be an entry, with whatever values its names have."""
-        found = {name for name in re.findall(r"\b[a-zA-Z]_?\{?\d+\}?", cell) if name[0] not in "qt"}
+        found = {name for name in re.findall(r"\b[a-zA-Z]\d+", cell) if name[0] not in "qt"}
         try:
-            _entry(cell, "theta", {**_in_all_spellings(dict.fromkeys(found, 1.0)), **self.names})
+            _entry(cell, "theta", {**dict.fromkeys(found, 1.0), **self.names})
         except ValueError:
             return False
         return bool(cell.strip())
@@ -161,7 +161,7 @@ def read_rows(
             ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
             told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
             plain = re.sub(rf"^.*\b{end}\s*\|\s*t = .*$", "", plain, flags=re.MULTILINE)
-    names = _in_all_spellings(_definitions(plain)) | _in_all_spellings(lengths)
+    names = _definitions(plain) | {_plain_name(name): value for name, value in lengths.items()}
     if not strict and "t1" not in names and "theta" in plain and re.search(r"\bt_?1\b", plain):
         plain = re.sub(r"\bt_?(\d+)\b", r"theta\1", plain)
         told.append(Assumption("t1, t2, ... were read as the joint variables."))
@@ -205,7 +205,7 @@ def _plain(text: str) -> str:
         text = re.sub(r"\s*\n\s*", " ", text)
     for pattern, plain in REPLACEMENTS:
         text = re.sub(pattern, plain, text)
-    text = TUPLE.sub(_one_by_one, text)
+    text = TUPLE.sub(_one_by_one, _plain_name(text))
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     heads = [parse_heading(line).name for line in lines[:8]]
     count = next((k for k, line in enumerate(lines[:8]) if re.fullmatch(NUMBER, line)), 0)
@@ -560,15 +560,14 @@ def _cell(cell: str, decimal_comma: bool = False) -> str:
 
 def _entry(cell: str, column: str, names: Mapping[str, float]) -> Entry:
     """Evaluate a cell: an empty one is 0, "theta" or "var" is a variable, and a length may have its unit, in metres then."""
-    cell = re.sub(r"\(\s*var\w*\.?\s*\)|\*$|\b(?:rad|radians)$", "", _cell(respelled(cell))).strip()
+    cell = re.sub(r"\(\s*var\w*\.?\s*\)|\*$|\b(?:rad|radians)$", "", _cell(cell)).strip()
     if cell in {"", "-", "/", "n.a.", "n/a", "None", "none"}:
         return Entry(0j)
     if re.fullmatch(r"(?:var\w*|joint\w*|theta[_{]*[ijkn]?\}*|q[_{]*[ijkn]?\}*|d_?[ijkn])", cell, re.IGNORECASE):
         cell = "q"
     if unit := re.fullmatch(rf"(-?\s*{NUMBER})\s*(mm|cm|m)", cell):
         return Entry(complex(float(unit[1].replace(" ", "")) * LENGTH_UNITS[unit[2]]), (), unit[2])
-    cell = re.sub(r"(theta|q|d)_?\{?(\d+)\}?", r"\1\2", cell).replace("degrees", "°").replace("deg", "°")
-    return evaluate_entry(cell.lstrip("+"), column, names)
+    return evaluate_entry(cell.replace("degrees", "°").replace("deg", "°").lstrip("+"), column, names)
 
 
 def _uniform(grid: _Grid) -> _Grid:
@@ -715,6 +714,7 @@ def _definitions(text: str) -> dict[str, float]:
     return values
 
 
-def _in_all_spellings(names: Mapping[str, float]) -> dict[str, float]:
-    """Return the values by name also without the underscore and the braces: l_{1}, l_1, l1."""
-    return {re.sub(left_out, "", name): value for name, value in names.items() for left_out in ("", "[{}]", "[_{}]")}
+
+def _plain_name(text: str) -> str:
+    """Write names with an index without the underscore and the braces: l_{1} and l_1 as l1."""
+    return re.sub(r"\b([a-zA-Z]+)_?(?:\{(\d+)\}|(\d+))", r"\1\2\3", text)
