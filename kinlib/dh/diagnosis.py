@@ -130,7 +130,7 @@ class Diagnosis:
         """Describe how well a table describes the arm, for the same q, and up to which choices."""
         found = self.comparison
         digits = f" to the digits that are printed ({self.rounding})" if self.verdict == "rounded" else ""
-        kinds = {name for name, _ in found.choices(found.tolerance)}
+        kinds = {name for name, _ in found.choices()}
         metres, radians = measured_difference(self.table.to_chain(), self.arm)
         degrees = format_number(math.degrees(radians), 3, zero=1e-6)
         differ = f"differ by up to {format_number(metres, 3)} m and {degrees}°, at 1000 random configurations."

@@ -119,10 +119,10 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         _validate_rows(numbers, joints)
         arrays = {"rows": numbers, "signs": _signs(signs, own_signs, len(numbers))}
         for end, given in (("base", base), ("tool", tool)):
-            given = given if np.size(given) else np.eye(4)
-            if end in ends and not np.array_equal(given, np.eye(4)):
+            T = given if np.size(given) else np.eye(4)
+            if end in ends and not np.array_equal(T, np.eye(4)):
                 raise ValueError(f"{end} must be given once; got it in the text and as an argument. Remove one.")
-            arrays[end] = validation.single_pose(ends.get(end, given), end)
+            arrays[end] = validation.single_pose(ends.get(end, T), end)
         values = {key: validation.read_only_copy(array) for key, array in arrays.items()}
         for key, value in {**values, "convention": convention, "joints": joints, "name": name}.items():
             object.__setattr__(self, key, value)

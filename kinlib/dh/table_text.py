@@ -714,7 +714,6 @@ def _definitions(text: str) -> dict[str, float]:
     return values
 
 
-
 def _plain_name(text: str) -> str:
     """Write names with an index without the underscore and the braces: l_{1} and l_1 as l1."""
     return re.sub(r"\b([a-zA-Z]+)_?(?:\{(\d+)\}|(\d+))", r"\1\2\3", text)
