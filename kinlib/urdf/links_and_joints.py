@@ -79,55 +79,47 @@ def read_tree(robot: Element) -> tuple[dict[str, Element], dict[str, UrdfJoint]]
     if links form a cycle, and if an attribute of a joint is not valid.
     Source: the URDF specification, "link" and "joint".
     """
-    links: dict[str, Element] = {}
-    for element in robot.children:
-        if element.tag == "link":
-            if (name := element.text("name")) in links:
-                raise element.error(
-                    f"the names of links must be different; the link in line {links[name].line} has the same name."
-                )
-            links[name] = element
-    if not links:
+    if not (links := _by_name(robot, "link")):
         raise robot.error("it must have at least one <link>; it has none.")
-    lines: dict[str, int] = {}
     parent_joints: dict[str, UrdfJoint] = {}
-    for element in robot.children:
-        if element.tag == "joint":
-            joint = _joint(element, links)
-            if joint.name in lines:
-                raise element.error(
-                    f"the names of joints must be different; the joint in line {lines[joint.name]} has the same name."
-                )
-            if (other := parent_joints.get(joint.child)) is not None:
-                child = element.child("child") or element
-                raise child.error(
-                    f"link {joint.child} is already the child of joint {other.name} in line {other.element.line}. A URDF "
-                    "must be a tree: a link with two parents closes a loop, and URDF cannot describe loops."
-                )
-            lines[joint.name], parent_joints[joint.child] = element.line, joint
+    for element in _by_name(robot, "joint").values():
+        joint = _joint(element, links)
+        if (other := parent_joints.get(joint.child)) is not None:
+            child = element.child("child") or element
+            raise child.error(
+                f"link {joint.child} is already the child of joint {other.name} in line {other.element.line}. A URDF "
+                "must be a tree: a link with two parents closes a loop, and URDF cannot describe loops."
+            )
+        parent_joints[joint.child] = joint
     _check_one_tree(links, parent_joints)
     return links, parent_joints
 
 
-def resolve_mimic_joints(joints: Mapping[str, UrdfJoint]) -> dict[str, Coupling]:
-    """Find the independent joint that each joint follows, over any number of mimic joints: itself if it mimics no other.
+def _by_name(robot: Element, tag: str) -> dict[str, Element]:
+    """The elements with a tag, by their names, which must be different."""
+    found: dict[str, Element] = {}
+    for element in (child for child in robot.children if child.tag == tag):
+        if (name := element.text("name")) in found:
+            raise element.error(
+                f"the names of {tag}s must be different; the {tag} in line {found[name].line} has the same name."
+            )
+        found[name] = element
+    return found
+
+
+def followed(joint: UrdfJoint, joints: Mapping[str, UrdfJoint]) -> Coupling:
+    """Find the independent joint that a joint follows, over any number of mimic joints: itself if it mimics no other.
 
     Raises ValueError, with element and line, if a mimic joint follows no joint that moves, or itself.
     """
-    return {name: _followed(joint, joints) for name, joint in joints.items()}
-
-
-def _followed(joint: UrdfJoint, joints: Mapping[str, UrdfJoint]) -> Coupling:
     slope, shift = 1.0, 0.0
     for _ in range(len(joints)):
         if joint.mimic is None:
             return Coupling(joint.name, slope, shift)
         other, multiplier, offset = joint.mimic
         if other not in joints:
-            names = f"{', '.join([*joints][:12])}{', ...' if len(joints) > 12 else '.'}"
-            raise joint.element.error(
-                f"it must mimic a joint that moves; got {other!r}. The joints that move are {names}"
-            )
+            hint = suggest_name(other, tuple(joints), "joints that move")
+            raise joint.element.error(f"it must mimic a joint that moves; got {other!r}.{hint}")
         slope, shift, joint = slope * multiplier, shift + slope * offset, joints[other]
     raise joint.element.error("joints must not mimic each other in a circle.")
 

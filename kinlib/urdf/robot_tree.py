@@ -20,9 +20,8 @@ from kinlib.arrays import validation
 from kinlib.arrays.formatting import aligned_table, format_number, html_table
 from kinlib.arrays.validation import Array, JointValues, TakesLimitedValues, suggest_name
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import exp, inverse
-from kinlib.rigid.screw import screw
-from kinlib.urdf.links_and_joints import MOVING_TYPES, Coupling, UrdfJoint, read_tree, resolve_mimic_joints
+from kinlib.rigid.lie import exp, inverse, moved_screw
+from kinlib.urdf.links_and_joints import MOVING_TYPES, Coupling, UrdfJoint, followed, read_tree
 from kinlib.urdf.xml_elements import Element, read_robot
 
 HEADINGS = ["link", "joint", "type", "value"]
@@ -187,7 +186,7 @@ class Tree(TakesLimitedValues):
 
     @cached_property
     def _couplings(self) -> dict[str, Coupling]:
-        return resolve_mimic_joints(self._moving_joints)
+        return {name: followed(joint, self._moving_joints) for name, joint in self._moving_joints.items()}
 
     def poses(
         self, q: JointValues, base: ArrayLike | None = None, joint_poses: Mapping[str, ArrayLike] | None = None
@@ -257,16 +256,15 @@ class Tree(TakesLimitedValues):
             before, T = T, T @ (joint.origin if sign > 0 else inverse(joint.origin))
             if joint.moves:
                 frame = T if sign > 0 else before
-                axis, point = sign * frame[:3, :3] @ joint.axis, frame[:3, 3]
-                screws.append(screw(axis, point, np.inf if joint.type == "prismatic" else 0.0))
-                points.append(point)
+                screws.append(sign * moved_screw(frame, joint.screw))
+                points.append(frame[:3, 3])
                 moving.append(joint)
         if not moving:
             raise self.link_elements[tip].error(
                 f"a joint must move between base and tip; none does between {base} and {tip}. Pass other links as base or tip."
             )
         # A faulty mimic joint elsewhere does not affect this chain.
-        couplings = [self._couplings[m.name] if m.mimic else Coupling(m.name, 1.0, 0.0) for m in moving]
+        couplings = [followed(joint, self._moving_joints) for joint in moving]
         drivers = [driver for driver, _, _ in couplings]
         for joint, (driver, multiplier, _) in zip(moving, couplings, strict=True):
             if joint.mimic and (drivers.count(driver) > 1 or abs(multiplier) != 1):
