@@ -328,15 +328,12 @@ def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
 
 def _by_index(text: str, grid: _Grid) -> dict[str, list[str]]:
     """Return the columns of names with indices, d1 = 0.1; {} if there are none."""
-    found, unread = dict[str, dict[int, str]](), list[str]()
+    found = dict[str, dict[int, str]]()
     for name, number, value in re.findall(r"\b([a-zA-Z]+(?:_[a-zA-Z]+)*)_?(\d{1,2})\s*[=:]\s*([^,;\n}]+)", text):
         if column := _column_in(name):
             found.setdefault(column, {})[int(number)] = value
-            unread += [] if grid.is_entry(value) else [f"{name}{number} = {value.strip()}"]
     if not {*found} >= NEEDED:
         return {}
-    if unread:
-        raise ValueError(f"{unread[0]!r:.80} cannot be read: it is no number and no variable. Write the number.")
     if min(*found["a"], *found["alpha"]) < min(found["d"]) == 1:  # a_0 and alpha_0, but d_1
         grid.modified = True
         for column in ("a", "alpha"):
@@ -396,7 +393,21 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
             if numbers >= 4 and not is_table:
                 grid.assume(f"Line {number} was not read: {raw.strip()!r:.60}.")
         is_after_gap = False
-    return _uniform(_with_labels(grid, heads)) if grid.rows else grid
+    if not grid.rows:
+        return grid
+    count = min(sum(map(grid.is_entry, cells)) for cells in grid.cells) - _is_numbered(grid.cells)
+    if (missing := sorted(NEEDED - {*heads})) and count >= len(COLUMNS):
+        raise ValueError(
+            f"The heading has no {' and no '.join(missing)}, but each row has {count} numbers. Name every column in a line above "
+            "the rows, such as 'a alpha d theta'."
+        )
+    return _uniform(grid)
+
+
+def _is_numbered(rows: list[list[str]]) -> bool:
+    """Whether the first cells are the numbers of the rows, from 0 or from 1, perhaps with a word."""
+    firsts = [re.sub(r"(?!q|theta)[A-Za-z]*(\d+)\.?", r"\1", cells[0]) for cells in rows]
+    return any(firsts == [str(k + first) for k in range(len(rows))] for first in (0, 1))
 
 
 def _in_lines(text: str) -> str:
@@ -419,24 +430,6 @@ def _lines(text: str) -> list[str]:
     if len(lines := text.splitlines()) > MAX_LINES:
         raise ValueError(f"A table must have at most {MAX_ROWS} rows; the text has {len(lines)} lines.")
     return lines
-
-
-def _with_labels(grid: _Grid, heads: list[str]) -> _Grid:
-    """Give rows without their last cell the labels that they have, and refuse rows with a number whose column has no name."""
-    firsts = [re.sub(r"(?!q|theta)[A-Za-z]*(\d+)\.?", r"\1", cells[0]) for cells in grid.cells]
-    short = [k for k, cells in enumerate(grid.cells) if heads[0] == "" and len(cells) == len(heads) - 1]
-    if short and any([firsts[k] for k in short] == [str(k + first) for k in short] for first in (0, 1)):
-        for k in short:
-            named = {name: cell for name, cell in zip(heads, grid.cells[k], strict=False) if name}
-            grid.rows[k] = named | {"label": grid.cells[k][0]}
-    entries = min(sum(map(grid.is_entry, cells)) for cells in grid.cells)
-    is_numbered = any(firsts == [str(k + first) for k in range(len(firsts))] for first in (0, 1))
-    if (missing := sorted(NEEDED - {*heads})) and entries - is_numbered >= len(COLUMNS):
-        raise ValueError(
-            f"The heading has no {' and no '.join(missing)}, but each row has {entries - is_numbered} numbers. Name every column in a "
-            "line above the rows, such as 'a alpha d theta'."
-        )
-    return grid
 
 
 def _plain_line(raw: str) -> str:
@@ -485,7 +478,6 @@ def _columns_of(heads: Sequence[Heading]) -> list[str]:
 
 def _run_of_names(line: str) -> list[str]:
     """Return the longest run of names of different columns in a line of prose, the last one of several."""
-    line = re.sub(r"(?i)\b(link|joint)[ _-](length|twist|offset|angle)", r"\1\2", line)
     run, longest = dict[str, str](), list[str]()
     for word in re.split(r"[\s,;|]+|/(?!\s*(?:mm?|cm|rad|deg|°))|(?<=[a-zA-Z])[\[({](?=\w+\s*,)", line):
         name = parse_heading(word).name
@@ -510,16 +502,9 @@ def _row(cells: list[str], heads: list[str], grid: _Grid) -> dict[str, str] | No
     named = [k for k, name in enumerate(heads) if name]
     if len(cells) == named[-1] - named[0] + 1 < len(heads):  # without what has no name
         label, heads = "", heads[named[0] : named[-1] + 1]
-    is_short = heads[0] == "" and len(cells) >= len(heads) - 1
-    if is_short and len(cells) < len(
-        heads
-    ):  # without its label; those without their last cell are found when all rows are read
-        label, heads = "", heads[1:]
     row = {name: cell for name, cell in zip(heads, cells, strict=False) if name}
     readable = sum(grid.is_entry(cell) or not cell.strip() for name, cell in row.items() if name != "type")
-    if (
-        not (len(cells) == len(heads) or is_short) or readable < 3
-    ):  # a single cell that cannot be read is told with its column
+    if len(cells) != len(heads) or readable < 3:  # a single cell that cannot be read is told with its column
         return None
     return row | ({"label": label} if label else {})
 
@@ -590,8 +575,7 @@ def _uniform(grid: _Grid) -> _Grid:
 
 def _name_columns(grid: _Grid, order: str) -> None:
     """Name the columns of cells without a heading: as `order` says, or in the usual order that suits the numbers best."""
-    labels, numbers = [row[0] for row in grid.cells], range(len(grid.cells) + 1)
-    if min(map(len, grid.cells)) > 4 and labels in ([*map(str, numbers[:-1])], [*map(str, numbers[1:])]):
+    if min(map(len, grid.cells)) > 4 and _is_numbered(grid.cells):
         grid.cells = [row[1:] for row in grid.cells]
     if order and sorted(order.split()) not in [sorted(known.split()) for known in ORDERS]:
         raise ValueError(f'order must name the columns, such as "theta d a alpha"; got {order!r:.60}.')
