@@ -14,7 +14,6 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import (
     COLUMN_NAMES,
@@ -29,7 +28,6 @@ from kinlib.dh.parsing import (
     parse_headings,
     respelled,
 )
-from kinlib.rigid.lie import homogeneous
 
 MAX_TEXT_LENGTH, MAX_LINES, MAX_CELLS, MAX_ROWS = 100_000, 2000, 40, 60
 """The maximum number of characters of a text, of its lines and of the cells in a line that are read, and of rows of a table."""
@@ -156,11 +154,6 @@ def read_rows(
         raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
     ends: dict[str, Any] = {end: _matrix(matrix) for end, matrix in END.findall(text)}
     plain, told = _plain(END.sub("", text)), list[Assumption]()
-    for end, place, angles in re.findall(r"\b(base|tool)\s*\|\s*t = ([-\d., ]+);\s*rpy/xyz = ([-\d.°, ]+)\|?", plain):
-        if not re.search("[1-9]", angles):  # as the Robotics Toolbox prints them
-            ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
-            told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
-            plain = re.sub(rf"^.*\b{end}\s*\|\s*t = .*$", "", plain, flags=re.MULTILINE)
     names = _definitions(plain) | {_plain_name(name): value for name, value in lengths.items()}
     if not strict and "t1" not in names and "theta" in plain and re.search(r"\bt_?1\b", plain):
         plain = re.sub(r"\bt_?(\d+)\b", r"theta\1", plain)
@@ -393,15 +386,18 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
             if numbers >= 4 and not is_table:
                 grid.assume(f"Line {number} was not read: {raw.strip()!r:.60}.")
         is_after_gap = False
-    if not grid.rows:
-        return grid
+    return _uniform(_with_all_columns(grid, heads)) if grid.rows else grid
+
+
+def _with_all_columns(grid: _Grid, heads: list[str]) -> _Grid:
+    """Refuse rows with a number whose column has no name."""
     count = min(sum(map(grid.is_entry, cells)) for cells in grid.cells) - _is_numbered(grid.cells)
     if (missing := sorted(NEEDED - {*heads})) and count >= len(COLUMNS):
         raise ValueError(
             f"The heading has no {' and no '.join(missing)}, but each row has {count} numbers. Name every column in a line above "
             "the rows, such as 'a alpha d theta'."
         )
-    return _uniform(grid)
+    return grid
 
 
 def _is_numbered(rows: list[list[str]]) -> bool:
@@ -412,7 +408,6 @@ def _is_numbered(rows: list[list[str]]) -> bool:
 
 def _in_lines(text: str) -> str:
     """Write each row of an array in a line, without brackets, and a comment only if it is a heading."""
-    text = re.sub(r"\[(mm?|cm|rad|deg|°)\]", r"(\1)", text)
     if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]{,999};", text):
         text = re.sub(r"[\]})]\s*,\s*['\"]?\w+['\"]?\s*[:=]\s*(?=[\[{(])", "\n", text)  # another one
         text = re.sub(
@@ -451,7 +446,7 @@ def _heading(line: str, splits: list[list[str]], before: list[str], grid: _Grid)
     found = list[list[Heading]]()
     for cells in (*splits, run):
         names = _columns_of(heads := parse_headings(cells))
-        if len({*names}) < max(3, len(names)) or any(re.fullmatch(NUMBER, cell) for cell in cells):
+        if len({*names}) < max(3, len(names)):
             continue
         places = [k for k, head in enumerate(heads) if head.name in names]
         if not (is_comment or before) or places[-1] - places[0] < len(names) + any(
