@@ -58,10 +58,7 @@ class Equivalence(Map):
     tolerance: float = EQUIVALENCE_TOL
 
     def __bool__(self) -> bool:
-        """Whether the two are the same.
-
-        Raises ValueError if that is undecided.
-        """
+        """Whether the two are the same; ValueError if that is undecided."""
         if self.verdict == "undecided":
             raise ValueError(f"The comparison must be decided to be used as True or False. {self.reason}")
         return self.verdict == "same"
@@ -160,9 +157,6 @@ def equivalent(
     If axes of the arm are nearly parallel, a table that was derived from them has lost digits; what differs by no more than that
     is "undecided". Of several maps, the one with the shortest description is returned: the fewest changes.
 
-    Raises ValueError for anything but chains and tables, for a tolerance that is not positive, and for a name in fixed that is none
-    of the four.
-
     >>> from kinlib.chains.robots import puma560
     >>> from kinlib.dh.assignment import assign_frames
     >>> equivalent(puma560(), assign_frames(puma560(), convention="standard").table).verdict
@@ -173,9 +167,7 @@ def equivalent(
     if not tolerance > 0:
         raise ValueError(f"tolerance must be a positive number, in metres and radians; got {tolerance!r}.")
     if isinstance(fixed, str) or not set(fixed) <= set(CHOICES):
-        raise ValueError(
-            f"fixed must be a collection of names from {', '.join(CHOICES)}; got {fixed!r:.80}. Try fixed=[...]."
-        )
+        raise ValueError(f"fixed must be names from {', '.join(CHOICES)}; got {fixed!r:.80}. Try fixed=[...].")
     one, other = (arm.to_chain() if isinstance(arm, DHTable) else arm for arm in (a, b))
     letters = one.joint_types
     if letters != other.joint_types:

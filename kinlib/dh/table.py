@@ -51,7 +51,6 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
     a, d in metres and alpha, theta in radians, any shapes that broadcast -> (..., 4, 4).
     In the modified convention a and alpha are those of the row, a_{i-1} and alpha_{i-1}.
 
-    Raises ValueError for an unknown convention, and for NaN or infinity.
     Source: EduFill manipulation module, "Computation with Denavit-Hartenberg table" (standard); DH example with n = 5
     and Kinematics under DH (modified).
 
@@ -152,9 +151,8 @@ class DHTable(TakesJointValues, validation.ReadOnly):
     def _ends(self, digits: int = PRINTED_DIGITS) -> list[str]:
         """Base and tool as text, those that are not the identity."""
         ends = {"base": self.base, "tool": self.tool}.items()
-        return [
-            f"{name} = {format_matrix(T, digits)}" for name, T in ends if np.abs(T - np.eye(4)).max() > ROUNDING_ERROR
-        ]
+        shown = ((name, T) for name, T in ends if np.abs(T - np.eye(4)).max() > ROUNDING_ERROR)
+        return [f"{name} = {format_matrix(T, digits)}" for name, T in shown]
 
     def _numbered_rows(self) -> list[list[str]]:
         length, angle = (partial(write, digits=PRINTED_DIGITS) for write in (format_number, format_degrees))
@@ -221,8 +219,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 
         Standard to modified: row i takes a and alpha of row i-1, and those of the last row go to the tool.
         Modified to standard: row i takes a and alpha of row i+1, and those of the first row go to the base.
-
-        Raises ValueError for an unknown convention.
 
         >>> table = DHTable([[0.4, 0.1, 0, 0], [0.3, 0, 0, 0]], convention="standard")
         >>> table.converted("modified").columns["a"]
@@ -329,16 +325,12 @@ def _read(given: Any, lengths: Mapping[str, float] | None, joints: str, conventi
     if isinstance(given, Sequence) and any(isinstance(row, Mapping) for row in given):
         cells = [[row.get(name) if isinstance(row, Mapping) else None for name in COLUMNS] for row in given]
         if missing := [k for k, row in enumerate(cells, start=1) if None in row]:
-            raise ValueError(
-                f"Each row must have all of {', '.join(COLUMNS)}, 0 where one is empty; row {missing[0]} does not."
-            )
+            raise ValueError(f"Each row must have all of {', '.join(COLUMNS)}, if only 0; row {missing[0]} does not.")
         given = "\n".join(" | ".join(map(str, row)) for row in [COLUMNS, *cells])
     if not isinstance(given, str):
         numbers = validation.vectors(cast("ArrayLike", given), "rows", 4)
         if numbers.ndim != 2 or not len(numbers):
-            raise ValueError(
-                f"rows must have shape (m, 4), one row of a, alpha, d, theta per frame; got {numbers.shape}."
-            )
+            raise ValueError(f"rows must have shape (m, 4), with a, alpha, d, theta; got {numbers.shape}.")
         return numbers, joints or "R" * len(numbers), (), {}
     values = {name: float(validation.array(value, f"lengths[{name!r:.60}]")) for name, value in (lengths or {}).items()}
     read = read_rows(given, strict=True, lengths=values, joints=joints)
@@ -353,9 +345,7 @@ def _read(given: Any, lengths: Mapping[str, float] | None, joints: str, conventi
 
 def _validate_rows(numbers: Array, joints: Any) -> None:
     if not isinstance(joints, str) or len(joints) != len(numbers) or set(joints) - set("RPF"):
-        raise ValueError(
-            f"joints must have a letter R, P or F for each of the {len(numbers)} rows; got {joints!r:.60}."
-        )
+        raise ValueError(f"joints must have a letter R, P or F for each of {len(numbers)} rows; got {joints!r:.60}.")
     if set(joints) <= {"F"}:
         raise ValueError("A table must have at least one joint, but every row is fixed. Is q1 missing from an entry?")
     for (row, column), value in np.ndenumerate(numbers):
@@ -375,24 +365,19 @@ def _signs(given: ArrayLike, own: Sequence[float], count: int) -> Array:
         raise ValueError("signs must be left out, because the variables in the rows have their own.")
     signs = validation.array(given, "signs") if np.size(given) else np.array(own) if len(own) else np.ones(count)
     if signs.shape != (count,) or (np.abs(signs) != 1).any():
-        raise ValueError(
-            f"signs must have an entry 1 or -1 for each of the {count} rows; got {validation.describe(given)}."
-        )
+        raise ValueError(f"signs must have 1 or -1 for each of the {count} rows; got {validation.describe(given)}.")
     return signs
 
 
 def validate_convention(name: Any) -> Convention:
-    """Return the name of a convention, if there is such a convention.
-
-    Raises ValueError for any other name.
+    """Return the name of a convention; ValueError for any other name.
 
     >>> validate_convention("standard")
     'standard'
     """
     if not isinstance(name, str) or name not in get_args(Convention):
         raise ValueError(
-            f"convention must be 'standard' or 'modified'; got {name!r:.60}. Is z_i on the axis of joint i+1 (standard) or of joint i "
-            "(modified)?"
+            f"convention must be 'standard' or 'modified'; got {name!r:.60}. Is z_i on the axis of joint i+1 (standard) or i (modified)?"
         )
     return cast("Convention", name)
 

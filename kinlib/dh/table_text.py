@@ -162,8 +162,7 @@ def read_rows(
     grid = next((g for reader in readers if (g := reader(plain, names)) and (g.rows or g.cells)), None)
     if grid is None:
         raise ValueError(
-            "No table was found: no line has four numbers, and no call or list names a, alpha, d and theta. Paste the rows with a "
-            "heading such as 'a alpha d theta', one row in a line."
+            "No table was found: no line has four numbers, and no call or list names a, alpha, d. Paste rows below 'a alpha d theta'."
         )
     grid.assumed += told
     if not grid.rows:
@@ -177,8 +176,7 @@ def read_rows(
     _scale(grid, entries, numbers, "angle_unit", angle_unit, strict)
     if strict and grid.guesses:
         raise ValueError(
-            f"A DHTable takes only what its rows say; kl.read_table reads these, and assumes: {grid.guesses[0]} Correct the rows, or use "
-            "read_table."
+            f"A DHTable takes only what its rows say. Correct them, or use kl.read_table, which assumes: {grid.guesses[0]}"
         )
     return Rows(numbers, letters, signs, _said_convention(plain, grid), ends, grid.assumed)
 
@@ -285,9 +283,8 @@ def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
     lists, grid = dict[str, list[str]](), _Grid(names)
     for name, square, round_ in LIST.findall(text):
         inside, column = square or round_, _column_in(name)
-        cells = [
-            cell for cell in re.split("[,;]" if re.search("[,;]", inside) else r"\s+", inside.strip()) if cell.strip()
-        ]
+        separators = "[,;]" if re.search("[,;]", inside) else r"\s+"
+        cells = [cell for cell in re.split(separators, inside) if cell.strip()]
         if column and cells and all(map(grid.is_entry, cells)):
             lists[column] = cells
     if not {*lists} >= NEEDED:
@@ -295,14 +292,13 @@ def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
         if len(lists) > 1 and not found:
             missing = ", ".join(sorted(NEEDED - {*lists}))
             raise ValueError(
-                f"The lists {', '.join(lists)} were found, and {missing} was not. Paste all of a, alpha and d."
+                f"The lists {', '.join(lists)} were found, {missing} was not. Paste all of a, alpha and d."
             )
         lists = found
     if not lists:
         lines = [cells for line in _lines(text) for cells in _splits(line.strip())[::-1]]
-        heads = [
-            (parse_heading(line[0]), line[1:]) for line in lines if len(line) > 2 and all(map(grid.is_entry, line[1:]))
-        ]
+        columns = [line for line in lines if len(line) > 2 and all(map(grid.is_entry, line[1:]))]
+        heads = [(parse_heading(line[0]), line[1:]) for line in columns]
         named = {head.name: cells for head, cells in heads if head.name in ALL_COLUMNS}
         if not {*named} >= NEEDED or len({len(named[column]) for column in NEEDED}) > 1:
             return None
@@ -311,9 +307,7 @@ def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
         grid.assume("Each row is a column of the text.")
     count = max(map(len, lists.values()))
     if short := [f"{column} ({len(cells)})" for column, cells in lists.items() if len(cells) != count]:
-        raise ValueError(
-            f"The lists must have the same length, {count}; {', '.join(short)} has another. Is an entry missing?"
-        )
+        raise ValueError(f"The lists must have the same length, {count}; {', '.join(short)} has another.")
     grid.rows = [{column: cells[k] for column, cells in lists.items()} for k in range(count)]
     grid.places = [f"Entry {k + 1} of the lists" for k in range(count)]
     return _uniform(grid)
@@ -410,14 +404,12 @@ def _in_lines(text: str) -> str:
     """Write each row of an array in a line, without brackets, and a comment only if it is a heading."""
     if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]{,999};", text):
         text = re.sub(r"[\]})]\s*,\s*['\"]?\w+['\"]?\s*[:=]\s*(?=[\[{(])", "\n", text)  # another one
-        text = re.sub(
-            r"(?m)^(?:(?:[^\n#%/=]*=|[^\n#%/]*?[=(:])\s*(?=[\[{])|[^\n#%/{\[]*(?=\{\s*\{))", "", text
-        )  # its name
+        # its name
+        text = re.sub(r"(?m)^(?:(?:[^\n#%/=]*=|[^\n#%/]*?[=(:])\s*(?=[\[{])|[^\n#%/{\[]*(?=\{\s*\{))", "", text)
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
-    text = re.sub(
-        r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.{,99}\balpha\b)", "\n# ", text
-    )  # a heading as the comment of a row
-    return re.sub(r"(?m)(?<=[\d,;i])[ \t]+(?:#|//|%)[ \t].*$", "", text)  # and what is none
+    # The comment of a row may be a heading.
+    text = re.sub(r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.{,99}\balpha\b)", "\n# ", text)
+    return re.sub(r"(?m)(?<=[\d,;i])[ \t]+(?:#|//|%)[ \t].*$", "", text)
 
 
 def _lines(text: str) -> list[str]:
@@ -562,9 +554,7 @@ def _uniform(grid: _Grid) -> _Grid:
     labels = [row.get("label", "").rstrip(".") for row in grid.rows]
     numbers = [int(label) for label in labels if re.fullmatch(r"\d{1,2}", label, re.ASCII)]
     if len(numbers) == len(labels) and numbers != [*range(numbers[0], numbers[0] + len(numbers))]:
-        grid.assume(
-            f"The rows have the numbers {', '.join(map(str, numbers))}: they were read in the order in which they stand."
-        )
+        grid.assume(f"The rows have the numbers {', '.join(map(str, numbers))}: they were read as they stand.")
     return grid
 
 
@@ -603,7 +593,7 @@ def _evaluate(grid: _Grid) -> list[dict[str, Entry]]:
                 raise ValueError(f"{place}, {column}: {error}") from error
             if column in {"a", "d"} and read[column].unit == "°":
                 raise ValueError(
-                    f"{place}, {column}: {row[column]!r} is an angle, but {column} is a length. Are two columns swapped?"
+                    f"{place}, {column}: {row[column]!r} is an angle, not a length. Are two columns swapped?"
                 )
         offset, theta = read.pop("offset", Entry(0j)), read["theta"]
         variables, unit = [*theta.variables, *offset.variables], theta.unit or offset.unit
@@ -628,9 +618,7 @@ def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str) -> tuple[s
         return given, signs if variables else []
     numbers = [int(number) for name in variables if (number := re.sub(r"\D", "", name))]
     if numbers and numbers != [*range(1, len(variables) + 1)]:
-        grid.assume(
-            f"The variables are {', '.join(variables)}, not 1, 2, ... in the order of the rows: each is the joint of its row."
-        )
+        grid.assume(f"The variables are {', '.join(variables)}, not 1, 2, ...: each is the joint of its row.")
     if "?" in letters and set(letters) <= {"?", "P"}:
         others = "each row" if "P" not in letters else "each row that is not prismatic"
         words = f"theta has no variable: {others} is a revolute joint, with the number as its offset."
@@ -663,9 +651,8 @@ def _scale(  # noqa: PLR0917
         is_large = max(sizes) > (MIN_LENGTH_MM if is_length else 2 * np.pi + 0.01)
         unit = (("m", "mm") if is_length else ("rad", "deg"))[is_large]
         is_sure = not is_length and any(abs(size - np.pi / 2) < 1e-2 for size in sizes)
-        what = (
-            f"The text does not say the unit of its {'lengths' if is_length else 'angles'}: {unit} was taken, because"
-        )
+        kind = "lengths" if is_length else "angles"
+        what = f"The text does not say the unit of its {kind}: {unit} was taken, because"
         options = (unit, *(other for other in units if other != unit))
         grid.assume(f"{what} the largest is {max(sizes):.6g}.", *(() if is_sure else (argument, options)))
     for i, k in plain:

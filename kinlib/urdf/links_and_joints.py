@@ -87,8 +87,7 @@ def read_tree(robot: Element) -> tuple[dict[str, Element], dict[str, UrdfJoint]]
         if (other := parent_joints.get(joint.child)) is not None:
             child = element.child("child") or element
             raise child.error(
-                f"link {joint.child} is already the child of joint {other.name} in line {other.element.line}. A URDF "
-                "must be a tree: a link with two parents closes a loop, and URDF cannot describe loops."
+                f"link {joint.child} is already the child of {other.name} in line {other.element.line}; a URDF must have no loops."
             )
         parent_joints[joint.child] = joint
     _check_one_tree(links, parent_joints)
@@ -100,9 +99,7 @@ def _by_name(robot: Element, tag: str) -> dict[str, Element]:
     found: dict[str, Element] = {}
     for element in (child for child in robot.children if child.tag == tag):
         if (name := element.text("name")) in found:
-            raise element.error(
-                f"the names of {tag}s must be different; the {tag} in line {found[name].line} has the same name."
-            )
+            raise element.error(f"the names of {tag}s must be different; line {found[name].line} has the same name.")
         found[name] = element
     return found
 
@@ -139,11 +136,8 @@ def _end(joint: Element, tag: str, links: Mapping[str, Element]) -> str:
     if (end := joint.child(tag)) is None:
         raise joint.error(f"it must have a <{tag} link=...>, because a joint joins two links; it has none.")
     if (link := end.text("link")) not in links:
-        name = joint.attributes["name"]
-        raise end.error(
-            f'joint {name} must join links of this file; there is no link "{link}".'
-            + suggest_name(link, tuple(links), "links")
-        )
+        hint = suggest_name(link, tuple(links), "links")
+        raise end.error(f'joint {joint.attributes["name"]} must join links; there is no link "{link}".{hint}')
     return link
 
 
@@ -152,9 +146,7 @@ def _origin(joint: Element) -> Array:
         return np.eye(4)
     values = {name: element.numbers(name, 3) for name in ("xyz", "rpy") if name in element.attributes}
     if abs(largest := max(values.get("rpy", [0.0]), key=abs)) > 4 * np.pi:
-        raise element.error(
-            f"rpy must be between -4 pi and 4 pi rad; got {largest:g} rad. Is it in degrees? URDF uses radians."
-        )
+        raise element.error(f"rpy must be between -4 pi and 4 pi rad; got {largest:g} rad. Is it in degrees?")
     return origin(**values)
 
 
@@ -171,14 +163,10 @@ def _axis(joint: Element) -> Array:
 
 def _limits(joint: Element, kind: str) -> tuple[float, float]:
     if (element := joint.child("limit")) is None:
-        raise joint.error(
-            f"a {kind} joint must have a <limit lower=... upper=...>; it has none. A joint without limits is continuous."
-        )
+        raise joint.error(f"a {kind} joint must have a <limit lower=... upper=...>; it has none. Is it continuous?")
     lower, upper = (element.numbers(name, 1)[0] if name in element.attributes else 0.0 for name in ("lower", "upper"))
     if lower > upper:
-        raise element.error(
-            f"lower must be at most upper; got lower {lower:g} and upper {upper:g}. Are they interchanged?"
-        )
+        raise element.error(f"lower must be at most upper; got {lower:g} and {upper:g}. Are they interchanged?")
     return (lower if lower > -MAX_NUMBER else -np.inf), (upper if upper < MAX_NUMBER else np.inf)
 
 

@@ -105,10 +105,8 @@ class Tree(TakesLimitedValues):
 
     @property
     def _title(self) -> str:
-        links, joints = (
-            f"{k} {word}{'s'[: k != 1]}" for k, word in ((len(self.links), "link"), (self.n, "independent joint"))
-        )
-        return f"{self.name}, {links}, {joints}"
+        counts = ((len(self.links), "link"), (self.n, "independent joint"))
+        return ", ".join([self.name, *(f"{count} {word}{'s'[: count != 1]}" for count, word in counts)])
 
     def _rows(self, indent: str) -> Iterator[list[str]]:
         for depth, link, _ in self._descendants(self.root):
@@ -201,8 +199,7 @@ class Tree(TakesLimitedValues):
         joint_poses  for the name of each planar and each floating joint, its motion (..., 4, 4): the pose of the child link in
                      the frame of the joint
 
-        Raises ValueError for joint values of another size, for NaN, for a matrix that is no pose, for a planar or a floating joint
-        without a pose, and if a mimic joint follows no joint that moves, or itself.
+        Raises ValueError for a planar or a floating joint without a pose, and if a mimic joint follows no joint that moves, or itself.
         Source: the URDF specification, "joint"; Modern Robotics, 4.2.
 
         >>> from kinlib.chains.robots import youbot
@@ -250,7 +247,7 @@ class Tree(TakesLimitedValues):
             if joint.type in MOVED_BY_POSES:
                 raise joint.element.error(
                     f"a joint between base and tip must have one degree of freedom; this one is {joint.type}. Choose a base beyond it, "
-                    f"such as {joint.child}, or pass its pose to kl.Tree.from_urdf(...).poses(q, joint_poses=...)."
+                    f"such as {joint.child}, or use kl.Tree.from_urdf(...).poses(q, joint_poses=...)."
                 )
             # The axis is given in the joint frame: the frame after this joint if the path goes down, and before it if it goes up.
             before, T = T, T @ (joint.origin if sign > 0 else inverse(joint.origin))
@@ -261,7 +258,7 @@ class Tree(TakesLimitedValues):
                 moving.append(joint)
         if not moving:
             raise self.link_elements[tip].error(
-                f"a joint must move between base and tip; none does between {base} and {tip}. Pass other links as base or tip."
+                f"a joint must move between {base} and {tip}; none does. Pass another base or tip."
             )
         # A faulty mimic joint elsewhere does not affect this chain.
         couplings = [followed(joint, self._moving_joints) for joint in moving]
@@ -287,8 +284,6 @@ class Tree(TakesLimitedValues):
 
     def path(self, base: str, tip: str) -> list[PathStep]:
         """Find the joints from one link to another: up to their nearest common ancestor, and down from it.
-
-        Raises ValueError for a name that is no link.
 
         >>> text = '''<robot name="rig"> <link name="table"/> <link name="post"/> <link name="camera"/>
         ...     <joint name="at_rear" type="fixed"> <parent link="table"/> <child link="post"/> </joint>

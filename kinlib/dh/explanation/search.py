@@ -186,9 +186,8 @@ class _Search:
         Invariants decide, and if nothing is free, the poses of a few q. A correction of a row comes after one of the whole table, as
         the singles are sorted.
         """
-        places = (
-            self._pairs() if count > 1 else np.arange(len(self.singles))[:, None] if count else np.zeros((1, 0), int)
-        )
+        singles = np.arange(len(self.singles))[:, None]
+        places = self._pairs() if count > 1 else singles if count else np.zeros((1, 0), int)
         rows = self.rows[places[:, 0]] if count else self.table.rows[None]
         for place in np.unique(places[:, 1]) if count > 1 else ():
             is_here = places[:, 1] == place
