@@ -162,7 +162,7 @@ def read_rows(
     grid = next((g for reader in readers if (g := reader(plain, names)) and (g.rows or g.cells)), None)
     if grid is None:
         raise ValueError(
-            "No table was found: no line has four numbers, and no call or list names a, alpha, d. Paste rows below 'a alpha d theta'."
+            "No table was found: no line has four numbers, and no list names a, alpha, d. Paste 'a alpha d theta', then one row in a line."
         )
     grid.assumed += told
     if not grid.rows:
