@@ -3,22 +3,7 @@
 Each lecture has a folder with its problems, its blank steps and its questions. A lecture is imported only when it is used.
 """
 
-from typing import TYPE_CHECKING, Any
-
 from kincourse.catalog import COURSE
-
-if TYPE_CHECKING:
-    from kincourse.dh_quiz import quiz
-else:
-
-    def __getattr__(name: str) -> Any:
-        """Load the quiz, and the drawings that it needs, when it is first used."""
-        if name != "quiz":
-            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        from kincourse.dh_quiz import quiz
-
-        return quiz
-
 
 __all__ = [
     "COURSE",
@@ -29,7 +14,6 @@ __all__ = [
     "find_question",
     "find_sheet",
     "open_sheet",
-    "quiz",
     "sheets",
 ]
 

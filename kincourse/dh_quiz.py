@@ -106,8 +106,8 @@ class Quiz:
         return judgement
 
     def _repr_mimebundle_(self, **options: object) -> dict[str, object]:
-        text = f"A quiz on DH tables in the {self.convention} convention.\n{self.problem.statement}"
-        bundle: dict[str, object] = {**self._layout._repr_mimebundle_(**options), "text/plain": text}
+        seen = {"text/plain": self.problem.statement, "text/html": self._statement_box.value}  # without widgets
+        bundle: dict[str, object] = {**self._layout._repr_mimebundle_(**options), **seen}
         return bundle
 
 

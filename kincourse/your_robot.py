@@ -16,6 +16,7 @@ import numpy as np
 
 from kincourse.robot_sheets.robot_sheet import robot_sheet, with_plain_name
 from kinlib.arrays.formatting import format_degrees, format_number, html_table
+from kinlib.arrays.tolerances import ROUNDING_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import youbot
@@ -319,9 +320,10 @@ def _assigned(found: FrameAssignment, arm: Chain) -> Iterator[str]:
     clean = assign_frames(arm, convention=found.table.convention, snap=True)
     exact = replace(found.table, name=f"{arm.name}, exact")
     yield clean.table._repr_html_()
-    yield f"<p>The poses of these clean numbers differ from the file's by at most {clean.accuracy:.1e} (metres, and entries of R).</p>"
+    by = f"differ from those of the arm by at most {clean.accuracy:.1e} (metres, and entries of R)"
+    yield f"<p>The poses of this table {by if clean.accuracy > ROUNDING_ERROR else 'are those of the arm'}.</p>"
     if np.abs(exact.rows - clean.table.rows).max() > 1e-12:
-        yield f"<details><summary>All digits of the file</summary>{exact._repr_html_()}</details>"
+        yield f"<details><summary>All digits</summary>{exact._repr_html_()}</details>"
     steps = "".join(f"<li>{escape(str(step))}</li>" for step in found.steps)
     yield f"<details><summary>The reason for each frame</summary><ol>{steps}</ol></details>"
 

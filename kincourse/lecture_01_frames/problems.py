@@ -294,10 +294,12 @@ FLAWS_REFUTED = {
 def rigid_or_not(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(FLAWS))
     T = np.eye(4)
-    for _ in range(2):  # with sides 3, 4 and 5 every entry has two decimals, so it can be squared on paper
-        axis, (c, s) = sampler.choice((X, Y, Z)), np.array(sampler.shuffled([0.6, 0.8])) * (1, sampler.choice((-1, 1)))
-        T = T @ homogeneous(exp(np.arctan2(s, c) * axis), np.zeros(3))
-    T[:3, :3], T[:3, 3] = (T[:3, :3] @ frame(sampler.axes(), (0, 0, 0))[:3, :3]).round(2), sampler.point(5)
+    while not 0.1 < abs(T[0, 2]) < 0.9:  # the first entry of the cross product is to be computed, not guessed
+        T = frame(sampler.axes(), (0, 0, 0))
+        for axis in sampler.shuffled([X, Y, Z])[:2]:  # with sides 3, 4 and 5 an entry has two decimals
+            c, s = np.array(sampler.shuffled([0.6, 0.8])) * (1, sampler.choice((-1, 1)))
+            T = homogeneous(exp(np.arctan2(s, c) * axis), np.zeros(3)) @ T
+    T[:3, :3], T[:3, 3] = T[:3, :3].round(2), sampler.point(5)
     j, k = sampler.shuffled([0, 1, 2])[:2]
     if right == "b":
         T[:3, j] *= sampler.choice([0.5, 1.5, 2])
@@ -309,24 +311,21 @@ def rigid_or_not(sampler: ArmSampler) -> Problem:
         T[3, :3], T[:3, 3] = T[:3, 3], 0
     listed = "\n".join(f"- `'{letter}'`: {flaw}" for letter, flaw in FLAWS.items())
     R = T[:3, :3]
-    shows = {
-        "b": np.linalg.norm(R[:, j]),
-        "c": R[:, j] @ R[:, k],
-        "e": T[3] @ T[3],
-    }.get(right, np.cross(R[:, 0], R[:, 1])[0])
+    first = np.cross(R[:, 0], R[:, 1])[0]
+    other = ", and all other conditions hold."
+    shows, shown = {
+        "b": (np.linalg.norm(R[:, j]), f"Column {j + 1} is no unit vector{other} Its length is"),
+        "c": (R[:, j] @ R[:, k], f"Columns {j + 1} and {k + 1} are not orthogonal{other} Their dot product is"),
+        "d": (first, "Column 3 is the negative of the cross product of columns 1 and 2, whose first entry is"),
+        "e": (T[3] @ T[3], f"The last row is ${vector(T[3])}${other} The sum of its squares is"),
+        "a": (first, "All conditions hold: column 3 is the cross product of columns 1 and 2, whose first entry is"),
+    }[right]
     problem = Problem(
         statement="Is this matrix a rigid motion? If not, which condition fails? $R$ is its upper left block, of shape (3, 3).\n\n"
-        f"$${matrix(T)}$$\n\n{listed}\n\nAnswer with a letter and a number that shows it, such as `('a', 0.8)`: for `'b'` the length of "
+        f"$${matrix(T)}$$\n\n{listed}\n\nAnswer with a letter and a number that shows it, such as `('b', 1.7)`: for `'b'` the length of "
         "the column that is no unit vector, for `'c'` the dot product of the two columns that are not orthogonal, for `'e'` the sum of the "
         "squares of the last row, and for `'a'` and `'d'` the first entry of the cross product of columns 1 and 2.",
-        method={
-            "b": f"Column {j + 1} is no unit vector, and all other conditions hold. Its length is",
-            "c": f"Columns {min(j, k) + 1} and {max(j, k) + 1} are not orthogonal, and all other conditions hold. Their dot product is",
-            "d": "The columns are orthogonal unit vectors, but column 3 is the negative of the cross product of columns 1 and 2, whose "
-            "first entry is",
-            "e": f"The last row is ${vector(T[3])}$, and all other conditions hold. The sum of its squares is",
-        }.get(right, "All conditions hold: column 3 is the cross product of columns 1 and 2, whose first entry is")
-        + f" ${number(float(shows))}$.",
+        method=f"{shown} ${number(float(shows))}$.",
         further="Change as few entries as possible to make this matrix a rigid motion. Is there only one way?",
         given={"matrix": T},
         answer=Choice(right, FLAWS),

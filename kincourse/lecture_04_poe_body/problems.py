@@ -136,6 +136,8 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
         f"The {in_space} given in {{s}}, {in_body} in {{b}}. The factor of joint a is $e_a$: it is "
         "$e^{[S_a]q_a}$ if its axis is given in {s}, and $e^{[B_a]q_a}$ if it is given in {b}; and so on. Put the factors "
         "of $T(q)$ in order, from left to right: a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
+        method="Factors with an axis in {s} are on the left of $M$, and those with an axis in {b} on its right; on each side they are in "
+        "the order of the chain.",
         further="How many other places of $M$ are possible if each screw may be written in either frame?",
         given={"from_floor_to_tool": names, "read_in_s": left},
         answer=Ordering([*(f"e_{name}" for name in left), "M", *(f"e_{name}" for name in right)]),

@@ -223,12 +223,18 @@ def which_rule(sampler: ArmSampler) -> Problem:
     frames[i] = pose(axes, origin)
     before = frames[i - 1]
     step = origin - before[:3, 3]
-    shows = {
-        "a": axes[0] @ before[:3, 2],
-        "b": abs(np.cross(axes[0], before[:3, 2]) @ step),
-        "c": axes[2] @ robot.screws[i, :3],
-        "d": np.linalg.norm(np.cross(origin - robot.joint_points[i], robot.screws[i, :3])),
-        "e": before[:3, 2] @ step,
+    shows, shown = {
+        "a": (axes[0] @ before[:3, 2], f"$x_{i} \\cdot z_{i - 1}$ must be 0, and it is"),
+        "b": (
+            abs(np.cross(axes[0], before[:3, 2]) @ step),
+            f"$|(x_{i} \\times z_{i - 1}) \\cdot (O_{i} - O_{i - 1})|$, the distance of the two lines, must be 0, and it is",
+        ),
+        "c": (axes[2] @ robot.screws[i, :3], f"$z_{i}$ must be parallel to the axis, but the scalar product is"),
+        "d": (
+            np.linalg.norm(np.cross(origin - robot.joint_points[i], robot.screws[i, :3])),
+            f"$O_{i}$ must lie on the axis of joint {i + 1}, and its distance from there is",
+        ),
+        "e": (before[:3, 2] @ step, f"All rules hold. $d_{i} = z_{i - 1} \\cdot (O_{i} - O_{i - 1})$, which is"),
     }[right]
     listed = "\n".join(f"- {letter}) {rule}" for letter, rule in RULES.items())
     problem = Problem(
@@ -238,6 +244,7 @@ def which_rule(sampler: ArmSampler) -> Problem:
         f"\n\n{joint_table(robot)}\n\n{listed}\n\nAnswer with a letter and a number that shows it, such as `('a', 0.5)`: for a) the "
         "scalar product of $x_i$ and $z_{i-1}$, for b) the distance of the line from the axis, for c) the scalar product of $z_i$ and the "
         "direction of joint $i + 1$, for d) the distance of the origin from the axis of joint $i + 1$, and for e) $d_i$.",
+        method=f"{shown} ${number(float(shows))}$.",
         further="Change one frame so that exactly two rules are broken.",
         figure=partial(_with_frames, robot, frames),
         given={"frame": i, "frames": frames, "screws": robot.screws, "points": robot.joint_points},

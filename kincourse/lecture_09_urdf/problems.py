@@ -148,6 +148,8 @@ def path_through_a_tree(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Take the chain in this file from the base `{near}_hand` to the tip `{far}_hand`. Which joints have a value in "
         f"$q$, and in which order? Answer with a list of their names, such as `['neck', '{a}']`.\n\n{fence_urdf(text)}",
+        method=f"From `{near}_hand` the path goes up to `torso`, over `{near}_weld`, `{b}` and `{a}`, and then down to `{far}_hand`, over "
+        f"`{c}`, `{d}` and `{far}_weld`. The two fixed joints have no value.",
         further="Which link do both hands share, and how many joints move both?",
         given={"urdf": text},
         shown={"base": f"{near}_hand", "tip": f"{far}_hand"},
@@ -233,7 +235,7 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
     )
     return Problem(
         statement=f"Give the home pose $M$ of the link `hand` in the frame of the base. "
-        f"{SYMBOLS_NOTE} {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
+        f"{SYMBOLS_NOTE} `weld` is joint 3. {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         further="Where does the file say how the hand is drawn, and does $M$ depend on it?",
         shown={"urdf": text},
         answer=PoseAnswer(M),

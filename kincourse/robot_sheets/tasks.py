@@ -34,7 +34,7 @@ from kincourse.robot_sheets.sampling import (
     with_zero_at,
 )
 from kincourse.sampling.arms import ArmSampler, shows_transposes
-from kincourse.text.joint_table import end_frames, given_frames, joint_table
+from kincourse.text.joint_table import end_frames, given_frames, joint_table, rows_from_frames
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.table import Convention
@@ -78,6 +78,7 @@ def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
         "home pose $M = T_{sb}(0)$.\n\n"
         f"$$T_{{sr}} = {matrix(T_sr)}$$\n\n$$T_{{rf}} = {matrix(T_rf)}$$\n\n$$T_{{fb}} = {matrix(T_fb)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "r": T_sr, "f": T_sr @ T_rf}),
+        further="The tool is replaced by a longer one. Which blocks of $M$ change?",
         given={"T_sr": T_sr, "T_rf": T_rf, "T_fb": T_fb},
         answer=PoseAnswer(M),
         advice={
@@ -100,6 +101,7 @@ def space_screws(robot: Chain, sampler: ArmSampler) -> Problem:
         statement=f"In your lab {robot.name} is mounted as in the drawing, which shows it at home. Give {_name_axes(joints)} "
         f"in {{s}}, as rows.\n\n{joint_table(arm, joints)}",
         figure=partial(draw_joints, arm),
+        further="The base is moved by 1 m along $x$ of {s}. Which of your numbers change?",
         given={"axes": axes, "points": points, "pitches": pitches},
         answer=ScrewsAnswer(arm.screws[joints], names=[f"screw {i}" for i in numbers]),
         solution=joint_screws(axes, points, pitches, numbers),
@@ -116,6 +118,7 @@ def body_screws(robot: Chain, sampler: ArmSampler) -> Problem:
         statement=f"Below are {_name_axes(joints)} of {robot.name} in {{s}}, and the home pose of its tool. Give "
         f"the same screw axes in {{b}}, as rows.\n\n$$S = {matrix(S)}$$\n\n$$M = {matrix(arm.home)}$$",
         figure=partial(draw_arm, arm),
+        further="Which of these screws would stay the same with a tool that is longer along its $z$?",
         given={"screws": S, "home": arm.home},
         answer=ScrewsAnswer(arm.body_screws[joints], names=[f"screw {i + 1}" for i in joints]),
         solution=change_frame_of_rows(inverse(pose("M", arm.home)), screw_axes("S", S)),
@@ -150,6 +153,7 @@ def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
         statement=f"The joint values of {robot.name} are {at.words}. Its screws in {{s}} and the home pose of its tool are below. Give "
         f"$T(q)$.\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(arm.home)}$$",
         figure=partial(draw_arm, arm),
+        further="Write the same pose with body screws. Which factor stays as it is?",
         given={"screws": arm.screws, "home": arm.home, "values": at.typed},
         answer=PoseAnswer(arm.fk(at.q)),
         solution=forward_kinematics(
@@ -175,6 +179,8 @@ def dh_table(convention: Convention, robot: Chain, sampler: ArmSampler) -> Probl
         f"{table.n} in {{s}} are given. Where the rules leave a choice, it is yours: every table that fits is right. "
         f"\n\n{joint_table(arm)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, arm),
+        method=rows_from_frames(table),
+        further="Where did the rules leave you a choice? Write a second table that makes it differently.",
         given={"screws": arm.screws, "points": arm.joint_points, "home": arm.home, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
         mistakes=[rows_of_the_other_convention(table)],

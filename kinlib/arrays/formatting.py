@@ -47,10 +47,14 @@ def aligned_table(rows: Sequence[Sequence[str]]) -> str:
 
 
 def html_table(caption: str, heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Write a table as HTML, for a notebook."""
-    from html import escape  # only a notebook needs it
+    """Write a table as HTML, for a notebook; a heading such as alpha_i has a Greek letter and an index."""
+    import re  # only a notebook needs these
+    from html import escape
 
     head = "".join(f"<th>{escape(entry)}</th>" for entry in heads)
+    for name, letter in {"alpha": "α", "theta": "θ", "omega": "ω"}.items():
+        head = head.replace(name, letter)
+    head = re.sub(r"_\{?([\w-]+)\}?", r"<sub>\1</sub>", head)
     body = "".join(f"<tr>{''.join(f'<td>{escape(entry)}</td>' for entry in row)}</tr>" for row in rows)
     return f"<table><caption>{escape(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 

@@ -2,8 +2,7 @@
 
 import pytest
 
-from kincourse import quiz
-from kincourse.dh_quiz import EMPTY_TABLE, draw_problem
+from kincourse.dh_quiz import EMPTY_TABLE, draw_problem, quiz
 from kinlib import DHTable, assign_frames
 
 

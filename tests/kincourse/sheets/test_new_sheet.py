@@ -13,7 +13,7 @@ from urdf_files import ur5e_urdf
 
 import kinlib as kl
 from kincourse import find_sheet, open_sheet
-from kincourse.cli import main
+from kincourse.__main__ import main
 from kincourse.new_sheet import new_sheet
 from kincourse.robot_sheets.robot_sheet import dumps, loads, robot_sheet, tasks_for
 from kincourse.sampling.arms import ArmSampler

@@ -44,6 +44,8 @@ def test_right_answers_score_mistakes_have_messages_and_students_have_different_
     problem, *_ = problems = [drawn(template, student) for student in STUDENTS]
     assert len({one.statement + str(one.answer.value) for one in problems}) > 1
     assert len([*problem.known_mistakes, *problem.slips]) >= 3
+    assert problem.further
+    assert problem.method or problem.solution is not None, "a worked solution"
     answer = problem.answer
     assert judge(problem, answer.value).fraction == 1.0
     for wrong in problem.mistakes:
