@@ -67,9 +67,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
             self._set("limits", validation.joint_limits(self.limits, len(screws)))
         object.__setattr__(self, "joint_names", tuple(self.joint_names))
         if not all(isinstance(text, str) for text in (self.name, self.source, *self.joint_names)):
-            raise ValueError(
-                f"The names of a chain and its joints must be text; got {self.name!r}, {self.joint_names}."
-            )
+            raise ValueError(f"The names of an arm and its joints must be text; got {self.name!r}, {self.joint_names}.")
         if self.joint_names and len(set(self.joint_names)) != len(screws):
             raise ValueError(f"joint_names must have {len(screws)} different names; got {self.joint_names}.")
 
@@ -126,9 +124,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         # omega . v has the rounding errors of v, which grow with the distance of the axis.
         rounding = 8 * np.finfo(float).eps * np.linalg.norm(point, axis=-1)
         is_helical = np.abs(pitch) > np.maximum(tolerances.UNIT_LENGTH_TOL, rounding)
-        return "".join(
-            "P" if h == np.inf else "H" if turns else "R" for h, turns in zip(pitch, is_helical, strict=True)
-        )
+        return "".join(np.where(pitch == np.inf, "P", np.where(is_helical, "H", "R")))
 
     @cached_property
     def joint_points(self) -> Array:

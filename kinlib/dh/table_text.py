@@ -291,9 +291,7 @@ def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
         found = _by_index(text, grid)
         if len(lists) > 1 and not found:
             missing = ", ".join(sorted(NEEDED - {*lists}))
-            raise ValueError(
-                f"The lists {', '.join(lists)} were found, {missing} was not. Paste all of a, alpha and d."
-            )
+            raise ValueError(f"The lists {', '.join(lists)} were found, {missing} was not. Paste a, alpha and d.")
         lists = found
     if not lists:
         lines = [cells for line in _lines(text) for cells in _splits(line.strip())[::-1]]
@@ -446,9 +444,8 @@ def _heading(line: str, splits: list[list[str]], before: list[str], grid: _Grid)
         ):
             found.append(heads)  # in a comment, and below another heading, no other word stands between the names
     is_behind_words = is_comment and not any(heads[0].name in ALL_COLUMNS for heads in found[:-1])
-    prefers_run = (
-        is_behind_words and len(run) > 3 and not re.match(r"(?i)\W*(?:joint|link|axis|frame|row|[ijkn]|no|nr)\b", line)
-    )
+    is_labelled = re.match(r"(?i)\W*(?:joint|link|axis|frame|row|[ijkn]|no|nr)\b", line)
+    prefers_run = is_behind_words and len(run) > 3 and not is_labelled
     found.sort(key=lambda heads: (len(_columns_of(heads)), prefers_run and len(heads) == len(run)), reverse=True)
     if not found or len(_columns_of(found[0])) < len({*before} & ALL_COLUMNS):
         return []
@@ -592,9 +589,7 @@ def _evaluate(grid: _Grid) -> list[dict[str, Entry]]:
             except ValueError as error:
                 raise ValueError(f"{place}, {column}: {error}") from error
             if column in {"a", "d"} and read[column].unit == "°":
-                raise ValueError(
-                    f"{place}, {column}: {row[column]!r} is an angle, not a length. Are two columns swapped?"
-                )
+                raise ValueError(f"{place}, {column}: {row[column]!r} is no length. Are two columns swapped?")
         offset, theta = read.pop("offset", Entry(0j)), read["theta"]
         variables, unit = [*theta.variables, *offset.variables], theta.unit or offset.unit
         entries.append(read | {"theta": Entry(theta.value + offset.value, variables, unit)})

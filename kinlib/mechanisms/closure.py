@@ -69,9 +69,7 @@ class Closure:
                     hits[k] += 1
                     continue
                 if mobility := finite_mobility(self._free_equations, q[self.free], null_space(J)[0], self.tolerance):
-                    raise ValueError(
-                        f"No degree of freedom may be left for assembly modes; got {mobility}. Hold more joint values."
-                    )
+                    raise ValueError(f"No degree of freedom may be left; got {mobility}. Hold more joint values.")
                 modes, known, hits, idle_rounds = [*modes, q], [*known, pose], [*hits, 1], 0
         return np.array(sorted([*mode] for mode in modes)).reshape(-1, len(self.configuration))
 

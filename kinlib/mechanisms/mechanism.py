@@ -90,9 +90,7 @@ class Mechanism(TakesJointValues):
             raise ValueError(f"The names of the joints must be different; got {', '.join(duplicates)} more than once.")
         bodies = {body for joint in self.joints for body in joint.bodies}
         if unconnected := sorted(bodies - set(self._tree)):
-            raise ValueError(
-                f"Joints must connect every body with {self.ground}; none leads to {', '.join(unconnected)}."
-            )
+            raise ValueError(f"Joints must lead from {self.ground} to every body; not to {', '.join(unconnected)}.")
         if not self.loops:
             raise ValueError(f"A mechanism must have a loop; the joints of {self.name} form a tree. Use kl.Chain.")
 

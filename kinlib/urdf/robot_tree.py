@@ -258,7 +258,7 @@ class Tree(TakesLimitedValues):
                 moving.append(joint)
         if not moving:
             raise self.link_elements[tip].error(
-                f"a joint must move between {base} and {tip}; none does. Pass another base or tip."
+                f"a joint must move between {base} and {tip}; none does. Pass other links."
             )
         # A faulty mimic joint elsewhere does not affect this chain.
         couplings = [followed(joint, self._moving_joints) for joint in moving]

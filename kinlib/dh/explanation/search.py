@@ -168,12 +168,8 @@ class _Search:
                 compared = equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance)
                 if compared.verdict == "same":
                     least = price[0]
-                    yield (
-                        price,
-                        [self._described(self.singles[k].fault, corrected) for k in places],
-                        corrected,
-                        compared,
-                    )
+                    faults = [self._described(self.singles[k].fault, corrected) for k in places]
+                    yield price, faults, corrected, compared
 
     def _described(self, fault: Fault, corrected: DHTable) -> Fault:
         if fault.text or not fault.row or not fault.column:

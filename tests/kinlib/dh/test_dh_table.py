@@ -193,7 +193,7 @@ REFUSED = {
         "must have one joint variable, q or -q without a factor, .*; got q1 in theta, with the factor 2",
     ),
     "a product of variables": (HEAD + "0|0|0|q1*q1", "Line 2, .*, theta: an entry must be a number"),
-    "an angle in a length": (HEAD + "0|0|30°|q1", "not a length. Are two columns swapped"),
+    "an angle in a length": (HEAD + "0|0|30°|q1", "is no length. Are two columns swapped"),
     "swapped labels": (
         HEAD + "1|0|0|q2\n1|0|0|q1",
         "takes only what its rows say.*: The variables are q2, q1, not",
