@@ -45,9 +45,6 @@ class ByHand(ViewerBase):
         features = frame_candidates(chain)
         ends = np.array([line[end] for line in features["axes"] for end in ("from", "to")])
         scene = bare_scene(chain, ends, VIEW_RADIUS_SHARE)
-        arm = scene["arms"][0]
-        arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would reveal the answer
-        arm["normals"] = []
         self.convention = convention
         self.robot = self.chain = chain
         super().__init__(
