@@ -247,7 +247,7 @@ def _diagnosis(given: DHTable, right: DHTable, anchored: bool) -> Diagnosis:
 
 def _choices(found: Equivalence) -> str:
     """Describe the choices in which a table differs from ours, each in a sentence."""
-    return " ".join(f"{text[0].upper()}{text[1:]}." for _, text in found.choices(found.tolerance))
+    return " ".join(f"{text[0].upper()}{text[1:]}." for _, text in found.choices())
 
 
 def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:

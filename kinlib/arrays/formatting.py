@@ -52,7 +52,9 @@ def html_table(caption: str, heads: Sequence[str], rows: Sequence[Sequence[str]]
     from html import escape
 
     head = "".join(f"<th>{escape(entry)}</th>" for entry in heads)
-    head = re.sub(r"_\{?([\w-]+)\}?", r"<sub>\1</sub>", head.replace("alpha", "α").replace("theta", "θ"))
+    for name, letter in {"alpha": "α", "theta": "θ", "omega": "ω"}.items():
+        head = head.replace(name, letter)
+    head = re.sub(r"_\{?([\w-]+)\}?", r"<sub>\1</sub>", head)
     body = "".join(f"<tr>{''.join(f'<td>{escape(entry)}</td>' for entry in row)}</tr>" for row in rows)
     return f"<table><caption>{escape(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 

@@ -24,24 +24,16 @@ JointValues = ArrayLike | Mapping[str, ArrayLike]
 
 
 def array(x: ArrayLike, name: str) -> Array:
-    """Read x as an array of finite real numbers. If x is such an array, it is returned itself: copy it before you write to it.
-
-    Raises ValueError for anything else, with the index of the first NaN or infinity.
-    """
+    """Read x as an array of finite real numbers; ValueError for anything else. Copy it before you write to it: it may be x itself."""
     values = real_array(x, name)
     if not np.isfinite(values).all():
         place = f" at index {np.argwhere(~np.isfinite(values))[0].tolist()}" if values.ndim else ""
-        raise ValueError(
-            f"{name} contains NaN or infinity{place}; every entry must be finite. Was there a division by zero before this step?"
-        )
+        raise ValueError(f"{name} contains NaN or infinity{place}. Was there a division by zero before this step?")
     return values
 
 
 def real_array(x: ArrayLike, name: str) -> Array:
-    """Read x as an array of real numbers, infinity included, for values where infinity has a meaning.
-
-    Raises ValueError for anything else.
-    """
+    """Read x as an array of real numbers, for values where infinity has a meaning; ValueError for anything else."""
     try:
         values = np.asarray(x)
         if values.dtype.kind not in "biufO":
@@ -70,9 +62,7 @@ def vectors(x: ArrayLike, name: str, size: int) -> Array:
 def single(values: Array, name: str) -> Array:
     """Return one configuration (n,) unchanged; ValueError for several of them."""
     if values.ndim != 1:
-        raise ValueError(
-            f"{name} must have shape ({values.shape[-1]},); got {values.shape}. Pass one configuration at a time, {name}[0]."
-        )
+        raise ValueError(f"{name} must have shape ({values.shape[-1]},); got {values.shape}. Try {name}[0].")
     return values
 
 
@@ -100,8 +90,7 @@ def rotation_angles(angle: Array) -> Array:
     """Return rotation angles in radians unchanged, if double precision can resolve them; ValueError if not."""
     if (np.abs(angle) > MAX_ROTATION_RAD).any():
         raise ValueError(
-            f"A rotation angle must be at most {MAX_ROTATION_RAD:.0e} rad, because double precision cannot resolve its direction "
-            f"beyond that; got {np.abs(angle).max():.3g} rad. Did a computation diverge?"
+            f"A rotation angle must be at most {MAX_ROTATION_RAD:.0e} rad; got {np.abs(angle).max():.3g} rad. Did a computation diverge?"
         )
     return angle
 
@@ -120,9 +109,7 @@ def poses(x: ArrayLike, name: str) -> Array:
     """Read x as poses, shape (..., 4, 4); ValueError for anything that is not an element of SE(3)."""
     values = rotations_or_poses(x, name)
     if values.shape[-1] != 4:
-        raise ValueError(
-            f"{name} must be a pose (..., 4, 4); got a rotation of shape {values.shape}. Where is its origin?"
-        )
+        raise ValueError(f"{name} must be a pose (..., 4, 4); got a rotation {values.shape}. Where is its origin?")
     return values
 
 
@@ -134,20 +121,15 @@ def single_pose(x: ArrayLike, name: str) -> Array:
 
 
 def joint_limits(limits: ArrayLike, n: int) -> Array:
-    """Read limits as an array (n, 2), the lower and the upper limit of each joint, which may be infinite.
-
-    Raises ValueError for another shape, and for limits that are swapped or NaN.
-    """
+    """Read limits as an array (n, 2), lower and upper, which may be infinite; ValueError for limits that are swapped or NaN."""
     if isinstance(limits, list):  # `to_dict` writes None for infinity
         limits = [[(-np.inf, np.inf)[k] if x is None else x for k, x in enumerate(row)] for row in limits]
     limits = real_array(limits, "limits")
     if limits.shape != (n, 2):
         raise ValueError(f"limits must have one row (lower, upper) per joint, shape ({n}, 2); got {limits.shape}.")
-    for joint, (lower, upper) in enumerate(limits.tolist(), start=1):
+    for i, (lower, upper) in enumerate(limits.tolist(), start=1):
         if not lower <= upper:  # also for NaN
-            raise ValueError(
-                f"The limits of joint {joint} must be (lower, upper); got {[lower, upper]}. Are they swapped?"
-            )
+            raise ValueError(f"The limits of joint {i} must be (lower, upper); got {[lower, upper]}. Are they swapped?")
     return limits
 
 
@@ -226,8 +208,6 @@ class TakesLimitedValues(TakesJointValues):
 
     def within_limits(self, q: JointValues) -> NDArray[np.bool_]:
         """Return for each configuration whether all its joint values are within the limits: q (..., n) -> (...).
-
-        Raises ValueError for joint values of another size, and for NaN.
 
         >>> from kinlib import Chain
         >>> Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[-1, 1]]).within_limits([[0.5], [1.5]])
@@ -311,11 +291,11 @@ class ReadOnly:
         >>> rpr().to_dict()["screws"][1]
         [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]
         """
-        plain: dict[str, Any] = self._fields()
-        arrays = {
-            name: np.where(np.isfinite(x), x, np.array(None)) for name, x in plain.items() if isinstance(x, np.ndarray)
-        }
-        return plain | {name: np.asarray(x).tolist() for name, x in arrays.items()}
+
+        def plain(x: Any) -> Any:
+            return np.where(np.isfinite(x), x, np.array(None)).tolist() if isinstance(x, np.ndarray) else x
+
+        return {name: plain(x) for name, x in self._fields().items()}
 
     @classmethod
     def from_dict(cls, data: Any) -> Self:
@@ -331,12 +311,10 @@ class ReadOnly:
         try:
             return cls(**data)
         except TypeError as error:
-            raise ValueError(
-                f"The data must be a dictionary with the fields of a {cls.__name__} as keys: {error}."
-            ) from error
+            raise ValueError(f"The data must have the fields of a {cls.__name__} as keys: {error}.") from error
 
     def _fields(self) -> dict[str, Any]:
-        return {each.name: getattr(self, each.name) for each in fields(self) if each.compare}  # type: ignore[arg-type]
+        return {each.name: getattr(self, each.name) for each in fields(self)}  # type: ignore[arg-type]
 
     def _key(self) -> tuple[Any, ...]:
         """The fields that are compared, arrays as their shape and their bytes."""

@@ -67,13 +67,9 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
             self._set("limits", validation.joint_limits(self.limits, len(screws)))
         object.__setattr__(self, "joint_names", tuple(self.joint_names))
         if not all(isinstance(text, str) for text in (self.name, self.source, *self.joint_names)):
-            raise ValueError(
-                f"The names of a chain and of its joints must be text; got {self.name!r} and {self.joint_names}."
-            )
+            raise ValueError(f"The names of an arm and its joints must be text; got {self.name!r}, {self.joint_names}.")
         if self.joint_names and len(set(self.joint_names)) != len(screws):
-            raise ValueError(
-                f"joint_names must have {len(screws)} different names, one per joint; got {self.joint_names}."
-            )
+            raise ValueError(f"joint_names must have {len(screws)} different names; got {self.joint_names}.")
 
     def _set(self, name: str, values: Array) -> None:
         object.__setattr__(self, name, validation.read_only_copy(values))
@@ -128,9 +124,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         # omega . v has the rounding errors of v, which grow with the distance of the axis.
         rounding = 8 * np.finfo(float).eps * np.linalg.norm(point, axis=-1)
         is_helical = np.abs(pitch) > np.maximum(tolerances.UNIT_LENGTH_TOL, rounding)
-        return "".join(
-            "P" if h == np.inf else "H" if helical else "R" for h, helical in zip(pitch, is_helical, strict=True)
-        )
+        return "".join(np.where(pitch == np.inf, "P", np.where(is_helical, "H", "R")))
 
     @cached_property
     def joint_points(self) -> Array:

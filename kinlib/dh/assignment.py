@@ -76,7 +76,7 @@ def assign_frames(chain: Chain, convention: Convention, *, snap: bool = False) -
     snap  whether axes that are parallel or perpendicular up to the digits of a typed pi / 2 are taken as exactly that, and
           numbers as the short ones that they are near, so that the table is clean; `accuracy` is the pose error that this costs
 
-    Raises ValueError for anything but a chain, for an unknown convention, and for a helical joint, which a DH row cannot describe.
+    Raises ValueError for a helical joint, which a DH row cannot describe.
     Source: EduFill manipulation module, steps I to IX; Chapter 4 review, seven steps (standard); DH example with
     n = 5, eight steps (modified).
 
@@ -89,8 +89,7 @@ def assign_frames(chain: Chain, convention: Convention, *, snap: bool = False) -
     if "H" in chain.joint_types:
         joint = chain.joint_types.index("H") + 1
         raise ValueError(
-            f"The joints must be revolute or prismatic, but joint {joint} of {chain.name} is helical: it rotates and translates at "
-            "once, and a DH row has one variable. Use its screw axis instead."
+            f"The joints must be revolute or prismatic, but joint {joint} of {chain.name} is helical. Use its screw axis instead."
         )
     exact = _assign(chain, convention, PARALLEL_TOL_RAD)
     if exact and not any(normal.is_nearly_parallel for normal in exact.normals):
@@ -236,9 +235,7 @@ CASES = {
     "parallel": "Axes {i} and {j} are parallel, {a} m apart: there is a common normal at every point, always the same vector.",
     "antiparallel": "Axes {i} and {j} are parallel with opposite directions, {a} m apart: alpha is pi, not 0.",
     "coincident": "Axes {i} and {j} are the same line: the common normal has length zero, and any perpendicular direction is possible.",
-    "anti-coincident": (
-        "Axes {i} and {j} are the same line with opposite directions: alpha is pi, and any perpendicular direction is possible."
-    ),
+    "anti-coincident": "Axes {i} and {j} are the same line with opposite directions: alpha is pi, and any perpendicular x is possible.",
 }
 
 ALTERNATIVES = {
@@ -283,9 +280,7 @@ def _steps(found: FrameAssignment) -> Iterator[AssignmentStep]:
     others = "Each z may have the opposite direction; then the joint variable changes its sign."
     yield AssignmentStep("axes", None, text, others)
     place = f"Its origin is at {format_vector(frames[0, :3, 3])}, its x along {format_vector(frames[0, :3, 0])}."
-    text = (
-        f"Frame 0 is on axis 1, at the point nearest {{s}}, with x as near the x of {{s}} as the axis allows. {place}"
-    )
+    text = f"Frame 0 is on axis 1, at the point nearest {{s}}, with x as near that of {{s}} as the axis allows. {place}"
     others = "Any other origin on the axis and any x perpendicular to it; base, d_1 and theta_1 change accordingly."
     if not standard:
         text = f"Frame 0 coincides with frame 1 at q_1 = 0, so the first row begins with alpha = 0 and a = 0. {place}"
@@ -321,9 +316,8 @@ def _explain_link(
     text, others = CASES[normal.case].format(i=i, j=j, a=length), ALTERNATIVES[normal.case]
     if normal.is_nearly_parallel:
         text += f" These axes are nearly parallel, {normal.sine:.1e} rad apart"
-        if (
-            normal.has_length or "P" not in chain.joint_types[pair : pair + 2]
-        ):  # a prismatic axis is placed beside its neighbour
+        # A prismatic axis is placed beside its neighbour.
+        if normal.has_length or "P" not in chain.joint_types[pair : pair + 2]:
             text += f", where DH is ill-conditioned: if one of them moves by a millimetre, their normal moves by {1e-3 / normal.sine:.2g} m"
             text += " along them, so the last digits of d are lost"
             others = others if normal.is_unique else "The distant normal."

@@ -97,9 +97,8 @@ class Diagnosis:
             return "\n".join(self._agreement())
         lines = self._told_mistakes() or [self.difference]
         if self.verdict == "undecided":
-            cause = (
-                f"its numbers may only be rounded ({self.rounding})" * bool(self.rounding) or "axes are nearly parallel"
-            )
+            rounded = f"its numbers may only be rounded ({self.rounding})"
+            cause = rounded if self.rounding else "axes are nearly parallel"
             or_else = ", or:" if self.explanations else "."
             lines = [f"Whether this table describes the arm cannot be decided: {cause}{or_else}", *lines]
         elif not self.explanations:
@@ -130,7 +129,7 @@ class Diagnosis:
         """Describe how well a table describes the arm, for the same q, and up to which choices."""
         found = self.comparison
         digits = f" to the digits that are printed ({self.rounding})" if self.verdict == "rounded" else ""
-        kinds = {name for name, _ in found.choices(found.tolerance)}
+        kinds = {name for name, _ in found.choices()}
         metres, radians = measured_difference(self.table.to_chain(), self.arm)
         degrees = format_number(math.degrees(radians), 3, zero=1e-6)
         differ = f"differ by up to {format_number(metres, 3)} m and {degrees}°, at 1000 random configurations."
@@ -169,8 +168,7 @@ def diagnose(
                of what the rounding of its numbers explains, as far as their digits show
     in_pairs   whether pairs of mistakes, choices that are fixed, and other numbers are tried if no single slip explains the table
 
-    Raises ValueError if the first argument is not a table and the second not an arm, if the two have different numbers of
-    joints, because then they cannot be compared, and for a name in fixed that is none of the four.
+    Raises ValueError if the two have different numbers of joints, because then they cannot be compared.
 
     >>> from kinlib.chains.robots import puma560
     >>> from kinlib.dh.assignment import assign_frames
@@ -186,9 +184,7 @@ def diagnose(
     validation.instance(reference, "reference", Chain, DHTable)
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
     if table.n != arm.n:
-        raise ValueError(
-            f"The table must have as many joints as the arm, {arm.n} ({arm.joint_types}); it has {table.n} ({table.joints})."
-        )
+        raise ValueError(f"The table must have the joints of the arm, {arm.joint_types}; it has {table.joints}.")
     fixed, exact = frozenset(fixed), EQUIVALENCE_TOL if tolerance is None else tolerance
     near = equivalent(table, arm, fixed=fixed, tolerance=exact)
     found = Diagnosis("right" if near.verdict == "same" else "wrong", table, arm, near)

@@ -12,19 +12,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
 from kinlib.arrays import validation
-from kinlib.arrays.formatting import format_different, format_number, format_vector
-from kinlib.arrays.tolerances import EQUIVALENCE_TOL, NEARLY_PARALLEL_RAD, PARALLEL_TOL_RAD
+from kinlib.arrays.formatting import format_degrees, format_different, format_number, format_vector
+from kinlib.arrays.tolerances import EQUIVALENCE_TOL, NEARLY_PARALLEL_RAD, PARALLEL_TOL_RAD, ROUNDING_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.alignment import Booleans, Map, nearest_maps, neighbours, same_q
 from kinlib.dh.table import DHTable
-from kinlib.rigid.lie import log
+from kinlib.rigid.lie import exp, homogeneous, log
 
 Verdict = Literal["same", "different", "undecided"]
 
@@ -58,10 +58,7 @@ class Equivalence(Map):
     tolerance: float = EQUIVALENCE_TOL
 
     def __bool__(self) -> bool:
-        """Whether the two are the same.
-
-        Raises ValueError if that is undecided.
-        """
+        """Whether the two are the same; ValueError if that is undecided."""
         if self.verdict == "undecided":
             raise ValueError(f"The comparison must be decided to be used as True or False. {self.reason}")
         return self.verdict == "same"
@@ -78,65 +75,61 @@ class Equivalence(Map):
         tool: rotated by 120° about (0.5774, 0.5774, 0.5774), translated by (-1, 0, 0) m
         """
         if self.verdict == "same":
-            choices = [text for _, text in self.choices(self.tolerance)]
+            choices = [text for _, text in self.choices()]
             of = ", up to these choices of the second:" if choices else "."
             return "\n".join([f"These are the same mechanism{of}", *choices])
         differ = self.verdict == "different"
         words = "These mechanisms differ" if differ else "Whether these are the same cannot be decided"
         return f"{words}. {self.reason}"
 
-    def choices(self, tolerance: float) -> list[tuple[str, str]]:
-        """Describe the choices in which the two differ by more than the tolerance, each with its name in `fixed`.
+    def choices(self) -> list[tuple[str, str]]:
+        """Describe the choices in which the two differ, each with its name in `fixed`.
 
         >>> from kinlib.chains.robots import rpr
         >>> found = equivalent(rpr(), rpr().changed(screws=rpr().screws * [[-1], [1], [1]]))
-        >>> found.choices(1e-8)
+        >>> found.choices()
         [('signs', 'joint 1: q counts in the opposite direction')]
         """
         found = []
         for joint, letter in enumerate(self.joint_types, start=1):
             if self.signs[joint - 1] < 0:
                 found.append(("signs", f"joint {joint}: q counts in the opposite direction"))
-            if text := format_offset(letter, float(self.offsets[joint - 1]), tolerance):
+            if text := format_offset(letter, float(self.offsets[joint - 1])):
                 found.append(("zeros", f"joint {joint}: its zero is {text} away"))
         for name, T in (("base", self.base), ("tool", self.tool)):
-            if (text := describe_pose(T, tolerance)) != "the identity":
+            if (text := describe_pose(T, self.tolerance)) != "the identity":
                 found.append((name, f"{name}: {text}"))
         return found
 
 
-def format_offset(letter: str, offset: float, tolerance: float) -> str:
-    """Write the offset of a joint, less full turns; "" if it is below the tolerance.
+def format_offset(letter: str, offset: float) -> str:
+    """Write the offset of a joint, less full turns; "" if it is 0.
 
-    >>> format_offset("R", 3 * np.pi / 2, 1e-8), format_offset("P", 0.25, 1e-8), format_offset("R", 2 * np.pi, 1e-8)
+    >>> format_offset("R", 3 * np.pi / 2), format_offset("P", 0.25), format_offset("R", 2 * np.pi)
     ('-90°', '0.25 m', '')
     """
     value = offset if letter == "P" else math.pi - (math.pi - offset + 1e-9) % (2 * math.pi) + 1e-9
-    if abs(value) <= tolerance:
-        return ""
-    return f"{format_number(value, 6)} m" if letter == "P" else f"{format_number(math.degrees(value), 6, zero=1e-6)}°"
+    text = f"{format_number(value, 6)} m" if letter == "P" else format_degrees(value, 6)
+    return "" if abs(value) <= ROUNDING_ERROR else text
 
 
-def describe_pose(T: Array, tolerance: float = 0.0) -> str:
-    """Describe a pose: axis and angle of its rotation, and its translation, without what is below the tolerance.
+def describe_pose(T: Array, tolerance: float = ROUNDING_ERROR) -> str:
+    """Describe a pose: axis and angle of its rotation, and its translation, without the digits that are below the tolerance.
 
     >>> describe_pose(np.diag([-1.0, -1, 1, 1])), describe_pose(np.eye(4))
     ('rotated by 180° about z', 'the identity')
     """
-    least = max(tolerance, 1e-9)
     omega, p = log(T[:3, :3]), T[:3, 3]
     angle, parts = float(np.linalg.norm(omega)), []
-    if angle > least:
-        axis = np.where(np.abs(omega) <= least, 0.0, omega) / angle
+    if angle > ROUNDING_ERROR:
+        axis = omega / angle
         largest = int(np.argmax(np.abs(axis)))
         about = format_vector(axis)
         if np.abs(axis[largest]) > 1 - 1e-9:
             about, angle = "xyz"[largest], math.copysign(angle, axis[largest] if angle < math.pi - 1e-9 else 1.0)
         parts.append(f"rotated by {format_number(math.degrees(angle), 6)}° about {about}")
-    if np.abs(p).max() > least:
-        # Below the tolerance, digits are noise.
-        shown = np.where(np.abs(p) <= tolerance, 0.0, p.round(max(0, math.ceil(-math.log10(least)))))
-        parts.append(f"translated by {format_vector(shown, 6)} m")
+    if np.abs(p).max() > ROUNDING_ERROR:
+        parts.append(f"translated by {format_vector(p.round(max(0, math.ceil(-math.log10(tolerance)))), 6)} m")
     return ", ".join(parts) or "the identity"
 
 
@@ -164,9 +157,6 @@ def equivalent(
     If axes of the arm are nearly parallel, a table that was derived from them has lost digits; what differs by no more than that
     is "undecided". Of several maps, the one with the shortest description is returned: the fewest changes.
 
-    Raises ValueError for anything but chains and tables, for a tolerance that is not positive, and for a name in fixed that is none
-    of the four.
-
     >>> from kinlib.chains.robots import puma560
     >>> from kinlib.dh.assignment import assign_frames
     >>> equivalent(puma560(), assign_frames(puma560(), convention="standard").table).verdict
@@ -177,9 +167,7 @@ def equivalent(
     if not tolerance > 0:
         raise ValueError(f"tolerance must be a positive number, in metres and radians; got {tolerance!r}.")
     if isinstance(fixed, str) or not set(fixed) <= set(CHOICES):
-        raise ValueError(
-            f"fixed must be a collection of names from {', '.join(CHOICES)}; got {fixed!r:.80}. Try fixed=[...]."
-        )
+        raise ValueError(f"fixed must be names from {', '.join(CHOICES)}; got {fixed!r:.80}. Try fixed=[...].")
     one, other = (arm.to_chain() if isinstance(arm, DHTable) else arm for arm in (a, b))
     letters = one.joint_types
     if letters != other.joint_types:
@@ -194,7 +182,7 @@ def equivalent(
     verdict: Verdict = "same"
     reason = ""
     if same := [each for each in found if each.difference <= tolerance]:
-        best = min(same, key=lambda each: _description_length(each, tolerance))
+        best = _without_noise(min(same, key=lambda each: _description_length(each, tolerance)), letters, tolerance)
     else:
         best = min(found, key=lambda each: each.difference)
         size = 1 + max(np.abs(np.append(arm.joint_points, arm.home[None, :3, 3], axis=0)).max() for arm in (one, other))
@@ -207,6 +195,23 @@ def equivalent(
                 f"because axes {np.argmax(near) + 1} and {np.argmax(near) + 2} are nearly parallel."
             )
     return Equivalence(**vars(best), verdict=verdict, reason=reason, joint_types=letters, tolerance=tolerance)
+
+
+def _without_noise(found: Map, joint_types: str, tolerance: float) -> Map:
+    """Return a map whose angles are right angles, and whose numbers are 0, where this is within the tolerance."""
+
+    def cleaned(numbers: Array, unit: float | None = None) -> Array:
+        near = np.round(numbers / unit) * unit if unit else 0.0
+        return np.where(np.abs(numbers - near) <= tolerance, near, numbers)
+
+    def pose(T: Array) -> Array:
+        omega = cleaned(log(T[:3, :3]))
+        angle = np.asarray(np.linalg.norm(omega))
+        return homogeneous(exp(omega * cleaned(angle, np.pi / 2) / (angle or 1.0)), cleaned(T[:3, 3]))
+
+    slides = np.array([letter == "P" for letter in joint_types])
+    offsets = np.where(slides, cleaned(found.offsets), cleaned(found.offsets, np.pi / 2))
+    return replace(found, offsets=offsets, base=pose(found.base), tool=pose(found.tool))
 
 
 def _description_length(found: Map, tolerance: float) -> tuple[int, float]:

@@ -147,8 +147,7 @@ def evaluate_entry(entry: str, column: str, lengths: Mapping[str, float]) -> Ent
 
     Raises ValueError for anything but sums, products and fractions of numbers, names and a variable.
     """
-    text = re.sub(r"\\frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))", respelled(entry)).strip()
-    text = re.sub(r"[\\{}$]|\b(?:np|math)\.", "", text)
+    text = re.sub(r"[\\{}]", "", entry)
     text, degrees = re.subn(rf"({NUMBER})\s*(?:°|deg\b)", r"(\1*pi/180)", text)
     text = re.sub(rf"({NUMBER}|\))\s*(?=(?:pi|q_?\d*)\b|theta)", r"\1*", text)
     try:

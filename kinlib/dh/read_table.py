@@ -55,8 +55,6 @@ def read_table(
         words = "The text does not say which convention: standard was taken."
         assumed.append(Assumption(words, "convention", ("standard", "modified")))
     if not read.numbers[:, :3].any():
-        raise ValueError(
-            "No row has a length or a twist: every a, alpha and d was read as 0. Name the columns in a heading."
-        )
+        raise ValueError("No row has a length or a twist: every a, alpha and d is 0. Name the columns in a heading.")
     used = convention or read.convention or "standard"
     return Reading(DHTable(read.numbers, used, joints=read.joints, signs=read.signs, **read.ends), assumed)

@@ -41,7 +41,6 @@ def check_frames(chain: Chain, frames: ArrayLike, convention: Convention, tolera
     x perpendicular to z   x_i is perpendicular to z_{i-1} (standard); x_{i-1} is perpendicular to z_i (modified)
     x meets z        and the line of that x intersects the line of that z
 
-    Raises ValueError for frames of another shape, and for an unknown convention.
     Source: EduFill manipulation module, steps II to V; Chapter 4 review, steps 1 to 3; DH example with n = 5, steps 3 to 6.
 
     >>> from kinlib.dh.assignment import assign_frames
@@ -54,8 +53,7 @@ def check_frames(chain: Chain, frames: ArrayLike, convention: Convention, tolera
     T = validation.array(frames, "frames")
     if T.shape != (chain.n + 1, 4, 4):
         raise ValueError(
-            f"frames must have shape ({chain.n + 1}, 4, 4), frames 0 to {chain.n} of {chain.name}; got {T.shape}. "
-            "Is frame 0 or the last frame missing?"
+            f"frames must have shape ({chain.n + 1}, 4, 4), from 0 to {chain.n}; got {T.shape}. Is the first or the last one missing?"
         )
     return [*_breaches(chain, T, standard, tolerance)]
 

@@ -14,10 +14,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property, partial, reduce
 from itertools import accumulate
-from typing import TYPE_CHECKING, Any, Literal, cast, get_args
+from typing import Any, Literal, cast, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -51,7 +51,6 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
     a, d in metres and alpha, theta in radians, any shapes that broadcast -> (..., 4, 4).
     In the modified convention a and alpha are those of the row, a_{i-1} and alpha_{i-1}.
 
-    Raises ValueError for an unknown convention, and for NaN or infinity.
     Source: EduFill manipulation module, "Computation with Denavit-Hartenberg table" (standard); DH example with n = 5
     and Kinematics under DH (modified).
 
@@ -73,7 +72,7 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
     return T
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, eq=False, repr=False, init=False)
 class DHTable(TakesJointValues, validation.ReadOnly):
     r"""An open chain as a DH table, together with the base and the tool, which the rows cannot describe.
 
@@ -97,40 +96,35 @@ class DHTable(TakesJointValues, validation.ReadOnly):
 
     rows: Array
     convention: Convention
-    joints: str = field(default="", kw_only=True)
-    signs: Array = field(default_factory=lambda: np.empty(0), kw_only=True)
-    base: Array = field(default_factory=lambda: np.eye(4), kw_only=True)
-    tool: Array = field(default_factory=lambda: np.eye(4), kw_only=True)
-    lengths: Mapping[str, float] | None = field(default=None, kw_only=True, compare=False)
-    name: str = field(default="table", kw_only=True)
+    joints: str
+    signs: Array
+    base: Array
+    tool: Array
+    name: str
 
-    if TYPE_CHECKING:  # the constructor takes text, dictionaries and lists, too, and the attributes are arrays
-
-        def __init__(
-            self,
-            rows: TableRows,
-            convention: Convention,
-            *,
-            joints: str = "",
-            signs: ArrayLike = (),
-            base: ArrayLike = (),
-            tool: ArrayLike = (),
-            lengths: Mapping[str, float] | None = None,
-            name: str = "table",
-        ) -> None: ...
-
-    def __post_init__(self) -> None:
-        convention = validate_convention(self.convention)
-        rows, joints, signs, ends = _read(self.rows, self.lengths, self.joints, convention)
-        _validate_rows(rows, joints)
-        arrays = {"rows": rows, "signs": _signs(self.signs, signs, len(rows))}
-        for name, value in (("base", self.base), ("tool", self.tool)):
-            if name in ends and not np.array_equal(value, np.eye(4)):
-                raise ValueError(f"{name} must be given once; got it in the text and as an argument. Remove one.")
-            arrays[name] = validation.single_pose(ends.get(name, value), name)
-        for name, array in arrays.items():
-            object.__setattr__(self, name, validation.read_only_copy(array))
-        object.__setattr__(self, "joints", joints)
+    def __init__(
+        self,
+        rows: TableRows,
+        convention: Convention,
+        *,
+        joints: str = "",
+        signs: ArrayLike = (),
+        base: ArrayLike = (),
+        tool: ArrayLike = (),
+        lengths: Mapping[str, float] | None = None,
+        name: str = "table",
+    ) -> None:
+        numbers, joints, own_signs, ends = _read(rows, lengths, joints, validate_convention(convention))
+        _validate_rows(numbers, joints)
+        arrays = {"rows": numbers, "signs": _signs(signs, own_signs, len(numbers))}
+        for end, given in (("base", base), ("tool", tool)):
+            T = given if np.size(given) else np.eye(4)
+            if end in ends and not np.array_equal(T, np.eye(4)):
+                raise ValueError(f"{end} must be given once; got it in the text and as an argument. Remove one.")
+            arrays[end] = validation.single_pose(ends.get(end, T), end)
+        values = {key: validation.read_only_copy(array) for key, array in arrays.items()}
+        for key, value in {**values, "convention": convention, "joints": joints, "name": name}.items():
+            object.__setattr__(self, key, value)
 
     def __str__(self) -> str:
         r"""Write the table as text that DHTable reads back; the indices in the headings show the convention.
@@ -157,9 +151,8 @@ class DHTable(TakesJointValues, validation.ReadOnly):
     def _ends(self, digits: int = PRINTED_DIGITS) -> list[str]:
         """Base and tool as text, those that are not the identity."""
         ends = {"base": self.base, "tool": self.tool}.items()
-        return [
-            f"{name} = {format_matrix(T, digits)}" for name, T in ends if np.abs(T - np.eye(4)).max() > ROUNDING_ERROR
-        ]
+        shown = ((name, T) for name, T in ends if np.abs(T - np.eye(4)).max() > ROUNDING_ERROR)
+        return [f"{name} = {format_matrix(T, digits)}" for name, T in shown]
 
     def _numbered_rows(self) -> list[list[str]]:
         length, angle = (partial(write, digits=PRINTED_DIGITS) for write in (format_number, format_degrees))
@@ -227,8 +220,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         Standard to modified: row i takes a and alpha of row i-1, and those of the last row go to the tool.
         Modified to standard: row i takes a and alpha of row i+1, and those of the first row go to the base.
 
-        Raises ValueError for an unknown convention.
-
         >>> table = DHTable([[0.4, 0.1, 0, 0], [0.3, 0, 0, 0]], convention="standard")
         >>> table.converted("modified").columns["a"]
         array([0. , 0.4])
@@ -241,9 +232,6 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         rows[left + step, :2] = 0.0
         ends = {"tool": end @ self.tool} if convention == "modified" else {"base": self.base @ end}
         return self.changed(rows=rows, convention=convention, **ends)
-
-
-DHTable.__init__.__annotations__["rows"] = "TableRows"  # for `help`, because the attribute is an array
 
 
 def rows_at(table: DHTable, rows: Array, q: Array, signs: Array | None = None) -> Array:
@@ -337,16 +325,12 @@ def _read(given: Any, lengths: Mapping[str, float] | None, joints: str, conventi
     if isinstance(given, Sequence) and any(isinstance(row, Mapping) for row in given):
         cells = [[row.get(name) if isinstance(row, Mapping) else None for name in COLUMNS] for row in given]
         if missing := [k for k, row in enumerate(cells, start=1) if None in row]:
-            raise ValueError(
-                f"Each row must have all of {', '.join(COLUMNS)}, 0 where one is empty; row {missing[0]} does not."
-            )
+            raise ValueError(f"Each row must have all of {', '.join(COLUMNS)}, if only 0; row {missing[0]} does not.")
         given = "\n".join(" | ".join(map(str, row)) for row in [COLUMNS, *cells])
     if not isinstance(given, str):
         numbers = validation.vectors(cast("ArrayLike", given), "rows", 4)
         if numbers.ndim != 2 or not len(numbers):
-            raise ValueError(
-                f"rows must have shape (m, 4), one row of a, alpha, d, theta per frame; got {numbers.shape}."
-            )
+            raise ValueError(f"rows must have shape (m, 4), with a, alpha, d, theta; got {numbers.shape}.")
         return numbers, joints or "R" * len(numbers), (), {}
     values = {name: float(validation.array(value, f"lengths[{name!r:.60}]")) for name, value in (lengths or {}).items()}
     read = read_rows(given, strict=True, lengths=values, joints=joints)
@@ -361,9 +345,7 @@ def _read(given: Any, lengths: Mapping[str, float] | None, joints: str, conventi
 
 def _validate_rows(numbers: Array, joints: Any) -> None:
     if not isinstance(joints, str) or len(joints) != len(numbers) or set(joints) - set("RPF"):
-        raise ValueError(
-            f"joints must have a letter R, P or F for each of the {len(numbers)} rows; got {joints!r:.60}."
-        )
+        raise ValueError(f"joints must have a letter R, P or F for each of {len(numbers)} rows; got {joints!r:.60}.")
     if set(joints) <= {"F"}:
         raise ValueError("A table must have at least one joint, but every row is fixed. Is q1 missing from an entry?")
     for (row, column), value in np.ndenumerate(numbers):
@@ -377,30 +359,25 @@ def _validate_rows(numbers: Array, joints: Any) -> None:
             raise ValueError(f"Row {row + 1}: {name} must be at most {MAX_LENGTH_M:g} m; got {value:g} m.")
 
 
-def _signs(given: Array, own: Sequence[float], count: int) -> Array:
+def _signs(given: ArrayLike, own: Sequence[float], count: int) -> Array:
     """The signs of the rows: those of the variables, the given ones, or 1."""
     if np.size(given) and len(own):
         raise ValueError("signs must be left out, because the variables in the rows have their own.")
     signs = validation.array(given, "signs") if np.size(given) else np.array(own) if len(own) else np.ones(count)
     if signs.shape != (count,) or (np.abs(signs) != 1).any():
-        raise ValueError(
-            f"signs must have an entry 1 or -1 for each of the {count} rows; got {validation.describe(given)}."
-        )
+        raise ValueError(f"signs must have 1 or -1 for each of the {count} rows; got {validation.describe(given)}.")
     return signs
 
 
 def validate_convention(name: Any) -> Convention:
-    """Return the name of a convention, if there is such a convention.
-
-    Raises ValueError for any other name.
+    """Return the name of a convention; ValueError for any other name.
 
     >>> validate_convention("standard")
     'standard'
     """
     if not isinstance(name, str) or name not in get_args(Convention):
         raise ValueError(
-            f"convention must be 'standard' or 'modified'; got {name!r:.60}. Is z_i on the axis of joint i+1 (standard) or of joint i "
-            "(modified)?"
+            f"convention must be 'standard' or 'modified'; got {name!r:.60}. Is z_i on the axis of joint i+1 (standard) or i (modified)?"
         )
     return cast("Convention", name)
 

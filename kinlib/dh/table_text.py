@@ -14,7 +14,6 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import (
     COLUMN_NAMES,
@@ -29,7 +28,6 @@ from kinlib.dh.parsing import (
     parse_headings,
     respelled,
 )
-from kinlib.rigid.lie import homogeneous
 
 MAX_TEXT_LENGTH, MAX_LINES, MAX_CELLS, MAX_ROWS = 100_000, 2000, 40, 60
 """The maximum number of characters of a text, of its lines and of the cells in a line that are read, and of rows of a table."""
@@ -128,9 +126,9 @@ class _Grid:
 
     def is_entry(self, cell: str) -> bool:
         """Whether a cell can be an entry, with whatever values its names have."""
-        found = {name for name in re.findall(r"\b[a-zA-Z]_?\{?\d+\}?", cell) if name[0] not in "qt"}
+        found = {name for name in re.findall(r"\b[a-zA-Z]\d+", cell) if name[0] not in "qt"}
         try:
-            _entry(cell, "theta", {**_in_all_spellings(dict.fromkeys(found, 1.0)), **self.names})
+            _entry(cell, "theta", {**dict.fromkeys(found, 1.0), **self.names})
         except ValueError:
             return False
         return bool(cell.strip())
@@ -156,12 +154,7 @@ def read_rows(
         raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
     ends: dict[str, Any] = {end: _matrix(matrix) for end, matrix in END.findall(text)}
     plain, told = _plain(END.sub("", text)), list[Assumption]()
-    for end, place, angles in re.findall(r"\b(base|tool)\s*\|\s*t = ([-\d., ]+);\s*rpy/xyz = ([-\d.°, ]+)\|?", plain):
-        if not re.search("[1-9]", angles):  # as the Robotics Toolbox prints them
-            ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
-            told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
-            plain = re.sub(rf"^.*\b{end}\s*\|\s*t = .*$", "", plain, flags=re.MULTILINE)
-    names = _in_all_spellings(_definitions(plain)) | _in_all_spellings(lengths)
+    names = _definitions(plain) | {_plain_name(name): value for name, value in lengths.items()}
     if not strict and "t1" not in names and "theta" in plain and re.search(r"\bt_?1\b", plain):
         plain = re.sub(r"\bt_?(\d+)\b", r"theta\1", plain)
         told.append(Assumption("t1, t2, ... were read as the joint variables."))
@@ -169,8 +162,7 @@ def read_rows(
     grid = next((g for reader in readers if (g := reader(plain, names)) and (g.rows or g.cells)), None)
     if grid is None:
         raise ValueError(
-            "No table was found: no line has four numbers, and no call or list names a, alpha, d and theta. Paste the rows with a "
-            "heading such as 'a alpha d theta', one row in a line."
+            "No table was found: no line has four numbers, and no list names a, alpha, d. Paste 'a alpha d theta', then one row in a line."
         )
     grid.assumed += told
     if not grid.rows:
@@ -184,8 +176,7 @@ def read_rows(
     _scale(grid, entries, numbers, "angle_unit", angle_unit, strict)
     if strict and grid.guesses:
         raise ValueError(
-            f"A DHTable takes only what its rows say; kl.read_table reads these, and assumes: {grid.guesses[0]} Correct the rows, or use "
-            "read_table."
+            f"A DHTable takes only what its rows say. Correct them, or use kl.read_table, which assumes: {grid.guesses[0]}"
         )
     return Rows(numbers, letters, signs, _said_convention(plain, grid), ends, grid.assumed)
 
@@ -205,7 +196,7 @@ def _plain(text: str) -> str:
         text = re.sub(r"\s*\n\s*", " ", text)
     for pattern, plain in REPLACEMENTS:
         text = re.sub(pattern, plain, text)
-    text = TUPLE.sub(_one_by_one, text)
+    text = TUPLE.sub(_one_by_one, _plain_name(text))
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     heads = [parse_heading(line).name for line in lines[:8]]
     count = next((k for k, line in enumerate(lines[:8]) if re.fullmatch(NUMBER, line)), 0)
@@ -292,24 +283,20 @@ def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
     lists, grid = dict[str, list[str]](), _Grid(names)
     for name, square, round_ in LIST.findall(text):
         inside, column = square or round_, _column_in(name)
-        cells = [
-            cell for cell in re.split("[,;]" if re.search("[,;]", inside) else r"\s+", inside.strip()) if cell.strip()
-        ]
+        separators = "[,;]" if re.search("[,;]", inside) else r"\s+"
+        cells = [cell for cell in re.split(separators, inside) if cell.strip()]
         if column and cells and all(map(grid.is_entry, cells)):
             lists[column] = cells
     if not {*lists} >= NEEDED:
         found = _by_index(text, grid)
         if len(lists) > 1 and not found:
             missing = ", ".join(sorted(NEEDED - {*lists}))
-            raise ValueError(
-                f"The lists {', '.join(lists)} were found, and {missing} was not. Paste all of a, alpha and d."
-            )
+            raise ValueError(f"The lists {', '.join(lists)} were found, {missing} was not. Paste a, alpha and d.")
         lists = found
     if not lists:
         lines = [cells for line in _lines(text) for cells in _splits(line.strip())[::-1]]
-        heads = [
-            (parse_heading(line[0]), line[1:]) for line in lines if len(line) > 2 and all(map(grid.is_entry, line[1:]))
-        ]
+        columns = [line for line in lines if len(line) > 2 and all(map(grid.is_entry, line[1:]))]
+        heads = [(parse_heading(line[0]), line[1:]) for line in columns]
         named = {head.name: cells for head, cells in heads if head.name in ALL_COLUMNS}
         if not {*named} >= NEEDED or len({len(named[column]) for column in NEEDED}) > 1:
             return None
@@ -318,9 +305,7 @@ def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
         grid.assume("Each row is a column of the text.")
     count = max(map(len, lists.values()))
     if short := [f"{column} ({len(cells)})" for column, cells in lists.items() if len(cells) != count]:
-        raise ValueError(
-            f"The lists must have the same length, {count}; {', '.join(short)} has another. Is an entry missing?"
-        )
+        raise ValueError(f"The lists must have the same length, {count}; {', '.join(short)} has another.")
     grid.rows = [{column: cells[k] for column, cells in lists.items()} for k in range(count)]
     grid.places = [f"Entry {k + 1} of the lists" for k in range(count)]
     return _uniform(grid)
@@ -328,15 +313,12 @@ def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
 
 def _by_index(text: str, grid: _Grid) -> dict[str, list[str]]:
     """Return the columns of names with indices, d1 = 0.1; {} if there are none."""
-    found, unread = dict[str, dict[int, str]](), list[str]()
+    found = dict[str, dict[int, str]]()
     for name, number, value in re.findall(r"\b([a-zA-Z]+(?:_[a-zA-Z]+)*)_?(\d{1,2})\s*[=:]\s*([^,;\n}]+)", text):
         if column := _column_in(name):
             found.setdefault(column, {})[int(number)] = value
-            unread += [] if grid.is_entry(value) else [f"{name}{number} = {value.strip()}"]
     if not {*found} >= NEEDED:
         return {}
-    if unread:
-        raise ValueError(f"{unread[0]!r:.80} cannot be read: it is no number and no variable. Write the number.")
     if min(*found["a"], *found["alpha"]) < min(found["d"]) == 1:  # a_0 and alpha_0, but d_1
         grid.modified = True
         for column in ("a", "alpha"):
@@ -396,22 +378,36 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
             if numbers >= 4 and not is_table:
                 grid.assume(f"Line {number} was not read: {raw.strip()!r:.60}.")
         is_after_gap = False
-    return _uniform(_with_labels(grid, heads)) if grid.rows else grid
+    return _uniform(_with_all_columns(grid, heads)) if grid.rows else grid
+
+
+def _with_all_columns(grid: _Grid, heads: list[str]) -> _Grid:
+    """Refuse rows with a number whose column has no name."""
+    count = min(sum(map(grid.is_entry, cells)) for cells in grid.cells) - _is_numbered(grid.cells)
+    if (missing := sorted(NEEDED - {*heads})) and count >= len(COLUMNS):
+        raise ValueError(
+            f"The heading has no {' and no '.join(missing)}, but each row has {count} numbers. Name every column in a line above "
+            "the rows, such as 'a alpha d theta'."
+        )
+    return grid
+
+
+def _is_numbered(rows: list[list[str]]) -> bool:
+    """Whether the first cells are the numbers of the rows, from 0 or from 1, perhaps with a word."""
+    firsts = [re.sub(r"(?!q|theta)[A-Za-z]*(\d+)\.?", r"\1", cells[0]) for cells in rows]
+    return any(firsts == [str(k + first) for k in range(len(rows))] for first in (0, 1))
 
 
 def _in_lines(text: str) -> str:
     """Write each row of an array in a line, without brackets, and a comment only if it is a heading."""
-    text = re.sub(r"\[(mm?|cm|rad|deg|°)\]", r"(\1)", text)
     if re.search(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]{,999};", text):
         text = re.sub(r"[\]})]\s*,\s*['\"]?\w+['\"]?\s*[:=]\s*(?=[\[{(])", "\n", text)  # another one
-        text = re.sub(
-            r"(?m)^(?:(?:[^\n#%/=]*=|[^\n#%/]*?[=(:])\s*(?=[\[{])|[^\n#%/{\[]*(?=\{\s*\{))", "", text
-        )  # its name
+        # its name
+        text = re.sub(r"(?m)^(?:(?:[^\n#%/=]*=|[^\n#%/]*?[=(:])\s*(?=[\[{])|[^\n#%/{\[]*(?=\{\s*\{))", "", text)
         text = re.sub(r"[\[\]{}]", " ", re.sub(r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n", text))
-    text = re.sub(
-        r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.{,99}\balpha\b)", "\n# ", text
-    )  # a heading as the comment of a row
-    return re.sub(r"(?m)(?<=[\d,;i])[ \t]+(?:#|//|%)[ \t].*$", "", text)  # and what is none
+    # The comment of a row may be a heading.
+    text = re.sub(r"(?<=\S)[ \t]+(?:#|//|%)[ \t]*(?=.{,99}\balpha\b)", "\n# ", text)
+    return re.sub(r"(?m)(?<=[\d,;i])[ \t]+(?:#|//|%)[ \t].*$", "", text)
 
 
 def _lines(text: str) -> list[str]:
@@ -419,24 +415,6 @@ def _lines(text: str) -> list[str]:
     if len(lines := text.splitlines()) > MAX_LINES:
         raise ValueError(f"A table must have at most {MAX_ROWS} rows; the text has {len(lines)} lines.")
     return lines
-
-
-def _with_labels(grid: _Grid, heads: list[str]) -> _Grid:
-    """Give rows without their last cell the labels that they have, and refuse rows with a number whose column has no name."""
-    firsts = [re.sub(r"(?!q|theta)[A-Za-z]*(\d+)\.?", r"\1", cells[0]) for cells in grid.cells]
-    short = [k for k, cells in enumerate(grid.cells) if heads[0] == "" and len(cells) == len(heads) - 1]
-    if short and any([firsts[k] for k in short] == [str(k + first) for k in short] for first in (0, 1)):
-        for k in short:
-            named = {name: cell for name, cell in zip(heads, grid.cells[k], strict=False) if name}
-            grid.rows[k] = named | {"label": grid.cells[k][0]}
-    entries = min(sum(map(grid.is_entry, cells)) for cells in grid.cells)
-    is_numbered = any(firsts == [str(k + first) for k in range(len(firsts))] for first in (0, 1))
-    if (missing := sorted(NEEDED - {*heads})) and entries - is_numbered >= len(COLUMNS):
-        raise ValueError(
-            f"The heading has no {' and no '.join(missing)}, but each row has {entries - is_numbered} numbers. Name every column in a "
-            "line above the rows, such as 'a alpha d theta'."
-        )
-    return grid
 
 
 def _plain_line(raw: str) -> str:
@@ -458,7 +436,7 @@ def _heading(line: str, splits: list[list[str]], before: list[str], grid: _Grid)
     found = list[list[Heading]]()
     for cells in (*splits, run):
         names = _columns_of(heads := parse_headings(cells))
-        if len({*names}) < max(3, len(names)) or any(re.fullmatch(NUMBER, cell) for cell in cells):
+        if len({*names}) < max(3, len(names)):
             continue
         places = [k for k, head in enumerate(heads) if head.name in names]
         if not (is_comment or before) or places[-1] - places[0] < len(names) + any(
@@ -466,9 +444,8 @@ def _heading(line: str, splits: list[list[str]], before: list[str], grid: _Grid)
         ):
             found.append(heads)  # in a comment, and below another heading, no other word stands between the names
     is_behind_words = is_comment and not any(heads[0].name in ALL_COLUMNS for heads in found[:-1])
-    prefers_run = (
-        is_behind_words and len(run) > 3 and not re.match(r"(?i)\W*(?:joint|link|axis|frame|row|[ijkn]|no|nr)\b", line)
-    )
+    is_labelled = re.match(r"(?i)\W*(?:joint|link|axis|frame|row|[ijkn]|no|nr)\b", line)
+    prefers_run = is_behind_words and len(run) > 3 and not is_labelled
     found.sort(key=lambda heads: (len(_columns_of(heads)), prefers_run and len(heads) == len(run)), reverse=True)
     if not found or len(_columns_of(found[0])) < len({*before} & ALL_COLUMNS):
         return []
@@ -485,7 +462,6 @@ def _columns_of(heads: Sequence[Heading]) -> list[str]:
 
 def _run_of_names(line: str) -> list[str]:
     """Return the longest run of names of different columns in a line of prose, the last one of several."""
-    line = re.sub(r"(?i)\b(link|joint)[ _-](length|twist|offset|angle)", r"\1\2", line)
     run, longest = dict[str, str](), list[str]()
     for word in re.split(r"[\s,;|]+|/(?!\s*(?:mm?|cm|rad|deg|°))|(?<=[a-zA-Z])[\[({](?=\w+\s*,)", line):
         name = parse_heading(word).name
@@ -510,16 +486,9 @@ def _row(cells: list[str], heads: list[str], grid: _Grid) -> dict[str, str] | No
     named = [k for k, name in enumerate(heads) if name]
     if len(cells) == named[-1] - named[0] + 1 < len(heads):  # without what has no name
         label, heads = "", heads[named[0] : named[-1] + 1]
-    is_short = heads[0] == "" and len(cells) >= len(heads) - 1
-    if is_short and len(cells) < len(
-        heads
-    ):  # without its label; those without their last cell are found when all rows are read
-        label, heads = "", heads[1:]
     row = {name: cell for name, cell in zip(heads, cells, strict=False) if name}
     readable = sum(grid.is_entry(cell) or not cell.strip() for name, cell in row.items() if name != "type")
-    if (
-        not (len(cells) == len(heads) or is_short) or readable < 3
-    ):  # a single cell that cannot be read is told with its column
+    if len(cells) != len(heads) or readable < 3:  # a single cell that cannot be read is told with its column
         return None
     return row | ({"label": label} if label else {})
 
@@ -560,15 +529,14 @@ def _cell(cell: str, decimal_comma: bool = False) -> str:
 
 def _entry(cell: str, column: str, names: Mapping[str, float]) -> Entry:
     """Evaluate a cell: an empty one is 0, "theta" or "var" is a variable, and a length may have its unit, in metres then."""
-    cell = re.sub(r"\(\s*var\w*\.?\s*\)|\*$|\b(?:rad|radians)$", "", _cell(respelled(cell))).strip()
+    cell = re.sub(r"\(\s*var\w*\.?\s*\)|\*$|\b(?:rad|radians)$", "", _cell(cell)).strip()
     if cell in {"", "-", "/", "n.a.", "n/a", "None", "none"}:
         return Entry(0j)
     if re.fullmatch(r"(?:var\w*|joint\w*|theta[_{]*[ijkn]?\}*|q[_{]*[ijkn]?\}*|d_?[ijkn])", cell, re.IGNORECASE):
         cell = "q"
     if unit := re.fullmatch(rf"(-?\s*{NUMBER})\s*(mm|cm|m)", cell):
         return Entry(complex(float(unit[1].replace(" ", "")) * LENGTH_UNITS[unit[2]]), (), unit[2])
-    cell = re.sub(r"(theta|q|d)_?\{?(\d+)\}?", r"\1\2", cell).replace("degrees", "°").replace("deg", "°")
-    return evaluate_entry(cell.lstrip("+"), column, names)
+    return evaluate_entry(cell.replace("degrees", "°").replace("deg", "°").lstrip("+"), column, names)
 
 
 def _uniform(grid: _Grid) -> _Grid:
@@ -583,16 +551,13 @@ def _uniform(grid: _Grid) -> _Grid:
     labels = [row.get("label", "").rstrip(".") for row in grid.rows]
     numbers = [int(label) for label in labels if re.fullmatch(r"\d{1,2}", label, re.ASCII)]
     if len(numbers) == len(labels) and numbers != [*range(numbers[0], numbers[0] + len(numbers))]:
-        grid.assume(
-            f"The rows have the numbers {', '.join(map(str, numbers))}: they were read in the order in which they stand."
-        )
+        grid.assume(f"The rows have the numbers {', '.join(map(str, numbers))}: they were read as they stand.")
     return grid
 
 
 def _name_columns(grid: _Grid, order: str) -> None:
     """Name the columns of cells without a heading: as `order` says, or in the usual order that suits the numbers best."""
-    labels, numbers = [row[0] for row in grid.cells], range(len(grid.cells) + 1)
-    if min(map(len, grid.cells)) > 4 and labels in ([*map(str, numbers[:-1])], [*map(str, numbers[1:])]):
+    if min(map(len, grid.cells)) > 4 and _is_numbered(grid.cells):
         grid.cells = [row[1:] for row in grid.cells]
     if order and sorted(order.split()) not in [sorted(known.split()) for known in ORDERS]:
         raise ValueError(f'order must name the columns, such as "theta d a alpha"; got {order!r:.60}.')
@@ -624,9 +589,7 @@ def _evaluate(grid: _Grid) -> list[dict[str, Entry]]:
             except ValueError as error:
                 raise ValueError(f"{place}, {column}: {error}") from error
             if column in {"a", "d"} and read[column].unit == "°":
-                raise ValueError(
-                    f"{place}, {column}: {row[column]!r} is an angle, but {column} is a length. Are two columns swapped?"
-                )
+                raise ValueError(f"{place}, {column}: {row[column]!r} is no length. Are two columns swapped?")
         offset, theta = read.pop("offset", Entry(0j)), read["theta"]
         variables, unit = [*theta.variables, *offset.variables], theta.unit or offset.unit
         entries.append(read | {"theta": Entry(theta.value + offset.value, variables, unit)})
@@ -650,9 +613,7 @@ def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str) -> tuple[s
         return given, signs if variables else []
     numbers = [int(number) for name in variables if (number := re.sub(r"\D", "", name))]
     if numbers and numbers != [*range(1, len(variables) + 1)]:
-        grid.assume(
-            f"The variables are {', '.join(variables)}, not 1, 2, ... in the order of the rows: each is the joint of its row."
-        )
+        grid.assume(f"The variables are {', '.join(variables)}, not 1, 2, ...: each is the joint of its row.")
     if "?" in letters and set(letters) <= {"?", "P"}:
         others = "each row" if "P" not in letters else "each row that is not prismatic"
         words = f"theta has no variable: {others} is a revolute joint, with the number as its offset."
@@ -685,9 +646,8 @@ def _scale(  # noqa: PLR0917
         is_large = max(sizes) > (MIN_LENGTH_MM if is_length else 2 * np.pi + 0.01)
         unit = (("m", "mm") if is_length else ("rad", "deg"))[is_large]
         is_sure = not is_length and any(abs(size - np.pi / 2) < 1e-2 for size in sizes)
-        what = (
-            f"The text does not say the unit of its {'lengths' if is_length else 'angles'}: {unit} was taken, because"
-        )
+        kind = "lengths" if is_length else "angles"
+        what = f"The text does not say the unit of its {kind}: {unit} was taken, because"
         options = (unit, *(other for other in units if other != unit))
         grid.assume(f"{what} the largest is {max(sizes):.6g}.", *(() if is_sure else (argument, options)))
     for i, k in plain:
@@ -715,6 +675,6 @@ def _definitions(text: str) -> dict[str, float]:
     return values
 
 
-def _in_all_spellings(names: Mapping[str, float]) -> dict[str, float]:
-    """Return the values by name also without the underscore and the braces: l_{1}, l_1, l1."""
-    return {re.sub(left_out, "", name): value for name, value in names.items() for left_out in ("", "[{}]", "[_{}]")}
+def _plain_name(text: str) -> str:
+    """Write names with an index without the underscore and the braces: l_{1} and l_1 as l1."""
+    return re.sub(r"\b([a-zA-Z]+)_?(?:\{(\d+)\}|(\d+))", r"\1\2\3", text)

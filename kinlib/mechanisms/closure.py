@@ -58,9 +58,8 @@ class Closure:
         # If every mode has been found at least twice, it is likely that none is missing (Good, 1953).
         while idle_rounds < (30 if 1 in hits else 3):
             idle_rounds += 1
-            found = solve(
-                self._free_equations, rng.uniform(-reach, reach, (64, len(reach))), self.tolerance, iterations=40
-            )
+            guesses = rng.uniform(-reach, reach, (64, len(reach)))
+            found = solve(self._free_equations, guesses, self.tolerance, iterations=40)
             # Near a solution a step squares the error, so one more step leaves only rounding errors.
             exact = solve(self._free_equations, found.x[found.residual <= self.tolerance], tolerance=0.0, iterations=1)
             candidates = self._wrapped(self._with_held_values(exact.x))
@@ -70,18 +69,12 @@ class Closure:
                     hits[k] += 1
                     continue
                 if mobility := finite_mobility(self._free_equations, q[self.free], null_space(J)[0], self.tolerance):
-                    raise ValueError(
-                        "Assembly modes are single configurations, so no degree of freedom may be left; "
-                        f"{mobility} left. Hold as many joint values as the linkage has degrees of freedom."
-                    )
+                    raise ValueError(f"No degree of freedom may be left; got {mobility}. Hold more joint values.")
                 modes, known, hits, idle_rounds = [*modes, q], [*known, pose], [*hits, 1], 0
         return np.array(sorted([*mode] for mode in modes)).reshape(-1, len(self.configuration))
 
     def trace(self, step: float, points: int | None) -> Curve:
-        """Follow the motion from the configuration in both directions; points: at equal steps, if a number is given.
-
-        Raises ValueError if the configuration does not close, and if not exactly one motion leads away from it.
-        """
+        """Follow the motion from the configuration in both directions; points: at equal steps, if a number is given."""
         tracer = CurveTracer(self._free_equations, self.tolerance, self.is_angle[self.free])
         curve = tracer.follow(self.configuration[self.free], step, 5000, points)
         return replace(curve, q=self._with_held_values(curve.q))

@@ -24,7 +24,7 @@ class Joint:
                     joint: the identity (the default), unless the linkage is drawn open
     point           (3,)  where the joint is drawn, on the first body; `position` has a default for it
 
-    Raises ValueError if a joint joins a body to itself, and if screws, closing_offset or point are not valid.
+    Raises ValueError if a joint joins a body to itself.
 
     >>> from kinlib.rigid.screw import screw
     >>> Joint("elbow", ("upper arm", "forearm"), screw((0, 0, 1), (1, 0, 0))).dof

@@ -54,9 +54,8 @@ def solve(equations: Equations, guess: Array, tolerance: float, iterations: int 
         x[taken] += dx[better]
         r[taken], J[taken], size[taken] = r_new[better], J_new[better], np.linalg.norm(r_new[better], axis=-1)
         mu[k] = np.where(better, np.maximum(mu[k] / 4, 1e-8), mu[k] * 4)
-        moves = np.linalg.norm(dx, axis=-1) > 1e-12 * (
-            1 + np.linalg.norm(x[k], axis=-1)
-        )  # at a minimum they shrink to 0
+        # At a minimum the steps shrink to 0.
+        moves = np.linalg.norm(dx, axis=-1) > 1e-12 * (1 + np.linalg.norm(x[k], axis=-1))
         active[k] = (size[k] > tolerance) & moves
     return Solution(x, size, J)
 
@@ -65,9 +64,7 @@ def validate_solution(equations: Equations, x: Array, tolerance: float) -> Array
     """Return the Jacobian (e, n) at a point (n,) that the caller passes as a solution; ValueError if it is none."""
     r, (J,) = equations(x[None])
     if (residual := np.linalg.norm(r)) > 1e3 * tolerance:  # it may be typed with few digits
-        raise ValueError(
-            f"The linkage must be closed here; the residual is {residual:.2g}. Assemble it first, and pass the q that you get."
-        )
+        raise ValueError(f"The linkage must be closed here; the residual is {residual:.2g}. Assemble it first.")
     return np.asarray(J)
 
 

@@ -159,9 +159,7 @@ def bennett(a: float = 1.0, alpha: float = np.pi / 3, b: float = 0.6) -> Mechani
     """
     _check_lengths(a=a, b=b)
     if abs(sine := b * np.sin(alpha) / a) > 1:
-        raise ValueError(
-            f"The sine of the second twist, b sin(alpha) / a, must be at most 1; got {sine:.3g}. Try a smaller b."
-        )
+        raise ValueError(f"b sin(alpha) / a, a sine, must be at most 1; got {sine:.3g}. Try a smaller b.")
     beta = np.arcsin(sine)
     return _ring([(a, alpha), (b, beta)] * 2, "Bennett's linkage", "Bennett (1903)")
 
@@ -264,6 +262,4 @@ def _translation(p: Array) -> Array:
 def _check_lengths(**lengths: float) -> None:
     for name, length in lengths.items():
         if validation.real_array(length, name).ndim or not 0 < length < np.inf:
-            raise ValueError(
-                f"{name} must be a positive length in metres; got {length!r}. Lengths have no sign or direction."
-            )
+            raise ValueError(f"{name} must be a positive length in metres; got {length!r}. Lengths have no sign.")

@@ -90,13 +90,9 @@ class Mechanism(TakesJointValues):
             raise ValueError(f"The names of the joints must be different; got {', '.join(duplicates)} more than once.")
         bodies = {body for joint in self.joints for body in joint.bodies}
         if unconnected := sorted(bodies - set(self._tree)):
-            raise ValueError(
-                f"Joints must connect every body with {self.ground}; got none to {', '.join(unconnected)}. Is a joint missing?"
-            )
+            raise ValueError(f"Joints must lead from {self.ground} to every body; not to {', '.join(unconnected)}.")
         if not self.loops:
-            raise ValueError(
-                f"A mechanism must have a loop; the {len(names)} joints of {self.name} form a tree. Use kl.Chain for an open chain."
-            )
+            raise ValueError(f"A mechanism must have a loop; the joints of {self.name} form a tree. Use kl.Chain.")
 
     def __repr__(self) -> str:
         return f"Mechanism({self._title})"
@@ -340,10 +336,7 @@ class Mechanism(TakesJointValues):
         validation.instance({} if hold is None else hold, "hold", Mapping)
         for name, value in (hold or {}).items():
             if name not in self.names:
-                raise ValueError(
-                    f"A held name must be that of a joint value; {self.name} has no {name!r}. "
-                    f"Its joint values are {', '.join(self.names)}."
-                )
+                raise ValueError(f"A held name must be one of {', '.join(self.names)}; got {name!r}.")
             q[self.names.index(name)] = validation.array(value, name)
         free = np.array([i for i, name in enumerate(self.names) if name not in (hold or {})], dtype=np.intp)
         if not len(free):

@@ -2,6 +2,9 @@
 
 A twist is (omega, v) stacked in one 6-vector, as in Modern Robotics. Every function takes any leading batch shape and
 distinguishes the two groups by the last dimensions: 3 and 3x3 for rotations, 6 and 4x4 for rigid motions.
+
+Every function of an `ArrayLike` raises ValueError for another shape, for NaN or infinity, for a matrix that is not a rotation or a
+pose where one is needed, and for a skew-symmetric matrix, whose vee is meant, where a rotation vector is.
 """
 
 from __future__ import annotations
@@ -24,7 +27,6 @@ def hat(x: ArrayLike) -> Array:
     (..., 3) -> (..., 3, 3), the skew-symmetric matrix with hat(w) u = w x u;
     (..., 6) -> (..., 4, 4), the matrix [[hat(omega), v], [0, 0]].
 
-    Raises ValueError for any other last dimension, for a matrix that is already skew-symmetric, and for NaN or infinity.
     Source: Modern Robotics, (3.30) and (3.71).
 
     >>> hat([0, 0, 1]) @ [1, 0, 0]
@@ -51,8 +53,7 @@ def vee(X: ArrayLike) -> Array:
     scale = np.maximum(1, np.abs(X).max(axis=(-2, -1), keepdims=True))
     if (np.abs(_hat(x) - X) > tolerances.ORTHONORMALITY_TOL * scale).any():
         raise ValueError(
-            "X must be skew-symmetric, with a last row of zeros if it is a matrix of se(3). Is X a rotation or a pose? Then take "
-            "its log first."
+            "X must be skew-symmetric, with a last row of zeros if it is 4x4. Is X a rotation or a pose? Then take its log first."
         )
     return x
 
@@ -66,16 +67,11 @@ def exp(x: ArrayLike) -> Array:
     Here theta = |omega|, W = hat(omega), a = sin(theta) / theta, b = (1 - cos(theta)) / theta^2 and
     c = (theta - sin(theta)) / theta^3. For a screw axis S and a joint value q, the factor of the PoE formula is exp(S q).
 
-    Raises ValueError for any other last dimension, for a skew-symmetric 3x3 matrix, whose vee is meant, for NaN or infinity, and
-    for an angle that double precision cannot resolve.
-    Source: Modern Robotics, (3.51) and (3.88), multiplied out with omega = theta times a unit vector; "Forward kinematics II"
-    calls the series that this sums the true form.
+    Raises ValueError for an angle that double precision cannot resolve.
+    Source: Modern Robotics, (3.51) and (3.88); "Forward kinematics II" calls the series that this sums the true form.
 
-    >>> exp([0, 0, np.pi / 2, 0, 0, 0]).round(3) + 0.0
-    array([[ 0., -1.,  0.,  0.],
-           [ 1.,  0.,  0.,  0.],
-           [ 0.,  0.,  1.,  0.],
-           [ 0.,  0.,  0.,  1.]])
+    >>> exp([0, 0, np.pi / 2])[:, 0].round(3) + 0.0
+    array([0., 1., 0.])
     """
     x = _generator(x)
     with np.errstate(over="ignore"):  # an angle that overflows is refused, too
@@ -106,7 +102,6 @@ def log(X: ArrayLike) -> Array:
 
     The screw axis of the motion is the whole twist divided by its angle |omega|, or by |v| if omega is 0: see kl.line.
 
-    Raises ValueError for a matrix that is not a rotation or a pose.
     Source: Modern Robotics, 3.2.3.3 and (3.91), (3.92); the rotation is computed through its unit quaternion.
 
     >>> log(exp([0, 0, np.pi / 2, 1, 0, 0])).round(6) + 0.0
@@ -133,7 +128,6 @@ def inverse(X: ArrayLike) -> Array:
 
     (..., 3, 3) -> (..., 3, 3), R^T;  (..., 4, 4) -> (..., 4, 4), [[R^T, -R^T p], [0, 1]].
 
-    Raises ValueError for a matrix that is not a rotation or a pose.
     Source: Modern Robotics, (3.64).
 
     >>> inverse([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])[:3, 3] + 0.0
@@ -150,7 +144,6 @@ def adjoint(X: ArrayLike) -> Array:
     (..., 4, 4) -> (..., 6, 6), [[R, 0], [hat(p) R, R]]; (..., 3, 3) -> (..., 3, 3), R itself.
     It satisfies hat(Ad_T x) = T hat(x) T^-1.
 
-    Raises ValueError for a matrix that is not a rotation or a pose.
     Source: Modern Robotics, definition 3.20.
 
     >>> T = exp([0, 0, 0, 2, 0, 0])                 # two metres along x
@@ -226,8 +219,7 @@ def nearest_rotation(X: ArrayLike) -> Array:
     (..., 3, 3) -> (..., 3, 3): with the singular value decomposition R = U D V^T, it is U V^T, the nearest one in the Frobenius norm.
     (..., 4, 4) -> (..., 4, 4): the same for the rotation of a pose; its position stays.
 
-    Raises ValueError for another shape, for NaN, for a matrix whose entries differ from those of a rotation by more than 0.1, and
-    for a reflection.
+    Raises ValueError for a reflection, and for a matrix that differs by more than 0.1 in an entry.
     Source: Horn, Hilden and Negahdaripour, Closed-form solution of absolute orientation using orthonormal matrices, 1988.
 
     >>> nearest_rotation([[0.7071, -0.7071, 0], [0.7071, 0.7071, 0], [0, 0, 1]])[0, 0]
@@ -240,8 +232,7 @@ def nearest_rotation(X: ArrayLike) -> Array:
     distance = np.abs(nearest - R).max(initial=0.0)
     if distance > 0.1 or (np.linalg.det(nearest) < 0).any():
         raise ValueError(
-            f"X must be almost a right-handed rotation, within 0.1 in each entry; it differs by "
-            f"{distance:.2g}. Are its columns the axes of the frame, of length 1?"
+            f"X must be almost a right-handed rotation, within 0.1 in each entry; it differs by {distance:.2g}."
         )
     R[...] = nearest
     return X
@@ -255,11 +246,8 @@ def homogeneous(R: ArrayLike, p: ArrayLike) -> Array:
 
     Source: Modern Robotics, (3.62).
 
-    >>> homogeneous(np.eye(3), [1, 2, 3])
-    array([[1., 0., 0., 1.],
-           [0., 1., 0., 2.],
-           [0., 0., 1., 3.],
-           [0., 0., 0., 1.]])
+    >>> homogeneous(np.eye(3), [1, 2, 3])[:, 3]
+    array([1., 2., 3., 1.])
     """
     R, p = np.asarray(R, dtype=float), np.asarray(p, dtype=float)
     T = np.zeros((*np.broadcast_shapes(R.shape[:-2], p.shape[:-1]), 4, 4))
@@ -300,13 +288,10 @@ def _generator(x: ArrayLike) -> Array:
     x = validation.array(x, "x")
     if x.shape[-1:] not in {(3,), (6,)}:
         raise ValueError(
-            f"x must be a rotation vector (..., 3) or a twist (..., 6); got shape {x.shape}. Components go in the last dimension: try x.T; "
-            "of a matrix take its vee first."
+            f"x must be a rotation vector (..., 3) or a twist (..., 6); got shape {x.shape}. Try x.T, or the vee of a matrix."
         )
     if x.shape == (3, 3) and x.any() and np.array_equal(x, -x.T):
-        raise ValueError(
-            "x must be a rotation vector or a twist; got a skew-symmetric matrix, which is three vectors. Take its vee first, exp(vee(x))."
-        )
+        raise ValueError("x must be a rotation vector or a twist; got a skew-symmetric matrix. Take exp(vee(x)).")
     return x
 
 

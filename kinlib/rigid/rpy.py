@@ -16,15 +16,13 @@ def origin(xyz: ArrayLike = (0.0, 0.0, 0.0), rpy: ArrayLike = (0.0, 0.0, 0.0)) -
     (3,) metres and (3,) radians -> (4, 4):  p = xyz, R = Rz(yaw) Ry(pitch) Rx(roll).
     The first rotation is the rightmost factor, because all rotations are about the axes of the fixed frame.
 
-    Raises ValueError for other sizes, and for NaN.
     Source: the URDF specification, "joint": "fixed axis roll, pitch and yaw angles in radians".
 
     >>> origin(rpy=(np.pi / 2, 0, np.pi / 2))[:3, 2].round(6) + 0.0      # roll takes z to -y, and yaw takes that to x
     array([1., 0., 0.])
     """
-    xyz, (roll, pitch, yaw) = (
-        validation.single(validation.vectors(x, n, 3), n) for x, n in ((xyz, "xyz"), (rpy, "rpy"))
-    )
+    named = (("xyz", xyz), ("rpy", rpy))
+    xyz, (roll, pitch, yaw) = (validation.single(validation.vectors(x, name, 3), name) for name, x in named)
     return homogeneous(exp([0, 0, yaw]) @ exp([0, pitch, 0]) @ exp([roll, 0, 0]), xyz)
 
 
@@ -34,7 +32,6 @@ def roll_pitch_yaw(R: ArrayLike) -> Array:
     (3, 3) -> (3,) radians, with pitch in [-pi/2, pi/2]. At a pitch of +-pi/2 roll and yaw rotate about the same line, so only
     their sum or their difference is determined: the result is one of the solutions.
 
-    Raises ValueError if R is not a rotation.
     Source: the first column of R gives the yaw, and Rz(-yaw) R = Ry(pitch) Rx(roll) gives pitch and roll at every angle.
 
     >>> roll_pitch_yaw(origin(rpy=(0.1, 0.2, 0.3))[:3, :3]).round(12)

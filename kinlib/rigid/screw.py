@@ -32,7 +32,7 @@ def screw(axis: ArrayLike, point: ArrayLike = (0.0, 0.0, 0.0), pitch: ArrayLike 
     pitch h, helical:      (axis, -axis x point + h axis);
     pitch inf, prismatic:  (0, axis); the point has no effect, because a prismatic joint has a direction but no line.
 
-    Raises ValueError for an axis that is not of unit length, wrong shapes, and NaN.
+    Raises ValueError for an axis that is not of unit length.
     Source: Modern Robotics, 3.3.2.2 and definition 3.24; Forward kinematics II writes v = -w x q.
 
     >>> screw((0, -1, 0), point=(-4, -2, 0)) + 0.0        # joint 1 of the first example of Forward kinematics II
@@ -45,8 +45,7 @@ def screw(axis: ArrayLike, point: ArrayLike = (0.0, 0.0, 0.0), pitch: ArrayLike 
     pitch = validation.real_array(pitch, "pitch")[..., None]
     if (wrong := np.isnan(pitch) | (pitch == -np.inf)).any():
         raise ValueError(
-            f"pitch must be a finite number, or inf for a prismatic joint; got {pitch[wrong][0]}. "
-            "To translate in the opposite direction, negate the axis."
+            f"pitch must be finite, or inf for a prismatic joint; got {pitch[wrong][0]}. To translate the other way, negate the axis."
         )
     prismatic = np.isinf(pitch)
     omega = np.where(prismatic, 0.0, axis)
@@ -86,12 +85,7 @@ def is_prismatic(S: Array) -> NDArray[np.bool_]:
 
 
 def axes(S: ArrayLike, name: str) -> Array:
-    """Read S as screw axes, shape (..., 6).
-
-    Axes that deviate from unit length within the tolerance are normalized, so that every formula sees the same axis.
-
-    Raises ValueError for a twist that is not normalized, with its index and its length; the message says when the transpose
-    would fit.
+    """Read S as screw axes (..., 6), normalized within the tolerance; ValueError for a twist that is not, with its index and length.
 
     >>> axes([[0, 0, 1, 0, -2, 0]], "screws").shape
     (1, 6)

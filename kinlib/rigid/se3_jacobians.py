@@ -20,7 +20,6 @@ def ad(x: ArrayLike) -> Array:
     (..., 6) -> (..., 6, 6), [[hat(omega), 0], [hat(v), hat(omega)]], so that hat(ad(x) y) = hat(x) hat(y) - hat(y) hat(x).
     ad(x) y = [x, y] is the velocity at which the motion along x changes y.
 
-    Raises ValueError if x is not a twist.
     Source: Modern Robotics, definition 8.1.
     """
     x = validation.vectors(x, "x", 6)
@@ -35,7 +34,7 @@ def left_jacobian_inverse(x: ArrayLike) -> Array:
 
     (..., 6) -> (..., 6, 6), J(x)^-1 with log(exp(V) E) = x + J(x)^-1 V + O(V^2):  J(x) = I + A/2! + A^2/3! + ...,  A = ad(x).
 
-    Raises ValueError if x is not a twist. Its angle must be at most pi, as that of each twist which log returns.
+    The angle of x must be at most pi, as that of each twist which log returns.
     Source: J(x) is the integral of exp(s ad(x)) over s from 0 to 1, term by term.
     """
     A, J = ad(x), np.asarray(np.eye(6))

@@ -33,7 +33,6 @@ def exp(x: Any) -> sp.Matrix:
 
     If omega has symbols, the result is right for all their values with omega != 0, and its limit is right at omega = 0.
 
-    Raises ValueError for any other size.
     Source: Modern Robotics, (3.51) and (3.88).
 
     >>> exp(screw((0, 0, 1), point=(1, 0, 0)) * sp.Symbol("q", real=True))[:, 3].T
@@ -73,7 +72,6 @@ def screw(axis: Any, point: Any = (0, 0, 0), pitch: Any = 0) -> sp.Matrix:
 def fk(arm: Chain) -> sp.Matrix:
     """Compute the forward kinematics of an arm in the space form: T(q) = e^[S1]q1 ... e^[Sn]qn M, 4x4.
 
-    Raises ValueError for anything but a Chain.
     Source: Modern Robotics, (4.14).
 
     >>> from kinlib.chains.robots import rpr_lecture7
@@ -108,9 +106,7 @@ def table_fk(rows: Iterable[Any], convention: Convention) -> sp.Matrix:
     for number, row in enumerate(rows, start=1):
         a, alpha, d, theta = _matrix(row, f"row {number}", (4, 1))
         if alpha.is_number and not is_plausible_angle(float(alpha)):
-            raise ValueError(
-                f"alpha must be at most a full turn; got {alpha} rad. If it is in degrees, write {alpha}*pi/180."
-            )
+            raise ValueError(f"alpha must be at most a full turn; got {alpha} rad. In degrees, write {alpha}*pi/180.")
         about_x, about_z = [AxisRotation(x, alpha), a * x], [AxisRotation(z, theta), d * z]
         factors += about_z + about_x[::-1] if validate_convention(convention) == "standard" else about_x + about_z
     return multiply(factors, sp.eye(4))

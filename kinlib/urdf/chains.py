@@ -61,7 +61,7 @@ def to_urdf(chain: Chain) -> str:
     joint_1, joint_2, ..., and the links base_link, link_1, ..., tool. The limits of effort and velocity, which URDF requires and
     kinlib does not have, are 1.
 
-    Raises ValueError for anything but a chain, and if a joint is helical, because URDF has no such joint.
+    Raises ValueError if a joint is helical, because URDF has no such joint.
     Source: the URDF specification, "joint".
 
     >>> from kinlib.chains.robots import youbot
@@ -73,8 +73,7 @@ def to_urdf(chain: Chain) -> str:
     validation.instance(chain, "chain", Chain)
     if "H" in chain.joint_types:
         raise ValueError(
-            f"The joints must be revolute or prismatic, because URDF has no helical joint; "
-            f"joint {chain.joint_types.index('H') + 1} of {chain.name} is helical."
+            f"URDF has no helical joint; joint {chain.joint_types.index('H') + 1} of {chain.name} must be revolute or prismatic."
         )
     names = [quoteattr(name) for name in chain.joint_names or (f"joint_{i + 1}" for i in range(chain.n))]
     links = ['"base_link"', *(f'"link_{i + 1}"' for i in range(chain.n)), '"tool"']

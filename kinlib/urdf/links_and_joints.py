@@ -79,55 +79,44 @@ def read_tree(robot: Element) -> tuple[dict[str, Element], dict[str, UrdfJoint]]
     if links form a cycle, and if an attribute of a joint is not valid.
     Source: the URDF specification, "link" and "joint".
     """
-    links: dict[str, Element] = {}
-    for element in robot.children:
-        if element.tag == "link":
-            if (name := element.text("name")) in links:
-                raise element.error(
-                    f"the names of links must be different; the link in line {links[name].line} has the same name."
-                )
-            links[name] = element
-    if not links:
+    if not (links := _by_name(robot, "link")):
         raise robot.error("it must have at least one <link>; it has none.")
-    lines: dict[str, int] = {}
     parent_joints: dict[str, UrdfJoint] = {}
-    for element in robot.children:
-        if element.tag == "joint":
-            joint = _joint(element, links)
-            if joint.name in lines:
-                raise element.error(
-                    f"the names of joints must be different; the joint in line {lines[joint.name]} has the same name."
-                )
-            if (other := parent_joints.get(joint.child)) is not None:
-                child = element.child("child") or element
-                raise child.error(
-                    f"link {joint.child} is already the child of joint {other.name} in line {other.element.line}. A URDF "
-                    "must be a tree: a link with two parents closes a loop, and URDF cannot describe loops."
-                )
-            lines[joint.name], parent_joints[joint.child] = element.line, joint
+    for element in _by_name(robot, "joint").values():
+        joint = _joint(element, links)
+        if (other := parent_joints.get(joint.child)) is not None:
+            child = element.child("child") or element
+            raise child.error(
+                f"link {joint.child} is already the child of {other.name} in line {other.element.line}; a URDF must have no loops."
+            )
+        parent_joints[joint.child] = joint
     _check_one_tree(links, parent_joints)
     return links, parent_joints
 
 
-def resolve_mimic_joints(joints: Mapping[str, UrdfJoint]) -> dict[str, Coupling]:
-    """Find the independent joint that each joint follows, over any number of mimic joints: itself if it mimics no other.
+def _by_name(robot: Element, tag: str) -> dict[str, Element]:
+    """The elements with a tag, by their names, which must be different."""
+    found: dict[str, Element] = {}
+    for element in (child for child in robot.children if child.tag == tag):
+        if (name := element.text("name")) in found:
+            raise element.error(f"the names of {tag}s must be different; line {found[name].line} has the same name.")
+        found[name] = element
+    return found
+
+
+def followed(joint: UrdfJoint, joints: Mapping[str, UrdfJoint]) -> Coupling:
+    """Find the independent joint that a joint follows, over any number of mimic joints: itself if it mimics no other.
 
     Raises ValueError, with element and line, if a mimic joint follows no joint that moves, or itself.
     """
-    return {name: _followed(joint, joints) for name, joint in joints.items()}
-
-
-def _followed(joint: UrdfJoint, joints: Mapping[str, UrdfJoint]) -> Coupling:
     slope, shift = 1.0, 0.0
     for _ in range(len(joints)):
         if joint.mimic is None:
             return Coupling(joint.name, slope, shift)
         other, multiplier, offset = joint.mimic
         if other not in joints:
-            names = f"{', '.join([*joints][:12])}{', ...' if len(joints) > 12 else '.'}"
-            raise joint.element.error(
-                f"it must mimic a joint that moves; got {other!r}. The joints that move are {names}"
-            )
+            hint = suggest_name(other, tuple(joints), "joints that move")
+            raise joint.element.error(f"it must mimic a joint that moves; got {other!r}.{hint}")
         slope, shift, joint = slope * multiplier, shift + slope * offset, joints[other]
     raise joint.element.error("joints must not mimic each other in a circle.")
 
@@ -147,11 +136,8 @@ def _end(joint: Element, tag: str, links: Mapping[str, Element]) -> str:
     if (end := joint.child(tag)) is None:
         raise joint.error(f"it must have a <{tag} link=...>, because a joint joins two links; it has none.")
     if (link := end.text("link")) not in links:
-        name = joint.attributes["name"]
-        raise end.error(
-            f'joint {name} must join links of this file; there is no link "{link}".'
-            + suggest_name(link, tuple(links), "links")
-        )
+        hint = suggest_name(link, tuple(links), "links")
+        raise end.error(f'joint {joint.attributes["name"]} must join links; there is no link "{link}".{hint}')
     return link
 
 
@@ -160,9 +146,7 @@ def _origin(joint: Element) -> Array:
         return np.eye(4)
     values = {name: element.numbers(name, 3) for name in ("xyz", "rpy") if name in element.attributes}
     if abs(largest := max(values.get("rpy", [0.0]), key=abs)) > 4 * np.pi:
-        raise element.error(
-            f"rpy must be between -4 pi and 4 pi rad; got {largest:g} rad. Is it in degrees? URDF uses radians."
-        )
+        raise element.error(f"rpy must be between -4 pi and 4 pi rad; got {largest:g} rad. Is it in degrees?")
     return origin(**values)
 
 
@@ -179,14 +163,10 @@ def _axis(joint: Element) -> Array:
 
 def _limits(joint: Element, kind: str) -> tuple[float, float]:
     if (element := joint.child("limit")) is None:
-        raise joint.error(
-            f"a {kind} joint must have a <limit lower=... upper=...>; it has none. A joint without limits is continuous."
-        )
+        raise joint.error(f"a {kind} joint must have a <limit lower=... upper=...>; it has none. Is it continuous?")
     lower, upper = (element.numbers(name, 1)[0] if name in element.attributes else 0.0 for name in ("lower", "upper"))
     if lower > upper:
-        raise element.error(
-            f"lower must be at most upper; got lower {lower:g} and upper {upper:g}. Are they interchanged?"
-        )
+        raise element.error(f"lower must be at most upper; got {lower:g} and {upper:g}. Are they interchanged?")
     return (lower if lower > -MAX_NUMBER else -np.inf), (upper if upper < MAX_NUMBER else np.inf)
 
 

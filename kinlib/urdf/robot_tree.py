@@ -20,9 +20,8 @@ from kinlib.arrays import validation
 from kinlib.arrays.formatting import aligned_table, format_number, html_table
 from kinlib.arrays.validation import Array, JointValues, TakesLimitedValues, suggest_name
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import exp, inverse
-from kinlib.rigid.screw import screw
-from kinlib.urdf.links_and_joints import MOVING_TYPES, Coupling, UrdfJoint, read_tree, resolve_mimic_joints
+from kinlib.rigid.lie import exp, inverse, moved_screw
+from kinlib.urdf.links_and_joints import MOVING_TYPES, Coupling, UrdfJoint, followed, read_tree
 from kinlib.urdf.xml_elements import Element, read_robot
 
 HEADINGS = ["link", "joint", "type", "value"]
@@ -106,10 +105,8 @@ class Tree(TakesLimitedValues):
 
     @property
     def _title(self) -> str:
-        links, joints = (
-            f"{k} {word}{'s'[: k != 1]}" for k, word in ((len(self.links), "link"), (self.n, "independent joint"))
-        )
-        return f"{self.name}, {links}, {joints}"
+        counts = ((len(self.links), "link"), (self.n, "independent joint"))
+        return ", ".join([self.name, *(f"{count} {word}{'s'[: count != 1]}" for count, word in counts)])
 
     def _rows(self, indent: str) -> Iterator[list[str]]:
         for depth, link, _ in self._descendants(self.root):
@@ -187,7 +184,7 @@ class Tree(TakesLimitedValues):
 
     @cached_property
     def _couplings(self) -> dict[str, Coupling]:
-        return resolve_mimic_joints(self._moving_joints)
+        return {name: followed(joint, self._moving_joints) for name, joint in self._moving_joints.items()}
 
     def poses(
         self, q: JointValues, base: ArrayLike | None = None, joint_poses: Mapping[str, ArrayLike] | None = None
@@ -202,8 +199,7 @@ class Tree(TakesLimitedValues):
         joint_poses  for the name of each planar and each floating joint, its motion (..., 4, 4): the pose of the child link in
                      the frame of the joint
 
-        Raises ValueError for joint values of another size, for NaN, for a matrix that is no pose, for a planar or a floating joint
-        without a pose, and if a mimic joint follows no joint that moves, or itself.
+        Raises ValueError for a planar or a floating joint without a pose, and if a mimic joint follows no joint that moves, or itself.
         Source: the URDF specification, "joint"; Modern Robotics, 4.2.
 
         >>> from kinlib.chains.robots import youbot
@@ -251,22 +247,21 @@ class Tree(TakesLimitedValues):
             if joint.type in MOVED_BY_POSES:
                 raise joint.element.error(
                     f"a joint between base and tip must have one degree of freedom; this one is {joint.type}. Choose a base beyond it, "
-                    f"such as {joint.child}, or pass its pose to kl.Tree.from_urdf(...).poses(q, joint_poses=...)."
+                    f"such as {joint.child}, or use kl.Tree.from_urdf(...).poses(q, joint_poses=...)."
                 )
             # The axis is given in the joint frame: the frame after this joint if the path goes down, and before it if it goes up.
             before, T = T, T @ (joint.origin if sign > 0 else inverse(joint.origin))
             if joint.moves:
                 frame = T if sign > 0 else before
-                axis, point = sign * frame[:3, :3] @ joint.axis, frame[:3, 3]
-                screws.append(screw(axis, point, np.inf if joint.type == "prismatic" else 0.0))
-                points.append(point)
+                screws.append(sign * moved_screw(frame, joint.screw))
+                points.append(frame[:3, 3])
                 moving.append(joint)
         if not moving:
             raise self.link_elements[tip].error(
-                f"a joint must move between base and tip; none does between {base} and {tip}. Pass other links as base or tip."
+                f"a joint must move between {base} and {tip}; none does. Pass other links."
             )
         # A faulty mimic joint elsewhere does not affect this chain.
-        couplings = [self._couplings[m.name] if m.mimic else Coupling(m.name, 1.0, 0.0) for m in moving]
+        couplings = [followed(joint, self._moving_joints) for joint in moving]
         drivers = [driver for driver, _, _ in couplings]
         for joint, (driver, multiplier, _) in zip(moving, couplings, strict=True):
             if joint.mimic and (drivers.count(driver) > 1 or abs(multiplier) != 1):
@@ -289,8 +284,6 @@ class Tree(TakesLimitedValues):
 
     def path(self, base: str, tip: str) -> list[PathStep]:
         """Find the joints from one link to another: up to their nearest common ancestor, and down from it.
-
-        Raises ValueError for a name that is no link.
 
         >>> text = '''<robot name="rig"> <link name="table"/> <link name="post"/> <link name="camera"/>
         ...     <joint name="at_rear" type="fixed"> <parent link="table"/> <child link="post"/> </joint>

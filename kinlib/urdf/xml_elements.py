@@ -40,9 +40,7 @@ class Element:
         """Return the child with a tag, or None. Raises ValueError if there are several."""
         found = [child for child in self.children if child.tag == tag]
         if len(found) > 1:
-            raise self.error(
-                f"it must have at most one <{tag}>; got two, in lines {found[0].line} and {found[1].line}. Remove one."
-            )
+            raise self.error(f"it must have at most one <{tag}>; got two, lines {found[0].line} and {found[1].line}.")
         return found[0] if found else None
 
     def text(self, attribute: str) -> str:
@@ -103,8 +101,7 @@ def _parsed(document: str | bytes, above: int) -> Element:
 
     def refuse(*_: object) -> None:
         raise ValueError(
-            f"Line {above + parser.CurrentLineNumber}, <!DOCTYPE>: a URDF must have no document type and no entities, because "
-            "they are not safe to read. Remove the declaration."
+            f"Line {above + parser.CurrentLineNumber}, <!DOCTYPE>: a URDF must have no document type, which is not safe. Remove it."
         )
 
     parser.StartElementHandler, parser.EndElementHandler = start, lambda _tag: opened.pop()
@@ -113,8 +110,7 @@ def _parsed(document: str | bytes, above: int) -> Element:
         parser.Parse(document, True)
     except (expat.ExpatError, LookupError, UnicodeError) as error:
         raise ValueError(
-            f"Line {above + parser.ErrorLineNumber}: the file must be XML in UTF-8; {str(error).partition(':')[0]}. Is a tag not closed, "
-            "a quote missing, or a bare & or < in a text?"
+            f"Line {above + parser.ErrorLineNumber}: the file must be XML in UTF-8; {str(error).partition(':')[0]}. Is a tag not closed?"
         ) from error
     return elements[0]
 
@@ -122,9 +118,7 @@ def _parsed(document: str | bytes, above: int) -> Element:
 def _text(path_or_text: str | os.PathLike[str]) -> str | bytes:
     """The text itself, or the bytes of the file at a path."""
     if not isinstance(path_or_text, str | os.PathLike):
-        raise ValueError(
-            f"path_or_text must be the path or the text of a URDF; got {validation.describe(path_or_text)}."
-        )
+        raise ValueError(f"path_or_text must be the path or text of a URDF; got {validation.describe(path_or_text)}.")
     if isinstance(path_or_text, str) and path_or_text.lstrip("\ufeff \t\r\n")[:1] in {"<", ""}:
         content: str | bytes = path_or_text.removeprefix("\ufeff")
     else:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +24,6 @@ from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.slips import NUMBERS, Fault, corrections, starting_tables, wrong_number
 from kinlib.dh.table import DHTable, joint_axes, table_poses
 from kinlib.rigid.angles import wrap_angle
-from kinlib.rigid.lie import exp, homogeneous, log
 
 FILTER_TOL_FACTOR = 3
 """How many times the tolerance an invariant may be off before a correction is refuted by it."""
@@ -99,7 +98,6 @@ def explain_by_choices(table: DHTable, found: Equivalence) -> TableExplanation |
     faults = choices_as_faults(table, found) if found.verdict == "same" else []
     if not faults:
         return None
-    found = _without_noise(found)
     rows, signs = table.rows.copy(), table.signs.copy()
     for joint, (row, column) in enumerate(joint_entries(table.joints)):
         rows[row, column] += table.signs[row] * found.offsets[joint]
@@ -110,10 +108,10 @@ def explain_by_choices(table: DHTable, found: Equivalence) -> TableExplanation |
 
 def choices_as_faults(table: DHTable, found: Equivalence) -> list[Fault]:
     """Write the choices in which a table differs from an arm as corrections, each with its numbers."""
-    found, faults = _without_noise(found), []
+    faults = []
     for joint, (row, column) in enumerate(joint_entries(table.joints)):
         name, letter, place = COLUMNS[column], table.joints[row], f"joint {joint + 1}"
-        if text := format_offset(letter, float(table.signs[row] * found.offsets[joint]), found.tolerance):
+        if text := format_offset(letter, float(table.signs[row] * found.offsets[joint])):
             base = " (or rotate the base by as much about axis 1)" if joint == 0 and letter == "R" else ""
             faults.append(Fault("another zero", f"{place}: add {text} to {name}{base}.", row + 1, name))
         if found.signs[joint] < 0:
@@ -124,31 +122,12 @@ def choices_as_faults(table: DHTable, found: Equivalence) -> list[Fault]:
         ("base", "The base T_s0", table.base, found.base @ table.base),
         ("tool", "The tool transform", table.tool, table.tool @ found.tool),
     ):
-        if np.abs(T - own).max() > found.tolerance:
+        if (own != T).any():
             is_missing = np.abs(own - np.eye(4)).max() < EQUIVALENCE_TOL
             is_inverted = np.abs(own @ T - np.eye(4)).max() < 1e-6  # as a person types it
             what = "is missing" if is_missing else "is inverted" if is_inverted else "is wrong"
             faults.append(Fault(f"wrong {end}", f"{name} {what}: it should be {describe_pose(T, found.tolerance)}."))
     return faults
-
-
-def _without_noise(found: Equivalence) -> Equivalence:
-    """Return a comparison whose angles are right angles, and whose numbers are 0, where this is within its tolerance."""
-
-    def cleaned(angles: Array) -> Array:
-        right = np.round(angles / (np.pi / 2)) * np.pi / 2
-        return np.where(np.abs(angles - right) <= found.tolerance, right, angles)
-
-    def pose(T: Array) -> Array:
-        omega, p = log(T[:3, :3]), np.where(np.abs(T[:3, 3]) <= found.tolerance, 0.0, T[:3, 3])
-        omega = np.where(np.abs(omega) <= found.tolerance, 0.0, omega)
-        angle = float(np.linalg.norm(omega))
-        return homogeneous(exp(omega * cleaned(np.array(angle)) / (angle or 1.0)), p)
-
-    turns = np.array([letter != "P" for letter in found.joint_types])
-    small = np.where(np.abs(found.offsets) <= found.tolerance, 0.0, found.offsets)
-    offsets = np.where(turns, cleaned(found.offsets), small)
-    return replace(found, offsets=offsets, base=pose(found.base), tool=pose(found.tool))
 
 
 def _weight(fault: Fault) -> int:
@@ -189,12 +168,8 @@ class _Search:
                 compared = equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance)
                 if compared.verdict == "same":
                     least = price[0]
-                    yield (
-                        price,
-                        [self._described(self.singles[k].fault, corrected) for k in places],
-                        corrected,
-                        compared,
-                    )
+                    faults = [self._described(self.singles[k].fault, corrected) for k in places]
+                    yield price, faults, corrected, compared
 
     def _described(self, fault: Fault, corrected: DHTable) -> Fault:
         if fault.text or not fault.row or not fault.column:
@@ -207,9 +182,8 @@ class _Search:
         Invariants decide, and if nothing is free, the poses of a few q. A correction of a row comes after one of the whole table, as
         the singles are sorted.
         """
-        places = (
-            self._pairs() if count > 1 else np.arange(len(self.singles))[:, None] if count else np.zeros((1, 0), int)
-        )
+        singles = np.arange(len(self.singles))[:, None]
+        places = self._pairs() if count > 1 else singles if count else np.zeros((1, 0), int)
         rows = self.rows[places[:, 0]] if count else self.table.rows[None]
         for place in np.unique(places[:, 1]) if count > 1 else ():
             is_here = places[:, 1] == place

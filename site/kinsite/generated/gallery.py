@@ -176,8 +176,7 @@ def linkage_tables(mechanism: Mechanism, q: Array) -> str:
 
 def shown(value: Any) -> str:
     """Write a value as a notebook shows it, as a table of this site."""
-    html = value._repr_html_().replace("<table>", '<table class="docutils">')
-    return raw_html(re.sub("alpha|theta|omega", lambda found: GREEK[found[0]], html))
+    return raw_html(value._repr_html_().replace("<table>", '<table class="docutils">'))
 
 
 def raw_html(html: str) -> str:

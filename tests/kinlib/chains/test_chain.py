@@ -100,7 +100,7 @@ def test_what_is_no_chain_and_no_k_is_refused():
             lambda: rpr.changed(limits=[[-1, 1], [1, -1], [0, 1]]),
             r"limits of joint 2 .*\[1.0, -1.0\]. Are they swapped",
         ),
-        (lambda: rpr.changed(joint_names=("shoulder", "elbow")), "3 different names, one per joint; got "),
+        (lambda: rpr.changed(joint_names=("shoulder", "elbow")), "3 different names; got "),
         *(
             (lambda k=k: rpr.fk_mid(np.zeros(3), k), "k must be a whole number from 0 to 3, .*; got ")
             for k in (-1, 4, 1.5)

@@ -187,16 +187,16 @@ def test_a_table_may_be_laid_out_in_any_of_these_ways(text):
 HEAD = "a|alpha|d|theta\n"
 REFUSED = {
     "degrees": (HEAD + "0|-90|0|q1", r"^Row 1, alpha: an angle must be .*; got -90 rad\. If the number is in"),
-    "a missing column": ("a|alpha|d\n0|0|0", "takes only what its rows say; .*: There is no column theta"),
+    "a missing column": ("a|alpha|d\n0|0|0", "takes only what its rows say.*: There is no column theta"),
     "a gear": (
         HEAD + "0|0|0|2*q1",
         "must have one joint variable, q or -q without a factor, .*; got q1 in theta, with the factor 2",
     ),
     "a product of variables": (HEAD + "0|0|0|q1*q1", "Line 2, .*, theta: an entry must be a number"),
-    "an angle in a length": (HEAD + "0|0|30°|q1", "d is a length. Are two columns swapped"),
+    "an angle in a length": (HEAD + "0|0|30°|q1", "is no length. Are two columns swapped"),
     "swapped labels": (
         HEAD + "1|0|0|q2\n1|0|0|q1",
-        "takes only what its rows say; .*: The variables are q2, q1, not",
+        "takes only what its rows say.*: The variables are q2, q1, not",
     ),
     "rows in another order": (
         "i|a|alpha|d|theta\n2|1|0|0|q\n1|1|0|0|q",

@@ -140,14 +140,14 @@ def bars(*bodies):
 def test_invalid_mechanisms_and_arguments_are_refused():
     zero = np.zeros(4)
     for ask, message in [
-        (lambda: Mechanism(bars("ab", "bc")), r"must have a loop; the 2 joints of linkage form a tree\. Use kl\.Chain"),
-        (lambda: Mechanism(bars("ab", "ab", "cd")), r"must connect every body with a; got none to c, d\. Is a joint"),
+        (lambda: Mechanism(bars("ab", "bc")), r"must have a loop; the joints of linkage form a tree\. Use kl\.Chain"),
+        (lambda: Mechanism(bars("ab", "ab", "cd")), r"must lead from a to every body; not to c, d"),
         (lambda: Mechanism(bars("ab", "ab")[:1] * 2), r"names of the joints must be different; got J0 more than once"),
         (lambda: Joint("J", ("a", "a"), screw(Z)), r"Joint J must join two different bodies; got tuple \('a', 'a'\)"),
         (lambda: Mechanism.from_branches(robots.rpr()), r"must have a loop"),
-        (lambda: FOUR_BAR.assemble(zero, hold={"E": 1}), r"four-bar has no 'E'\. Its joint values are A, B, D, C\."),
+        (lambda: FOUR_BAR.assemble(zero, hold={"E": 1}), r"must be one of A, B, D, C; got 'E'"),
         (lambda: FOUR_BAR.assemble(zero, hold=dict.fromkeys("ABCD", 0)), r"must not be held; all are held\."),
-        (FOUR_BAR.assembly_modes, r"no degree of freedom may be left; 1 left\. Hold as many"),
+        (FOUR_BAR.assembly_modes, r"No degree of freedom may be left; got 1"),
         (lambda: FOUR_BAR.mobility(zero), r"must be closed here; the residual is 2\.5\. Assemble it first"),
     ]:
         with pytest.raises(ValueError, match=message):

@@ -117,7 +117,7 @@ def test_a_batch_is_its_elements_one_at_a_time(shape, size):
 
 NO_VECTOR = r"x must be a rotation vector .* or a twist \(\.\.\., 6\); got shape "
 REFUSED = [
-    (np.zeros((6, 2)), rf"{NO_VECTOR}.*try x\.T", (hat, exp)),
+    (np.zeros((6, 2)), rf"{NO_VECTOR}.*Try x\.T", (hat, exp)),
     (np.full(6, np.nan), r"^x contains NaN or infinity at index \[0\]", (hat, exp)),
     (np.zeros(6), r"^X must .*\(\.\.\., 3, 3\) or .*\(\.\.\., 4, 4\); got .*\(6,\)", (vee, log, inverse, adjoint)),
     (

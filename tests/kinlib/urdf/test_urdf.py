@@ -104,7 +104,7 @@ def test_base_and_tip_must_exist_and_a_joint_must_move_between_them():
         load_urdf(text, tip="uper arm")
     with pytest.raises(ValueError, match=r"base must be the name of a link; got 'x'. The links are base, "):
         load_urdf(text, base="x")
-    with pytest.raises(ValueError, match=r"Line 4, .*none does between hand and hand"):
+    with pytest.raises(ValueError, match=r"Line 4, .*must move between hand and hand; none does"):
         load_urdf(text, "hand", "hand")
 
 
@@ -114,13 +114,13 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
 REFUSED = [
     (one_joint('<axis xyz="0 0 0"/>'), 'Line 5, <axis> in <joint name="j">: xyz must be a direction; got zero'),
     (one_joint('<axis xyz="0, 0, 1"/>'), 'got "0,".*Separate numbers by spaces'),
-    (one_joint('<origin rpy="0 0 90"/>'), r"rpy must be .*; got 90 rad\. Is it in degrees\? URDF uses radians"),
+    (one_joint('<origin rpy="0 0 90"/>'), r"rpy must be .*; got 90 rad\. Is it in degrees\?"),
     (one_joint('<origin xyz="${length} 0 0"/>'), 'xyz="[$]{length} 0 0" must be evaluated by xacro first. Expand'),
     (one_joint(kind="revolute"), 'Line 4, <joint name="j">: a revolute joint must have a <limit .*continuous'),
-    (one_joint('<limit lower="2" upper="1"/>', "revolute"), "Line 5, <limit> .*got lower 2 and upper 1. Are they"),
-    (linked("abb", "ab"), 'Line 4, <link name="b">: the names of links must be different; the link in line 3 has'),
-    (linked("ab", "aβ"), 'Line 4, <child> in <joint name="j0">: joint j0 must join links of this file; there is'),
-    (linked("abcd", "ab", "bc", "cd", "db"), "Line 9, <child> in <joint .*link b is already the child of joint"),
+    (one_joint('<limit lower="2" upper="1"/>', "revolute"), "Line 5, <limit> .*got 2 and 1. Are they"),
+    (linked("abb", "ab"), 'Line 4, <link name="b">: the names of links must be different; line 3 has'),
+    (linked("ab", "aβ"), 'Line 4, <child> in <joint name="j0">: joint j0 must join links; there is'),
+    (linked("abcd", "ab", "bc", "cd", "db"), "Line 9, <child> in <joint .*link b is already the child of j0"),
     (linked("abc", "ab", "ac"), r'Line 2, <link name="a">: exactly one end .*; got 2\. Choose the tip, one of b'),
     ('<robot name="r">\n<xacro:macro name="arm"/></robot>', 'Line 2, <xacro:macro name="arm">: a macro must be'),
     ("", "must begin with <robot name=...>; got an empty text"),
