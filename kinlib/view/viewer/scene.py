@@ -98,10 +98,10 @@ def scene(
     }
 
 
-def bare_scene(chain: Chain, points: Array, share: float) -> dict[str, Any]:
-    """Return the scene of the arm at home without sliders, with a view that also contains points (m, 3), see `still_room`."""
+def bare_scene(chain: Chain, points: Array) -> dict[str, Any]:
+    """Return the scene of the arm at home without a body and sliders, with a view that also contains points (m, 3)."""
     (branch,) = branches(chain)
-    room = still_room(np.concatenate([points, stations(chain)]), share)
+    room = still_room(np.concatenate([points, stations(chain)]), 0.84)  # no arm fills the sphere around it
     size, lowest = extent(branch), float(stations(chain)[:, 2].min())
     return {
         "name": chain.name,
@@ -139,10 +139,9 @@ def arm_data(branch: Branch, *, bare: bool = False) -> dict[str, Any]:
 
 
 def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> dict[str, Any]:
-    """Return frames that are given at q, each fixed to its link, as layers for the page: their poses at home.
+    """Return frames that are given at q, as `explore` takes them, as layers for the page: their poses at home.
 
-    frames  {"0": T, "1": T, "1'": T, ..., "s": T, "b": T} poses (4, 4) in {s}: frame i is fixed to link i, or to the last link if
-            i > n; {s} and frame 0 are fixed to the base, {b} to the last link. A frame with a prime is grey, to be compared with
+    {s} and frame 0 are fixed to the base, {b} to the last link.
 
     Raises ValueError if a frame is not a pose, or its name is not a number, with or without a prime, "s" or "b".
     """
