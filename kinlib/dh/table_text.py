@@ -14,6 +14,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
+from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import (
     COLUMN_NAMES,
@@ -28,6 +29,7 @@ from kinlib.dh.parsing import (
     parse_headings,
     respelled,
 )
+from kinlib.rigid.lie import homogeneous
 
 MAX_TEXT_LENGTH, MAX_LINES, MAX_CELLS, MAX_ROWS = 100_000, 2000, 40, 60
 """The maximum number of characters of a text, of its lines and of the cells in a line that are read, and of rows of a table."""
@@ -154,6 +156,11 @@ def read_rows(
         raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
     ends: dict[str, Any] = {end: _matrix(matrix) for end, matrix in END.findall(text)}
     plain, told = _plain(END.sub("", text)), list[Assumption]()
+    for end, place, angles in re.findall(r"\b(base|tool)\s*\|\s*t = ([-\d., ]+);\s*rpy/xyz = ([-\d.°, ]+)\|?", plain):
+        if not re.search("[1-9]", angles):  # as the Robotics Toolbox prints them
+            ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
+            told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
+            plain = re.sub(rf"^.*\b{end}\s*\|\s*t = .*$", "", plain, flags=re.MULTILINE)
     names = _definitions(plain) | {_plain_name(name): value for name, value in lengths.items()}
     if not strict and "t1" not in names and "theta" in plain and re.search(r"\bt_?1\b", plain):
         plain = re.sub(r"\bt_?(\d+)\b", r"theta\1", plain)
