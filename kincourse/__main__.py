@@ -12,7 +12,7 @@ COMMANDS = {
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command that the arguments name, and return its exit code: 0 done, 2 invalid request."""
-    return run_command("kincourse", "Tools for lecturers.", COMMANDS, {}, arguments)
+    return run_command("kincourse", "Tools for lecturers.", COMMANDS, arguments)
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from kinlib.dh.table import Convention, validate_convention
 from kinlib.view import draw_joints
 from misstep.display.card import TONES, Card
 from misstep.judge import Judgement, judge
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake
 from misstep.problem import Problem
 
 JOINT_TYPES = ("RR", "RRR", "RPR", "RRP", "PRR", "RPRR", "RRPR", "RRRR")
@@ -45,7 +45,7 @@ def draw_problem(seed: str, convention: Convention) -> Problem:
         figure=partial(draw_joints, arm),
         answer=DHTableAnswer(table),
         mistakes=[
-            mistake(
+            Mistake(
                 "other convention",
                 misread,
                 "This is a table of the arm, in the other convention. Where does a row begin: with the joint, or with the link?",

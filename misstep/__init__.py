@@ -5,7 +5,7 @@ Start with `problem`, `mistakes` and `answers/base`, then read `judge`, `sheet` 
 """
 
 from misstep.catalog import Course, find_course
-from misstep.mistakes import Mistake, mistake
+from misstep.mistakes import Mistake
 from misstep.problem import Problem, Template, problem
 from misstep.sampling import Sampler
 from misstep.sheet import OpenSheet, Sheet
@@ -19,6 +19,5 @@ __all__ = [
     "Sheet",
     "Template",
     "find_course",
-    "mistake",
     "problem",
 ]

@@ -134,10 +134,7 @@ class Course:
         lecture, _, key = name.partition("/")
         items = self.questions().get(lecture, {})
         if key not in items:
-            known = ", ".join(items) or "no questions"
-            raise ValueError(
-                f"A question must be named lecture/question, for example 03/order; got {name!r}. Lecture {lecture} has: {known}."
-            )
+            raise ValueError(f"There is no question {name!r}. Lecture {lecture} has: {', '.join(items) or 'none'}.")
         return items[key]
 
     def ask(self, name: str) -> Question:

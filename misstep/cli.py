@@ -18,21 +18,14 @@ COMMANDS = {
 }
 """For each command its module, and what it does."""
 
-EXTRAS = {"grade": "kincourse[grading]", "release": "kincourse[grading]"}
-"""For each command the extra that installs what it requires besides the course itself."""
-
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command that the arguments name, and return its exit code: 0 done, 2 invalid request."""
-    return run_command("misstep", "Sheets that check themselves.", COMMANDS, EXTRAS, arguments)
+    return run_command("misstep", "Sheets that check themselves.", COMMANDS, arguments)
 
 
 def run_command(
-    program: str,
-    description: str,
-    commands: Mapping[str, tuple[str, str]],
-    extras: Mapping[str, str],
-    arguments: Sequence[str] | None = None,
+    program: str, description: str, commands: Mapping[str, tuple[str, str]], arguments: Sequence[str] | None = None
 ) -> int:
     """Run the command of a program that the arguments name, and return its exit code."""
     arguments = sys.argv[1:] if arguments is None else arguments
@@ -48,8 +41,7 @@ def run_command(
         options = parser.parse_args(arguments)
         code: int = options.run(options)
     except ModuleNotFoundError as missing:
-        package = extras.get(arguments[0], program)
-        parser.error(f"{missing}. Install what this command requires: pip install '{package}'")
+        parser.error(f"{missing}. Install what this command requires: pip install 'kincourse[grading]'")
     except (OSError, ValueError) as error:
         print(f"{program} {arguments[0]}: {error}", file=sys.stderr)
         return 2

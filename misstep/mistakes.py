@@ -25,14 +25,3 @@ class Mistake:
     did: str = ""
     advice: str = ""
     spoils: bool = False
-
-
-def mistake(name: str, value: Any, message: str, part: str = "", *, spoils: bool = False) -> Mistake:
-    """Make a Mistake; the value is the wrong answer, or a function that computes it.
-
-    spoils  whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
-
-    >>> mistake("sign", lambda: -1, "You turned the wrong way.").value
-    -1
-    """
-    return Mistake(name, value() if callable(value) else value, message, part, spoils=spoils)

@@ -44,12 +44,12 @@ class OpenSheet:
     Raises ValueError for an empty id.
 
     >>> import numpy as np
-    >>> from misstep import mistake, problem
+    >>> from misstep import Mistake, problem
     >>> from misstep.answers.number import Numbers
     >>> @problem("01.1", "A half", points=2, lecture="01_fractions#Halves")
     ... def half(sampler):
     ...     x = sampler.integer(1, 9)
-    ...     wrong = [mistake("doubled", np.array(2.0 * x), "You multiplied by 2. Divide by 2.")]
+    ...     wrong = [Mistake("doubled", np.array(2.0 * x), "You multiplied by 2. Divide by 2.")]
     ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), wrong, given={"x": x})
     >>> sheet = OpenSheet(Sheet("01_fractions", "Fractions", [half]), "ada")
     >>> sheet.show(1)

@@ -18,13 +18,6 @@ TRUTH = (bool, np.bool_)
 """The classes of True and False."""
 
 
-def has_truth(x: Any) -> bool:
-    """Return whether x is, or contains, True or False."""
-    if isinstance(x, np.ndarray):
-        return any(map(has_truth, x.ravel().tolist())) if x.dtype == object else bool(x.dtype.kind == "b")
-    return isinstance(x, TRUTH) or (isinstance(x, list | tuple) and any(map(has_truth, x)))
-
-
 def array(x: ArrayLike, name: str) -> Array:
     """Read x as an array of finite real numbers.
 
@@ -32,7 +25,7 @@ def array(x: ArrayLike, name: str) -> Array:
     """
     try:
         values = np.asarray(x)
-        if has_truth(x):
+        if any(isinstance(one, TRUTH) for one in np.asarray(x, dtype=object).ravel().tolist()):
             raise TypeError("True and False are no numbers")
         if values.dtype.kind == "c" and (np.abs(values.imag) <= 1e-12 * np.abs(values)).all():
             values = values.real  # as np.linalg.eigvals gives them, up to round-off

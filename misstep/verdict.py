@@ -68,8 +68,8 @@ class Verdict:
         if judgement.state == "right" and self.further:
             body.append(f"A further question: {self.further}")
         if judgement.state not in ("right", "blank"):
-            section = template.lecture.partition("#")[2]
-            body.append(Link(f"Re-read: section “{section}” of {template.lecture_name}.", self.address))
+            lecture, _, section = template.lecture.partition("#")
+            body.append(Link(f"Re-read: section “{section}” of lecture {lecture.partition('_')[0]}.", self.address))
         return Card(judgement.state, title, body)
 
     def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:
@@ -129,7 +129,8 @@ def returning(found: Iterable[tuple[str, str]]) -> list[str]:
 def _paragraphs(
     findings: Sequence[Finding], right_parts: Sequence[str] = (), said_of_right: str = RIGHT, *, is_first: bool = False
 ) -> list[str]:
-    """Return what findings say. Together they have at most MAX_LENGTH characters, or else no checks, or one sentence each.
+    """Return what findings say. If they have more than MAX_LENGTH characters, the first is told without its check, and of others
+    the first sentence.
 
     right_parts    the names of the parts that are right, to be listed in front
     said_of_right  the sentence for them; without right parts, the parts of a single finding need no names
@@ -147,38 +148,23 @@ def _paragraphs(
     listed = _enumeration(right_parts)
     shown = listed if len(listed) < MAX_LENGTH / 4 else f"{len(right_parts)} parts"
     before = [said_of_right.format(shown)] * bool(right_parts)
-    is_on_whole = len(findings) == 1 and not right_parts
     merged = _merged(findings)
+    is_on_whole = len(merged) == 1 and not right_parts
     if len(merged) == 1 and right_parts and len(_enumeration(merged[0].parts)) > 60:
         merged[0] = replace(merged[0], parts=["the others"])  # because the right ones are listed
 
-    def texts(told: Sequence[Finding]) -> list[str]:
-        return before + [_text(one, is_on_whole) for one in told]
-
-    unchecked = [replace(one, check="") for one in merged]
-    brief = [replace(one, message=SENTENCE_END.split(one.message)[0]) for one in unchecked[1:]]
-    told = next(
-        (told for told in (merged, unchecked) if sum(map(len, texts(told))) <= MAX_LENGTH), unchecked[:1] + brief
-    )
-    return texts(told)
-
-
-def _text(one: Finding, is_on_whole: bool) -> str:
-    said = f"{one.message} {one.check}".strip()
-    return said if is_on_whole else f"{_capitalized(_enumeration(one.parts))}: {said}"
+    whole = [f"{one.message} {one.check}".strip() for one in merged]
+    if sum(map(len, whole)) > MAX_LENGTH:
+        whole = [one.message if one is merged[0] else SENTENCE_END.split(one.message)[0] for one in merged]
+    if is_on_whole:
+        return whole
+    return before + [
+        f"{_capitalized(_enumeration(one.parts))}: {said}" for one, said in zip(merged, whole, strict=True)
+    ]
 
 
 def _enumeration(names: Sequence[str]) -> str:
-    """Return names as a list in words: "entries 1, 2, 3 and 4".
-
-    >>> _enumeration(["x"]), _enumeration(["x", "y", "z"]), _enumeration([f"entry {k}" for k in range(4)])
-    ('x', 'x, y and z', 'entries 0, 1, 2 and 3')
-    """
-    kinds = {name.partition(" ")[0] for name in names if name.count(" ") == 1}
-    if len(names) > 3 and len(kinds) == 1 and all(name.count(" ") == 1 for name in names) and kinds != {"the"}:
-        [kind] = kinds
-        plural = f"{kind[:-1]}ies" if kind.endswith("y") else f"{kind}s"
-        return f"{plural} {_enumeration([name.partition(' ')[2] for name in names])}"
+    """Return names as a list in words: "x, y and z"."""
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 

@@ -77,25 +77,16 @@ def _steps(root: Expression, other: Expression | None = None, result: str = "") 
         for node in nodes
         if not node.arguments and not node.label.lstrip("-")[:1].isdigit() and "$" not in node.label
     ]
+    texts = [(node.label, written(node)) for node in _by_index(leaves)]
+    if given := [f"${label} = {text}$" for label, text in texts if text not in {"", label}]:
+        yield ", ".join(list(dict.fromkeys(given))[:MAX_GIVEN])
     named = [node for node in nodes if node.arguments and node.label and node is not root]
-    steps = []
     for node in [*_by_index(named)[-MAX_STEPS:], root]:
         # A column or an entry has the formula of the whole; a label in brackets is that of a sum within a product.
         formula = "" if node.operation.name == "entry" else node.formula
         label = "" if node.label == f"({formula})" else node.label
         end = result if node is root and other else written(node)
-        steps.append(f"${' = '.join(dict.fromkeys(filter(None, (label, formula, end))))}$")
-    needed = {id(shown) for node in nodes for shown in _shown(node)}
-    texts = [(node.label, written(node)) for node in _by_index([leaf for leaf in leaves if id(leaf) in needed])]
-    if given := [f"${label} = {text}$" for label, text in texts if text not in {"", label}]:
-        yield ", ".join(list(dict.fromkeys(given))[:MAX_GIVEN])
-    yield from steps
-
-
-def _shown(node: Expression) -> list[Expression]:
-    """Return the arguments that the formula of an operation shows, or all if it shows none: a prismatic joint needs no point."""
-    text = node.operation.latex(*(f"@{k}@" for k in range(len(node.arguments)))) if node.arguments else ""
-    return [argument for k, argument in enumerate(node.arguments) if f"@{k}@" in text or "@" not in text]
+        yield f"${' = '.join(dict.fromkeys(filter(None, (label, formula, end))))}$"
 
 
 def _in_order(node: Expression) -> Iterator[Expression]:

@@ -18,11 +18,8 @@ globalThis.planarArm = (() => {
   const pairs = (points) => points.slice(1).map((end, i) => [points[i], end]);
 
   /** The joints and the tool of an arm whose link i makes the angle headings[i] with the x axis. */
-  function joints(headings, lengths) {
-    const points = [[0, 0]];
-    for (const [i, l] of lengths.entries()) points.push(add(points[i], [l * cos(headings[i]), l * sin(headings[i])]));
-    return points;
-  }
+  const joints = (headings, lengths) =>
+    lengths.reduce((all, l, i) => all.concat([add(all[i], [l * cos(headings[i]), l * sin(headings[i])])]), [[0, 0]]);
 
   /** Rotate a point by an angle about an axis, a line through `point` with the unit vector `along` (Rodrigues). */
   function rotate(p, { point, along: [x, y, z] }, angle) {
@@ -41,8 +38,9 @@ globalThis.planarArm = (() => {
 
   // --- words ---
 
-  const number = (value) => (Math.abs(value) < 0.005 ? 0 : value).toFixed(2).replace('-', '−');
-  const degree = (angle) => `${Math.round(angle)}°`.replace('-', '−');
+  const minus = (value) => `${value}`.replace('-', '−');
+  const number = (value) => minus((Math.abs(value) < 0.005 ? 0 : value).toFixed(2));
+  const degree = (angle) => minus(`${Math.round(angle)}°`);
   const place = (point) => `(${point.map(number).join(', ')})`;
   const list = (words) => words.join(', ').replace(/, (?=\S+$|\([^(]*$)/, ' and ');
   /** A letter with an index, for example q and 1, as HTML. */
@@ -86,14 +84,13 @@ globalThis.planarArm = (() => {
     return made;
   }
 
-  /** Show an arm in an element. The model has scene, q (degrees) and done; returns the function that ends the view. */
-  function show(model, host) {
-    const [scene, lengths, goal] = ['scene', 'lengths', 'goal'].map((name) => model.get(name));
+  /** Show an arm in an element; store gets { q, done } when they have changed. Returns the function that ends the view. */
+  function show({ scene, lengths, goal, q, done }, host, store) {
     const isPlane = scene !== 'space';
     const machine = isPlane ? PINS : SPACE;
     const state = {
-      q: [...model.get('q')],
-      done: new Set(model.get('done')),
+      q: [...q],
+      done: new Set(done),
       term: null, // the term that is lit, such as x1
       hidden: false, // the arm of scene "drag"
       cross: null, // where the reader expects the tool
@@ -116,9 +113,7 @@ globalThis.planarArm = (() => {
 
     /** Keep what was done, beyond this view, and draw. */
     function save() {
-      model.set('q', [...state.q]);
-      model.set('done', [...state.done]);
-      model.save_changes();
+      store({ q: [...state.q], done: [...state.done] });
       render();
     }
     function setJoint(i, value) {
@@ -142,7 +137,7 @@ globalThis.planarArm = (() => {
     const Y = (y) => origin[1] - y * unit;
     const at = (point) => [X(point[0]), Y(point[1])];
     const offset = ([x, y], r, angle) => [x + r * cos(angle), y - r * sin(angle)];
-    const heading = (a, b) => degrees(Math.atan2(a[1] - b[1], b[0] - a[0])); // of two points of the picture
+    const heading = (a, b) => -direction(a, b); // of two points of the picture, whose y is down
     const width = () => clamp(unit * 0.36, 12, 26);
     const anchor = (angle) => (Math.abs(cos(angle)) < 0.4 && ' mid') || (cos(angle) < 0 && ' end') || '';
 
@@ -222,16 +217,15 @@ globalThis.planarArm = (() => {
     const phi = () => wrap(sums(state.q).at(-1));
 
     function grid() {
-      const [left, right] = [-origin[0] / unit, (size[0] - origin[0]) / unit];
-      const [low, high] = [(origin[1] - size[1]) / unit, origin[1] / unit];
-      for (let x = Math.ceil(left); x <= right; x++) line([X(x), 0], [X(x), size[1]], x ? 'grid' : 'axis');
-      for (let y = Math.ceil(low); y <= high; y++) line([0, Y(y)], [size[0], Y(y)], y ? 'grid' : 'axis');
+      for (let k = -20; k <= 20; k++) {
+        line([X(k), 0], [X(k), size[1]], k ? 'grid' : 'axis');
+        line([0, Y(k)], [size[0], Y(k)], k ? 'grid' : 'axis');
+      }
       label([size[0] - 14, Y(0) - 8], '*x*', 'end');
       label([X(0) + 9, 20], '*y*');
       for (const value of [-4, -2, 2, 4]) {
-        const shown = String(value).replace('-', '−');
-        if (value > left && value < right) label([X(value), Y(0) + 17], shown, 'soft mid');
-        if (value > low && value < high) label([X(0) - 7, Y(value) + 5], shown, 'soft end');
+        label([X(value), Y(0) + 17], minus(value), 'soft mid');
+        label([X(0) - 7, Y(value) + 5], minus(value), 'soft end');
       }
     }
 
@@ -301,7 +295,6 @@ globalThis.planarArm = (() => {
       });
     }
 
-    /** A handle that moves in two directions. */
     function pointHandle(name, says, point, move) {
       const area = { cx: X(point[0]), cy: Y(point[1]), r: 24 };
       handle(name, 'circle', area, {
@@ -449,8 +442,7 @@ globalThis.planarArm = (() => {
     function cross(tool) {
       if (!state.cross) return;
       const [x, y] = at(state.cross);
-      line([x - 12, y - 12], [x + 12, y + 12], 'cross');
-      line([x - 12, y + 12], [x + 12, y - 12], 'cross');
+      for (const h of [-12, 12]) line([x - 12, y - h], [x + 12, y + h], 'cross');
       label([x + 18, y + 6], 'your cross');
       if (!state.hidden) return gap(state.cross, tool);
       pointHandle('cross', 'Your cross, moves in the plane', state.cross, (p) => {
@@ -486,18 +478,16 @@ globalThis.planarArm = (() => {
         label(add(at(where), [18, 6]), isTouched ? `${mark} ✓` : mark);
       }
       const name = Object.keys(MARKS).find((one) => distance(tool, MARKS[one]) < 0.13);
-      if (tool[0] > WALL + 0.13) state.says = 'The pen is inside the wall.';
-      else if (!name) state.says = '';
-      else if (Math.abs(phi()) > 3)
-        state.says = `At mark ${name}, but φ = ${degree(phi())}: the pen must be perpendicular to the wall.`;
-      else {
-        state.done.add(name);
-        const all = ' All three are. From poses of the tool you have found joint values: this is inverse kinematics.';
-        state.says = `Mark ${name} is touched.${touched().length === 3 ? all : ''}`;
-      }
+      state.says = tool[0] > WALL + 0.13 ? 'The pen is inside the wall.' : '';
+      if (!name) return;
+      if (Math.abs(phi()) < 3) state.done.add(name);
+      const all = ' All three are. From poses of the tool you have found joint values: this is inverse kinematics.';
+      state.says =
+        Math.abs(phi()) < 3
+          ? `Mark ${name} is touched.${touched().length === 3 ? all : ''}`
+          : `At mark ${name}, but φ = ${degree(phi())}: the pen must be perpendicular to the wall.`;
     }
 
-    /** Draw all of the scene. */
     function picture() {
       if (scene === 'space') return space();
       if (scene === 'pins') return pins();
@@ -525,22 +515,17 @@ globalThis.planarArm = (() => {
     };
     const row = (...children) => panel.appendChild(element('div', { class: 'row' }, ...children));
 
-    function button(content, act, attributes = {}) {
-      const made = element('button', { type: 'button', ...attributes });
-      made.addEventListener('click', act);
-      made.innerHTML = content;
-      return made;
-    }
+    const button = (innerHTML, onclick, attributes = {}) =>
+      Object.assign(element('button', { type: 'button', ...attributes }), { innerHTML, onclick });
 
-    /** Sliders for the joint values. */
     function sliders() {
       const all = state.q.map((_, i) => {
         const input = element('input', { type: 'range', min: -180, max: 180, class: `c${i + 1}` });
-        input.addEventListener('change', save);
-        input.addEventListener('input', () => {
+        input.onchange = save;
+        input.oninput = () => {
           setJoint(i, Number(input.value));
           render();
-        });
+        };
         keep(input, () => ({ value: state.q[i], ariaValueText: `${Math.round(state.q[i])} degrees` }));
         const value = keep(element('b'), () => ({ textContent: degree(state.q[i]) }));
         const name = Object.assign(element('span'), { innerHTML: `${letter('q', i + 1)} ` });
@@ -569,9 +554,9 @@ globalThis.planarArm = (() => {
         const sum = indices.map((n) => letter('q', n)).join(' + ');
         const angle = isShort ? `<i>${f[0]}</i><sub>${indices.join('')}</sub>` : `${f} ${i ? `(${sum})` : sum}`;
         const key = `${axis}${i + 1}`;
-        const term = button(`${letter('l', i + 1)} ${angle}`, () => light(key));
-        for (const name of ['pointerenter', 'focus']) term.addEventListener(name, () => light(key));
-        for (const name of ['pointerleave', 'blur']) term.addEventListener(name, () => light());
+        const [on, off] = [() => light(key), () => light()];
+        const term = button(`${letter('l', i + 1)} ${angle}`, on);
+        Object.assign(term, { onpointerenter: on, onfocus: on, onpointerleave: off, onblur: off });
         keep(term, () => {
           const [a, b] = pairs(points())[i];
           const className = `term c${i + 1}${state.term === key ? ' hot' : ''}`;
@@ -650,10 +635,8 @@ globalThis.planarArm = (() => {
         const made = button(`${name} ${j}: ${degree(goal[j - 1])}`, () => press(j), { class: `c${j}` });
         return keep(made, () => ({ ariaDisabled: state.order.includes(j) }));
       });
-      row(
-        ...buttons,
-        button('Home', () => press(0)),
-      );
+      buttons.push(button('Home', () => press(0)));
+      row(...buttons);
       tasks(wanted);
       says(() => (state.order.length === 3 && state.share === 1 ? state.says : ''));
     }
@@ -718,34 +701,36 @@ globalThis.planarArm = (() => {
     };
   }
 
-  /** The model of an arm on a page without a kernel: it remembers in this browser, where that is allowed. */
-  function pageModel(state) {
-    const key = `planar-arm ${state.scene}`;
-    const ifAllowed = (act) => {
-      try {
-        act();
-      } catch {
-        // The browser refuses storage: the arm begins anew on each visit.
-      }
-    };
-    ifAllowed(() => Object.assign(state, JSON.parse(localStorage.getItem(key) ?? '{}')));
-    return {
-      get: (name) => state[name],
-      set: (name, value) => Object.assign(state, { [name]: value }),
-      save_changes: () => ifAllowed(() => localStorage.setItem(key, JSON.stringify({ q: state.q, done: state.done }))),
-    };
+  /** The view of a widget in a notebook: Python keeps what was done. */
+  function render({ model, el }) {
+    const names = ['scene', 'lengths', 'goal', 'q', 'done'];
+    return show(Object.fromEntries(names.map((name) => [name, model.get(name)])), el, ({ q, done }) => {
+      model.set('q', q);
+      model.set('done', done);
+      model.save_changes();
+    });
   }
 
-  return {
-    widget: { render: ({ model, el }) => show(model, el) },
-    start: () => {
-      for (const host of document.querySelectorAll('[data-planar-arm]')) {
-        const state = JSON.parse(host.querySelector('script').textContent);
-        host.replaceChildren();
-        show(pageModel(state), host);
-      }
-    },
-  };
+  function ifAllowed(act) {
+    try {
+      act();
+    } catch {
+      // The browser refuses storage: the arm begins anew on each visit.
+    }
+  }
+
+  /** Show all arms of a page without a kernel: this browser keeps what was done. */
+  function start() {
+    for (const host of document.querySelectorAll('[data-planar-arm]')) {
+      const state = JSON.parse(host.querySelector('script').textContent);
+      const key = `planar-arm ${state.scene}`;
+      ifAllowed(() => Object.assign(state, JSON.parse(localStorage.getItem(key) ?? '{}')));
+      host.replaceChildren();
+      show(state, host, (kept) => ifAllowed(() => localStorage.setItem(key, JSON.stringify(kept))));
+    }
+  }
+
+  return { widget: { render }, start };
 })();
 
 // Only a page loads this file as a script; a widget is a module.

@@ -9,7 +9,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, rprr
 from kinlib.chains.robots import pose as frame
 from misstep.answers.number import Numbers
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake
 
 CONFIGURATION = (np.pi / 2, 0.2, np.pi / 6, np.pi / 3)
 """The joint values of the lecture's worked example: radians, metres, radians, radians."""
@@ -89,23 +89,23 @@ def misprinted_row(_draw: ArmSampler) -> Problem:
         statement="Give the third row of ${}^1_2T$, four numbers.",
         answer=Numbers(np.array([1.0, 0.0, 0.0, 0.0])),
         mistakes=[
-            mistake(
+            Mistake(
                 "as printed",
                 np.array([1, 0, 1, 0]),
                 "This is the row as printed. With it, the third column $(0, 1, 1)$ has length $\\sqrt 2$, and it is not orthogonal to the "
                 "first.",
             ),
-            mistake(
+            Mistake(
                 "reflection",
                 np.array([-1, 0, 0, 0]),
                 "With this row the columns are orthonormal, but left-handed: the determinant is $-1$, so the matrix is a reflection.",
             ),
-            mistake(
+            Mistake(
                 "the other 1 kept",
                 np.array([0, 0, 1, 0]),
                 "This row keeps the other 1. With it, the first column is zero, so that $x_2$ has no direction.",
             ),
-            mistake(
+            Mistake(
                 "a last row",
                 np.array([0, 0, 0, 1]),
                 "This is the fourth row of every pose. The third row has the $z$ components of the three axes and of the origin.",

@@ -36,7 +36,7 @@ from misstep.answers.number import Numbers
 from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake
 from misstep.mutants.expression import Operation, given
 from misstep.mutants.operations import ANGLE, VECTOR, function, radians, stack
 
@@ -268,7 +268,7 @@ def rotations_in_order(sampler: ArmSampler) -> Problem:
         further="Which two rotations, one right after the other in time, could change places without changing $R_{sb}$?",
         given={"turns": names, "about_the_room": fixed},
         answer=Ordering(right),
-        mistakes=[mistake(name, order, f"{text} {LEFT_FOR_FIXED_AXES}") for name, order, text in wrong],
+        mistakes=[Mistake(name, order, f"{text} {LEFT_FOR_FIXED_AXES}") for name, order, text in wrong],
     )
 
 
@@ -329,7 +329,7 @@ def rigid_or_not(sampler: ArmSampler) -> Problem:
         further="Change as few entries as possible to make this matrix a rigid motion. Is there only one way?",
         given={"matrix": T},
         answer=Choice(right, FLAWS),
-        mistakes=[mistake(f"flaw {wrong}", wrong, FLAWS_REFUTED[wrong]) for wrong in FLAWS if wrong != right],
+        mistakes=[Mistake(f"flaw {wrong}", wrong, FLAWS_REFUTED[wrong]) for wrong in FLAWS if wrong != right],
     )
     return problem.with_reason(Numbers(np.array(float(shows))), "the number")
 

@@ -88,7 +88,7 @@ def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
     omega = whole / length
     axis = unit(point(vector(list(whole)), np.array(whole, dtype=float).ravel())).named("\\omega")
     return Problem(
-        statement=f"Give $R(\\theta) = e^{{[\\omega]\\theta}}$ for $\\omega = \\tfrac{{1}}{{{length}}}{vector(list(whole))}$ as a "
+        statement=f"Give $R(\\theta) = e^{{[\\omega]\\theta}}$ for $\\omega = \\frac{{1}}{{{length}}}{vector(list(whole))}$ as a "
         "matrix of nine formulas in $\\theta$, with fractions instead of decimals.",
         method=RODRIGUES,
         further="Set $\\theta = \\pi$ in your formula. Why is the matrix now symmetric?",

@@ -37,7 +37,7 @@ from misstep.answers.number import Numbers
 from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake
 from misstep.mutants.expression import given, product, total
 from misstep.mutants.operations import function
 
@@ -151,7 +151,7 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
                 },
             ),
             *(
-                mistake("by the alphabet", order, f"The joints are in the order of the alphabet. {BASE_ADVICE}")
+                Mistake("by the alphabet", order, f"The joints are in the order of the alphabet. {BASE_ADVICE}")
                 for order in ([*by_alphabet, "M"], ["M", *by_alphabet])
             ),
         ],
@@ -345,7 +345,7 @@ def planar_arm(sampler: ArmSampler) -> Problem:
         given={"links": L},
         answer=Numbers(distances, unit="m"),
         mistakes=[
-            mistake(
+            Mistake(
                 "counted twice",
                 np.array(some),
                 "Each of these distances is right, but two of the four are the same configuration.",

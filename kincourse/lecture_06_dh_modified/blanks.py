@@ -6,7 +6,7 @@ from kincourse.answers.dh_row import DHEntriesAnswer
 from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import joint_variable, link, table_product
 from kincourse.problem import ArmSampler, Problem, problem
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake
 
 RIGHT_ANGLE_RAD = np.pi / 2
 ROW_2 = (0.0, -RIGHT_ANGLE_RAD, 0.3, -RIGHT_ANGLE_RAD)
@@ -50,17 +50,17 @@ def youbot_row_2(_draw: ArmSampler) -> Problem:
             np.array([0.033, RIGHT_ANGLE_RAD, 0.0, 0.0]), names=["a_1", "alpha_1", "d_2", "theta_2"]
         ),
         mistakes=[
-            mistake(
+            Mistake(
                 "not converted",
                 [0.155, 0.0, 0.0, 0.0],
                 "This is row 2 of the standard table. A modified row 2 holds $a_1$ and $\\alpha_1$, those of the link before joint 2.",
             ),
-            mistake(
+            Mistake(
                 "moved the other way",
                 [0.135, 0.0, 0.0, 0.0],
                 "You took $a$ and $\\alpha$ from row 3. They move down by one row: row 2 gets them from row 1.",
             ),
-            mistake(
+            Mistake(
                 "whole rows moved",
                 [0.033, RIGHT_ANGLE_RAD, 0.147, 0.0],
                 "You moved the whole of row 1. $d$ and $\\theta$ belong to the joint and stay in its row; only $a$ and $\\alpha$ move.",

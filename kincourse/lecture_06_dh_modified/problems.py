@@ -40,7 +40,7 @@ from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
 from misstep.display.text import degrees, matrix, number, vector
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import stack
 
@@ -196,7 +196,7 @@ def to_modified(sampler: ArmSampler) -> Problem:
         answer=DHTableAnswer(right, anchored=True),
         # Where whole columns are moved wrongly, a row that comes out right does so by chance.
         mistakes=[
-            mistake(name, right.changed(rows=rows), text, spoils=name not in ends)
+            Mistake(name, right.changed(rows=rows), text, spoils=name not in ends)
             for name, rows, text in wrong_conversions(table.rows, right)
         ],
     )
@@ -285,7 +285,7 @@ def which_convention(sampler: ArmSampler) -> Problem:
         figure=partial(draw_frames, {"0": np.eye(4), "2": T}, arrows=False),
         given={"rows": rows, "q": q, "pose": T},
         answer=Choice(truth, options),
-        mistakes=[mistake(options[letter], letter, why[letter]) for letter in options if letter != truth],
+        mistakes=[Mistake(options[letter], letter, why[letter]) for letter in options if letter != truth],
     )
     return problem.with_reason(Numbers(np.array([pose[0, 3] for pose in poses.values()]), unit="m"), "the coordinates")
 
@@ -344,7 +344,7 @@ def whole_arm(sampler: ArmSampler) -> Problem:
         ),
         mistakes=[
             rows_of_the_other_convention(table),
-            mistake(
+            Mistake(
                 "off the normal",
                 between_origins,
                 OFF_THE_NORMAL,

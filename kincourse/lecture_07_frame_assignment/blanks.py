@@ -12,7 +12,7 @@ from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
 from kinlib.dh.assignment import assign_frames
 from misstep.answers.number import Numbers
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake
 
 NEW_ARM = arm(
     [
@@ -58,23 +58,23 @@ def origin_4(_draw: ArmSampler) -> Problem:
         statement="What is the position of $O_4$ of the stranger in {s}, in the standard convention?",
         answer=Numbers(np.array([0.8, 0.35, 0.8]), unit="m"),
         mistakes=[
-            mistake(
+            Mistake(
                 "at joint 5",
                 [0.9, 0.35, 0.8],
                 "This is where the prismatic joint is drawn. The origin is the foot of the common normal, wherever the joint is drawn.",
             ),
-            mistake(
+            Mistake(
                 "the other foot",
                 [0.8, 0.35, 0.5],
                 "This is the foot on axis 4, the origin of frame 4 in the modified convention. In the standard convention $O_4$ "
                 "lies on the axis of joint 5.",
             ),
-            mistake(
+            Mistake(
                 "at joint 6",
                 [1.1, 0.35, 0.8],
                 "This is joint 6, on the same line. $O_4$ belongs to axes 4 and 5, and their common normal meets axis 5 at $x = 0.8$.",
             ),
-            mistake(
+            Mistake(
                 "above joint 4",
                 [0.8, 0.2, 0.8],
                 "This point is vertically above joint 4, but it does not lie on axis 5, which has $y = 0.35$. The common normal "
@@ -93,7 +93,7 @@ def table_of_the_new_arm(_draw: ArmSampler) -> Problem:
         statement="Give a DH table of the stranger in the standard convention. Every table of the same mechanism is right.",
         answer=DHTableAnswer(table),
         mistakes=[
-            mistake(
+            Mistake(
                 "antiparallel as parallel",
                 replace(table, rows=rows),
                 "Your table moves as if the axis of one joint had the opposite direction.\n"

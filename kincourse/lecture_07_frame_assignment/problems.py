@@ -29,7 +29,7 @@ from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
 from misstep.display.text import degrees, number, vector
-from misstep.mistakes import Mistake, mistake
+from misstep.mistakes import Mistake
 from misstep.mutants.expression import given
 from misstep.mutants.operations import stack
 
@@ -107,18 +107,18 @@ def frames_by_the_rules(sampler: ArmSampler) -> Problem:
         shown={"arm": robot, "screws": robot.screws, "home": robot.home, "points": robot.joint_points},
         answer=DHFramesAnswer(found, chain=robot, convention="standard"),
         mistakes=[
-            mistake(
+            Mistake(
                 "z on the wrong joint",
                 assign_frames(robot, convention="modified").frames,
                 "You put $z_i$ on the axis of joint $i$. In the standard convention $z_i$ lies on the axis of joint $i + 1$, so "
                 "$z_0$ lies on the axis of joint 1.",
             ),
-            mistake(
+            Mistake(
                 "left-handed",
                 found * (1, -1, 1, 1),
                 "Your frames are left-handed. A frame is right-handed if $y = z \\times x$: negate every $y$.",
             ),
-            mistake(
+            Mistake(
                 "axes in rows",
                 homogeneous(found[:, :3, :3].swapaxes(1, 2), found[:, :3, 3]),
                 "You wrote the axes of each frame into the rows of its rotation matrix. They are its columns.",
@@ -170,13 +170,13 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
         mistakes=[
-            mistake(
+            Mistake(
                 "alpha left out",
                 table.changed(rows=same_direction),
                 "Your table moves as if the axis of one joint had the opposite direction.\n"
                 "Axes 3 and 4 have opposite directions, so $\\alpha_3 = \\pi$.",
             ),
-            mistake(
+            Mistake(
                 "d left out",
                 table.changed(rows=without_d),
                 "Your table moves as if every $d$ were 0. You may move an origin along parallel axes, but the distance between "
@@ -256,14 +256,14 @@ def which_rule(sampler: ArmSampler) -> Problem:
 
 def _rule_mistake(wrong: str, right: str) -> Mistake:
     if wrong == "e":
-        return mistake("called legal", wrong, f"This frame breaks a rule. {RULE_EXPLANATIONS[right]}")
+        return Mistake("called legal", wrong, f"This frame breaks a rule. {RULE_EXPLANATIONS[right]}")
     if right == "e":
-        return mistake(
+        return Mistake(
             f"rule {wrong}",
             wrong,
             f"The frame obeys this rule. {RULE_EXPLANATIONS[wrong]} The direction of $x$ may also be reversed.",
         )
-    return mistake(
+    return Mistake(
         f"rule {wrong}", wrong, f"The frame obeys this rule, but it breaks another one. {RULE_EXPLANATIONS[wrong]}"
     )
 
@@ -299,17 +299,17 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
         shown={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True, printed=True),
         mistakes=[
-            mistake(
+            Mistake(
                 "as printed",
                 table.changed(rows=printed),
                 "This is the table as it is printed. One of its lengths does not agree with the axes.",
             ),
-            mistake(
+            Mistake(
                 "wrong sign of the correction",
                 table.changed(rows=wrong_sign),
                 "The entry is the right one, but you changed it with the wrong sign: its error is twice as large now.",
             ),
-            mistake(
+            Mistake(
                 "other length",
                 table.changed(rows=other_length),
                 "The row is the right one, but you changed its other length. $a$ is the distance between two axes, $d$ the distance "
@@ -348,7 +348,7 @@ def same_arm(sampler: ArmSampler) -> Problem:
         given={"table": table.rows, "tables": {letter: changed[name].rows for letter, name in letters.items()}},
         shown={"spoiled": spoiled},
         answer=Choice(right, dict.fromkeys("abcd", "a table")),
-        mistakes=[mistake(name, letter, why[name]) for letter, name in letters.items() if name != "legal"],
+        mistakes=[Mistake(name, letter, why[name]) for letter, name in letters.items() if name != "legal"],
     )
     return problem.with_reason(Choice(entry, entry_names(5)), "the entry")
 
@@ -439,7 +439,7 @@ def leg(sampler: ArmSampler) -> Problem:
             [hip, (hip[0], hip[1], roll[2]), roll, knee, knee * (1, 1, 0)], drawn, {"P1": hip, "P2": roll, "P3": knee}
         ),
         answer=VectorsAnswer(origins, unit="m", names=["O_1", "O_2"]),
-        mistakes=[mistake(name, value, text) for name, value, text in (*wrong, *misread(origins))],
+        mistakes=[Mistake(name, value, text) for name, value, text in (*wrong, *misread(origins))],
     ).without_duplicates()
 
 

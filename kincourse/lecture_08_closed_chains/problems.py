@@ -32,7 +32,7 @@ from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
 from misstep.display.text import number
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression, given
 from misstep.mutants.operations import ANGLE, LENGTH, cos, radians, sqrt, square, stack
 
@@ -123,7 +123,7 @@ def which_kind(sampler: ArmSampler) -> Problem:
         further="Change one length by as little as possible to get another kind of four-bar.",
         given={"bars": tuple(four_bar)},
         answer=Choice(right, KINDS),
-        mistakes=[mistake(f"kind {wrong}", wrong, _kind_message(wrong, right)) for wrong in KINDS if wrong != right],
+        mistakes=[Mistake(f"kind {wrong}", wrong, _kind_message(wrong, right)) for wrong in KINDS if wrong != right],
     )
     return problem.with_reason(Numbers(np.array(least + most), unit="m"), "the sum")
 
@@ -338,14 +338,14 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
             names=["kutzbach", "infinitesimal", "finite"],
         ),
         mistakes=[
-            mistake("count for all three", [count] * 3, f"{of_formula} {independent}", of_formula, spoils=True),
-            mistake(
+            Mistake("count for all three", [count] * 3, f"{of_formula} {independent}", of_formula, spoils=True),
+            Mistake(
                 "order of the numbers",
                 [finite, infinitesimal, count],
                 "They are in the reverse order.",
                 spoils=True,
             ),
-            *(mistake(name, value, text, text) for name, value, text in wrong),
+            *(Mistake(name, value, text, text) for name, value, text in wrong),
         ],
     ).without_duplicates()
 

@@ -12,7 +12,7 @@ from kincourse.problem import ArmSampler, Problem, problem
 from kinlib.chains.robots import Y, Z
 from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake
 from misstep.mutants.expression import given
 
 RIGHT_ANGLE_RAD = np.pi / 2
@@ -24,24 +24,24 @@ def place_of_tilt(_draw: ArmSampler) -> Problem:
         statement="Give the position of the origin of the lamp's joint `tilt` in {s} when all joint values are 0.",
         answer=VectorsAnswer(np.array([0.0, 0.0, 0.8]), unit="m"),
         mistakes=[
-            mistake(
+            Mistake(
                 "read in the base",
                 [0.0, -0.4, 0.0],
                 "You gave the `xyz` of the file as it is. It is the position in the frame of the parent link, the rod, and this frame is "
                 "above the desk and rotated.",
             ),
-            mistake(
+            Mistake(
                 "added without rotating",
                 [0.0, -0.4, 0.4],
                 "You added the `xyz` to the position of `lean` without rotating it. The $-y$ direction of the rod "
                 "is the $z$ direction of {s}.",
             ),
-            mistake(
+            Mistake(
                 "rotated the other way",
                 [0.0, 0.0, 0.0],
                 "You rotated the `xyz` in the opposite direction. After a roll by $-90°$ the rod's $y$ axis points down, so $-y$ is up.",
             ),
-            mistake(
+            Mistake(
                 "one joint left out",
                 [0.0, 0.0, 0.7],
                 "You left out the first origin: the frame of the post is 0.1 m above that of the desk.",
@@ -58,18 +58,18 @@ def screw_of_tilt(_draw: ArmSampler) -> Problem:
         statement="Give the screw axis of the lamp's joint `tilt` in {s}.",
         answer=ScrewsAnswer(S),
         mistakes=[
-            mistake(
+            Mistake(
                 "axis read in the base",
                 screw(Z, p),
                 "You took `0 0 1` as the direction in {s}. An `axis` is given in the joint's own frame, and this frame is rotated: its "
                 "$z$ axis is the $y$ axis of {s}.",
             ),
-            mistake(
+            Mistake(
                 "rotated the other way",
                 screw(-Y, p),
                 "Your axis has the opposite direction. A roll by $-90°$ about $x$ rotates $z$ to $+y$.",
             ),
-            mistake(
+            Mistake(
                 "the joint before",
                 screw(Y, (0, 0, 0.4)),
                 "This is the screw axis of `lean`. The axis of `tilt` has the same direction, but it is 0.4 m higher.",

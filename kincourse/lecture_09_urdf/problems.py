@@ -28,7 +28,7 @@ from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.display.text import number, vector
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression, given, product, transpose
 from misstep.mutants.operations import ANGLE, LENGTH, concatenate, cos, function, sin, stack
 
@@ -154,7 +154,7 @@ def path_through_a_tree(sampler: ArmSampler) -> Problem:
         given={"urdf": text},
         shown={"base": f"{near}_hand", "tip": f"{far}_hand"},
         answer=Ordering(paths["right"], among=[name for name, *_ in joints]),
-        mistakes=[mistake(name, paths[name], why[name]) for name in why],
+        mistakes=[Mistake(name, paths[name], why[name]) for name in why],
     )
 
 
@@ -444,7 +444,7 @@ def gantry(sampler: ArmSampler) -> Problem:
             [bridge * (1, 1, 0), *points], drawn, dict(zip(("F1", "F2", "F3", "T"), points, strict=True))
         ),
         answer=VectorsAnswer(steps, unit="m", names=["joint 1", "joint 2", "joint 3", "the tool"]),
-        mistakes=[mistake(name, value, text, spoils=name == "in the base") for name, value, text in wrong],
+        mistakes=[Mistake(name, value, text, spoils=name == "in the base") for name, value, text in wrong],
     ).without_duplicates()
 
 

@@ -39,7 +39,7 @@ from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
 from misstep.display.text import degrees, matrix, number, vector
-from misstep.mistakes import Mistake, mistake
+from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import radians
 
@@ -162,7 +162,7 @@ def one_of_four(sampler: ArmSampler) -> Problem:
         given={"T_sb": T, "T_bs": T_inverse, "xyz": xyz, "rpy": rpy, "twist": twist},
         answer=Choice(wrong, names),
         mistakes=[
-            mistake(
+            Mistake(
                 letter,
                 letter,
                 f"You answered {name}, but this report agrees with two others if you write all four as $T_{{sb}}$. "
@@ -201,7 +201,7 @@ def misread_origins(T: Array) -> Iterator[tuple[str, Array, str]]:
 def _listed(wrong: Iterator[tuple[str, Any, str]], right: Array) -> list[Mistake]:
     n = len(right)
     return [
-        mistake(name, value, text, spoils=is_in_several_rows(value.reshape(n, -1), right.reshape(n, -1)))
+        Mistake(name, value, text, spoils=is_in_several_rows(value.reshape(n, -1), right.reshape(n, -1)))
         for name, value, text in wrong
     ]
 
@@ -298,7 +298,7 @@ def wrong_joint(sampler: ArmSampler) -> Problem:
         given={"body_screws": received},
         answer=Choice(right, names),
         mistakes=[
-            mistake(
+            Mistake(
                 number,
                 number,
                 f"You answered {name}. The body screw of this joint is that of your own screws: $B_i = \\mathrm{{Ad}}_{{M^{{-1}}}} S_i$.",
@@ -345,7 +345,7 @@ def how_far_off(sampler: ArmSampler) -> Problem:
         figure=lambda: project.drawing("screws"),
         given={"body_screws": received, "q": log.q, "poses": log.poses},
         answer=Numbers(np.array(float(gaps.max())), unit="mm"),
-        mistakes=[mistake(name, np.array(float(value)), text) for name, (value, text) in mistakes.items()],
+        mistakes=[Mistake(name, np.array(float(value)), text) for name, (value, text) in mistakes.items()],
     ).without_duplicates()
 
 
@@ -373,7 +373,7 @@ def which_path_writes(sampler: ArmSampler) -> Problem:
         given={**{name: path.q for name, path in paths.items()}, "limits": project.limits, "table": table},
         answer=Choice(right, {name: f"path {name}" for name in paths}),
         mistakes=[
-            mistake(effect, name, f"You answered {name}. On this path {what[effect]}.")
+            Mistake(effect, name, f"You answered {name}. On this path {what[effect]}.")
             for name, effect in effects.items()
             if effect != "writes"
         ],
@@ -400,7 +400,7 @@ def offset_from_a_log(sampler: ArmSampler) -> Problem:
         given={"screws": robot.screws, "home": robot.home, "q": q, "poses": poses},
         answer=Choice(str(joint), names),
         mistakes=[
-            mistake(
+            Mistake(
                 f"joint {number}",
                 number,
                 f"You answered joint {number}. No single offset of this joint explains all poses of the log.",

@@ -11,7 +11,7 @@ from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
 from kinlib.dh.slips import OTHER_CONVENTION, SLIPS_OF_A_TABLE, SLIPS_THAT_LOSE_NUMBERS
 from kinlib.dh.table import Convention, DHTable
-from misstep.mistakes import Mistake, mistake
+from misstep.mistakes import Mistake
 from misstep.mutants.expression import Slip
 
 NAMES = {
@@ -98,7 +98,7 @@ def rows_of_the_other_convention(table: DHTable) -> Mistake:
         "You put $z_i$ on the wrong joint. In the standard convention $z_i$ lies on the axis of joint $i + 1$, in the "
         "modified one on that of joint $i$. Your rows are those of the other convention."
     )
-    return mistake("z on the wrong joint", wrong, text, spoils=is_in_several_rows(wrong.rows, table.rows))
+    return Mistake("z on the wrong joint", wrong, text, spoils=is_in_several_rows(wrong.rows, table.rows))
 
 
 def entry_names(n: int) -> dict[str, str]:
@@ -123,4 +123,4 @@ def _other_entry(chosen: str, name: str, convention: Convention) -> Mistake:
     if column in ("a", "d"):
         what = f"distance from ${measured}_{row - 1}$ to ${measured}_{row}$ along {about}"
     text = f"This entry agrees with the frames: {name} is the {what}. Compare the others with them."
-    return mistake("another entry", chosen, text)
+    return Mistake("another entry", chosen, text)

@@ -11,7 +11,7 @@ from kinlib.dh.slips import OTHER_CONVENTION
 from kinlib.dh.table import DHTable
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from kinlib.view.drawing.picture import Picture
-from misstep.mistakes import Mistake, mistake
+from misstep.mistakes import Mistake
 
 STEP_M = 0.01
 """Lengths in drawings are multiples of this one."""
@@ -80,6 +80,6 @@ def drawn_table_mistakes(table: DHTable) -> list[Mistake]:
     floor = "Every d is a height above the floor. It is the step along z from one x to the next."
     converted = table.converted(other).rows
     return [
-        mistake("the other convention", converted, f"These are the rows of the {other} convention.", spoils=True),
-        mistake("d from the floor", from_floor, floor, spoils=True),
+        Mistake("the other convention", converted, f"These are the rows of the {other} convention.", spoils=True),
+        Mistake("d from the floor", from_floor, floor, spoils=True),
     ]

@@ -55,8 +55,7 @@ def show(
         chain = table.to_chain()
         start = chain.in_order(body_of(chain).pose if q is None else q)
         frames = table_frames(table, start)
-        shown = explore(chain, start=start, frames=frames)
-        shown.shown = ["axes", *(f"frame {name}" for name in frames)]
+        shown = explore(chain, start=start, frames=frames, show=["axes", *(f"frame {name}" for name in frames)])
     elif isinstance(shown, Chain):
         shown = explore(shown, start=body_of(shown).pose if q is None else q)
     elif isinstance(shown, Tree):

@@ -47,10 +47,6 @@ class Angles(Numbers):
     noun: ClassVar[str] = "angles, an array"
 
     @property
-    def expected(self) -> str:
-        return super().expected + (", in any order" if self.any_order else "")
-
-    @property
     def parts(self) -> Sequence[str]:
         count = np.size(self.value)
         if np.ndim(self.value) == 0:

@@ -89,8 +89,6 @@ class ReasonedChoice(Answer):
         return f"a pair (option, reason): {self.choice.expected}, and {self.reason.expected}"
 
     def read(self, given: Any) -> tuple[str, Any]:
-        if isinstance(given, np.ndarray) and given.ndim == 1:
-            given = given.tolist()
         if not isinstance(given, (list, tuple)) or len(given) != 2:
             raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.")
         return self.choice.read(given[0]), self.reason.read(given[1])

@@ -108,9 +108,8 @@ class ClosedForm(AtInputs):
     def collect(self, values: Sequence[Any]) -> Formula:
         shape = self._right.values.shape[:-1]
         try:
-            return Formula(
-                None, np.stack([np.reshape(np.asarray(value, dtype=float), shape) for value in values], axis=-1), False
-            )
+            entries = [np.reshape(np.asarray(value, dtype=float), shape) for value in values]
+            return Formula(np.stack(entries, axis=-1), False)
         except (TypeError, ValueError) as error:
             raise Unreadable(f"Expected {self.expected}.") from error
 

@@ -55,16 +55,8 @@ class Function(AtInputs):
                 )
             return Outputs([self._output(value) for value in given.values])
         if not callable(given) or isinstance(given, type):
-            raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.{self._remedy(given)}")
+            raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.")
         return Outputs([self._output(self._call(given, arguments)) for arguments in self.inputs])
-
-    def _remedy(self, given: Any) -> str:
-        """Return how to give the function instead of this, with a leading space; "" if that is not known."""
-        try:
-            self.output.read(given)
-        except Exception:  # reading a student's object may raise any error
-            return ""
-        return " This is what one call gives. Leave the brackets off: fk, not fk(q)."
 
     def _call(self, function: Callable[..., Any], arguments: Sequence[Any]) -> Any:
         try:
@@ -110,16 +102,12 @@ class Function(AtInputs):
 
     def resemblance(self, given: Outputs, part: int | None) -> Named | None:
         """Return what is the same at every input: which parts are wrong, or how they differ from the right ones."""
-        pairs = zip(given.values, self._right.values, strict=True)
-        agrees = [self.output.agrees(mine, right) for mine, right in pairs]
+        agrees = [self.output.agrees(mine, right) for mine, right in zip(given.values, self._right.values, strict=True)]
         parts = list(zip(self.output.parts, map(all, zip(*agrees, strict=True)), strict=True))
         fine, wrong = (" and ".join(name for name, is_fine in parts if is_fine is what) for what in (True, False))
         if fine:
             return f"only the {wrong}", f"At every input that was tried, the {fine} is right, and the {wrong} is not."
-        if found := self._at_every_input(given, lambda answer, mine: answer.resemblance(mine, 0)):
-            return found
-        count = sum(map(all, agrees))
-        return ("", f"It is right at {count} of {len(agrees)} inputs that were tried.") if count else None
+        return self._at_every_input(given, lambda answer, mine: answer.resemblance(mine, 0))
 
     def _at_every_input(self, given: Outputs, ask: Callable[[Answer, Any], Named | None]) -> Named | None:
         """Return what is to be said of the outputs, if it is the same at every input."""

@@ -195,18 +195,11 @@ class Likeness:
         mine, right = self._rows
         if mine.ndim != 3 or len(mine) < 3:
             return None
-        is_right: NDArray[np.bool_] = np.all(self._equal(mine, right), axis=1)
-        if np.count_nonzero(is_right) > 1:
+        is_down, is_up = (self._equal(*pair).all() for pair in ((mine[1:], right[:-1]), (mine[:-1], right[1:])))
+        if not (is_down or is_up) or np.count_nonzero(self._equal(mine, right).all(axis=1)) > 1:
             return None
-        for where, moved, place, gap, lost in (
-            ("down", self._equal(mine[1:], right[:-1]), 0, "first", "last"),
-            ("up", self._equal(mine[:-1], right[1:]), -1, "last", "first"),
-        ):
-            if moved.all():
-                filled = f"the {gap} one is there twice" if is_right[place] else f"your {gap} row is an extra one"
-                text = f"Your rows are moved {where} by one: the {lost} one of the right rows is missing, and {filled}."
-                return "rows moved", text
-        return None
+        where, lost = ("down", "last") if is_down else ("up", "first")
+        return "rows moved", f"Your rows are moved {where} by one: the {lost} one of the right rows is missing."
 
     def _is_seen(self, values: Array) -> NDArray[np.bool_]:
         return np.asarray(np.abs(values) > 2 * self.tolerance)

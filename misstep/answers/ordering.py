@@ -17,7 +17,7 @@ from misstep.answers.choice import plain
 class Ordering(Answer):
     r"""Names in an order, each used once.
 
-    among  all names that may be typed, if an answer may also have too many or too few; by default those of the value, and no fewer
+    among  all names that may be typed; by default those of the value
 
     >>> answer = Ordering(["M", "e1", "e2"])
     >>> answer.read("E2, m, e1"), answer.resemblance(["e2", "M", "e1"], None)[1]
@@ -43,17 +43,12 @@ class Ordering(Answer):
         if not isinstance(given, (list, tuple)) or not 0 < len(given) <= 10 * len(self.value):
             raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.")
         given = [self._names.get(plain(name), name) if isinstance(name, str) else name for name in given]
-        known = self.among or self.value
-        unknown = [name for name in given if not isinstance(name, str) or name not in known]
-        if unknown:
-            quotes = "" if isinstance(unknown[0], str) else " Did you leave out the quotes?"
-            raise Unreadable(f"Expected {self.expected}; {validation.brief(unknown[0])} is none of them.{quotes}")
-        once = dict.fromkeys(given) if self.among else self.value
-        missing = [name for name in once if given.count(name) != 1]
-        if missing:
-            count = given.count(missing[0])
-            found = f"{missing[0]} appears {count} times" if count else f"{missing[0]} is missing"
-            raise Unreadable(f"Expected {self.expected}; {found}.")
+        for name in given:
+            if not isinstance(name, str) or name not in (self.among or self.value):
+                quotes = "" if isinstance(name, str) else " Did you leave out the quotes?"
+                raise Unreadable(f"Expected {self.expected}; {validation.brief(name)} is none of them.{quotes}")
+            if given.count(name) > 1:
+                raise Unreadable(f"Expected {self.expected}; {name} appears {given.count(name)} times.")
         return list(given)
 
     @cached_property

@@ -30,10 +30,8 @@ MAX_VALUE = 1e12
 MAX_PARTS = 5000
 """The most parts of a formula."""
 
-CONSTANTS = {"pi": np.pi, "E": np.e, "e": np.e, "I": 1j}
-
-NOT_FINITE = {"nan", "zoo", "oo", "inf", "-oo", "-inf"}
-"""What SymPy and Python write for values that are not finite."""
+CONSTANTS = {"pi": np.pi, "E": np.e, "e": np.e, "I": 1j, **dict.fromkeys(("nan", "zoo", "oo", "inf"), np.inf)}
+"""The numbers with a name, and what SymPy writes where there is none."""
 
 OPERATIONS: dict[type[ast.operator] | type[ast.unaryop], Callable[..., Any]] = {
     ast.Add: operator.add,
@@ -64,12 +62,8 @@ VALUES |= {"asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "atan2": _at
 
 @dataclass(frozen=True)
 class Formula:
-    """A formula or a matrix of formulas: as it was given, its values (..., POINT_COUNT), and what occurs in it.
+    """A formula or a matrix of formulas by its values (..., POINT_COUNT), and whether it has rounded decimals."""
 
-    rounded  whether it has rounded decimals
-    """
-
-    given: Any
     values: Array
     rounded: bool
 
@@ -102,10 +96,8 @@ class Reader:
             given_shape, entries = _unpacked(given)
             given_shape = tuple(size for size in given_shape if size != 1)
             if shape is not None and given_shape != shape:
-                # More entries than expected, and text such as 0,5: a decimal comma has cut numbers in two.
-                is_longer = np.prod(given_shape) > np.prod(shape)
-                comma = is_longer and isinstance(given, str) and re.search(r"\d,\d", given)
-                hint = " A comma separates entries; the decimal sign is a point, as in 0.5." if comma else ""
+                comma = isinstance(given, str) and re.search(r"\d,\d", given)
+                hint = " The decimal sign is a point, as in 0.5." if comma else ""
                 raise ValueError(f"Yours is {shaped(given_shape)}.{hint}")
             parts = [part for entry in entries for part in ast.walk(entry)]
             if len(parts) > 4 * MAX_PARTS:
@@ -118,7 +110,7 @@ class Reader:
             isinstance(part, ast.Constant) and isinstance(part.value, float) and part.value % 1 for part in parts
         )
         numbers = np.array(values, dtype=float).reshape(*given_shape, POINT_COUNT)
-        return Formula(given, numbers, rounded)
+        return Formula(numbers, rounded)
 
     def _value(self, tree: ast.expr) -> Values:
         """Return the values of a part of a formula."""
@@ -155,8 +147,6 @@ class Reader:
                 return np.asarray((np.cos if key[0] == "c" else np.sin)(sum(self._points[one] for one in angles)))
         if name in CONSTANTS:
             return np.full(POINT_COUNT, CONSTANTS[name], dtype=complex)
-        if name in NOT_FINITE:
-            raise ValueError("It holds NaN or infinity. Was there a division by zero?")
         if name in FUNCTIONS:
             raise ValueError(f"{name} must be followed by brackets: {name}(q)**2, not {name}^2(q).")
         cut = name if len(name) <= 40 else name[:37] + "..."

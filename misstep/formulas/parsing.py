@@ -50,7 +50,8 @@ def parse(text: str) -> ast.expr:
     try:
         return ast.parse(clean, mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
-        raise ValueError(f"{_cut(text)!r} is not finished, or a bracket is missing. {_advice(clean)}") from error
+        advice = "Write functions with brackets, as in 2*sin(q) or a*cos(q1)/3."
+        raise ValueError(f"{_cut(text)!r} is not finished, or a bracket is missing. {advice}") from error
 
 
 def _plain(text: str) -> str:
@@ -83,11 +84,6 @@ def _tokens(text: str) -> Iterator[str]:
             yield "*"
         yield word
         before, kind = word, found.lastgroup or ""
-
-
-def _advice(clean: str) -> str:
-    called = re.search(rf"\b({'|'.join(FUNCTIONS)})\b(?! \()", clean)
-    return f"Write {called[1]} with brackets, {called[1]}(...)." if called else "Try 2*sin(q) or a*cos(q1)/3."
 
 
 def _cut(text: str) -> str:

@@ -30,7 +30,6 @@ from misstep.grading.workers import grade_within, open_executor
 
 PLATFORMS = {"moodle": MOODLE, "canvas": CANVAS}
 """Those that take pages back, with the names of their files."""
-PAGE_MARK = b'<meta name="generator" content="misstep grade">'
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -43,7 +42,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--column", metavar="NAME", help="the column of the sheet on the platform (default: the sheet)")
     parser.add_argument("--typed-ids", action="store_true", help="take the numbers of the ids typed in the sheets")
     parser.add_argument("--gradebook", type=Path, metavar="FOLDER", help="the nbgrader course whose gradebook to fill")
-    parser.add_argument("--site", default="", metavar="URL", help="the course's site, to which feedback links")
     parser.add_argument("--workers", type=int, default=2, metavar="N", help="how many at a time (default: 2)")
     parser.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="of a Dask cluster, instead of workers here")
     parser.add_argument("--seconds", type=float, default=60.0, help="how long one student may take (default: 60)")
@@ -53,7 +51,7 @@ def run(options: argparse.Namespace) -> int:
     """Grade, and return the exit code: 0 done, 1 something needs the eyes of the instructor, 2 impossible request."""
     if options.workers < 1 or options.seconds <= 0:
         raise ValueError(f"--workers and --seconds must be positive; got {options.workers} and {options.seconds:g}.")
-    name = sheet_name(find_course(), options.sheet, options.site)
+    name = sheet_name(find_course(), options.sheet)
     sheet = name.find()
     roster = read_roster(options.roster, options.id_column) if options.roster else None
     gathered = gather(options.submissions, sheet.name, roster)
@@ -80,7 +78,7 @@ def run(options: argparse.Namespace) -> int:
     return 1 if attention else 0
 
 
-def sheet_name(course: Course, text: str, site: str) -> SheetName:
+def sheet_name(course: Course, text: str) -> SheetName:
     """Return the sheet that is meant by a number, a name, or the path of a robot's file or of a notebook.
 
     Raises ValueError if there is none.
@@ -90,7 +88,7 @@ def sheet_name(course: Course, text: str, site: str) -> SheetName:
     folder, stem = (str(path.parent.resolve()), path.stem) if is_file else (str(Path.cwd()), text.strip("/"))
     matching = [name for name in course.sheets() if name == stem or name.partition("_")[0] == stem]
     name = matching[0] if len(matching) == 1 else stem
-    return SheetName(name, "" if matching else folder, site or course.site)
+    return SheetName(name, "" if matching else folder, course.site)
 
 
 def grade_all(requests: Sequence[Request], options: argparse.Namespace) -> list[Result]:
@@ -136,11 +134,6 @@ def sentences(results: Sequence[Result]) -> list[str]:
             named = [f"{about} of {count} student{'s' * (count > 1)}" for about, count in counts]
         if named:
             lines.append(f"{text}: {', '.join(named)}.")
-    typed = [one for one in results if one.typed]
-    if len(typed) > 1 and 2 * sum("other id" in one.flags for one in typed) > len(typed):
-        lines.append(
-            "Most ids that were typed are not those of the submissions. Pass --roster, or --typed-ids to take them."
-        )
     return lines
 
 
@@ -156,14 +149,10 @@ def write(path: Path, content: bytes) -> None:
 
 
 def write_all(out: Path, sheet: str, gathered: Gathered, results: Sequence[Result], attention: Sequence[str]) -> None:
-    """Write the pages and tables of a class, and remove the pages of students who left it."""
+    """Write the pages and tables of a class."""
     pages = {f"{file_name(one.student)}.html": one.page.encode() for one in results if one.status != ABSENT}
-    folder = out / "feedback"
-    for path in folder.glob("*.html"):
-        if path.name not in pages and PAGE_MARK in path.read_bytes()[:1000]:
-            path.unlink()
     for name, page in pages.items():
-        write(folder / name, page)
+        write(out / "feedback" / name, page)
     write(out / "grades.csv", grades_table(results).encode())
     header = ["problem", "answers", "each number beside the right one", "an example", "right there"]
     write(out / "unnamed.csv", csv_text(header, unnamed_rows(results)).encode())

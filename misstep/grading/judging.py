@@ -142,7 +142,6 @@ def _judged(template: Template, id_: str, work: Work, k: int, site: str) -> Prob
         *(template.number, template.title, verdict.score, template.points, judgement.state),
         lines=[line.strip() for line in card.text().splitlines()[1:] if line.strip()],
         address=next((part.address for part in card.body if isinstance(part, Link)), ""),
-        statement=problem.statement,
         answer=None if judgement.state == "unreadable" else data,
         mistakes=judgement.mistakes,
         unnamed=(relation(data, right), right) if is_unnamed else None,

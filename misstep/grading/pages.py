@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from functools import cache, lru_cache
 from typing import Any
 
-import mistune
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from latex2mathml.converter import convert
 from markupsafe import Markup, escape
@@ -40,12 +39,10 @@ ATTRIBUTES |= {"columnspacing", "columnlines", "rowlines", "width", "height", "l
 
 MAX_ANSWER = 2000
 """The longest answer that is shown, and the longest formula that is converted, in characters."""
-SMALL_FRACTION = re.compile(r"\\[td]frac(?![a-zA-Z])")
-"""Fractions of another size, which latex2mathml does not know."""
 
 
 @lru_cache(maxsize=4096)  # the same formulas are on the pages of all students
-def formula(latex: str, display: str = "inline") -> Markup:
+def formula(latex: str) -> Markup:
     r"""Return a formula as MathML, which browsers and screen readers know; as it was typed if it cannot be converted.
 
     >>> formula(r"\href{javascript:alert(1)}{x}")
@@ -55,7 +52,7 @@ def formula(latex: str, display: str = "inline") -> Markup:
     if len(latex) > MAX_ANSWER:
         return as_typed
     try:
-        html = convert(SMALL_FRACTION.sub(r"\\frac", latex), display=display)
+        html = convert(latex)
     except Exception:  # the errors of latex2mathml have no common base class
         return as_typed
     return Markup(html) if set(re.findall(r'([\w:-]+)="', html)) <= ATTRIBUTES else as_typed  # noqa: S704 - as above
@@ -75,22 +72,9 @@ def sentence(text: str) -> Markup:
     return html + escape(text[end:])
 
 
-def statement(text: str) -> Markup:
-    """Return the statement of a problem, which an author wrote in Markdown, as HTML with MathML."""
-    return Markup(str(_markdown()(text)))  # noqa: S704 - mistune escapes HTML
-
-
-@cache
-def _markdown() -> mistune.Markdown:
-    markdown = mistune.create_markdown(escape=True, plugins=["table", "math"])
-    for name, display in (("inline_math", "inline"), ("block_math", "block")):
-        markdown.renderer.register(name, lambda _, latex, display=display: str(formula(latex.strip(), display)))  # type: ignore[union-attr]
-    return markdown
-
-
 def answer_text(data: Any) -> str:
     """Return a stored answer as Python shows it, which was read before."""
-    text = str(from_data(data)) if data is not None else "no answer"
+    text = str(from_data(data))
     return text if len(text) <= MAX_ANSWER else f"{text[:MAX_ANSWER]} ..."
 
 
@@ -127,6 +111,6 @@ def _environment() -> Environment:
         finalize=safe,
         trim_blocks=True,
     )
-    environment.filters.update(points=points, sentence=sentence, statement=statement, answer=answer_text)
+    environment.filters.update(points=points, sentence=sentence, answer=answer_text)
     environment.globals.update(STATES=STATES)
     return environment

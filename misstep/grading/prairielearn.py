@@ -15,7 +15,7 @@ import shutil
 from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from functools import lru_cache
-from importlib.util import find_spec
+from importlib.resources import files
 from itertools import chain
 from pathlib import Path
 from typing import Any
@@ -35,8 +35,6 @@ from misstep.verdict import Verdict
 
 Data = dict[str, Any]
 """What PrairieLearn passes to each function, which changes it in place."""
-
-INSTANCE = "Course"
 
 QUESTION = """<pl-question-panel>
 <markdown>{{{params.statement}}}</markdown>
@@ -88,15 +86,13 @@ class Question:
         """Draw the numbers, and leave the statement, the sizes of the inputs and the right answer in the data."""
         problem = self._problem(data)
         figure = problem.figure() if problem.figure else None
-        texts = {
-            k: f"np.array({v.tolist()})" if isinstance(v, np.ndarray) else repr(v) for k, v in problem.given.items()
-        }
         inputs: Data = {"matrices": [], "formulas": [], "choices": [], "blocks": []}
         for k, answer in enumerate(_answers(problem.answer)):
             kind, shown, right = _inputs(answer, k)
             inputs[kind] += shown
             data["correct_answers"].update(right)
-        given = "\n".join(f"{name} = {text}" for name, text in texts.items())
+        arrays = {k: f"np.array({v.tolist()})" for k, v in problem.given.items() if isinstance(v, np.ndarray)}
+        given = "\n".join(f"{k} = {arrays.get(k, repr(v))}" for k, v in problem.given.items())
         data["params"].update(statement=problem.statement, given=given, alt=getattr(figure, "alt", ""), **inputs)
         data["params"]["has"] = {kind: bool(ones) for kind, ones in inputs.items()}
 
@@ -214,6 +210,7 @@ def export(course: Course, out: Path) -> tuple[int, list[str]]:
     """
     if out.exists() and any(out.iterdir()):
         raise ValueError(f"{out} must be a new or an empty folder; it has {next(out.iterdir()).name}.")
+    folder = out / "courseInstances" / "Course"
     topics, count, left_out = [], 0, []
     for name in course.sheets():
         sheet = course.find_sheet(name)
@@ -233,15 +230,12 @@ def export(course: Course, out: Path) -> tuple[int, list[str]]:
         number, count = name.partition("_")[0], count + len(questions)
         assessment = {"uuid": _uuid(course, name), "type": "Homework", "title": sheet.title, "set": "Homework"}
         zones = [{"title": sheet.title, "questions": questions}]
-        path = out / "courseInstances" / INSTANCE / "assessments" / name / "infoAssessment.json"
-        _write(path, {**assessment, "number": number, "zones": zones})
+        _write(folder / "assessments" / name / "infoAssessment.json", {**assessment, "number": number, "zones": zones})
         topics.append({"name": sheet.title, "color": "blue1"})
     _write(out / "infoCourse.json", {"name": course.package, "title": course.package, "topics": topics})
-    instance = {"uuid": _uuid(course, INSTANCE), "longName": INSTANCE}
-    _write(out / "courseInstances" / INSTANCE / "infoCourseInstance.json", instance)
+    _write(folder / "infoCourseInstance.json", {"uuid": _uuid(course, "Course"), "longName": "Course"})
     for package in ("misstep", course.package, *course.requires):
-        spec = find_spec(package)
-        source = Path(next(iter(spec.submodule_search_locations or [])) if spec else package)
+        source = Path(str(files(package)))
         shutil.copytree(source, out / "serverFilesCourse" / package, ignore=shutil.ignore_patterns("__pycache__"))
     return count, left_out
 

@@ -15,7 +15,7 @@ FLAGS = {
     "unreadable": "Could not be read",
     "not graded": "Could not be graded",
     "changed": "An answer cell was run after its check, so another answer may be stored than the one in the cell",
-    "other id": "The id that was typed is not the student's",
+    "other id": "The id that was typed is not the student's (--roster gives them, --typed-ids takes those that were typed)",
     "same id": "One id was typed in the notebooks of several students",
     "same answers": "Several answers are the same as those of another student, although their numbers differ",
     "several ids": "The notebooks under this name are of several ids. Is it the folder of a section or a group?",
@@ -36,7 +36,6 @@ class ProblemResult:
     state: str  # right, partly, wrong, open, blank, unreadable; marked by hand; or missing, if no answer is stored
     lines: Sequence[str] = ()  # of the card
     address: str = ""  # of the section to re-read, which the last line names
-    statement: str = ""
     answer: Any = None  # as data; None if it has no known form
     mistakes: Sequence[str] = ()
     unnamed: tuple[str, Any] | None = None  # of a wrong answer without a name: its relation to the right one, and that

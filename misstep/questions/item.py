@@ -87,18 +87,13 @@ def _item(key: str, table: Any, place: str) -> Item:
     except (AttributeError, KeyError, TypeError) as error:
         missing = f"{error} is missing." if isinstance(error, KeyError) else error
         raise ValueError(f"{place}: {missing}") from error
-    is_prediction, count = item.kind == "predict", len(LETTERS)
+    is_prediction = item.kind == "predict"
     has_reasons = all(bool(option.why) != (option.right and is_prediction) for option in options)
-    for is_kept, rule in (
-        (item.kind in KINDS, f"kind must be one of {', '.join(KINDS)}; got {item.kind!r}."),
-        (
-            bool(item.explanation) == is_prediction,
-            "a prediction must have an explanation, and no other question has one.",
-        ),
-        (2 <= len(options) <= count, f"there must be 2 to {count} options."),
-        ([option.right for option in options].count(True) == 1, "exactly one option must have right = true."),
-        (has_reasons, "each option must have why, but the right one of a prediction, which explanation explains."),
-    ):
-        if not is_kept:
-            raise ValueError(f"{place}: {rule}")
+    if not 2 <= len(options) <= len(LETTERS) or [option.right for option in options].count(True) != 1:
+        raise ValueError(f"{place}: exactly one of 2 to {len(LETTERS)} options must have right = true.")
+    if item.kind not in KINDS or bool(item.explanation) != is_prediction or not has_reasons:
+        raise ValueError(
+            f"{place}: kind must be one of {', '.join(KINDS)}. Each option has why, but the right one of a prediction, which has "
+            "an explanation instead."
+        )
     return item.shuffled(place)

@@ -1,5 +1,6 @@
 """Questions as widgets: buttons for the options, and the explanation of the chosen one."""
 
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from traitlets import Bool, HasTraits, Int
@@ -33,7 +34,6 @@ class Question(HasTraits):
         super().__init__()
         self.item = item
         self.name = name
-        self._widget: widgets.Widget | None = None
 
     def commit(self, choice: int) -> None:
         """Commit to an option, by its index. Only the first commitment counts."""
@@ -62,15 +62,13 @@ class Question(HasTraits):
         title = f"You said {LETTERS[self.choice]}, but {LETTERS[item.right]} is right"
         return Card("wrong", title, [chosen.why, correction, *lesson])
 
+    @cached_property
+    def _widget(self) -> "widgets.Widget":
+        return _make_widget(self)
+
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        if self._widget is None:
-            self._widget = _make_widget(self)
-        static_html = {"text/html": question_html(self.name, self.item)} if is_page() else {}
-        return {
-            **self._widget._repr_mimebundle_(**options),
-            **static_html,
-            "text/plain": f"{KINDS[self.item.kind]}: {self.item.text}",
-        }
+        html = question_html(self.name, self.item)
+        return _bundle(self._widget, html, f"{KINDS[self.item.kind]}: {self.item.text}", options)
 
 
 class Explanation:
@@ -78,7 +76,10 @@ class Explanation:
 
     def __init__(self, question: Question, output: str = "") -> None:
         self.question, self.output = question, output
-        self._widget: widgets.Widget | None = None
+
+    @cached_property
+    def _widget(self) -> "widgets.Widget":
+        return _make_explanation(self.question, self.output)
 
     @property
     def card(self) -> Card:
@@ -86,11 +87,12 @@ class Explanation:
         return self.question.explanation(output=self.output)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        if self._widget is None:
-            self._widget = _make_explanation(self.question, self.output)
-        question = self.question
-        static_html = {"text/html": explanation_html(question.name, question.item, self.output)} if is_page() else {}
-        return {**self._widget._repr_mimebundle_(**options), **static_html, "text/plain": self.card.text()}
+        html = explanation_html(self.question.name, self.question.item, self.output)
+        return _bundle(self._widget, html, self.card.text(), options)
+
+
+def _bundle(widget: "widgets.Widget", html: str, text: str, options: Any) -> dict[str, Any]:
+    return {**widget._repr_mimebundle_(**options), **({"text/html": html} if is_page() else {}), "text/plain": text}
 
 
 def _make_explanation(question: Question, output: str) -> "widgets.Widget":

@@ -29,11 +29,7 @@ def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str) -
     entries  one for each problem
     intro    the paragraph below the title
     imports  the first lines of the first code cell, before those that open the sheet
-
-    Raises ValueError if there is not one entry for each problem.
     """
-    if len(entries) != len(sheet.problems):
-        raise ValueError(f"{sheet.name} has {len(sheet.problems)} problems; got {len(entries)} entries.")
     number = sheet.problems[0].number.partition(".")[0]
     opening = [imports, "", f'student = "{SAMPLE_ID}"', f'sheet = open_sheet("{sheet.name}", student)', "sheet"]
     title = f"# Sheet {number}: {sheet.title[0].lower()}{sheet.title[1:]}"

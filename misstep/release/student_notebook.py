@@ -71,6 +71,4 @@ def run(options: argparse.Namespace) -> int:
         if not options.check:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8", newline="\n")
-    if not stale and not options.check:
-        print(f"Nothing to write: the notebooks in {options.root / 'exercises'} are those of solutions.")
     return int(bool(stale) and options.check)

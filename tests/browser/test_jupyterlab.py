@@ -200,7 +200,7 @@ def one_click_on_the_section_to_reread_arrives_there(page):
             ".jp-InputArea-editor"
         ).click()
         page.keyboard.press("Control+Enter")
-    link = page.get_by_role("link", name="Re-read: section “The inverse” of lecture 01, Frames.")
+    link = page.get_by_role("link", name="Re-read: section “The inverse” of lecture 01.")
     link.wait_for(timeout=TIMEOUT_MS)
     assert page.locator(".jp-CodeCell [role=status] a").count() == 1
     link.click()

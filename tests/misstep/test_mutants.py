@@ -8,7 +8,7 @@ from misstep.answers.angle import Angles
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
 from misstep.judge import judge
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake
 from misstep.mutants.expression import given
 from misstep.mutants.operations import ANGLE, LENGTH, SLIDE, cos, inverse, radians, sin, stack
 from misstep.problem import Problem, problem
@@ -41,7 +41,7 @@ def test_one_change_is_named_with_its_factor():
 
 
 def test_a_mistake_of_the_author_comes_before_the_mutants():
-    own = mistake("my own name", BY_HAND["reversed"], "My own words.")
+    own = Mistake("my own name", BY_HAND["reversed"], "My own words.")
     assert judge(matrices(mistakes=[own]), BY_HAND["reversed"]).mistakes == ["my own name"]
 
 

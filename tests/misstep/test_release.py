@@ -49,5 +49,5 @@ def test_a_stale_notebook_is_listed_and_written_without_the_solution(tmp_path, c
 def test_a_folder_without_solutions_is_refused(tmp_path, capsys):
     assert main(["release", "--root", str(tmp_path)]) == 2
     assert "no solutions" in capsys.readouterr().err
-    with pytest.raises(ValueError, match="01_ohm has 1 problems; got 2 entries"):
+    with pytest.raises(ValueError, match="longer"):
         notebook(SHEET, [ENTRY, ENTRY], "", "")

@@ -11,7 +11,7 @@ from misstep.answers.number import Numbers
 from misstep.answers.ordering import Ordering
 from misstep.diagnosis.explanation import Finding
 from misstep.judge import STEP_BY_STEP, UNKNOWN, Judgement, judge
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake
 from misstep.mutants.expression import given as of_solution
 from misstep.problem import Problem, problem
 from misstep.sampling import Sampler
@@ -50,13 +50,13 @@ def opened(drawn, points=1):
     return OpenSheet(Sheet("01_ohm", "Ohm's law", [template(lambda _: drawn, points=points)]), "ada")
 
 
-NEGATED = mistake(
+NEGATED = Mistake(
     "negated",
     np.array([[0, 0, -1, 0, 2, 0], [0, -1, 0, -3, 0, 0.0]]),
     "You reversed the axes.",
     part="This row has the opposite sign.",
 )
-SHIFTED = mistake(
+SHIFTED = Mistake(
     "shifted",
     np.array([[0, 0, 1, 0, -1, 0], [0, 1, 0, 4, 0, 0.0]]),
     "You moved the points.",
@@ -111,7 +111,7 @@ def test_a_mistake_in_one_part_is_named_for_that_part():
 
 def test_a_variant_in_which_a_mistake_is_right_is_drawn_again_or_refused():
     def signs(x):
-        return Problem(f"{x}", Numbers(np.array(float(x))), [mistake("sign", np.array(-float(x)), "Sign.")])
+        return Problem(f"{x}", Numbers(np.array(float(x))), [Mistake("sign", np.array(-float(x)), "Sign.")])
 
     sign, degenerate = template(lambda draw: signs(draw.integer(0, 1))), template(lambda _: signs(0))
     assert {sign.variant(f"s{i}").statement for i in range(50)} == {"1"}
@@ -122,7 +122,7 @@ def test_a_variant_in_which_a_mistake_is_right_is_drawn_again_or_refused():
 def test_a_mistake_that_looks_like_the_right_answer_in_another_unit_is_left_out():
     """A card names the unit before any mistake, so that the mistake would have a message that no student reads."""
     values = {"in metres": 0.27102, "in centimetres": 27.1, "nothing": 0.0, "another distance": 280.0}
-    ways = [mistake(name, np.array(value), "A sentence.") for name, value in values.items()]
+    ways = [Mistake(name, np.array(value), "A sentence.") for name, value in values.items()]
     drawn = Problem("How far?", Numbers(np.array(271.0), unit="mm"), ways).without_duplicates()
     assert [one.name for one in drawn.mistakes] == ["another distance"]
     assert judge(drawn, 280.0).mistakes == ["another distance"]
@@ -130,7 +130,7 @@ def test_a_mistake_that_looks_like_the_right_answer_in_another_unit_is_left_out(
 
 def test_a_mistake_of_another_shape_is_refused_when_the_problem_is_made():
     with pytest.raises(ValueError, match=r"shape \(2, 6\).*shape \(6,\)"):
-        two_rows([mistake("one row", np.zeros(6), "?")])
+        two_rows([Mistake("one row", np.zeros(6), "?")])
 
 
 def test_an_unreadable_value_is_refused_with_what_was_expected_and_given():
@@ -148,7 +148,7 @@ def test_an_unreadable_value_is_refused_with_what_was_expected_and_given():
         (pair, 7, f"{two}; got int 7."),
         (pair, [Rude(), Rude()], f"{two}; got a list that does not turn into numbers."),
         (pair, [np.nan, 0], f"{two}. Your answer contains NaN or infinity at index [0]. "),
-        (order, ["M", "e_a"] * 10, f"{names}; e_a appears 10 times."),
+        (order, ["M", "e_a"] * 10, f"{names}; M appears 10 times."),
         (order, ["M"] * 21, f"{names}; got list ['M', 'M', "),
         (choice, "c" * 99, "Expected one of 'a', 'b'; got str 'ccc"),
     ]:
@@ -158,7 +158,7 @@ def test_an_unreadable_value_is_refused_with_what_was_expected_and_given():
 
 
 def test_a_card_names_score_mistake_and_section_and_its_findings_are_in_the_order_of_the_parts():
-    p = two_rows([NEGATED, mistake("swapped", NEGATED.value[::-1], "A whole.", "This row is swapped.")])
+    p = two_rows([NEGATED, Mistake("swapped", NEGATED.value[::-1], "A whole.", "This row is swapped.")])
     sheet = opened(p, points=4)
     text = sheet.check(1, [p.answer.value[0], NEGATED.value[1]])._repr_mimebundle_()["text/plain"]
     said = (
@@ -237,7 +237,7 @@ def test_a_right_answer_is_followed_by_a_worked_solution_and_a_further_question(
 def test_the_tally_names_a_mistake_that_returns_also_if_it_was_corrected():
     def half(sampler):
         x = sampler.integer(3, 9)
-        wrong = [mistake("sign", np.array(-x / 2), "A sentence.")]
+        wrong = [Mistake("sign", np.array(-x / 2), "A sentence.")]
         return Problem("Halve it.", Numbers(x / 2), wrong, given={"x": x}, solution=of_solution("x", float(x)) / 2)
 
     sheet = OpenSheet(Sheet("01_ohm", "Ohm's law", [template(half, f"01.{k}") for k in range(1, 5)]), "ada")

@@ -66,9 +66,7 @@ PICTURES = {
     "lettered arm": lambda: lettered(kl.robots.plain_arm()),
     "velocity": lambda: view.draw_point_velocity((0, 0.3, 1), (1, 2, 0.5)),
     "moment": lambda: view.draw_moment((0, 0.3, 1), (1, 2, 0.5)),
-    "four-bar": lambda: view.draw_linkage(
-        FOUR_BAR, [1, 0.3, 2, 0], ghost=CLOSED[1], points={"P": ("coupler", (2, 1, 0))}
-    ),
+    "four-bar": lambda: view.draw_linkage(FOUR_BAR, [1, 0.3, 2, 0], ghost=CLOSED[1]),
     "open slider-crank": lambda: view.draw_linkage(SLIDER, [0.5, 0.2, 3, 0]),
     "hexapod": lambda: view.draw_linkage(kl.linkages.stewart_gough(), np.zeros(36)),
     "gripper": lambda: draw_tree(HAND, [0.1, 0.02]),

@@ -25,8 +25,10 @@ CHARACTER_WIDTH = 0.6
 def crop(pictures: Sequence[Picture], largest: tuple[float, float] = LARGEST_PX) -> list[Picture]:
     """Cut drawings to the smallest rectangle that contains what all of them show, and enlarge them a little, to `largest`.
 
-    Raises ValueError if a picture was not made by svg.document.
+    Pictures of which one is not a drawing by svg.document, such as plots, are left as they are.
     """
+    if not all(HEAD.match(picture.svg) and "<svg " not in picture.svg[1:] for picture in pictures):
+        return list(pictures)
     boxes = np.array([_content(picture.svg) for picture in pictures])
     low, high = boxes[:, 0].min(axis=0) - BORDER_PX, boxes[:, 1].max(axis=0) + BORDER_PX
     scale = min(MAX_ENLARGEMENT, max(1.0, float((largest / (high - low)).min())))
@@ -37,17 +39,8 @@ def crop(pictures: Sequence[Picture], largest: tuple[float, float] = LARGEST_PX)
     return [replace(picture, svg=HEAD.sub(lambda found: found[1] + head, picture.svg, count=1)) for picture in pictures]
 
 
-def is_croppable(picture: Picture) -> bool:
-    """Whether a picture was made by svg.document: a drawing, not a plot."""
-    return HEAD.match(picture.svg) is not None and "<svg " not in picture.svg[1:]
-
-
 def _content(svg: str) -> Array:
     """Return the upper left and the lower right corner of what a drawing shows, (2, 2), in the pixels of the drawing."""
-    if not HEAD.match(svg):
-        raise ValueError(
-            f"crop takes drawings made by kinlib.view.drawing; got an image that begins with {svg[:40]!r}."
-        )
     corners = [np.array(pairs.replace(",", " ").split(), dtype=float).reshape(-1, 2) for pairs in POINTS.findall(svg)]
     for x, y, radius in np.array(CIRCLE.findall(svg), dtype=float).reshape(-1, 3):
         corners.append(np.array([[x - radius, y - radius], [x + radius, y + radius]]))

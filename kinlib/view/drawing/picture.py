@@ -44,7 +44,7 @@ class Picture:
     '<figure class="kinlib-figure" ...><style>...</style><img alt="A drawing with nothing in it." ...></figure>'
     >>> nothing.save("nothing.jpg") if sorted(nothing.contents()) == ["html", "png", "svg"] else None
     Traceback (most recent call last):
-    ValueError: path must end in .svg, .html or .png; got 'nothing.jpg'.
+    ValueError: path must end in .svg or .html or .png; got 'nothing.jpg'.
     """
 
     svg: str
@@ -97,7 +97,7 @@ class Gallery:
 
     >>> Gallery((Picture("<svg></svg>", "A drawing with nothing in it."),)).save("nothing.svg")
     Traceback (most recent call last):
-    ValueError: path must end in .html; got 'nothing.svg'. One of its `pictures` can be saved as an image.
+    ValueError: path must end in .html; got 'nothing.svg'.
     >>> Gallery((Picture("<svg></svg>", "A drawing with nothing in it."),)).html().count("<figure")
     1
     """
@@ -111,9 +111,9 @@ class Gallery:
         return f'<div style="display:grid;{columns};gap:.8em;align-items:end;max-width:50em">{pictures}</div>'
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Save the pictures with their text alternatives as a page, .html."""
+        """Save the pictures with their text alternatives as a page, .html; one of its `pictures` can be saved as an image."""
         alt = " ".join(picture.alt for picture in self.pictures)
-        save(path, {"html": lambda: page(alt, self.html())}, "One of its `pictures` can be saved as an image.")
+        save(path, {"html": lambda: page(alt, self.html())})
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         return {"text/html": self.html(), "text/plain": "\n".join(picture.alt for picture in self.pictures)}
@@ -144,16 +144,14 @@ def vector_text(values: ArrayLike) -> str:
     return format_vector(values, 3, zero=TYPED_PI_ERROR)
 
 
-def save(path: str | PathLike[str], contents: Mapping[str, Callable[[], str | bytes]], advice: str = "") -> None:
+def save(path: str | PathLike[str], contents: Mapping[str, Callable[[], str | bytes]]) -> None:
     """Write a file of the kind that its ending names; contents gives the text or the bytes of each kind.
 
-    Raises ValueError for any other ending, with the advice, and for a folder that does not exist.
+    Raises ValueError for any other ending, and for a folder that does not exist.
     """
     kind = Path(path).suffix.lower().removeprefix(".")
     if kind not in contents:
-        *most, last = (f".{name}" for name in contents)
-        kinds = f"{', '.join(most)} or {last}" if most else last
-        raise ValueError(f"path must end in {kinds}; got {str(path)!r}. {advice}".rstrip())
+        raise ValueError(f"path must end in {' or '.join(f'.{name}' for name in contents)}; got {str(path)!r}.")
     if not Path(path).parent.is_dir():
         raise ValueError(f"path must be in a folder that exists; got {str(path)!r}. Make the folder first.")
     content = contents[kind]()

@@ -122,8 +122,6 @@ def draw_lettered_chain(chain: Chain, letters: Sequence[str], home: bool = True)
              points that coincide
     home     whether to draw M as a dashed arrow from {s} to {b}
 
-    Raises ValueError unless just the links that have a length have a letter.
-
     >>> from kinlib.chains.robots import plain_arm
     >>> print(draw_lettered_chain(plain_arm(), ["", "L_1", "", "L_2", "L_3"]).alt)      # doctest: +NORMALIZE_WHITESPACE
     An arm with 4 joints (RRPR) at home. From the origin of {s}: there joint 1 (revolute, axis along z);
@@ -133,10 +131,6 @@ def draw_lettered_chain(chain: Chain, letters: Sequence[str], home: bool = True)
     """
     path = stations(chain)
     steps = np.diff(path, axis=0)
-    if [bool(letter) for letter in letters] != (np.linalg.norm(steps, axis=-1) > 1e-9).tolist():
-        raise ValueError(
-            f"letters must have {len(steps)} entries, one for each link, with '' where two points coincide; got {list(letters)}."
-        )
     canvas = Canvas(path)
     canvas.line(path, LINK_GREY, 5.0)
     draw_joint_bodies(canvas, chain, chain.link_poses(np.zeros(chain.n)))

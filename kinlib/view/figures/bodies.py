@@ -8,7 +8,7 @@ The links of a URDF show the boxes, cylinders and spheres of their <visual> elem
 import json
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -51,19 +51,25 @@ class Primitive(NamedTuple):
     colour: str = "body"
     axes: Array = np.eye(3)
 
+    @property
+    def along(self) -> Array:
+        """The unit vector along a drum, or between the balls of a tube, (3,)."""
+        way = self.points[1] - self.points[0]
+        return np.asarray(way / np.linalg.norm(way))
+
 
 @dataclass(frozen=True, eq=False)
 class Body:
     """The body of an arm.
 
     links   the primitives of link 0 to link n
-    pose    (n,) a configuration that shows its shape
+    pose    (n,) a configuration of an arm that shows its shape
     source  where its dimensions come from
     """
 
     links: tuple[tuple[Primitive, ...], ...]
-    pose: Array
-    source: str
+    pose: Array = field(default_factory=lambda: np.zeros(0))
+    source: str = "By rule, from the screw axes and the joint points."
 
     @property
     def lowest(self) -> float:
@@ -127,26 +133,22 @@ def body_of(chain: Chain, *, hand: bool = True) -> Body:
     """
     for known, described in _known_robots():
         if known.shape == chain.screws.shape and np.allclose(known, chain.screws, atol=SAME_AXES_TOL_M):
-            links = [[solid for row in rows for solid in _solids(row)] for rows in described["links"]]
-            pose = np.array(described["pose"], dtype=float)
-            return Body(_coloured(links, described.get("colours", {})), pose, described["source"])
+            own = {"cap": "blue", **described.get("colours", {})}
+            links = tuple(
+                tuple(
+                    solid._replace(colour=own.get(solid.colour, solid.colour)) for row in rows for solid in _solids(row)
+                )
+                for rows in described["links"]
+            )
+            return Body(links, np.array(described["pose"], dtype=float), described["source"])
     return _Builder(chain).body(hand)
-
-
-def _coloured(links: Sequence[Sequence[Primitive]], names: dict[str, str]) -> tuple[tuple[Primitive, ...], ...]:
-    own = {"cap": "blue", **names}
-    return tuple(tuple(solid._replace(colour=own.get(solid.colour, solid.colour)) for solid in link) for link in links)
 
 
 def rim_points(solid: Primitive, eye: Array, count: int = 24) -> Array:
     """Return points on a primitive, (m, 3), whose hull is its silhouette, seen along eye: rings of count points, or corners."""
     if solid.kind == "box":
         return np.asarray(solid.points[0] + (CORNERS * solid.sizes) @ solid.axes.T)
-    z = eye
-    if solid.kind == "drum":
-        way = solid.points[1] - solid.points[0]
-        z = way / np.linalg.norm(way)
-    ring = circle(z, count)
+    ring = circle(solid.along if solid.kind == "drum" else eye, count)
     return np.concatenate([p + r * ring for p, r in zip(solid.points, solid.sizes, strict=True)])
 
 
@@ -269,8 +271,7 @@ class _Builder:
         if hand:
             self._hand()
         self._foot()
-        source = "By rule, from the screw axes and the joint points."
-        return Body(_coloured(self.links, {}), self._shown(), source)
+        return Body(tuple(map(tuple, self.links)), self._shown())
 
     def _shown(self) -> Array:
         """Return a configuration within the limits that is not stretched out."""
@@ -339,17 +340,17 @@ class _Builder:
             half, S = 0.74 * r, self.sleeve
             out = max(float(way @ a), 0.62 * S)
             before.append(slab(a, p, half, -S / 2, S / 2))
-            before += [slab(a, p, 1.12 * half, q * S, (q + 0.07) * S, colour="cap") for q in (-0.52, 0.45)]
+            before += [slab(a, p, 1.12 * half, q * S, (q + 0.07) * S, colour="blue") for q in (-0.52, 0.45)]
             after.append(slab(a, p, 0.56 * half, -0.45 * S, out, colour="metal"))
             if np.linalg.norm(way - (way @ a) * a) > 0.3 * r:
-                after.append(slab(a, p, 0.95 * half, out - 0.1 * S, out + 0.1 * S, colour="cap"))
+                after.append(slab(a, p, 0.95 * half, out - 0.1 * S, out + 0.1 * S, colour="blue"))
                 after.append(tube([*(p + out * a), 0.6 * r], [*there, thin]))
             elif length > out + r:
                 after.append(tube([*(p + out * a), 0.5 * half], [*there, thin]))
             return
         half = 0.92 * r
         before.append(drum(a, p, r, -half, half))
-        after += [drum(a, p, 0.88 * r, s * (half + 0.01 * r), s * (half + 0.3 * r), colour="cap") for s in (-1, 1)]
+        after += [drum(a, p, 0.88 * r, s * (half + 0.01 * r), s * (half + 0.3 * r), colour="blue") for s in (-1, 1)]
         if abs(u @ a) < 0.75:
             after.append(drum(u, p, 0.78 * r, 0.86 * r, 1.26 * r, colour="dark"))
         if length > 1.6 * r:

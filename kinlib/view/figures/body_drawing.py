@@ -66,15 +66,10 @@ def _surface(solid: Primitive) -> Array:
     if solid.kind == "box":
         return np.asarray(solid.points[0] + (CUBE * solid.sizes) @ solid.axes.T)
     (p, q), (r, s) = solid.points, solid.sizes
-    ring, shares = circle(_along(solid), 16), np.linspace(0, 1, 10)[:, None, None]
+    ring, shares = circle(solid.along, 16), np.linspace(0, 1, 10)[:, None, None]
     side = p + shares * (q - p) + (r + shares * (s - r)) * ring
     ends = [end + k * radius * ring for end, radius in ((p, r), (q, s)) for k in (0.0, 0.4, 0.75)]
     return np.concatenate([side.reshape(-1, 3), *ends])
-
-
-def _along(solid: Primitive) -> Array:
-    way = solid.points[1] - solid.points[0]
-    return np.asarray(way / np.linalg.norm(way))
 
 
 _GRID = np.stack(np.meshgrid(np.linspace(-1, 1, 8), np.linspace(-1, 1, 8)), axis=-1).reshape(-1, 2)
@@ -134,7 +129,7 @@ def _fill(canvas: Canvas, solid: Primitive, hull: Array, level: float) -> None:
                 face = canvas.to_pixels(solid.points[0] + corners @ solid.axes.T)
                 canvas.shape(face, lit(solid.colour, sign * n), level=level)
         return
-    z = _along(solid)
+    z = solid.along
     d = view @ z
     flat = float(np.hypot(d[0], d[1]))
     across = np.array([-d[1], d[0], 0]) / flat if flat > 0.05 else np.array([1.0, 0, 0])

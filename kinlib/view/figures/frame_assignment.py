@@ -39,8 +39,6 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
     Joint axes are violet and dashed, common normals orange; a normal of length zero is a short line along its direction.
     y is drawn only while its frame is strong. While a row is read off, its a is a thick orange line and its d a violet one.
 
-    Raises ValueError if until is not the index of a step.
-
     >>> from kinlib.dh.assignment import assign_frames
     >>> from kinlib.chains.robots import youbot
     >>> print(draw_assignment(assign_frames(youbot(), convention="standard"), 3).alt)    # doctest: +NORMALIZE_WHITESPACE
@@ -48,8 +46,6 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
     Drawn so far: frame 0 at (0, 0, 0), x along (1, 0, 0), z along (0, 0, 1).
     """
     steps, chain = assignment.steps, assignment.chain
-    if until is not None and until not in range(len(steps)):
-        raise ValueError(f"until must be the index of a step of this assignment, 0 to {len(steps) - 1}; got {until!r}.")
     stop = assignment_stop(assignment, len(steps) - 1 if until is None else until)
     near, feet = visible_features(assignment)
     seen = np.concatenate([chain.joint_points, chain.home[None, :3, 3], assignment.frames[near, :3, 3], feet])

@@ -27,13 +27,11 @@ def draw_frames(
     numbers  whether the grid has numbers and each origin a dotted line down to it, so that its coordinates can be read off
     axis_length  the length of the axes in metres; by default a quarter of the size of what is shown
 
-    Raises ValueError if a frame is not a pose, or there is no frame.
+    Raises ValueError if a frame is not a pose.
 
     >>> draw_frames({"s": np.eye(4)}).alt
     'Frame {s} at (0, 0, 0).'
     """
-    if not frames:
-        raise ValueError("frames must contain at least one pose, such as {'s': np.eye(4)}; got none.")
     poses = {name: validation.poses(T, f"frame {name}") for name, T in frames.items()}
     origins = [T[:3, 3] for T in poses.values()]
     seen = np.array([*origins, *(T[:3, 3] + 0.5 * T[:3, k] for T in poses.values() for k in range(3))])

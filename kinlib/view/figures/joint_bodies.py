@@ -35,11 +35,11 @@ def draw_joint_body(canvas: Canvas, letter: str, z: Array, centre: Array) -> Non
     radius = JOINT_RADIUS * canvas.size
     half = 1.5 * radius * z
     level = 3.0 + 0.01 * float(canvas.eye @ centre) / canvas.size  # a nearer joint hides a farther one
-    rim = centre + _around(z, radius, np.linspace(0, 2 * np.pi, (4 if letter == "P" else 24) + 1) + np.pi / 4)
+    rim = centre + around(z, radius, np.linspace(0, 2 * np.pi, (4 if letter == "P" else 24) + 1) + np.pi / 4)
     canvas.body(np.concatenate([rim - half, rim + half]), JOINT_FILL, level)
     canvas.line(rim + (half if canvas.eye @ z > 0 else -half), INK, 1.0, level=level + 1e-5)
     if letter == "H":
-        thread = _around(z, radius, np.linspace(0, 6 * np.pi, 60))
+        thread = around(z, radius, np.linspace(0, 6 * np.pi, 60))
         climb = np.linspace(-1, 1, 60)[:, None] * half
         for (here, there), (low, high) in zip(pairwise(thread), pairwise(climb), strict=True):
             if canvas.eye @ (here + there) > 0:  # the far side of the thread is hidden
@@ -58,8 +58,8 @@ def carried_axes(chain: Chain, frames: Array) -> Array:
     return np.asarray((frames[:, :3, :3] @ chain.lines.axis[:, :, None])[..., 0])
 
 
-def _around(z: Array, radius: float, angles: Array) -> Array:
-    """Return points (m, 3) on a circle about the origin, perpendicular to z."""
+def around(z: Array, radius: float, angles: Array) -> Array:
+    """Return points (m, 3) at angles (m,) on a circle about the origin, perpendicular to z."""
     x = perpendicular(z)
     return np.asarray(radius * (np.cos(angles)[:, None] * x + np.sin(angles)[:, None] * np.cross(z, x)))
 

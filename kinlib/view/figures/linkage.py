@@ -3,7 +3,6 @@
 A planar linkage is seen from above, any other in the projection of draw_arm.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import reduce
 from itertools import pairwise
@@ -27,31 +26,23 @@ from kinlib.view.figures.joint_bodies import JOINT_RADIUS, NUMBER_OFFSETS
 GAP_TOL_M = 1e-6
 """If the two halves of a joint are farther apart than this, the gap is drawn."""
 
-Points = Mapping[str, tuple[str, ArrayLike]]
-
 
 @dataclass(frozen=True, eq=False)
 class LinkageGeometry:
     """The positions of everything that is drawn of a linkage.
 
-    q              (n,)    the configuration
     poses                  the motion of each body from home, (b, 4, 4)
     first, second  (j, 3)  the point of each joint on its first and on its second body; equal if the loop is closed
-    corners                the points of each body, (k, 3)
-    points                 named points of bodies
     """
 
-    q: Array
     poses: Array
     first: Array
     second: Array
-    corners: Mapping[str, Array]
-    points: Mapping[str, Array]
 
     @property
     def all(self) -> Array:
         """All points that are drawn, (m, 3)."""
-        return np.concatenate([self.first, self.second, *(point[None] for point in self.points.values())])
+        return np.concatenate([self.first, self.second])
 
     @property
     def gap(self) -> Array:
@@ -59,15 +50,11 @@ class LinkageGeometry:
         return np.asarray(np.linalg.norm(self.first - self.second, axis=1))
 
 
-def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None = None) -> LinkageGeometry:
-    """Compute where joints, bodies and named points are in a configuration; the arguments are those of `draw_linkage`."""
+def linkage_geometry(mechanism: Mechanism, q: JointValues) -> LinkageGeometry:
+    """Compute where joints and bodies are in a configuration (n,)."""
     validation.instance(mechanism, "mechanism", Mechanism)
     values = validation.single(mechanism.in_order(q), "q")
     poses = mechanism.poses(values)
-    if wrong := [body for body, _ in (points or {}).values() if body not in poses]:
-        raise ValueError(f"{mechanism.name} has the bodies {', '.join(poses)}; got {wrong[0]!r}.")
-    corners = {body: moved(poses[body], ends) for body, ends in body_points(mechanism, points).items()}
-    named = {name: moved(poses[body], np.asarray(p, dtype=float)) for name, (body, p) in (points or {}).items()}
     first, second = [], []
     own_values = np.split(values, np.cumsum([joint.dof for joint in mechanism.joints])[:-1])
     for joint, own in zip(mechanism.joints, own_values, strict=True):
@@ -76,17 +63,15 @@ def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None
         first.append(moved(reduce(np.matmul, exp(joint.screws * own[:, None]), here), joint.position))
         second.append(moved(there @ inverse(joint.closing_offset), joint.position))
     moves = np.array([poses[body] for body in mechanism.bodies])
-    return LinkageGeometry(values, moves, np.array(first), np.array(second), corners, named)
+    return LinkageGeometry(moves, np.array(first), np.array(second))
 
 
-def body_points(mechanism: Mechanism, points: Points | None = None) -> dict[str, Array]:
-    """Return for each body the points of its joints, and its named points, (k, 3), which move with it."""
+def body_points(mechanism: Mechanism) -> dict[str, Array]:
+    """Return for each body the points of its joints, (k, 3), which move with it."""
     found: dict[str, list[Array]] = {body: [] for body in mechanism.bodies}
     for joint in mechanism.joints:
         found[joint.bodies[0]].append(joint.position)
         found[joint.bodies[1]].append(moved(inverse(joint.closing_offset), joint.position))
-    for name, (body, point) in (points or {}).items():
-        found[body].append(validation.vectors(point, f"point {name}", 3))
     return {body: np.array(places) for body, places in found.items()}
 
 
@@ -95,7 +80,6 @@ def draw_linkage(
     q: JointValues,
     *,
     ghost: JointValues | None = None,
-    points: Points | None = None,
     around: ArrayLike | None = None,
     size: tuple[float, float] = (640, 440),
     names: bool = True,
@@ -105,14 +89,13 @@ def draw_linkage(
 
     q       (n,) joint values, or a mapping from their names to values
     ghost   (n,) another configuration, drawn in grey
-    points  {"P": ("coupler", (x, y, z))}: points of bodies to label, in the coordinates in which the joints are given
     around  points (..., 3) to keep in view, so that pictures of several configurations have the same scale
     size    width and largest height in pixels
     names   whether joints are labelled
 
     An orange dotted line connects the two halves of a joint that is not closed.
 
-    Raises ValueError if q or ghost does not have n values or contains NaN, or if the linkage has no body of a given name.
+    Raises ValueError if q or ghost does not have n values or contains NaN.
 
     >>> from kinlib.mechanisms.linkages import slider_crank
     >>> print(draw_linkage(slider_crank(1, 3), [0, 0, 4, 0]).alt)       # doctest: +NORMALIZE_WHITESPACE
@@ -120,7 +103,7 @@ def draw_linkage(
     at (1, 0); slide joins ground and slider at (4, 0); C joins slider and rod at (4, 0). All lengths in metres. It is
     closed.
     """
-    geometry = linkage_geometry(mechanism, q, points)
+    geometry = linkage_geometry(mechanism, q)
     shade = None if ghost is None else linkage_geometry(mechanism, ghost)
     planar = is_planar(mechanism)
     drawn = [geometry.all] if shade is None else [geometry.all, shade.all]
@@ -128,11 +111,11 @@ def draw_linkage(
     # No axis or frame extends beyond the joints, so the margin can be smaller, most of all for a planar linkage.
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
     canvas = Canvas(middle + (0.72 if planar else 0.9) * (seen - middle), "top" if planar else "default", size)
-    body = linkage_body(mechanism, geometry.q[None], points)
+    body = linkage_body(mechanism, mechanism.in_order(q)[None])
     canvas.floor(seen, height=body.lowest)
-    for name, corners in shade.corners.items() if shade else ():
+    for T, (name, ends) in zip(shade.poses, body_points(mechanism).items(), strict=True) if shade else ():
         if name != mechanism.ground:
-            canvas.line([*corners, corners[0]], GHOST_GREY, 6.0, level=1)
+            canvas.line(moved(T, np.array([*ends, ends[0]])), GHOST_GREY, 6.0, level=1)
     draw_body(canvas, body, geometry.poses)
     for joint, here, there in zip(mechanism.joints, geometry.first, geometry.second, strict=True):
         if np.linalg.norm(here - there) > GAP_TOL_M:
@@ -140,9 +123,6 @@ def draw_linkage(
             canvas.dot(there, ORANGE, 7)
         if names:
             canvas.label(here, _joint_label(joint.name), INK, NUMBER_OFFSETS, 11)
-    for name, point in geometry.points.items():
-        canvas.dot(point, INK, 8)
-        canvas.label(point, name, INK)
     return canvas.picture(describe_linkage(mechanism, geometry, shade), caption, cropped=around is None)
 
 
@@ -153,7 +133,6 @@ def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry, ghost: Lin
         f"{joint.name} joins {' and '.join(joint.bodies)} at {vector_text(place[shown])}"
         for joint, place in zip(mechanism.joints, geometry.first, strict=True)
     ]
-    named = "".join(f" {name} is at {vector_text(point[shown])}." for name, point in geometry.points.items())
     widest = int(np.argmax(geometry.gap))
     closed = "It is closed."
     if geometry.gap[widest] > GAP_TOL_M:
@@ -162,7 +141,7 @@ def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry, ghost: Lin
         places = zip(mechanism.joints, ghost.first, strict=True)
         closed += f" In grey: {', '.join(f'{joint.name} at {vector_text(place[shown])}' for joint, place in places)}."
     head = f"{mechanism.name} with the bodies {', '.join(mechanism.bodies)}."
-    return f"{head} {'; '.join(joints)}.{named} All lengths in metres. {closed}"
+    return f"{head} {'; '.join(joints)}. All lengths in metres. {closed}"
 
 
 def is_planar(mechanism: Mechanism) -> bool:
@@ -177,15 +156,14 @@ def _joint_label(name: str) -> str:
     return rf"$\{head}_{{{low}}}$" if low and head in GREEK else name.removeprefix("joint ")
 
 
-def linkage_body(mechanism: Mechanism, configurations: Array, points: Points | None = None) -> Body:
+def linkage_body(mechanism: Mechanism, configurations: Array) -> Body:
     """Return the body of a linkage: its ground, and what joints and links look like; bodies move from home by their poses.
 
     configurations  (m, n) those in which it is drawn: rails and rods are as long as they need
-    points          named points of bodies, as `draw_linkage` takes them; the links extend to them
     """
-    q, ends, ground = configurations, body_points(mechanism, points), mechanism.ground
+    q, ends, ground = configurations, body_points(mechanism), mechanism.ground
     links: dict[str, list[Primitive]] = {body: [] for body in mechanism.bodies}
-    size = max(float(np.ptp(linkage_geometry(mechanism, q[0], points).all, axis=0).max()), 1e-3)
+    size = max(float(np.ptp(linkage_geometry(mechanism, q[0]).all, axis=0).max()), 1e-3)
     planar, R = is_planar(mechanism), JOINT_RADIUS * size
     columns = np.cumsum([0, *(joint.dof for joint in mechanism.joints)])
     standing: list[Array] = []
@@ -214,7 +192,7 @@ def linkage_body(mechanism: Mechanism, configurations: Array, points: Points | N
     places = np.unique(np.round(standing or ends[ground], 9), axis=0)
     low = float(places[:, 2].min()) - (0.1 if planar else 0.06) * size
     links[ground] += _base(places, low, R, plate=not planar and _span(places) > 1)
-    return Body(tuple(tuple(links[body]) for body in mechanism.bodies), q[0], "By rule, from the joints.")
+    return Body(tuple(tuple(links[body]) for body in mechanism.bodies))
 
 
 def _span(points: Array) -> int:

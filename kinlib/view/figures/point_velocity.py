@@ -5,10 +5,10 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
-from kinlib.rigid.lie import perpendicular
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.figures.joint_bodies import around
 
 
 def draw_point_velocity(omega: ArrayLike, p: ArrayLike) -> Picture:
@@ -70,9 +70,7 @@ def _rotating(w: Array, through: Array, at: Array, *, p: Array, velocity: Array,
         raise ValueError(
             f"the circle must have a radius; got an axis through {vector_text(through)} that contains {vector_text(at)}."
         )
-    across = perpendicular(axis)
-    angles = np.linspace(0, 2 * np.pi, 73)[:, None]
-    circle = centre + radius * (np.cos(angles) * across + np.sin(angles) * np.cross(axis, across))
+    circle = centre + around(axis, radius, np.linspace(0, 2 * np.pi, 73))
     ends = sorted([0.0, float(axis @ (through - centre))])
     low, high = centre + (ends[0] - 0.5 * radius) * axis, centre + (ends[1] + 0.9 * radius) * axis
     canvas = Canvas([*circle, low, high, np.zeros(3), through], size=(560, 420))

@@ -19,7 +19,7 @@ from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import body_motions, configuration_text, joint_texts
-from kinlib.view.figures.bodies import Body, Primitive, body_of, visual_solids
+from kinlib.view.figures.bodies import Body, body_of, visual_solids
 from kinlib.view.figures.body_drawing import draw_body
 from kinlib.view.figures.joint_bodies import NUMBER_OFFSETS, carried_axes, stations
 
@@ -40,6 +40,7 @@ class Branch:
     multipliers  how far it moves with that: 1, or the multiplier of a mimic joint
     names        of its joints
     shared       how many of its joints, from the root on, an earlier branch has too
+    links        of a file, those of each of its k + 1 bodies that no earlier branch has, with their poses in {s} at home
     """
 
     tip: str
@@ -48,6 +49,7 @@ class Branch:
     multipliers: Array
     names: tuple[str, ...]
     shared: int
+    links: list[list[tuple[Element, Array]]]
 
     def values(self, q: ArrayLike) -> Array:
         """Return the values of its own joints for values (n,) of the independent ones."""
@@ -62,14 +64,18 @@ class Branch:
         return body_motions(self.chain, self.values(q))
 
 
-def branches(robot: Chain | Tree) -> list[Branch]:
+def branches(robot: Chain | Tree, visuals: tuple[Tree, str] | None = None) -> list[Branch]:
     """Return the branches of a robot. Planar and floating joints stay at the identity.
+
+    visuals  the file of which an arm is a part, as a tree, and the name of the link whose frame is {s}
 
     Raises ValueError if no joint moves by one value.
     """
     if isinstance(robot, Chain):
-        return [Branch("", robot, np.arange(robot.n), np.ones(robot.n), robot.joint_names or ("",) * robot.n, 0)]
-    home = home_poses(robot)
+        names = robot.joint_names or ("",) * robot.n
+        links = _links_of_arm(names, *visuals) if visuals else [[] for _ in range(robot.n + 1)]
+        return [Branch("", robot, np.arange(robot.n), np.ones(robot.n), names, 0, links)]
+    home, drawn = _home_poses(robot), set[str]()
     found: list[Branch] = []
     for tip in robot.tips:
         path: list[UrdfJoint] = [step.joint for step in robot.path(robot.root, tip)]
@@ -84,74 +90,55 @@ def branches(robot: Chain | Tree) -> list[Branch]:
         names = tuple(joint.name for joint in joints)
         shared = max((sum(a == b for a, b in zip(names, one.names, strict=False)) for one in found), default=0)
         chain = Chain(screws, home[tip], frames[:, :3, 3], robot.name)
-        found.append(Branch(tip, chain, drivers, factors, names, shared))
+        # a link is fixed to what the moving joints above it move
+        links, body = [[] for _ in range(len(joints) + 1)], 0
+        for link, above in [(robot.root, ""), *((joint.child, joint.name) for joint in path)]:
+            body += above in names
+            if link not in drawn:
+                links[body].append((robot.link_elements[link], home[link]))
+                drawn.add(link)
+        found.append(Branch(tip, chain, drivers, factors, names, shared, links))
     if not found:
         raise ValueError(f"A tree must have a joint that moves by one value to be shown; {robot.name} has none.")
     return found
 
 
-def home_poses(tree: Tree) -> dict[str, Array]:
+def _home_poses(tree: Tree) -> dict[str, Array]:
     """Return the pose of each link where the independent joints are 0, and planar and floating joints at the identity."""
     free = {joint.name: np.eye(4) for joint in tree.parent_joints.values() if joint.type in {"planar", "floating"}}
     return tree.poses(np.zeros(tree.n), joint_poses=free)
 
 
-def links_of_bodies(tree: Tree, found: list[Branch]) -> list[list[list[Element]]]:
-    """Return the links of each body of each branch, each once: a link is fixed to what the moving joints above it move."""
-    drawn, bodies = set[str](), []
-    for branch in found:
-        own: list[list[Element]] = [[] for _ in range(branch.chain.n + 1)]
-        index = 0
-        steps = [(step.joint.child, step.joint.name) for step in tree.path(tree.root, branch.tip)]
-        for link, joint in [(tree.root, ""), *steps]:
-            index += joint in branch.names
-            if link not in drawn:
-                own[index].append(tree.link_elements[link])
-                drawn.add(link)
-        bodies.append(own)
+def _links_of_arm(names: Sequence[str], tree: Tree, base: str) -> list[list[tuple[Element, Array]]]:
+    """Return the links of each body of an arm that is a part of a tree, with their poses in the frame of the base.
+
+    All joints but those of the arm are at 0, so what hangs below them is fixed to a body.
+    """
+    home, index, above = _home_poses(tree), {base: 0}, tree.parent_joints.items()
+    while found := [(link, one) for link, one in above if link not in index and one.parent in index]:
+        index |= {link: index[joint.parent] + (joint.name in names) for link, joint in found}
+    bodies: list[list[tuple[Element, Array]]] = [[] for _ in range(len(names) + 1)]
+    for link, body in index.items():
+        bodies[body].append((tree.link_elements[link], inverse(home[base]) @ home[link]))
     return bodies
 
 
-BranchBody = tuple[tuple[tuple[Primitive, ...], ...], tuple[bool, ...]]
-"""The solids of each body of a branch, and whether they are by rule because the file shows none."""
+def robot_body(found: Sequence[Branch]) -> tuple[Body, list[list[bool]]]:
+    """Return the body of a robot, with the links of all its branches in a row, and of each branch which are by rule.
 
-
-def links_of_arm(tree: Tree, base: str, names: Sequence[str]) -> tuple[list[list[Element]], dict[str, Array]]:
-    """Return the links of each body of an arm that is a part of a tree, and the pose of each link in the frame of the base.
-
-    base   the link whose frame is {s}
-    names  of the joints of the arm; all others are at 0, so what hangs below them is fixed to a body
+    A link shows what the file shows; where no link of a body shows more than a mesh, it gets the body of any arm.
     """
-    poses = home_poses(tree)
-    home = {link: inverse(poses[base]) @ T for link, T in poses.items()}
-    bodies: list[list[Element]] = [[] for _ in range(len(names) + 1)]
-    index, above = {base: 0}, tree.parent_joints.items()
-    while found := [(link, one) for link, one in above if link not in index and one.parent in index]:
-        index |= {link: index[joint.parent] + (joint.name in names) for link, joint in found}
-    for link, body in index.items():
-        bodies[body].append(tree.link_elements[link])
-    return bodies, home
-
-
-def robot_body(robot: Chain | Tree, found: list[Branch]) -> tuple[Body, list[BranchBody]]:
-    """Return the body of a robot, with the links of all its branches in a row, and of each branch its solids and which are by rule.
-
-    A link of a tree shows what the file shows; where no link of a body shows more than a mesh, it gets the body of any arm.
-    """
-    if isinstance(robot, Chain):
-        return body_of(robot), [(body_of(robot).links, ())]
-    home = home_poses(robot)
-    bodies: list[BranchBody] = []
-    for branch, links in zip(found, links_of_bodies(robot, found), strict=True):
-        own = [[solid for link in one for solid in visual_solids(link, home[link.text("name")])] for one in links]
+    links, by_rule = [], []
+    for k, branch in enumerate(found):
+        own = [[solid for link, T in one for solid in visual_solids(link, T)] for one in branch.links]
         rule = body_of(branch.chain, hand=len(found) == 1).links
-        first = branch.shared or int(bool(bodies))
-        drawn = tuple(tuple(solids) or (rule[i] if i >= first else ()) for i, solids in enumerate(own))
-        bodies.append((drawn, tuple(not solids for solids in own)))
-    return Body(tuple(link for drawn, _ in bodies for link in drawn), np.zeros(robot.n), "The file."), bodies
+        first = branch.shared or int(k > 0)
+        links += [tuple(solids) or (rule[i] if i >= first else ()) for i, solids in enumerate(own)]
+        by_rule.append([not solids for solids in own])
+    return Body(tuple(links)), by_rule
 
 
-def joint_share(found: list[Branch]) -> float:
+def joint_share(found: Sequence[Branch]) -> float:
     """Return how large joints are drawn, as a share of their usual size."""
     return min(1.0, LARGE_JOINTS / sum(branch.chain.n - branch.shared for branch in found))
 
@@ -163,7 +150,7 @@ def draw_tree(tree: Tree, q: JointValues | None = None) -> Picture:
     """
     values = np.zeros(tree.n) if q is None else tree.in_order(q)
     found = branches(tree)
-    body, _ = robot_body(tree, found)
+    body, _ = robot_body(found)
     moved = np.concatenate([branch.motions(values) for branch in found])
     seen = np.concatenate([*(branch.stations(values) for branch in found), body.extent(moved)])
     canvas = Canvas(seen, sizes=np.concatenate([stations(branch.chain) for branch in found]))

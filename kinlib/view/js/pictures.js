@@ -15,8 +15,7 @@ export function renderPictures({ model, el }) {
   const images = model.get('frames').map(() => h('img', { hidden: true, alt: '' }));
   const load = (index) => {
     const k = order[index];
-    const svg = model.get('frames')[k];
-    if (images[k] && svg && !images[k].src) images[k].src = `data:image/svg+xml,${encodeURIComponent(svg)}`;
+    if (images[k] && !images[k].src) images[k].src = `data:image/svg+xml,${encodeURIComponent(model.get('frames')[k])}`;
   };
   const controls = stepControls({
     model,
@@ -64,10 +63,7 @@ export function renderPictures({ model, el }) {
   el.append(root);
   applyTheme();
   update();
-  const stops = [
-    listen(model, { at: update, frames: update, texts: update, covered: update }),
-    onThemeChange(applyTheme),
-  ];
+  const stops = [listen(model, { at: update, covered: update }), onThemeChange(applyTheme)];
   // JupyterLab attaches the element only now; and what nobody sees need not move.
   const observer = new IntersectionObserver((entries) => {
     applyTheme();

@@ -76,11 +76,6 @@ class Motion(NamedTuple):
         """The value of the joint that makes this motion: its angle, or else its distance."""
         return self.angle if abs(self.angle) > tolerances.UNIT_LENGTH_TOL else self.distance
 
-    def screw(self, T: Array) -> Array:
-        """Return the screw axis (6,) of that joint, for a frame at T."""
-        own = self.twist / self.value if self.value else self._replace(distance=1.0).twist
-        return np.asarray(adjoint(T) @ own)
-
 
 class Track(NamedTuple):
     """Motions one after the other, the pose (4, 4) before them, and the axes drawn.
@@ -184,7 +179,7 @@ def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = 
     rows   how many rows of the table are read; the reader finds the others. By default all of them
     after  a question; the arm stays covered until a prediction is committed
 
-    Raises ValueError if the convention is unknown, a joint is helical, or rows is not one of 0, ..., n.
+    Raises ValueError if the convention is unknown, or a joint is helical.
 
     >>> from kinlib.chains.robots import youbot
     >>> player = play_assignment(youbot(), convention="standard")
@@ -193,8 +188,6 @@ def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = 
     'youBot, standard convention, step 4 of 25. O_1 lies on axis 2,'
     """
     validation.instance(chain, "chain", Chain)
-    if rows is not None and rows not in range(chain.n + 1):
-        raise ValueError(f"rows must be the number of rows to show, 0 to {chain.n}; got {rows!r}.")
     validate_convention(convention)
     assignments = {str(name): assign_frames(chain, convention=name) for name in MOTIONS}
     points, variants = [stations(chain)], {}
@@ -243,10 +236,10 @@ def _player(tracks: Sequence[Track], size: float, after: Any) -> Steps:
         stop["alt"] = f"Motions that move a frame: {k} of {count} done. {' '.join(one['alt'] for one in merged)}"
         stop["q"] = np.where(np.arange(count) < k, values, 0.0).ravel().tolist()
         stops.append(stop | {"reached": k in tracks[0].names})
-    arms = [
-        frame_arm(track.start, [motion.screw(track.start) for motion in track.motions], k * count)
-        for k, track in enumerate(tracks)
+    screws = [
+        [adjoint(track.start) @ motion.twist / (motion.value or 1) for motion in track.motions] for track in tracks
     ]
+    arms = [frame_arm(track.start, own, k * count) for k, (track, own) in enumerate(zip(tracks, screws, strict=True))]
     origins = np.concatenate([track.poses[:, :3, 3] for track in tracks])
     points = np.array([*(line[end] for track in tracks for line in track.axes for end in ("from", "to")), *origins])
     room, floor = still_room(points, VIEW_RADIUS_SHARE[len(tracks)]), float(points[:, 2].min()) - 0.1 * size

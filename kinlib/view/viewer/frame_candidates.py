@@ -4,7 +4,7 @@ They are taken from all features of the drawing, so they include right and wrong
 """
 
 from collections.abc import Iterator
-from itertools import pairwise
+from itertools import pairwise, repeat
 from typing import Any
 
 import numpy as np
@@ -35,34 +35,31 @@ def frame_candidates(chain: Chain) -> dict[str, Any]:
     >>> frame_candidates(rpr())["points"][0]["text"]
     'joint 1; joint 2; intersection of axes 1 and 2; foot of normal 2–3 on axis 2'
     """
-    reach, points, axes = 0.3 * extent(*branches(chain)), _merge(_origins(chain)), []
-    for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
-        low, high = span_on_axis(z, point, [at for at, _ in points])
-        axes.append((point, z, point + (low - reach) * z, point + (high + reach) * z))
-    tool, z = chain.home[:3, 3], chain.home[:3, 2]
-    ends = [*enumerate(axes), (None, (tool, z, tool - reach * z, tool + reach * z))]
+    reach, points, lines = 0.3 * extent(*branches(chain)), _merge(_origins(chain)), []
+    joints = zip(chain.lines.axis, chain.joint_points, repeat([at for at, _ in points]))
+    for z, point, places in [*joints, (chain.home[:3, 2], chain.home[:3, 3], [])]:
+        low, high = span_on_axis(z, point, places)
+        lines.append((point, z, point + (low - reach) * z, point + (high + reach) * z))
+    names = [*(f"axis {i}" for i in range(1, chain.n + 1)), "z of {b}"]
+    x = ((s * x, text) for x, *texts in _lines_for_x(chain) for s, text in zip((1, -1), texts, strict=True))
     return {
         "axes": [
             {"point": _list(point), "along": _list(z), "from": _list(low), "to": _list(high)}
-            for point, z, low, high in axes
+            for point, z, low, high in lines[:-1]
         ],
         "z": [
-            {"axis": i, "at": _list(end), "along": _list(sign * z), "text": f"{word} {_axis_name(i)}"}
-            for i, (_, z, low, high) in ends
+            {
+                "axis": i if i < chain.n else None,
+                "at": _list(end),
+                "along": _list(sign * z),
+                "text": f"{word} {names[i]}",
+            }
+            for i, (_, z, low, high) in enumerate(lines)
             for sign, end, word in ((1, high, "along"), (-1, low, "opposite to"))
         ],
         "points": [{"at": _list(at), "text": text} for at, text in points],
-        "x": [
-            {"along": _list(along), "text": f"{vector_text(along)}: {text}"}
-            for along, text in _merge(
-                (s * x, text) for x, *texts in _lines_for_x(chain) for s, text in zip((1, -1), texts, strict=True)
-            )
-        ],
+        "x": [{"along": _list(along), "text": f"{vector_text(along)}: {text}"} for along, text in _merge(x)],
     }
-
-
-def _axis_name(i: int | None) -> str:
-    return "z of {b}" if i is None else f"axis {i + 1}"
 
 
 def _ends(chain: Chain) -> list[tuple[int, str, Array]]:
@@ -100,19 +97,16 @@ def _lines_for_x(chain: Chain) -> Iterator[tuple[Array, str, str]]:
             yield along, f"{letter} of {name}", f"−{letter} of {name}"
     for i, axis in enumerate(chain.lines.axis, start=1):
         yield axis, f"along axis {i}", f"opposite to axis {i}"
+    ways = []
     for i, name, there in _ends(chain):
         z, off = chain.lines.axis[i], there - chain.joint_points[i]
-        across, axis_name = off - z * (z @ off), f"axis {i + 1}"
-        if (length := float(np.linalg.norm(across))) > COINCIDENT_TOL:
-            yield (
-                across / length,
-                f"from {axis_name} perpendicularly to {name}",
-                f"from {name} perpendicularly to {axis_name}",
-            )
+        ways.append((off - z * (z @ off), f"axis {i + 1}", "perpendicularly to", name))
     names = [*(f"joint {i + 1}" for i in range(chain.n)), "{b}"]
     for (start, end), link in zip(pairwise(names), np.diff(stations(chain)[1:], axis=0), strict=True):
-        if (length := float(np.linalg.norm(link))) > COINCIDENT_TOL:
-            yield link / length, f"from {start} to {end}", f"from {end} to {start}"
+        ways.append((link, start, "to", end))
+    for way, start, to, end in ways:
+        if (length := float(np.linalg.norm(way))) > COINCIDENT_TOL:
+            yield way / length, f"from {start} {to} {end}", f"from {end} {to} {start}"
 
 
 def _normals(chain: Chain) -> Iterator[tuple[int, CommonNormal]]:

@@ -6,7 +6,7 @@ package://../../ leads to, nothing is downloaded, and sizes are limited. What a 
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -24,45 +24,26 @@ FOLDERS_OF_URDF = {"urdf", "robots"}
 
 KINDS = (".stl", ".obj", ".dae", ".glb")
 
+Mesh = dict[str, Any]
+"""A mesh of a body: {"file", "name", "pose" at home in {s}, "scale", "colour"}."""
+
 Packages = Mapping[str, str | os.PathLike[str]] | Sequence[str | os.PathLike[str]]
 
 
-@dataclass(eq=False)
-class Meshes:
-    """The meshes of a robot.
-
-    files    the bytes of each file by a short name
-    arms     for each body of each branch its meshes: {"file", "name", "pose" at home in {s}, "scale", "colour"}
-    refused  for each reason the names of what is not shown
-    """
-
-    files: dict[str, bytes] = field(default_factory=dict)
-    arms: list[list[list[dict[str, Any]]]] = field(default_factory=list)
-    refused: dict[str, list[str]] = field(default_factory=dict)
-
-    @property
-    def notes(self) -> list[str]:
-        """A sentence for each reason for which meshes are not shown, with some of their names."""
-        sentences = []
-        for why, names in self.refused.items():
-            listed = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
-            meshes = "A mesh is" if len(names) == 1 else f"{len(names)} meshes are"
-            sentences.append(f"{meshes} not shown, {listed}: {why}")
-        return sentences
-
-
 def read_meshes(
-    arms: Sequence[Sequence[Sequence[Element]]], home: Mapping[str, Array], folder: Path | None, packages: Packages = ()
-) -> Meshes:
+    arms: Sequence[Sequence[Sequence[tuple[Element, Array]]]], folder: Path | None, packages: Packages = ()
+) -> tuple[dict[str, bytes], list[list[list[Mesh]]], list[str]]:
     """Read the files of the meshes that links show.
 
-    arms      for each arm the links of each of its bodies
-    home      the poses of the links
+    Returns the bytes of each file by a short name, for each body of each arm its meshes, and for each reason why some are not shown
+    a sentence with their names.
+
+    arms      for each arm the links of each of its bodies, with their poses in {s} at home
     folder    where the URDF is, if it was read from a file
     packages  folders of packages, or {name: folder}. Those in ROS_PACKAGE_PATH, and the package that contains the URDF, are found
               without it
     """
-    read, known = Meshes(), dict[str, str]()
+    known, files, refused = dict[str, str](), dict[str, bytes](), dict[str, list[str]]()
     folder = _real(folder) if folder else None
     named = packages.items() if isinstance(packages, Mapping) else [(_real(path).name, path) for path in packages]
     roots = [(str(name), _real(path)) for name, path in named]
@@ -73,31 +54,34 @@ def read_meshes(
         if name not in known:
             known[name] = ""
             try:
-                content = _content(_places(name, folder, roots), name, sum(map(len, read.files.values())))
-                known[name] = f"{len(read.files)}{Path(name).suffix.lower()}"
-                read.files[known[name]] = content
+                content = _content(_places(name, folder, roots), name, sum(map(len, files.values())))
+                known[name] = f"{len(files)}{Path(name).suffix.lower()}"
+                files[known[name]] = content
             except (OSError, ValueError) as error:
                 why = str(error) if type(error) is ValueError else "it cannot be opened."
-                read.refused.setdefault(why, []).append(name[-200:])
+                refused.setdefault(why, []).append(name[-200:])
         return known[name]
 
-    def shown(link: Element) -> Iterator[dict[str, Any]]:
+    def shown(link: Element, T: Array) -> Iterator[Mesh]:
         for visual, mesh in (one for one in shapes(link) if one[1].tag == "mesh"):
             try:
-                name, pose = mesh.text("filename"), visual_pose(visual, home[link.text("name")]) + 0.0
+                name, pose = mesh.text("filename"), visual_pose(visual, T) + 0.0
                 scale = mesh.numbers("scale", 3) if "scale" in mesh.attributes else [1.0, 1.0, 1.0]
                 if not np.all(scale):
                     raise mesh.error("its scale must not be 0.")
             except ValueError as error:
-                read.refused.setdefault(str(error), []).append(f"in line {mesh.line}")
+                refused.setdefault(str(error), []).append(f"in line {mesh.line}")
                 continue
             if file := file_of(name):
                 place = {"pose": pose.ravel().tolist(), "scale": scale}
                 yield {"file": file, "name": name, "colour": _colour(visual), **place}
 
-    for bodies in arms:
-        read.arms.append([[mesh for link in links for mesh in shown(link)] for links in bodies])
-    return read
+    meshes = [[[mesh for link in links for mesh in shown(*link)] for links in bodies] for bodies in arms]
+    notes = []
+    for why, names in refused.items():
+        listed = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
+        notes.append(f"{'A mesh is' if len(names) == 1 else f'{len(names)} meshes are'} not shown, {listed}: {why}")
+    return files, meshes, notes
 
 
 def _colour(visual: Element) -> str | None:
@@ -107,11 +91,8 @@ def _colour(visual: Element) -> str | None:
     others = [child for child in robot.children if child.tag == "material"] if robot and own else []
     named = [other for other in others if other.attributes.get("name") == own[0].attributes.get("name")]
     for colour in (child for material in own + named for child in material.children if child.tag == "color"):
-        try:
-            values = np.clip(colour.numbers("rgba", 4), 0, 1)
-        except ValueError:
-            continue
-        return "#" + "".join(f"{round(255 * x):02x}" for x in values[:3])
+        with suppress(ValueError):
+            return "#" + "".join(f"{round(255 * x):02x}" for x in np.clip(colour.numbers("rgba", 4), 0, 1)[:3])
     return None
 
 

@@ -40,7 +40,7 @@ def slide_frames(
     arrows     whether an arrow leads from the origin of each frame to that of the next
     after      a question; the picture stays covered until a prediction is committed
 
-    Raises ValueError if there are no values, if a frame is not a pose, or if the names are not the same for all values.
+    Raises ValueError if there are no values, or if a frame is not a pose.
 
     >>> from kinlib.rigid.lie import homogeneous
     >>> shown = slide_frames(lambda x: {"s": np.eye(4), "b": homogeneous(np.eye(3), (x, 0, 0))}, "x (m)", [0.0, 0.5, 1.0])
@@ -52,8 +52,6 @@ def slide_frames(
         raise ValueError("values must contain at least one value; got none.")
     frames = [frames_at(value) for value in values]
     names = list(frames[0])
-    if wrong := [list(one) for one in frames if list(one) != names]:
-        raise ValueError(f"frames_at must return the same names for all values, {names}; got {wrong[0]}.")
     poses = np.array([[validation.poses(T, f"frame {name}") for name, T in one.items()] for one in frames]) + 0.0
     origins = poses[..., :3, 3].reshape(-1, 3)
     extent = max(float(np.ptp(origins, axis=0).max()), SMALLEST_M)
@@ -78,8 +76,8 @@ def slide_frames(
     def draw(player: Steps) -> Picture:
         stop = player.stop
         shown = dict(zip(names, np.reshape(stop["poses"], (-1, 4, 4)), strict=True))
-        lines, said = bool(stop["parts"]), stop["texts"][0]
-        return draw_frames(shown, arrows=lines, axis_length=length, alt=player.alt, caption=said)
+        looks: dict[str, Any] = {"arrows": bool(stop["parts"]), "axis_length": length}
+        return draw_frames(shown, alt=player.alt, caption=stop["texts"][0], **looks)
 
     scene = {
         "name": "frames",

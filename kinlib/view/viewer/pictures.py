@@ -1,13 +1,13 @@
 """The player of pictures: a film (see film.py), or a slider through the pictures of several values, made by `slide`."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
 import traitlets
 
-from kinlib.view.drawing.crop import crop, is_croppable
+from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.figure_colours import follow_theme
-from kinlib.view.drawing.picture import Gallery, Picture, is_without_kernel
+from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.viewer.widget import Covered
 
 ONE_PICTURE_ON_SCREEN = (
@@ -20,14 +20,14 @@ ONE_PICTURE_ON_SCREEN = (
 class Pictures(Covered):
     """Pictures on the page, of which one is shown. Make them with `film` or `slide`.
 
-    frames   the drawings as SVG, each once; empty for one that is made when it is selected
+    frames   the drawings as SVG, each once
     order    the drawing of each stop
     texts    the caption, the text alternative and the label of each stop
     looks    "label" of the slider, "rate" in stops per second of a film, "ends" of its scenes
     at       the stop that is shown; the page and Python can both set it
     still    the pictures for print, and for a page without a script
 
-    It is made of these, a function that draws a stop, what has been drawn already, the label of each stop, and its looks.
+    It is made of the still pictures, the picture and the label of each stop, and its looks.
     """
 
     frames = traitlets.List(traitlets.Unicode()).tag(sync=True)
@@ -40,21 +40,18 @@ class Pictures(Covered):
     def __init__(
         self,
         still: Sequence[Picture],
-        draw: Callable[[int], Picture],
-        drawn: Mapping[int, Picture],
+        pictures: Sequence[Picture],
         labels: Sequence[str],
         looks: dict[str, Any],
         **traits: Any,
     ) -> None:
-        self.still, self._draw = tuple(still), draw
-        texts = [{"label": label} | (_said(drawn[k]) if k in drawn else {}) for k, label in enumerate(labels)]
-        # Where nothing moves, the same drawing is shown again; what has not been drawn yet gets a place of its own.
-        kinds = list(dict.fromkeys(drawn[k].svg if k in drawn else k for k in range(len(labels))))
-        order = [kinds.index(drawn[k].svg if k in drawn else k) for k in range(len(labels))]
-        frames = [follow_theme(kind) if isinstance(kind, str) else "" for kind in kinds]
-        super().__init__((texts, looks), texts=texts, looks=looks, order=order, frames=frames, **traits)
-        self._fill(None)
-        self.observe(self._fill, "at")
+        self.still = tuple(still)
+        told = zip(labels, pictures, strict=True)
+        texts = [{"label": label, "caption": picture.caption, "alt": picture.alt} for label, picture in told]
+        frames = list(dict.fromkeys(picture.svg for picture in pictures))  # where nothing moves, one is shown again
+        order = [frames.index(picture.svg) for picture in pictures]
+        shown = {"order": order, "frames": list(map(follow_theme, frames))}
+        super().__init__((texts, looks), texts=texts, looks=looks, **shown, **traits)
 
     @traitlets.validate("at")
     def _validate_at(self, proposal: Any) -> int:
@@ -62,14 +59,6 @@ class Pictures(Covered):
         if index not in range(len(self.order)):
             raise ValueError(f"at must be the number of a picture, 0 to {len(self.order) - 1}; got {index!r}.")
         return index
-
-    def _fill(self, _: Any) -> None:
-        """Draw the selected picture if it has not been drawn yet."""
-        k = self.order[self.at]
-        if not self.frames[k]:
-            picture = self._draw(self.at)
-            self.frames = [*self.frames[:k], follow_theme(picture.svg), *self.frames[k + 1 :]]
-            self.texts = [one | (_said(picture) if i == self.at else {}) for i, one in enumerate(self.texts)]
 
     @property
     def alt(self) -> str:
@@ -88,10 +77,6 @@ class Pictures(Covered):
         Raises ValueError for another ending.
         """
         Gallery(self.still).save(path)
-
-
-def _said(picture: Picture) -> dict[str, str]:
-    return {"caption": picture.caption, "alt": picture.alt}
 
 
 V = TypeVar("V")
@@ -113,9 +98,9 @@ def slide(
     after   a question; the picture stays covered until a prediction is committed
     start   the index of the value that is selected first
 
-    Drawings are made at once and cropped alike; a plot, which takes longer, is made when its value is selected.
+    Drawings are cropped alike.
 
-    Raises ValueError if there are no values, or not as many pictures as values.
+    Raises ValueError if there are no values.
 
     >>> from kinlib.view import plot
     >>> def line(slope):
@@ -125,11 +110,6 @@ def slide(
     """
     if len(values) == 0:
         raise ValueError("values must contain at least one value; got none.")
-    if not callable(draw) and len(draw) != len(values):
-        raise ValueError(f"values must be {len(draw)} values, one for each picture; got {list(values)!r}.")
-    at = (lambda index: draw(values[index])) if callable(draw) else draw.__getitem__
-    drawn: dict[int, Picture] = {start: at(start)}
-    if is_croppable(drawn[start]) or is_without_kernel():
-        pictures = [drawn[start] if index == start else at(index) for index in range(len(values))]
-        drawn = dict(enumerate(crop(pictures) if all(map(is_croppable, pictures)) else pictures))
-    return Pictures([drawn[start]], at, drawn, list(map(value_text, values)), {"label": label}, at=start, after=after)
+    pictures = crop([draw(value) for value in values] if callable(draw) else draw)
+    labels = list(map(value_text, values))
+    return Pictures([pictures[start]], pictures, labels, {"label": label}, at=start, after=after)

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import traitlets
 
-from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment
@@ -29,33 +28,6 @@ TWO_FRAME_RULES = {"x perpendicular to z", "x meets z"}
 """The rules about two consecutive frames; all others are about one frame."""
 
 
-class Poses(traitlets.TraitType[Any, Any]):
-    """Poses (m, 4, 4). An entry that is not placed yet is NaN in Python and null on the page."""
-
-    def __init__(self) -> None:
-        super().__init__(np.zeros((0, 4, 4)))
-        self.tag(sync=True, to_json=_to_page, from_json=lambda poses, _: _from_page(poses))
-
-    def validate(self, obj: Any, value: Any) -> Array:
-        return _from_page(value)
-
-
-def _to_page(poses: Array, _: Any) -> Any:
-    numbers = poses.astype(object)
-    numbers[np.isnan(poses)] = None
-    return numbers.tolist()
-
-
-def _from_page(poses: Any) -> Array:
-    try:
-        return np.array(poses, dtype=float)  # None becomes NaN
-    except (TypeError, ValueError) as error:
-        shown = validation.describe(poses)
-        raise ValueError(
-            f"frames must be an array of numbers, one pose of shape (4, 4) per frame; got {shown}."
-        ) from error
-
-
 class ByHand(ViewerBase):
     """Frames that are placed on the page. Make one with `assign`.
 
@@ -64,7 +36,7 @@ class ByHand(ViewerBase):
     verdict  the result of the last check, for the page
     """
 
-    frames = Poses()
+    frames = traitlets.Any().tag(sync=True, to_json=lambda frames, _: _as_json(frames))
     asked = traitlets.Int(0).tag(sync=True)
     verdict = traitlets.Dict().tag(sync=True)
     set_by_reader = ("frames",)
@@ -77,7 +49,7 @@ class ByHand(ViewerBase):
         arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would reveal the answer
         arm["normals"] = []
         self.convention = convention
-        self.chain = chain
+        self.robot = self.chain = chain
         super().__init__(
             {**scene, "offered": ["base", "tool"]},
             np.zeros(chain.n),
@@ -107,17 +79,13 @@ class ByHand(ViewerBase):
 
     @traitlets.validate("frames")
     def _validate_frames(self, proposal: Any) -> Array:
-        frames: Array = proposal["value"]
+        frames = np.array(proposal["value"], dtype=float)  # null from the page becomes NaN
         if frames.shape != (self.chain.n + 1, 4, 4):
             raise ValueError(
                 f"frames must have shape ({self.chain.n + 1}, 4, 4), frames 0 to {self.chain.n} of {self.chain.name}; "
                 f"got {frames.shape}."
             )
         return frames
-
-    def check(self, values: list[float]) -> None:
-        """Raise ValueError if the arm has another number of joints."""
-        self.chain.in_order(values)
 
     def picture(self) -> Picture:
         """Draw the joints of the arm, without the frames."""
@@ -157,6 +125,13 @@ def assign(chain: Chain, convention: Convention) -> ByHand:
     bare = np.full((chain.n + 1, 4, 4), np.nan)
     bare[:, 3] = 0.0, 0.0, 0.0, 1.0
     return ByHand(chain, validate_convention(convention), bare)
+
+
+def _as_json(frames: Array) -> list[Any]:
+    numbers = frames.astype(object)
+    numbers[np.isnan(frames)] = None
+    listed: list[Any] = numbers.tolist()
+    return listed
 
 
 def check_placed_frames(chain: Chain, frames: Array, convention: Convention) -> list[Breach]:

@@ -41,25 +41,27 @@ DEFAULT_ANGLE_RAD, DEFAULT_TRAVEL_M = np.pi, 1.0
 
 def scene(
     robot: Chain | Tree,
+    found: Sequence[Branch],
     start: Array,
     *,
     joints: Sequence[int] | None = None,
     span: tuple[float, float] | None = None,
     frames: Mapping[str, ArrayLike] | None = None,
 ) -> dict[str, Any]:
-    """Return all that the page needs of a robot at start (n,); the arguments are those of `explore`.
+    """Return all that the page needs of a robot at start (n,), but its meshes; the arguments are those of `explore`.
+
+    found  its branches
 
     Raises ValueError if the robot does not have one of the joints, span does not contain the start, or a frame is not a pose or is
     named otherwise than by its link.
     """
-    found = branches(robot)
     kinds = {int(k): kind for one in found for k, kind in zip(one.columns, one.chain.joint_types, strict=True)}
     joints = [column + 1 for column in sorted(kinds)] if joints is None else list(joints)
     if wrong := [joint for joint in joints if joint not in range(1, robot.n + 1)]:
         raise ValueError(f"{robot.name} has joints 1 to {robot.n}; got {wrong[0]!r}.")
     limits = np.full((robot.n, 2), (-np.inf, np.inf)) if robot.limits is None else robot.limits
     titles = robot.joint_names or [""] * robot.n
-    body, bodies = robot_body(robot, found)
+    body, by_rule = robot_body(found)
     size = extent(*found)
     seen = [body.extent(np.concatenate([branch.motions(start) for branch in found])), 0.2 * size * np.eye(3)]
     for branch in found:
@@ -70,13 +72,13 @@ def scene(
     points = np.concatenate(seen)
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
     radius = half_height(points - centre) + 0.1 * size  # a margin for labels
-    arms = [arm_data(branch) | {"body": solid_data(links)} for branch, (links, _) in zip(found, bodies, strict=True)]
+    solids, arms = iter(solid_data(body.links)), []
+    for branch, rule in zip(found, by_rule, strict=True):
+        arms.append(arm_data(branch) | {"body": [next(solids) for _ in rule], "rule": rule})
     if frames and isinstance(robot, Chain):
         arms[0]["frames"] = frames_on_links(robot, start, frames)
     elif isinstance(robot, Tree):
         arms[0]["frames"]["base"] = [frame_data("s", 0, np.eye(4))]
-        for arm, (_, by_rule) in zip(arms, bodies, strict=True):
-            arm["rule"] = list(by_rule)
     return {
         "name": robot.name,
         # If an arm is small compared with what is in view, its marks must stay large enough to be distinguished.
@@ -98,11 +100,12 @@ def scene(
 
 def bare_scene(chain: Chain, points: Array, share: float) -> dict[str, Any]:
     """Return the scene of the arm at home without sliders, with a view that also contains points (m, 3), see `still_room`."""
-    data = scene(chain, np.zeros(chain.n), joints=[])
+    found = branches(chain)
+    data = scene(chain, found, np.zeros(chain.n), joints=[])
     room = still_room(np.concatenate([points, stations(chain)]), share)
     data["arms"][0].pop("body")  # the axes are to be seen
     data["arms"][0]["links"] = skeleton(chain)
-    size, lowest = extent(*branches(chain)), float(stations(chain)[:, 2].min())
+    size, lowest = extent(*found), float(stations(chain)[:, 2].min())
     floor = lowest - (0.1 if lowest > -0.05 * size else 0.2) * size
     return {**data, "size": max(size, room["radius"]), "room": room, "floor": floor, "offered": ["dimensions"]}
 
@@ -217,7 +220,7 @@ def _link_paths(chain: Chain) -> list[Any]:
 def _joints(branch: Branch) -> list[dict[str, Any]]:
     """Return the joints of a branch: their screws for the values that move them, and where and how they are drawn."""
     chain = branch.chain
-    axis, _, pitch = chain.lines
+    axis = chain.lines.axis
     shifts = axial_offsets(axis, chain.joint_points)
     found = []
     for i, letter in enumerate(chain.joint_types):
@@ -228,8 +231,6 @@ def _joints(branch: Branch) -> list[dict[str, Any]]:
             "axis": axis[i].tolist(),
             "point": chain.joint_points[i].tolist(),
             "shift": float(shifts[i]),
-            # JSON has no infinity; a prismatic joint translates by 1 for each unit of its value
-            "travel": float(branch.multipliers[i]) * {"P": 1.0, "R": 0.0}.get(letter, float(pitch[i])),
         }
         found.append(joint | (named if branch.tip else {}))
     return found

@@ -19,27 +19,10 @@ from kinlib.chains.chain import Chain
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.picture import Picture, page, save
 from kinlib.view.figures.arm import ARM_LAYERS, body_motions, describe_arm, draw_arm
-from kinlib.view.figures.bodies import body_of, solid_data, visual_solids
-from kinlib.view.figures.tree import (
-    MAX_NAMED_TIPS,
-    branches,
-    describe_tree,
-    draw_tree,
-    home_poses,
-    joint_share,
-    links_of_arm,
-    links_of_bodies,
-)
-from kinlib.view.viewer.meshes import Meshes, Packages, read_meshes
+from kinlib.view.figures.tree import MAX_NAMED_TIPS, branches, describe_tree, draw_tree, joint_share
+from kinlib.view.viewer.meshes import Packages, read_meshes
 from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, scene
 from kinlib.view.viewer.widget import STATIC, Covered
-
-
-class Values(traitlets.List[float]):
-    """Joint values: anything that NumPy can convert to numbers."""
-
-    def validate(self, obj: Any, value: Any) -> list[float] | None:
-        return super().validate(obj, np.asarray(value, dtype=float).tolist())
 
 
 class ViewerBase(Covered):
@@ -58,17 +41,16 @@ class ViewerBase(Covered):
 
     >>> from kinlib.chains.robots import rpr
     >>> arm = explore(rpr(), frames={"1": np.eye(4)})
-    >>> arm.check([0, 0.5, 0])
     >>> arm.html()[:25], arm.own_frames(), arm.picture().alt[:3]
     ('<div data-kinlib-viewer><', ['frame 1'], 'RPR')
     >>> arm.save("arm.jpg")
     Traceback (most recent call last):
-    ValueError: path must end in .svg, .html or .png; got 'arm.jpg'.
+    ValueError: path must end in .svg or .html or .png; got 'arm.jpg'.
     """
 
     scene = traitlets.Dict().tag(sync=True)
-    q = Values(traitlets.Float()).tag(sync=True)
-    start = Values(traitlets.Float()).tag(sync=True)
+    q = traitlets.Any().tag(sync=True)
+    start = traitlets.Any().tag(sync=True)
     shown = traitlets.List(traitlets.Unicode()).tag(sync=True)
     readout = traitlets.Bool(False).tag(sync=True)
     mode = traitlets.Dict().tag(sync=True)
@@ -78,6 +60,8 @@ class ViewerBase(Covered):
     loaders = traitlets.Unicode().tag(sync=True)
     notes = traitlets.List(traitlets.Unicode()).tag(sync=True)
     set_by_reader: Sequence[str] = ("q", "shown")
+    robot: Chain | Tree | None = None
+    """What q are the joint values of, if it is an arm or a tree."""
 
     def __init__(self, scene: dict[str, Any], start: ArrayLike = (), *, after: Any = None, **traits: Any) -> None:
         mode = traits.get("mode", {})
@@ -90,8 +74,10 @@ class ViewerBase(Covered):
 
     @traitlets.validate("q", "start")
     def _validate_values(self, proposal: Any) -> list[float]:
-        values: list[float] = proposal["value"]
-        self.check(values)
+        values: list[float] = np.asarray(proposal["value"], dtype=float).tolist()
+        if self.robot:
+            self.robot.in_order(values)
+        validation.array(values, "q")
         return values
 
     @traitlets.validate("shown")
@@ -105,10 +91,6 @@ class ViewerBase(Covered):
     def own_frames(self) -> list[str]:
         """Return the layers of the frames that were given to `explore`."""
         return [layer for arm in self.scene.get("arms", []) for layer in arm.get("frames", {}) if layer not in LAYERS]
-
-    def check(self, values: list[float]) -> None:
-        """Raise ValueError if joint values have another size or contain NaN."""
-        validation.array(values, "q")
 
     def picture(self) -> Picture:
         """Return the drawing that is shown before the script starts, without WebGL, and in print."""
@@ -150,9 +132,11 @@ class Viewer(ViewerBase):
 
     >>> from kinlib.chains.robots import rpr
     >>> arm = explore(rpr())
-    >>> arm.check([0, 0.5, 0]) or arm.picture().alt[:13]
+    >>> arm.picture().alt[:13]
     'RPR, 3 joints'
     """
+
+    robot: Chain | Tree
 
     def __init__(self, robot: Chain | Tree, scene: dict[str, Any], start: ArrayLike, **traits: Any) -> None:
         self.robot = robot
@@ -164,10 +148,6 @@ class Viewer(ViewerBase):
         if isinstance(self.robot, Tree):
             return describe_tree(self.robot, self.q)
         return describe_arm(self.robot, self.q, home_axes="home axes" in self.shown, frames=self._frames())
-
-    def check(self, values: list[float]) -> None:
-        """Raise ValueError if the robot has another number of (independent) joints."""
-        self.robot.in_order(values)
 
     def picture(self) -> Picture:
         """Draw the robot with the layers that are shown."""
@@ -241,38 +221,22 @@ def explore(
     >>> arm.q = [0, 0, np.pi / 2, 0, 0]
     >>> arm.alt[-43:]
     'The end-effector is at (0.188, 0, 0.499) m.'
-
-    An arm with frames {0} and {1}, of which {1} is switched on as well:
-
-    >>> q = [0.5, 0, 0, 0, 0]
-    >>> arm = explore(youbot(), start=q, frames={"0": np.eye(4), "1": youbot().link_poses(q)[0]})
-    >>> arm.shown = [*arm.shown, "frame 1"]
-    >>> arm.shown
-    ['axes', 'frame 0', 'frame 1']
     """
     validation.instance(robot, "robot", Chain, Tree)
     home = opening(robot) if start is None else validation.single(robot.in_order(start), "q")
-    found = branches(robot)
+    found = branches(robot, visuals)
     few_joints, few_tips = joint_share(found) == 1, len(found) <= MAX_NAMED_TIPS
     layers = [*["axes"] * few_joints, "base", *["tool"] * few_tips] if show is None else list(show)
     if frames:
         layers = [layer for layer in layers if layer not in FRAME_LAYERS]
         named = any(f"frame {name}" in layers for name in frames)
         layers += [] if named else [f"frame {next(iter(frames))}"]
-    whole = scene(robot, home, joints=joints, span=span, frames=frames)
+    whole = scene(robot, found, home, joints=joints, span=span, frames=frames)
     shows_pose = isinstance(robot, Chain) if readout is None else readout
-    read = Meshes()
-    if isinstance(robot, Tree):
-        read = read_meshes(links_of_bodies(robot, found), home_poses(robot), robot.folder, packages)
-    elif visuals:
-        tree, base = visuals
-        bodies, at = links_of_arm(tree, base, robot.joint_names or ())
-        solids = [[solid for link in one for solid in visual_solids(link, at[link.text("name")])] for one in bodies]
-        shown = [own or rule for own, rule in zip(solids, body_of(robot).links, strict=True)]
-        whole["arms"][0] |= {"body": solid_data(shown), "rule": [not own for own in solids]}
-        read = read_meshes([bodies], at, tree.folder, packages)
-    for arm, meshes in zip(whole["arms"], read.arms, strict=False):
-        arm["meshes"] = meshes
-    loaders = (STATIC / "meshes.js").read_text("utf-8") if read.files else ""
-    files = {"meshes": read.files, "loaders": loaders, "notes": read.notes}
-    return Viewer(robot, whole, home, shown=layers, readout=shows_pose, after=after, **files)
+    file = visuals[0] if visuals else robot if isinstance(robot, Tree) else None
+    files, meshes, notes = read_meshes([branch.links for branch in found], file.folder if file else None, packages)
+    for arm, own in zip(whole["arms"], meshes, strict=True):
+        arm["meshes"] = own
+    loaders = (STATIC / "meshes.js").read_text("utf-8") if files else ""
+    read = {"meshes": files, "loaders": loaders, "notes": notes}
+    return Viewer(robot, whole, home, shown=layers, readout=shows_pose, after=after, **read)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from misstep.answers.base import Unreadable
-from misstep.answers.function import CALL_COUNT, Function
+from misstep.answers.function import Function
 from misstep.answers.number import Numbers
 from misstep.judge import judge
 from misstep.mistakes import Mistake
@@ -38,19 +38,15 @@ def test_mistakes_of_functions_are_recognised():
     assert judge(problem, lambda x: [v**2 for v in x]).state == "right"
 
 
-def test_the_hint_counts_the_inputs_at_which_a_function_is_right():
-    problem = asked()
-    first = problem.answer.inputs[0][0]
-    judgement = judge(problem, lambda x: x**2 if np.array_equal(x, first) else 0 * x)
-    assert judgement.findings[0].message == f"It is right at 1 of {CALL_COUNT} inputs that were tried."
-    assert judge(problem, lambda x: 0 * x).findings[0].mistake == "placeholder"
+def test_what_is_the_same_at_every_input_is_told():
+    assert judge(asked(), lambda x: 0 * x).findings[0].mistake == "placeholder"
     swapped = judge(Problem("Square.", squares()), lambda x: x[::-1] ** 2).findings[0].message
     assert swapped == "At every input that was tried: these are the right numbers, but not in the right order."
 
 
 def test_anything_but_such_a_function_is_refused_with_a_reason():
     for odd, message in [
-        (np.ones(2), r"Leave the brackets off"),
+        (np.ones(2), "got ndarray"),
         (object(), r"got an object of class object\."),
         ({"fk": 1}, "got dict"),
         (float, "got an object of class type"),
@@ -61,6 +57,5 @@ def test_anything_but_such_a_function_is_refused_with_a_reason():
         (lambda _: "text", "got str"),
         (lambda x: x * np.nan, "NaN"),
     ]:
-        with pytest.raises(Unreadable, match=message) as refusal:
+        with pytest.raises(Unreadable, match=message):
             squares().read(odd)
-        assert ("brackets" in str(refusal.value)) == isinstance(odd, np.ndarray), "only where a call is given"

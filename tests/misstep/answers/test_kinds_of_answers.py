@@ -61,7 +61,7 @@ KINDS = {
         Ordering(["Li", "Na", "K"]),
         [["Li", "Na", "K"], ("Li", "Na", "K"), "Li, Na, K", "Li < Na < K", "Li -> Na -> K", "Li; Na; K", ["li", "na", "k"], [" Li", "Na ", "K"],
          np.array(["Li", "Na", "K"]), "[Li, Na, K]"],
-        [(["K", "Na", "Li"], "reversed"), ("Li, K, Na", "neighbours swapped"), (["K", "Li", "Na"], "one in the wrong place"), (["Li", "Na"], BAD),
+        [(["K", "Na", "Li"], "reversed"), ("Li, K, Na", "neighbours swapped"), (["K", "Li", "Na"], "one in the wrong place"), (["Li", "Na"], "left out"),
          (["Li", "Na", "Na"], BAD), ("Li Na K", BAD), (["Li", "Na", "Rb"], BAD), (3, BAD), ([], BAD), ("Na, Li, K", "neighbours swapped")],
     ),
     "formula": (

@@ -14,9 +14,8 @@ from strategies import ROBOTS
 
 import kinlib as kl
 from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
-from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, draw_lettered_chain, drive, explore, plot, slide
+from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, drive, explore, plot, slide
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.crop import crop
 from kinlib.view.figures.dh_table import draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
 
@@ -53,25 +52,10 @@ def test_the_arm_stays_in_view_if_a_common_normal_is_far_away(convention):
         assert max(numbers) < 1000
 
 
-def test_a_slider_draws_drawings_at_once_and_plots_when_they_are_selected():
-    made = []
-
-    def curve(slope):
-        made.append(slope)
-        return plot([0, 1], {"line": [0, slope]}, xlabel="x", ylabel="y", alt=f"A line through 0 of slope {slope}.")
-
-    def arm(angle):
-        made.append(angle)
-        return draw_arm(kl.robots.rpr(), [angle, 0, 0], around=[(-9, -9, 0), (9, 9, 9)])
-
-    curves = slide(curve, "slope", [1, 2, 3])
-    assert made == [1]
-    curves.at = 2
-    assert made == [1, 3]
-    assert curves.texts[2]["alt"] == "A line through 0 of slope 3."
-    box = slide(arm, "angle", [0.0, 0.5, 1.0])
-    assert made[2:] == [0, 0.5, 1]
-    assert len({re.search(r"viewBox=\"([^\"]+)", frame)[1] for frame in box.frames}) == 1  # cropped alike
+def test_the_drawings_of_a_slider_are_cropped_alike():
+    around = [(-9, -9, 0), (9, 9, 9)]
+    box = slide(lambda angle: draw_arm(RPR, [angle, 0, 0], around=around), "angle", [0.0, 0.5, 1.0])
+    assert len({re.search(r"viewBox=\"([^\"]+)", frame)[1] for frame in box.frames}) == 1
 
 
 def test_labels_are_escaped_for_the_browser():
@@ -96,11 +80,8 @@ def test_what_cannot_be_drawn_is_refused():
         (lambda: draw_arm(RPR, show=["wheels"]), r"show may contain axes, .*; got 'wheels'"),
         (lambda: draw_arm(RPR, view="behind"), r"view must be one of default, front.*'behind'"),
         (lambda: draw_frames({"b": np.diag([2.0, 1, 1, 1])}), "frame b is not rigid"),
-        (lambda: draw_frames({}), "at least one pose"),
         (lambda: Picture("<svg/>", "arm"), r"at least 20 characters; got 'arm'.*cannot see it"),
-        (lambda: curve({str(k): [0, 1] for k in range(6)}), "at most 5 entries, one per line style; got 6"),
-        (lambda: curve({"a": [0, 1, 2]}), r"curve 'a' must have the shape of x, \(2,\); got \(3,\)"),
-        (lambda: curve({"a": [0, 1]}, log="z"), "log must be"),
+        (lambda: curve({"a": [0, 1, 2]}), "same first dimension"),
         (lambda: slide(lambda _: None, "nothing", []), "at least one value"),
         (lambda: kl.show([1, 2]), r"show takes a Chain, .*got list \[1, 2\]"),
         (
@@ -109,12 +90,10 @@ def test_what_cannot_be_drawn_is_refused():
         ),
         (lambda: kl.show(FOUR_BAR), "q must be given with a closed chain, the values of A, B, D, C"),
         (lambda: kl.show(kl.robots.youbot(), [0, 0, 0]), "5 joint values"),
-        (lambda: draw_lettered_chain(RPR, ["L_0"]), "letters must have"),
         (lambda: drive(FOUR_BAR, np.zeros(4)), "Assemble it first"),
         (lambda: drive(FOUR_BAR, CLOSED, across=("A", "E")), "four-bar has joint values A, B, D, C; got 'E'"),
         (lambda: drive(FOUR_BAR, CLOSED, curves=[[CLOSED[:3]]]), "curves"),
         (lambda: explore(RPR, frames={"elbow": np.eye(4)}), "number of their link, .*; got 'elbow'"),
-        (lambda: crop([Picture("<svg></svg>", "A drawing with nothing in it.")]), "crop takes drawings made by kinlib"),
     ]:
         with pytest.raises(ValueError, match=says):
             draw()
@@ -124,4 +103,4 @@ def test_an_arm_is_drawn_without_importing_matplotlib():
     """The import takes a second in the lab and three in the browser, and only plots need it."""
     script = "import sys; from kinlib.view import draw_arm; from kinlib.chains.robots import rpr; draw_arm(rpr()); print(*sys.modules)"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, cwd=ROOT)
-    assert not {"matplotlib", "ipywidgets"} & set(done.stdout.split())
+    assert "matplotlib" not in done.stdout.split()

@@ -4,7 +4,7 @@ import { listen, save } from '../model.js';
 import { describeArm, frameText } from '../scene/describe.js';
 import { solids } from '../scene/solids.js';
 import { add, columnOf, minus, near, norm, openPart, withPart } from '../vectors.js';
-import { createHighlighter, drawPaleArm } from './pale-arm.js';
+import { createHighlighter } from './highlighter.js';
 import { pickHandles } from './place-frames-handles.js';
 import { placeFramesPanel } from './place-frames-panel.js';
 import { framePicker } from './place-frames-picking.js';
@@ -192,7 +192,6 @@ export function placeFrames({ model, stage, data }) {
     },
     applyTheme() {
       handles.reserveHandles();
-      drawPaleArm(stage);
       stage.setLayer(
         'bare axes',
         data.axes.flatMap(({ from, to }, i) => {

@@ -7,12 +7,11 @@ import { button, h, NO_SHORTCUTS } from '../dom.js';
 import { listen, save } from '../model.js';
 import { haloText, strokeLines } from '../render/pen.js';
 import { describeLinkage } from '../scene/describe.js';
-import { buildLayers } from '../scene/layers.js';
 import { solids } from '../scene/solids.js';
 import { add, minus } from '../vectors.js';
 import { configurationMap } from './configuration-map.js';
 import { dhTable } from './dh-table.js';
-import { createHighlighter, drawPaleArm } from './pale-arm.js';
+import { createHighlighter } from './highlighter.js';
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 const ARC_SEGMENTS = 24;
@@ -206,8 +205,6 @@ export function steps({ model, stage, data }) {
     },
     applyTheme() {
       const kit = { size, theme: stage.theme };
-      if (stage.data.pieces) buildLayers(stage, model.get('shown'));
-      else if (stage.data.foot) drawPaleArm(stage);
       stage.setLayer('still', solids(data.still ?? [], kit));
       const frames = (data.movers ?? []).map((name, arm) => {
         const names = { sub: name.length < 3 ? name : '', name };

@@ -4,7 +4,6 @@ import {
   BackSide,
   BufferGeometry,
   Color,
-  CylinderGeometry,
   DirectionalLight,
   DoubleSide,
   Float32BufferAttribute,
@@ -16,7 +15,6 @@ import {
   MeshBasicMaterial,
   MeshLambertMaterial,
   NotEqualStencilFunc,
-  Quaternion,
   Raycaster,
   ReplaceStencilOp,
   Scene,
@@ -222,27 +220,6 @@ export class Stage {
       return drawn;
     });
     this.layers.set('meshes', { meshes, labels: [], shown: true });
-  }
-
-  /** Set a layer of rods of prismatic joints: one mesh each, as long as the joint's translation. */
-  setRods(name, rods) {
-    this.removeLayer(name);
-    const up = new Vector3(0, 1, 0);
-    const shape = new CylinderGeometry(1, 1, 1, 14);
-    const meshes = rods.map((rod) => {
-      const mesh = new Mesh(shape, new MeshLambertMaterial({ color: rod.colour }));
-      const axis = new Vector3(...rod.axis);
-      const column = this.tree.arms[rod.arm ?? 0].columns[rod.joint];
-      mesh.quaternion.copy(new Quaternion().setFromUnitVectors(up, axis));
-      this.tree.rodUpdates.push((q) => {
-        const way = rod.travel * q[column];
-        mesh.position.set(...rod.start).addScaledVector(axis, way / 2);
-        mesh.scale.set(rod.radius, Math.max(Math.abs(way), 1e-9), rod.radius);
-      });
-      this.tree.body(rod.arm ?? 0, rod.body).add(mesh);
-      return mesh;
-    });
-    this.layers.set(name, { meshes, labels: [], shown: true });
   }
 
   /** The nearest link at a place of the picture, in pixels: { arm, link, body, point }, the point in the coordinates of the body. */

@@ -22,8 +22,6 @@ export class KinematicTree {
       bodies.at(-1).add(tool);
       return { bodies, tool, columns: arm.columns, points: arm.links && arm.joints.map(({ point }) => point) };
     });
-    /** functions of q that update the rods of prismatic joints, whose length changes with q */
-    this.rodUpdates = [];
   }
 
   body(arm, index) {
@@ -39,7 +37,6 @@ export class KinematicTree {
         body.matrixWorldNeedsUpdate = true;
       });
     }
-    for (const stretch of this.rodUpdates) stretch(q);
     this.root.updateMatrixWorld(true);
   }
 

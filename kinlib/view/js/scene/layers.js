@@ -1,6 +1,6 @@
 // The layers of an arm on the stage: which ones exist, what each contains, and how they follow the theme.
 import * as parts from './parts.js';
-import { solids } from './solids.js';
+import { mixColours, solids } from './solids.js';
 
 /** Layers that the reader can switch on and off, with their names on the page. */
 export const TOGGLES = {
@@ -68,7 +68,10 @@ export function buildLayers(stage, shown) {
   const { size } = data;
   const each = (make) =>
     data.arms.flatMap((arm, k) => (arm.links ? make(arm).map((part) => ({ ...part, arm: k })) : []));
-  const limbs = (arm) => [...parts.links(arm, size, theme), ...parts.joints(arm, size, theme)];
+  // an arm without a body is pale, so that the frames that are drawn on it stand out
+  const pale = (name, share) => mixColours(theme[name], theme.paper, share);
+  const colours = { link: pale('link', 0.62), joint: pale('joint', 0.35), cap: pale('cap', 0.35), ink: theme.quiet };
+  const limbs = (arm) => [...parts.links(arm, size, colours), ...parts.joints(arm, size, colours)];
   // where the meshes of a body have been read, they are shown in place of its body by rule
   const isRead = (part) => stage.meshes.some(({ arm, body }) => arm === part.arm && body === part.body);
   const solid = each((arm) => (arm.body ? parts.body(arm, theme) : limbs(arm))).filter(
@@ -76,11 +79,6 @@ export function buildLayers(stage, shown) {
   );
   stage.setLayer('arm', [...solid, ...parts.linkage(data, theme)], { outlined: true });
   if (stage.meshes.length) stage.buildMeshes();
-  stage.tree.rodUpdates.length = 0;
-  stage.setRods(
-    'rods',
-    each((arm) => (arm.body ? [] : parts.rods(arm, size, theme))),
-  );
   const made = {
     'pin axes': () => parts.pinAxes(data, size),
     axes: () => each((arm) => parts.axes(arm, size, 'S', 'axis')),

@@ -42,7 +42,7 @@ export function joints(arm, size, colours) {
     const centre = jointCentre(joint, size);
     const at = (share) => add(centre, joint.axis, share * r);
     if (joint.kind === 'P') {
-      // the sleeve belongs to the previous link; a rod translates in it
+      // the sleeve belongs to the previous link
       return [{ body: i, shape: 'box', from: at(-1.6), to: at(1.6), radius: 0.92 * r, colour: colours.joint }];
     }
     const body = { body: i + 1, shape: 'cylinder', from: at(-1.5), to: at(1.5), radius: r, colour: colours.joint };
@@ -53,14 +53,6 @@ export function joints(arm, size, colours) {
       radius: 0.55 * r,
       colour: colours.cap,
     }));
-    if (joint.kind === 'H') {
-      const thread = { shape: 'helix', radius: 1.02 * r, turns: Math.sign(joint.travel) * 3, wire: 0.09 * r };
-      return [
-        { ...body, radius: 0.96 * r },
-        ...caps,
-        { ...body, ...thread, from: at(-1.3), to: at(1.3), colour: colours.ink },
-      ];
-    }
     // a mark on the rim, because the rotation of a cylinder about its own axis is otherwise invisible
     const side = perpendicularTo(joint.axis);
     const mark = {
@@ -73,25 +65,6 @@ export function joints(arm, size, colours) {
     };
     return [body, ...caps, mark];
   });
-}
-
-/** The rod of a prismatic or helical joint, as long as the joint's translation. */
-export function rods(arm, size, colours) {
-  return arm.joints.flatMap((joint, i) =>
-    joint.travel === 0 || joint.hidden
-      ? []
-      : [
-          {
-            body: i,
-            joint: i,
-            start: joint.point,
-            axis: joint.axis,
-            travel: joint.travel,
-            radius: 0.75 * LINK * size,
-            colour: colours.rod,
-          },
-        ],
-  );
 }
 
 /** Screw axes, on the body before the joint, which does not move its own axis. */

@@ -5,14 +5,12 @@ import {
   CapsuleGeometry,
   Color,
   ConeGeometry,
-  Curve,
   CylinderGeometry,
   Float32BufferAttribute,
   LatheGeometry,
   Matrix4,
   Quaternion,
   SphereGeometry,
-  TubeGeometry,
   Vector2,
   Vector3,
 } from 'three';
@@ -21,18 +19,6 @@ import { add, minus, norm } from '../vectors.js';
 
 const UP = new Vector3(0, 1, 0);
 const ONE = new Vector3(1, 1, 1);
-
-class Helix extends Curve {
-  constructor(radius, height, turns) {
-    super();
-    Object.assign(this, { radius, height, turns });
-  }
-
-  getPoint(t, out = new Vector3()) {
-    const angle = 2 * Math.PI * this.turns * t;
-    return out.set(this.radius * Math.cos(angle), this.height * (t - 0.5), -this.radius * Math.sin(angle));
-  }
-}
 
 /** For each shape, its geometry along the y axis, centred at the origin. */
 const MAKERS = {
@@ -45,8 +31,6 @@ const MAKERS = {
   drum: (length, r) => new LatheGeometry(roundedProfile(length, r), 28),
   block: (_, __, { sizes }) => new RoundedBoxGeometry(...sizes.map((half) => 2 * half), 1, 0.16 * Math.min(...sizes)),
   capsule: (length, r) => new CapsuleGeometry(r, length, 8, 20),
-  // the sign of turns makes the thread right-handed or left-handed
-  helix: (length, r, { turns, wire }) => new TubeGeometry(new Helix(r, length, turns), 96, wire, 6),
 };
 
 /** The outline of a cylinder with rounded edges, from the middle of its lower end to that of its upper one. */

@@ -1,30 +1,9 @@
-// A pale arm, and a highlighter, for the modes about frames.
+// A highlighter, for the modes about frames.
 import { Vector3 } from 'three';
 import { strokeLines } from '../render/pen.js';
-import * as arms from '../scene/parts.js';
-import { mixColours } from '../scene/solids.js';
 import { minus, norm } from '../vectors.js';
 
 const HIGHLIGHT_WIDTH_PX = 17;
-
-/** Draw the arm in pale colours, so that what is drawn on it stands out. */
-export function drawPaleArm(stage) {
-  const { data, theme } = stage;
-  const pale = (colour, share = 0.62) => mixColours(colour, theme.paper, share);
-  const colours = {
-    ...theme,
-    link: pale(theme.link),
-    joint: pale(theme.joint, 0.35),
-    cap: pale(theme.cap, 0.35),
-    rod: pale(theme.rod),
-    ink: theme.quiet,
-  };
-  const made = data.arms.flatMap((arm) => [
-    ...arms.links(arm, data.size, colours),
-    ...arms.joints(arm, data.size, colours),
-  ]);
-  stage.setLayer('arm', made, { outlined: true });
-}
 
 /** A highlighter: broad transparent strokes over the picture. @returns { mark(strokes), dispose() } */
 export function createHighlighter(stage) {
