@@ -287,9 +287,9 @@ class Mechanism(TakesJointValues):
         (-2, 1)
         """
         closure = self._closure(q, None)
-        J = validate_solution(closure.equations, closure.configuration, closure.tolerance)
+        J = validate_solution(closure.equations, closure.start, closure.tolerance)
         directions, singular_values = null_space(J)
-        finite = finite_mobility(closure.equations, closure.configuration, directions, closure.tolerance)
+        finite = finite_mobility(closure.equations, closure.start, directions, closure.tolerance)
         return Mobility(self.kutzbach(), directions.shape[1], finite, singular_values, directions)
 
     def kutzbach(self) -> int:
@@ -350,4 +350,14 @@ class Mechanism(TakesJointValues):
         tolerance = 1e-13 * (1 + farthest)  # rounding errors grow with the distance from the origin
         # About the centre of each loop, so that the accuracy does not depend on where the origin is.
         centred = [loop.centred for loop in self.loops]
-        return Closure(lambda q: self._linearized(q, centred), q, free, is_angle, search_range, tolerance)
+
+        def with_held(x: Array) -> Array:
+            configurations = np.tile(q, (len(x), 1))
+            configurations[:, free] = x
+            return configurations
+
+        def equations(x: Array) -> tuple[Array, Array]:
+            r, J = self._linearized(with_held(x), centred)
+            return r, J[..., free]
+
+        return Closure(equations, q[free], with_held, is_angle[free], search_range[free], tolerance)
