@@ -199,8 +199,6 @@ def _plain(text: str) -> str:
     import html
 
     text = respelled(html.unescape(text))
-    if re.search(r"<t[dh][\s>]", text):
-        text = re.sub(r"\s*\n\s*", " ", text)
     for pattern, plain in REPLACEMENTS:
         text = re.sub(pattern, plain, text)
     text = TUPLE.sub(_one_by_one, _plain_name(text))
@@ -434,10 +432,7 @@ def _plain_line(raw: str) -> str:
 
 
 def _heading(line: str, splits: list[list[str]], before: list[str], grid: _Grid) -> list[str]:
-    """Return the names of the columns if a line is a heading, and keep their units and their convention.
-
-    In prose the heading is the longest run of names. A heading that is worse than the one before is none.
-    """
+    """Return the names of the columns if a line is a heading, in prose its longest run of names; keep units and convention."""
     run = [] if re.search(r"[|\t]", line) else _run_of_names(line)
     is_comment = bool(re.match(r"\s*(?:[#%*'\"]|//|/\*|--)", line))
     found = list[list[Heading]]()
@@ -446,15 +441,16 @@ def _heading(line: str, splits: list[list[str]], before: list[str], grid: _Grid)
         if len({*names}) < max(3, len(names)):
             continue
         places = [k for k, head in enumerate(heads) if head.name in names]
-        if not (is_comment or before) or places[-1] - places[0] < len(names) + any(
-            head.name == "type" for head in heads
-        ):
-            found.append(heads)  # in a comment, and below another heading, no other word stands between the names
+        others = places[-1] - places[0] + 1 - len(names) - any(head.name == "type" for head in heads)
+        if others <= 0 or not (
+            is_comment or before
+        ):  # in a comment, and below another heading, no other word is between
+            found.append(heads)
     is_behind_words = is_comment and not any(heads[0].name in ALL_COLUMNS for heads in found[:-1])
     is_labelled = re.match(r"(?i)\W*(?:joint|link|axis|frame|row|[ijkn]|no|nr)\b", line)
     prefers_run = is_behind_words and len(run) > 3 and not is_labelled
     found.sort(key=lambda heads: (len(_columns_of(heads)), prefers_run and len(heads) == len(run)), reverse=True)
-    if not found or len(_columns_of(found[0])) < len({*before} & ALL_COLUMNS):
+    if not found:
         return []
     heads = found[0]
     grid.units = {head.name: head.unit for head in heads if head.name in ALL_COLUMNS and head.unit}
@@ -468,17 +464,12 @@ def _columns_of(heads: Sequence[Heading]) -> list[str]:
 
 
 def _run_of_names(line: str) -> list[str]:
-    """Return the longest run of names of different columns in a line of prose, the last one of several."""
+    """Return the longest run of names of columns in a line of prose, the last one of several."""
     run, longest = dict[str, str](), list[str]()
     for word in re.split(r"[\s,;|]+|/(?!\s*(?:mm?|cm|rad|deg|°))|(?<=[a-zA-Z])[\[({](?=\w+\s*,)", line):
         name = parse_heading(word).name
         if name in {*ALL_COLUMNS, "type"}:
-            names = [*run]
-            if name in run and name != names[-1]:
-                run = {other: run[other] for other in names[names.index(name) + 1 :]}
             run.setdefault(name, word)
-        elif run and re.fullmatch(r"[(\[{]?(?:mm?|cm|rad|deg\w*|°)[)\]}]?", word):
-            run[[*run][-1]] += word
         elif re.search(r"\w", word) and word not in {"and", "then"}:
             run = {}
         longest = [*run.values()] if len(run) >= len(longest) else longest
