@@ -242,11 +242,10 @@ def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
         if (named or not cells) and not re.match(r"\s*[\[{]", inside):
             row = {column: named.get(column, "0") for column in (*COLUMNS, "offset")}
         elif len(cells) >= 4 and all(map(grid.is_entry, cells[:4])):
-            columns = ("a", "alpha", "d", "theta") if re.search("Frame|Craig", kind) else ("theta", "d", "a", "alpha")
-            row = dict(zip(columns, cells, strict=False)) | {"offset": "0"}
-            if columns[0] == "theta":  # of MATLAB: [theta d a alpha sigma offset]
-                row |= dict(zip(("type", "offset"), [*cells[4:6], *("0", "0")[len(cells[4:6]) :]], strict=True))
-            note = f"{kind.rpartition(':')[2]}(...) was read as ({', '.join(columns)})."
+            is_matlab = not re.search("Frame|Craig", kind)
+            columns = ("theta", "d", "a", "alpha", "type", "offset") if is_matlab else COLUMNS
+            row = {"offset": "0"} | dict(zip(columns, [*cells, "0", "0"], strict=False))
+            note = f"{kind.rpartition(':')[2]}(...) was read as ({', '.join(columns[:4])})."
         else:
             continue
         before = text[max(end, text.rfind("\n", 0, found.start()) + 1) : found.start()]  # Joint(Joint::TransZ) of KDL
@@ -377,8 +376,7 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
                 break
             if (grid.rows and is_row) or ((heads or grid.cells) and numbers >= 3):
                 raise ValueError(
-                    f"{place} cannot be read: it has another number of cells than the heading, or a cell is no number and no variable. "
-                    "Correct it, and write 0 into empty cells."
+                    f"{place} cannot be read: it has another number of cells than the heading, or one is no number. Is one empty?"
                 )
             if numbers >= 4 and not is_table:
                 grid.assume(f"Line {number} was not read: {raw.strip()!r:.60}.")
@@ -391,8 +389,7 @@ def _with_all_columns(grid: _Grid, heads: list[str]) -> _Grid:
     count = min(sum(map(grid.is_entry, cells)) for cells in grid.cells) - _is_numbered(grid.cells)
     if (missing := sorted(NEEDED - {*heads})) and count >= len(COLUMNS):
         raise ValueError(
-            f"The heading has no {' and no '.join(missing)}, but each row has {count} numbers. Name every column in a line above "
-            "the rows, such as 'a alpha d theta'."
+            f"The heading has no {' and no '.join(missing)}, but each row has {count} numbers. Name every column above the rows."
         )
     return grid
 
@@ -664,7 +661,7 @@ def _said_convention(text: str, grid: _Grid) -> Literal["standard", "modified"] 
 
 def _definitions(text: str) -> dict[str, float]:
     """Read the values of names, l1 = 0.3 or d1 = 89.2 mm, that stand beside a table."""
-    found = re.findall(rf"\b([a-zA-Z]+_?\{{?\d+\}}?)\s*[=:]\s*(-?{NUMBER})\s*(mm|cm|m)?\b", text)
+    found = re.findall(rf"\b([a-zA-Z]+\d+)\s*[=:]\s*(-?{NUMBER})\s*(mm|cm|m)?\b", text)
     values = {name: float(value) * LENGTH_UNITS[unit or "m"] for name, value, unit in found}
     for name, *inside in LIST.findall(text):  # L = [0.2, 0.3], of which L0 was L[0]
         numbers = re.split(r"[,\s]+", "".join(inside).strip())
