@@ -5,8 +5,6 @@ names with indices, such as d1 = 0.3; or lines of cells. Then the columns, the u
 text says is taken; what it only suggests is assumed with a sentence, or refused if the reader is strict, as that of `DHTable` is.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field

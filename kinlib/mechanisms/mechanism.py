@@ -66,8 +66,7 @@ class Mechanism(TakesJointValues):
     there is no loop.
     Source: Modern Robotics, chapters 2 and 7; Forward kinematics II, (3.81).
 
-    >>> from kinlib.mechanisms.linkages import four_bar
-    >>> linkage = four_bar(ground=0.4, crank=0.1, coupler=0.35, rocker=0.3)
+    >>> linkage = kl.linkages.four_bar(ground=0.4, crank=0.1, coupler=0.35, rocker=0.3)
     >>> assembly = linkage.assemble([0, 0.5, 1, 0.5], hold={"A": np.pi / 2})
     >>> assembly.converged, linkage.mobility(assembly.q).finite
     (True, 1)
@@ -122,8 +121,7 @@ class Mechanism(TakesJointValues):
 
         A closed chain has no limits. Raises ValueError for a chain of one joint, because both its bodies would be the ground.
 
-        >>> from kinlib.chains.robots import puma560
-        >>> Mechanism.from_chain(puma560()).kutzbach()
+        >>> Mechanism.from_chain(kl.robots.puma560()).kutzbach()
         0
         """
         validation.instance(chain, "chain", Chain)
@@ -140,8 +138,7 @@ class Mechanism(TakesJointValues):
         Raises ValueError for fewer than two branches, which form no loop.
         Source: Forward kinematics II, (3.81), from LaValle, Planning Algorithms, section 3.4.
 
-        >>> from kinlib.chains.robots import rpr
-        >>> Mechanism.from_branches(rpr(), rpr()).n
+        >>> Mechanism.from_branches(kl.robots.rpr(), kl.robots.rpr()).n
         6
         """
         joints = []
@@ -180,8 +177,7 @@ class Mechanism(TakesJointValues):
 
         q (..., n) -> (..., 6 l) for l loops, one twist (omega, v) after the other.
 
-        >>> from kinlib.mechanisms.linkages import bennett
-        >>> linkage = bennett()
+        >>> linkage = kl.linkages.bennett()
         >>> bool(np.linalg.norm(linkage.residual(linkage.assemble([1, 2, 1, 2]).q)) < 1e-12)
         True
         """
@@ -192,8 +188,7 @@ class Mechanism(TakesJointValues):
 
         q (..., n) -> (..., 6 l, n). If a loop is closed, then r = 0 and its rows are the space Jacobian J_s itself.
 
-        >>> from kinlib.mechanisms.linkages import bennett
-        >>> bennett().jacobian([1, 2, 1, 2]).shape
+        >>> kl.linkages.bennett().jacobian([1, 2, 1, 2]).shape
         (6, 4)
         """
         return self._linearized(self.in_order(q), [loop.chain for loop in self.loops])[1]
@@ -203,8 +198,7 @@ class Mechanism(TakesJointValues):
 
         q (..., n) -> (..., 4, 4) for each body. If a loop is not closed, another path would give another displacement.
 
-        >>> from kinlib.mechanisms.linkages import four_bar
-        >>> four_bar(4, 1, 3.5, 3).poses([np.pi, 0, 0, 0])["crank"][:2, :2].round(6) + 0.0
+        >>> kl.linkages.four_bar(4, 1, 3.5, 3).poses([np.pi, 0, 0, 0])["crank"][:2, :2].round(6) + 0.0
         array([[-1.,  0.],
                [ 0., -1.]])
         """
@@ -223,8 +217,7 @@ class Mechanism(TakesJointValues):
 
         Raises ValueError if a held name is not that of a joint value.
 
-        >>> from kinlib.mechanisms.linkages import four_bar
-        >>> four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0]).converged        # the three short links do not reach
+        >>> kl.linkages.four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0]).converged        # the three short links do not reach
         False
         """
         closure = self._closure(guess, hold, "guess")
@@ -239,8 +232,7 @@ class Mechanism(TakesJointValues):
 
         Raises ValueError if the bodies can still move with these values held, because then the modes form curves.
 
-        >>> from kinlib.mechanisms.linkages import four_bar
-        >>> len(four_bar(4, 1, 3.5, 3).assembly_modes(hold={"A": 1.0}))
+        >>> len(kl.linkages.four_bar(4, 1, 3.5, 3).assembly_modes(hold={"A": 1.0}))
         2
         """
 
@@ -263,8 +255,7 @@ class Mechanism(TakesJointValues):
         Raises ValueError if the start does not close, or the linkage does not have exactly one degree of freedom there.
         Source: pseudo-arclength continuation, as in Allgower and Georg, Numerical Continuation Methods (1990).
 
-        >>> from kinlib.mechanisms.linkages import four_bar
-        >>> linkage = four_bar(0.4, 0.1, 0.35, 0.3)
+        >>> linkage = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
         >>> curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0])
         >>> curve.closed, curve.residual < 1e-12
         (True, True)
@@ -280,8 +271,7 @@ class Mechanism(TakesJointValues):
 
         Raises ValueError if the configuration does not close.
 
-        >>> from kinlib.mechanisms.linkages import bennett
-        >>> linkage = bennett()
+        >>> linkage = kl.linkages.bennett()
         >>> mobility = linkage.mobility(linkage.assemble([1, 2, 1, 2]).q)
         >>> mobility.kutzbach, mobility.finite
         (-2, 1)
@@ -301,8 +291,7 @@ class Mechanism(TakesJointValues):
 
         Source: Modern Robotics, (2.4), Gruebler's formula.
 
-        >>> from kinlib.mechanisms.linkages import bennett, four_bar
-        >>> four_bar(4, 1, 3.5, 3).kutzbach(), bennett().kutzbach()
+        >>> kl.linkages.four_bar(4, 1, 3.5, 3).kutzbach(), kl.linkages.bennett().kutzbach()
         (1, -2)
         """
         return self.n - sum(group_dimension(loop.centred.screws) for loop in self.loops)

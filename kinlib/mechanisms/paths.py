@@ -6,8 +6,6 @@ moved by a constant pose G before it meets its neighbour. Constants move to the 
 G e^[S]q = e^[Ad(G) S]q G, and become the home pose of the chain.
 """
 
-from __future__ import annotations
-
 from collections import deque
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass

@@ -74,8 +74,7 @@ def fk(arm: Chain) -> sp.Matrix:
 
     Source: Modern Robotics, (4.14).
 
-    >>> from kinlib.chains.robots import rpr_lecture7
-    >>> shorthand(fk(rpr_lecture7()))[0, :3]
+    >>> shorthand(fk(kl.robots.rpr_lecture7()))[0, :3]
     Matrix([[c_13, -s_13, 0]])
     """
     validation.instance(arm, "arm", Chain)

@@ -185,11 +185,9 @@ class Tree(TakesLimitedValues):
         Raises ValueError for a planar or a floating joint without a pose, and if a mimic joint follows no joint that moves, or itself.
         Source: the URDF specification, "joint"; Modern Robotics, 4.2.
 
-        >>> from kinlib.chains.robots import youbot
-        >>> from kinlib.urdf.chains import to_urdf
-        >>> tree = Tree.from_urdf(to_urdf(youbot()))
+        >>> tree = Tree.from_urdf(kl.to_urdf(kl.robots.youbot()))
         >>> lifted = tree.poses(np.zeros((10, 5)), base=exp([0, 0, 0, 0, 0, 0.5]))     # the arm on a platform
-        >>> lifted["base_link"].shape, bool(np.allclose(lifted["tool"], exp([0, 0, 0, 0, 0, 0.5]) @ youbot().home))
+        >>> lifted["base_link"].shape, bool(np.allclose(lifted["tool"], exp([0, 0, 0, 0, 0, 0.5]) @ kl.robots.youbot().home))
         ((10, 4, 4), True)
         """
         q = self.in_order(q)
@@ -219,9 +217,7 @@ class Tree(TakesLimitedValues):
         a joint between them is planar or floating, and if two of them follow the same joint, or one has another multiplier.
         Source: the URDF specification, "link" and "joint".
 
-        >>> from kinlib.chains.robots import youbot
-        >>> from kinlib.urdf.chains import to_urdf
-        >>> Tree.from_urdf(to_urdf(youbot())).chain(base="link_4", tip="link_2").joint_names
+        >>> Tree.from_urdf(kl.to_urdf(kl.robots.youbot())).chain(base="link_4", tip="link_2").joint_names
         ('joint_4', 'joint_3')
         """
         base = self.root if base is None else base
