@@ -179,9 +179,8 @@ class TakesJointValues(ABC):
         Raises ValueError for joint values of another size, for NaN, for a missing or an unknown name, and for an angle that double
         precision cannot resolve.
 
-        >>> kl.DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], "standard").in_order({"q2": 0.5, "q1": [1, 2]})
-        array([[1. , 0.5],
-               [2. , 0.5]])
+        >>> kl.DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], "standard").in_order({"q2": 0.5, "q1": 1})
+        array([1. , 0.5])
         """
         names = self._value_names
         q = _stacked(q, names, self.name) if isinstance(q, Mapping) else array(q, argument)
@@ -222,9 +221,8 @@ class TakesLimitedValues(TakesJointValues):
         A joint without limits takes values between -pi and pi, in radians or metres; one with a single limit, up to 2 pi from it.
         A limit beyond MAX_ROTATION_RAD, as some files have for a joint that rotates without end, is none.
 
-        >>> kl.Chain([[0, 0, 1, 0, 0, 0]] * 2, np.eye(4), limits=[[0, 1], [5, np.inf]]).random_configurations(2).round(2)
-        array([[0.64, 6.7 ],
-               [0.04, 5.1 ]])
+        >>> kl.Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[0, 1]]).random_configurations(1).round(2)
+        array([[0.64]])
         """
         lower, upper = self._limits.T
         has_lower, has_upper = (np.abs(limit) < MAX_ROTATION_RAD for limit in (lower, upper))

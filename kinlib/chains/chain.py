@@ -148,9 +148,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
     def fk(self, q: JointValues) -> Array:
         """Compute the pose of the tool by the space form: T(q) = e^[S1]q1 ... e^[Sn]qn M.
 
-        q (..., n) in radians and metres -> T_sb (..., 4, 4), for any number of configurations at once. Here and in the other
-        methods, q may also be a mapping from the name of each joint to its value.
-
+        q (..., n) in radians and metres, or a mapping from the name of each joint to its value -> T_sb (..., 4, 4).
         Source: Modern Robotics, (4.14).
 
         >>> kl.robots.rprr().fk(np.zeros((1000, 4))).shape

@@ -273,9 +273,8 @@ def perpendicular(axis: ArrayLike) -> Array:
     axis (..., 3), not zero -> (..., 3): the cross product of the axis with the coordinate axis at the largest angle to it, so
     that no digits are lost.
 
-    >>> perpendicular([[0, 0, 1], [0, 3, 0]]) + 0.0
-    array([[ 0., -1.,  0.],
-           [ 0.,  0.,  1.]])
+    >>> perpendicular([0, 3, 0])
+    array([0., 0., 1.])
     """
     axis = np.asarray(axis, dtype=float)
     farthest = np.eye(3)[np.argmin(np.abs(axis), axis=-1)]
