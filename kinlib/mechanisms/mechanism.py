@@ -285,9 +285,8 @@ class Mechanism(TakesJointValues):
     def kutzbach(self) -> int:
         """Count degrees of freedom by the Gruebler-Kutzbach formula: those of all joints, minus d equations for each loop.
 
-        d is the dimension of the group that the joints of a loop generate: 6 in space, 3 in a plane or about a point. With N
-        bodies and J joints with f_i degrees of freedom there are J - N + 1 loops, and d(N - 1 - J) + sum f_i is the same number,
-        if d is the same for all of them. It is the mobility if all equations are independent.
+        d is the dimension of the group that the joints of a loop generate: 6 in space, 3 in a plane or about a point. With N bodies
+        and J joints, and one d for all loops, this is d(N - 1 - J) + sum f_i: the mobility, if all equations are independent.
 
         Source: Modern Robotics, (2.4), Gruebler's formula.
 

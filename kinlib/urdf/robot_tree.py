@@ -50,25 +50,18 @@ class Tree(TakesLimitedValues):
     joints have no single value: see `poses`. Wherever q is an argument, it may also be a mapping from the name of each independent
     joint to its value.
 
-    >>> tree = Tree.from_urdf('''<robot name="gripper">
-    ...   <link name="palm"/> <link name="left"/> <link name="right"/> <link name="pad"/>
-    ...   <joint name="open" type="prismatic"> <parent link="palm"/> <child link="left"/> <axis xyz="0 1 0"/>
-    ...     <limit lower="0" upper="0.5" effort="1" velocity="1"/> </joint>
-    ...   <joint name="follow" type="prismatic"> <parent link="palm"/> <child link="right"/> <axis xyz="0 1 0"/>
-    ...     <limit lower="-0.5" upper="0" effort="1" velocity="1"/> <mimic joint="open" multiplier="-1"/> </joint>
-    ...   <joint name="glue" type="fixed"> <parent link="right"/> <child link="pad"/> <origin xyz="0 0 0.5"/> </joint>
+    >>> tree = Tree.from_urdf('''<robot name="gripper"> <link name="palm"/> <link name="left"/> <link name="right"/>
+    ...   <joint name="open" type="continuous"> <parent link="palm"/> <child link="left"/> </joint>
+    ...   <joint name="follow" type="continuous"> <parent link="palm"/> <child link="right"/> <mimic joint="open"/> </joint>
     ... </robot>''')
     >>> print(tree)
-    gripper, 4 links, 1 independent joint
-    link    | joint  | type      | value
-    palm    |        |           |
-      left  | open   | prismatic | q1
-      right | follow | prismatic | -open
-        pad | glue   | fixed     |
+    gripper, 3 links, 1 independent joint
+    link    | joint  | type       | value
+    palm    |        |            |
+      left  | open   | continuous | q1
+      right | follow | continuous | open
     >>> tree.tips, tree.joint_names, tree.couplings["follow"]
-    (('left', 'pad'), ('open',), Coupling(joint='open', multiplier=-1.0, offset=0.0))
-    >>> {link: T[:3, 3].tolist() for link, T in tree.poses({"open": 0.25}).items()}
-    {'palm': [0.0, 0.0, 0.0], 'left': [0.0, 0.25, 0.0], 'right': [0.0, -0.25, 0.0], 'pad': [0.0, -0.25, 0.5]}
+    (('left', 'right'), ('open',), Coupling(joint='open', multiplier=1.0, offset=0.0))
     """
 
     name: str
