@@ -180,9 +180,7 @@ def read_rows(
     _scale(grid, entries, numbers, "length_unit", length_unit, strict)
     _scale(grid, entries, numbers, "angle_unit", angle_unit, strict)
     if strict and grid.guesses:
-        raise ValueError(
-            f"A DHTable takes only what its rows say. Correct them, or use kl.read_table, which assumes: {grid.guesses[0]}"
-        )
+        raise ValueError(f"A DHTable takes only what its rows say; kl.read_table assumes: {grid.guesses[0]}")
     return Rows(numbers, letters, signs, _said_convention(plain, grid), ends, grid.assumed)
 
 

@@ -125,8 +125,7 @@ class Mechanism(TakesJointValues):
         0
         """
         validation.instance(chain, "chain", Chain)
-        bodies = ["ground", *(f"link {i}" for i in range(1, chain.n)), "ground"]
-        joints = joints_of_chain(chain, bodies, [f"joint {i}" for i in range(1, chain.n + 1)], chain.home)
+        joints = joints_of_chain(chain, "", "ground", chain.home)
         return cls(joints, "ground", chain.name, chain.source)
 
     @classmethod
@@ -144,10 +143,8 @@ class Mechanism(TakesJointValues):
         joints = []
         for b, branch in enumerate(branches, start=1):
             validation.instance(branch, f"branch {b}", Chain)
-            bodies = ["ground", *(f"link {b}.{i}" for i in range(1, branch.n)), "end"]
             # All branches end in one body, which is drawn as in the home configuration of the first branch.
-            offset = branch.home @ inverse(branches[0].home)
-            joints += joints_of_chain(branch, bodies, [f"joint {b}.{i}" for i in range(1, branch.n + 1)], offset)
+            joints += joints_of_chain(branch, f"{b}.", "end", branch.home @ inverse(branches[0].home))
         return cls(joints, "ground", name, source)
 
     @property

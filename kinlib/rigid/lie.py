@@ -231,9 +231,7 @@ def nearest_rotation(X: ArrayLike) -> Array:
     nearest = U @ Vt
     distance = np.abs(nearest - R).max(initial=0.0)
     if distance > 0.1 or (np.linalg.det(nearest) < 0).any():
-        raise ValueError(
-            f"X must be almost a right-handed rotation, within 0.1 in each entry; it differs by {distance:.2g}."
-        )
+        raise ValueError(f"X must be almost a right-handed rotation, to 0.1 in an entry; it differs by {distance:.2g}.")
     R[...] = nearest
     return X
 

@@ -230,9 +230,7 @@ class Tree(TakesLimitedValues):
                 points.append(frame[:3, 3])
                 moving.append(joint)
         if not moving:
-            raise self.link_elements[tip].error(
-                f"a joint must move between {base} and {tip}; none does. Pass other links."
-            )
+            raise self.link_elements[tip].error(f"a joint must move between {base} and {tip}; none does.")
         # A faulty mimic joint elsewhere does not affect this chain.
         couplings = [followed(joint, self._moving_joints) for joint in moving]
         drivers = [driver for driver, _, _ in couplings]
