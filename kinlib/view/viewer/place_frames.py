@@ -21,9 +21,6 @@ from kinlib.view.viewer.frame_candidates import frame_candidates
 from kinlib.view.viewer.scene import bare_scene
 from kinlib.view.viewer.viewer import ViewerBase
 
-VIEW_RADIUS_SHARE = 0.84
-"""The radius in view, as a share of the sphere around all that is drawn: in the initial view no arm fills that sphere."""
-
 TWO_FRAME_RULES = {"x perpendicular to z", "x meets z"}
 """The rules about two consecutive frames; all others are about one frame."""
 
@@ -44,10 +41,7 @@ class ByHand(ViewerBase):
     def __init__(self, chain: Chain, convention: Convention, frames: Array) -> None:
         features = frame_candidates(chain)
         ends = np.array([line[end] for line in features["axes"] for end in ("from", "to")])
-        scene = bare_scene(chain, ends, VIEW_RADIUS_SHARE)
-        arm = scene["arms"][0]
-        arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would reveal the answer
-        arm["normals"] = []
+        scene = bare_scene(chain, ends)
         self.convention = convention
         self.robot = self.chain = chain
         super().__init__(

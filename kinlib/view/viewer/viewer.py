@@ -147,20 +147,18 @@ class Viewer(ViewerBase):
         """The text alternative of the current picture."""
         if isinstance(self.robot, Tree):
             return describe_tree(self.robot, self.q)
-        return describe_arm(self.robot, self.q, home_axes="home axes" in self.shown, frames=self._frames())
+        return describe_arm(self.robot, self.q, home_axes="home axes" in self.shown, frames=self._frames(self.robot))
 
     def picture(self) -> Picture:
         """Draw the robot with the layers that are shown."""
         if isinstance(self.robot, Tree):
             return draw_tree(self.robot, self.q)
         drawn = [name for name in self.shown if name in ARM_LAYERS]
-        return draw_arm(self.robot, self.q, show=drawn, frames=self._frames())
+        return draw_arm(self.robot, self.q, show=drawn, frames=self._frames(self.robot))
 
-    def _frames(self) -> dict[str, Array]:
+    def _frames(self, arm: Chain) -> dict[str, Array]:
         """Return the poses at q of those frames given to `explore` that are switched on."""
-        if isinstance(self.robot, Tree):
-            return {}
-        moved, layers = body_motions(self.robot, np.array(self.q)), self.scene["arms"][0]["frames"]
+        moved, layers = body_motions(arm, np.array(self.q)), self.scene["arms"][0]["frames"]
         single = [layers[layer][0] for layer in self.own_frames() if layer in self.shown]
         return {frame["name"]: moved[frame["body"]] @ np.reshape(frame["pose"], (4, 4)) for frame in single}
 
