@@ -435,9 +435,8 @@ def _heading(line: str, splits: list[list[str]], before: list[str], grid: _Grid)
             continue
         places = [k for k, head in enumerate(heads) if head.name in names]
         others = places[-1] - places[0] + 1 - len(names) - any(head.name == "type" for head in heads)
-        if others <= 0 or not (
-            is_comment or before
-        ):  # in a comment, and below another heading, no other word is between
+        # In a comment, and below another heading, no other word stands between the names.
+        if others <= 0 or not (is_comment or before):
             found.append(heads)
     is_behind_words = is_comment and not any(heads[0].name in ALL_COLUMNS for heads in found[:-1])
     is_labelled = re.match(r"(?i)\W*(?:joint|link|axis|frame|row|[ijkn]|no|nr)\b", line)
