@@ -11,7 +11,9 @@ There are three renderers, because no single one does all three of these:
   so it needs no kernel, and it follows the light and the dark theme. Before it starts, and in print, its SVG drawing is shown.
 """
 
-from kinlib.view.browser import show
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.drawing.plot import plot
 from kinlib.view.figures.arm import draw_arm, draw_joints, draw_lettered_chain
@@ -19,13 +21,16 @@ from kinlib.view.figures.axis_relations import draw_axis_relation, draw_axis_rel
 from kinlib.view.figures.frames import draw_frames
 from kinlib.view.figures.linkage import draw_linkage
 from kinlib.view.figures.point_velocity import draw_moment, draw_point_velocity
-from kinlib.view.viewer.dh_players import play_assignment, play_row, play_walk
-from kinlib.view.viewer.film import film
-from kinlib.view.viewer.linkage_driver import drive
-from kinlib.view.viewer.moving_frames import slide_frames
-from kinlib.view.viewer.pictures import slide
-from kinlib.view.viewer.place_frames import assign
-from kinlib.view.viewer.viewer import explore
+
+if TYPE_CHECKING:
+    from kinlib.view.browser import show
+    from kinlib.view.viewer.dh_players import play_assignment, play_row, play_walk
+    from kinlib.view.viewer.film import film
+    from kinlib.view.viewer.linkage_driver import drive
+    from kinlib.view.viewer.moving_frames import slide_frames
+    from kinlib.view.viewer.pictures import slide
+    from kinlib.view.viewer.place_frames import assign
+    from kinlib.view.viewer.viewer import explore
 
 __all__ = [
     "Gallery",
@@ -51,3 +56,23 @@ __all__ = [
     "slide",
     "slide_frames",
 ]
+
+LAZY_NAMES = {
+    "browser": {"show"},
+    "viewer.dh_players": {"play_assignment", "play_row", "play_walk"},
+    "viewer.film": {"film"},
+    "viewer.linkage_driver": {"drive"},
+    "viewer.moving_frames": {"slide_frames"},
+    "viewer.pictures": {"slide"},
+    "viewer.place_frames": {"assign"},
+    "viewer.viewer": {"explore"},
+}
+"""Modules that need ipywidgets and anywidget, and their names: imported on first use, because figures need neither."""
+
+
+def __getattr__(name: str) -> Any:
+    """Import a widget's module when its name is first used."""
+    for module, names in LAZY_NAMES.items():
+        if name in names:
+            return getattr(import_module(f"kinlib.view.{module}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -27,7 +27,7 @@ def crop(pictures: Sequence[Picture], largest: tuple[float, float] = LARGEST_PX)
 
     Pictures of which one is not a drawing by svg.document, such as plots, are left as they are.
     """
-    if not all(HEAD.match(picture.svg) and "<svg " not in picture.svg[1:] for picture in pictures):
+    if not all(HEAD.match(picture.svg) for picture in pictures):
         return list(pictures)
     boxes = np.array([_content(picture.svg) for picture in pictures])
     low, high = boxes[:, 0].min(axis=0) - BORDER_PX, boxes[:, 1].max(axis=0) + BORDER_PX

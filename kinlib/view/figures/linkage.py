@@ -81,7 +81,6 @@ def draw_linkage(
     *,
     ghost: JointValues | None = None,
     around: ArrayLike | None = None,
-    size: tuple[float, float] = (640, 440),
     names: bool = True,
     caption: str = "",
 ) -> Picture:
@@ -90,15 +89,12 @@ def draw_linkage(
     q       (n,) joint values, or a mapping from their names to values
     ghost   (n,) another configuration, drawn in grey
     around  points (..., 3) to keep in view, so that pictures of several configurations have the same scale
-    size    width and largest height in pixels
     names   whether joints are labelled
 
     An orange dotted line connects the two halves of a joint that is not closed.
 
     Raises ValueError if q or ghost does not have n values or contains NaN.
-
-    >>> from kinlib.mechanisms.linkages import slider_crank
-    >>> print(draw_linkage(slider_crank(1, 3), [0, 0, 4, 0]).alt)       # doctest: +NORMALIZE_WHITESPACE
+    >>> print(draw_linkage(kl.linkages.slider_crank(1, 3), [0, 0, 4, 0]).alt)       # doctest: +NORMALIZE_WHITESPACE
     slider-crank with the bodies ground, crank, slider, rod. A joins ground and crank at (0, 0); B joins crank and rod
     at (1, 0); slide joins ground and slider at (4, 0); C joins slider and rod at (4, 0). All lengths in metres. It is
     closed.
@@ -110,7 +106,7 @@ def draw_linkage(
     seen = np.reshape(np.concatenate(drawn) if around is None else np.asarray(around, dtype=float), (-1, 3))
     # No axis or frame extends beyond the joints, so the margin can be smaller, most of all for a planar linkage.
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
-    canvas = Canvas(middle + (0.72 if planar else 0.9) * (seen - middle), "top" if planar else "default", size)
+    canvas = Canvas(middle + (0.72 if planar else 0.9) * (seen - middle), "top" if planar else "default")
     body = linkage_body(mechanism, mechanism.in_order(q)[None])
     canvas.floor(seen, height=body.lowest)
     for T, (name, ends) in zip(shade.poses, body_points(mechanism).items(), strict=True) if shade else ():

@@ -59,11 +59,6 @@ def ranks(origins: ArrayLike) -> list[int]:
     return [int((np.linalg.norm(points[:i] - point, axis=1) < 1e-6).sum()) for i, point in enumerate(points)]
 
 
-def name_part(at: ArrayLike, text: str) -> Part:
-    """Return a name at a point."""
-    return {"kind": "name", "at": np.asarray(at, dtype=float).tolist(), "text": text}
-
-
 def draw_parts(canvas: Canvas, parts: Iterable[Part], size: float) -> None:
     """Draw parts; size is that of the scene, in metres."""
     for part in parts:

@@ -23,7 +23,7 @@ from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import frame_text
 from kinlib.view.figures.frame_assignment import assignment_stop, axis_ends, draw_assignment, visible_features
 from kinlib.view.figures.joint_bodies import stations
-from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, name_part
+from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part
 from kinlib.view.viewer.scene import bare_scene, still_room
 from kinlib.view.viewer.steps import Steps, Stop, frame_arm
 
@@ -52,8 +52,8 @@ AXIS_SPANS: dict[Convention, tuple[tuple[str, int, int], ...]] = {
 FRAME_LENGTH = 0.34
 """The length of the axes of a frame, as a share of the size of the motions."""
 
-VIEW_RADIUS_SHARE = {0: 0.84, 1: 0.94, 2: 0.79}
-"""The radius in view, as a share of the sphere around all that is drawn: of an assignment, and of one track or two side by side."""
+VIEW_RADIUS_SHARE = {1: 0.94, 2: 0.79}
+"""The radius in view, as a share of the sphere around all that is drawn: of one track, or of two side by side."""
 
 
 class Motion(NamedTuple):
@@ -180,9 +180,7 @@ def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = 
     after  a question; the arm stays covered until a prediction is committed
 
     Raises ValueError if the convention is unknown, or a joint is helical.
-
-    >>> from kinlib.chains.robots import youbot
-    >>> player = play_assignment(youbot(), convention="standard")
+    >>> player = play_assignment(kl.robots.youbot(), convention="standard")
     >>> player.at = 3
     >>> player.alt[:62]
     'youBot, standard convention, step 4 of 25. O_1 lies on axis 2,'
@@ -203,7 +201,7 @@ def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = 
     def draw(player: Steps) -> Picture:
         return crop([draw_assignment(assignments[player.variant], int(player.at))])[0]
 
-    scene = bare_scene(chain, np.concatenate(points), VIEW_RADIUS_SHARE[0])
+    scene = bare_scene(chain, np.concatenate(points))
     mode = {"variants": variants, "name": "step", "choice": "convention"}
     return Steps(scene, mode, draw, variant=convention, after=after, start=np.zeros(chain.n))
 
@@ -228,7 +226,8 @@ def _player(tracks: Sequence[Track], size: float, after: Any) -> Steps:
     for track in tracks:
         still += [*track.axes, frame_part(track.poses[-1], "Oxyz", length=0.9 * FRAME_LENGTH, strong=False)]
         if track.title:
-            still.append(name_part(track.start[:3, 3] - (0, 0, 0.5 * size), track.title))
+            below = track.start[:3, 3] - (0, 0, 0.5 * size)
+            still.append({"kind": "name", "at": below.tolist(), "text": track.title})
     stops = []
     for k in range(count + 1):
         merged = [_track_stop(track, k) for track in tracks]

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,18 +16,16 @@ from kinlib.view.viewer.pictures import value_text
 from kinlib.view.viewer.scene import half_height
 from kinlib.view.viewer.steps import Steps, frame_arm
 
-V = TypeVar("V")
-
 AXIS_SHARE, SMALLEST_M = 0.3, 0.3
 """The length of the axes as a share of the extent of the origins, and the least extent, if the frames share an origin."""
 
 
 def slide_frames(
-    frames_at: Callable[[V], Mapping[str, ArrayLike]],
+    frames_at: Callable[[Any], Mapping[str, ArrayLike]],
     label: str,
-    values: Sequence[V],
+    values: Sequence[Any],
     *,
-    caption: Callable[[V], str] = lambda _: "",
+    caption: Callable[[Any], str] = lambda _: "",
     arrows: bool = False,
     after: Any = None,
 ) -> Steps:

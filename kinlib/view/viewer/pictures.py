@@ -1,7 +1,7 @@
 """The player of pictures: a film (see film.py), or a slider through the pictures of several values, made by `slide`."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, TypeVar
+from typing import Any
 
 import traitlets
 
@@ -79,16 +79,17 @@ class Pictures(Covered):
         Gallery(self.still).save(path)
 
 
-V = TypeVar("V")
-
-
 def value_text(value: Any) -> str:
     """Write the value of a slider."""
     return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
 def slide(
-    draw: Callable[[V], Picture] | Sequence[Picture], label: str, values: Sequence[V], after: Any = None, start: int = 0
+    draw: Callable[[Any], Picture] | Sequence[Picture],
+    label: str,
+    values: Sequence[Any],
+    after: Any = None,
+    start: int = 0,
 ) -> Pictures:
     """Show a slider that draws a picture of the selected value.
 

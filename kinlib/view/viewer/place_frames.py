@@ -21,9 +21,6 @@ from kinlib.view.viewer.frame_candidates import frame_candidates
 from kinlib.view.viewer.scene import bare_scene
 from kinlib.view.viewer.viewer import ViewerBase
 
-VIEW_RADIUS_SHARE = 0.84
-"""The radius in view, as a share of the sphere around all that is drawn: in the initial view no arm fills that sphere."""
-
 TWO_FRAME_RULES = {"x perpendicular to z", "x meets z"}
 """The rules about two consecutive frames; all others are about one frame."""
 
@@ -44,10 +41,7 @@ class ByHand(ViewerBase):
     def __init__(self, chain: Chain, convention: Convention, frames: Array) -> None:
         features = frame_candidates(chain)
         ends = np.array([line[end] for line in features["axes"] for end in ("from", "to")])
-        scene = bare_scene(chain, ends, VIEW_RADIUS_SHARE)
-        arm = scene["arms"][0]
-        arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would reveal the answer
-        arm["normals"] = []
+        scene = bare_scene(chain, ends)
         self.convention = convention
         self.robot = self.chain = chain
         super().__init__(
@@ -114,11 +108,8 @@ def assign(chain: Chain, convention: Convention) -> ByHand:
     The frames are in `.frames`, the rules that they break in `.breaches`, and their table, once it is right, in `.table`.
 
     Raises ValueError if the convention is unknown.
-
-    >>> from kinlib.dh.assignment import assign_frames
-    >>> from kinlib.chains.robots import rpr
-    >>> by_hand = assign(rpr(), "standard")
-    >>> by_hand.frames = assign_frames(rpr(), convention="standard").frames
+    >>> by_hand = assign(kl.robots.rpr(), "standard")
+    >>> by_hand.frames = kl.assign_frames(kl.robots.rpr(), convention="standard").frames
     >>> by_hand.breaches
     []
     """

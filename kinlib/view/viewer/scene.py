@@ -98,54 +98,50 @@ def scene(
     }
 
 
-def bare_scene(chain: Chain, points: Array, share: float) -> dict[str, Any]:
-    """Return the scene of the arm at home without sliders, with a view that also contains points (m, 3), see `still_room`."""
-    found = branches(chain)
-    data = scene(chain, found, np.zeros(chain.n), joints=[])
-    room = still_room(np.concatenate([points, stations(chain)]), share)
-    data["arms"][0].pop("body")  # the axes are to be seen
-    data["arms"][0]["links"] = skeleton(chain)
-    size, lowest = extent(*found), float(stations(chain)[:, 2].min())
-    floor = lowest - (0.1 if lowest > -0.05 * size else 0.2) * size
-    return {**data, "size": max(size, room["radius"]), "room": room, "floor": floor, "offered": ["dimensions"]}
+def bare_scene(chain: Chain, points: Array) -> dict[str, Any]:
+    """Return the scene of the arm at home without a body and sliders, with a view that also contains points (m, 3)."""
+    (branch,) = branches(chain)
+    room = still_room(np.concatenate([points, stations(chain)]), 0.84)  # no arm fills the sphere around it
+    size, lowest = extent(branch), float(stations(chain)[:, 2].min())
+    return {
+        "name": chain.name,
+        "size": max(size, room["radius"]),
+        "arms": [arm_data(branch, bare=True)],
+        "room": room,
+        "floor": lowest - (0.1 if lowest > -0.05 * size else 0.2) * size,
+        "offered": ["dimensions"],
+    }
 
 
-def arm_data(branch: Branch) -> dict[str, Any]:
+def arm_data(branch: Branch, *, bare: bool = False) -> dict[str, Any]:
     """Return a branch as data: joints, links, home, frames and common normals.
 
-    What an earlier branch shows too moves with this one, but is hidden. Only an arm has frames in each convention.
+    What an earlier branch shows too moves with this one, but is hidden. A bare arm, and a branch of a tree, have no common normals,
+    no frames but those of base and tool, and straight links, because a bend would show a normal.
     """
-    chain, is_arm = branch.chain, not branch.tip
-    size = extent(branch)
-    paths = _link_paths(chain) if is_arm else skeleton(chain)
-    tip = {} if is_arm else {"tip": branch.tip}
-    return tip | {
+    chain, size, straight = branch.chain, extent(branch), bare or bool(branch.tip)
+    paths = np.stack([stations(chain)[:-1], stations(chain)[1:]], axis=1).tolist() if straight else _link_paths(chain)
+    base, tool = frame_data("s", 0, np.eye(4)), frame_data(branch.tip or "b", chain.n, chain.home)
+    ends = {"base": [] if branch.tip else [base], "tool": [tool]}
+    return ({"tip": branch.tip} if branch.tip else {}) | {
         "columns": branch.columns.tolist(),
         "joints": _joints(branch),
         "links": [[] if i < branch.shared else path for i, path in enumerate(paths)],
         "home": chain.home.ravel().tolist(),
-        "frames": _frames(chain, size)
-        if is_arm
-        else {"base": [], "tool": [frame_data(branch.tip, chain.n, chain.home)]},
+        "frames": ends if straight else ends | _frames(chain, size, base, tool),
         # the normal from axis i to axis i + 1 is fixed to body i
         "normals": [
             {"body": i, "from": normal.start.tolist(), "to": normal.end.tolist(), "along": normal.x.tolist()}
             for i, normal in enumerate(_normals(chain), start=1)
-            if is_arm and _near(normal.start, size) and _near(normal.end, size)
+            if not straight and _near(normal.start, size) and _near(normal.end, size)
         ],
     }
 
 
-def skeleton(chain: Chain) -> list[Any]:
-    """Return the lines of links 0 to n at home, straight from joint to joint: a bend would show a common normal."""
-    return [np.array(pair).tolist() for pair in pairwise(stations(chain))]
-
-
 def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> dict[str, Any]:
-    """Return frames that are given at q, each fixed to its link, as layers for the page: their poses at home.
+    """Return frames that are given at q, as `explore` takes them, as layers for the page: their poses at home.
 
-    frames  {"0": T, "1": T, "1'": T, ..., "s": T, "b": T} poses (4, 4) in {s}: frame i is fixed to link i, or to the last link if
-            i > n; {s} and frame 0 are fixed to the base, {b} to the last link. A frame with a prime is grey, to be compared with
+    {s} and frame 0 are fixed to the base, {b} to the last link.
 
     Raises ValueError if a frame is not a pose, or its name is not a number, with or without a prime, "s" or "b".
     """
@@ -236,11 +232,10 @@ def _joints(branch: Branch) -> list[dict[str, Any]]:
     return found
 
 
-def _frames(chain: Chain, size: float) -> dict[str, Any]:
-    """Return the frames of an arm that can be shown, each with its name, its body and its pose at home."""
-    base, tool = frame_data("s", 0, np.eye(4)), frame_data("b", chain.n, chain.home)
+def _frames(chain: Chain, size: float, base: dict[str, Any], tool: dict[str, Any]) -> dict[str, Any]:
+    """Return the frames on the links of an arm: one on each, and those of each convention with base and tool where they differ."""
     links = enumerate(homogeneous(np.eye(3), chain.joint_points), start=1)
-    shown: dict[str, Any] = {"base": [base], "tool": [tool], "links": [frame_data(str(i), i, T) for i, T in links]}
+    shown = {"links": [frame_data(str(i), i, T) for i, T in links]}
     # A DH row has one variable, and a helical joint would need two.
     for convention in () if "H" in chain.joint_types else ("standard", "modified"):
         frames = assign_frames(chain, convention=convention).frames

@@ -13,7 +13,6 @@ from kincourse.lecture_04b_velocity.drawings import draw_tool_velocities
 from kincourse.lecture_05_dh_standard.drawings import draw_last_frame
 from kincourse.lecture_06b_puma.drawings import draw_rotation_axes
 from kincourse.lecture_07_frame_assignment.drawings import draw_nearly_parallel_axes
-from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus
 from kincourse.lecture_09_urdf.drawings import draw_urdf_joint, draw_urdf_tree
 from kincourse.lecture_09_urdf.files import ARM, FOUR_BAR
 from kincourse.lecture_10_one_robot_four_ways.drawings import draw_two_arms
@@ -22,7 +21,6 @@ YOUBOT, PUMA = kl.robots.youbot(), kl.robots.puma560()
 BENT = np.radians([20, 60, -60, -40, 10])
 SCREW = kl.robots.rpr().screws[0]
 M = np.block([[kl.exp([0, 0, 0.5]), np.array([[2], [0.6], [0]])], [0, 0, 0, 1]])
-TURN = np.linspace(0, 6 * np.pi, 100)
 
 PICTURES = {
     "parts": lambda: draw_parts(YOUBOT),
@@ -38,9 +36,6 @@ PICTURES = {
     "last frame": lambda: draw_last_frame("P", d=0.9, a=0.3),
     "rotation axes": lambda: draw_rotation_axes("zyz", [0.3, 0.7, 0.2], ("4", "5", "6")),
     "nearly parallel axes": lambda: draw_nearly_parallel_axes(30),
-    "torus": lambda: draw_torus(
-        {"round": np.stack([TURN, TURN / 3], axis=1), "still": np.ones((2, 2))}, {"now": (5, 1)}, xlabel="A", ylabel="D"
-    ),
     "joint of a URDF": lambda: draw_urdf_joint(M, (0, 0.6, 0.8), 0.6, ("post", "rod")),
     "tree of a URDF": lambda: draw_urdf_tree(ARM, ("mast", "camera")),
     "loop in a URDF": lambda: draw_urdf_tree(FOUR_BAR),
