@@ -105,16 +105,6 @@ def test_a_mistake_in_one_part_is_named_for_that_part():
     assert [finding.mistake for finding in half.findings] == ["shifted", None]
 
 
-def test_a_variant_in_which_a_mistake_is_right_is_drawn_again_or_refused():
-    def signs(x):
-        return Problem(f"{x}", Numbers(np.array(float(x))), [Mistake("sign", np.array(-float(x)), "Sign.")])
-
-    sign, degenerate = template(lambda draw: signs(draw.integer(0, 1))), template(lambda _: signs(0))
-    assert {sign.variant(f"s{i}").statement for i in range(50)} == {"1"}
-    with pytest.raises(ValueError, match=r"Problem 01.1.*wider range"):
-        degenerate.variant("ada")
-
-
 def test_a_mistake_that_looks_like_the_right_answer_in_another_unit_is_left_out():
     """A card names the unit before any mistake, so that the mistake would have a message that no student reads."""
     values = {"in metres": 0.27102, "in centimetres": 27.1, "nothing": 0.0, "another distance": 280.0}
