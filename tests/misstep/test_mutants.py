@@ -79,18 +79,20 @@ def test_the_mutants_of_a_formula_are_compared_as_functions():
     assert judge(asked, "3 sin(2q)").mistakes == ["doubled"]
 
 
-def test_a_draw_in_which_a_mutant_gives_the_right_answer_is_drawn_again():
-    def product_of(one, two):
-        solution = given("A", one) @ given("B", two)
-        return Problem(str(two), Numbers(solution.value), solution=solution)
-
-    kind = problem("99.2", "A product", points=1, lecture="none#none")
-    commuting_or_not = kind(lambda draw: product_of(np.diag([1.0, 2.0]), np.array([[3, 1], [draw.integer(0, 1), 3.0]])))
-    commuting = kind(lambda _: product_of(np.eye(2) * 2, np.eye(2) * 3))
-    for i in range(20):
-        assert not commuting_or_not.variant(f"s{i}").hidden
-    with pytest.raises(ValueError, match=r"Problem 99\.2.*last draw, the mutant .order. .* the right answer"):
-        commuting.variant("ada")
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda x: Problem(f"{x}", Numbers(np.array(x)), [Mistake("sign", np.array(-x), "Sign.")]),
+        lambda x: Problem(f"{x}", Numbers(given("p", x, LENGTH) * 3)),
+    ],
+    ids=["of the author", "mutant"],
+)
+def test_a_draw_in_which_a_mistake_gives_the_right_answer_is_drawn_again_or_refused(make):
+    kind = problem("99.2", "A number", points=1, lecture="none#none")
+    zero_or_not, zero = kind(lambda draw: make(2.0 * draw.integer(0, 1))), kind(lambda _: make(0.0))
+    assert {zero_or_not.variant(f"s{i}").statement for i in range(20)} == {"2.0"}
+    with pytest.raises(ValueError, match=r"Problem 99\.2.*last draw, .*the right answer.*wider range"):
+        zero.variant("ada")
 
 
 def test_a_solution_that_does_not_lead_to_the_answer_is_refused():

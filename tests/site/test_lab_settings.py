@@ -8,20 +8,6 @@ from built_site import lab
 from kinsite.browser_lab import wheels
 from kinsite.browser_lab.precompile import compile_loaded, rewrite
 
-
-def wheel(folder, name="arm", files=("arm/__init__.py",), requires=()):
-    """Write a wheel with empty files."""
-    path = folder / f"{name}-1.0-py3-none-any.whl"
-    needs = "".join(f"Requires-Dist: {need}\n" for need in requires)
-    with ZipFile(path, "w") as archive:
-        for file in files:
-            archive.writestr(file, "")
-        archive.writestr(
-            f"{name}-1.0.dist-info/METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n{needs}"
-        )
-    return path
-
-
 # --- wheels ---
 
 
@@ -36,8 +22,9 @@ def test_the_course_becomes_a_wheel_whose_name_contains_its_hash(tmp_path):
 
 def test_a_wheel_with_another_hash_is_refused(tmp_path, monkeypatch):
     monkeypatch.setattr(wheels, "DOWNLOADS", tmp_path)
-    (tmp_path / "arm-1.0").mkdir()
-    path = wheel(tmp_path / "arm-1.0")
+    path = tmp_path / "arm-1.0" / "arm-1.0-py3-none-any.whl"
+    path.parent.mkdir()
+    path.write_bytes(b"a wheel")
     assert wheels.download("arm", "1.0", sha256=wheels.sha256_of(path)) == path
     with pytest.raises(ValueError, match=r"arm-1\.0-py3-none-any\.whl must have the sha256 beef; got [0-9a-f]{64}"):
         wheels.download("arm", "1.0", sha256="beef")

@@ -47,14 +47,10 @@ def test_what_is_the_same_at_every_input_is_told():
 def test_anything_but_such_a_function_is_refused_with_a_reason():
     for odd, message in [
         (np.ones(2), "got ndarray"),
-        (object(), r"got an object of class object\."),
-        ({"fk": 1}, "got dict"),
-        (float, "got an object of class type"),
         (lambda: 1, "raised TypeError"),
         (lambda _: 1 / 0, "raised ZeroDivisionError: division by zero"),
         (lambda _: None, "Is the return missing"),
         (lambda x: x[:1], r"shape \(1,\)"),
-        (lambda _: "text", "got str"),
         (lambda x: x * np.nan, "NaN"),
     ]:
         with pytest.raises(Unreadable, match=message):

@@ -66,14 +66,10 @@ def test_what_an_answer_resembles_is_named_and_true():
         (-MATRIX, "all signs", "every one is wrong"),
         (1000 * MATRIX, "millimetres", "right in millimetres"),
         (MATRIX[[0, 2, 1]], "rows in another order", "Two rows are swapped.\nThey are rows 2 and 3."),
-        (MATRIX[:, [1, 0, 2]], "columns in another order", "They are columns 1 and 2."),
         (MATRIX * [[1, -1, 1], [1, 1, 1], [1, 1, 1]], "signs", "this is right.\nLook at the sign of row 1, column 2."),
-        (2 * MATRIX, "doubled", "twice"),
-        (MATRIX / 2, "halved", "half"),
         (MATRIX**2 + 1, None, "We do not recognise"),
         (MATRIX + 5 * np.eye(3, k=2), "one entry", "8 of the 9 entries are right.\nLook at row 1, column 3."),
         (np.zeros((3, 3)), "placeholder", "Every number is 0"),
-        (np.eye(3), "placeholder", "identity"),
     ]:
         [finding] = judge(Problem("", Numbers(MATRIX, unit="m")), typed).findings
         assert finding.mistake == name
