@@ -92,7 +92,7 @@ def linked(links, *joints):
     return "\n".join(['<robot name="r">', *lines, "</robot>"])
 
 
-def test_base_and_tip_must_exist_and_a_joint_must_move_between_them():
+def test_the_tip_must_exist_and_a_joint_must_move_between_base_and_tip():
     text = linked(["base", "upper arm", "hand"], ["base", "upper arm"], ["upper arm", "hand"])
     with pytest.raises(ValueError, match=r"tip must be the name of a link; got 'uper arm'. Did you mean upper arm"):
         load_urdf(text, tip="uper arm")
