@@ -368,7 +368,7 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
             )
             is_table = bool(grid.rows or grid.cells)
             if is_table and not (grid.rows and is_row) and (is_after_gap or (numbers and ("=" in line or numbers < 3))):
-                grid.assume(f"What follows the table was not read, from line {number}: {raw.strip()!r:.60}.")
+                grid.assume(f"From line {number} on, {raw.strip()!r:.60}, no rows were read.")
                 break
             if (grid.rows and is_row) or ((heads or grid.cells) and numbers >= 3):
                 raise ValueError(
