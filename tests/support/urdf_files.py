@@ -1,7 +1,5 @@
-"""URDF files: those that other packages ship, with macros expanded, and random trees; and what Pinocchio makes of them."""
+"""URDF files: one that another package ships, and random trees; and what Pinocchio makes of them."""
 
-import warnings
-from contextlib import chdir
 from functools import cache
 from pathlib import Path
 
@@ -28,19 +26,6 @@ TWO_FINGERS = """<robot name="gripper">
 def ur5e_urdf():
     """The URDF of the UR5e, which a package ships as it is."""
     return (Path(pytest.importorskip("airo_models").__file__).parent / "arms" / "ur5e" / "ur5e.urdf").read_text("utf-8")
-
-
-@cache
-def panda_urdf():
-    """The URDF of the Panda with its hand, whose macros are expanded by xacro."""
-    xacro = Path(pytest.importorskip("rtbdata").__file__).parent / "xacro"
-    robots = xacro / "qut_frankie_description" / "robots"
-    with chdir(robots), warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        from xacrodoc import XacroDoc, packages
-
-        packages.update_package_cache({"qut_frankie_description": xacro / "qut_frankie_description"})
-        return XacroDoc.from_file("panda_arm_hand.urdf.xacro", resolve_packages=False).to_urdf_string()
 
 
 def link_poses_by_pinocchio(text, names, q, base=None, mimic=False):

@@ -1,4 +1,4 @@
-"""DH tables: against the Robotics Toolbox, against the decks' print, and through both conventions without loss."""
+"""DH tables: against the Robotics Toolbox, and through both conventions without loss."""
 
 import re
 
@@ -54,7 +54,7 @@ PRINTED = {
     ),
     "Lecture 7": (DHTable(LECTURE_7, convention="modified", lengths={"a_1": 0.4}), robots.rpr_lecture7()),
 }
-each_printed = pytest.mark.parametrize(("table", "arm"), PRINTED.values(), ids=PRINTED)
+"""Tables as the decks print them, and their arms: test_frame_assignment.py compares them."""
 
 
 def close(got, expected, atol=EXACT):
@@ -74,20 +74,14 @@ def tables(draw, kinds="RPF"):
     pose = st.builds(kl.exp, st.lists(number, min_size=6, max_size=6))
     rows = draw(st.lists(st.lists(number, min_size=4, max_size=4), min_size=m, max_size=m))
     convention = draw(st.sampled_from(["standard", "modified"]))
-    return DHTable(rows, convention=convention, joints=joints, base=draw(pose), tool=draw(pose))
+    signs = draw(st.lists(st.sampled_from([1, -1]), min_size=m, max_size=m))
+    return DHTable(rows, convention=convention, joints=joints, signs=signs, base=draw(pose), tool=draw(pose))
 
 
 def sums():
     """Entries as people type them: fractions, pi and a length, added up; every angle within a turn."""
     numbers = st.sampled_from(["0.3", "-1/3", "0", "2.5e-3", "pi/4", "-pi/2", "3*pi/8", "l_2", "-l_2/2", "(1 - l_2)"])
     return st.lists(numbers, min_size=1, max_size=3).map(" + ".join)
-
-
-@each_printed
-def test_the_printed_table_is_the_arm_of_its_document(table, arm):
-    q = values(arm.n)
-    close(table.fk(q), arm.fk(q))
-    close(table.to_chain().screws, arm.screws)
 
 
 def as_rtb(table, convention):
@@ -139,17 +133,10 @@ def test_a_table_survives_the_other_convention_and_back(table):
     close(there.converted(table.convention).fk(q), table.fk(q))
 
 
-@pytest.mark.parametrize(
-    ("number", "entries"),
-    [
-        (np.pi / 2, ["90 deg", "90º", "90^\\circ", "np.pi/2", r"$\frac{\pi}{2}$", "\frac{\\pi}{2}", "(1/2)pi"]),
-        (-np.pi / 2, ["-90°", "−π/2"]),
-        (3 * np.pi / 2, ["3\\pi/2", "270°"]),
-    ],
-)
-def test_an_angle_may_be_typed_in_any_of_these_ways(number, entries):
+def test_a_right_angle_may_be_typed_in_any_of_these_ways():
+    entries = ["90 deg", "90º", "90^\\circ", "π/2", "np.pi/2", "−3π/2 + 2*pi", r"$\frac{\pi}{2}$", "\frac{\\pi}{2}"]
     rows = [{"a": 0, "alpha": entry, "d": 0, "theta": "q"} for entry in entries]
-    close(DHTable(rows, convention="standard").columns["alpha"], number, 1e-15)
+    close(DHTable(rows, convention="standard").columns["alpha"], np.pi / 2, 1e-15)
 
 
 @pytest.mark.parametrize(
@@ -169,21 +156,6 @@ def test_a_joint_variable_is_found_anywhere_in_an_entry(constant, sign, entries,
         assert (table.joints, table.columns[column][0], table.signs[0]) == (joint, constant, sign), entry
 
 
-TWO_ROWS = {
-    "bars": "a | alpha | d | theta\n0.4 | 0 | 0.1 | q1\n0.3 | pi/2 | q2 | 0.2",
-    "Greek, shuffled, with indices": "θ_i | d_i | α_i [rad] | a_{i}\nq1 | 0.1 | 0 | 0.4\n0.2 | q2 | pi/2 | 0.3",
-    "millimetres": "a (mm) | alpha | d [mm] | theta\n400 | 0 | 100 | q1\n300,0 | pi/2 | q2 | 0.2",
-    "degrees": "a | psi (deg) | d | theta\n0.4 | 0 | 0.1 | q1\n0.3 | +90 | q2 | 0.2",
-}
-
-
-@pytest.mark.parametrize("text", TWO_ROWS.values(), ids=TWO_ROWS)
-def test_a_table_may_be_laid_out_in_any_of_these_ways(text):
-    table = DHTable(text, convention="standard")
-    close(table.rows, [[0.4, 0, 0.1, 0], [0.3, np.pi / 2, 0, 0.2]], 1e-15)
-    assert table.joints == "RP"
-
-
 HEAD = "a|alpha|d|theta\n"
 REFUSED = {
     "degrees": (HEAD + "0|-90|0|q1", r"^Row 1, alpha: an angle must be .*; got -90 rad\. If the number is in"),
@@ -192,12 +164,7 @@ REFUSED = {
         HEAD + "0|0|0|2*q1",
         "must have one joint variable, q or -q without a factor, .*; got q1 in theta, with the factor 2",
     ),
-    "a product of variables": (HEAD + "0|0|0|q1*q1", "Line 2, .*, theta: an entry must be a number"),
     "an angle in a length": (HEAD + "0|0|30°|q1", "is no length. Are two columns swapped"),
-    "swapped labels": (
-        HEAD + "1|0|0|q2\n1|0|0|q1",
-        "takes only what its rows say.*: The variables are q2, q1, not",
-    ),
     "rows in another order": (
         "i|a|alpha|d|theta\n2|1|0|0|q\n1|1|0|0|q",
         "assumes: The rows have the numbers 2, 1: they were read",
@@ -236,16 +203,6 @@ def test_a_table_means_nothing_without_its_convention():
         DHTable([[0, 0, 0, 0]])
     with pytest.raises(ValueError, match=r"must be 'standard' or 'modified'; got 'craig'. Is z_i on"):
         DHTable([[0, 0, 0, 0]], convention="craig")
-
-
-def test_signs_are_read_from_the_variables_or_given_with_numbers():
-    typed = DHTable("a | alpha | d | theta\n0.4 | 0 | 0 | 0.5 - q1\n0.3 | 0 | q2 | 0", convention="standard")
-    given = DHTable([[0.4, 0, 0, 0.5], [0.3, 0, 0, 0]], convention="standard", joints="RP", signs=[-1, 1])
-    assert typed.signs.tolist() == given.signs.tolist() == [-1, 1]
-    assert DHTable(given.rows, convention="standard").signs.tolist() == [1, 1]
-    q = np.array([0.3, 0.7])
-    close(typed.fk(q), given.fk(q), atol=0)
-    close(given.fk(q), given.to_chain().fk(q), atol=1e-14)
 
 
 @pytest.mark.parametrize("convention", ["standard", "modified"])

@@ -35,6 +35,8 @@ def test_the_assignment_gives_the_deck_s_own_table(name):
     np.testing.assert_allclose(found.table.rows, printed.rows[: chain.n], rtol=0, atol=1e-12)
     assert found.table.joints == printed.joints[: chain.n]
     np.testing.assert_allclose(found.table.base, np.eye(4), rtol=0, atol=1e-12)
+    q = configurations(np.random.default_rng(0), chain)
+    np.testing.assert_allclose(printed.fk(q), chain.fk(q), rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize("case", AXIS_CASES)

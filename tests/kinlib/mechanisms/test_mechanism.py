@@ -12,7 +12,7 @@ from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 from strategies import points
 
-from kinlib import Mechanism, exp, linkages, robots, screw
+from kinlib import Mechanism, exp, linkages, screw
 from kinlib.mechanisms.joints import Joint, spherical, universal
 
 EXACT = 1e-12
@@ -122,14 +122,9 @@ def test_assemble_finds_the_configuration_that_scipy_finds():
         assert found.converged
         close(found.q[free], oracle.x, atol=1e-9)
         close(found.q, mode, atol=1e-11)
-        assert np.linalg.norm(linkage.residual(found.q)) < EXACT
 
 
-def test_if_links_cannot_meet_the_residual_is_what_is_missing():
-    """Three links of 1 m each do not span 4 m: 1 m is missing, once all lie on the line of the ground."""
-    found = linkages.four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0])
-    assert not found.converged
-    close(found.residual, 1.0, atol=0.3)
+def test_if_links_cannot_meet_there_is_no_assembly_mode():
     assert len(linkages.four_bar(4, 1, 1, 1).assembly_modes(hold={"A": 0.0})) == 0
 
 
@@ -144,7 +139,6 @@ def test_invalid_mechanisms_and_arguments_are_refused():
         (lambda: Mechanism(bars("ab", "ab", "cd")), r"must lead from a to every body; not to c, d"),
         (lambda: Mechanism(bars("ab", "ab")[:1] * 2), r"names of the joints must be different; got J0 more than once"),
         (lambda: Joint("J", ("a", "a"), screw(Z)), r"Joint J must join two different bodies; got tuple \('a', 'a'\)"),
-        (lambda: Mechanism.from_branches(robots.rpr()), r"must have a loop"),
         (lambda: FOUR_BAR.assemble(zero, hold={"E": 1}), r"must be one of A, B, D, C; got 'E'"),
         (lambda: FOUR_BAR.assemble(zero, hold=dict.fromkeys("ABCD", 0)), r"must not be held; all are held\."),
         (FOUR_BAR.assembly_modes, r"No degree of freedom may be left; got 1"),

@@ -109,8 +109,3 @@ def test_a_page_of_its_own_has_the_meshes_and_a_notebook_saves_them_once(tmp_pat
         assert len(state.get("meshes", {})) == count
         assert ("loaders" in state) == bool(count)
     assert viewer.get_state()["meshes"] == {"0.stl": stl()}
-
-
-def test_a_tree_opens_within_its_limits():
-    text = crane("", "", "").replace('lower="-1"', 'lower="0.2"', 1)
-    assert explore(kl.Tree.from_urdf(text)).q == [0.6, 0]
