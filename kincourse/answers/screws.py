@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep.answers.base import AlikeRows, Named
-from misstep.answers.likeness import ROUND_OFF
+from misstep.answers.likeness import ROUND_OFF, entries_hint
 from misstep.answers.number import LENGTH, PURE, Numbers
 from misstep.mutants.expression import Slip
 from misstep.validation import Array
@@ -102,8 +102,7 @@ class ScrewsAnswer(AlikeRows, Numbers):
         if alike and not (alike[0].startswith("order") and same[:3].all()):
             return alike
         if np.count_nonzero(~same) == 1:
-            place = ENTRY_NAMES[int(np.flatnonzero(~same)[0])]
-            return "one entry", f"One of the six entries is wrong.\nLook at {place}: all other entries are right."
+            return entries_hint(same, ENTRY_NAMES)
         mine, right = np.atleast_2d(given)[part], np.atleast_2d(self.value)[part]
         if same[:3].all() and np.allclose(np.sort(mine[3:]), np.sort(right[3:]), atol=1e-3):
             return "order of v", "$\\omega$ is right, and $v$ has the right numbers, but not in the right order."
@@ -177,15 +176,5 @@ class TwistAnswer(ScrewsAnswer):
     noun: ClassVar[str] = "a twist (omega, v), an array"
 
     def _as_a_line(self, mine: Array, right: Array, same: NDArray[np.bool_]) -> Named | None:
-        """Return how much of a twist is right, which has no axis of its own that could be wrong."""
-        omega, v = (
-            f"${letter}$ is {'right' if fine.all() else 'wrong'}"
-            if fine.all() or not fine.any()
-            else f"{fine.sum()} of the 3 entries of ${letter}$ {'is' if fine.sum() == 1 else 'are'} right"
-            for letter, fine in zip(("\\omega", "v"), same.reshape(2, 3), strict=True)
-        )
-        return (
-            ("some entries", f"{omega}, and {v}.\nLook at {ENTRY_NAMES[int(same.argmin())]} first.")
-            if same.any()
-            else None
-        )
+        """Return where few entries are wrong: a twist has no axis of its own."""
+        return entries_hint(same, ENTRY_NAMES)

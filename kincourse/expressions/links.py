@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from kincourse.expressions.poses import inverse
+from kincourse.expressions.screws import JOINT_ANGLE, joint_value
 from kinlib.arrays.validation import Array
 from kinlib.dh.slips import OTHER_CONVENTION
 from kinlib.dh.table import Convention
@@ -71,7 +72,7 @@ def link(row: Array | Sequence[float | Expression], convention: Convention, i: i
 
 def joint_variable(joint: str, i: int, q: float, constant: float) -> Expression:
     """The theta of a revolute joint ("R"), or the d of a prismatic one ("P"): its value q and the constant of the table."""
-    variable = given(f"q_{i}", float(q), _Q_ANGLE if joint == "R" else _Q_LENGTH)
+    variable = joint_value(joint, i, q)
     letter = "\\theta" if joint == "R" else "d"
     return _joint_variable(variable, given(f"the constant of ${letter}_{i}$", float(constant)))
 
@@ -212,14 +213,8 @@ def _variable_slips(node: Expression) -> Slips:
     q, constant = node.arguments
     if constant.value:
         yield from _OFFSETS(node)
-        if q.operation is _Q_ANGLE:
+        if q.operation is JOINT_ANGLE:
             yield from _OFFSET_IN_DEGREES(node)
-
-
-def _joint_value_slips(node: Expression) -> Slips:
-    if node.value:
-        yield from _JOINT_VALUES(node)
-        yield from (_LENGTH_VALUES if node.operation is _Q_LENGTH else _ANGLE_VALUES)(node)
 
 
 @cache
@@ -264,19 +259,6 @@ _OFFSETS = table(
 _OFFSET_IN_DEGREES = table(
     ("degrees", "use the degrees of {1} as radians |use the degrees of the offsets as radians", lambda q, c: q + DEG * c, DEGREES_ADVICE),
 )
-_JOINT_VALUES = table(
-    ("sign of a joint value", "take ${}$ with the opposite sign |take every joint value with the opposite sign", lambda q: negative(q)),
-    ("joint at zero", "leave ${}$ at 0 |leave every joint at zero", lambda q: 0.0 * q),
-    ("converted twice", "use `np.radians` on ${}$ |use `np.radians` on the joint values", lambda q: RAD * q, "", ALL_AT_ONCE),
-    ("degrees", "use ${}$ in degrees |use the joint values in degrees", lambda q: DEG * q, DEGREES_ADVICE, ALL_AT_ONCE),
-)
-_ANGLE_VALUES = table(
-    ("converted twice", "use `np.radians` on ${}$ |use `np.radians` on the angles", lambda q: RAD * q, "", ALL_AT_ONCE),
-    ("degrees", "use ${}$ in degrees |use the angles in degrees", lambda q: DEG * q, DEGREES_ADVICE, ALL_AT_ONCE),
-)
-_LENGTH_VALUES = table(
-    ("length in radians", "convert ${}$ from degrees to radians, although it is a length", lambda q: RAD * q),
-)
 
 _row: Operation = Operation(
     "row", lambda *entries: np.array(entries, dtype=float), lambda *_: "(a, \\alpha, d, \\theta)", partial(_unless_unchanged, _ROWS)
@@ -288,6 +270,4 @@ _TYPED_ALPHA: Operation = Operation("alpha", lambda: None, str, _entry_slips("\\
 _TYPED_THETA: Operation = Operation("theta", lambda: None, str, _entry_slips("\\theta", "theta", typed=True))
 _D: Operation = Operation("d", lambda: None, str, _entry_slips("d", "d"))
 _THETA: Operation = Operation("theta", lambda: None, str, _entry_slips("\\theta", "theta"))
-_Q_ANGLE: Operation = Operation("joint value", lambda: None, str, _joint_value_slips)
-_Q_LENGTH: Operation = Operation("joint value", lambda: None, str, _joint_value_slips)
 # fmt: on

@@ -45,6 +45,7 @@ UNITS_ADVICE = "The joint values are in radians and metres, as the exponential n
 SLIDE_ADVICE = "A prismatic joint does not rotate: its screw is $(0, d)$."
 ADVANCE_ADVICE = "The body also translates along the axis: add ${3}\\,{1}$."
 PITCH_ADVICE = "The pitch is part of $v$: $v = -\\omega \\times p + h\\,\\omega$."
+RAD = np.pi / 180
 UNIT_ADVICE = "The direction of an axis is a unit vector, with the components $\\cos$ and $\\sin$ of the angle."
 
 
@@ -68,10 +69,12 @@ def joint_values(types: str, typed: Sequence[float] | Array, letter: str = "q") 
 
 def values_in_radians(types: str, q: Sequence[float] | Array) -> list[Expression]:
     """The values of joints in radians and metres, as they are needed."""
-    return [
-        given(f"q_{i}", float(x), _JOINT_LENGTH if kind == "P" else _JOINT_ANGLE)
-        for i, (kind, x) in _numbered(types, q)
-    ]
+    return [joint_value(kind, i, x) for i, (kind, x) in _numbered(types, q)]
+
+
+def joint_value(kind: str, i: int, x: float) -> Expression:
+    """The value of joint i in metres ("P") or radians, as it is needed."""
+    return given(f"q_{i}", float(x), JOINT_LENGTH if kind == "P" else JOINT_ANGLE)
 
 
 def _numbered(*columns: Any) -> Iterator[tuple[int, Any]]:
@@ -250,19 +253,14 @@ def _change_of_frame_slips(node: Expression) -> Slips:
         if len(S.value) > 1:
             yield Slip("rows reversed", "list the screws from the last joint to the first", node[::-1])
     yield Slip("adjoint not transposed", text, _by_transposed_adjoint(T, S), advice=advice)
-    yield from _by_other_blocks(T, S, _OTHER_MATRICES)
+    for name, said, blocks in _OTHER_MATRICES:
+        advice = ADJOINT_ADVICE if "{Ad}" in said else ""
+        yield Slip(
+            name, said.replace("{Ad}", Ad), Operation(name, partial(_by, blocks), "{1}".format)(T, S), advice=advice
+        )
     yield Slip("frame not changed", f"use ${S.latex}$ as it is given", S)
     yield Slip("halves swapped", "swap the halves of the result", _swap_halves(node), advice=ORDER_ADVICE)
     yield Slip("entry by entry", f"multiply {Ad} entry by entry (`*` instead of `@`)", _entry_by_entry(T, S))
-    yield from _by_other_blocks(T, S, _WRONG_ADJOINTS)
-
-
-def _by_other_blocks(T: Expression, S: Expression, rows: Sequence[tuple[str, str, "Blocks"]]) -> Slips:
-    for name, text, blocks in rows:
-        advice = ADJOINT_ADVICE if "{Ad}" in text else ""
-        said = text.replace("{Ad}", f"$\\mathrm{{Ad}}_{{{T.latex}}}$")
-        wrong = Operation(name, partial(_by, blocks), "{1}".format)(T, S)
-        yield Slip(name, said, wrong, advice=advice)
 
 
 def revolute(omega: Expression, p: Expression) -> Expression:
@@ -287,6 +285,19 @@ def _joined(omega: Array, v: Array) -> Array:
 def _moments_negated(S: Array) -> Array:
     turns = S[..., :3].any(axis=-1, keepdims=True)
     return np.where(turns & (np.arange(6) >= 3), -S, S)
+
+
+def _joint_value_slips(several: str) -> Sequence[tuple[Any, ...]]:
+    return (
+        ("sign of a joint value", "take ${}$ with the opposite sign |take every joint value with the opposite sign", negative),
+        ("joint at zero", "leave ${}$ at 0 |leave every joint at zero", lambda q: 0.0 * q),
+        ("converted twice", f"use `np.radians` on ${{}}$ |use `np.radians` on {several}", lambda q: RAD * q, UNITS_ADVICE, ALL_AT_ONCE),
+        ("degrees", f"use ${{}}$ in degrees |use {several} in degrees", lambda q: q / RAD, UNITS_ADVICE, ALL_AT_ONCE),
+    )  # fmt: skip
+
+
+def _unless_zero(slips: Callable[[Expression], Slips], node: Expression) -> Slips:
+    yield from slips(node) if node.value else ()
 
 
 Blocks = Callable[[Array, Array], tuple[Any, Any, Any, Any]]
@@ -317,8 +328,6 @@ _OTHER_MATRICES: Sequence[tuple[str, str, Blocks]] = (
     ("rotation left out", "change the origin without rotating the axes", lambda R, P: (np.eye(3), 0, R.T @ P @ R, np.eye(3))),
     ("only omega rotated", "rotate $\\omega$ only, with $v$ unchanged", lambda R, _: (R, 0, 0, np.eye(3))),
     ("no moment", "rotate $\\omega$, with $v$ left at zero", lambda R, _: (R, 0, 0, 0)),
-)
-_WRONG_ADJOINTS: Sequence[tuple[str, str, Blocks]] = (
     ("block on the wrong side", "put the block $[p]R$ of {Ad} in the upper right corner", lambda R, P: (R, P @ R, 0, R)),
     ("sign in the adjoint", "take the block $[p]R$ of {Ad} with the opposite sign", lambda R, P: (R, 0, -P @ R, R)),
     ("order in the adjoint", "write $R[p]$ instead of $[p]R$ in {Ad}", lambda R, P: (R, 0, R @ P, R)),
@@ -386,22 +395,13 @@ _GIVEN_SCREWS = table(
     ("sign of v", "take the moments of ${}$ with the opposite sign |take all moments with the opposite sign",
      lambda S: Operation("moments negated", _moments_negated, "{0}".format)(S), "", ALL_AT_ONCE),
 )
-_SIGN = ("sign of a joint value", "take ${}$ with the opposite sign", lambda q: negative(q))
-
-
-def _conversions(several: str) -> tuple[tuple[Any, ...], ...]:
-    return (
-        ("converted twice", f"use `np.radians` on ${{}}$, as if in degrees |use `np.radians` on {several}, as if in degrees",
-         lambda q: np.pi / 180 * q, UNITS_ADVICE, ALL_AT_ONCE),
-        ("converted to degrees", f"use `np.degrees` on ${{}}$ |use `np.degrees` on {several}",
-         lambda q: 180 / np.pi * q, UNITS_ADVICE, ALL_AT_ONCE),
-    )
-
-
-_JOINT_LENGTH: Operation = Operation("joint value", lambda: None, str, table(_SIGN, *_conversions("the joint values")))
-_JOINT_ANGLE: Operation = Operation(
-    "joint value", lambda: None, str, table(_SIGN, *_conversions("the joint values"), *_conversions("the angles"))
-)
+JOINT_LENGTH: Operation = Operation("joint value", lambda: None, str, partial(_unless_zero, table(
+    *_joint_value_slips("the joint values"),
+    ("length in radians", "convert ${}$ from degrees to radians, although it is a length", lambda q: RAD * q),
+)))
+JOINT_ANGLE: Operation = Operation("joint value", lambda: None, str, partial(_unless_zero, table(
+    *_joint_value_slips("the joint values"), *_joint_value_slips("the angles")[2:]
+)))
 _tan: Operation = Operation("tangent", np.tan, "\\tan {0}".format)
 _by_transposed_adjoint: Operation = Operation("transposed adjoint", lambda T, S: S @ _matrix(_adjoint, T), "{1}".format)
 _entry_by_entry: Operation = Operation("entry by entry", lambda T, S: S * _matrix(_adjoint, T).sum(axis=0), "{1}".format)
