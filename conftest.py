@@ -27,6 +27,14 @@ FIRST = (
 another worker runs the last of them; the file that builds the site; what needs no site, meanwhile; and then what needs it."""
 
 
+@pytest.fixture(autouse=True, scope="session")
+def import_kinlib(doctest_namespace):
+    """Give the examples in docstrings kl, as the lectures import it."""
+    import kinlib
+
+    doctest_namespace["kl"] = kinlib
+
+
 @pytest.hookimpl(wrapper=True)
 def pytest_collection_modifyitems(items):
     """Start with the tests in FIRST, in this order."""

@@ -21,9 +21,7 @@ LABELS_ABOVE = [(0, 20), (0, -20), (34, 14), (-34, 14), (34, -14), (-34, -14), (
 
 def draw_parts(chain: Chain) -> Picture:
     """Draw an arm at home with the names of its parts: base, joints with their numbers, links and end-effector.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> draw_parts(rpr()).alt[:98]
+    >>> draw_parts(kl.robots.rpr()).alt[:98]
     'RPR: from the base through joint 1 (revolute), link 1, joint 2 (prismatic), link 2, joint 3 (revol'
     """
     path = stations(chain)
@@ -47,9 +45,7 @@ def draw_parts(chain: Chain) -> Picture:
 
 def draw_home(chain: Chain) -> Picture:
     """Draw an arm at home with its axes. The text does not say where the end-effector is, because a blank step asks for it.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> "end-effector" in draw_home(rpr()).alt
+    >>> "end-effector" in draw_home(kl.robots.rpr()).alt
     False
     """
     picture = draw_arm(chain, caption="The arm at home, with the axes of its joints.")

@@ -1,7 +1,5 @@
 """Write numbers, vectors and angles as text for people: few digits, and 0 for rounding errors."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

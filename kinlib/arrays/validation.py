@@ -179,10 +179,8 @@ class TakesJointValues(ABC):
         Raises ValueError for joint values of another size, for NaN, for a missing or an unknown name, and for an angle that double
         precision cannot resolve.
 
-        >>> from kinlib import DHTable
-        >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], "standard").in_order({"q2": 0.5, "q1": [1, 2]})
-        array([[1. , 0.5],
-               [2. , 0.5]])
+        >>> kl.DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], "standard").in_order({"q2": 0.5, "q1": 1})
+        array([1. , 0.5])
         """
         names = self._value_names
         q = _stacked(q, names, self.name) if isinstance(q, Mapping) else array(q, argument)
@@ -209,8 +207,7 @@ class TakesLimitedValues(TakesJointValues):
     def within_limits(self, q: JointValues) -> NDArray[np.bool_]:
         """Return for each configuration whether all its joint values are within the limits: q (..., n) -> (...).
 
-        >>> from kinlib import Chain
-        >>> Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[-1, 1]]).within_limits([[0.5], [1.5]])
+        >>> kl.Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[-1, 1]]).within_limits([[0.5], [1.5]])
         array([ True, False])
         """
         lower, upper = self._limits.T
@@ -224,10 +221,8 @@ class TakesLimitedValues(TakesJointValues):
         A joint without limits takes values between -pi and pi, in radians or metres; one with a single limit, up to 2 pi from it.
         A limit beyond MAX_ROTATION_RAD, as some files have for a joint that rotates without end, is none.
 
-        >>> from kinlib import Chain
-        >>> Chain([[0, 0, 1, 0, 0, 0]] * 2, np.eye(4), limits=[[0, 1], [5, np.inf]]).random_configurations(2).round(2)
-        array([[0.64, 6.7 ],
-               [0.04, 5.1 ]])
+        >>> kl.Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[0, 1]]).random_configurations(1).round(2)
+        array([[0.64]])
         """
         lower, upper = self._limits.T
         has_lower, has_upper = (np.abs(limit) < MAX_ROTATION_RAD for limit in (lower, upper))
@@ -272,8 +267,7 @@ class ReadOnly:
     def changed(self, **fields: Any) -> Self:
         """Copy it with some fields replaced; ValueError for the same reasons as a new one.
 
-        >>> from kinlib.chains.robots import rpr
-        >>> rpr().changed(joint_names=["lift", "slide", "tilt"]).fk({"lift": 0, "slide": 0.5, "tilt": 0})[:3, 3] + 0.0
+        >>> kl.robots.rpr().changed(joint_names=["lift", "slide", "tilt"]).fk({"lift": 0, "slide": 0.5, "tilt": 0})[:3, 3] + 0.0
         array([0. , 0. , 1.5])
         """
         return replace(self, **fields)  # type: ignore[type-var]
@@ -287,8 +281,7 @@ class ReadOnly:
     def to_dict(self) -> dict[str, Any]:
         """Convert it to plain JSON types; an infinite limit is None, because JSON has no infinity.
 
-        >>> from kinlib.chains.robots import rpr
-        >>> rpr().to_dict()["screws"][1]
+        >>> kl.robots.rpr().to_dict()["screws"][1]
         [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]
         """
 
@@ -303,9 +296,8 @@ class ReadOnly:
 
         Raises ValueError for a missing or an unknown key, and for the same reasons as a new one.
 
-        >>> from kinlib.chains.robots import youbot
-        >>> arm = type(youbot()).from_dict(youbot().to_dict())
-        >>> bool((arm.fk([1, 2, 3, 4, 5]) == youbot().fk([1, 2, 3, 4, 5])).all())
+        >>> arm = kl.Chain.from_dict(kl.robots.youbot().to_dict())
+        >>> bool((arm.fk([1, 2, 3, 4, 5]) == kl.robots.youbot().fk([1, 2, 3, 4, 5])).all())
         True
         """
         try:

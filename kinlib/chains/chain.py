@@ -41,8 +41,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
     missing or an unknown name.
     Source: Modern Robotics, 4.1; Chapter 4 review.
 
-    >>> from kinlib import exp, screw
-    >>> arm = Chain(np.array([screw((0, 0, 1)), screw((0, 0, 1), point=(1, 0, 0))]), home=exp([0, 0, 0, 2, 0, 0]))
+    >>> arm = Chain(np.array([kl.screw((0, 0, 1)), kl.screw((0, 0, 1), point=(1, 0, 0))]), home=kl.exp([0, 0, 0, 2, 0, 0]))
     >>> arm.fk([np.pi / 2, 0])[:3, 3].round(6) + 0.0      # an outstretched arm of two metres, rotated to the left
     array([0., 2., 0.])
     """
@@ -106,8 +105,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
     def lines(self) -> Line:
         """The joint axes as geometry: directions (n, 3), the points nearest the origin (n, 3), pitches (n,).
 
-        >>> from kinlib.chains.robots import rpr
-        >>> rpr().lines.pitch
+        >>> kl.robots.rpr().lines.pitch
         array([ 0., inf,  0.])
         """
         return Line(*map(validation.read_only_copy, line(self.screws)))
@@ -116,8 +114,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
     def joint_types(self) -> str:
         """The types of the joints from base to tool, one letter each: R revolute, P prismatic, H helical.
 
-        >>> from kinlib.chains.robots import rpr
-        >>> rpr().joint_types
+        >>> kl.robots.rpr().joint_types
         'RPR'
         """
         _, point, pitch = self.lines
@@ -143,8 +140,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
 
         Source: Modern Robotics, 4.1.3; Chapter 4 review, the last line of its derivation.
 
-        >>> from kinlib.chains.robots import rppr
-        >>> rppr().body_screws[0].round(6) + 0.0          # B_1 as Forward kinematics II prints it
+        >>> kl.robots.rppr().body_screws[0].round(6) + 0.0          # B_1 as Forward kinematics II prints it
         array([ 0.,  1.,  0.,  0.,  0., -2.])
         """
         return validation.read_only_copy(self.screws @ adjoint(inverse(self.home)).T)
@@ -152,13 +148,10 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
     def fk(self, q: JointValues) -> Array:
         """Compute the pose of the tool by the space form: T(q) = e^[S1]q1 ... e^[Sn]qn M.
 
-        q (..., n) in radians and metres -> T_sb (..., 4, 4), for any number of configurations at once. Here and in the other
-        methods, q may also be a mapping from the name of each joint to its value.
-
+        q (..., n) in radians and metres, or a mapping from the name of each joint to its value -> T_sb (..., 4, 4).
         Source: Modern Robotics, (4.14).
 
-        >>> from kinlib.chains.robots import rprr
-        >>> rprr().fk(np.zeros((1000, 4))).shape
+        >>> kl.robots.rprr().fk(np.zeros((1000, 4))).shape
         (1000, 4, 4)
         """
         motions = exponentials(self.screws, self.in_order(q))  # e^[S1]q1, ..., e^[Sn]qn
@@ -170,8 +163,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         q (..., n) -> (..., 4, 4), equal to fk(q).
         Source: Modern Robotics, (4.16); Chapter 4 review.
 
-        >>> from kinlib.chains.robots import rppr
-        >>> np.allclose(rppr().fk_body([1, 2, 3, 4]), rppr().fk([1, 2, 3, 4]), atol=1e-13)
+        >>> np.allclose(kl.robots.rppr().fk_body([1, 2, 3, 4]), kl.robots.rppr().fk([1, 2, 3, 4]), atol=1e-13)
         True
         """
         motions = exponentials(self.body_screws, self.in_order(q))  # e^[B1]q1, ..., e^[Bn]qn
@@ -185,8 +177,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         Raises ValueError for a k outside 0 ... n.
         Source: Chapter 4 review, "PoE with a Mid-Formula Matrix".
 
-        >>> from kinlib.chains.robots import youbot
-        >>> np.allclose(youbot().fk_mid([1, 2, 3, 4, 5], 2), youbot().fk([1, 2, 3, 4, 5]), atol=1e-13)
+        >>> np.allclose(kl.robots.youbot().fk_mid([1, 2, 3, 4, 5], 2), kl.robots.youbot().fk([1, 2, 3, 4, 5]), atol=1e-13)
         True
         """
         q = self.in_order(q)
@@ -204,8 +195,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         These are not the link frames of a URDF file, which may be rotated; those are `Tree.poses`.
         Source: Modern Robotics, 4.1.2 (the links of figure 4.2), with frames of our choice.
 
-        >>> from kinlib.chains.robots import youbot
-        >>> youbot().link_poses(np.zeros(5))[3, :3, 3]       # joint 4 of the youBot at home
+        >>> kl.robots.youbot().link_poses(np.zeros(5))[3, :3, 3]       # joint 4 of the youBot at home
         array([0.323, 0.   , 0.147])
         """
         motions = exponentials(self.screws, self.in_order(q))
@@ -221,8 +211,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         tool has the velocity fk(q)[..., :3, :3] @ body_jacobian(q)[..., 3:, :] @ qdot, in {s}.
         Source: Modern Robotics, (5.11).
 
-        >>> from kinlib.chains.robots import rpr
-        >>> bool((rpr().jacobian([0, 0, 0]) == rpr().screws.T).all())      # at home no axis has moved yet
+        >>> bool((kl.robots.rpr().jacobian([0, 0, 0]) == kl.robots.rpr().screws.T).all())      # at home no axis has moved yet
         True
         """
         motions = exponentials(self.screws, self.in_order(q))
@@ -238,8 +227,7 @@ class Chain(TakesLimitedValues, validation.ReadOnly):
         J_bi = Ad(e^-[Bn]qn ... e^-[Bi+1]qi+1) B_i.
         Source: Modern Robotics, (5.18) and (5.22).
 
-        >>> from kinlib.chains.robots import rpr
-        >>> np.allclose(rpr().body_jacobian([0, 0, 0]), rpr().body_screws.T)
+        >>> np.allclose(kl.robots.rpr().body_jacobian([0, 0, 0]), kl.robots.rpr().body_screws.T)
         True
         """
         motions = exponentials(self.body_screws, -self.in_order(q))[::-1]  # e^-[Bn]qn, ..., e^-[B1]q1
@@ -263,8 +251,7 @@ def random_configurations(n: int, count: int) -> Array:
 def largest_difference(poses: Array, others: Array) -> float:
     """Compute the largest difference between corresponding entries of two arrays of poses (..., 4, 4).
 
-    >>> from kinlib import exp
-    >>> largest_difference(np.eye(4), exp([0, 0, 0, 0.5, 0, -2]))
+    >>> largest_difference(np.eye(4), kl.exp([0, 0, 0, 0.5, 0, -2]))
     2.0
     """
     return float(np.abs(poses - others).max())

@@ -10,8 +10,6 @@ after it; c_k is the difference. What remains, base, tool and the zeros of prism
 poses finds it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from itertools import combinations

@@ -60,8 +60,7 @@ class FrameAssignment:
 
         Each step has a `text`, its case, choice and numbers, and `others`, what would also be right.
 
-        >>> from kinlib.chains.robots import rpr
-        >>> step = assign_frames(rpr(), convention="modified").steps[5]
+        >>> step = assign_frames(kl.robots.rpr(), convention="modified").steps[5]
         >>> step.kind, step.frame, step.text, step.others
         ('y', 1, 'y_1 = z_1 × x_1 completes a right-handed frame: (0, 0, 1).', '')
         """
@@ -80,8 +79,7 @@ def assign_frames(chain: Chain, convention: Convention, *, snap: bool = False) -
     Source: EduFill manipulation module, steps I to IX; Chapter 4 review, seven steps (standard); DH example with
     n = 5, eight steps (modified).
 
-    >>> from kinlib.chains.robots import youbot
-    >>> assign_frames(youbot(), convention="standard").table.columns["d"].round(4) + 0.0
+    >>> assign_frames(kl.robots.youbot(), convention="standard").table.columns["d"].round(4) + 0.0
     array([0.147 , 0.    , 0.    , 0.    , 0.2175])
     """
     validation.instance(chain, "chain", Chain)

@@ -170,10 +170,8 @@ def diagnose(
 
     Raises ValueError if the two have different numbers of joints, because then they cannot be compared.
 
-    >>> from kinlib.chains.robots import puma560
-    >>> from kinlib.dh.assignment import assign_frames
-    >>> printed = assign_frames(puma560(), convention="modified").table
-    >>> print(diagnose(printed.changed(convention="standard"), puma560()))
+    >>> printed = kl.assign_frames(kl.robots.puma560(), convention="modified").table
+    >>> print(diagnose(printed.changed(convention="standard"), kl.robots.puma560()))
     The table is in the modified convention, but was read as standard.
     """
     if convention is not None and not isinstance(table, DHTable):

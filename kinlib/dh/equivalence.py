@@ -69,8 +69,7 @@ class Equivalence(Map):
     def __str__(self) -> str:
         """Say in words up to which choices the two are the same, or what differs.
 
-        >>> from kinlib.chains.robots import rpr
-        >>> print(equivalent(rpr(), rpr().changed(home=np.eye(4)), fixed=["zeros"]))
+        >>> print(equivalent(kl.robots.rpr(), kl.robots.rpr().changed(home=np.eye(4)), fixed=["zeros"]))
         These are the same mechanism, up to these choices of the second:
         tool: rotated by 120° about (0.5774, 0.5774, 0.5774), translated by (-1, 0, 0) m
         """
@@ -85,8 +84,7 @@ class Equivalence(Map):
     def choices(self) -> list[tuple[str, str]]:
         """Describe the choices in which the two differ, each with its name in `fixed`.
 
-        >>> from kinlib.chains.robots import rpr
-        >>> found = equivalent(rpr(), rpr().changed(screws=rpr().screws * [[-1], [1], [1]]))
+        >>> found = equivalent(kl.robots.rpr(), kl.robots.rpr().changed(screws=kl.robots.rpr().screws * [[-1], [1], [1]]))
         >>> found.choices()
         [('signs', 'joint 1: q counts in the opposite direction')]
         """
@@ -136,8 +134,7 @@ def describe_pose(T: Array, tolerance: float = ROUNDING_ERROR) -> str:
 def measured_difference(one: Chain, other: Chain) -> tuple[float, float]:
     """Measure by how much the poses of two chains differ for the same q: the largest distance in metres, and angle in radians.
 
-    >>> from kinlib.chains.robots import rpr
-    >>> measured_difference(rpr(), rpr())
+    >>> measured_difference(kl.robots.rpr(), kl.robots.rpr())
     (0.0, 0.0)
     """
     q = random_configurations(one.n, 1000)
@@ -157,9 +154,7 @@ def equivalent(
     If axes of the arm are nearly parallel, a table that was derived from them has lost digits; what differs by no more than that
     is "undecided". Of several maps, the one with the shortest description is returned: the fewest changes.
 
-    >>> from kinlib.chains.robots import puma560
-    >>> from kinlib.dh.assignment import assign_frames
-    >>> equivalent(puma560(), assign_frames(puma560(), convention="standard").table).verdict
+    >>> equivalent(kl.robots.puma560(), kl.assign_frames(kl.robots.puma560(), convention="standard").table).verdict
     'same'
     """
     for name, arm in (("a", a), ("b", b)):

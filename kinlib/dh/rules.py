@@ -43,9 +43,7 @@ def check_frames(chain: Chain, frames: ArrayLike, convention: Convention, tolera
 
     Source: EduFill manipulation module, steps II to V; Chapter 4 review, steps 1 to 3; DH example with n = 5, steps 3 to 6.
 
-    >>> from kinlib.dh.assignment import assign_frames
-    >>> from kinlib.chains.robots import youbot
-    >>> check_frames(youbot(), assign_frames(youbot(), convention="standard").frames, "standard")
+    >>> check_frames(kl.robots.youbot(), kl.assign_frames(kl.robots.youbot(), convention="standard").frames, "standard")
     []
     """
     validation.instance(chain, "chain", Chain)

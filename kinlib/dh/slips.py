@@ -4,8 +4,6 @@ Forwards, `slip.change` makes the slip in the rows of a right table. Backwards, 
 could have been made, for `kinlib.dh.explanation.search`. All changes take rows (..., m, 4), so that many tables are changed at once.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, permutations

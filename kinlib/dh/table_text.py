@@ -5,8 +5,6 @@ names with indices, such as d1 = 0.3; or lines of cells. Then the columns, the u
 text says is taken; what it only suggests is assumed with a sentence, or refused if the reader is strict, as that of `DHTable` is.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -14,6 +12,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
+from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import (
     COLUMN_NAMES,
@@ -28,6 +27,7 @@ from kinlib.dh.parsing import (
     parse_headings,
     respelled,
 )
+from kinlib.rigid.lie import homogeneous
 
 MAX_TEXT_LENGTH, MAX_LINES, MAX_CELLS, MAX_ROWS = 100_000, 2000, 40, 60
 """The maximum number of characters of a text, of its lines and of the cells in a line that are read, and of rows of a table."""
@@ -154,6 +154,11 @@ def read_rows(
         raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
     ends: dict[str, Any] = {end: _matrix(matrix) for end, matrix in END.findall(text)}
     plain, told = _plain(END.sub("", text)), list[Assumption]()
+    for end, place, angles in re.findall(r"\b(base|tool)\s*\|\s*t = ([-\d., ]+);\s*rpy/xyz = ([-\d.°, ]+)\|?", plain):
+        if not re.search("[1-9]", angles):  # as the Robotics Toolbox prints them
+            ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
+            told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
+            plain = re.sub(rf"^.*\b{end}\s*\|\s*t = .*$", "", plain, flags=re.MULTILINE)
     names = _definitions(plain) | {_plain_name(name): value for name, value in lengths.items()}
     if not strict and "t1" not in names and "theta" in plain and re.search(r"\bt_?1\b", plain):
         plain = re.sub(r"\bt_?(\d+)\b", r"theta\1", plain)
@@ -175,9 +180,7 @@ def read_rows(
     _scale(grid, entries, numbers, "length_unit", length_unit, strict)
     _scale(grid, entries, numbers, "angle_unit", angle_unit, strict)
     if strict and grid.guesses:
-        raise ValueError(
-            f"A DHTable takes only what its rows say. Correct them, or use kl.read_table, which assumes: {grid.guesses[0]}"
-        )
+        raise ValueError(f"A DHTable takes only what its rows say; kl.read_table assumes: {grid.guesses[0]}")
     return Rows(numbers, letters, signs, _said_convention(plain, grid), ends, grid.assumed)
 
 
@@ -192,8 +195,6 @@ def _plain(text: str) -> str:
     import html
 
     text = respelled(html.unescape(text))
-    if re.search(r"<t[dh][\s>]", text):
-        text = re.sub(r"\s*\n\s*", " ", text)
     for pattern, plain in REPLACEMENTS:
         text = re.sub(pattern, plain, text)
     text = TUPLE.sub(_one_by_one, _plain_name(text))
@@ -237,11 +238,10 @@ def _from_calls(text: str, names: Mapping[str, float]) -> _Grid | None:
         if (named or not cells) and not re.match(r"\s*[\[{]", inside):
             row = {column: named.get(column, "0") for column in (*COLUMNS, "offset")}
         elif len(cells) >= 4 and all(map(grid.is_entry, cells[:4])):
-            columns = ("a", "alpha", "d", "theta") if re.search("Frame|Craig", kind) else ("theta", "d", "a", "alpha")
-            row = dict(zip(columns, cells, strict=False)) | {"offset": "0"}
-            if columns[0] == "theta":  # of MATLAB: [theta d a alpha sigma offset]
-                row |= dict(zip(("type", "offset"), [*cells[4:6], *("0", "0")[len(cells[4:6]) :]], strict=True))
-            note = f"{kind.rpartition(':')[2]}(...) was read as ({', '.join(columns)})."
+            is_matlab = not re.search("Frame|Craig", kind)
+            columns = ("theta", "d", "a", "alpha", "type", "offset") if is_matlab else COLUMNS
+            row = {"offset": "0"} | dict(zip(columns, [*cells, "0", "0"], strict=False))
+            note = f"{kind.rpartition(':')[2]}(...) was read as ({', '.join(columns[:4])})."
         else:
             continue
         before = text[max(end, text.rfind("\n", 0, found.start()) + 1) : found.start()]  # Joint(Joint::TransZ) of KDL
@@ -368,12 +368,11 @@ def _from_lines(text: str, names: Mapping[str, float]) -> _Grid | None:
             )
             is_table = bool(grid.rows or grid.cells)
             if is_table and not (grid.rows and is_row) and (is_after_gap or (numbers and ("=" in line or numbers < 3))):
-                grid.assume(f"What follows the table was not read, from line {number}: {raw.strip()!r:.60}.")
+                grid.assume(f"From line {number} on, {raw.strip()!r:.60}, no rows were read.")
                 break
             if (grid.rows and is_row) or ((heads or grid.cells) and numbers >= 3):
                 raise ValueError(
-                    f"{place} cannot be read: it has another number of cells than the heading, or a cell is no number and no variable. "
-                    "Correct it, and write 0 into empty cells."
+                    f"{place} cannot be read: it has another number of cells than the heading, or one is no number. Is one empty?"
                 )
             if numbers >= 4 and not is_table:
                 grid.assume(f"Line {number} was not read: {raw.strip()!r:.60}.")
@@ -386,8 +385,7 @@ def _with_all_columns(grid: _Grid, heads: list[str]) -> _Grid:
     count = min(sum(map(grid.is_entry, cells)) for cells in grid.cells) - _is_numbered(grid.cells)
     if (missing := sorted(NEEDED - {*heads})) and count >= len(COLUMNS):
         raise ValueError(
-            f"The heading has no {' and no '.join(missing)}, but each row has {count} numbers. Name every column in a line above "
-            "the rows, such as 'a alpha d theta'."
+            f"The heading has no {' and no '.join(missing)}, but each row has {count} numbers. Name every column above the rows."
         )
     return grid
 
@@ -427,10 +425,7 @@ def _plain_line(raw: str) -> str:
 
 
 def _heading(line: str, splits: list[list[str]], before: list[str], grid: _Grid) -> list[str]:
-    """Return the names of the columns if a line is a heading, and keep their units and their convention.
-
-    In prose the heading is the longest run of names. A heading that is worse than the one before is none.
-    """
+    """Return the names of the columns if a line is a heading, in prose its longest run of names; keep units and convention."""
     run = [] if re.search(r"[|\t]", line) else _run_of_names(line)
     is_comment = bool(re.match(r"\s*(?:[#%*'\"]|//|/\*|--)", line))
     found = list[list[Heading]]()
@@ -439,15 +434,15 @@ def _heading(line: str, splits: list[list[str]], before: list[str], grid: _Grid)
         if len({*names}) < max(3, len(names)):
             continue
         places = [k for k, head in enumerate(heads) if head.name in names]
-        if not (is_comment or before) or places[-1] - places[0] < len(names) + any(
-            head.name == "type" for head in heads
-        ):
-            found.append(heads)  # in a comment, and below another heading, no other word stands between the names
+        others = places[-1] - places[0] + 1 - len(names) - any(head.name == "type" for head in heads)
+        # In a comment, and below another heading, no other word stands between the names.
+        if others <= 0 or not (is_comment or before):
+            found.append(heads)
     is_behind_words = is_comment and not any(heads[0].name in ALL_COLUMNS for heads in found[:-1])
     is_labelled = re.match(r"(?i)\W*(?:joint|link|axis|frame|row|[ijkn]|no|nr)\b", line)
     prefers_run = is_behind_words and len(run) > 3 and not is_labelled
     found.sort(key=lambda heads: (len(_columns_of(heads)), prefers_run and len(heads) == len(run)), reverse=True)
-    if not found or len(_columns_of(found[0])) < len({*before} & ALL_COLUMNS):
+    if not found:
         return []
     heads = found[0]
     grid.units = {head.name: head.unit for head in heads if head.name in ALL_COLUMNS and head.unit}
@@ -461,17 +456,12 @@ def _columns_of(heads: Sequence[Heading]) -> list[str]:
 
 
 def _run_of_names(line: str) -> list[str]:
-    """Return the longest run of names of different columns in a line of prose, the last one of several."""
+    """Return the longest run of names of columns in a line of prose, the last one of several."""
     run, longest = dict[str, str](), list[str]()
     for word in re.split(r"[\s,;|]+|/(?!\s*(?:mm?|cm|rad|deg|°))|(?<=[a-zA-Z])[\[({](?=\w+\s*,)", line):
         name = parse_heading(word).name
         if name in {*ALL_COLUMNS, "type"}:
-            names = [*run]
-            if name in run and name != names[-1]:
-                run = {other: run[other] for other in names[names.index(name) + 1 :]}
             run.setdefault(name, word)
-        elif run and re.fullmatch(r"[(\[{]?(?:mm?|cm|rad|deg\w*|°)[)\]}]?", word):
-            run[[*run][-1]] += word
         elif re.search(r"\w", word) and word not in {"and", "then"}:
             run = {}
         longest = [*run.values()] if len(run) >= len(longest) else longest
@@ -666,7 +656,7 @@ def _said_convention(text: str, grid: _Grid) -> Literal["standard", "modified"] 
 
 def _definitions(text: str) -> dict[str, float]:
     """Read the values of names, l1 = 0.3 or d1 = 89.2 mm, that stand beside a table."""
-    found = re.findall(rf"\b([a-zA-Z]+_?\{{?\d+\}}?)\s*[=:]\s*(-?{NUMBER})\s*(mm|cm|m)?\b", text)
+    found = re.findall(rf"\b([a-zA-Z]+\d+)\s*[=:]\s*(-?{NUMBER})\s*(mm|cm|m)?\b", text)
     values = {name: float(value) * LENGTH_UNITS[unit or "m"] for name, value, unit in found}
     for name, *inside in LIST.findall(text):  # L = [0.2, 0.3], of which L0 was L[0]
         numbers = re.split(r"[,\s]+", "".join(inside).strip())

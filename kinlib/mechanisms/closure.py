@@ -22,27 +22,27 @@ point two modes become one, and there the search finds it only to the square roo
 
 @dataclass(frozen=True, eq=False)
 class Closure:
-    """The closure equations of a linkage, to be solved for the joint values that are not held.
+    """The closure equations of a linkage, to be solved for the k joint values that are not held.
 
-    equations             of all n joint values
-    configuration  (n,)   the held values, and a guess or a start for the others
-    free           (k,)   the indices of the values that are not held
-    is_angle       (n,)   which values are angles, and so the same again after 2 pi
-    search_range   (n,)   the values are sought in [-search_range, search_range]
-    tolerance             the linkage is closed if the norm of the residual is at most this
+    equations            of these values
+    start         (k,)   a guess for them, or a configuration that closes
+    with_held            the configurations (m, n) that values (m, k) are, with those that are held
+    is_angle      (k,)   which values are angles, and so the same again after 2 pi
+    search_range  (k,)   the values are sought in [-search_range, search_range]
+    tolerance            the linkage is closed if the norm of the residual is at most this
     """
 
     equations: Equations
-    configuration: Array
-    free: NDArray[np.intp]
+    start: Array
+    with_held: Callable[[Array], Array]
     is_angle: NDArray[np.bool_]
     search_range: Array
     tolerance: float
 
     def assemble(self) -> tuple[Array, float]:
         """Come as near to a closed configuration as possible: the configuration (n,), and its residual."""
-        found = solve(self._free_equations, self.configuration[None, self.free], self.tolerance)
-        return self._with_held_values(found.x)[0], float(found.residual[0])
+        found = solve(self.equations, self.start[None], self.tolerance)
+        return self.with_held(found.x)[0], float(found.residual[0])
 
     def search_modes(self, poses: Callable[[Array], Array]) -> Array:
         """Search for all configurations (k, n) that close, from random guesses, until nothing new is found.
@@ -53,45 +53,28 @@ class Closure:
         """
         # The guesses are random but the result must not be: every call draws the same ones.
         rng = np.random.default_rng(0)
-        reach = self.search_range[self.free]
         modes, known, hits, idle_rounds = list[Array](), list[Array](), list[int](), 0
+        lower = -np.pi - 1e-6  # so pi is -pi even with a rounding error
         # If every mode has been found at least twice, it is likely that none is missing (Good, 1953).
         while idle_rounds < (30 if 1 in hits else 3):
             idle_rounds += 1
-            guesses = rng.uniform(-reach, reach, (64, len(reach)))
-            found = solve(self._free_equations, guesses, self.tolerance, iterations=40)
+            guesses = rng.uniform(-self.search_range, self.search_range, (64, len(self.start)))
+            found = solve(self.equations, guesses, self.tolerance, iterations=40)
             # Near a solution a step squares the error, so one more step leaves only rounding errors.
-            exact = solve(self._free_equations, found.x[found.residual <= self.tolerance], tolerance=0.0, iterations=1)
-            candidates = self._wrapped(self._with_held_values(exact.x))
-            for q, pose, J in zip(candidates, poses(candidates), exact.jacobian, strict=True):
+            exact = solve(self.equations, found.x[found.residual <= self.tolerance], tolerance=0.0, iterations=1)
+            x = np.where(self.is_angle, (exact.x - lower) % (2 * np.pi) + lower, exact.x)
+            candidates = self.with_held(x)
+            for q, pose, free, J in zip(candidates, poses(candidates), x, exact.jacobian, strict=True):
                 k = next((k for k, other in enumerate(known) if np.abs(pose - other).max() <= MODE_TOL), len(known))
                 if k < len(known):
                     hits[k] += 1
                     continue
-                if mobility := finite_mobility(self._free_equations, q[self.free], null_space(J)[0], self.tolerance):
+                if mobility := finite_mobility(self.equations, free, null_space(J)[0], self.tolerance):
                     raise ValueError(f"No degree of freedom may be left; got {mobility}. Hold more joint values.")
                 modes, known, hits, idle_rounds = [*modes, q], [*known, pose], [*hits, 1], 0
-        return np.array(sorted([*mode] for mode in modes)).reshape(-1, len(self.configuration))
+        return np.array(sorted([*mode] for mode in modes)).reshape(-1, candidates.shape[1])
 
     def trace(self, step: float, points: int | None) -> Curve:
-        """Follow the motion from the configuration in both directions; points: at equal steps, if a number is given."""
-        tracer = CurveTracer(self._free_equations, self.tolerance, self.is_angle[self.free])
-        curve = tracer.follow(self.configuration[self.free], step, 5000, points)
-        return replace(curve, q=self._with_held_values(curve.q))
-
-    def _free_equations(self, x: Array) -> tuple[Array, Array]:
-        """The equations as functions of the free values (m, k) alone."""
-        r, J = self.equations(self._with_held_values(x))
-        return r, J[..., self.free]
-
-    def _with_held_values(self, x: Array) -> Array:
-        """Configurations (m, n) from free values (m, k)."""
-        q = np.tile(self.configuration, (len(x), 1))
-        q[:, self.free] = x
-        return q
-
-    def _wrapped(self, q: Array) -> Array:
-        """The same configurations (m, n), every free angle from -pi to pi, where pi is -pi even with a rounding error."""
-        lower = -np.pi - 1e-6
-        is_free = np.isin(np.arange(len(self.configuration)), self.free)
-        return np.where(is_free & self.is_angle, (q - lower) % (2 * np.pi) + lower, q)
+        """Follow the motion from the start in both directions; points: at equal steps, if a number is given."""
+        curve = CurveTracer(self.equations, self.tolerance, self.is_angle).follow(self.start, step, 5000, points)
+        return replace(curve, q=self.with_held(curve.q))

@@ -35,12 +35,6 @@ class Curve:
     closed: bool
     residual: float
 
-    def turning_points(self, i: int) -> NDArray[np.intp]:
-        """Find the points at which coordinate i changes from increasing to decreasing or back: the dead points of a driver."""
-        ahead = np.diff(self.q[:, i]) > 0
-        before = np.concatenate([ahead[-1:] if self.closed else ahead[:1], ahead[:-1]])
-        return np.flatnonzero(ahead != before)
-
 
 @dataclass(frozen=True, eq=False)
 class CurveTracer:

@@ -26,8 +26,7 @@ class Joint:
 
     Raises ValueError if a joint joins a body to itself.
 
-    >>> from kinlib.rigid.screw import screw
-    >>> Joint("elbow", ("upper arm", "forearm"), screw((0, 0, 1), (1, 0, 0))).dof
+    >>> Joint("elbow", ("upper arm", "forearm"), kl.screw((0, 0, 1), (1, 0, 0))).dof
     1
     """
 

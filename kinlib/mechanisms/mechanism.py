@@ -66,8 +66,7 @@ class Mechanism(TakesJointValues):
     there is no loop.
     Source: Modern Robotics, chapters 2 and 7; Forward kinematics II, (3.81).
 
-    >>> from kinlib.mechanisms.linkages import four_bar
-    >>> linkage = four_bar(ground=0.4, crank=0.1, coupler=0.35, rocker=0.3)
+    >>> linkage = kl.linkages.four_bar(ground=0.4, crank=0.1, coupler=0.35, rocker=0.3)
     >>> assembly = linkage.assemble([0, 0.5, 1, 0.5], hold={"A": np.pi / 2})
     >>> assembly.converged, linkage.mobility(assembly.q).finite
     (True, 1)
@@ -122,13 +121,11 @@ class Mechanism(TakesJointValues):
 
         A closed chain has no limits. Raises ValueError for a chain of one joint, because both its bodies would be the ground.
 
-        >>> from kinlib.chains.robots import puma560
-        >>> Mechanism.from_chain(puma560()).kutzbach()
+        >>> Mechanism.from_chain(kl.robots.puma560()).kutzbach()
         0
         """
         validation.instance(chain, "chain", Chain)
-        bodies = ["ground", *(f"link {i}" for i in range(1, chain.n)), "ground"]
-        joints = joints_of_chain(chain, bodies, [f"joint {i}" for i in range(1, chain.n + 1)], chain.home)
+        joints = joints_of_chain(chain, "", "ground", chain.home)
         return cls(joints, "ground", chain.name, chain.source)
 
     @classmethod
@@ -140,17 +137,14 @@ class Mechanism(TakesJointValues):
         Raises ValueError for fewer than two branches, which form no loop.
         Source: Forward kinematics II, (3.81), from LaValle, Planning Algorithms, section 3.4.
 
-        >>> from kinlib.chains.robots import rpr
-        >>> Mechanism.from_branches(rpr(), rpr()).n
+        >>> Mechanism.from_branches(kl.robots.rpr(), kl.robots.rpr()).n
         6
         """
         joints = []
         for b, branch in enumerate(branches, start=1):
             validation.instance(branch, f"branch {b}", Chain)
-            bodies = ["ground", *(f"link {b}.{i}" for i in range(1, branch.n)), "end"]
             # All branches end in one body, which is drawn as in the home configuration of the first branch.
-            offset = branch.home @ inverse(branches[0].home)
-            joints += joints_of_chain(branch, bodies, [f"joint {b}.{i}" for i in range(1, branch.n + 1)], offset)
+            joints += joints_of_chain(branch, f"{b}.", "end", branch.home @ inverse(branches[0].home))
         return cls(joints, "ground", name, source)
 
     @property
@@ -180,8 +174,7 @@ class Mechanism(TakesJointValues):
 
         q (..., n) -> (..., 6 l) for l loops, one twist (omega, v) after the other.
 
-        >>> from kinlib.mechanisms.linkages import bennett
-        >>> linkage = bennett()
+        >>> linkage = kl.linkages.bennett()
         >>> bool(np.linalg.norm(linkage.residual(linkage.assemble([1, 2, 1, 2]).q)) < 1e-12)
         True
         """
@@ -192,8 +185,7 @@ class Mechanism(TakesJointValues):
 
         q (..., n) -> (..., 6 l, n). If a loop is closed, then r = 0 and its rows are the space Jacobian J_s itself.
 
-        >>> from kinlib.mechanisms.linkages import bennett
-        >>> bennett().jacobian([1, 2, 1, 2]).shape
+        >>> kl.linkages.bennett().jacobian([1, 2, 1, 2]).shape
         (6, 4)
         """
         return self._linearized(self.in_order(q), [loop.chain for loop in self.loops])[1]
@@ -203,8 +195,7 @@ class Mechanism(TakesJointValues):
 
         q (..., n) -> (..., 4, 4) for each body. If a loop is not closed, another path would give another displacement.
 
-        >>> from kinlib.mechanisms.linkages import four_bar
-        >>> four_bar(4, 1, 3.5, 3).poses([np.pi, 0, 0, 0])["crank"][:2, :2].round(6) + 0.0
+        >>> kl.linkages.four_bar(4, 1, 3.5, 3).poses([np.pi, 0, 0, 0])["crank"][:2, :2].round(6) + 0.0
         array([[-1.,  0.],
                [ 0., -1.]])
         """
@@ -223,8 +214,7 @@ class Mechanism(TakesJointValues):
 
         Raises ValueError if a held name is not that of a joint value.
 
-        >>> from kinlib.mechanisms.linkages import four_bar
-        >>> four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0]).converged        # the three short links do not reach
+        >>> kl.linkages.four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0]).converged        # the three short links do not reach
         False
         """
         closure = self._closure(guess, hold, "guess")
@@ -239,8 +229,7 @@ class Mechanism(TakesJointValues):
 
         Raises ValueError if the bodies can still move with these values held, because then the modes form curves.
 
-        >>> from kinlib.mechanisms.linkages import four_bar
-        >>> len(four_bar(4, 1, 3.5, 3).assembly_modes(hold={"A": 1.0}))
+        >>> len(kl.linkages.four_bar(4, 1, 3.5, 3).assembly_modes(hold={"A": 1.0}))
         2
         """
 
@@ -263,8 +252,7 @@ class Mechanism(TakesJointValues):
         Raises ValueError if the start does not close, or the linkage does not have exactly one degree of freedom there.
         Source: pseudo-arclength continuation, as in Allgower and Georg, Numerical Continuation Methods (1990).
 
-        >>> from kinlib.mechanisms.linkages import four_bar
-        >>> linkage = four_bar(0.4, 0.1, 0.35, 0.3)
+        >>> linkage = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
         >>> curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0])
         >>> curve.closed, curve.residual < 1e-12
         (True, True)
@@ -280,29 +268,26 @@ class Mechanism(TakesJointValues):
 
         Raises ValueError if the configuration does not close.
 
-        >>> from kinlib.mechanisms.linkages import bennett
-        >>> linkage = bennett()
+        >>> linkage = kl.linkages.bennett()
         >>> mobility = linkage.mobility(linkage.assemble([1, 2, 1, 2]).q)
         >>> mobility.kutzbach, mobility.finite
         (-2, 1)
         """
         closure = self._closure(q, None)
-        J = validate_solution(closure.equations, closure.configuration, closure.tolerance)
+        J = validate_solution(closure.equations, closure.start, closure.tolerance)
         directions, singular_values = null_space(J)
-        finite = finite_mobility(closure.equations, closure.configuration, directions, closure.tolerance)
+        finite = finite_mobility(closure.equations, closure.start, directions, closure.tolerance)
         return Mobility(self.kutzbach(), directions.shape[1], finite, singular_values, directions)
 
     def kutzbach(self) -> int:
         """Count degrees of freedom by the Gruebler-Kutzbach formula: those of all joints, minus d equations for each loop.
 
-        d is the dimension of the group that the joints of a loop generate: 6 in space, 3 in a plane or about a point. With N
-        bodies and J joints with f_i degrees of freedom there are J - N + 1 loops, and d(N - 1 - J) + sum f_i is the same number,
-        if d is the same for all of them. It is the mobility if all equations are independent.
+        d is the dimension of the group that the joints of a loop generate: 6 in space, 3 in a plane or about a point. With N bodies
+        and J joints, and one d for all loops, this is d(N - 1 - J) + sum f_i: the mobility, if all equations are independent.
 
         Source: Modern Robotics, (2.4), Gruebler's formula.
 
-        >>> from kinlib.mechanisms.linkages import bennett, four_bar
-        >>> four_bar(4, 1, 3.5, 3).kutzbach(), bennett().kutzbach()
+        >>> kl.linkages.four_bar(4, 1, 3.5, 3).kutzbach(), kl.linkages.bennett().kutzbach()
         (1, -2)
         """
         return self.n - sum(group_dimension(loop.centred.screws) for loop in self.loops)
@@ -350,4 +335,14 @@ class Mechanism(TakesJointValues):
         tolerance = 1e-13 * (1 + farthest)  # rounding errors grow with the distance from the origin
         # About the centre of each loop, so that the accuracy does not depend on where the origin is.
         centred = [loop.centred for loop in self.loops]
-        return Closure(lambda q: self._linearized(q, centred), q, free, is_angle, search_range, tolerance)
+
+        def with_held(x: Array) -> Array:
+            configurations = np.tile(q, (len(x), 1))
+            configurations[:, free] = x
+            return configurations
+
+        def equations(x: Array) -> tuple[Array, Array]:
+            r, J = self._linearized(with_held(x), centred)
+            return r, J[..., free]
+
+        return Closure(equations, q[free], with_held, is_angle[free], search_range[free], tolerance)

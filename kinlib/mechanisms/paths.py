@@ -6,8 +6,6 @@ moved by a constant pose G before it meets its neighbour. Constants move to the 
 G e^[S]q = e^[Ad(G) S]q G, and become the home pose of the chain.
 """
 
-from __future__ import annotations
-
 from collections import deque
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -25,13 +23,14 @@ from kinlib.rigid.lie import adjoint, exp, inverse
 from kinlib.rigid.screw import is_prismatic
 
 
-def joints_of_chain(chain: Chain, bodies: Sequence[str], names: Sequence[str], closing_offset: Array) -> list[Joint]:
-    """Write the n joints of an open chain one by one, between n + 1 bodies, without limits.
+def joints_of_chain(chain: Chain, prefix: str, end: str, closing_offset: Array) -> list[Joint]:
+    """Write the n joints of an open chain one by one, from the ground to a body at its end, without limits.
 
-    names           of the joints, used if the chain has no joint names of its own
+    prefix          of the numbers of links, and of joints that have no names
     closing_offset  (4, 4)  that of the last joint; the other joints have the identity
     """
-    names = chain.joint_names or names
+    bodies = ["ground", *(f"link {prefix}{i}" for i in range(1, chain.n)), end]
+    names = chain.joint_names or [f"joint {prefix}{i}" for i in range(1, chain.n + 1)]
     offsets = [np.eye(4)] * (chain.n - 1) + [closing_offset]
     columns = zip(names, pairwise(bodies), chain.screws, offsets, chain.joint_points, strict=True)
     return [Joint(*arguments) for arguments in columns]

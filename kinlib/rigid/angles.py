@@ -1,7 +1,5 @@
 """Angles modulo a full turn."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

@@ -231,9 +231,7 @@ def nearest_rotation(X: ArrayLike) -> Array:
     nearest = U @ Vt
     distance = np.abs(nearest - R).max(initial=0.0)
     if distance > 0.1 or (np.linalg.det(nearest) < 0).any():
-        raise ValueError(
-            f"X must be almost a right-handed rotation, within 0.1 in each entry; it differs by {distance:.2g}."
-        )
+        raise ValueError(f"X must be almost a right-handed rotation, to 0.1 in an entry; it differs by {distance:.2g}.")
     R[...] = nearest
     return X
 
@@ -273,9 +271,8 @@ def perpendicular(axis: ArrayLike) -> Array:
     axis (..., 3), not zero -> (..., 3): the cross product of the axis with the coordinate axis at the largest angle to it, so
     that no digits are lost.
 
-    >>> perpendicular([[0, 0, 1], [0, 3, 0]]) + 0.0
-    array([[ 0., -1.,  0.],
-           [ 0.,  0.,  1.]])
+    >>> perpendicular([0, 3, 0])
+    array([0., 0., 1.])
     """
     axis = np.asarray(axis, dtype=float)
     farthest = np.eye(3)[np.argmin(np.abs(axis), axis=-1)]

@@ -37,8 +37,6 @@ def screw(axis: ArrayLike, point: ArrayLike = (0.0, 0.0, 0.0), pitch: ArrayLike 
 
     >>> screw((0, -1, 0), point=(-4, -2, 0)) + 0.0        # joint 1 of the first example of Forward kinematics II
     array([ 0., -1.,  0.,  0.,  0.,  4.])
-    >>> screw((0, 0, 1), pitch=np.inf)                    # its joint 2
-    array([0., 0., 0., 0., 0., 1.])
     """
     axis = validation.unit_vectors(axis, "axis")
     point = validation.vectors(point, "point", 3)

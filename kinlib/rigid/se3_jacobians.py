@@ -4,8 +4,6 @@ If a motion E is followed by a small twist V, it becomes exp(V) E. Its logarithm
 They do not, and the correction is a power series in the Lie bracket of twists.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

@@ -62,7 +62,8 @@ def screw(axis: Any, point: Any = (0, 0, 0), pitch: Any = 0) -> sp.Matrix:
     Matrix([[0, 1, 0, 0, 0, a_2]])
     """
     axis, point = _matrix(axis, "axis", (3, 1)), _matrix(point, "point", (3, 1))
-    if not _is_unit(length := _length(axis)):
+    length = _length(axis)
+    if length.is_number and abs(float(length) - 1) > tolerances.UNIT_LENGTH_TOL:
         raise ValueError(f"axis must be a unit vector; its length is {length}. Divide it by its norm.")
     if pitch in (np.inf, sp.oo):
         return sp.zeros(3, 1).col_join(axis)
@@ -74,8 +75,7 @@ def fk(arm: Chain) -> sp.Matrix:
 
     Source: Modern Robotics, (4.14).
 
-    >>> from kinlib.chains.robots import rpr_lecture7
-    >>> shorthand(fk(rpr_lecture7()))[0, :3]
+    >>> shorthand(fk(kl.robots.rpr_lecture7()))[0, :3]
     Matrix([[c_13, -s_13, 0]])
     """
     validation.instance(arm, "arm", Chain)
@@ -116,10 +116,6 @@ def _length(vector: sp.Matrix) -> sp.Expr:
     """The length of a vector, with q for the square root of q^2: every use of it here is an even function of q."""
     root = sp.powdenest(sp.sqrt(sp.factor(sp.trigsimp(vector.dot(vector)))), force=True)
     return root.replace(sp.Abs, lambda inside: inside)
-
-
-def _is_unit(length: sp.Expr) -> bool:
-    return not length.is_number or abs(float(length) - 1) <= tolerances.UNIT_LENGTH_TOL
 
 
 def _matrix(x: Any, name: str, *shapes: tuple[int, int]) -> sp.Matrix:

@@ -17,8 +17,6 @@ translations. Each group of rotations about parallel axes becomes one pose, and 
 beginning at the end-effector: there a column of the product has few terms, and each joint to the left multiplies it once.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import NamedTuple, TypeAlias

@@ -1,7 +1,5 @@
 """Numbers and names in SymPy: the exact number that a float means, the symbols of joint values, and the shorthand c_1, s_23."""
 
-from __future__ import annotations
-
 import re
 from numbers import Rational
 from typing import Any

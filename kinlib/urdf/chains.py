@@ -64,8 +64,7 @@ def to_urdf(chain: Chain) -> str:
     Raises ValueError if a joint is helical, because URDF has no such joint.
     Source: the URDF specification, "joint".
 
-    >>> from kinlib.chains.robots import youbot
-    >>> np.allclose(load_urdf(to_urdf(youbot())).screws, youbot().screws, atol=1e-15)
+    >>> np.allclose(load_urdf(to_urdf(kl.robots.youbot())).screws, kl.robots.youbot().screws, atol=1e-15)
     True
     """
     from xml.sax.saxutils import quoteattr

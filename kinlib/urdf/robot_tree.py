@@ -1,7 +1,7 @@
 """A whole URDF: the poses of all its links, chains from any link to any other, and mimic joints.
 
-A mimic joint has no value of its own, because it follows another joint: q_mimic = multiplier q_other + offset. So the values of
-all moving joints are C q + c, where q has only the independent joints. C is the coupling matrix.
+A mimic joint has no value of its own, because it follows another joint: q_mimic = multiplier q_other + offset. So q has only the
+values of the independent joints, and those of all moving joints follow from it.
 """
 
 from __future__ import annotations
@@ -46,29 +46,22 @@ class Tree(TakesLimitedValues):
     parent_joints  for the name of each link but the root, the joint whose child it is, in the order of the file
     folder         where its file is, if it was read from one: `kl.show` looks there for meshes
 
-    n joints are independent: they move, and they do not mimic another joint. m joints move by one value, mimic joints included.
-    Both are in the order of the file. Planar and floating joints have no single value: see `poses`. Wherever q is an argument, it
-    may also be a mapping from the name of each independent joint to its value.
+    n joints are independent: they move, and they do not mimic another joint. They are in the order of the file. Planar and floating
+    joints have no single value: see `poses`. Wherever q is an argument, it may also be a mapping from the name of each independent
+    joint to its value.
 
-    >>> tree = Tree.from_urdf('''<robot name="gripper">
-    ...   <link name="palm"/> <link name="left"/> <link name="right"/> <link name="pad"/>
-    ...   <joint name="open" type="prismatic"> <parent link="palm"/> <child link="left"/> <axis xyz="0 1 0"/>
-    ...     <limit lower="0" upper="0.5" effort="1" velocity="1"/> </joint>
-    ...   <joint name="follow" type="prismatic"> <parent link="palm"/> <child link="right"/> <axis xyz="0 1 0"/>
-    ...     <limit lower="-0.5" upper="0" effort="1" velocity="1"/> <mimic joint="open" multiplier="-1"/> </joint>
-    ...   <joint name="glue" type="fixed"> <parent link="right"/> <child link="pad"/> <origin xyz="0 0 0.5"/> </joint>
+    >>> tree = Tree.from_urdf('''<robot name="gripper"> <link name="palm"/> <link name="left"/> <link name="right"/>
+    ...   <joint name="open" type="continuous"> <parent link="palm"/> <child link="left"/> </joint>
+    ...   <joint name="follow" type="continuous"> <parent link="palm"/> <child link="right"/> <mimic joint="open"/> </joint>
     ... </robot>''')
     >>> print(tree)
-    gripper, 4 links, 1 independent joint
-    link    | joint  | type      | value
-    palm    |        |           |
-      left  | open   | prismatic | q1
-      right | follow | prismatic | -open
-        pad | glue   | fixed     |
-    >>> tree.tips, tree.joint_names, tree.moving_joint_names
-    (('left', 'pad'), ('open',), ('open', 'follow'))
-    >>> {link: T[:3, 3].tolist() for link, T in tree.poses({"open": 0.25}).items()}
-    {'palm': [0.0, 0.0, 0.0], 'left': [0.0, 0.25, 0.0], 'right': [0.0, -0.25, 0.0], 'pad': [0.0, -0.25, 0.5]}
+    gripper, 3 links, 1 independent joint
+    link    | joint  | type       | value
+    palm    |        |            |
+      left  | open   | continuous | q1
+      right | follow | continuous | open
+    >>> tree.tips, tree.joint_names, tree.couplings["follow"]
+    (('left', 'right'), ('open',), Coupling(joint='open', multiplier=1.0, offset=0.0))
     """
 
     name: str
@@ -141,11 +134,6 @@ class Tree(TakesLimitedValues):
         return tuple(self._tips(self.root))
 
     @cached_property
-    def moving_joint_names(self) -> tuple[str, ...]:
-        """The m names of the joints that move by one value, mimic joints included."""
-        return tuple(self._moving_joints)
-
-    @cached_property
     def joint_names(self) -> tuple[str, ...]:
         """The n names of the independent joints, in the order of q: [positions[name] for name in tree.joint_names]."""
         return tuple(name for name, joint in self._moving_joints.items() if joint.mimic is None)
@@ -162,17 +150,9 @@ class Tree(TakesLimitedValues):
         return validation.read_only_copy(np.reshape(limits, (-1, 2)))
 
     @cached_property
-    def coupling(self) -> Array:
-        """The coupling matrix C, (m, n). The row of an independent joint has a single 1, that of a mimic joint its multiplier."""
-        C = np.zeros((len(self.moving_joint_names), self.n))
-        for row, (driver, multiplier, _) in zip(C, self._couplings.values(), strict=True):
-            row[self._numbers[driver]] = multiplier
-        return validation.read_only_copy(C)
-
-    @cached_property
-    def offsets(self) -> Array:
-        """The values c, (m,), of all moving joints where the independent ones are 0."""
-        return validation.read_only_copy([offset for _, _, offset in self._couplings.values()])
+    def couplings(self) -> dict[str, Coupling]:
+        """For each joint that moves by one value, the independent joint that it follows: itself, if it mimics no other."""
+        return {name: followed(joint, self._moving_joints) for name, joint in self._moving_joints.items()}
 
     @cached_property
     def _moving_joints(self) -> dict[str, UrdfJoint]:
@@ -181,10 +161,6 @@ class Tree(TakesLimitedValues):
     @cached_property
     def _numbers(self) -> dict[str, int]:
         return {name: i for i, name in enumerate(self.joint_names)}
-
-    @cached_property
-    def _couplings(self) -> dict[str, Coupling]:
-        return {name: followed(joint, self._moving_joints) for name, joint in self._moving_joints.items()}
 
     def poses(
         self, q: JointValues, base: ArrayLike | None = None, joint_poses: Mapping[str, ArrayLike] | None = None
@@ -202,20 +178,19 @@ class Tree(TakesLimitedValues):
         Raises ValueError for a planar or a floating joint without a pose, and if a mimic joint follows no joint that moves, or itself.
         Source: the URDF specification, "joint"; Modern Robotics, 4.2.
 
-        >>> from kinlib.chains.robots import youbot
-        >>> from kinlib.urdf.chains import to_urdf
-        >>> tree = Tree.from_urdf(to_urdf(youbot()))
+        >>> tree = Tree.from_urdf(kl.to_urdf(kl.robots.youbot()))
         >>> lifted = tree.poses(np.zeros((10, 5)), base=exp([0, 0, 0, 0, 0, 0.5]))     # the arm on a platform
-        >>> lifted["base_link"].shape, bool(np.allclose(lifted["tool"], exp([0, 0, 0, 0, 0, 0.5]) @ youbot().home))
+        >>> lifted["base_link"].shape, bool(np.allclose(lifted["tool"], exp([0, 0, 0, 0, 0, 0.5]) @ kl.robots.youbot().home))
         ((10, 4, 4), True)
         """
         q = self.in_order(q)
-        values = q @ self.coupling.T + self.offsets
-        joints = self._moving_joints.values()
-        steps = {each.name: each.origin @ exp(each.screw * values[..., i, None]) for i, each in enumerate(joints)}
+        steps = {}
+        for name, (driver, multiplier, offset) in self.couplings.items():
+            moving, value = self._moving_joints[name], multiplier * q[..., self._numbers[driver], None] + offset
+            steps[name] = moving.origin @ exp(moving.screw * value)
         root = np.eye(4) if base is None else validation.poses(base, "base")
         free = self._validate_joint_poses(joint_poses or {})
-        shape = np.broadcast_shapes(values.shape[:-1], root.shape[:-2], *(T.shape[:-2] for T in free.values()))
+        shape = np.broadcast_shapes(q.shape[:-1], root.shape[:-2], *(T.shape[:-2] for T in free.values()))
         found = {self.root: np.broadcast_to(root, (*shape, 4, 4)).copy()}
         for _, link, _ in self._descendants(self.root):
             if joint := self.parent_joints.get(link):
@@ -235,9 +210,7 @@ class Tree(TakesLimitedValues):
         a joint between them is planar or floating, and if two of them follow the same joint, or one has another multiplier.
         Source: the URDF specification, "link" and "joint".
 
-        >>> from kinlib.chains.robots import youbot
-        >>> from kinlib.urdf.chains import to_urdf
-        >>> Tree.from_urdf(to_urdf(youbot())).chain(base="link_4", tip="link_2").joint_names
+        >>> Tree.from_urdf(kl.to_urdf(kl.robots.youbot())).chain(base="link_4", tip="link_2").joint_names
         ('joint_4', 'joint_3')
         """
         base = self.root if base is None else base
@@ -257,9 +230,7 @@ class Tree(TakesLimitedValues):
                 points.append(frame[:3, 3])
                 moving.append(joint)
         if not moving:
-            raise self.link_elements[tip].error(
-                f"a joint must move between {base} and {tip}; none does. Pass other links."
-            )
+            raise self.link_elements[tip].error(f"a joint must move between {base} and {tip}; none does.")
         # A faulty mimic joint elsewhere does not affect this chain.
         couplings = [followed(joint, self._moving_joints) for joint in moving]
         drivers = [driver for driver, _, _ in couplings]

@@ -122,19 +122,15 @@ def _text(path_or_text: str | os.PathLike[str]) -> str | bytes:
     if isinstance(path_or_text, str) and path_or_text.lstrip("\ufeff \t\r\n")[:1] in {"<", ""}:
         content: str | bytes = path_or_text.removeprefix("\ufeff")
     else:
-        content = _bytes(path_or_text)
+        try:
+            with Path(path_or_text).open("rb") as file:
+                content = file.read(MAX_BYTES + 1)
+        except OSError as error:
+            raise ValueError(
+                f"There is no file {path_or_text!r:.200} to be read: {error.strerror}. Pass the path of a URDF, or its text."
+            ) from error
     if not content.strip():
         raise ValueError("A URDF must begin with <robot name=...>; got an empty text or file.")
     if len(content) > MAX_BYTES:
         raise ValueError(f"A URDF must have at most {MAX_BYTES / 1e6:.0f} MB; this one has more. Remove embedded data.")
     return content
-
-
-def _bytes(path: str | os.PathLike[str]) -> bytes:
-    try:
-        with Path(path).open("rb") as file:
-            return file.read(MAX_BYTES + 1)
-    except OSError as error:
-        raise ValueError(
-            f"There is no file {path!r:.200} to be read: {error.strerror}. Pass the path of a URDF, or its text, which begins with <."
-        ) from error

@@ -42,11 +42,9 @@ def show(
 
     Raises ValueError if q does not have n values or is given without a robot, for anything else to show, for another ending, and
     for a folder that does not exist.
-
-    >>> from kinlib.chains.robots import youbot
     >>> from tempfile import TemporaryDirectory
     >>> with TemporaryDirectory() as folder:
-    ...     show(youbot(), [0, 0, 1, 0, 0], path=f"{folder}/youbot.html")
+    ...     show(kl.robots.youbot(), [0, 0, 1, 0, 0], path=f"{folder}/youbot.html")
     ...     Path(folder, "youbot.html").read_text("utf-8")[:15]
     '<!DOCTYPE html>'
     """

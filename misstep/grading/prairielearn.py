@@ -2,10 +2,8 @@
 
     misstep export prairielearn OUT
 
-OUT is the folder of a PrairieLearn course: `infoCourse.json`, a course instance with an assessment for each sheet, and a folder for
-each question, whose `server.py` names the problem. PrairieLearn calls `generate`, `parse`, `grade` and `file` with one dictionary;
-these draw the numbers from the variant's seed, read what its elements have read, judge it, and draw the figure. The packages
-themselves are copied to `serverFilesCourse`, where PrairieLearn looks for modules. They need NumPy, SymPy and matplotlib there.
+OUT is the folder of a PrairieLearn course, with a folder for each question, whose `server.py` names the problem. The packages are
+copied to `serverFilesCourse`, where PrairieLearn looks for modules; it has NumPy, SymPy and matplotlib, but no widgets.
 
 Source: https://docs.prairielearn.com/question/server/ and the JSON schemas of PrairieLearn.
 """
@@ -16,7 +14,6 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from functools import lru_cache
 from importlib.resources import files
-from itertools import chain
 from pathlib import Path
 from typing import Any
 from uuid import NAMESPACE_URL, uuid5
@@ -70,6 +67,13 @@ from misstep.grading.prairielearn import Question
 question = Question(find_sheet({sheet!r}).problems[{index}])
 generate, parse, grade, file = question.generate, question.parse, question.grade, question.file
 """
+
+WIDGETS = '''"""Takes the place of a package of widgets, which a question does not show."""
+class Unused:
+    def __init__(self, *_, **__): self.tag = lambda **_: self
+    def __call__(self, method): return method
+def __getattr__(name): return Unused
+'''
 
 
 class Question:
@@ -131,8 +135,8 @@ def _answers(answer: Answer) -> Sequence[Answer]:
 def _inputs(answer: Answer, k: int) -> tuple[str, list[Data], Data]:
     """Return the kind of the inputs for one of the answers, what the page shows of each, and the right answers by name."""
     if isinstance(answer, Choice):
-        options = answer.options.items()
-        shown = [{"text": f"{name}: {text}", "right": str(name == answer.value).lower()} for name, text in options]
+        texts = {name: f"{name}: {text}" for name, text in answer.options.items()}
+        shown = [{"text": text, "right": str(name == answer.value).lower()} for name, text in texts.items()]
         return "choices", [{"name": f"choice_{k}", "options": shown}], {}
     if isinstance(answer, Ordering):
         names = dict.fromkeys([*answer.value, *answer.among])
@@ -140,14 +144,14 @@ def _inputs(answer: Answer, k: int) -> tuple[str, list[Data], Data]:
         return "blocks", [block | {"place": place} for place, block in enumerate(blocks, start=1)], {}
     right = _right(answer)
     if right.dtype == object:
-        rows = _cells(right)
-        texts = dict(zip(chain(*rows), map(str, right.ravel()), strict=True))
-        return "formulas", [{"cells": [{"name": name} for name in row]} for row in rows], texts
+        texts = {f"entry_{i + 1}_{j + 1}": text for (i, j), text in np.ndenumerate(right)}
+        cells = np.reshape([{"name": name} for name in texts], right.shape)
+        return "formulas", [{"cells": row} for row in cells.tolist()], texts
     # An array is a stack of matrices, and a vector is one row.
     matrices = right.reshape(-1, *(size := np.atleast_2d(right).shape[-2:]))
     shown, values = [], {}
     for place, matrix in enumerate(matrices.tolist(), start=1):
-        label = f"{place}: " if right.ndim > 2 else ""
+        label = f"{place}: " * (right.ndim > 2)
         shown.append({"name": f"answer_{place}_", "label": label, "rows": size[0], "columns": size[1]})
         values[f"answer_{place}_"] = {"_type": "ndarray", "_value": matrix, "_dtype": "float64"}
     return "matrices", shown, values
@@ -161,11 +165,6 @@ def _right(answer: Answer) -> np.ndarray[Any, Any]:
     if "fields" in stored:
         return np.array(stored["fields"]["rows"], dtype=float)
     return np.array(stored["array"], dtype=float).reshape(stored["shape"])
-
-
-def _cells(formulas: np.ndarray[Any, Any]) -> list[list[str]]:
-    """Return the names of the inputs for formulas, by row."""
-    return [[f"entry_{i}_{j}" for j, _ in enumerate(row, start=1)] for i, row in enumerate(formulas, start=1)]
 
 
 def _submitted(problem: Problem, data: Data) -> Any:
@@ -182,8 +181,8 @@ def _value(answer: Answer, k: int, data: Data) -> Any:
         return [block["inner_html"].strip() for block in given["answer"]]
     right = _right(answer)
     if right.dtype == object:
-        entries = [[given[name] for name in row] for row in _cells(right)]
-        return [row[0] for row in entries] if right.shape[1] == 1 else entries
+        entries = np.reshape([given[f"entry_{i + 1}_{j + 1}"] for i, j in np.ndindex(right.shape)], right.shape)
+        return (entries[:, 0] if right.shape[1] == 1 else entries).tolist()
     values = [given[one["name"]]["_value"] for one in data["params"]["matrices"]]
     return np.array(values, dtype=float).reshape(right.shape)
 
@@ -198,8 +197,7 @@ def run(options: Namespace) -> int:
     """Write the course, and say which problems are left out."""
     count, left_out = export(find_course(), options.out)
     print(f"{options.out} is a PrairieLearn course with {count} questions.")
-    if left_out:
-        print(f"Left out, because their answer is a function or a text: {', '.join(left_out)}.")
+    print(f"Left out, because their answer is a function or a text: {', '.join(left_out) or 'none'}.")
     return 0
 
 
@@ -234,9 +232,11 @@ def export(course: Course, out: Path) -> tuple[int, list[str]]:
         topics.append({"name": sheet.title, "color": "blue1"})
     _write(out / "infoCourse.json", {"name": course.package, "title": course.package, "topics": topics})
     _write(folder / "infoCourseInstance.json", {"uuid": _uuid(course, "Course"), "longName": "Course"})
+    for package in ("anywidget", "traitlets"):
+        _write(out / "serverFilesCourse" / f"{package}.py", WIDGETS)
     for package in ("misstep", course.package, *course.requires):
-        source = Path(str(files(package)))
-        shutil.copytree(source, out / "serverFilesCourse" / package, ignore=shutil.ignore_patterns("__pycache__"))
+        folder, ignore = out / "serverFilesCourse" / package, shutil.ignore_patterns("__pycache__")
+        shutil.copytree(str(files(package)), folder, ignore=ignore)
     return count, left_out
 
 

@@ -5,8 +5,6 @@ poses of its arm, although nobody made a mistake. All lengths of a table are tak
 the most, and so are all angles, in radians or in degrees, whichever takes fewer.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

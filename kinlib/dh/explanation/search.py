@@ -5,11 +5,10 @@ of the axes, and only the rest is compared with the arm. The price of a correcti
 numbers that it invents, because some number explains almost anything; then how large and unusual the change is.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,7 +46,7 @@ class TableExplanation:
     edits: int
     is_a_choice: bool = False
 
-    def says_as_much(self, other: TableExplanation) -> bool:
+    def says_as_much(self, other: Self) -> bool:
         """Whether another explanation leads to the same table, up to full turns."""
         a, b = self.corrected, other.corrected
         is_same = (a.convention, a.joints, a.signs.tolist()) == (b.convention, b.joints, b.signs.tolist())

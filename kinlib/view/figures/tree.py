@@ -75,17 +75,18 @@ def branches(robot: Chain | Tree, visuals: tuple[Tree, str] | None = None) -> li
         names = robot.joint_names or ("",) * robot.n
         links = _links_of_arm(names, *visuals) if visuals else [[] for _ in range(robot.n + 1)]
         return [Branch("", robot, np.arange(robot.n), np.ones(robot.n), names, 0, links)]
-    moving = {name: row for row, name in enumerate(robot.moving_joint_names)}
     home, drawn = _home_poses(robot), set[str]()
     found: list[Branch] = []
     for tip in robot.tips:
         path: list[UrdfJoint] = [step.joint for step in robot.path(robot.root, tip)]
-        joints = [joint for joint in path if joint.name in moving]
+        joints = [joint for joint in path if joint.name in robot.couplings]
         if not joints:
             continue
         frames = np.array([home[joint.child] for joint in joints])
         screws = (adjoint(frames) @ np.array([joint.screw for joint in joints])[..., None])[..., 0]
-        coupling = robot.coupling[[moving[joint.name] for joint in joints]]
+        couplings = [robot.couplings[joint.name] for joint in joints]
+        drivers = np.array([robot.joint_names.index(one.joint) for one in couplings])
+        factors = np.array([one.multiplier for one in couplings])
         names = tuple(joint.name for joint in joints)
         shared = max((sum(a == b for a, b in zip(names, one.names, strict=False)) for one in found), default=0)
         chain = Chain(screws, home[tip], frames[:, :3, 3], robot.name)
@@ -96,8 +97,7 @@ def branches(robot: Chain | Tree, visuals: tuple[Tree, str] | None = None) -> li
             if link not in drawn:
                 links[body].append((robot.link_elements[link], home[link]))
                 drawn.add(link)
-        columns, multipliers = np.abs(coupling).argmax(axis=1), coupling.sum(axis=1)
-        found.append(Branch(tip, chain, columns, multipliers, names, shared, links))
+        found.append(Branch(tip, chain, drivers, factors, names, shared, links))
     if not found:
         raise ValueError(f"A tree must have a joint that moves by one value to be shown; {robot.name} has none.")
     return found

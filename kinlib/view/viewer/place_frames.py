@@ -108,11 +108,8 @@ def assign(chain: Chain, convention: Convention) -> ByHand:
     The frames are in `.frames`, the rules that they break in `.breaches`, and their table, once it is right, in `.table`.
 
     Raises ValueError if the convention is unknown.
-
-    >>> from kinlib.dh.assignment import assign_frames
-    >>> from kinlib.chains.robots import rpr
-    >>> by_hand = assign(rpr(), "standard")
-    >>> by_hand.frames = assign_frames(rpr(), convention="standard").frames
+    >>> by_hand = assign(kl.robots.rpr(), "standard")
+    >>> by_hand.frames = kl.assign_frames(kl.robots.rpr(), convention="standard").frames
     >>> by_hand.breaches
     []
     """

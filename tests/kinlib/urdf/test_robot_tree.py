@@ -31,6 +31,13 @@ def values_in_file(text, independent):
     return {joint.get("name"): value(joint.get("name")) for joint in joints}
 
 
+def moving_values(tree, q):
+    """The values of all joints that move, from those of the independent ones."""
+    by_name = dict(zip(tree.joint_names, q.T, strict=True))
+    values = [k * by_name[driver] + c for driver, k, c in tree.couplings.values()]
+    return np.reshape(values, (-1, len(q))).T
+
+
 def assert_equal_poses(ours, theirs):
     assert set(ours) == set(theirs)
     for link, T in ours.items():
@@ -42,11 +49,11 @@ def test_every_link_of_any_tree_moves_as_pinocchio_says(drawn, base, seed):
     text, *_ = drawn
     tree = Tree.from_urdf(text)
     q = np.random.default_rng(seed).uniform(-3, 3, (3, tree.n))
-    values = q @ tree.coupling.T + tree.offsets
+    values, moving = moving_values(tree, q), [*tree.couplings]
     said = [values_in_file(text, dict(zip(tree.joint_names, row, strict=True))) for row in q]
-    np.testing.assert_allclose(values, [[row[name] for name in tree.moving_joint_names] for row in said], atol=1e-14)
-    assert_equal_poses(tree.poses(q), link_poses_by_pinocchio(text, tree.moving_joint_names, values))
-    floating = link_poses_by_pinocchio(text, tree.moving_joint_names, values, base)
+    np.testing.assert_allclose(values, [[row[name] for name in moving] for row in said], atol=1e-14)
+    assert_equal_poses(tree.poses(q), link_poses_by_pinocchio(text, moving, values))
+    floating = link_poses_by_pinocchio(text, moving, values, base)
     assert_equal_poses(tree.poses(q, base=base), floating)
 
 
@@ -55,8 +62,8 @@ def test_a_chain_between_any_two_links_agrees_with_pinocchio(drawn):
     text, base, tip = drawn
     tree = Tree.from_urdf(text)
     q = np.random.default_rng(1).uniform(-3, 3, (3, tree.n))
-    values = q @ tree.coupling.T + tree.offsets
-    expected = poses_by_pinocchio(text, base, tip, tree.moving_joint_names, values)
+    values, moving = moving_values(tree, q), [*tree.couplings]
+    expected = poses_by_pinocchio(text, base, tip, moving, values)
     try:
         chain = kl.load_urdf(text, base, tip)
     except ValueError as error:

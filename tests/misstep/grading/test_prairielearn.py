@@ -6,6 +6,8 @@ What PrairieLearn's elements do between these calls is done here by a few lines:
 import json
 import re
 import runpy
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -57,9 +59,15 @@ def test_the_course_has_the_files_and_keys_that_prairielearn_requires(exported, 
     assert sorted(named) == sorted(f"{name}/{k:02}" for name, k in QUESTIONS)
     for id_ in named:
         assert infos[exported / "questions" / id_ / "info.json"]["topic"] in topics
-    assert {path.name for path in (exported / "serverFilesCourse").iterdir()} == {"kinlib", "misstep", "kincourse"}
+    assert {path.name for path in (exported / "serverFilesCourse").glob("[!at]*")} == {"kinlib", "misstep", "kincourse"}
     assert main(["export", "prairielearn", str(exported)]) == 2
     assert "must be a new or an empty folder" in capsys.readouterr().err
+
+
+def test_a_question_needs_no_package_of_widgets(exported):
+    code = "import glob, runpy, sys; sys.path.insert(0, 'serverFilesCourse'); [*map(runpy.run_path, glob.glob('questions/*/01/server.py'))]"
+    code += "; import traitlets; assert traitlets.Any is traitlets.Bool"
+    subprocess.run([sys.executable, "-c", code], cwd=exported, check=True)
 
 
 def submitted(problem, value, data):
