@@ -32,11 +32,6 @@ def _of_turns(change: Callable[[Array, Array], tuple[Any, Any]]) -> Callable[[Ar
     return changed
 
 
-def _slides_in_omega(S: Array) -> Array:
-    slides = np.abs(S[..., :3]).max(axis=-1, keepdims=True, initial=0.0) <= ROUND_OFF
-    return np.where(slides, np.roll(S, 3, axis=-1), S)
-
-
 SLIPS = (
     Slip(
         "halves swapped",
@@ -47,12 +42,6 @@ SLIPS = (
     Slip("sign of v", "take the moment $v$ with the opposite sign", _of_turns(lambda w, v: (w, -v))),
     Slip("sign of omega", "take $\\omega$ with the opposite sign, but not $v$", _of_turns(lambda w, v: (-w, v))),
     Slip("no moment", "leave the moment $v$ at 0", _of_turns(lambda w, v: (w, 0 * v))),
-    Slip(
-        "revolute as prismatic",
-        "write the direction into $v$, with $\\omega = 0$, as for a prismatic joint",
-        _of_turns(lambda w, _: (0 * w, w)),
-    ),
-    Slip("direction in omega", "write the direction of a translation into $\\omega$", _slides_in_omega),
 )
 """The slips that people make in any screw axis."""
 

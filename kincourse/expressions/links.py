@@ -24,7 +24,7 @@ from misstep.mutants.expression import (
     product,
     table,
 )
-from misstep.mutants.operations import DEGREES_ADVICE, function
+from misstep.mutants.operations import DEGREES_ADVICE
 
 CONVENTION_ADVICE = (
     "A standard row begins with the joint, a modified one with the common normal.\n"
@@ -147,7 +147,7 @@ def _unless_unchanged(slips: Callable[[Expression], Slips], node: Expression) ->
 
 
 def _link_slips(convention: Convention, node: Expression) -> Slips:
-    a, _, d, theta = node.arguments
+    a, _, d, _ = node.arguments
     other = OTHER_CONVENTION[convention]
     of, in_the_other = node.operation, _link_operation(other, node.latex)
     rows: list[tuple[Any, ...]] = [
@@ -156,12 +156,7 @@ def _link_slips(convention: Convention, node: Expression) -> Slips:
         ("a and d swapped", "swap $a$ and $d$ in ${}$ |swap $a$ and $d$ in every row", lambda a, A, d, H: of(d, A, a, H), LENGTHS_ADVICE),
         ("angles swapped", "swap $\\alpha$ and $\\theta$ in ${}$ |swap $\\alpha$ and $\\theta$ in every row",
          lambda a, A, d, H: of(a, H, d, A)),
-        ("only the joint", "leave out $a$ and $\\alpha$ in ${}$ |leave out every $a$ and $\\alpha$",
-         lambda _a, _A, d, H: of(0.0, 0.0, d, H), "", {} if a.value else ALL_AT_ONCE),
         *([("only the common normal", "leave out $d$ and $\\theta$ in ${}$", lambda a, A, _d, _H: of(a, A, 0.0, 0.0))] if d.value else []),
-        *((name, f"{text} in ${{}}$ |{text}", function(name, in_order, "A")) for name, text, in_order in _ORDERS[convention]),
-        ("sine and cosine swapped", "swap the sine and the cosine of $\\theta$ in ${}$", lambda a, A, d, H: of(a, A, d, np.pi / 2 - H)),
-        ("sine and cosine swapped", "swap the sine and the cosine of $\\alpha$ in ${}$", lambda a, A, d, H: of(a, np.pi / 2 - A, d, H)),
     ]  # fmt: skip
     if d.operation is _joint_variable:
         (q, constant), letter = d.arguments, f"${d.arguments[0].latex}$"
@@ -172,10 +167,6 @@ def _link_slips(convention: Convention, node: Expression) -> Slips:
              lambda a, A, _d, H: of(a + q, A, constant, H), LENGTHS_ADVICE),
             ("a and d swapped", f"swap {letter} and ${a.latex}$", lambda a, A, _d, H: of(q, A, a + constant, H), LENGTHS_ADVICE),
         ]  # fmt: skip
-    if theta.operation is _joint_variable and (a.value or d.value):  # a row without lengths is that of a wrist
-        turn, offset = theta.arguments
-        text = f"add ${turn.latex}$ to $d$ instead of $\\theta$ |add every joint value to $d$"
-        rows.append(("revolute variable in d", text, lambda a, A, d, _H: of(a, A, d + turn, offset)))
     yield from _unless_unchanged(table(*rows), node)
 
 
@@ -227,29 +218,14 @@ _LINKS: dict[str, Link] = {
     "standard": lambda a, alpha, d, theta: z_motion(d, theta) @ x_motion(a, alpha),
     "modified": lambda a, alpha, d, theta: x_motion(a, alpha) @ z_motion(d, theta),
 }
-_ORDERS: dict[str, list[tuple[str, str, Link]]] = {
-    "standard": [
-        ("a along the old x", "move by $a$ along $x_{i-1}$ instead of $x_i$",
-         lambda a, A, d, H: z_motion(d, 0) @ x_motion(a, 0) @ z_motion(0, H) @ x_motion(0, A)),
-    ],
-    "modified": [
-        ("d along the old z", "move by $d$ along $z_{i-1}$ instead of $z_i$",
-         lambda a, A, d, H: x_motion(a, 0) @ z_motion(d, 0) @ x_motion(0, A) @ z_motion(0, H)),
-    ],
-}
-"""For each convention, other orders of the four factors that are no convention."""
 
 _ROWS = table(
     ("a and d swapped", "swap $a$ and $d$", lambda a, A, d, H: [d, A, a, H], LENGTHS_ADVICE),
     ("angles swapped", "swap $\\alpha$ and $\\theta$", lambda a, A, d, H: [a, H, d, A], ANGLES_ADVICE),
-    ("both pairs swapped", "swap $a$ and $d$, and $\\alpha$ and $\\theta$", lambda a, A, d, H: [d, H, a, A], ANGLES_ADVICE, IN_THE_WHOLE),
     ("order of the numbers", "give $\\theta, d, a, \\alpha$ in this order", lambda a, A, d, H: [H, d, a, A], ROW_ADVICE, IN_THE_WHOLE),
-    ("order of the numbers", "give $\\alpha, a, d, \\theta$ in this order", lambda a, A, d, H: [A, a, d, H], ROW_ADVICE, IN_THE_WHOLE),
     ("the row backwards", BACKWARDS, lambda a, A, d, H: [-a, -A, -d, -H], BACKWARDS_ADVICE, IN_THE_WHOLE),
     ("x in the other direction", "take $x_i$ in the opposite direction", lambda a, A, d, H: [-a, -A, d, H + np.pi], "", IN_THE_WHOLE),
     ("off the normal", "take the distance of the origins as $a$", lambda a, A, d, H: [np.hypot(a, d), A, d, H], LENGTHS_ADVICE),
-    ("off the normal", "take the distance of the origins as $a$, and 0 as $d$",
-     lambda a, A, d, H: [np.hypot(a, d), A, 0.0, H], LENGTHS_ADVICE),
     of_values=True,
 )
 _OFFSETS = table(

@@ -30,10 +30,8 @@ def closing_twist(branch_2: Sequence[Expression], branch_1: Sequence[Expression]
     back = [exp(S, negative(q)).named(f"e^{{-[{S.latex}]{q.latex}}}") for S, q in (e.arguments for e in branch_1[::-1])]
     T = product(*branch_2, *back).mistaken_for(
         ("another frame", "take $\\log(T_1^{-1}\\,T_2)$, the residual in coordinates of the coupler", inverse(T_1) @ T_2),
-        ("another frame", "take $\\log(T_2^{-1}\\,T_1)$, the negative residual in coordinates of the coupler", inverse(T_2) @ T_1),
         ("sign", "take $\\log(T_1\\,T_2^{-1})$, the negative of the residual", T_1 @ inverse(T_2)),
         ("inverse left out", "take $\\log(T_2\\,T_1)$, without an inverse", T_2 @ T_1),
-        ("inverse left out", "take $\\log(T_1\\,T_2)$, without an inverse", T_1 @ T_2),
         ("inverse left out", "leave out both minus signs of the way back", product(*branch_2, *branch_1[::-1])),
         ("way back left out", "leave out the way back, so that only the way there is left", T_2),
         advice=f"Here $T_1 = {products[0].latex}$ and $T_2 = {products[1].latex}$. The residual is $\\log(T_2\\,T_1^{{-1}})$.",
@@ -106,13 +104,7 @@ def slider_place(crank: Expression, rod: Expression, offset: Expression, A: Expr
     return x.mistaken_for(
         ("other mode", "take the other assembly mode, with the slider to the left of B", along - reach),
         ("flat rod", "take the rod along $x$, although B and the slider have different heights", along + rod),
-        ("all along x", "take crank and rod along $x$, stretched", crank + rod),
-        ("lengths swapped", "swap the lengths of crank and rod", _slider(rod, crank, offset, A)),
     )  # fmt: skip
-
-
-def _slider(crank: Expression, rod: Expression, offset: Expression, A: Expression) -> Expression:
-    return crank * cos(A) + sqrt(square(rod) - square(offset - crank * sin(A)))
 
 
 def _cosine(one: float, two: float, opposite: float) -> float:
@@ -123,8 +115,6 @@ def _direction_slips(node: Expression) -> Slips:
     yield from _DIRECTIONS(node)
     if node.arguments[0].value[0] < 0:  # otherwise it is the same
         yield from _LOST_QUADRANT(node)
-    text = f"take the opposite direction of ${node.arguments[0].latex}$"
-    yield Slip("half a turn", text, np.pi + node)
 
 
 def _polar_slips(node: Expression) -> Slips:
@@ -157,17 +147,16 @@ _OTHER_CORNERS = table(
 )
 _CORNERS = table(
     ("cosine for angle", "give the cosine instead of the angle", _cosine, CORNER_ADVICE),
-    ("arcsine for arccosine", "take the arcsine instead of the arccosine", lambda *sides: np.arcsin(_cosine(*sides)), CORNER_ADVICE),
-    ("sign", "subtract the squares of both other sides in the law of cosines",
-     lambda one, two, opposite: np.arccos(_cosine(one, two, opposite) - one / two), CORNER_ADVICE),
-    ("sign", "subtract the squares of both other sides in the law of cosines",
-     lambda one, two, opposite: np.arccos(_cosine(one, two, opposite) - two / one), CORNER_ADVICE),
     ("factor left out", "leave out the factor 2 of the law of cosines", lambda *sides: np.arccos(2 * _cosine(*sides)), CORNER_ADVICE),
     ("sign", "take the law of cosines with the opposite sign", lambda *sides: np.arccos(-_cosine(*sides)), CORNER_ADVICE),
     ("no right triangle", "treat the triangle as right-angled", lambda one, two, _: np.arctan2(two, one), CORNER_ADVICE),
     of_values=True,
 )
-_DIRECTIONS = table(("arguments of arctan2", "swap the two arguments of `np.arctan2`", lambda v: np.arctan2(*v)), of_values=True)
+_DIRECTIONS = table(
+    ("arguments of arctan2", "swap the two arguments of `np.arctan2`", lambda v: np.arctan2(*v)),
+    ("half a turn", "take the opposite direction of ${0}$", lambda v: np.pi + np.arctan2(*v[::-1])),
+    of_values=True,
+)
 _LOST_QUADRANT = table(
     ("arctan for arctan2", "take `np.arctan` of the quotient, which loses the quadrant", lambda v: np.arctan(v[1] / v[0])), of_values=True
 )

@@ -36,16 +36,12 @@ _ROTATIONS: list[tuple[str, str, Coefficients]] = [
     ("cos for 1 - cos", "write $1 + \\cos \\theta$ instead of $1 - \\cos \\theta$", lambda q: (1, sin(q), 1 + cos(q))),
     ("no identity", "leave out the identity $I$", lambda q: (0, sin(q), 1 - cos(q))),
     ("term left out", "leave out the term with $[\\omega]^2$", lambda q: (1, sin(q), 0)),
-    ("term left out", "leave out the term $(1 - \\cos \\theta)\\,\\omega\\,\\omega^T$", lambda q: (cos(q), sin(q), 0)),
-    ("sign", "take the term with $[\\omega]^2$ with the opposite sign", lambda q: (1, sin(q), cos(q) - 1)),
     ("series cut short", "stop the series after two terms", lambda q: (1, q, 0)),
-    ("series cut short", "stop the series after three terms", lambda q: (1, q, q**2 / 2)),
     ("series cut short", "stop the series after four terms", lambda q: (1, q - q**3 / 6, q**2 / 2)),
     ("sine and cosine swapped", "swap sine and cosine", lambda q: (1, cos(q), 1 - sin(q))),
     ("another function", "write $\\theta$, where $\\sin \\theta$ belongs", lambda q: (1, q, 1 - cos(q))),
     ("another function", "write $1$, where $\\sin \\theta$ belongs", lambda q: (1, 1, 1 - cos(q))),
     ("another function", "write $\\theta^2 / 2$, where $1 - \\cos \\theta$ belongs", lambda q: (1, sin(q), q**2 / 2)),
-    ("another function", "write $1$, where $1 - \\cos \\theta$ belongs", lambda q: (1, sin(q), 1)),
 ]
 
 _POSITIONS: list[tuple[str, str, Coefficients]] = [
@@ -57,12 +53,9 @@ _POSITIONS: list[tuple[str, str, Coefficients]] = [
     ("term left out", "leave out the term of $G(\\theta)$ with $[\\omega]^2$", lambda q: (q, 1 - cos(q), 0)),
     ("term left out", "leave out the term of $G(\\theta)$ with $[\\omega]$", lambda q: (q, 0, q - sin(q))),
     ("sign", "write $\\theta + \\sin \\theta$ instead of $\\theta - \\sin \\theta$", lambda q: (q, 1 - cos(q), q + sin(q))),
-    ("sign", "take the term with $[\\omega]^2$ with the opposite sign", lambda q: (q, 1 - cos(q), sin(q) - q)),
     ("sine and cosine swapped", "swap sine and cosine", lambda q: INTEGRAL(np.pi / 2 - q)),
     ("another function", "write $\\cos \\theta$, where $1 - \\cos \\theta$ belongs", lambda q: (q, cos(q), q - sin(q))),
-    ("another function", "write $\\sin \\theta$, where $1 - \\cos \\theta$ belongs", lambda q: (q, sin(q), q - sin(q))),
     ("another function", "write $\\sin \\theta$, where $\\theta - \\sin \\theta$ belongs", lambda q: (q, 1 - cos(q), sin(q))),
-    ("another function", "write $\\sin \\theta$, where $\\theta$ belongs", lambda q: (sin(q), 1 - cos(q), q - sin(q))),
 ]
 
 # fmt: on

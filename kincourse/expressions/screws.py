@@ -109,7 +109,6 @@ def forward_kinematics(before: Sequence[Expression], home: Expression, after: Se
     if len(values) > 1:
         for text, wrong in (
             ("take for each joint the value of the next one", [*values[1:], values[0]]),
-            ("take for each joint the value of the one before", [values[-1], *values[:-1]]),
             (f"use ${values[0].latex}$ for all joints", [values[0]] * len(values)),
         ):
             others.append(("another joint value", text, with_values(wrong)))
@@ -122,7 +121,6 @@ def forward_kinematics(before: Sequence[Expression], home: Expression, after: Se
         ("sum for product", "add the exponentials", product(*added[0], home, *added[1])),
         ("sign of a joint value", "take every joint value with the opposite sign", with_values([negative(value) for value in values])),
         ("joint values reversed", "use the joint values in the reverse order", with_values(values[::-1])),
-        ("home and its inverse", f"put ${home.latex}$ in front and its inverse at the end", product(home, *factors, inverse(home))),
         ("at home", f"give ${home.latex}$, the pose at home", home, "The joints have moved since."),
     )  # fmt: skip
 
@@ -182,9 +180,7 @@ def drawn_revolute(omega: Array, p: Array, others: Mapping[str, Array]) -> Expre
     misread = [*_misread(p), *(("another point", f"take {text} as the point", other) for text, other in others.items())]
     # Another point of the axis is as good.
     point = given("p", p).mistaken_for(*(one for one in misread if np.abs(np.cross(omega, one[2] - p)).max() > 0.1))
-    foot = p - (omega @ p) * omega
-    slip = ("point as moment", "take a point of the axis itself as the moment", foot, MOMENT_ADVICE)
-    return screw(axis, moment(axis, point).mistaken_for(slip))
+    return screw(axis, moment(axis, point))
 
 
 def read_screws(
@@ -231,11 +227,7 @@ def _screws_slips(node: Expression) -> Slips:
 
 
 def _moment_slips(node: Expression) -> Slips:
-    omega, p = node.arguments
     yield from _MOMENTS(node)
-    if np.any(omega.value * p.value):  # where it is zero, it is no moment at all
-        text = "multiply $\\omega$ and $p$ entry by entry (`*` instead of `np.cross`)"
-        yield Slip("entry by entry", text, omega * p, everywhere=text, advice=MOMENT_ADVICE)
     if abs(node.value[1]) > 1e-9 and np.abs(node.value[[0, 2]]).max() > 1e-9:  # otherwise it is the sign of the moment
         text = "take the middle entry of a cross product with the wrong sign"
         yield Slip("sign in the cross product", text, node * np.array([1, -1, 1]), everywhere=text)
@@ -324,14 +316,10 @@ def _adjoint(R: Array, P: Array) -> tuple[Any, Any, Any, Any]:
 # fmt: off
 _OTHER_MATRICES: Sequence[tuple[str, str, Blocks]] = (
     ("position left out", "rotate both halves without the change of origin", lambda R, _: (R, 0, 0, R)),
-    ("position left out", "rotate both halves in the opposite direction, without the change of origin", lambda R, _: (R.T, 0, 0, R.T)),
     ("rotation left out", "change the origin without rotating the axes", lambda R, P: (np.eye(3), 0, R.T @ P @ R, np.eye(3))),
-    ("only omega rotated", "rotate $\\omega$ only, with $v$ unchanged", lambda R, _: (R, 0, 0, np.eye(3))),
-    ("no moment", "rotate $\\omega$, with $v$ left at zero", lambda R, _: (R, 0, 0, 0)),
     ("block on the wrong side", "put the block $[p]R$ of {Ad} in the upper right corner", lambda R, P: (R, P @ R, 0, R)),
     ("sign in the adjoint", "take the block $[p]R$ of {Ad} with the opposite sign", lambda R, P: (R, 0, -P @ R, R)),
     ("order in the adjoint", "write $R[p]$ instead of $[p]R$ in {Ad}", lambda R, P: (R, 0, R @ P, R)),
-    ("rotation left out of the block", "write $[p]$ instead of $[p]R$ in {Ad}", lambda R, P: (R, 0, P, R)),
 )
 """The matrices that people multiply screws by in place of the adjoint, and how they come about."""
 
@@ -339,8 +327,6 @@ tilted: Operation = Operation(
     "tilted axis", lambda u, t, angle: np.cos(angle) * u + np.sin(angle) * t, "\\cos {2}\\,{0} + \\sin {2}\\,{1}".format, table(
         ("sine and cosine swapped", "swap sine and cosine of ${2}$", lambda u, t, angle: tilted(t, u, angle),
          "At 0 degrees the axis is ${0}$, so ${0}$ has the cosine."),
-        ("not a unit vector", "take ${0} + \\tan {2}\\,{1}$ as the axis, whose length is not 1",
-         lambda u, t, angle: u + _tan(angle) * t, UNIT_ADVICE),
         ("not a unit vector", "add ${0}$ and ${1}$ without the cosine and the sine of the angle", lambda u, t, _: u + t, UNIT_ADVICE),
         ("tilt left out", "take the axis along ${0}$, without its tilt", lambda u, _t, _: u),
         ("sign of a vector", "take ${}$ with the opposite sign", lambda *all_of_it: negative(tilted(*all_of_it))),
@@ -368,9 +354,6 @@ prismatic: Operation = Operation("prismatic", lambda d, _: _joined(0 * d, d), "(
     ("direction in omega", "put the direction of a prismatic joint into $\\omega$ |", lambda d, _: screw(d, 0 * d), SLIDE_ADVICE),
     ("prismatic as revolute", "treat a prismatic joint as a revolute one |", lambda d, p: revolute(d, p), SLIDE_ADVICE),
     ("moment of a slide", "take the moment of a prismatic joint, which has none |", lambda d, p: screw(0 * d, moment(d, p)), SLIDE_ADVICE),
-    ("point of a slide", "take the point as the $v$ of a prismatic joint |", lambda d, p: screw(0 * d, p), SLIDE_ADVICE),
-    ("direction twice", "put the direction of a prismatic joint into both halves |", lambda d, _: screw(d, d), SLIDE_ADVICE),
-    ("slide left out", "leave the screw of a prismatic joint at zero |", lambda d, _: screw(0 * d, 0 * d), SLIDE_ADVICE),
 ))
 """The screw (0, d) of a prismatic joint; the point where it is mounted plays no part, but people use it."""
 
@@ -402,7 +385,6 @@ JOINT_LENGTH: Operation = Operation("joint value", lambda: None, str, partial(_u
 JOINT_ANGLE: Operation = Operation("joint value", lambda: None, str, partial(_unless_zero, table(
     *_joint_value_slips("the joint values"), *_joint_value_slips("the angles")[2:]
 )))
-_tan: Operation = Operation("tangent", np.tan, "\\tan {0}".format)
 _by_transposed_adjoint: Operation = Operation("transposed adjoint", lambda T, S: S @ _matrix(_adjoint, T), "{1}".format)
 _entry_by_entry: Operation = Operation("entry by entry", lambda T, S: S * _matrix(_adjoint, T).sum(axis=0), "{1}".format)
 _once: Operation = Operation("one exponential", lambda *twists: exponential(sum(twists)), lambda *_: "")
