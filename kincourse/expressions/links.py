@@ -49,9 +49,6 @@ DEG, RAD = 180 / np.pi, np.pi / 180
 
 Rows = Array | Sequence[Sequence[float]]
 
-Link = Callable[[float, float, float, float], Array]
-"""A function from a, alpha, d and theta to a pose (4, 4)."""
-
 
 def link(row: Array | Sequence[float | Expression], convention: Convention, i: int = 1, label: str = "") -> Expression:
     """The link transform of row i: a, alpha, d, theta in metres and radians, as numbers or expressions.
@@ -124,12 +121,7 @@ def table_product(  # noqa: PLR0917
         slips.append(("joint values reversed", "use the joint values in the reverse order", of(rows, q[::-1])))
     if len(rows) > 1 and (before or after):
         slips.append(("reversed", "multiply the rows from the last one to the first", of(rows, order=-1)))
-    changing = [slip for slip in slips if slip[0] in _SEEN or not np.allclose(slip[2].value, T.value)]
-    return T.mistaken_for(*changing)
-
-
-_SEEN = {"inverse", "joint values reversed", "reversed"}
-"""The slips in a table that lead to another pose, or the numbers are drawn anew."""
+    return T.mistaken_for(*(slip for slip in slips if not np.allclose(slip[2].value, T.value)))
 
 
 def dh_row(a: float, alpha: float, d: float, theta: float) -> Expression:
@@ -214,7 +206,7 @@ def _link_operation(convention: Convention, label: str) -> Operation:
 
 
 # fmt: off
-_LINKS: dict[str, Link] = {
+_LINKS = {
     "standard": lambda a, alpha, d, theta: z_motion(d, theta) @ x_motion(a, alpha),
     "modified": lambda a, alpha, d, theta: x_motion(a, alpha) @ z_motion(d, theta),
 }

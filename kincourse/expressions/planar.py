@@ -9,7 +9,19 @@ from itertools import combinations
 import numpy as np
 
 from kincourse.expressions.poses import exp, inverse, logarithm
-from misstep.mutants.expression import GIVEN, Expression, Operation, Slip, Slips, given, negative, product, table, total
+from misstep.mutants.expression import (
+    GIVEN,
+    MAY_COINCIDE,
+    Expression,
+    Operation,
+    Slip,
+    Slips,
+    given,
+    negative,
+    product,
+    table,
+    total,
+)
 from misstep.mutants.operations import cos, sin, sqrt, square
 
 CORNER_ADVICE = (
@@ -111,19 +123,6 @@ def _cosine(one: float, two: float, opposite: float) -> float:
     return float((one**2 + two**2 - opposite**2) / (2 * one * two))
 
 
-def _direction_slips(node: Expression) -> Slips:
-    yield from _DIRECTIONS(node)
-    if node.arguments[0].value[0] < 0:  # otherwise it is the same
-        yield from _LOST_QUADRANT(node)
-
-
-def _polar_slips(node: Expression) -> Slips:
-    distance, angle = node.arguments
-    if angle.arguments:
-        text = f"swap sine and cosine of ${angle.latex}$"
-        yield Slip("sine and cosine swapped", text, polar(distance, np.pi / 2 - angle))
-
-
 def _both_slips(node: Expression) -> Slips:
     for one in node.arguments:
         for name, text, wrong in (
@@ -135,17 +134,10 @@ def _both_slips(node: Expression) -> Slips:
             yield Slip(name, text, both_modes(one, wrong), advice=MODES_ADVICE)
 
 
-def _corner_slips(node: Expression) -> Slips:
-    yield from _OTHER_CORNERS(node)
-    yield from _CORNERS(node)
-
-
 # fmt: off
-_OTHER_CORNERS = table(
-    ("another corner", "take the angle opposite ${1}$", lambda one, two, opposite: corner_angle(one, opposite, two)),
-    ("another corner", "take the angle opposite ${0}$", lambda one, two, opposite: corner_angle(two, opposite, one)),
-)
 _CORNERS = table(
+    ("another corner", "take the angle opposite ${1}$", lambda one, two, opposite: np.arccos(_cosine(one, opposite, two)), CORNER_ADVICE),
+    ("another corner", "take the angle opposite ${0}$", lambda one, two, opposite: np.arccos(_cosine(two, opposite, one)), CORNER_ADVICE),
     ("cosine for angle", "give the cosine instead of the angle", _cosine, CORNER_ADVICE),
     ("factor left out", "leave out the factor 2 of the law of cosines", lambda *sides: np.arccos(2 * _cosine(*sides)), CORNER_ADVICE),
     ("sign", "take the law of cosines with the opposite sign", lambda *sides: np.arccos(-_cosine(*sides)), CORNER_ADVICE),
@@ -154,18 +146,20 @@ _CORNERS = table(
 )
 _DIRECTIONS = table(
     ("arguments of arctan2", "swap the two arguments of `np.arctan2`", lambda v: np.arctan2(*v)),
+    ("arctan for arctan2", "take `np.arctan` of the quotient, which loses the quadrant",
+     lambda v: np.arctan(v[1] / v[0]), "", MAY_COINCIDE),
     ("half a turn", "take the opposite direction of ${0}$", lambda v: np.pi + np.arctan2(*v[::-1])),
     of_values=True,
 )
-_LOST_QUADRANT = table(
-    ("arctan for arctan2", "take `np.arctan` of the quotient, which loses the quadrant", lambda v: np.arctan(v[1] / v[0])), of_values=True
+_POLAR = table(
+    ("sine and cosine swapped", "swap sine and cosine of ${1}$", lambda r, angle: polar(r, np.pi / 2 - angle), "", MAY_COINCIDE),
 )
 
 corner_angle: Operation = Operation(
     "corner of a triangle",
     lambda *sides: np.arccos(_cosine(*sides)),
     "\\arccos(({0}^2 + {1}^2 - {2}^2) / (2\\,{0}\\,{1}))".format,
-    _corner_slips,
+    _CORNERS,
 )
 """The angle in radians between two sides of a triangle, by the law of cosines: corner_angle(one, two, opposite)."""
 
@@ -173,12 +167,12 @@ polar: Operation = Operation(
     "polar coordinates",
     lambda r, angle: r * np.array([np.cos(angle), np.sin(angle)]),
     "{0}\\,(\\cos {1}, \\sin {1})".format,
-    _polar_slips,
+    _POLAR,
 )
 """The point (2,) at a distance from the origin in the direction of an angle in radians."""
 
 direction_of: Operation = Operation(
-    "direction", lambda v: np.arctan2(v[1], v[0]), "\\angle(x, {0})".format, _direction_slips
+    "direction", lambda v: np.arctan2(v[1], v[0]), "\\angle(x, {0})".format, _DIRECTIONS
 )
 """The angle in radians of a vector (2,) from the x axis."""
 

@@ -15,6 +15,7 @@ from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import hat
 from misstep.mutants.expression import (
     ALL_AT_ONCE,
+    MAY_COINCIDE,
     SUM,
     Expression,
     Operation,
@@ -106,12 +107,10 @@ def forward_kinematics(before: Sequence[Expression], home: Expression, after: Se
         for i, value in enumerate(values)
         for other in values[max(i - 1, 0) : i] + values[i + 1 : i + 2]
     ]  # fmt: skip
-    if len(values) > 1:
-        for text, wrong in (
-            ("take for each joint the value of the next one", [*values[1:], values[0]]),
-            (f"use ${values[0].latex}$ for all joints", [values[0]] * len(values)),
-        ):
-            others.append(("another joint value", text, with_values(wrong)))
+    others += [
+        ("another joint value", "take for each joint the value of the next one", with_values([*values[1:], values[0]])),
+        ("another joint value", f"use ${values[0].latex}$ for all joints", with_values([values[0]] * len(values))),
+    ]
     sides = [list(side) for side in (before, after)]
     added = [[total(*side)] if len(side) > 1 else side for side in sides]
     at_once = [[_once(*(multiple(*e.arguments) for e in side))] if len(side) > 1 else side for side in sides]
@@ -148,8 +147,7 @@ def joint_screws(
             )
         return stack(*rows)
 
-    places = [p if isinstance(p, Expression) else given(f"p_{i}", p) for i, p in zip(numbers, points, strict=True)]
-    rows = rows_with(places)
+    places, rows = list(points), rows_with(list(points))
     slips = [("halves swapped", "write $(v, \\omega)$ in every row", _swap_halves(rows), ORDER_ADVICE)]
     for which, order in (("next", [*places[1:], places[0]]), ("previous", [places[-1], *places[:-1]])):
         if len(places) > 1:
@@ -160,11 +158,8 @@ def joint_screws(
         for i, p in zip(numbers, points, strict=True):
             other = rows_with(list(points - p))
             if np.abs(other.value - rows.value).max() > MIN_SHIFT_M:
-                text, advice = (
-                    f"measure each point from joint {i}",
-                    "The points are given in {s}, each from its origin.",
-                )
-                slips.append(("another origin", text, other, advice))
+                advice = "The points are given in {s}, each from its origin."
+                slips.append(("another origin", f"measure each point from joint {i}", other, advice))
     return rows.mistaken_for(*slips)
 
 
@@ -220,10 +215,6 @@ def _misread(p: Array) -> Iterator[tuple[str, str, Array]]:
         order = np.arange(3)
         order[[i, j]] = j, i
         yield "coordinates swapped", f"swap ${'xyz'[i]}$ and ${'xyz'[j]}$ of the point", p[order]
-
-
-def _screws_slips(node: Expression) -> Slips:
-    yield from (_GIVEN_SCREWS if node.value[..., :3].any() else _GIVEN_SLIDES)(node)
 
 
 def _moment_slips(node: Expression) -> Slips:
@@ -370,13 +361,10 @@ _advancing: Operation = Operation("velocity", lambda turning, omega, _, h: turni
     ("direction of the pitch", "add ${3}\\,{2}$ instead of ${3}\\,{1}$", lambda turning, _, p, h: total(turning, h * p), ADVANCE_ADVICE),
 ))
 _swap_halves: Operation = Operation("halves swapped", lambda S: np.roll(S, 3, axis=-1), "{0}".format)
-_GIVEN_SLIDES = table(
-    ("halves swapped", "swap the halves of ${}$ |swap the halves of the screws", lambda S: _swap_halves(S)),
-)
 _GIVEN_SCREWS = table(
     ("halves swapped", "swap the halves of ${}$ |swap the halves of the screws", lambda S: _swap_halves(S)),
     ("sign of v", "take the moments of ${}$ with the opposite sign |take all moments with the opposite sign",
-     lambda S: Operation("moments negated", _moments_negated, "{0}".format)(S), "", ALL_AT_ONCE),
+     lambda S: Operation("moments negated", _moments_negated, "{0}".format)(S), "", ALL_AT_ONCE | MAY_COINCIDE),
 )
 JOINT_LENGTH: Operation = Operation("joint value", lambda: None, str, partial(_unless_zero, table(
     *_joint_value_slips("the joint values"),
@@ -388,5 +376,5 @@ JOINT_ANGLE: Operation = Operation("joint value", lambda: None, str, partial(_un
 _by_transposed_adjoint: Operation = Operation("transposed adjoint", lambda T, S: S @ _matrix(_adjoint, T), "{1}".format)
 _entry_by_entry: Operation = Operation("entry by entry", lambda T, S: S * _matrix(_adjoint, T).sum(axis=0), "{1}".format)
 _once: Operation = Operation("one exponential", lambda *twists: exponential(sum(twists)), lambda *_: "")
-_SCREWS: Operation = Operation("given screws", lambda: None, str, _screws_slips)
+_SCREWS: Operation = Operation("given screws", lambda: None, str, _GIVEN_SCREWS)
 # fmt: on
