@@ -30,6 +30,7 @@ def course(tmp_path_factory):
         shutil.copytree(ROOT / top / SHEET, folder / top / SHEET)
     made = run(folder, "generate_assignment", SHEET, "--force")
     assert made.returncode == 0, made.stderr
+    assert (folder / "exercises" / SHEET / NAME).read_bytes() == (ROOT / "exercises" / SHEET / NAME).read_bytes()
     people = {"ada": answered("ada", text=True), "bob": answered("bob", wrong=[9])}
     return write(folder, **{f"submitted/{name}/{SHEET}/{NAME}": one for name, one in people.items()})
 
