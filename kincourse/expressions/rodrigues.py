@@ -127,6 +127,11 @@ def _slips(table: list[tuple[str, str, Coefficients]], right: Coefficients, node
         # With some angles another function has the same value, which is no reason to draw other numbers.
         instead = Operation(name, formula, node.operation.latex)(omega, theta, *v)
         yield Slip(name, said, instead, advice=why, may_coincide=name == "another function")
+    if raw := _raw_axis(omega):
+        where = f"the formula of $G({theta.latex})$" if v else "Rodrigues' formula"
+        text = f"use ${raw.latex}$, which is no unit vector, in {where}"
+        printed = Operation("unit axis", partial(_formula, right, _squared, 1.0), node.operation.latex)(raw, theta, *v)
+        yield Slip("formula for a unit axis", text, printed, everywhere=FOR_UNIT_AXES, advice=UNIT_AXIS)
 
 
 def _raw_axis(omega: Expression) -> Expression | None:
@@ -141,19 +146,6 @@ def _rotation_slips(node: Expression) -> Slips:
     yield from _slips(_ROTATIONS, RODRIGUES, node)
     text = "take the exponential entry by entry (`np.exp`)"
     yield Slip("exponential of each entry", text, _entrywise(omega, theta), advice=SERIES)
-    if raw := _raw_axis(omega):
-        text = f"use ${raw.latex}$, which is no unit vector, in Rodrigues' formula"
-        wrong = _printed_rotation(raw, theta)
-        yield Slip("formula for a unit axis", text, wrong, everywhere=FOR_UNIT_AXES, advice=UNIT_AXIS)
-
-
-def _position_slips(node: Expression) -> Slips:
-    omega, v, theta = node.arguments
-    yield from _slips(_POSITIONS, INTEGRAL, node, v)
-    if raw := _raw_axis(omega):
-        text = f"use ${raw.latex}$, which is no unit vector, in the formula of $G({theta.latex})$"
-        wrong = _printed_position(raw, theta, v)
-        yield Slip("formula for a unit axis", text, wrong, everywhere=FOR_UNIT_AXES, advice=UNIT_AXIS)
 
 
 # fmt: off
@@ -166,11 +158,9 @@ position_exp: Operation = Operation(
     "position",
     lambda w, v, q: _formula(INTEGRAL, _squared, _size(w), w, q, v),
     lambda _, v, theta: f"G({theta})\\,{v}" if not v.startswith("-") else f"G({theta})\\,({v})",
-    _position_slips,
+    lambda node: _slips(_POSITIONS, INTEGRAL, node, node.arguments[1]),
 )
 """The position of e^{[S] theta} for S = (omega, v) with omega not zero: G(theta) v."""
 
 _entrywise: Operation = Operation("entrywise exponential", lambda w, q: np.exp(hat(w) * q), "e^{{[{0}]{1}}}".format)
-_printed_rotation: Operation = Operation("(3.51)", partial(_formula, RODRIGUES, _squared, 1.0), "e^{{[{0}]{1}}}".format)
-_printed_position: Operation = Operation("(3.88)", partial(_formula, INTEGRAL, _squared, 1.0), "G({1})\\,{2}".format)
 # fmt: on
