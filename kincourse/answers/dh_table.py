@@ -6,7 +6,7 @@ that is, if they describe the same mechanism up to the choice of zero configurat
 row is a part: those rows are wrong without which, as few as possible, the others could stay as they are.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -16,9 +16,7 @@ import numpy as np
 from kincourse.answers.dh_row import has_a_telling_row
 from kincourse.answers.table_rows import POSE_TOLERANCE_FACTOR, wrong_rows
 from kincourse.mistakes.dh import NAMES, slips_of_table, symbol, with_symbols
-from kincourse.sampling.drawn_machines import table_frames
 from kinlib.arrays import validation
-from kinlib.arrays.validation import Array
 from kinlib.chains.chain import largest_difference, random_configurations
 from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import CHOICES, Equivalence, equivalent
@@ -197,11 +195,7 @@ class DHTableAnswer(Answer):
         mine, right = (table.fk(np.zeros(table.n)) for table in (given, self.value))
         tolerance = POSE_TOLERANCE_FACTOR * TOLERANCE
         if largest_difference(mine, right) <= tolerance:
-            return (
-                "At $q = 0$ your table is right, and so are all lengths."
-                if self.printed
-                else "At $q = 0$ your table is right."
-            )
+            return "At $q = 0$ your table is right."
         # What a student multiplies are the rows, without the base and the tool, which the statement may not give.
         own, other = (
             table.changed(base=np.eye(4), tool=np.eye(4)).fk(np.zeros(table.n))[:3, 3] for table in (given, self.value)
@@ -212,18 +206,8 @@ class DHTableAnswer(Answer):
         return f"At $q = 0$ your last frame is at $({place})$ in frame 0."
 
     def remark(self, given: DHTable) -> str:
-        """Return how a right table differs from ours, where the rules leave a choice; "" if it does not."""
-        if not self.anchored:
-            return _choices(self._diagnose(given).comparison)
-        if given.joints != self.value.joints:
-            return ""
-        theirs, ours = (table_frames(table) for table in (given, self.value))
-        choices = [
-            choice
-            for i, (own, other) in enumerate(zip(ours, theirs, strict=True))
-            for choice in _frame_choices(i, own, other, given.convention)
-        ]
-        return f"It differs from ours where the rules leave a choice: {'; '.join(choices)}." if choices else ""
+        """Return the choices in which a right table differs from ours, if the problem leaves them; "" if it does not."""
+        return "" if self.anchored else _choices(self._diagnose(given).comparison)
 
     def _diagnose(self, given: DHTable) -> Diagnosis:
         return _diagnosis(given, self.value, self.anchored)
@@ -271,17 +255,3 @@ def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
         place, _, what = text.partition(": ")
         text = f"In one row, {what[0].lower()}{what[1:]}\nLook at row {place.removeprefix('Row ')}."
     return name, text
-
-
-def _frame_choices(i: int, ours: Array, theirs: Array, convention: str) -> Iterator[str]:
-    """Describe how frame i of a table differs from ours, where it does by more than the accepted error."""
-    tolerance = POSE_TOLERANCE_FACTOR * TOLERANCE
-    x, z = theirs[:3, 0] @ ours[:3, 0], theirs[:3, 2] @ ours[:3, 2]
-    if z < 1 - tolerance:
-        joint = i + 1 if convention == "standard" else i
-        yield f"z_{i} is reversed, so the variable of joint {joint} has a minus sign"
-    if x < 1 - tolerance:
-        turn = np.degrees(np.arccos(np.clip(x, -1, 1)))
-        yield f"x_{i} is reversed" if turn > 180 - 1 else f"x_{i} is rotated by {turn:.3g} degrees"
-    if (distance := np.linalg.norm(theirs[:3, 3] - ours[:3, 3])) > tolerance:
-        yield f"O_{i} is {distance:.3g} m away"

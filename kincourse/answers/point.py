@@ -60,12 +60,11 @@ class VectorsAnswer(Numbers):
         if not self.unit or np.ndim(self.value) < 2:
             return None
         steps = np.diff(self.value, axis=0, prepend=0 * self.value[:1])
-        for name, points, text in (
-            ("steps", steps, "These are the steps from each point to the next one."),
-            ("points added", np.cumsum(self.value, axis=0), "Each row is the sum of all right points up to this one."),
-        ):
-            if all(self.agrees(given, points)) and not all(self.agrees(points, self.value)):
-                return name, f"{text} The points are wanted, each from the same origin."
+        if all(self.agrees(given, steps)) and not all(self.agrees(steps, self.value)):
+            text = (
+                "These are the steps from each point to the next one. The points are wanted, each from the same origin."
+            )
+            return "steps", text
         return None
 
     def remedy(self, shape: tuple[int, ...]) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep.answers.base import AlikeRows, Named
-from misstep.answers.likeness import ROUND_OFF
+from misstep.answers.likeness import ROUND_OFF, entries_hint
 from misstep.answers.number import LENGTH, PURE, Numbers
 from misstep.mutants.expression import Slip
 from misstep.validation import Array
@@ -32,11 +32,6 @@ def _of_turns(change: Callable[[Array, Array], tuple[Any, Any]]) -> Callable[[Ar
     return changed
 
 
-def _slides_in_omega(S: Array) -> Array:
-    slides = np.abs(S[..., :3]).max(axis=-1, keepdims=True, initial=0.0) <= ROUND_OFF
-    return np.where(slides, np.roll(S, 3, axis=-1), S)
-
-
 SLIPS = (
     Slip(
         "halves swapped",
@@ -47,12 +42,6 @@ SLIPS = (
     Slip("sign of v", "take the moment $v$ with the opposite sign", _of_turns(lambda w, v: (w, -v))),
     Slip("sign of omega", "take $\\omega$ with the opposite sign, but not $v$", _of_turns(lambda w, v: (-w, v))),
     Slip("no moment", "leave the moment $v$ at 0", _of_turns(lambda w, v: (w, 0 * v))),
-    Slip(
-        "revolute as prismatic",
-        "write the direction into $v$, with $\\omega = 0$, as for a prismatic joint",
-        _of_turns(lambda w, _: (0 * w, w)),
-    ),
-    Slip("direction in omega", "write the direction of a translation into $\\omega$", _slides_in_omega),
 )
 """The slips that people make in any screw axis."""
 
@@ -102,8 +91,7 @@ class ScrewsAnswer(AlikeRows, Numbers):
         if alike and not (alike[0].startswith("order") and same[:3].all()):
             return alike
         if np.count_nonzero(~same) == 1:
-            place = ENTRY_NAMES[int(np.flatnonzero(~same)[0])]
-            return "one entry", f"One of the six entries is wrong.\nLook at {place}: all other entries are right."
+            return entries_hint(same, ENTRY_NAMES)
         mine, right = np.atleast_2d(given)[part], np.atleast_2d(self.value)[part]
         if same[:3].all() and np.allclose(np.sort(mine[3:]), np.sort(right[3:]), atol=1e-3):
             return "order of v", "$\\omega$ is right, and $v$ has the right numbers, but not in the right order."
@@ -177,15 +165,5 @@ class TwistAnswer(ScrewsAnswer):
     noun: ClassVar[str] = "a twist (omega, v), an array"
 
     def _as_a_line(self, mine: Array, right: Array, same: NDArray[np.bool_]) -> Named | None:
-        """Return how much of a twist is right, which has no axis of its own that could be wrong."""
-        omega, v = (
-            f"${letter}$ is {'right' if fine.all() else 'wrong'}"
-            if fine.all() or not fine.any()
-            else f"{fine.sum()} of the 3 entries of ${letter}$ {'is' if fine.sum() == 1 else 'are'} right"
-            for letter, fine in zip(("\\omega", "v"), same.reshape(2, 3), strict=True)
-        )
-        return (
-            ("some entries", f"{omega}, and {v}.\nLook at {ENTRY_NAMES[int(same.argmin())]} first.")
-            if same.any()
-            else None
-        )
+        """Return where few entries are wrong: a twist has no axis of its own."""
+        return entries_hint(same, ENTRY_NAMES)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from kincourse.expressions.poses import inverse
+from kincourse.expressions.screws import JOINT_ANGLE, joint_value
 from kinlib.arrays.validation import Array
 from kinlib.dh.slips import OTHER_CONVENTION
 from kinlib.dh.table import Convention
@@ -23,7 +24,7 @@ from misstep.mutants.expression import (
     product,
     table,
 )
-from misstep.mutants.operations import DEGREES_ADVICE, function
+from misstep.mutants.operations import DEGREES_ADVICE
 
 CONVENTION_ADVICE = (
     "A standard row begins with the joint, a modified one with the common normal.\n"
@@ -48,9 +49,6 @@ DEG, RAD = 180 / np.pi, np.pi / 180
 
 Rows = Array | Sequence[Sequence[float]]
 
-Link = Callable[[float, float, float, float], Array]
-"""A function from a, alpha, d and theta to a pose (4, 4)."""
-
 
 def link(row: Array | Sequence[float | Expression], convention: Convention, i: int = 1, label: str = "") -> Expression:
     """The link transform of row i: a, alpha, d, theta in metres and radians, as numbers or expressions.
@@ -71,7 +69,7 @@ def link(row: Array | Sequence[float | Expression], convention: Convention, i: i
 
 def joint_variable(joint: str, i: int, q: float, constant: float) -> Expression:
     """The theta of a revolute joint ("R"), or the d of a prismatic one ("P"): its value q and the constant of the table."""
-    variable = given(f"q_{i}", float(q), _Q_ANGLE if joint == "R" else _Q_LENGTH)
+    variable = joint_value(joint, i, q)
     letter = "\\theta" if joint == "R" else "d"
     return _joint_variable(variable, given(f"the constant of ${letter}_{i}$", float(constant)))
 
@@ -123,12 +121,7 @@ def table_product(  # noqa: PLR0917
         slips.append(("joint values reversed", "use the joint values in the reverse order", of(rows, q[::-1])))
     if len(rows) > 1 and (before or after):
         slips.append(("reversed", "multiply the rows from the last one to the first", of(rows, order=-1)))
-    changing = [slip for slip in slips if slip[0] in _SEEN or not np.allclose(slip[2].value, T.value)]
-    return T.mistaken_for(*changing)
-
-
-_SEEN = {"inverse", "joint values reversed", "reversed"}
-"""The slips in a table that lead to another pose, or the numbers are drawn anew."""
+    return T.mistaken_for(*(slip for slip in slips if not np.allclose(slip[2].value, T.value)))
 
 
 def dh_row(a: float, alpha: float, d: float, theta: float) -> Expression:
@@ -146,7 +139,7 @@ def _unless_unchanged(slips: Callable[[Expression], Slips], node: Expression) ->
 
 
 def _link_slips(convention: Convention, node: Expression) -> Slips:
-    a, _, d, theta = node.arguments
+    a, _, d, _ = node.arguments
     other = OTHER_CONVENTION[convention]
     of, in_the_other = node.operation, _link_operation(other, node.latex)
     rows: list[tuple[Any, ...]] = [
@@ -155,12 +148,7 @@ def _link_slips(convention: Convention, node: Expression) -> Slips:
         ("a and d swapped", "swap $a$ and $d$ in ${}$ |swap $a$ and $d$ in every row", lambda a, A, d, H: of(d, A, a, H), LENGTHS_ADVICE),
         ("angles swapped", "swap $\\alpha$ and $\\theta$ in ${}$ |swap $\\alpha$ and $\\theta$ in every row",
          lambda a, A, d, H: of(a, H, d, A)),
-        ("only the joint", "leave out $a$ and $\\alpha$ in ${}$ |leave out every $a$ and $\\alpha$",
-         lambda _a, _A, d, H: of(0.0, 0.0, d, H), "", {} if a.value else ALL_AT_ONCE),
         *([("only the common normal", "leave out $d$ and $\\theta$ in ${}$", lambda a, A, _d, _H: of(a, A, 0.0, 0.0))] if d.value else []),
-        *((name, f"{text} in ${{}}$ |{text}", function(name, in_order, "A")) for name, text, in_order in _ORDERS[convention]),
-        ("sine and cosine swapped", "swap the sine and the cosine of $\\theta$ in ${}$", lambda a, A, d, H: of(a, A, d, np.pi / 2 - H)),
-        ("sine and cosine swapped", "swap the sine and the cosine of $\\alpha$ in ${}$", lambda a, A, d, H: of(a, np.pi / 2 - A, d, H)),
     ]  # fmt: skip
     if d.operation is _joint_variable:
         (q, constant), letter = d.arguments, f"${d.arguments[0].latex}$"
@@ -171,10 +159,6 @@ def _link_slips(convention: Convention, node: Expression) -> Slips:
              lambda a, A, _d, H: of(a + q, A, constant, H), LENGTHS_ADVICE),
             ("a and d swapped", f"swap {letter} and ${a.latex}$", lambda a, A, _d, H: of(q, A, a + constant, H), LENGTHS_ADVICE),
         ]  # fmt: skip
-    if theta.operation is _joint_variable and (a.value or d.value):  # a row without lengths is that of a wrist
-        turn, offset = theta.arguments
-        text = f"add ${turn.latex}$ to $d$ instead of $\\theta$ |add every joint value to $d$"
-        rows.append(("revolute variable in d", text, lambda a, A, d, _H: of(a, A, d + turn, offset)))
     yield from _unless_unchanged(table(*rows), node)
 
 
@@ -212,14 +196,8 @@ def _variable_slips(node: Expression) -> Slips:
     q, constant = node.arguments
     if constant.value:
         yield from _OFFSETS(node)
-        if q.operation is _Q_ANGLE:
+        if q.operation is JOINT_ANGLE:
             yield from _OFFSET_IN_DEGREES(node)
-
-
-def _joint_value_slips(node: Expression) -> Slips:
-    if node.value:
-        yield from _JOINT_VALUES(node)
-        yield from (_LENGTH_VALUES if node.operation is _Q_LENGTH else _ANGLE_VALUES)(node)
 
 
 @cache
@@ -228,33 +206,18 @@ def _link_operation(convention: Convention, label: str) -> Operation:
 
 
 # fmt: off
-_LINKS: dict[str, Link] = {
+_LINKS = {
     "standard": lambda a, alpha, d, theta: z_motion(d, theta) @ x_motion(a, alpha),
     "modified": lambda a, alpha, d, theta: x_motion(a, alpha) @ z_motion(d, theta),
 }
-_ORDERS: dict[str, list[tuple[str, str, Link]]] = {
-    "standard": [
-        ("a along the old x", "move by $a$ along $x_{i-1}$ instead of $x_i$",
-         lambda a, A, d, H: z_motion(d, 0) @ x_motion(a, 0) @ z_motion(0, H) @ x_motion(0, A)),
-    ],
-    "modified": [
-        ("d along the old z", "move by $d$ along $z_{i-1}$ instead of $z_i$",
-         lambda a, A, d, H: x_motion(a, 0) @ z_motion(d, 0) @ x_motion(0, A) @ z_motion(0, H)),
-    ],
-}
-"""For each convention, other orders of the four factors that are no convention."""
 
 _ROWS = table(
     ("a and d swapped", "swap $a$ and $d$", lambda a, A, d, H: [d, A, a, H], LENGTHS_ADVICE),
     ("angles swapped", "swap $\\alpha$ and $\\theta$", lambda a, A, d, H: [a, H, d, A], ANGLES_ADVICE),
-    ("both pairs swapped", "swap $a$ and $d$, and $\\alpha$ and $\\theta$", lambda a, A, d, H: [d, H, a, A], ANGLES_ADVICE, IN_THE_WHOLE),
     ("order of the numbers", "give $\\theta, d, a, \\alpha$ in this order", lambda a, A, d, H: [H, d, a, A], ROW_ADVICE, IN_THE_WHOLE),
-    ("order of the numbers", "give $\\alpha, a, d, \\theta$ in this order", lambda a, A, d, H: [A, a, d, H], ROW_ADVICE, IN_THE_WHOLE),
     ("the row backwards", BACKWARDS, lambda a, A, d, H: [-a, -A, -d, -H], BACKWARDS_ADVICE, IN_THE_WHOLE),
     ("x in the other direction", "take $x_i$ in the opposite direction", lambda a, A, d, H: [-a, -A, d, H + np.pi], "", IN_THE_WHOLE),
     ("off the normal", "take the distance of the origins as $a$", lambda a, A, d, H: [np.hypot(a, d), A, d, H], LENGTHS_ADVICE),
-    ("off the normal", "take the distance of the origins as $a$, and 0 as $d$",
-     lambda a, A, d, H: [np.hypot(a, d), A, 0.0, H], LENGTHS_ADVICE),
     of_values=True,
 )
 _OFFSETS = table(
@@ -263,19 +226,6 @@ _OFFSETS = table(
 )
 _OFFSET_IN_DEGREES = table(
     ("degrees", "use the degrees of {1} as radians |use the degrees of the offsets as radians", lambda q, c: q + DEG * c, DEGREES_ADVICE),
-)
-_JOINT_VALUES = table(
-    ("sign of a joint value", "take ${}$ with the opposite sign |take every joint value with the opposite sign", lambda q: negative(q)),
-    ("joint at zero", "leave ${}$ at 0 |leave every joint at zero", lambda q: 0.0 * q),
-    ("converted twice", "use `np.radians` on ${}$ |use `np.radians` on the joint values", lambda q: RAD * q, "", ALL_AT_ONCE),
-    ("degrees", "use ${}$ in degrees |use the joint values in degrees", lambda q: DEG * q, DEGREES_ADVICE, ALL_AT_ONCE),
-)
-_ANGLE_VALUES = table(
-    ("converted twice", "use `np.radians` on ${}$ |use `np.radians` on the angles", lambda q: RAD * q, "", ALL_AT_ONCE),
-    ("degrees", "use ${}$ in degrees |use the angles in degrees", lambda q: DEG * q, DEGREES_ADVICE, ALL_AT_ONCE),
-)
-_LENGTH_VALUES = table(
-    ("length in radians", "convert ${}$ from degrees to radians, although it is a length", lambda q: RAD * q),
 )
 
 _row: Operation = Operation(
@@ -288,6 +238,4 @@ _TYPED_ALPHA: Operation = Operation("alpha", lambda: None, str, _entry_slips("\\
 _TYPED_THETA: Operation = Operation("theta", lambda: None, str, _entry_slips("\\theta", "theta", typed=True))
 _D: Operation = Operation("d", lambda: None, str, _entry_slips("d", "d"))
 _THETA: Operation = Operation("theta", lambda: None, str, _entry_slips("\\theta", "theta"))
-_Q_ANGLE: Operation = Operation("joint value", lambda: None, str, _joint_value_slips)
-_Q_LENGTH: Operation = Operation("joint value", lambda: None, str, _joint_value_slips)
 # fmt: on

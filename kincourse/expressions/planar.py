@@ -9,7 +9,19 @@ from itertools import combinations
 import numpy as np
 
 from kincourse.expressions.poses import exp, inverse, logarithm
-from misstep.mutants.expression import GIVEN, Expression, Operation, Slip, Slips, given, negative, product, table, total
+from misstep.mutants.expression import (
+    GIVEN,
+    MAY_COINCIDE,
+    Expression,
+    Operation,
+    Slip,
+    Slips,
+    given,
+    negative,
+    product,
+    table,
+    total,
+)
 from misstep.mutants.operations import cos, sin, sqrt, square
 
 CORNER_ADVICE = (
@@ -30,10 +42,8 @@ def closing_twist(branch_2: Sequence[Expression], branch_1: Sequence[Expression]
     back = [exp(S, negative(q)).named(f"e^{{-[{S.latex}]{q.latex}}}") for S, q in (e.arguments for e in branch_1[::-1])]
     T = product(*branch_2, *back).mistaken_for(
         ("another frame", "take $\\log(T_1^{-1}\\,T_2)$, the residual in coordinates of the coupler", inverse(T_1) @ T_2),
-        ("another frame", "take $\\log(T_2^{-1}\\,T_1)$, the negative residual in coordinates of the coupler", inverse(T_2) @ T_1),
         ("sign", "take $\\log(T_1\\,T_2^{-1})$, the negative of the residual", T_1 @ inverse(T_2)),
         ("inverse left out", "take $\\log(T_2\\,T_1)$, without an inverse", T_2 @ T_1),
-        ("inverse left out", "take $\\log(T_1\\,T_2)$, without an inverse", T_1 @ T_2),
         ("inverse left out", "leave out both minus signs of the way back", product(*branch_2, *branch_1[::-1])),
         ("way back left out", "leave out the way back, so that only the way there is left", T_2),
         advice=f"Here $T_1 = {products[0].latex}$ and $T_2 = {products[1].latex}$. The residual is $\\log(T_2\\,T_1^{{-1}})$.",
@@ -106,32 +116,11 @@ def slider_place(crank: Expression, rod: Expression, offset: Expression, A: Expr
     return x.mistaken_for(
         ("other mode", "take the other assembly mode, with the slider to the left of B", along - reach),
         ("flat rod", "take the rod along $x$, although B and the slider have different heights", along + rod),
-        ("all along x", "take crank and rod along $x$, stretched", crank + rod),
-        ("lengths swapped", "swap the lengths of crank and rod", _slider(rod, crank, offset, A)),
     )  # fmt: skip
-
-
-def _slider(crank: Expression, rod: Expression, offset: Expression, A: Expression) -> Expression:
-    return crank * cos(A) + sqrt(square(rod) - square(offset - crank * sin(A)))
 
 
 def _cosine(one: float, two: float, opposite: float) -> float:
     return float((one**2 + two**2 - opposite**2) / (2 * one * two))
-
-
-def _direction_slips(node: Expression) -> Slips:
-    yield from _DIRECTIONS(node)
-    if node.arguments[0].value[0] < 0:  # otherwise it is the same
-        yield from _LOST_QUADRANT(node)
-    text = f"take the opposite direction of ${node.arguments[0].latex}$"
-    yield Slip("half a turn", text, np.pi + node)
-
-
-def _polar_slips(node: Expression) -> Slips:
-    distance, angle = node.arguments
-    if angle.arguments:
-        text = f"swap sine and cosine of ${angle.latex}$"
-        yield Slip("sine and cosine swapped", text, polar(distance, np.pi / 2 - angle))
 
 
 def _both_slips(node: Expression) -> Slips:
@@ -145,38 +134,32 @@ def _both_slips(node: Expression) -> Slips:
             yield Slip(name, text, both_modes(one, wrong), advice=MODES_ADVICE)
 
 
-def _corner_slips(node: Expression) -> Slips:
-    yield from _OTHER_CORNERS(node)
-    yield from _CORNERS(node)
-
-
 # fmt: off
-_OTHER_CORNERS = table(
-    ("another corner", "take the angle opposite ${1}$", lambda one, two, opposite: corner_angle(one, opposite, two)),
-    ("another corner", "take the angle opposite ${0}$", lambda one, two, opposite: corner_angle(two, opposite, one)),
-)
 _CORNERS = table(
+    ("another corner", "take the angle opposite ${1}$", lambda one, two, opposite: np.arccos(_cosine(one, opposite, two)), CORNER_ADVICE),
+    ("another corner", "take the angle opposite ${0}$", lambda one, two, opposite: np.arccos(_cosine(two, opposite, one)), CORNER_ADVICE),
     ("cosine for angle", "give the cosine instead of the angle", _cosine, CORNER_ADVICE),
-    ("arcsine for arccosine", "take the arcsine instead of the arccosine", lambda *sides: np.arcsin(_cosine(*sides)), CORNER_ADVICE),
-    ("sign", "subtract the squares of both other sides in the law of cosines",
-     lambda one, two, opposite: np.arccos(_cosine(one, two, opposite) - one / two), CORNER_ADVICE),
-    ("sign", "subtract the squares of both other sides in the law of cosines",
-     lambda one, two, opposite: np.arccos(_cosine(one, two, opposite) - two / one), CORNER_ADVICE),
     ("factor left out", "leave out the factor 2 of the law of cosines", lambda *sides: np.arccos(2 * _cosine(*sides)), CORNER_ADVICE),
     ("sign", "take the law of cosines with the opposite sign", lambda *sides: np.arccos(-_cosine(*sides)), CORNER_ADVICE),
     ("no right triangle", "treat the triangle as right-angled", lambda one, two, _: np.arctan2(two, one), CORNER_ADVICE),
     of_values=True,
 )
-_DIRECTIONS = table(("arguments of arctan2", "swap the two arguments of `np.arctan2`", lambda v: np.arctan2(*v)), of_values=True)
-_LOST_QUADRANT = table(
-    ("arctan for arctan2", "take `np.arctan` of the quotient, which loses the quadrant", lambda v: np.arctan(v[1] / v[0])), of_values=True
+_DIRECTIONS = table(
+    ("arguments of arctan2", "swap the two arguments of `np.arctan2`", lambda v: np.arctan2(*v)),
+    ("arctan for arctan2", "take `np.arctan` of the quotient, which loses the quadrant",
+     lambda v: np.arctan(v[1] / v[0]), "", MAY_COINCIDE),
+    ("half a turn", "take the opposite direction of ${0}$", lambda v: np.pi + np.arctan2(*v[::-1])),
+    of_values=True,
+)
+_POLAR = table(
+    ("sine and cosine swapped", "swap sine and cosine of ${1}$", lambda r, angle: polar(r, np.pi / 2 - angle), "", MAY_COINCIDE),
 )
 
 corner_angle: Operation = Operation(
     "corner of a triangle",
     lambda *sides: np.arccos(_cosine(*sides)),
     "\\arccos(({0}^2 + {1}^2 - {2}^2) / (2\\,{0}\\,{1}))".format,
-    _corner_slips,
+    _CORNERS,
 )
 """The angle in radians between two sides of a triangle, by the law of cosines: corner_angle(one, two, opposite)."""
 
@@ -184,12 +167,12 @@ polar: Operation = Operation(
     "polar coordinates",
     lambda r, angle: r * np.array([np.cos(angle), np.sin(angle)]),
     "{0}\\,(\\cos {1}, \\sin {1})".format,
-    _polar_slips,
+    _POLAR,
 )
 """The point (2,) at a distance from the origin in the direction of an angle in radians."""
 
 direction_of: Operation = Operation(
-    "direction", lambda v: np.arctan2(v[1], v[0]), "\\angle(x, {0})".format, _direction_slips
+    "direction", lambda v: np.arctan2(v[1], v[0]), "\\angle(x, {0})".format, _DIRECTIONS
 )
 """The angle in radians of a vector (2,) from the x axis."""
 

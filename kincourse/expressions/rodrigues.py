@@ -36,16 +36,12 @@ _ROTATIONS: list[tuple[str, str, Coefficients]] = [
     ("cos for 1 - cos", "write $1 + \\cos \\theta$ instead of $1 - \\cos \\theta$", lambda q: (1, sin(q), 1 + cos(q))),
     ("no identity", "leave out the identity $I$", lambda q: (0, sin(q), 1 - cos(q))),
     ("term left out", "leave out the term with $[\\omega]^2$", lambda q: (1, sin(q), 0)),
-    ("term left out", "leave out the term $(1 - \\cos \\theta)\\,\\omega\\,\\omega^T$", lambda q: (cos(q), sin(q), 0)),
-    ("sign", "take the term with $[\\omega]^2$ with the opposite sign", lambda q: (1, sin(q), cos(q) - 1)),
     ("series cut short", "stop the series after two terms", lambda q: (1, q, 0)),
-    ("series cut short", "stop the series after three terms", lambda q: (1, q, q**2 / 2)),
     ("series cut short", "stop the series after four terms", lambda q: (1, q - q**3 / 6, q**2 / 2)),
     ("sine and cosine swapped", "swap sine and cosine", lambda q: (1, cos(q), 1 - sin(q))),
     ("another function", "write $\\theta$, where $\\sin \\theta$ belongs", lambda q: (1, q, 1 - cos(q))),
     ("another function", "write $1$, where $\\sin \\theta$ belongs", lambda q: (1, 1, 1 - cos(q))),
     ("another function", "write $\\theta^2 / 2$, where $1 - \\cos \\theta$ belongs", lambda q: (1, sin(q), q**2 / 2)),
-    ("another function", "write $1$, where $1 - \\cos \\theta$ belongs", lambda q: (1, sin(q), 1)),
 ]
 
 _POSITIONS: list[tuple[str, str, Coefficients]] = [
@@ -57,12 +53,9 @@ _POSITIONS: list[tuple[str, str, Coefficients]] = [
     ("term left out", "leave out the term of $G(\\theta)$ with $[\\omega]^2$", lambda q: (q, 1 - cos(q), 0)),
     ("term left out", "leave out the term of $G(\\theta)$ with $[\\omega]$", lambda q: (q, 0, q - sin(q))),
     ("sign", "write $\\theta + \\sin \\theta$ instead of $\\theta - \\sin \\theta$", lambda q: (q, 1 - cos(q), q + sin(q))),
-    ("sign", "take the term with $[\\omega]^2$ with the opposite sign", lambda q: (q, 1 - cos(q), sin(q) - q)),
     ("sine and cosine swapped", "swap sine and cosine", lambda q: INTEGRAL(np.pi / 2 - q)),
     ("another function", "write $\\cos \\theta$, where $1 - \\cos \\theta$ belongs", lambda q: (q, cos(q), q - sin(q))),
-    ("another function", "write $\\sin \\theta$, where $1 - \\cos \\theta$ belongs", lambda q: (q, sin(q), q - sin(q))),
     ("another function", "write $\\sin \\theta$, where $\\theta - \\sin \\theta$ belongs", lambda q: (q, 1 - cos(q), sin(q))),
-    ("another function", "write $\\sin \\theta$, where $\\theta$ belongs", lambda q: (sin(q), 1 - cos(q), q - sin(q))),
 ]
 
 # fmt: on
@@ -134,6 +127,11 @@ def _slips(table: list[tuple[str, str, Coefficients]], right: Coefficients, node
         # With some angles another function has the same value, which is no reason to draw other numbers.
         instead = Operation(name, formula, node.operation.latex)(omega, theta, *v)
         yield Slip(name, said, instead, advice=why, may_coincide=name == "another function")
+    if raw := _raw_axis(omega):
+        where = f"the formula of $G({theta.latex})$" if v else "Rodrigues' formula"
+        text = f"use ${raw.latex}$, which is no unit vector, in {where}"
+        printed = Operation("unit axis", partial(_formula, right, _squared, 1.0), node.operation.latex)(raw, theta, *v)
+        yield Slip("formula for a unit axis", text, printed, everywhere=FOR_UNIT_AXES, advice=UNIT_AXIS)
 
 
 def _raw_axis(omega: Expression) -> Expression | None:
@@ -148,19 +146,6 @@ def _rotation_slips(node: Expression) -> Slips:
     yield from _slips(_ROTATIONS, RODRIGUES, node)
     text = "take the exponential entry by entry (`np.exp`)"
     yield Slip("exponential of each entry", text, _entrywise(omega, theta), advice=SERIES)
-    if raw := _raw_axis(omega):
-        text = f"use ${raw.latex}$, which is no unit vector, in Rodrigues' formula"
-        wrong = _printed_rotation(raw, theta)
-        yield Slip("formula for a unit axis", text, wrong, everywhere=FOR_UNIT_AXES, advice=UNIT_AXIS)
-
-
-def _position_slips(node: Expression) -> Slips:
-    omega, v, theta = node.arguments
-    yield from _slips(_POSITIONS, INTEGRAL, node, v)
-    if raw := _raw_axis(omega):
-        text = f"use ${raw.latex}$, which is no unit vector, in the formula of $G({theta.latex})$"
-        wrong = _printed_position(raw, theta, v)
-        yield Slip("formula for a unit axis", text, wrong, everywhere=FOR_UNIT_AXES, advice=UNIT_AXIS)
 
 
 # fmt: off
@@ -173,11 +158,9 @@ position_exp: Operation = Operation(
     "position",
     lambda w, v, q: _formula(INTEGRAL, _squared, _size(w), w, q, v),
     lambda _, v, theta: f"G({theta})\\,{v}" if not v.startswith("-") else f"G({theta})\\,({v})",
-    _position_slips,
+    lambda node: _slips(_POSITIONS, INTEGRAL, node, node.arguments[1]),
 )
 """The position of e^{[S] theta} for S = (omega, v) with omega not zero: G(theta) v."""
 
 _entrywise: Operation = Operation("entrywise exponential", lambda w, q: np.exp(hat(w) * q), "e^{{[{0}]{1}}}".format)
-_printed_rotation: Operation = Operation("(3.51)", partial(_formula, RODRIGUES, _squared, 1.0), "e^{{[{0}]{1}}}".format)
-_printed_position: Operation = Operation("(3.88)", partial(_formula, INTEGRAL, _squared, 1.0), "G({1})\\,{2}".format)
 # fmt: on

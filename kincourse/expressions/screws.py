@@ -15,6 +15,7 @@ from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import hat
 from misstep.mutants.expression import (
     ALL_AT_ONCE,
+    MAY_COINCIDE,
     SUM,
     Expression,
     Operation,
@@ -45,6 +46,7 @@ UNITS_ADVICE = "The joint values are in radians and metres, as the exponential n
 SLIDE_ADVICE = "A prismatic joint does not rotate: its screw is $(0, d)$."
 ADVANCE_ADVICE = "The body also translates along the axis: add ${3}\\,{1}$."
 PITCH_ADVICE = "The pitch is part of $v$: $v = -\\omega \\times p + h\\,\\omega$."
+RAD = np.pi / 180
 UNIT_ADVICE = "The direction of an axis is a unit vector, with the components $\\cos$ and $\\sin$ of the angle."
 
 
@@ -68,10 +70,12 @@ def joint_values(types: str, typed: Sequence[float] | Array, letter: str = "q") 
 
 def values_in_radians(types: str, q: Sequence[float] | Array) -> list[Expression]:
     """The values of joints in radians and metres, as they are needed."""
-    return [
-        given(f"q_{i}", float(x), _JOINT_LENGTH if kind == "P" else _JOINT_ANGLE)
-        for i, (kind, x) in _numbered(types, q)
-    ]
+    return [joint_value(kind, i, x) for i, (kind, x) in _numbered(types, q)]
+
+
+def joint_value(kind: str, i: int, x: float) -> Expression:
+    """The value of joint i in metres ("P") or radians, as it is needed."""
+    return given(f"q_{i}", float(x), JOINT_LENGTH if kind == "P" else JOINT_ANGLE)
 
 
 def _numbered(*columns: Any) -> Iterator[tuple[int, Any]]:
@@ -103,13 +107,10 @@ def forward_kinematics(before: Sequence[Expression], home: Expression, after: Se
         for i, value in enumerate(values)
         for other in values[max(i - 1, 0) : i] + values[i + 1 : i + 2]
     ]  # fmt: skip
-    if len(values) > 1:
-        for text, wrong in (
-            ("take for each joint the value of the next one", [*values[1:], values[0]]),
-            ("take for each joint the value of the one before", [values[-1], *values[:-1]]),
-            (f"use ${values[0].latex}$ for all joints", [values[0]] * len(values)),
-        ):
-            others.append(("another joint value", text, with_values(wrong)))
+    others += [
+        ("another joint value", "take for each joint the value of the next one", with_values([*values[1:], values[0]])),
+        ("another joint value", f"use ${values[0].latex}$ for all joints", with_values([values[0]] * len(values))),
+    ]
     sides = [list(side) for side in (before, after)]
     added = [[total(*side)] if len(side) > 1 else side for side in sides]
     at_once = [[_once(*(multiple(*e.arguments) for e in side))] if len(side) > 1 else side for side in sides]
@@ -119,7 +120,6 @@ def forward_kinematics(before: Sequence[Expression], home: Expression, after: Se
         ("sum for product", "add the exponentials", product(*added[0], home, *added[1])),
         ("sign of a joint value", "take every joint value with the opposite sign", with_values([negative(value) for value in values])),
         ("joint values reversed", "use the joint values in the reverse order", with_values(values[::-1])),
-        ("home and its inverse", f"put ${home.latex}$ in front and its inverse at the end", product(home, *factors, inverse(home))),
         ("at home", f"give ${home.latex}$, the pose at home", home, "The joints have moved since."),
     )  # fmt: skip
 
@@ -147,8 +147,7 @@ def joint_screws(
             )
         return stack(*rows)
 
-    places = [p if isinstance(p, Expression) else given(f"p_{i}", p) for i, p in zip(numbers, points, strict=True)]
-    rows = rows_with(places)
+    places, rows = list(points), rows_with(list(points))
     slips = [("halves swapped", "write $(v, \\omega)$ in every row", _swap_halves(rows), ORDER_ADVICE)]
     for which, order in (("next", [*places[1:], places[0]]), ("previous", [places[-1], *places[:-1]])):
         if len(places) > 1:
@@ -159,11 +158,8 @@ def joint_screws(
         for i, p in zip(numbers, points, strict=True):
             other = rows_with(list(points - p))
             if np.abs(other.value - rows.value).max() > MIN_SHIFT_M:
-                text, advice = (
-                    f"measure each point from joint {i}",
-                    "The points are given in {s}, each from its origin.",
-                )
-                slips.append(("another origin", text, other, advice))
+                advice = "The points are given in {s}, each from its origin."
+                slips.append(("another origin", f"measure each point from joint {i}", other, advice))
     return rows.mistaken_for(*slips)
 
 
@@ -179,9 +175,7 @@ def drawn_revolute(omega: Array, p: Array, others: Mapping[str, Array]) -> Expre
     misread = [*_misread(p), *(("another point", f"take {text} as the point", other) for text, other in others.items())]
     # Another point of the axis is as good.
     point = given("p", p).mistaken_for(*(one for one in misread if np.abs(np.cross(omega, one[2] - p)).max() > 0.1))
-    foot = p - (omega @ p) * omega
-    slip = ("point as moment", "take a point of the axis itself as the moment", foot, MOMENT_ADVICE)
-    return screw(axis, moment(axis, point).mistaken_for(slip))
+    return screw(axis, moment(axis, point))
 
 
 def read_screws(
@@ -223,16 +217,8 @@ def _misread(p: Array) -> Iterator[tuple[str, str, Array]]:
         yield "coordinates swapped", f"swap ${'xyz'[i]}$ and ${'xyz'[j]}$ of the point", p[order]
 
 
-def _screws_slips(node: Expression) -> Slips:
-    yield from (_GIVEN_SCREWS if node.value[..., :3].any() else _GIVEN_SLIDES)(node)
-
-
 def _moment_slips(node: Expression) -> Slips:
-    omega, p = node.arguments
     yield from _MOMENTS(node)
-    if np.any(omega.value * p.value):  # where it is zero, it is no moment at all
-        text = "multiply $\\omega$ and $p$ entry by entry (`*` instead of `np.cross`)"
-        yield Slip("entry by entry", text, omega * p, everywhere=text, advice=MOMENT_ADVICE)
     if abs(node.value[1]) > 1e-9 and np.abs(node.value[[0, 2]]).max() > 1e-9:  # otherwise it is the sign of the moment
         text = "take the middle entry of a cross product with the wrong sign"
         yield Slip("sign in the cross product", text, node * np.array([1, -1, 1]), everywhere=text)
@@ -250,19 +236,14 @@ def _change_of_frame_slips(node: Expression) -> Slips:
         if len(S.value) > 1:
             yield Slip("rows reversed", "list the screws from the last joint to the first", node[::-1])
     yield Slip("adjoint not transposed", text, _by_transposed_adjoint(T, S), advice=advice)
-    yield from _by_other_blocks(T, S, _OTHER_MATRICES)
+    for name, said, blocks in _OTHER_MATRICES:
+        advice = ADJOINT_ADVICE if "{Ad}" in said else ""
+        yield Slip(
+            name, said.replace("{Ad}", Ad), Operation(name, partial(_by, blocks), "{1}".format)(T, S), advice=advice
+        )
     yield Slip("frame not changed", f"use ${S.latex}$ as it is given", S)
     yield Slip("halves swapped", "swap the halves of the result", _swap_halves(node), advice=ORDER_ADVICE)
     yield Slip("entry by entry", f"multiply {Ad} entry by entry (`*` instead of `@`)", _entry_by_entry(T, S))
-    yield from _by_other_blocks(T, S, _WRONG_ADJOINTS)
-
-
-def _by_other_blocks(T: Expression, S: Expression, rows: Sequence[tuple[str, str, "Blocks"]]) -> Slips:
-    for name, text, blocks in rows:
-        advice = ADJOINT_ADVICE if "{Ad}" in text else ""
-        said = text.replace("{Ad}", f"$\\mathrm{{Ad}}_{{{T.latex}}}$")
-        wrong = Operation(name, partial(_by, blocks), "{1}".format)(T, S)
-        yield Slip(name, said, wrong, advice=advice)
 
 
 def revolute(omega: Expression, p: Expression) -> Expression:
@@ -289,6 +270,19 @@ def _moments_negated(S: Array) -> Array:
     return np.where(turns & (np.arange(6) >= 3), -S, S)
 
 
+def _joint_value_slips(several: str) -> Sequence[tuple[Any, ...]]:
+    return (
+        ("sign of a joint value", "take ${}$ with the opposite sign |take every joint value with the opposite sign", negative),
+        ("joint at zero", "leave ${}$ at 0 |leave every joint at zero", lambda q: 0.0 * q),
+        ("converted twice", f"use `np.radians` on ${{}}$ |use `np.radians` on {several}", lambda q: RAD * q, UNITS_ADVICE, ALL_AT_ONCE),
+        ("degrees", f"use ${{}}$ in degrees |use {several} in degrees", lambda q: q / RAD, UNITS_ADVICE, ALL_AT_ONCE),
+    )  # fmt: skip
+
+
+def _unless_zero(slips: Callable[[Expression], Slips], node: Expression) -> Slips:
+    yield from slips(node) if node.value else ()
+
+
 Blocks = Callable[[Array, Array], tuple[Any, Any, Any, Any]]
 """The blocks of a matrix (6, 6), row after row, from R and [p]; 0 is a block of zeros."""
 
@@ -313,16 +307,10 @@ def _adjoint(R: Array, P: Array) -> tuple[Any, Any, Any, Any]:
 # fmt: off
 _OTHER_MATRICES: Sequence[tuple[str, str, Blocks]] = (
     ("position left out", "rotate both halves without the change of origin", lambda R, _: (R, 0, 0, R)),
-    ("position left out", "rotate both halves in the opposite direction, without the change of origin", lambda R, _: (R.T, 0, 0, R.T)),
     ("rotation left out", "change the origin without rotating the axes", lambda R, P: (np.eye(3), 0, R.T @ P @ R, np.eye(3))),
-    ("only omega rotated", "rotate $\\omega$ only, with $v$ unchanged", lambda R, _: (R, 0, 0, np.eye(3))),
-    ("no moment", "rotate $\\omega$, with $v$ left at zero", lambda R, _: (R, 0, 0, 0)),
-)
-_WRONG_ADJOINTS: Sequence[tuple[str, str, Blocks]] = (
     ("block on the wrong side", "put the block $[p]R$ of {Ad} in the upper right corner", lambda R, P: (R, P @ R, 0, R)),
     ("sign in the adjoint", "take the block $[p]R$ of {Ad} with the opposite sign", lambda R, P: (R, 0, -P @ R, R)),
     ("order in the adjoint", "write $R[p]$ instead of $[p]R$ in {Ad}", lambda R, P: (R, 0, R @ P, R)),
-    ("rotation left out of the block", "write $[p]$ instead of $[p]R$ in {Ad}", lambda R, P: (R, 0, P, R)),
 )
 """The matrices that people multiply screws by in place of the adjoint, and how they come about."""
 
@@ -330,8 +318,6 @@ tilted: Operation = Operation(
     "tilted axis", lambda u, t, angle: np.cos(angle) * u + np.sin(angle) * t, "\\cos {2}\\,{0} + \\sin {2}\\,{1}".format, table(
         ("sine and cosine swapped", "swap sine and cosine of ${2}$", lambda u, t, angle: tilted(t, u, angle),
          "At 0 degrees the axis is ${0}$, so ${0}$ has the cosine."),
-        ("not a unit vector", "take ${0} + \\tan {2}\\,{1}$ as the axis, whose length is not 1",
-         lambda u, t, angle: u + _tan(angle) * t, UNIT_ADVICE),
         ("not a unit vector", "add ${0}$ and ${1}$ without the cosine and the sine of the angle", lambda u, t, _: u + t, UNIT_ADVICE),
         ("tilt left out", "take the axis along ${0}$, without its tilt", lambda u, _t, _: u),
         ("sign of a vector", "take ${}$ with the opposite sign", lambda *all_of_it: negative(tilted(*all_of_it))),
@@ -359,9 +345,6 @@ prismatic: Operation = Operation("prismatic", lambda d, _: _joined(0 * d, d), "(
     ("direction in omega", "put the direction of a prismatic joint into $\\omega$ |", lambda d, _: screw(d, 0 * d), SLIDE_ADVICE),
     ("prismatic as revolute", "treat a prismatic joint as a revolute one |", lambda d, p: revolute(d, p), SLIDE_ADVICE),
     ("moment of a slide", "take the moment of a prismatic joint, which has none |", lambda d, p: screw(0 * d, moment(d, p)), SLIDE_ADVICE),
-    ("point of a slide", "take the point as the $v$ of a prismatic joint |", lambda d, p: screw(0 * d, p), SLIDE_ADVICE),
-    ("direction twice", "put the direction of a prismatic joint into both halves |", lambda d, _: screw(d, d), SLIDE_ADVICE),
-    ("slide left out", "leave the screw of a prismatic joint at zero |", lambda d, _: screw(0 * d, 0 * d), SLIDE_ADVICE),
 ))
 """The screw (0, d) of a prismatic joint; the point where it is mounted plays no part, but people use it."""
 
@@ -378,33 +361,20 @@ _advancing: Operation = Operation("velocity", lambda turning, omega, _, h: turni
     ("direction of the pitch", "add ${3}\\,{2}$ instead of ${3}\\,{1}$", lambda turning, _, p, h: total(turning, h * p), ADVANCE_ADVICE),
 ))
 _swap_halves: Operation = Operation("halves swapped", lambda S: np.roll(S, 3, axis=-1), "{0}".format)
-_GIVEN_SLIDES = table(
-    ("halves swapped", "swap the halves of ${}$ |swap the halves of the screws", lambda S: _swap_halves(S)),
-)
 _GIVEN_SCREWS = table(
     ("halves swapped", "swap the halves of ${}$ |swap the halves of the screws", lambda S: _swap_halves(S)),
     ("sign of v", "take the moments of ${}$ with the opposite sign |take all moments with the opposite sign",
-     lambda S: Operation("moments negated", _moments_negated, "{0}".format)(S), "", ALL_AT_ONCE),
+     lambda S: Operation("moments negated", _moments_negated, "{0}".format)(S), "", ALL_AT_ONCE | MAY_COINCIDE),
 )
-_SIGN = ("sign of a joint value", "take ${}$ with the opposite sign", lambda q: negative(q))
-
-
-def _conversions(several: str) -> tuple[tuple[Any, ...], ...]:
-    return (
-        ("converted twice", f"use `np.radians` on ${{}}$, as if in degrees |use `np.radians` on {several}, as if in degrees",
-         lambda q: np.pi / 180 * q, UNITS_ADVICE, ALL_AT_ONCE),
-        ("converted to degrees", f"use `np.degrees` on ${{}}$ |use `np.degrees` on {several}",
-         lambda q: 180 / np.pi * q, UNITS_ADVICE, ALL_AT_ONCE),
-    )
-
-
-_JOINT_LENGTH: Operation = Operation("joint value", lambda: None, str, table(_SIGN, *_conversions("the joint values")))
-_JOINT_ANGLE: Operation = Operation(
-    "joint value", lambda: None, str, table(_SIGN, *_conversions("the joint values"), *_conversions("the angles"))
-)
-_tan: Operation = Operation("tangent", np.tan, "\\tan {0}".format)
+JOINT_LENGTH: Operation = Operation("joint value", lambda: None, str, partial(_unless_zero, table(
+    *_joint_value_slips("the joint values"),
+    ("length in radians", "convert ${}$ from degrees to radians, although it is a length", lambda q: RAD * q),
+)))
+JOINT_ANGLE: Operation = Operation("joint value", lambda: None, str, partial(_unless_zero, table(
+    *_joint_value_slips("the joint values"), *_joint_value_slips("the angles")[2:]
+)))
 _by_transposed_adjoint: Operation = Operation("transposed adjoint", lambda T, S: S @ _matrix(_adjoint, T), "{1}".format)
 _entry_by_entry: Operation = Operation("entry by entry", lambda T, S: S * _matrix(_adjoint, T).sum(axis=0), "{1}".format)
 _once: Operation = Operation("one exponential", lambda *twists: exponential(sum(twists)), lambda *_: "")
-_SCREWS: Operation = Operation("given screws", lambda: None, str, _screws_slips)
+_SCREWS: Operation = Operation("given screws", lambda: None, str, _GIVEN_SCREWS)
 # fmt: on
