@@ -7,10 +7,7 @@ from misstep.sheet import Sheet
 
 
 def find_robot_sheet(name: str) -> Sheet | None:
-    """Return the sheet of a robot whose file is beside the notebook; None if there is none.
-
-    Raises ValueError for a file that is not the file of a robot sheet.
-    """
+    """Return the sheet of a robot whose file is beside the notebook; None if there is none."""
     from kincourse.robot_sheets.robot_sheet import find  # imported only if needed
 
     return find(name)

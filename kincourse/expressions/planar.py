@@ -44,6 +44,7 @@ def closing_twist(branch_2: Sequence[Expression], branch_1: Sequence[Expression]
         ("another frame", "take $\\log(T_1^{-1}\\,T_2)$, the residual in coordinates of the coupler", inverse(T_1) @ T_2),
         ("sign", "take $\\log(T_1\\,T_2^{-1})$, the negative of the residual", T_1 @ inverse(T_2)),
         ("inverse left out", "take $\\log(T_2\\,T_1)$, without an inverse", T_2 @ T_1),
+        ("inverse left out", "take $\\log(T_1\\,T_2)$, without an inverse", T_1 @ T_2),
         ("inverse left out", "leave out both minus signs of the way back", product(*branch_2, *branch_1[::-1])),
         ("way back left out", "leave out the way back, so that only the way there is left", T_2),
         advice=f"Here $T_1 = {products[0].latex}$ and $T_2 = {products[1].latex}$. The residual is $\\log(T_2\\,T_1^{{-1}})$.",

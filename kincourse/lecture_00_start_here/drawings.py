@@ -21,6 +21,7 @@ LABELS_ABOVE = [(0, 20), (0, -20), (34, 14), (-34, 14), (34, -14), (-34, -14), (
 
 def draw_parts(chain: Chain) -> Picture:
     """Draw an arm at home with the names of its parts: base, joints with their numbers, links and end-effector.
+
     >>> draw_parts(kl.robots.rpr()).alt[:98]
     'RPR: from the base through joint 1 (revolute), link 1, joint 2 (prismatic), link 2, joint 3 (revol'
     """
@@ -45,6 +46,7 @@ def draw_parts(chain: Chain) -> Picture:
 
 def draw_home(chain: Chain) -> Picture:
     """Draw an arm at home with its axes. The text does not say where the end-effector is, because a blank step asks for it.
+
     >>> "end-effector" in draw_home(kl.robots.rpr()).alt
     False
     """

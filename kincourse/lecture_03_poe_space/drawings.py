@@ -62,6 +62,7 @@ def draw_wall(arm: Chain, q: Array, wall: float, *, elbow: Array) -> Picture:
     """Draw an arm from the side, whose elbow has passed a wall at x = wall.
 
     elbow  (3,) its position
+
     >>> draw_wall(kl.robots.ur5e(), np.zeros(6), 0.3, elbow=np.array([0.4, 0, 0.2])).alt[-76:]
     'A wall is at x = 0.3 m. The elbow is at x = 0.4 m, the tool at x = -0.817 m.'
     """

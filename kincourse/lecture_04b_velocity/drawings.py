@@ -25,6 +25,7 @@ def draw_tool_velocities(chain: Chain, q: ArrayLike, *, around: ArrayLike | None
 
     If the velocities of all joints are perpendicular to one direction, a dashed line shows it: the origin of {b} cannot move
     in this direction, whatever the joint rates are. Velocities that are zero are not drawn.
+
     >>> print(draw_tool_velocities(kl.robots.youbot(), np.zeros(5)).alt)                       # doctest: +NORMALIZE_WHITESPACE
     youBot at q = (0, 0, 0, 0, 0). Velocity of the origin of {b} by joint 1: (0, 0.54, 0); by joint 2: (0, 0, 0.507);
     by joint 3: (0, 0, 0.352); by joint 4: (0, 0, 0.217); by joint 5: (0, 0, 0). No joint rates move it along (1, 0, 0).
@@ -59,6 +60,7 @@ def draw_tool_velocities(chain: Chain, q: ArrayLike, *, around: ArrayLike | None
 
 def tool_velocities(chain: Chain, q: Array) -> Array:
     """Return the velocity of the origin of {b} in {s} for a unit rate of each joint, (n, 3): v + omega x p of the columns of J_s.
+
     >>> tool_velocities(kl.robots.rpr(), np.zeros(3))[1]
     array([0., 0., 1.])
     """

@@ -77,6 +77,7 @@ def slide_offset(table: DHTable, row: int, degrees: Sequence[float], *, after: A
     degrees  the offsets, in degrees
 
     The caption says along which direction z of the last frame points.
+
     >>> table = kl.assign_frames(kl.robots.youbot(), convention="standard").table
     >>> type(slide_offset(table, 4, range(0, 181, 90))).__name__
     'Pictures'

@@ -74,6 +74,7 @@ def _describe(degrees: float, height: float, inside: bool) -> str:
 
 def compared(found: FrameAssignment, arm: Chain) -> str:
     """Say what a_1 and a_2 are in a table, and how far its poses are from those of an arm.
+
     >>> arm = kl.robots.rpr_lecture7(a1=0.4)
     >>> compared(kl.assign_frames(arm, convention="modified"), arm)
     'a_1 = 0.4 m, a_2 = 0.0 m; the poses differ by 0.0 m'

@@ -257,15 +257,8 @@ def which_rule(sampler: ArmSampler) -> Problem:
 def _rule_mistake(wrong: str, right: str) -> Mistake:
     if wrong == "e":
         return Mistake("called legal", wrong, f"This frame breaks a rule. {RULE_EXPLANATIONS[right]}")
-    if right == "e":
-        return Mistake(
-            f"rule {wrong}",
-            wrong,
-            f"The frame obeys this rule. {RULE_EXPLANATIONS[wrong]} The direction of $x$ may also be reversed.",
-        )
-    return Mistake(
-        f"rule {wrong}", wrong, f"The frame obeys this rule, but it breaks another one. {RULE_EXPLANATIONS[wrong]}"
-    )
+    text = f"The frame obeys this rule{', but it breaks another one' * (right != 'e')}. {RULE_EXPLANATIONS[wrong]}"
+    return Mistake(f"rule {wrong}", wrong, text + " The direction of $x$ may also be reversed." * (right == "e"))
 
 
 def _with_frames(robot: Chain, frames: Array) -> Picture:

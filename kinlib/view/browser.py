@@ -42,6 +42,7 @@ def show(
 
     Raises ValueError if q does not have n values or is given without a robot, for anything else to show, for another ending, and
     for a folder that does not exist.
+
     >>> from tempfile import TemporaryDirectory
     >>> with TemporaryDirectory() as folder:
     ...     show(kl.robots.youbot(), [0, 0, 1, 0, 0], path=f"{folder}/youbot.html")

@@ -8,7 +8,7 @@ import pytest
 
 from kincourse import COURSE, sheets
 from kincourse.still_pictures import first_picture, on_paper
-from kincourse.table_of_lectures import fill_home_page, lectures, table_rows
+from kincourse.table_of_lectures import table_rows
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = ROOT / "notebooks"
@@ -27,16 +27,6 @@ def test_a_lecture_has_its_files_and_its_notebooks():
 def test_the_readme_lists_every_lecture():
     rows = table_rows("notebooks", "[{problems}](exercises/{name}/{name}.ipynb)")
     assert rows in (ROOT / "README.md").read_text("utf-8"), f"write this table into README.md:\n{rows}"
-
-
-def test_the_home_page_lists_every_lecture_twice_and_every_sheet():
-    page = fill_home_page((ROOT / "site" / "pages" / "index.md").read_text("utf-8"))
-    assert "{number" not in page
-    table, _, navigation = page.partition("```{toctree}")
-    for lecture in lectures():
-        assert f"](lectures/{lecture.name}.ipynb) | {lecture.question} |" in table
-        assert f"\n{lecture.number} {lecture.title} <lectures/{lecture.name}>\n" in navigation
-        assert (f"](sheets/{lecture.name}.ipynb) |" in table) == bool(lecture.problems)
 
 
 def sources(name):

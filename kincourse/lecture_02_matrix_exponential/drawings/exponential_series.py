@@ -34,6 +34,7 @@ def draw_series(
     most  how many terms fit into the picture, so that pictures of different sums have the same scale
 
     The pale circle is where rotations about S take the point. If a sum ends off the circle, it is not a rotation.
+
     >>> draw_series(kl.robots.rpr().screws[0], np.pi / 2, (0, 0, 1), 2).alt        # doctest: +NORMALIZE_WHITESPACE
     'Terms of the exponential as arrows, head to tail, for a rotation by 90 degrees. The first 2 take the point from
     (0, 0, 1) to (-1.57, 0, 7.28). That is 4.75 m from its goal (-5, 0, 4), and 3.55 m off the circle.'

@@ -22,6 +22,7 @@ def draw_motions(start: ArrayLike, motions: Mapping[str, ArrayLike]) -> Picture:
 
     start    (4, 4) the pose {a} at which all motions start
     motions  {"name": x, ...}, twists (6,) in {s}; the pose at time t, from 0 to 1, is exp(x t) start
+
     >>> draw_motions(kl.robots.hrr().home, {"screw": kl.robots.hrr().screws[0] * 10}).alt  # doctest: +NORMALIZE_WHITESPACE
     'A frame starts at (0.8, 0, 0) m. Motion "screw": a rotation by 573 degrees about (0, 0, 1), 1 m along it, to
     (-0.671, -0.435, 1).'

@@ -15,6 +15,7 @@ def draw_small_steps(S: ArrayLike, q: float, point: ArrayLike, steps: int, *, vi
 
     S      (6,) the axis of a revolute joint
     steps  n, at least 1; pictures of different n have the same scale
+
     >>> draw_small_steps(kl.robots.rpr().screws[0], np.pi / 2, (0, 0, 1), 4).caption
     '4 steps: the polygon ends 1.41 m from the goal'
     """

@@ -28,6 +28,7 @@ def slide_mid_formula(chain: Chain, q: ArrayLike, *, after: Any = None, start: i
 
     The caption gives the form, the position of the end-effector, which is the same for every k, and how many of the entries of
     the screws are not 0.
+
     >>> type(slide_mid_formula(kl.robots.mid_formula_arm(), [0.5, -0.3, 0.8, 0.4])).__name__
     'Pictures'
     """
@@ -50,6 +51,7 @@ def draw_mid_formula(chain: Chain, k: int, caption: str = "") -> Picture:
     A dotted line runs from the origin of that frame perpendicularly to the axis of each revolute or helical joint. Its length,
     written beside it, is the distance of the axis from the origin; if the pitch is 0, it is the length of v. A prismatic joint
     has no such line, because its screw has a direction but no position.
+
     >>> draw_mid_formula(kl.robots.mid_formula_arm(), 2).alt
     'mid-formula arm at home. Read from {s}: S_1 at 0 m, S_2 at 0.4 m. Read from {b}: B_3 at 0 m, B_4 at 0.2 m.'
     """
@@ -79,6 +81,7 @@ def axis_perpendiculars(chain: Chain, k: int) -> Array:
 
     The first k joints are given in {s}, the others in {b}. The end points are the origin and the point of the axis nearest to
     it; for a prismatic joint both are the origin.
+
     >>> ends = axis_perpendiculars(kl.robots.puma560(), 3)                       # the wrist, given in the tool frame
     >>> np.linalg.norm(ends[3:, 1] - ends[3:, 0], axis=-1).round(6)
     array([0., 0., 0.])

@@ -31,6 +31,7 @@ def slide_axis(
     ghost           (n,) another configuration, drawn in grey
 
     The screw in {s} is column `joint` of chain.jacobian(q), that in {b} the same column of chain.body_jacobian(q).
+
     >>> q = np.radians([[degrees, 0, 0, 0] for degrees in (0, 45, 90)])
     >>> type(slide_axis(kl.robots.mid_formula_arm(), 3, q, "joint 1 (degrees)", [0, 45, 90])).__name__
     'Pictures'
@@ -43,6 +44,7 @@ def slide_axis(
 
 def axis_caption(chain: Chain, joint: int, q: Array) -> str:
     """Write the screw axis of a joint at q as {s} and as {b} read it.
+
     >>> axis_caption(kl.robots.rpr(), 1, np.zeros(3))
     'Axis 1 in {s}: (0, -1, 0, 0, 0, 4). In {b}: (0, 0, -1, 4, -1, 0).'
     """

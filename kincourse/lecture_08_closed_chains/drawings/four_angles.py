@@ -16,6 +16,7 @@ from kinlib.view.figures.linkage import linkage_geometry
 
 def draw_angles(linkage: Mechanism, q: ArrayLike) -> Picture:
     """Draw a four-bar with its angles A, B, D, C: dashed, the direction from which each is measured.
+
     >>> linkage = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
     >>> print(draw_angles(linkage, linkage.assembly_modes(hold={"A": 1.0})[0]).alt[:79])
     Four-bar. A = 57.3°, from the x axis to the crank AB; B = -121°, from AB to BC;

@@ -18,6 +18,7 @@ def draw_hinged_plates(mechanism: Mechanism, configurations: ArrayLike) -> Galle
     """Draw a linkage whose joints are hinges as plates, in several configurations side by side.
 
     configurations  (k, n) joint values, in which the loop closes
+
     >>> draw_hinged_plates(kl.linkages.sarrus(), np.zeros((1, 6))).pictures[0].alt[:62]
     "Sarrus's linkage as plates: ground, lower plate x, upper plate"
     """

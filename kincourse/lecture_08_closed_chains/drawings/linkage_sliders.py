@@ -30,6 +30,7 @@ def slide_linkage(
     captions        a caption for each of the values
     ghosts          (m, n) or (n,) configurations drawn in grey, such as another assembly mode
     names           whether joints are labelled
+
     >>> linkage = kl.linkages.four_bar(0.5, 0.3, 0.3, 0.3)
     >>> modes = linkage.assembly_modes(hold={"A": 1.0})
     >>> type(slide_linkage(linkage, modes, "assembly mode", [1, 2], ghosts=modes[::-1])).__name__

@@ -47,6 +47,7 @@ def draw_arm(
     The text alternative describes the axes and the end-effector at q, as they are drawn.
 
     Raises ValueError if q or ghost does not have n values, if a frame is not a pose, or if show has another entry.
+
     >>> print(draw_arm(kl.robots.youbot()).alt)                     # doctest: +NORMALIZE_WHITESPACE
     youBot, 5 joints (RRRRR), at home. Joint 1 revolute along z at (0, 0, 0); joint 2 revolute along -y at (0.033, 0,
     0.147); joint 3 revolute along -y at (0.188, 0, 0.147); joint 4 revolute along -y at (0.323, 0, 0.147); joint 5 revolute
@@ -92,6 +93,7 @@ def draw_joints(chain: Chain, tool: bool = False) -> Picture:
 
     The grid has numbers. A dotted line runs from each joint's point down to the floor; its foot is labelled with x and y, and
     the line with the height. If tool is true, the links are drawn and the frame {b}, whose origin is labelled in the same way.
+
     >>> "joint 2 prismatic along z" in draw_joints(kl.robots.rpr()).alt
     True
     """
@@ -117,6 +119,7 @@ def draw_lettered_chain(chain: Chain, letters: Sequence[str], home: bool = True)
     letters  (n + 1,) the lengths, "L_1" and so on: from the origin of {s} to joint 1, from joint to joint, and to {b}; "" for
              points that coincide
     home     whether to draw M as a dashed arrow from {s} to {b}
+
     >>> print(draw_lettered_chain(kl.robots.plain_arm(), ["", "L_1", "", "L_2", "L_3"]).alt)      # doctest: +NORMALIZE_WHITESPACE
     An arm with 4 joints (RRPR) at home. From the origin of {s}: there joint 1 (revolute, axis along z);
     L_1 along z to joint 2 (revolute, axis along -y); there joint 3 (prismatic, axis along x);

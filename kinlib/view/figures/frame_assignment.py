@@ -38,6 +38,7 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
 
     Joint axes are violet and dashed, common normals orange; a normal of length zero is a short line along its direction.
     y is drawn only while its frame is strong. While a row is read off, its a is a thick orange line and its d a violet one.
+
     >>> print(draw_assignment(kl.assign_frames(kl.robots.youbot(), convention="standard"), 3).alt)    # doctest: +NORMALIZE_WHITESPACE
     youBot, standard convention, step 4 of 25. O_1 lies on axis 2, where the common normal meets it: (0.033, 0, 0.147).
     Drawn so far: frame 0 at (0, 0, 0), x along (1, 0, 0), z along (0, 0, 1).

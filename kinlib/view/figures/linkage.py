@@ -94,6 +94,7 @@ def draw_linkage(
     An orange dotted line connects the two halves of a joint that is not closed.
 
     Raises ValueError if q or ghost does not have n values or contains NaN.
+
     >>> print(draw_linkage(kl.linkages.slider_crank(1, 3), [0, 0, 4, 0]).alt)       # doctest: +NORMALIZE_WHITESPACE
     slider-crank with the bodies ground, crank, slider, rod. A joins ground and crank at (0, 0); B joins crank and rod
     at (1, 0); slide joins ground and slider at (4, 0); C joins slider and rod at (4, 0). All lengths in metres. It is

@@ -180,6 +180,7 @@ def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = 
     after  a question; the arm stays covered until a prediction is committed
 
     Raises ValueError if the convention is unknown, or a joint is helical.
+
     >>> player = play_assignment(kl.robots.youbot(), convention="standard")
     >>> player.at = 3
     >>> player.alt[:62]

@@ -30,6 +30,7 @@ def frame_candidates(chain: Chain) -> dict[str, Any]:
     z       directions of z, both directions along each axis and along z of {b}, each with the position of its handle
     points  intersections, feet of common normals, joints, the origins of {s} and {b}: {"at", "text"}
     x       directions of x: along normals, axes, links and the axes of {s} and {b}: {"along", "text"}
+
     >>> frame_candidates(kl.robots.rpr())["points"][0]["text"]
     'joint 1; joint 2; intersection of axes 1 and 2; foot of normal 2–3 on axis 2'
     """

@@ -57,6 +57,7 @@ def drive(
 
     Raises ValueError if the loops are not closed at start, if the linkage does not have one degree of freedom there, if it
     has no joint value of a given name, or if a curve does not have shape (m, n).
+
     >>> linkage = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
     >>> shown = drive(linkage, linkage.assembly_modes(hold={"A": 1.0})[0])
     >>> list(shown.mode["variants"]), len(shown.q)

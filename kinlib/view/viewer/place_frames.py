@@ -108,6 +108,7 @@ def assign(chain: Chain, convention: Convention) -> ByHand:
     The frames are in `.frames`, the rules that they break in `.breaches`, and their table, once it is right, in `.table`.
 
     Raises ValueError if the convention is unknown.
+
     >>> by_hand = assign(kl.robots.rpr(), "standard")
     >>> by_hand.frames = kl.assign_frames(kl.robots.rpr(), convention="standard").frames
     >>> by_hand.breaches

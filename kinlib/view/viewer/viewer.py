@@ -38,6 +38,7 @@ class ViewerBase(Covered):
     notes    what is not shown, in sentences
 
     It is made of a scene, the joint values at the start, and further traits.
+
     >>> arm = explore(kl.robots.rpr(), frames={"1": np.eye(4)})
     >>> arm.html()[:25], arm.own_frames(), arm.picture().alt[:3]
     ('<div data-kinlib-viewer><', ['frame 1'], 'RPR')
@@ -127,6 +128,7 @@ class ViewerBase(Covered):
 
 class Viewer(ViewerBase):
     """A robot on the page, an arm or a tree. Make one with `explore`.
+
     >>> arm = explore(kl.robots.rpr())
     >>> arm.picture().alt[:13]
     'RPR, 3 joints'
@@ -161,6 +163,7 @@ class Viewer(ViewerBase):
 
 def opening(robot: Chain | Tree) -> Array:
     """Return 0 for each (independent) joint of a robot, or the middle of its limits if 0 is outside of them.
+
     >>> opening(kl.robots.rpr().changed(limits=[[-1, 1], [0.5, 1.5], [0, 1]]))
     array([0., 1., 0.])
     """
@@ -207,6 +210,7 @@ def explore(
 
     Raises ValueError if the robot does not have one of the joints, values do not have shape (n,) or contain NaN, span does not
     contain the start, a layer is unknown, a frame is not a pose or is not named by its link, or no joint moves by one value.
+
     >>> arm = explore(kl.robots.youbot(), joints=[3])
     >>> arm.q = [0, 0, np.pi / 2, 0, 0]
     >>> arm.alt[-43:]

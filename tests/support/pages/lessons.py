@@ -6,10 +6,9 @@ from kincourse import find_question
 
 
 def words_of(name: str) -> str:
-    """Return words of the explanation of a prediction."""
+    """Return the longest stretch of an explanation that has neither marks nor formulas, at most 60 characters of it."""
     return plain_words(find_question(name).explanation)
 
 
 def plain_words(text: str) -> str:
-    """Return the longest stretch of a text that has neither marks nor formulas, at most 60 characters of it."""
     return max(re.split(r"[$*`\[\]()\n\"']", text), key=len).strip()[:60].strip()
