@@ -227,7 +227,7 @@ def which_rule(sampler: ArmSampler) -> Problem:
         "a": (axes[0] @ before[:3, 2], f"$x_{i} \\cdot z_{i - 1}$ must be 0, and it is"),
         "b": (
             abs(np.cross(axes[0], before[:3, 2]) @ step),
-            f"$|(x_{i} \\times z_{i - 1}) \\cdot (O_{i} - O_{i - 1})|$, the distance of the two lines, must be 0, and it is",
+            f"$|(x_{i} \\times z_{i - 1}) \\cdot (O_{i} - O_{i - 1})|$, the distance between the two lines, must be 0, and it is",
         ),
         "c": (axes[2] @ robot.screws[i, :3], f"$z_{i}$ must be parallel to the axis, but the scalar product is"),
         "d": (

@@ -180,7 +180,7 @@ def dh_table(convention: Convention, robot: Chain, sampler: ArmSampler) -> Probl
         f"\n\n{joint_table(arm)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, arm),
         method=rows_from_frames(table),
-        further="Where did the rules leave you a choice? Write a second table that makes it differently.",
+        further="Where did the rules leave you a choice? Write a second table with other choices.",
         given={"screws": arm.screws, "points": arm.joint_points, "home": arm.home, **end_frames(table)},
         answer=DHTableAnswer(table, anchored=True),
         mistakes=[rows_of_the_other_convention(table)],
