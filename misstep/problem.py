@@ -14,15 +14,7 @@ from typing import Any, Literal, TypeVar
 
 import numpy as np
 
-from misstep.answers.base import (
-    TOLERANCE,
-    Answer,
-    Unreadable,
-    at_inputs,
-    collect,
-    has_alike_rows,
-    seen_at_sight,
-)
+from misstep.answers.base import TOLERANCE, Answer, Unreadable
 from misstep.answers.choice import ReasonedChoice
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
@@ -92,7 +84,7 @@ class Problem:
         found = []
         for slip in self.answer.slips:
             try:
-                value = collect(self.answer, [slip.wrong(right) for right in at_inputs(self.answer)])
+                value = self.answer.collect([slip.wrong(right) for right in self.answer.at_inputs()])
             except Unreadable:
                 continue
             if not all(self.answer.agrees(value, self.answer.value)):
@@ -142,7 +134,7 @@ class Problem:
         kept: list[Mistake] = []
         for wrong in self.mistakes:
             known = [self.answer.value, *(one.value for one in kept)]
-            if not (seen_at_sight(self.answer, wrong.value) or any(self._same(wrong.value, one) for one in known)):
+            if not (self.answer.at_sight(wrong.value) or any(self._same(wrong.value, one) for one in known)):
                 kept.append(wrong)
         return replace(self, mistakes=kept)
 
@@ -168,14 +160,14 @@ class Problem:
     @cached_property
     def _first_solution(self) -> MutableSolution:
         """The solution at the first input, which is often enough to see that a mistake is not the one that was made."""
-        return MutableSolution(next(at_inputs(self.answer, self.solution)))
+        return MutableSolution(next(self.answer.at_inputs(self.solution)))
 
     @cached_property
     def _solutions(self) -> Sequence[MutableSolution]:
         """The solution at each input, of which there is one as a rule."""
-        others = islice(at_inputs(self.answer, self.solution), 1, None)
+        others = islice(self.answer.at_inputs(self.solution), 1, None)
         solutions = [self._first_solution, *map(MutableSolution, others)]
-        reached = collect(self.answer, [one.root.value for one in solutions])
+        reached = self.answer.collect([one.root.value for one in solutions])
         if not self._same(reached, self.answer.value):
             raise ValueError(
                 f"The solution must lead to the answer; it gives {reached}, and the answer is {self.answer.value}."
@@ -199,17 +191,17 @@ class Problem:
                 continue
             told.add(id(first))  # the inverse of an inverse is an inverse left out
             try:
-                at_first = None if near is None else collect(self.answer, [value_of(first)])
+                at_first = None if near is None else self.answer.collect([value_of(first)])
                 if at_first is not None and not is_near(self.answer.agrees(at_first, near, tolerance)):
                     continue
                 solutions = self._solutions
-                value = collect(self.answer, [value_of(one.mutant(k)) for one in solutions])
+                value = self.answer.collect([value_of(one.mutant(k)) for one in solutions])
             except Unreadable:
                 continue
             # A change belongs to the method for all rows, if each row has no expression of its own.
             root = solutions[0].root
             is_method = root.operation.name != "stack" or id(root) in mutation.replaced
-            spoils = slip.spoils or (has_alike_rows(self.answer) and is_method)
+            spoils = slip.spoils or (self.answer.has_alike_rows and is_method)
             yield mutant(slip, value, self.advice, spoils=spoils)
 
     def _same(self, one: Any, other: Any) -> bool:

@@ -127,7 +127,7 @@ class DHTableAnswer(Answer):
         runs_through = sum(right) < len(right) - 1 and any(one.faults[0].row is None for one in found[:1])
         return has_a_telling_row(given.rows, right) and not runs_through
 
-    def seen(self, given: DHTable, part: int | None) -> Named | None:
+    def placeholder(self, given: DHTable) -> Named | None:
         if given.rows.any() or not self.value.rows.any():
             return None
         return "placeholder", UNTOUCHED.format("Every number is 0")
@@ -137,9 +137,9 @@ class DHTableAnswer(Answer):
         """The slips in the whole table that cannot be undone in a wrong table, because numbers are lost, and signs of q."""
         return slips_of_table(self.value)
 
-    def resemblance(self, given: DHTable, part: int | None) -> Named | None:
+    def resemblance(self, given: DHTable, part: int) -> Named | None:
         """Return the name of the mistake in a wrong table and a sentence on it, or how it differs from the right one."""
-        return (self._fault(given) or self._difference(given)) if part is not None else None
+        return self._fault(given) or self._difference(given)
 
     def _fault(self, given: DHTable) -> Named | None:
         ours = self.value

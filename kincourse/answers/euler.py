@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from kinlib.arrays.validation import Array
 from kinlib.rigid.rpy import origin
 from misstep.answers.base import TOLERANCE
-from misstep.answers.number import Equivalent
+from misstep.answers.number import ANGLE, Equivalent
 
 ANGLES_TOLERANCE_FACTOR = 3
 """How many times the tolerance of one entry a rotation may be off: the rounding errors of three angles add up."""
@@ -35,8 +35,8 @@ class EulerAnglesAnswer(Equivalent):
     def parts(self) -> Sequence[str]:
         return ["the angles for $R_1$", "the angles for $R_2$"]
 
-    def angle_entries(self) -> NDArray[np.bool_]:
-        return np.ones((2, 3), dtype=bool)
+    def kinds(self) -> NDArray[np.int_]:
+        return np.full(np.shape(self.value), ANGLE)
 
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
         off = [np.abs(self.meaning(mine) - self.meaning(yours)).max() for mine, yours in zip(one, other, strict=True)]

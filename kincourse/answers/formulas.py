@@ -2,14 +2,14 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from kincourse.answers.point import REORDERED
 from kincourse.answers.pose import PoseParts
 from kincourse.answers.screws import CHECK_TOLERANCE, THUMB
-from misstep.answers.base import AlikeRows, Named
+from misstep.answers.base import Named
 from misstep.answers.expression import ClosedForm
 from misstep.answers.likeness import Likeness
 from misstep.formulas.evaluation import Formula
@@ -25,8 +25,10 @@ class PoseExpressionAnswer(PoseParts, ClosedForm):
 
 
 @dataclass(frozen=True, eq=False)
-class ScrewExpressionsAnswer(AlikeRows, ClosedForm):
+class ScrewExpressionsAnswer(ClosedForm):
     """Screw axes (omega, v) as rows of formulas, shape (n, 6); each screw axis is a part."""
+
+    alike_rows: ClassVar[bool] = True
 
     @property
     def parts(self) -> Sequence[str]:
@@ -45,9 +47,9 @@ class ScrewExpressionsAnswer(AlikeRows, ClosedForm):
         is_opposite = np.allclose(given.values[part, :3], -self._right.values[part, :3])
         return THUMB if right.any() and is_opposite else ""
 
-    def resemblance(self, given: Formula, part: int | None) -> Named | None:
+    def resemblance(self, given: Formula, part: int) -> Named | None:
         found = super().resemblance(given, part)
-        if part is None or (found and found[0]):
+        if found and found[0]:
             return found
         omega, v = self.same_entries(given, self.value)[part].reshape(2, 3).all(axis=1)
         if omega:

@@ -12,7 +12,7 @@ from kinlib.rigid.lie import homogeneous, inverse, log, nearest_rotation
 from kinlib.rigid.rpy import origin
 from misstep.answers.base import TOLERANCE, Named
 from misstep.answers.likeness import Likeness, entries_hint
-from misstep.answers.number import LENGTH, PURE, Equivalent, Numbers
+from misstep.answers.number import ANGLE, LENGTH, PURE, Equivalent, Numbers
 from misstep.mutants.expression import Slip
 from misstep.validation import Array
 
@@ -40,8 +40,8 @@ class RotationAnswer(Numbers):
     def check(self, given: Array, part: int) -> str:
         return rotation_check(given)
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        alike = self.likeness(given, part).resemblance() if part is not None else None
+    def resemblance(self, given: Array, part: int) -> Named | None:
+        alike = self.likeness(given, part).resemblance()
         same = self.same_entries(given, self.value)
         return alike or entries_hint(same) or rotation_resemblance(given, self.value)
 
@@ -94,9 +94,6 @@ class PoseAnswer(PoseParts, Numbers):
         kinds[:3, 3] = LENGTH
         return kinds
 
-    def length_entries(self) -> NDArray[np.bool_]:
-        return np.asarray(self.kinds() == LENGTH)
-
     def likeness(self, given: Array, part: int | None) -> Likeness:
         found = super().likeness(given, part)
         return replace(found, reordered=REORDERED.format("coordinates")) if part == 1 else found
@@ -112,9 +109,7 @@ class PoseAnswer(PoseParts, Numbers):
     def slips(self) -> Sequence[Slip]:
         return POSE_SLIPS
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        if part is None:
-            return None
+    def resemblance(self, given: Array, part: int) -> Named | None:
         core = self.same_entries(given, self.value)[self.core_indices()[part]]
         if core.all():
             return "last row", "The numbers above the last row are right, but the last row of a pose is 0 0 0 1."
@@ -133,11 +128,8 @@ class OriginAnswer(Equivalent):
 
     noun: ClassVar[str] = "xyz and rpy in two rows, an array"
 
-    def length_entries(self) -> NDArray[np.bool_]:
-        return np.array([[True] * 3, [False] * 3])
-
-    def angle_entries(self) -> NDArray[np.bool_]:
-        return np.array([[False] * 3, [True] * 3])
+    def kinds(self) -> NDArray[np.int_]:
+        return np.array([[LENGTH] * 3, [ANGLE] * 3])
 
     meaning: Callable[[Array], Array] = field(default=_origin_pose, kw_only=True)
 
@@ -145,7 +137,7 @@ class OriginAnswer(Equivalent):
     def parts(self) -> Sequence[str]:
         return ["the origin"]
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
+    def resemblance(self, given: Array, part: int) -> Named | None:
         right = np.asarray(self.value)
         if np.allclose(origin(*given), inverse(origin(*right)), atol=TOLERANCE):
             return "inverse", "This is the inverse: the origin of the parent, seen from the child."

@@ -98,9 +98,7 @@ class WristAnglesAnswer(EulerAnglesAnswer):
     noun: ClassVar[str] = "theta_4, theta_5, theta_6 in radians, one row for each rotation, an array"
     meaning: Callable[[Array], Array] = field(default=wrist_rotation, kw_only=True)
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        if part is None:
-            return super().resemblance(given, None)
+    def resemblance(self, given: Array, part: int) -> Named | None:
         mine, right = np.cos(given[part, 1]), np.cos(self.value[part, 1])
         at_a_right_angle = (
             "At $\\theta_5 = \\pm 90°$ axes 4 and 6 are perpendicular. At which $\\theta_5$ are they collinear?"

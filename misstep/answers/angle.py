@@ -88,9 +88,7 @@ class Angles(Numbers):
     def slips(self) -> Sequence[Slip]:
         return SLIPS
 
-    def seen(self, given: Array, part: int | None) -> Named | None:
-        if part is not None:
-            return super().seen(given, part)
+    def placeholder(self, given: Array) -> Named | None:
         wrapped = replace(self.likeness(given, None), mine=_within_half_a_turn(given)[..., None])
         if (seen := wrapped.placeholder()) or not self.any_order:
             return seen

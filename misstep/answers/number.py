@@ -10,16 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep import validation
-from misstep.answers.base import MAX_NUMBER, TOLERANCE, Answer, Named, Unreadable, has_alike_rows
+from misstep.answers.base import MAX_NUMBER, TOLERANCE, Answer, Named, Unreadable
 from misstep.answers.likeness import IN_DEGREES, ROUND_OFF, UNITS, Likeness, entries_hint, place_of
 from misstep.formulas.evaluation import numeral
 from misstep.validation import Array
 
-LENGTH = 1
-"""The kind of lengths in an answer whose other numbers have none."""
+PURE, LENGTH, ANGLE, OTHER = range(4)
+"""The kinds of numbers: those of size 1, as in a direction or a rotation; lengths; angles in radians; and all others."""
 
-PURE = 0
-"""The kind of numbers of size 1: directions, entries of a rotation, angles beside lengths."""
+KINDS = {"m": LENGTH, "metres": LENGTH, "mm": LENGTH, "rad": ANGLE, "radians": ANGLE}
+"""The kind of numbers with a unit."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,8 +127,8 @@ class Numbers(Answer):
         return np.asarray(np.abs(one - other) <= tolerance * size)
 
     def kinds(self) -> NDArray[np.int_]:
-        """Return a label for each entry: numbers with the same label can be compared in size, and PURE ones have the scale 1."""
-        return np.ones(np.shape(self.value), dtype=int)
+        """Return the kind of each entry: numbers of one kind can be compared in size, and PURE ones have the scale 1."""
+        return np.full(np.shape(self.value), KINDS.get(self.unit, OTHER))
 
     @cached_property
     def _scales(self) -> Array:
@@ -145,39 +145,30 @@ class Numbers(Answer):
         piece = ... if part is None else self.core_indices()[part]
         mine, right = (np.asarray(x, dtype=float)[piece][..., None] for x in (given, self.value))
         places = np.moveaxis(np.indices(np.shape(self.value)), 0, -1)[piece]
-        lengths, angles = (np.atleast_1d(mask[piece]) for mask in (self.length_entries(), self.angle_entries()))
+        lengths, angles = (np.atleast_1d((self.kinds() == kind)[piece]) for kind in (LENGTH, ANGLE))
         unit = self.unit if self.unit in UNITS else "m"
         return Likeness(mine, right, lengths, angles, unit, lambda index: self.place(places[tuple(index)]))
-
-    def length_entries(self) -> NDArray[np.bool_]:
-        """Return which entries are lengths in `unit`."""
-        return np.full(np.shape(self.value), self.unit in {"m", "metres", "mm"})
-
-    def angle_entries(self) -> NDArray[np.bool_]:
-        """Return which entries are angles in radians."""
-        return np.full(np.shape(self.value), self.unit in {"rad", "radians"})
 
     def place(self, index: Sequence[Any]) -> str:
         """Name the place of an entry of the whole array."""
         return self.parts[int(index[0])] if np.size(self.value) == len(self.parts) > 1 else place_of(index)
 
-    def seen(self, given: Array, part: int | None) -> Named | None:
-        if part is None:
-            return self.likeness(given, None).placeholder()
+    def placeholder(self, given: Array) -> Named | None:
+        return self.likeness(given, None).placeholder()
+
+    def seen(self, given: Array, part: int) -> Named | None:
         seen = self.likeness(given, part).at_sight()
         if seen is None and len(self.parts) > 1:  # that a short part is rounded is seen in the others
             whole = self.likeness(given, None).at_sight()
             return whole if whole and whole[0] == "rounded" else None
         return seen
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        if part is None:
-            return self._order(given)
+    def resemblance(self, given: Array, part: int) -> Named | None:
         return self.likeness(given, part).resemblance() or self._place(given, part)
 
-    def _order(self, given: Array) -> Named | None:
+    def order(self, given: Array) -> Named | None:
         likeness = self.likeness(given, None)
-        if has_alike_rows(self) or len(self.parts) == len(np.atleast_2d(self.value)) > 1:
+        if self.has_alike_rows or len(self.parts) == len(np.atleast_2d(self.value)) > 1:
             return likeness.order()
         is_list = np.ndim(self.value) == 1 and len(self.parts) == np.size(self.value) > 1
         if not is_list or (self.same_entries(given, self.value) & (np.abs(self.value) > TOLERANCE)).any():
@@ -224,20 +215,17 @@ class Equivalent(Numbers):
         near = np.abs(mine - yours) <= tolerance * np.maximum(size, np.maximum(np.abs(mine), np.abs(yours)))
         return [bool(near.all())]
 
-    def seen(self, given: Array, part: int | None) -> Named | None:
+    def seen(self, given: Array, part: int) -> Named | None:
         """Return whether it is a placeholder or in degrees, by its meaning: an entry that differs from ours is not wrong for that."""
-        likeness = Numbers.likeness(self, given, part)
-        seen = likeness.placeholder() if part is None else likeness.at_sight()
-        if seen and (part is None or seen[0] != "degrees"):
+        seen, angles = self.likeness(given, part).at_sight(), self.kinds() == ANGLE
+        if seen and seen[0] != "degrees":
             return seen
-        radians = np.where(self.angle_entries(), np.radians(given), given)
-        fine = self.agrees(radians, self.value)
-        is_in_degrees = self.angle_entries().any() and (all(fine) if part is None else fine[part])
+        is_in_degrees = angles.any() and self.agrees(np.where(angles, np.radians(given), given), self.value)[part]
         return ("degrees", IN_DEGREES) if is_in_degrees else None
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
+    def resemblance(self, given: Array, part: int) -> Named | None:
         """Return what is true of all entries at once."""
-        seen = None if part is None else self.likeness(given, part).resemblance()
+        seen = self.likeness(given, part).resemblance()
         # Single entries of another right answer may differ from ours.
         return seen if seen and seen[0] in {"all signs", "factor", "doubled", "halved"} else None
 

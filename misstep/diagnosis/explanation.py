@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Any
 
-from misstep.answers.base import Answer, Named, has_alike_rows, seen_at_sight
+from misstep.answers.base import Answer, Named
 from misstep.answers.likeness import REORDERED
 from misstep.mistakes import Mistake
 from misstep.problem import Problem
@@ -66,13 +66,13 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Finding]
     wrong  the indices of its wrong parts, at least one
     """
     answer, names = problem.answer, [problem.answer.parts[part] for part in wrong]
-    if seen := seen_at_sight(answer, value):
+    if seen := answer.at_sight(value):
         return [replace(_seen(names, seen), spoils=True)]
     groups = [problem.mistakes, list(problem.mutants_near(value)), problem.slips]
-    is_moved = has_alike_rows(answer) and len(wrong) >= len(answer.parts) - 1 > 1
+    is_moved = answer.has_alike_rows and len(wrong) >= len(answer.parts) - 1 > 1
     for group in groups:
         if mistakes := _distinct([one for one in group if all(answer.agrees(value, one.value))]):
-            is_method, is_reordered = group is not problem.slips, is_moved and bool(answer.resemblance(value, None))
+            is_method, is_reordered = group is not problem.slips, is_moved and bool(answer.order(value))
             if len(answer.parts) == 1 and (seen := answer.seen(value, 0)):  # whole numbers may be both
                 mistakes.insert(1, Mistake(seen[0], None, seen[1]))
             spoils = is_reordered or all(one.spoils for one in mistakes)
@@ -80,7 +80,7 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Finding]
             return [_checked(answer, value, told)]
     sights = {part: seen for part in wrong if (seen := answer.seen(value, part))}
     is_single = len(answer.parts) == 1
-    if not is_single and (order := answer.resemblance(value, None)):
+    if not is_single and (order := answer.order(value)):
         is_reordered = order[0] in REORDERED
         # As is the gap where rows are moved.
         if is_reordered or all(name == "placeholder" for name, _ in sights.values()):
