@@ -50,6 +50,7 @@ def _sum_twice(E: Array) -> Array:
 # fmt: off
 _ALL = ALL_AT_ONCE
 _ANGLES = table(
+    ("degrees", "give the angles in degrees |", lambda E: np.degrees(_angles(E)), "Give them in radians.", _ALL),
     ("reversed", "give $\\theta_6, \\theta_5, \\theta_4$ in this order |", lambda E: _angles(E)[::-1], ORDER_ADVICE, _ALL),
     ("sign of theta_5", "take $\\theta_5$ alone with the opposite sign |", lambda E: _angles(E) * (1, -1, 1), PAIR_ADVICE, _ALL),
     ("all signs", "take all angles with the opposite sign |", lambda E: -_angles(E), "", _ALL),

@@ -7,7 +7,6 @@ numbers a single value. So the same comparison serves all three.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import permutations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -155,48 +154,38 @@ class Likeness:
         return None if is_one else ("factor", SCALED)
 
     def order(self) -> Named | None:
-        """Return whether these are the right numbers in another order."""
-        if self.mine.ndim == 1 or self._equal(self.mine, self.right).all():
+        """Return whether these are the right numbers in another order: of the columns, of the rows, or one by one."""
+        mine, right = self.mine, self.right
+        if mine.ndim == 1 or self._equal(mine, right).all():
             return None
-        columns = self.mine.shape[1] if self.mine.ndim == 3 else 0
-        for order in list(permutations(range(columns)))[1:] if columns <= 4 else ():
-            if self._equal(self.mine, self.right[:, list(order)]).all():
-                return _order_of("column", order, self.columns)
-        return self._permuted_rows() or self._renumbered() or self._moved_rows()
+        has_few_columns = mine.ndim == 3 and mine.shape[1] <= 4
+        if has_few_columns and (order := self._permutation(mine.swapaxes(0, 1), right.swapaxes(0, 1))):
+            return _order_of("column", order, self.columns)
+        if mine.ndim > 2 and (order := self._permutation(mine, right)):
+            return _order_of("row", order)
+        single, right_ones = (x.reshape(-1, x.shape[-1]) for x in (mine, right))
+        is_short = mine.ndim == 2 and len(single) <= 4
+        is_telling = len(single) <= 6 and not self.is_formula and np.unique(np.round(right, 6)).size > 3
+        if (is_short or is_telling) and self._permutation(single, right_ones):
+            return "order of the numbers", self.reordered
+        return self._moved_rows() if mine.ndim > 2 < len(mine) else None
 
-    def _renumbered(self) -> Named | None:
-        """Return whether a few numbers are the right ones, each once, in another order."""
-        mine, right = (np.sort(x.reshape(-1, x.shape[-1]), axis=0) for x in (self.mine, self.right))
-        is_short = self.mine.ndim == 2 and len(mine) <= 4
-        is_telling = len(mine) <= 6 and not self.is_formula and np.unique(np.round(right, 6)).size > 3
-        is_same = (is_short or is_telling) and self._equal(mine, right).all()
-        return ("order of the numbers", self.reordered) if is_same else None
-
-    @property
-    def _rows(self) -> tuple[Array, Array]:
-        """The answer and the right one as rows; a matrix in a list of matrices is one row."""
-        return tuple(x.reshape(len(x), -1, x.shape[-1]) if x.ndim > 3 else x for x in (self.mine, self.right))  # type: ignore[return-value]
-
-    def _permuted_rows(self) -> Named | None:
-        """Return whether the rows are the right ones, each once, in another order."""
-        mine, right = self._rows
-        if mine.ndim != 3 or len(mine) < 2:
-            return None
+    def _permutation(self, mine: Array, right: Array) -> list[int] | None:
+        """Return for each row, column or number where it belongs, if they are the right ones, each once."""
         order: list[int] = []
-        for k, row in enumerate(mine):
-            places = [j for j, other in enumerate(right) if j not in order and self._equal(row, other).all()]
+        for k, one in enumerate(mine):
+            places = [j for j, other in enumerate(right) if j not in order and self._equal(one, other).all()]
             if not places:
                 return None
             order.append(k if k in places else places[0])
-        return _order_of("row", order)
+        return order
 
     def _moved_rows(self) -> Named | None:
         """Return whether all rows are moved by one, so that one of them falls out, and another one fills the gap."""
-        mine, right = self._rows
-        if mine.ndim != 3 or len(mine) < 3:
-            return None
+        mine, right = self.mine, self.right
         is_down, is_up = (self._equal(*pair).all() for pair in ((mine[1:], right[:-1]), (mine[:-1], right[1:])))
-        if not (is_down or is_up) or np.count_nonzero(self._equal(mine, right).all(axis=1)) > 1:
+        stay = np.count_nonzero(self._equal(mine, right).reshape(len(mine), -1).all(axis=1))
+        if not (is_down or is_up) or stay > 1:
             return None
         where, lost = ("down", "last") if is_down else ("up", "first")
         return "rows moved", f"Your rows are moved {where} by one: the {lost} one of the right rows is missing."
