@@ -42,7 +42,7 @@ mistakes are looked for."""
 CALLED_EXACT_M = 1e-6
 """Poses that differ by less are told as equal."""
 
-USUAL_SLIPS = {"other convention", *(slip.name for slip in SLIPS_OF_A_TABLE)} - {"columns in another order"}
+USUAL_SLIPS = {"the other convention", *(slip.name for slip in SLIPS_OF_A_TABLE)} - {"columns in another order"}
 """The slips that are told of a table whose numbers may only be rounded."""
 
 

@@ -19,7 +19,7 @@ from misstep.problem import Problem
 MAX_ALTERNATIVES = 2
 """How many mistakes that lead to the same answer are told."""
 
-UNCHECKED = {"another row", "millimetres", "degrees"}
+UNCHECKED = {"another row", "millimetres", "centimetres", "degrees"}
 """The names of what needs no check: the numbers are right, at another place or in another unit."""
 
 SENTENCE_END = re.compile(r"(?<=[.!?]) ")
