@@ -11,8 +11,8 @@ from kincourse.mistakes.dh import slips_of_rows, symbol
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, is_plausible_angle
 from misstep.answers.base import TOLERANCE, Named
-from misstep.answers.likeness import Likeness
-from misstep.answers.number import ANGLE, LENGTH, Numbers
+from misstep.answers.likeness import ANGLE, LENGTH, Likeness
+from misstep.answers.number import Numbers
 from misstep.mutants.expression import Slip
 
 
@@ -75,7 +75,6 @@ class DHRowAnswer(DHEntriesAnswer):
     """One row of a DH table, shape (4,): a, alpha, d, theta, in metres and radians. Each entry is a part."""
 
     names: Sequence[str] = COLUMNS
-    noun: ClassVar[str] = "row"
 
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
         """Return whether all but one are right: by a wrong method, both lengths or both angles are."""
@@ -84,22 +83,15 @@ class DHRowAnswer(DHEntriesAnswer):
 
 @dataclass(frozen=True, eq=False)
 class DHRowsAnswer(_DHNumbers):
-    """Rows of a DH table at q = 0, shape (m, 4): a, alpha, d, theta, in metres and radians. Each row is a part.
-
-    The numbers may also be listed one after the other.
-    """
+    """Rows of a DH table at q = 0, shape (m, 4): a, alpha, d, theta, in metres and radians. Each row is a part."""
 
     noun: ClassVar[str] = "rows of a, alpha, d, theta in metres and radians, an array"
     alike_rows: ClassVar[bool] = True
+    may_be_listed: ClassVar[bool] = True
 
     @property
     def parts(self) -> Sequence[str]:
         return [f"row {i + 1}" for i in range(len(self.value))]
-
-    def read(self, given: Any) -> Array:
-        count = np.size(self.value)
-        is_list = any(_has_shape(given, shape) for shape in ((count,), (count, 1), (1, count)))
-        return super().read(np.reshape(given, np.shape(self.value)) if is_list else given)
 
     def kinds(self) -> NDArray[np.int_]:
         return np.broadcast_to([LENGTH, ANGLE, LENGTH, ANGLE], np.shape(self.value))
@@ -134,13 +126,6 @@ class DHRowsAnswer(_DHNumbers):
 def has_a_telling_row(rows: Array, right: Sequence[bool]) -> bool:
     """Return whether one of the right rows has two numbers that are not 0: wrong methods get others right, too."""
     return any(fine and np.count_nonzero(np.abs(row) > TOLERANCE) > 1 for fine, row in zip(right, rows, strict=True))
-
-
-def _has_shape(given: Any, shape: tuple[int, ...]) -> bool:
-    try:
-        return bool(np.shape(given) == shape)
-    except Exception:  # reading the shape of a student's object may raise any error
-        return False
 
 
 def _same_angle(one: Any, other: Any, tolerance: float = TOLERANCE) -> Any:

@@ -13,8 +13,6 @@ from misstep.answers.number import Numbers
 
 XYZ = ("$x$", "$y$", "$z$")
 
-REORDERED = "Your three {} are right, but not in the order $x$, $y$, $z$."
-
 HOMOGENEOUS = " These are homogeneous coordinates: leave off the last entry (1 for a point, 0 for a direction), so that x, y, z are left."
 
 UNIT_TOLERANCE = 0.01
@@ -35,12 +33,8 @@ class VectorsAnswer(Numbers):
     def parts(self) -> Sequence[str]:
         return self.names or ["the answer"]
 
-    @property
-    def _reordered(self) -> str:
-        return REORDERED.format("coordinates" if self.unit else "components")
-
     def likeness(self, given: Array, part: int | None) -> Likeness:
-        return replace(super().likeness(given, part), reordered=self._reordered, columns=XYZ)
+        return replace(super().likeness(given, part), columns=XYZ)
 
     def check(self, given: Array, part: int) -> str:
         mine, right = (float(np.linalg.norm(X[self.part_indices()[part]])) for X in (given, self.value))

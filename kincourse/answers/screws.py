@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep.answers.base import Named
-from misstep.answers.likeness import ROUND_OFF, entries_hint
-from misstep.answers.number import LENGTH, PURE, Numbers
+from misstep.answers.likeness import LENGTH, PURE, ROUND_OFF, entries_hint
+from misstep.answers.number import Numbers
 from misstep.mutants.expression import Slip
 from misstep.validation import Array
 
@@ -126,11 +126,6 @@ class ScrewsAnswer(Numbers):
     def place(self, index: Sequence[Any]) -> str:
         name = ENTRY_NAMES[int(index[-1])]
         return f"{name} of {self.parts[int(index[0])]}" if len(index) > 1 else name
-
-    def remedy(self, shape: tuple[int, ...]) -> str:
-        if shape == (3,) and np.shape(self.value) == (6,):
-            return " A screw axis is (omega, v), six numbers: is the other half missing?"
-        return super().remedy(shape)
 
 
 def screw_check(mine: Array, right: Array) -> str:

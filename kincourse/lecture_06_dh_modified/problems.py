@@ -10,8 +10,7 @@ import numpy as np
 
 from kincourse.answers.dh_row import DHRowsAnswer
 from kincourse.answers.dh_table import DHTableAnswer
-from kincourse.answers.euler import EulerAnglesAnswer
-from kincourse.answers.pose import PoseAnswer, RotationAnswer
+from kincourse.answers.pose import EulerAnglesAnswer, PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.links import link, table_product
 from kincourse.expressions.poses import inverse, rotation_about, rotation_of

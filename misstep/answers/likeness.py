@@ -14,6 +14,12 @@ from numpy.typing import NDArray
 from misstep.answers.base import TOLERANCE, Named
 from misstep.validation import Array
 
+PURE, LENGTH, ANGLE, OTHER = range(4)
+"""The kinds of numbers: those of size 1, as in a direction or a rotation; lengths; angles in radians; and all others."""
+
+KINDS = {"m": LENGTH, "metres": LENGTH, "mm": LENGTH, "rad": ANGLE, "radians": ANGLE}
+"""The kind of numbers with a unit."""
+
 ROUND_OFF = 1e-12
 """Smaller absolute values are zeros with an error of the computer's arithmetic."""
 
@@ -34,22 +40,19 @@ UNTOUCHED = "{}. Put in the numbers that you find."
 class Likeness:
     r"""A part of an answer and of the right one, shape (..., inputs), and what is known about its entries.
 
-    lengths, angles  which entries are lengths, and angles in radians
-    unit             the unit of the lengths
-    place            names an entry by its index
-    reordered        what is said of the right numbers in another order
-    columns          the names of the columns, if they have any
-    tolerance        how far a number may be off: nothing is said of a number that is hidden in it
-    is_formula       whether the entries are formulas, which are compared exactly
+    kinds       the kind of each entry
+    unit        the unit of the lengths, by default metres
+    place       names an entry by its index
+    columns     the names of the columns, if they have any
+    tolerance   how far a number may be off: nothing is said of a number that is hidden in it
+    is_formula  whether the entries are formulas, which are compared exactly
     """
 
     mine: Array
     right: Array
-    lengths: NDArray[np.bool_] | None = None
-    angles: NDArray[np.bool_] | None = None
+    kinds: NDArray[np.int_] | int = OTHER
     unit: str = "m"
     place: Callable[[Sequence[int]], str] = lambda index: f"entry {', '.join(str(i + 1) for i in index)}"
-    reordered: str = "These are the right numbers, but not in the right order."
     columns: Sequence[str] = ()
     tolerance: float = TOLERANCE
     is_formula: bool = False
@@ -77,8 +80,6 @@ class Likeness:
         """Return how the numbers differ from the right ones as a whole: by signs, by a factor, or by their order."""
         if not self.mine.any() and self._is_seen(self.right).any():
             return "left at 0", ZERO
-        if self._equal(self.mine, self.right).all():
-            return None
         is_square = self.mine.ndim == 3 and len(self.mine) == self.mine.shape[1]
         if is_square and self._equal(self.mine, self.right.swapaxes(0, 1)).all():
             return "transposed", "This is the transpose of the right one."
@@ -92,19 +93,18 @@ class Likeness:
 
     @property
     def _has_unit(self) -> bool:
-        return any(mask is not None and mask.any() for mask in (self.lengths, self.angles))
+        return bool(np.isin(self.kinds, (LENGTH, ANGLE)).any())
 
     def _unit(self) -> Named | None:
-        for which, is_angle in ((self.lengths, False), (self.angles, True)):
-            if which is None or not which.any():
-                continue
+        wanted, others = UNITS.get(self.unit, UNITS["m"])
+        for kind in (LENGTH, ANGLE):
+            which = self.kinds == kind
             mine, right = self.mine[which], self.right[which]
             if not (self._is_seen(right).any() and self._equal(self.mine[~which], self.right[~which]).all()):
                 continue
-            if is_angle and self._in_degrees(mine, right):
+            if kind == ANGLE and self._in_degrees(mine, right):
                 return "degrees", IN_DEGREES
-            wanted, others = UNITS[self.unit]
-            for name, factor in () if is_angle else others.items():
+            for name, factor in others.items() if kind == LENGTH else ():
                 if self._relative(mine, factor * right).all():
                     return name, OTHER_UNIT.format(name, wanted)
         return None
@@ -167,7 +167,9 @@ class Likeness:
         is_short = mine.ndim == 2 and len(single) <= 4
         is_telling = len(single) <= 6 and not self.is_formula and np.unique(np.round(right, 6)).size > 3
         if (is_short or is_telling) and self._permutation(single, right_ones):
-            return "order of the numbers", self.reordered
+            named = ", ".join(self.columns) if len(self.columns) == len(single) else ""
+            where = f"in the order {named}" if named else "in the right order"
+            return "order of the numbers", f"These are the right numbers, but not {where}."
         return self._moved_rows() if mine.ndim > 2 < len(mine) else None
 
     def _permutation(self, mine: Array, right: Array) -> list[int] | None:

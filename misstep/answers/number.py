@@ -11,15 +11,9 @@ from numpy.typing import NDArray
 
 from misstep import validation
 from misstep.answers.base import MAX_NUMBER, TOLERANCE, Answer, Named, Unreadable
-from misstep.answers.likeness import IN_DEGREES, ROUND_OFF, UNITS, Likeness, entries_hint, place_of
+from misstep.answers.likeness import ANGLE, IN_DEGREES, KINDS, OTHER, PURE, ROUND_OFF, Likeness, entries_hint, place_of
 from misstep.formulas.evaluation import numeral
 from misstep.validation import Array
-
-PURE, LENGTH, ANGLE, OTHER = range(4)
-"""The kinds of numbers: those of size 1, as in a direction or a rotation; lengths; angles in radians; and all others."""
-
-KINDS = {"m": LENGTH, "metres": LENGTH, "mm": LENGTH, "rad": ANGLE, "radians": ANGLE}
-"""The kind of numbers with a unit."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +26,8 @@ class Numbers(Answer):
     test   a check of each part that a student can do, in a sentence with the own numbers; "" if the part passes it
 
     A number may be off by a thousandth of itself, or of its scale: three digits of the largest number of its kind are enough,
-    0 is right for 1e-17, and wrong for 3e-7. The array is one part, unless a subclass overrides `parts`.
+    0 is right for 1e-17, and wrong for 3e-7. The array is one part, unless a subclass overrides `parts`. A vector, and whatever
+    `may_be_listed`, may also be a list, a row or a column of its numbers, one after the other.
 
     >>> Numbers(np.array([1.0, 2.0]), unit="m").read([1, "4/2 m"])
     array([1., 2.])
@@ -46,6 +41,7 @@ class Numbers(Answer):
     scale: Any = field(default=None, kw_only=True)
     test: Callable[[Any], str] | None = field(default=None, kw_only=True)
     noun: ClassVar[str] = "an array"
+    may_be_listed: ClassVar[bool] = False
 
     @property
     def expected(self) -> str:
@@ -75,10 +71,9 @@ class Numbers(Answer):
             shape = np.shape(given)
         except Exception as error:  # reading the shape of a student's object may raise any error
             raise refused(f"{_kind(given)} whose rows differ in length.") from error
-        if not expected and 0 < len(shape) <= 2 and np.prod(shape) == 1:
-            return self.read(np.asarray(given).ravel()[0])  # [x] can only mean x
-        if len(expected) == 1 and shape in ((*expected, 1), (1, *expected)):
-            given = np.ravel(given)  # a column or a row of a matrix lists the same numbers
+        count, is_list = np.size(self.value), self.may_be_listed or len(expected) < 2  # [x] can only mean x
+        if shape != expected and is_list and shape in ((count,), (count, 1), (1, count)):
+            given = np.reshape(given, expected)
         elif shape != expected:
             quotes = " Give a list without quotes around it." if isinstance(given, str) and expected else ""
             found = f"{_kind(given)} of shape {shape}" if shape else validation.brief(given)
@@ -145,9 +140,8 @@ class Numbers(Answer):
         piece = ... if part is None else self.core_indices()[part]
         mine, right = (np.asarray(x, dtype=float)[piece][..., None] for x in (given, self.value))
         places = np.moveaxis(np.indices(np.shape(self.value)), 0, -1)[piece]
-        lengths, angles = (np.atleast_1d((self.kinds() == kind)[piece]) for kind in (LENGTH, ANGLE))
-        unit = self.unit if self.unit in UNITS else "m"
-        return Likeness(mine, right, lengths, angles, unit, lambda index: self.place(places[tuple(index)]))
+        kinds = np.atleast_1d(self.kinds()[piece])
+        return Likeness(mine, right, kinds, self.unit, lambda index: self.place(places[tuple(index)]))
 
     def place(self, index: Sequence[Any]) -> str:
         """Name the place of an entry of the whole array."""

@@ -68,7 +68,7 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Finding]
     answer, names = problem.answer, [problem.answer.parts[part] for part in wrong]
     if seen := answer.at_sight(value):
         return [replace(_seen(names, seen), spoils=True)]
-    groups = [problem.mistakes, list(problem.mutants_near(value)), problem.slips]
+    groups = [problem.mistakes, list(problem.mutants(value)), problem.slips]
     is_moved = answer.has_alike_rows and len(wrong) >= len(answer.parts) - 1 > 1
     for group in groups:
         if mistakes := _distinct([one for one in group if all(answer.agrees(value, one.value))]):

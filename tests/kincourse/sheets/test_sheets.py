@@ -173,7 +173,7 @@ def test_unknown_sheets_problems_steps_and_questions_are_refused_with_those_that
 def test_one_change_has_one_name():
     names_of = defaultdict(set)
     for problem in (drawn(template, STUDENTS[0]) for template in TEMPLATES + OPEN):
-        for mistake in [*problem.mutants, *problem.slips]:
+        for mistake in [*problem.known_mistakes, *problem.slips]:
             if mistake.did and "$" not in mistake.did:  # a symbol may be an angle here and a length there
                 names_of[mistake.did].add(mistake.name)
     assert {did: names for did, names in names_of.items() if len(names) > 1} == {}
@@ -183,8 +183,7 @@ def test_every_formula_of_a_statement_and_of_a_message_can_be_set():
     """On the page of feedback an invalid one would stand as it was typed."""
     formulas = set()
     for problem in (drawn(template, STUDENTS[0]) for template in TEMPLATES + OPEN):
-        mistakes = [*problem.mistakes, *problem.mutants]
-        for text in (problem.statement, *(text for one in mistakes for text in (one.message, one.part))):
+        for text in (problem.statement, *(text for one in problem.known_mistakes for text in (one.message, one.part))):
             formulas |= {*re.findall(r"\$\$?([^$]+)\$\$?", text)}
     assert len(formulas) > 100
     for formula in formulas:
