@@ -268,9 +268,14 @@ def problem(
 def templates_in(module: ModuleType) -> list[Template]:
     """Return the problems of a module, in the order of their numbers: "03.2" comes before "03.10".
 
+    Raises ValueError for a number that two problems have.
+
     >>> from kincourse.lecture_03_poe_space import problems
     >>> [template.number for template in templates_in(problems)][::9]
     ['03.1', '03.10']
     """
     found = [value for value in vars(module).values() if isinstance(value, Template)]
+    numbers = [template.number for template in found]
+    if twice := {number for number in numbers if numbers.count(number) > 1}:
+        raise ValueError(f"Each problem must have its own number; {', '.join(sorted(twice))} is there twice.")
     return sorted(found, key=lambda template: (len(template.number), template.number))

@@ -143,7 +143,6 @@ def homogeneous_matrix(sampler: ArmSampler) -> Problem:
             if shift_first
             else "The order matters: here the rotation comes first, so it does not act on the translation: $R\\,x + p$.",
             "sign of an angle": "Counterclockwise is positive: the first row of the rotation block is $(\\cos\\theta, -\\sin\\theta)$.",
-            "last row": "The translation belongs in the last column, where it is multiplied by the 1 of $(x, y, 1)$.",
             "position left out": "Without it the origin stays where it is; the last column says where the origin goes.",
             "rotation left out": "The upper left block is the rotation $R$.",
         },
@@ -226,8 +225,6 @@ def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
         advice={
             "inverse left out": "The inverse of $T_{st}$ is $T_{ts}$, whose second subscript cancels with the first of $T_{sc}$.",
             "factor left out": "All three factors are needed: $T_{ts}\\,T_{sc}\\,T_{co}$.",
-            "leave out $R_{sc}$": "$p_{co}$ is a vector written in {c}: multiply it by $R_{sc}$ before you add it to $p_{sc}$.",
-            "leave out $R_{st}^T$": advice,
             **dict.fromkeys(("inverse", "order", "first factor", "last factor", "reversed"), SUBSCRIPTS_CANCEL),
         },
     )

@@ -490,7 +490,6 @@ def palletizer(sampler: ArmSampler) -> Problem:
         further="The origin of {s} is moved to joint 2. Which numbers of your screws change?",
         figure=lambda: draw_dimensions([foot, np.array([foot[0], foot[1], shoulder[2]]), *points], drawn, marks),
         answer=ScrewsAnswer(S, names=["screw 2", "screw 3", "screw 4"]),
-        invisible={"another point"},
     )
 
 
@@ -536,7 +535,6 @@ def ur5e_on_a_stand(sampler: ArmSampler) -> Problem:
         figure=lambda: draw_dimensions(body, drawn, {"base": place}),
         shown={"axes": axes, "points": points},
         answer=ScrewsAnswer(S),
-        invisible={"another point"},
     )
 
 

@@ -398,8 +398,7 @@ def drawn_wrist(sampler: ArmSampler) -> Problem:
         further="With all offsets 0, which entries of the three screws vanish?",
         figure=lambda: draw_dimensions([*points, (0, 0, 0)], drawn, marks, origin="{b}"),
         answer=ScrewsAnswer(B, names=["screw 4", "screw 5", "screw 6"]),
-        invisible={"another point"},
-        advice={"sign of a coordinate": "The wrist is behind the tool, so most coordinates in {b} are negative."},
+        advice={"sign of a length": "The wrist is behind the tool, so most coordinates in {b} are negative."},
     )
 
 

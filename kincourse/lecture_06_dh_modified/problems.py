@@ -499,7 +499,6 @@ def panda_on_a_wall(sampler: ArmSampler) -> Problem:
         further="Which rows of the table would stay the same if the maker had chosen the standard convention?",
         shown={"rows": rows, "base": base},
         answer=ScrewsAnswer(S),
-        invisible={"another point"},
     )
 
 

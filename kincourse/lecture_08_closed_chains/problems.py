@@ -262,10 +262,7 @@ def dead_point(sampler: ArmSampler) -> Problem:
     lengths = ground, crank, coupler, rocker = bars(four_bar)
 
     def stretched(four: Sequence[Expression]) -> Expression:
-        reach = (four[2] + four[3]).mistaken_for(
-            ("folded", "take the difference of coupler and rocker, as if they were folded", four[2] - four[3])
-        )
-        return corner_angle(four[0], four[1], reach)
+        return corner_angle(four[0], four[1], four[2] + four[3])
 
     A = with_other_bars(stretched, lengths, [(0, 2), (0, 3), (1, 2), (1, 3)])
     A = A.mistaken_for(
@@ -296,7 +293,7 @@ def dead_point(sampler: ArmSampler) -> Problem:
         advice={
             "mirror image": "The least angle belongs to the mirror image, with the crank below the ground line.",
             "another corner": "The crank's angle is the angle at A, opposite the stretched bars.",
-            **dict.fromkeys(("folded", "another bar", "term left out", "lengths swapped"), advice),
+            **dict.fromkeys(("another bar", "term left out", "lengths swapped"), advice),
         },
     )
 

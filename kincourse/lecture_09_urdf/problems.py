@@ -208,7 +208,7 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
         shown={"urdf": text},
         answer=ScrewsAnswer(S),
         # With right angles, R_3 R_1 R_2 is often R_1 R_2 R_3; it is not an order in which people multiply.
-        invisible={"first factor", "last factor"},
+        invisible={"first factor"},
     )
 
 
@@ -404,7 +404,6 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
         answer=VectorsAnswer(axis),
         advice={"transpose left out": WRONG_FRAME_ADVICE},
         # With right angles, R_3 R_1 R_2 is often R_1 R_2 R_3; it is not an order in which people multiply.
-        invisible={"first factor", "last factor"},
     )
 
 

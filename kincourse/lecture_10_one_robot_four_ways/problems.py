@@ -242,7 +242,6 @@ def screws_of_the_project(sampler: ArmSampler) -> Problem:
         further="Check one screw by the velocity of a point. Which point do you take?",
         figure=lambda: project.drawing("screws"),
         answer=ScrewsAnswer(S),
-        invisible={"another point"},
     )
 
 

@@ -20,7 +20,7 @@ COLUMN_NAMES = {
     name: column
     for column, names in {
         "a": "a r length linklength aj ai an",
-        "alpha": "alpha alfa alph twist linktwist psi alphaj",
+        "alpha": "alpha alfa alph al twist linktwist psi alphaj",
         "d": "d s linkoffset dj di",
         "theta": "theta th q angle jointangle v thetaj var variable",
         "offset": "offset thetaoffset offsettheta theta0 zero jointoffset qoffset",

@@ -62,6 +62,7 @@ REPLACEMENTS = [
     (r"\((?:float|double|real_t)\)", ""), (r"\b\w+[(\[](\d+)[)\]]\.(\w+)\s*=(?!=)", r"\2\1 ="),  # L(1).a = 0.1
     (r"\b([a-zA-Z]\w*)\[(\d+)\](?!\s*[\[.])", r"\1\2"), (r"(?<=[\[,])\s*\[([^\[\],]*\d[^\[\],]*)\](?=\s*[,\]])", r"\1"),
     (r"(?m)^[ \t]*-[ \t]+\[([^\[\]\n]*)\]", r"\1"), (r"(?m)^[ \t]*\(?\d+\)[ \t]+(?=[-\w.])", ""),  # of YAML, and 1) of lists
+    (r"(?mi)^.*?(?<![:.\w])(?:\w+_)?dh(?:_\w+)?\(((?:[^=,\n]{0,60},){3}[^=,\n]{0,60})\)\W*$", r"\1"),  # T = T @ dh(q1, 0.3, 0, pi/2)
     (r"\bth_?(\d+)\b", r"theta\1"), (r"(?m)^[ \t]*#define\s+(\w+)\s+", r"\1 = "), (r"\b\w+\s*<<\s*(?=\S)", ""),
 ]  # fmt: skip
 """What terminals, HTML, LaTeX and code write for signs and separators, and what a keyboard has for them."""
@@ -285,9 +286,15 @@ def _from_columns(text: str, names: Mapping[str, float]) -> _Grid | None:
         inside, column = square or round_, _column_in(name)
         separators = "[,;]" if re.search("[,;]", inside) else r"\s+"
         cells = [cell for cell in re.split(separators, inside) if cell.strip()]
-        if column and cells and all(map(grid.is_entry, cells)):
-            lists[column] = cells
-    if not {*lists} >= NEEDED:
+        if cells and all(map(grid.is_entry, cells)):
+            lists[column or name] = cells
+    others = [name for name in lists if name not in ALL_COLUMNS]
+    lists = {name: cells for name, cells in lists.items() if name not in others}
+    if {*lists} >= NEEDED:
+        used = " ".join(cell for cells in lists.values() for cell in cells)  # L0 of L
+        unread = [name for name in others if not re.search(rf"\b{name}\d", used)]
+        grid.assumed += [Assumption(f"The list {name} was not read.") for name in unread]
+    else:
         found = _by_index(text, grid)
         if len(lists) > 1 and not found:
             missing = ", ".join(sorted(NEEDED - {*lists}))
@@ -324,6 +331,9 @@ def _by_index(text: str, grid: _Grid) -> dict[str, list[str]]:
         for column in ("a", "alpha"):
             found[column] = {k + 1: value for k, value in found[column].items()}
     indices = sorted({k for cells in found.values() for k in cells})
+    if joints := [k for k in indices if k not in found.get("theta", indices)]:
+        grid.assume(f"There is no theta{joints[0]}: each theta without a value was read as the joint variable.")
+        found["theta"] |= {k: f"q{k}" for k in joints}
     return {column: [cells.get(k, "") for k in indices] for column, cells in found.items()}
 
 
@@ -514,7 +524,7 @@ def _cell(cell: str, decimal_comma: bool = False) -> str:
     for bracket, other in ("()", ")("):
         if cell.count(bracket) > cell.count(other):
             cell = cell.strip(bracket).strip()
-    return re.sub(r"(?<=\d),(?=\d)", ".", cell) if decimal_comma else cell
+    return re.sub(r"(?<=\d),(?=\d)", ".", re.sub(r",(?=\d{3}\.)", "", cell)) if decimal_comma else cell
 
 
 def _entry(cell: str, column: str, names: Mapping[str, float]) -> Entry:
@@ -615,8 +625,9 @@ def _joints(grid: _Grid, entries: list[dict[str, Entry]], given: str) -> tuple[s
         if not any("There is no column theta" in each.text for each in grid.assumed):
             grid.assume(words)
     elif "?" in letters:
-        rows = ", ".join(str(k + 1) for k, letter in enumerate(letters) if letter == "?")
-        grid.assumed.append(Assumption(f"Row {rows} has no variable: it was read as fixed, without a joint."))
+        rows = [str(k + 1) for k, letter in enumerate(letters) if letter == "?"]
+        words = "Row {} has no variable: it was" if len(rows) == 1 else "Rows {} have no variable: they were"
+        grid.assumed.append(Assumption(f"{words.format(', '.join(rows))} read as fixed, without a joint."))
     return letters.replace("?", "F"), signs
 
 
@@ -656,8 +667,8 @@ def _said_convention(text: str, grid: _Grid) -> Literal["standard", "modified"] 
 
 def _definitions(text: str) -> dict[str, float]:
     """Read the values of names, l1 = 0.3 or d1 = 89.2 mm, that stand beside a table."""
-    found = re.findall(rf"\b([a-zA-Z]+\d+)\s*[=:]\s*(-?{NUMBER})\s*(mm|cm|m)?\b", text)
-    values = {name: float(value) * LENGTH_UNITS[unit or "m"] for name, value, unit in found}
+    found = re.findall(rf"\b([a-zA-Z]\w*)\s*[=:]\s*(-?{NUMBER})\s*(mm|cm|m)?\b", re.sub(r"[{}]", "", text))
+    values = {name: float(value) * LENGTH_UNITS[unit or "m"] for name, value, unit in found if name not in COLUMN_NAMES}
     for name, *inside in LIST.findall(text):  # L = [0.2, 0.3], of which L0 was L[0]
         numbers = re.split(r"[,\s]+", "".join(inside).strip())
         if all(re.fullmatch(rf"-?{NUMBER}", number) for number in numbers):

@@ -158,12 +158,18 @@ class Expression:
         """Return the same expression with a name of its own in LaTeX, by which messages speak of it."""
         return replace(self, label=label)
 
-    def mistaken_for(self, *slips: tuple[Any, ...], advice: str = "", **fields: Any) -> "Expression":
+    def mistaken_for(self, *slips: Any, advice: str = "", **fields: Any) -> "Expression":
         """Return the same expression with further slips: here, and in this problem, people take other values.
 
         slips   (name, text, value) or (name, text, value, advice)
         fields  of all these slips, such as spoils=True
+
+        Raises ValueError for a slip that is no tuple.
         """
+        if flat := [slip for slip in slips if not isinstance(slip, tuple)]:
+            raise ValueError(
+                f"Each slip must be a tuple (name, text, value); got {flat[0]!r:.80}. Put brackets around it."
+            )
         further = [
             Slip(name, text, as_expression(other), advice=why[0] if why else advice, **fields)
             for name, text, other, *why in slips

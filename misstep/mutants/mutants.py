@@ -42,7 +42,7 @@ class MutableSolution:
     @cached_property
     def mutations(self) -> Sequence[Mutation]:
         """Its changes, in the same order at each input."""
-        single = [Mutation(slip, {node: slip.wrong}) for node in _nodes(self.root) for slip in node.slips()]
+        single = [Mutation(slip, {node: slip.wrong}) for node in nodes(self.root) for slip in node.slips()]
         everywhere: dict[tuple[str, str], list[Mutation]] = {}
         for mutation in single:
             if text := mutation.slip.everywhere:
@@ -100,7 +100,7 @@ def value_of(expression: Expression) -> Any:
         return None
 
 
-def _nodes(root: Expression) -> list[Expression]:
+def nodes(root: Expression) -> list[Expression]:
     """Return the different parts of an expression, each before its own parts."""
     found, left = dict[Expression, None](), [root]
     while left:

@@ -1,10 +1,11 @@
-"""`misstep preview 01.2`: a problem as a student sees it, and each mistake with the card that it gets."""
+"""`misstep preview 01.2`: a problem as a student sees it, and the cards of the right answer and of each mistake."""
 
 from argparse import ArgumentParser, Namespace
 
 from misstep.catalog import find_course
 from misstep.judge import judge
 from misstep.verdict import Verdict
+from misstep.worked_solution import worked_solution
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -22,9 +23,14 @@ def run(options: Namespace) -> int:
     template = templates[options.number]
     problem = template.variant(options.student)
     print(template.number, template.title, problem.statement, sep="\n\n")
-    print(f"Given: {problem.given}\nExpected: {problem.answer.expected}\nRight: {problem.answer.value}")
+    if problem.figure:
+        print(f"\nThe drawing: {problem.figure().alt}")
+    print(f"\nGiven: {problem.given}\nExpected: {problem.answer.expected}")
+    judgement, worked = judge(problem, problem.answer.value), worked_solution(problem)
+    right = Verdict(template, judgement, worked=worked, further=problem.further)
+    print(f"\nThe right answer, {problem.answer.value}\n{right.card.text()}")
     for mistake in [*problem.known_mistakes, *problem.slips]:
-        print(
-            f"\nMistake: {mistake.name}, {mistake.value}\n{Verdict(template, judge(problem, mistake.value)).card.text()}"
-        )
+        judgement = judge(problem, mistake.value)
+        if judgement.state != "right":  # what is declared as invisible
+            print(f"\nMistake: {mistake.name}, {mistake.value}\n{Verdict(template, judgement).card.text()}")
     return 0

@@ -106,3 +106,8 @@ def test_a_change_that_would_have_changed_a_right_part_is_not_told():
     asked = Problem("", Angles(stack(a, a + b).value), solution=stack(a, a + b))
     assert judge(asked, [0.7, -0.3]).mistakes == ["sign"]
     assert judge(asked, [-0.7, -0.3]).mistakes == ["sign of an angle"]
+
+
+def test_a_slip_without_its_brackets_is_refused():
+    with pytest.raises(ValueError, match=r"must be a tuple .* got 'a name'. Put brackets around it"):
+        given("x", 1.0).mistaken_for("a name", "do it", 2.0)

@@ -1,6 +1,7 @@
 """The engine of the sheets: drawing variants, reading and judging answers, on small problems."""
 
 from dataclasses import dataclass
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from misstep.diagnosis.explanation import Finding
 from misstep.judge import STEP_BY_STEP, UNKNOWN, Judgement, judge
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import given as of_solution
-from misstep.problem import Problem, problem
+from misstep.problem import Problem, problem, templates_in
 from misstep.sampling import Sampler
 from misstep.sheet import OpenSheet, Sheet
 
@@ -169,6 +170,10 @@ def test_a_check_after_an_answer_cell_that_failed_judges_no_older_answer():
             text = shell.user_ns["verdict"].card.text()
             assert "ended with an error" in text
             assert name in text
+        shell.run_cell("screws_1 = 3", cell_id="answer-1")
+        shell.run_cell("screw_1 = 4", cell_id="answer-1")  # misspelled
+        shell.run_cell("verdict = sheet.check(1, screws_1)")
+        assert "Your lines do not set `screws_1` any more." in shell.user_ns["verdict"].card.text()
     finally:
         InteractiveShell.clear_instance()
 
@@ -206,3 +211,9 @@ def test_the_tally_names_a_mistake_that_returns_also_if_it_was_corrected():
     *_, total, empty, line = sheet.tally()._repr_markdown_().splitlines()
     assert (total.startswith("| **together**"), empty) == (True, "")
     assert line == "- Returning mistake: “product for division” explains answers in 2 problems (01.1, 01.2)."
+
+
+def test_two_problems_with_one_number_are_refused():
+    module = SimpleNamespace(one=template(two_rows), other=template(two_rows))
+    with pytest.raises(ValueError, match=r"its own number; 01.1 is there twice"):
+        templates_in(module)

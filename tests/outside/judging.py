@@ -1,4 +1,4 @@
-"""What feedback says to the answers from outside, counted: PYTHONPATH=.:tests python -m outside.judging --students 1 --examples"""
+"""What feedback says to the answers from outside, counted: PYTHONPATH=.:tests python -m outside.judging --examples"""
 
 import argparse
 import re
@@ -70,10 +70,12 @@ def main():
     """Print the counts of all problems."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--students", type=int, default=1, help="how many students (1)")
+    parser.add_argument("--sheet", choices=sheets(), help="a single sheet, such as 03_poe_space")
     parser.add_argument("--examples", action="store_true", help="print what has no name, and what is judged wrongly")
     options = parser.parse_args()
     total = Counter()
-    for template in (problem for name in sheets() for problem in find_sheet(name).problems):
+    names = [options.sheet] if options.sheet else sheets()
+    for template in (problem for name in names for problem in find_sheet(name).problems):
         for k in range(options.students):
             counts, examples = counts_of(template, f"student {k}")
             total.update(counts)

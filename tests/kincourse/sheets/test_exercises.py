@@ -15,7 +15,18 @@ SOURCES = sorted((ROOT / "solutions").glob("*/*.ipynb"))
 
 
 def test_every_sheet_in_exercises_is_up_to_date(committed):
-    assert main(["release", "--check", "--root", str(committed)]) == 0, "run misstep release"
+    assert main(["release", "--check", "--root", str(committed)]) == 0, "run misstep release, and commit what it wrote"
+
+
+def test_preview_shows_the_right_answer_with_its_worked_solution_and_each_mistake_with_its_card(capsys):
+    assert main(["preview", "03.13"]) == 0
+    right, *wrong = capsys.readouterr().out.split("\n\nMistake: ")
+    assert "Right\n  4 of 4 points.\n  One way to it:" in right
+    assert "The drawing: Top view and front view" in right
+    assert {"halves swapped", "another point"} <= {one.partition(",")[0] for one in wrong}
+    assert not [one for one in wrong if "Re-read: section" not in one]
+    assert main(["preview", "03.99"]) == 2
+    assert "There is no problem '03.99'. The problems are: 01.1, " in capsys.readouterr().err
 
 
 def test_every_problem_has_its_cells_and_its_points_in_the_sheet():

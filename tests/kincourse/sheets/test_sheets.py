@@ -14,10 +14,12 @@ from latex2mathml.converter import convert
 from odd_robots import generated_sheet
 
 from kincourse import attempt, blanks, find_question, find_sheet, open_sheet, sheets
+from misstep.answers.base import at_inputs
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
 from misstep.display.lecture_address import page_address
 from misstep.judge import judge
+from misstep.mutants.mutants import nodes
 from misstep.sheet import SAMPLE_ID
 from misstep.verdict import Verdict
 
@@ -57,6 +59,19 @@ def test_right_answers_score_mistakes_have_messages_and_students_have_different_
         assert judge(problem, rounded).state == "right", "three decimals are enough"
         for right in (answer.value, rounded):
             assert not any(answer.check(answer.read(right), part) for part in range(len(answer.parts)))
+
+
+@each_problem
+def test_what_an_author_says_of_a_mistake_is_about_one_that_students_see(template):
+    """A misspelled name, and a wrong answer of another shape, would be ignored without a word."""
+    names, said, own = set(), set(), set()
+    for problem in (drawn(template, student) for student in STUDENTS):
+        found = [*problem.known_mistakes, *problem.slips]
+        names |= {word for one in found for word in (one.name, one.did)}
+        said |= {*problem.advice, *problem.invisible}
+        solution = [] if problem.solution is None else nodes(next(at_inputs(problem.answer, problem.solution)))
+        own |= {slip.did for node in solution for slip in node.alternatives}
+    assert not (said | own) - names
 
 
 def plain_text(template, judgement):

@@ -135,6 +135,11 @@ def test_what_is_no_table_is_refused_with_its_line(text, words):
 
 
 SAME_ARM = {
+    "symbols": "s = {alpha1: pi/2, a1: 0, d1: 0.3,\n alpha2: 0, a2: 0.4, d2: 0, q2: q2 + pi/2,\n alpha3: 0, a3: 0.2, d3: 0}",
+    "calls of a function": "def dh(theta, d, a, alpha):\nT = dh(q1, 0.3, 0, np.pi/2)\nT = T @ dh(q[2] + pi/2, 0, 0.4, 0)\n"
+    "T = T @ dh(q[3], 0, 0.2, 0)",
+    "words": "$d_{bs} = 300$ mm, L = 0.4 m\na & alpha & d & theta \\\\\n0 & 90° & $d_{bs}$ & q1 \\\\\nL & 0 & 0 & q2 + 90° \\\\\n"
+    "0.2 & 0 & 0 & q3",
     "values for several names": "a1, a2, a3 = 0.0, 0.4, 0.2\nalpha1, alpha2, alpha3 = pi / 2, 0, 0\nd1, d2, d3 = 0.3, 0, 0\n"
     "theta1, theta2, theta3 = q1, q2 + pi/2, q3",
     "lists for several names": "a, d = [0, 0.4, 0.2], [0.3, 0, 0]\nalpha = [np.pi / 2, 0, 0]\noffset = [0, np.pi / 2, 0]",
@@ -206,6 +211,11 @@ def test_a_comment_names_the_columns_in_prose(comment):
     table, assumed = read_table(f"{comment}\n{rows}", convention="standard")
     assert table.rows.tolist() == [[0, np.pi / 2, 0.3, 0], [0.4, 0, 0, np.pi / 2], [0.2, 0, 0, 0]]
     assert not [each.text for each in assumed if "column" in each.text]
+
+
+def test_a_list_that_no_column_has_is_told():
+    text = "a = [0, 0.4]\nalpha = [pi/2, 0]\nd = [0.3, 0]\njoint_direction = [1, -1]"
+    assert "The list joint_direction was not read." in [each.text for each in read_table(text).assumed]
 
 
 def test_a_flipped_joint_counts_the_other_way_also_beside_another_call():
