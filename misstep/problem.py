@@ -170,7 +170,7 @@ class Problem:
         >>> side.with_reason(Numbers(np.array(0.5)), "the height").answer.parts
         ['the choice', 'the height']
         """
-        wrong = [replace(one, value=(one.value, reason.value), part=one.part or one.message) for one in self.mistakes]
+        wrong = [replace(one, value=(one.value, reason.value), in_parts=True) for one in self.mistakes]
         return replace(self, answer=ReasonedChoice(self.answer, reason, called), mistakes=wrong)  # type: ignore[arg-type]
 
     @cached_property

@@ -86,9 +86,8 @@ def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = 
     further = advice.get(slip.did, advice.get(slip.name, slip.advice))
     is_sentence = slip.did.endswith(".")
     message = slip.did if is_sentence else f"This is what you get if you {slip.did}. {further}".rstrip()
-    part = message * slip.in_parts
     did = "" if is_sentence else slip.did
-    return Mistake(slip.name, value, message, part, did, further, spoils=spoils)
+    return Mistake(slip.name, value, message, slip.in_parts, did, further, spoils)
 
 
 def value_of(expression: Expression) -> Any:
