@@ -111,8 +111,13 @@ def _written(value: Any, parts: Iterator[int]) -> Data:  # noqa: PLR0911 - one f
             return _list([_written(item, parts) for item in value])
     if hasattr(value, "__array__"):  # as matrices of SymPy have, too
         return _array(np.asarray(value), parts)
-    if symbolic := _symbolic(value):
-        return symbolic
+    if "sympy.core" in sys.modules:  # SymPy is not imported if the student did not do so
+        import sympy as sp
+
+        from misstep.formulas.evaluation import text_of
+
+        if isinstance(value, sp.Expr):
+            return {"text": text_of(value)}
     if callable(value):
         return {"function": _name(value)}
     # Whether the class is in OBJECTS is known only where the object is read.
@@ -146,17 +151,6 @@ def _list(items: list[Data]) -> Data:
         return {"list": items}
     flat = [x for row in rows for x in row.get("array", [row.get("number")])]
     return {"array": flat, "shape": [len(items), *min(shapes)]}
-
-
-def _symbolic(value: Any) -> Data:
-    """Write a SymPy expression as text; None for anything else. SymPy is not imported if the student did not do so."""
-    if "sympy.core" not in sys.modules:
-        return None
-    import sympy as sp
-
-    from misstep.formulas.evaluation import text_of
-
-    return {"text": text_of(value)} if isinstance(value, sp.Expr) else None
 
 
 def from_data(data: Any) -> Any:

@@ -15,7 +15,6 @@ from kinlib.dh.table import joint_transform as z_motion
 from kinlib.dh.table import normal_transform as x_motion
 from misstep.mutants.expression import (
     ALL_AT_ONCE,
-    IN_THE_WHOLE,
     Expression,
     Operation,
     Slips,
@@ -46,6 +45,8 @@ OFFSET_ADVICE = "In a row with an offset $c$, $\\theta = q + c$: the offset is a
 RADIANS_ADVICE = "Angles are in radians: a right angle is `np.pi / 2`, and `np.radians` converts degrees."
 PRISMATIC_ADVICE = "A prismatic joint changes $d$; its $\\theta$ is a constant."
 DEG, RAD = 180 / np.pi, np.pi / 180
+IN_THE_WHOLE = {"in_parts": False}
+"""The field of a slip that only a whole row shows."""
 
 Rows = Array | Sequence[Sequence[float]]
 

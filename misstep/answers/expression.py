@@ -101,7 +101,6 @@ class ClosedForm(Answer):
             self._right.values[piece],
             place=lambda index: place_of(places[tuple(index)]),
             tolerance=tolerance,
-            is_formula=True,
         )
 
     def at_inputs(self, solution: Callable[..., Expression] | None = None) -> Iterator[Expression | Any]:

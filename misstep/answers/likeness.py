@@ -28,8 +28,6 @@ OTHER_UNIT = "This is right in {}. Give it in {}."
 
 IN_DEGREES = OTHER_UNIT.format("degrees", "radians")
 
-ROUNDED = "These are the right numbers, but rounded too much. Keep at least four significant digits."
-
 ZERO = "This is 0, and the right number is not."
 
 UNTOUCHED = "{}. Put in the numbers that you find."
@@ -40,12 +38,11 @@ UNTOUCHED = "{}. Put in the numbers that you find."
 class Likeness:
     r"""A part of an answer and of the right one, shape (..., inputs), and what is known about its entries.
 
-    kinds       the kind of each entry
-    unit        the unit of the lengths, by default metres
-    place       names an entry by its index
-    columns     the names of the columns, if they have any
-    tolerance   how far a number may be off: nothing is said of a number that is hidden in it
-    is_formula  whether the entries are formulas, which are compared exactly
+    kinds      the kind of each entry
+    unit       the unit of the lengths, by default metres
+    place      names an entry by its index
+    columns    the names of the columns, if they have any
+    tolerance  how far a number may be off: nothing is said of a number that is hidden in it
     """
 
     mine: Array
@@ -55,7 +52,6 @@ class Likeness:
     place: Callable[[Sequence[int]], str] = lambda index: f"entry {', '.join(str(i + 1) for i in index)}"
     columns: Sequence[str] = ()
     tolerance: float = TOLERANCE
-    is_formula: bool = False
 
     def at_sight(self) -> Named | None:
         """Return what is seen before any mistake is looked for: a placeholder, another unit, too few digits."""
@@ -110,10 +106,11 @@ class Likeness:
         return None
 
     def _rounded(self) -> Named | None:
-        if self.is_formula or not self.mine.any():
+        if not self.mine.any():
             return None
         mine, right = (x.reshape(-1, x.shape[-1]) for x in (self.mine, self.right))
-        wrong, rounded = np.ravel(~self._equal(mine, right)), ("rounded", ROUNDED)
+        wrong = np.ravel(~self._equal(mine, right))
+        rounded = "rounded", "These are the right numbers, but rounded too much. Keep at least four significant digits."
         unit = 10.0 ** (np.floor(np.log10(np.maximum(np.abs(right), 1e-12))) - 2)  # of the third digit
         is_short = np.asarray((np.abs(mine - unit * np.round(right / unit)) < 1e-6 * unit).all(axis=-1))
         if (is_short | ~wrong).all() and (is_short & (np.abs(mine - right) > 1e-9).any(axis=-1)).any():
@@ -165,7 +162,7 @@ class Likeness:
             return _order_of("row", order)
         single, right_ones = (x.reshape(-1, x.shape[-1]) for x in (mine, right))
         is_short = mine.ndim == 2 and len(single) <= 4
-        is_telling = len(single) <= 6 and not self.is_formula and np.unique(np.round(right, 6)).size > 3
+        is_telling = len(single) <= 6 and np.unique(np.round(right, 6)).size > 3
         if (is_short or is_telling) and self._permutation(single, right_ones):
             named = ", ".join(self.columns) if len(self.columns) == len(single) else ""
             where = f"in the order {named}" if named else "in the right order"

@@ -271,9 +271,6 @@ ALL_AT_ONCE = {"one_by_one": False}
 MAY_COINCIDE = {"may_coincide": True}
 """The field of a slip that may lead to the right answer for some numbers."""
 
-IN_THE_WHOLE = {"in_parts": False}
-"""The field of a slip that only a whole answer shows."""
-
 
 def _quoted(*nodes: Expression) -> str:
     """The names of expressions for a message: "$A$ and $B$"."""

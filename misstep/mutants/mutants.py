@@ -86,8 +86,7 @@ def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = 
     further = advice.get(slip.did, advice.get(slip.name, slip.advice))
     is_sentence = slip.did.endswith(".")
     message = slip.did if is_sentence else f"This is what you get if you {slip.did}. {further}".rstrip()
-    did = "" if is_sentence else slip.did
-    return Mistake(slip.name, value, message, slip.in_parts, did, further, spoils)
+    return Mistake(slip.name, value, message, slip.in_parts, "" if is_sentence else slip.did, further, spoils)
 
 
 def value_of(expression: Expression) -> Any:
