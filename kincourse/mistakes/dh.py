@@ -45,10 +45,13 @@ def slips_of_rows() -> Sequence[Slip]:
 
 def slips_of_table(right: DHTable) -> list[Slip]:
     """The slips in a whole table that cannot be undone, and the signs of joint values, each with the table that it leads to."""
-    rows = right.rows
+    rows, n = right.rows, right.n
     changes = [(slip.name, with_symbols(slip.text), slip.change(rows), right.signs) for slip in SLIPS_THAT_LOSE_NUMBERS]
-    every = "Every joint moves in the opposite direction, as with $-q_i$ for $q_i$."
-    changes.append(("sign of a joint value", every, rows, -right.signs))
+    moved = "moves in the opposite direction, as with"
+    changes.append(("sign of a joint value", f"Every joint {moved} $-q_i$ for $q_i$.", rows, -right.signs))
+    for i in range(1, n + 1):
+        signs = np.where(np.arange(n) == i - 1, -1, 1) * right.signs
+        changes.append(("sign of a joint value", f"Joint {i} {moved} $-q_{i}$ for $q_{i}$.", rows, signs))
     if rows[:, 3].any():
         turned = "Every $\\theta_i$ is negated, with its $q_i$."
         changes.append(("sign of theta", turned, rows * (1, 1, 1, -1), -right.signs))

@@ -14,7 +14,6 @@ from latex2mathml.converter import convert
 from odd_robots import generated_sheet
 
 from kincourse import attempt, blanks, find_question, find_sheet, open_sheet, sheets
-from misstep.answers.base import at_inputs
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
 from misstep.display.lecture_address import page_address
@@ -69,7 +68,7 @@ def test_what_an_author_says_of_a_mistake_is_about_one_that_students_see(templat
         found = [*problem.known_mistakes, *problem.slips]
         names |= {word for one in found for word in (one.name, one.did)}
         said |= {*problem.advice, *problem.invisible}
-        solution = [] if problem.solution is None else nodes(next(at_inputs(problem.answer, problem.solution)))
+        solution = [] if problem.solution is None else nodes(next(problem.answer.at_inputs(problem.solution)))
         own |= {slip.did for node in solution for slip in node.alternatives}
     assert not (said | own) - names
 
