@@ -120,8 +120,7 @@ class OpenSheet:
         emission = {"sheet": self.sheet.name, "problem": k, "student": self.student, "answer": stored}
         judgement = judge(problem, answer)
         if failed:
-            message = f"The cell with this answer ended with an error ({failed.error}), so there is no answer to check."
-            judgement = Judgement("unreadable", findings=[Finding(problem.answer.parts, message)])
+            judgement = Judgement("unreadable", findings=[Finding(problem.answer.parts, failed.why)])
         is_first = not any(one.state in {"partly", "wrong"} for one in self._judgements[k])
         self._judgements[k].append(judgement)
         address = lecture_address(template.lecture, self.site)
@@ -144,8 +143,8 @@ class OpenSheet:
     @property
     def _note(self) -> str:
         """A reminder for students who have not typed their own id yet, or of the points that no check gives."""
-        if self.student.casefold() == SAMPLE_ID:
-            return f"these are the numbers of {SAMPLE_ID!r}: type your own id at the top"
+        if SAMPLE_ID in self.student.casefold():
+            return f"these are the numbers of {self.student!r}: type your own id at the top"
         marked = sum(one.points for one in self.sheet.problems if one.level == "Open")
         return f"{marked} of them are given by your instructor" if marked else ""
 

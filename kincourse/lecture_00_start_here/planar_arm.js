@@ -60,6 +60,7 @@ globalThis.planarArm = (() => {
   const TILT = 24; // how far from above the spatial arm is seen
   const MARKS = { A: [4, 3], B: [4, 1], C: [4, -2] };
   const WALL = 4;
+  const BREAKS = 'an order that breaks the arm';
 
   /** What the picture shows at least: x from, x to, y from, y to. */
   const WINDOWS = {
@@ -382,7 +383,7 @@ globalThis.planarArm = (() => {
       if (share < 1 || state.order.length < 3) return render();
       const order = state.order.join(', ');
       const miss = distance(movedLinks()[2][1], target());
-      state.done.add(order);
+      state.done.add(miss > 0.01 ? BREAKS : order);
       state.says =
         miss > 0.01
           ? `Order ${order}: the links no longer meet, and the tool misses its goal by ${number(miss)}.`
@@ -618,8 +619,8 @@ globalThis.planarArm = (() => {
         for (const part of [formula('x', true), formula('y', true), written(sum)])
           keep(part, () => ({ hidden: state.answer !== 'link 1' }));
       },
-      pins: () => orders('pin', ['3, 2, 1', '1, 2, 3']),
-      space: () => orders('axis', ['3, 2, 1']),
+      pins: () => orders('pin'),
+      space: () => orders('axis'),
       wall() {
         sliders();
         written(
@@ -630,14 +631,14 @@ globalThis.planarArm = (() => {
       },
     };
 
-    function orders(name, wanted) {
+    function orders(name) {
       const buttons = [3, 2, 1].map((j) => {
         const made = button(`${name} ${j}: ${degree(goal[j - 1])}`, () => press(j), { class: `c${j}` });
         return keep(made, () => ({ ariaDisabled: state.order.includes(j) }));
       });
       buttons.push(button('Home', () => press(0)));
       row(...buttons);
-      tasks(wanted);
+      tasks(['3, 2, 1', BREAKS]);
       says(() => (state.order.length === 3 && state.share === 1 ? state.says : ''));
     }
 

@@ -74,6 +74,9 @@ def plain_arm(sampler: ArmSampler) -> Problem:
     )
 
 
+RIGHT_HAND = "If the thumb of the right hand points along the axis, the fingers show how the body turns."
+
+
 @problem(
     "03.2", "The velocity of the origin, at sight", points=2, lecture="03_poe_space#Revolute joints", level="Warm-up"
 )
@@ -87,25 +90,32 @@ def velocity_at_sight(sampler: ArmSampler) -> Problem:
         if are_distinguishable([np.zeros(3), *points]):
             break
     robot = arm([*zip(axes, points, strict=True)], pose((X, Y, Z), (0, 0, 0)), "three joints", "drawn for you")
-    rows = []
+    rows, steps = [], []
     for i, (axis, p) in enumerate(zip(axes, points, strict=True), start=1):
-        across = p - (p @ axis) * axis
-        omega, foot = direction(f"\\omega_{i}", axis), given(f"p_{i}", across)
-        v = moment(omega, foot)
-        v = v.mistaken_for(
-            ("length left out", f"give the direction of $v_{i}$ without its size", v.value / np.linalg.norm(across)),
-            ("point as moment", f"give the mark of axis {i}", p),
+        foot = p - (p @ axis) * axis
+        distance, v = np.linalg.norm(foot), np.cross(foot, axis)
+        steps.append(f"Axis {i} is {distance:g} m from the origin, which moves along ${vector(v / distance)}$.")
+        row = given(f"v_{i}", v).mistaken_for(
+            ("sign of a vector", f"use the left hand for axis {i}", -v),
+            everywhere="use the left hand",
+            advice=RIGHT_HAND,
+        )
+        row = row.mistaken_for(
+            ("length left out", f"give the direction of $v_{i}$ without its size", v / distance),
+            ("point as moment", f"give the point where joint {i} is drawn", p),
+            ("point as moment", f"give the point of axis {i} nearest to the origin", foot),
             ("axis for velocity", f"give the direction of axis {i}", axis),
-            ("along the axis", f"give the distance along axis {i}", np.linalg.norm(across) * axis),
+            ("along the axis", f"give the distance along axis {i}", distance * axis),
             may_coincide=True,
         )
-        rows.append(v.named(f"v_{i}"))
+        rows.append(row)
     every = stack(*rows)
     return Problem(
         statement="Each of the three axes is parallel to an axis of {s}. A large body rotates about one of "
         "them at one radian per second, in the sense of its arrow. With which velocity does its point at the origin of {s} move? Read it "
         "off the drawing without a cross product, by the distance of the origin from the axis and the right-hand rule. Give $v_1$, "
         "$v_2$ and $v_3$ as rows.",
+        method="\n".join(steps),
         further="Where would an axis along $z$ have to be, so that its $v$ is $(0, 2, 0)$?",
         figure=partial(draw_joints, robot),
         shown={"axes": axes, "points": robot.joint_points},

@@ -17,12 +17,20 @@ import numpy as np
 
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import format_number
-from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD
+from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.alignment import neighbours
 from kinlib.dh.equivalence import CHOICES, NEARLY_PARALLEL_LOSS, Equivalence, equivalent, measured_difference
-from kinlib.dh.explanation.rounding import entries_off, nearest_rows, nearest_table, rounding_effect, typed_half_units
+from kinlib.dh.explanation.rounding import (
+    entries_off,
+    excludes_rounding,
+    nearest_rows,
+    nearest_table,
+    rounding_effect,
+    typed_half_units,
+    with_right_angles,
+)
 from kinlib.dh.explanation.search import (
     TableExplanation,
     cheapest,
@@ -42,6 +50,8 @@ mistakes are looked for."""
 CALLED_EXACT_M = 1e-6
 """Poses that differ by less are told as equal."""
 
+TAKEN_AS_RIGHT_ANGLES = "Angles that round to those of the table were taken as multiples of 45 degrees."
+
 USUAL_SLIPS = {"other convention", *(slip.name for slip in SLIPS_OF_A_TABLE)} - {"columns in another order"}
 """The slips that are told of a table whose numbers may only be rounded."""
 
@@ -59,6 +69,7 @@ class Diagnosis:
     nearest       if nothing explains the table: the table with other numbers that describes the arm, as few as were found
     up_to         the choices up to which it does, in words, if these are fixed
     rounding      what the digits of the table show of their rounding, in words; "" with a given tolerance
+    note          what was taken for granted
     """
 
     verdict: Literal["right", "rounded", "undecided", "wrong"]
@@ -69,6 +80,7 @@ class Diagnosis:
     nearest: DHTable | None = None
     up_to: str = ""
     rounding: str = ""
+    note: str = ""
 
     @property
     def faults(self) -> Sequence[Fault]:
@@ -108,7 +120,7 @@ class Diagnosis:
             faults = _different_entries(self.table, self.nearest)
             lines.append(f"It would describe the arm{self.up_to} with these numbers, the largest difference first:")
             lines += [fault.text for fault in faults[:MAX_DIFFERENT_ENTRIES]]
-        return "\n".join(lines).rstrip()
+        return "\n".join([*lines, self.note]).rstrip()
 
     def _told_mistakes(self) -> list[str]:
         """Write the explanations, one in a line."""
@@ -142,7 +154,9 @@ class Diagnosis:
         if kinds & {"zeros", "signs"}:
             fixed = frozenset(CHOICES) - ({"base", "tool"} & kinds)
             one_slip = explain_by_slips(self.table, self.arm, fixed, found.tolerance, 1)
-            texts = [each.faults[0].text for each in one_slip if each.faults[0].name not in NUMBERS]
+            changed = sum(name in {"zeros", "signs"} for name, _ in found.choices())
+            told = [each.faults[0] for each in one_slip if each.faults[0].row is None or each.edits <= changed]
+            texts = [fault.text for fault in told if fault.name not in NUMBERS]
             if texts:
                 yield f"If q is meant to be the same: {' Or: '.join(texts[:MAX_TOLD])}"
         differing = ", ".join(f'"{name}"' for name in CHOICES if name in kinds)
@@ -183,7 +197,28 @@ def diagnose(
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
     if table.n != arm.n:
         raise ValueError(f"The table must have the joints of the arm, {arm.joint_types}; it has {table.joints}.")
-    fixed, exact = frozenset(fixed), EQUIVALENCE_TOL if tolerance is None else tolerance
+    found = _diagnosed(table, arm, reference, frozenset(fixed), tolerance, in_pairs)
+    plain = with_right_angles(table, typed_half_units(table.rows)[0])
+    off = np.abs(plain.rows - table.rows).max()
+    if tolerance is None and off and found.verdict in {"undecided", "wrong"}:
+        again = _diagnosed(plain, arm, reference, frozenset(fixed), None, in_pairs)
+        if again.verdict in {"right", "rounded"}:
+            return replace(again, verdict="rounded", table=table, rounding=found.rounding)
+        if again.explanations:
+            return replace(again, note=TAKEN_AS_RIGHT_ANGLES if off > TYPED_PI_ERROR else "")
+    return found
+
+
+def _diagnosed(  # noqa: PLR0917
+    table: DHTable,
+    arm: Chain,
+    reference: Chain | DHTable,
+    fixed: frozenset[str],
+    tolerance: float | None,
+    in_pairs: bool,
+) -> Diagnosis:
+    """Find the mistakes in a table, with the numbers that it has."""
+    exact = EQUIVALENCE_TOL if tolerance is None else tolerance
     near = equivalent(table, arm, fixed=fixed, tolerance=exact)
     found = Diagnosis("right" if near.verdict == "same" else "wrong", table, arm, near)
     if found.verdict == "right" or "H" in arm.joint_types:
@@ -219,6 +254,8 @@ def _judge_rounding(
     """Judge whether numbers that round to those of the table describe the arm, which the poses are to within `near.tolerance`."""
     sines = neighbours(arm)[0]
     smallest = sines[sines > PARALLEL_TOL_RAD].min(initial=1.0)
+    if excludes_rounding(table, arm, half_unit):
+        return "excluded"
     if near.verdict != "same":
         return "excluded" if near.verdict == "different" and near.tolerance <= 0.1 * smallest else "possible"
     fit = nearest_rows(table, arm, near, fixed, half_unit, few=False)

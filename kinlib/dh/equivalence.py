@@ -200,6 +200,9 @@ def _without_noise(found: Map, joint_types: str, tolerance: float) -> Map:
         return np.where(np.abs(numbers - near) <= tolerance, near, numbers)
 
     def pose(T: Array) -> Array:
+        whole = np.round(T[:3, :3])  # of frames whose axes are parallel
+        if np.abs(T[:3, :3] - whole).max() <= tolerance and abs(np.linalg.det(whole) - 1) < 0.5:
+            return homogeneous(whole + 0.0, cleaned(T[:3, 3]))
         omega = cleaned(log(T[:3, :3]))
         angle = np.asarray(np.linalg.norm(omega))
         return homogeneous(exp(omega * cleaned(angle, np.pi / 2) / (angle or 1.0)), cleaned(T[:3, 3]))

@@ -49,11 +49,14 @@ def read_table(
     units = {"length_unit": length_unit, "angle_unit": angle_unit}
     read = read_rows(text, strict=False, lengths={}, joints=joints, order=order, **units)
     assumed = [*read.assumed]
-    if convention is None and read.convention:
-        assumed.append(Assumption(f"The convention is {read.convention}, as the text says."))
-    elif convention is None:
-        words = "The text does not say which convention: standard was taken."
-        assumed.append(Assumption(words, "convention", ("standard", "modified")))
+    if convention is None:
+        words = f"The convention is {read.convention}, as the text says."
+        if read.convention is None:
+            words = "The text does not say which convention: standard was taken."
+        elif read.suggests:
+            words = "The convention is standard, as the index i of a and alpha suggests."
+        is_sure = read.convention and not read.suggests
+        assumed.append(Assumption(words) if is_sure else Assumption(words, "convention", ("standard", "modified")))
     if not read.numbers[:, :3].any():
         raise ValueError("No row has a length or a twist: every a, alpha and d is 0. Name the columns in a heading.")
     used = convention or read.convention or "standard"

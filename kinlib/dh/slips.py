@@ -204,6 +204,11 @@ def corrections(table: DHTable, right: Array, zeros_are_fixed: bool, signs_are_f
     for slip, places in slips_in_places(len(table.rows)):
         if len(places) == 1 and ((places[0], slip.column) in variables or not _is_likely(slip, table.rows[places[0]])):
             continue
+        if (
+            slip.name == "column shifted"
+            and np.count_nonzero(table.rows[:, [A, ALPHA] if slip.column is None else slip.column]) < 2
+        ):
+            continue  # a single entry in the wrong row
         found.append(Correction(_fault(slip, places, table), changed_in(places, slip.undo or slip.change)))
     if signs_are_fixed:
         found += _corrections_of_signs(table)

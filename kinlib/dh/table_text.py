@@ -67,7 +67,9 @@ REPLACEMENTS = [
 ]  # fmt: skip
 """What terminals, HTML, LaTeX and code write for signs and separators, and what a keyboard has for them."""
 
-CALL = re.compile(r"\b(?!\w*Robot)((?:Frame\W+)?\w*(?:Revolute|Prismatic|Link|DH)\w*)\s*\(((?:[^()]|\([^()]*\))*)\)")
+CALL = re.compile(
+    r"\b(?!\w*(?:Robot|SerialLink))((?:Frame\W+)?\w*(?:Revolute|Prismatic|Link|DH)\w*)\s*\(((?:[^()]|\([^()]*\))*)\)"
+)
 
 PAIR = re.compile(
     r"(?:\b([a-zA-Z]\w*)\s*[:=]|['\"](\w+)['\"]\s*(?:[:=]|,(?=\s*[^\s'\"])))[ \t]*['\"]?([^,=\[\]{}'\"\n;]+?)"
@@ -102,6 +104,7 @@ class Rows(NamedTuple):
     convention: Literal["standard", "modified"] | None
     ends: Mapping[str, Any]
     assumed: Sequence[Assumption]
+    suggests: bool = False
 
 
 @dataclass
@@ -109,6 +112,7 @@ class _Grid:
     """Rows of cells by column name, or in an order that is not known, with their places in the text and the units of the columns.
 
     names    that have values
+    suggests whether only the index i of a and alpha says that the convention is standard
     guesses  what a strict reader refuses
     """
 
@@ -118,6 +122,7 @@ class _Grid:
     cells: list[list[str]] = field(default_factory=list)
     units: dict[str, str] = field(default_factory=dict)
     modified: bool | None = None
+    suggests: bool = False
     assumed: list[Assumption] = field(default_factory=list)
     guesses: list[str] = field(default_factory=list)
 
@@ -182,7 +187,7 @@ def read_rows(
     _scale(grid, entries, numbers, "angle_unit", angle_unit, strict)
     if strict and grid.guesses:
         raise ValueError(f"A DHTable takes only what its rows say; kl.read_table assumes: {grid.guesses[0]}")
-    return Rows(numbers, letters, signs, _said_convention(plain, grid), ends, grid.assumed)
+    return Rows(numbers, letters, signs, _said_convention(plain, grid), ends, grid.assumed, grid.suggests)
 
 
 def _matrix(text: str) -> Array:
@@ -457,7 +462,7 @@ def _heading(line: str, splits: list[list[str]], before: list[str], grid: _Grid)
     heads = found[0]
     grid.units = {head.name: head.unit for head in heads if head.name in ALL_COLUMNS and head.unit}
     indices = {head.indices for head in heads if head.name in {"a", "alpha"} and head.indices}
-    grid.modified = "i-1" in indices if indices else None
+    grid.modified, grid.suggests = "i-1" in indices if indices else None, indices == {"i"}
     return [head.name if head.name in {*ALL_COLUMNS, "type"} else "" for head in heads]
 
 
@@ -524,6 +529,7 @@ def _cell(cell: str, decimal_comma: bool = False) -> str:
     for bracket, other in ("()", ")("):
         if cell.count(bracket) > cell.count(other):
             cell = cell.strip(bracket).strip()
+    cell = re.sub(r"^(?:a|d|l|alpha)_?\d+\s*=\s*", "", cell)
     return re.sub(r"(?<=\d),(?=\d)", ".", re.sub(r",(?=\d{3}\.)", "", cell)) if decimal_comma else cell
 
 
@@ -658,10 +664,12 @@ def _scale(  # noqa: PLR0917
 
 def _said_convention(text: str, grid: _Grid) -> Literal["standard", "modified"] | None:
     """The convention that the text names, in words, in the indices of its headings, or in the names of its calls."""
-    if grid.modified is not None:
-        return "modified" if grid.modified else "standard"
     modified = re.search(r"\b(modified|craig|mdh|proximal)\b", text, re.IGNORECASE)
     standard = re.search(r"\b(standard|classic|distal)\b", text, re.IGNORECASE)
+    if grid.modified is not None:
+        grid.suggests = grid.suggests and not standard
+        return "modified" if grid.modified else "standard"
+    grid.suggests = False
     return None if bool(modified) == bool(standard) else "modified" if modified else "standard"
 
 

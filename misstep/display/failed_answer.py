@@ -1,4 +1,7 @@
-"""What a check is given where the cell of its answer ended with an error: no value of an earlier run, which would be judged."""
+"""What a check is given where the cell of its answer ended with an error, or does not set it any more.
+
+Without it, the value of an earlier run would be judged.
+"""
 
 import re
 import sys
@@ -9,21 +12,39 @@ ANSWER = re.compile(r"^(\w+_\d+)\s*(?::[^=\n]+)?=(?!=)", re.MULTILINE)
 """The name of an answer of a sheet, such as screws_1, where a cell sets it."""
 
 
+_answers: dict[str, dict[str, Any]] = {}
+"""For each cell that has run, the answers that it has set."""
+
+
 @dataclass(frozen=True)
 class FailedAnswer:
-    """Takes the place of an answer whose cell ended with an error, of which it has the name and the message."""
+    """Takes the place of an answer that its cell has not set, and says why."""
 
-    error: str
+    why: str
 
 
 def replace_failed_answers(result: Any) -> None:
-    """Replace the answers that a cell sets, if it ended with an error; IPython calls this with the result of each cell."""
-    error = result.error_before_exec or result.error_in_exec
-    shell = current_shell()
-    if error is None or shell is None:
+    """Replace the answers that a cell sets, if it ended with an error, and those that it has set before and does not set now.
+
+    IPython calls this with the result of each cell.
+    """
+    shell, error = current_shell(), result.error_before_exec or result.error_in_exec
+    if shell is None:
         return
-    for name in ANSWER.findall(result.info.raw_cell):
-        shell.user_ns[name] = FailedAnswer(f"{error_name(error)}: {getattr(error, 'msg', None) or error}")
+    names = ANSWER.findall(result.info.raw_cell)
+    if error:
+        told = f"{error_name(error)}: {getattr(error, 'msg', None) or error}"
+        failed = FailedAnswer(
+            f"The cell with this answer ended with an error ({told}), so there is no answer to check."
+        )
+        shell.user_ns.update(dict.fromkeys(names, failed))
+    if cell := result.info.cell_id:
+        for name, value in _answers.get(cell, {}).items():
+            if name not in names and shell.user_ns.get(name) is value:
+                shell.user_ns[name] = FailedAnswer(
+                    f"Your lines do not set `{name}` any more. Give your answer this name."
+                )
+        _answers[cell] = {name: shell.user_ns.get(name) for name in names}
 
 
 def error_name(error: BaseException) -> str:

@@ -41,7 +41,7 @@
   const WIDGET = 'application/vnd.jupyter.widget-view+json';
   const PREVIEW = 'You have changed the code: the result below is that of the original. Run the cell.';
   const STOPPED = 'Stopped. All variables are lost: the next run starts Python again, and first runs the cells above.';
-  const NOT_RUN = 'Not run, because a cell above ended with an error. Run it again to go on without that cell.';
+  const NOT_RUN = 'Not run, because a cell above ended with an error. Mend that cell; or press Run here again to leave it out.';
   const STALE = 'This card belongs to an answer that you have changed since. Press Check.';
   const NEEDS_LAB = 'This output has a widget that this page cannot show: ';
 
@@ -311,9 +311,9 @@
   }
 
   /** The id at the top of the sheet, or nothing while it is that of the example. */
-  function ownId() {
-    const id = SAMPLE_ID.exec(cells[0].source())?.[2] ?? '';
-    return id === SAMPLE_ID.exec(cells[0].original)?.[2] ? '' : id;
+  function ownId(first = cells[0]) {
+    const id = SAMPLE_ID.exec(first.source())?.[2] ?? '';
+    return id === SAMPLE_ID.exec(first.original)?.[2] ? '' : id;
   }
 
   /** Show the numbers of the id at the top, if the reader has typed one and has agreed to load Python. */
@@ -393,17 +393,16 @@
 
     /** A field for the id of the student, from which the numbers of the sheet come. */
     askForId() {
-      const id = () => SAMPLE_ID.exec(this.source())?.[2] ?? '';
-      const field = h('input', { id: 'your-id-field', autocomplete: 'off', value: id() });
+      const field = h('input', { id: 'your-id-field', autocomplete: 'off', value: ownId(this) });
       let edited = false; // since the numbers were asked for: then nothing is written into the field
       field.addEventListener('input', () => {
         edited = true;
       });
       const use = () => {
         edited = false;
-        const text = this.source().replace(SAMPLE_ID, (_, before) => `${before}${JSON.stringify(field.value.trim())}`);
-        this.edit(text, false);
-        if (!ownId()) said.textContent = 'Type your own id first.';
+        const typed = field.value.trim();
+        if (typed) this.edit(this.source().replace(SAMPLE_ID, (_, before) => before + JSON.stringify(typed)), false);
+        if (!typed || !ownId()) said.textContent = 'Type your own id first.';
         else if (!hasAgreed()) ask(this, use);
         else showMyNumbers();
       };
@@ -417,7 +416,7 @@
       const said = h('span', { class: 'kinlib-live-note', role: 'status' });
       this.sayId = (text) => {
         said.textContent = text;
-        if (!edited) field.value = id(); // typed in another tab, or in the cell
+        if (!edited) field.value = ownId(); // typed in another tab, or in the cell
       };
       const row = h(
         'p',

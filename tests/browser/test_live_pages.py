@@ -83,6 +83,7 @@ def covered_until_an_id_is_typed(page):
     press(statement, "Look at an example")
     expect(statement).to_contain_text("not with yours")
     expect(statement.locator(".cell_output")).to_be_visible()
+    expect(page.get_by_label("Your id")).to_have_value("")
     page.get_by_label("Your id").fill(STUDENT)
     press(page, "Show my numbers")
     agree(page)

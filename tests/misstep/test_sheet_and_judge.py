@@ -169,6 +169,10 @@ def test_a_check_after_an_answer_cell_that_failed_judges_no_older_answer():
             text = shell.user_ns["verdict"].card.text()
             assert "ended with an error" in text
             assert name in text
+        shell.run_cell("screws_1 = 3", cell_id="answer-1")
+        shell.run_cell("screw_1 = 4", cell_id="answer-1")  # misspelled
+        shell.run_cell("verdict = sheet.check(1, screws_1)")
+        assert "Your lines do not set `screws_1` any more." in shell.user_ns["verdict"].card.text()
     finally:
         InteractiveShell.clear_instance()
 

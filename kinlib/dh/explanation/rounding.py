@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Map, linearized, nearest_maps
+from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Map, linearized, nearest_maps, neighbours
 from kinlib.dh.equivalence import ROUGH, equivalent
 from kinlib.dh.parsing import joint_entries
 from kinlib.dh.table import DHTable, rows_at
@@ -49,6 +49,23 @@ def typed_half_units(rows: Array) -> tuple[Array, str]:
     if angle_decimals < ALL_DECIMALS:
         words.append(f"angles to {10.0**-angle_decimals:g}{' rad' if unit == 1 else '°'}")
     return np.maximum(half, np.spacing(np.abs(rows)) / 2), ", ".join(words)
+
+
+def with_right_angles(table: DHTable, half_unit: Array) -> DHTable:
+    """Return a table whose angles are exactly the multiples of 45 degrees to which they are rounded, such as 1.57."""
+    right = np.round(table.rows / (np.pi / 4)) * (np.pi / 4)
+    off = np.abs(right - table.rows)
+    is_rounded = (np.arange(4) % 2 == 1) & (right != 0) & (off <= half_unit) & (off > 1e-12)
+    return table.changed(rows=np.where(is_rounded, right, table.rows))
+
+
+def excludes_rounding(table: DHTable, arm: Chain, half_unit: Array) -> bool:
+    """Return whether two neighbouring axes of the arm make another angle than any alpha that rounds to that of the table."""
+    pairs = slice(0, arm.n - 1) if table.convention == "standard" else slice(1, arm.n)
+    angles, others = (neighbours(chain)[1] for chain in (table.to_chain(), arm))
+    return "F" not in table.joints and bool(
+        (np.abs(angles - others) > 1.05 * half_unit[pairs, 1] + ROUNDING_ERROR).any()
+    )
 
 
 def _shortest(number: float) -> str:

@@ -216,7 +216,7 @@ async def run(source: str, cell: str = "") -> None:
     """
     runs = PageKernel.request.get("header", {}).get("msg_id", 0) + 1
     PageKernel.request = {"header": {"msg_id": runs}, "metadata": {"cellId": cell}}
-    await shell.run_cell_async(source, transformed_cell=shell.transform_cell(source))
+    await shell.run_cell_async(source, transformed_cell=shell.transform_cell(source), cell_id=cell)
     display_figures()
     report(kind="end")
 

@@ -196,3 +196,24 @@ def test_few_digits_are_no_excuse_for_a_number_that_does_not_round_to_them(print
     """The sum of all rounding would allow these differences; no number within half of its last digit does."""
     table, arm = (published(*((length, 0, 0, 0) for length in lengths)) for lengths in (printed, true))
     assert diagnose(table, arm, fixed=CHOICES).verdict == "undecided"
+
+
+def test_pi_with_three_digits_is_a_right_angle_and_no_mistake():
+    base = np.diag([1.0, -1, -1, 1])
+    typed = UR5.changed(rows=np.round(UR5.rows * 100) / 100 * [0, 1, 0, 1] + UR5.rows * [1, 0, 1, 0])
+    up_to_its_base = diagnose(typed, UR5.changed(base=base), fixed=CHOICES)
+    assert "The base T_s0 is missing: it should be rotated by 180° about x." in str(up_to_its_base).splitlines()
+    assert str(up_to_its_base).endswith("were taken as multiples of 45 degrees.")
+    wrong = diagnose(with_entries(typed, (5, "alpha", 1.57)), UR5, fixed=CHOICES)
+    assert [fault.text for fault in wrong.faults] == ["Row 5: alpha has the wrong sign."]
+    np.testing.assert_allclose(wrong.corrected.rows, UR5.rows, atol=1e-12)
+
+
+def test_one_other_zero_is_not_told_as_a_shifted_column():
+    assert "one row" not in str(diagnose(with_entries(UR5, (2, "theta", np.pi / 2)), UR5))
+
+
+def test_the_table_of_another_robot_is_not_called_rounded():
+    other = DHTable([[0.2, 0.4, 0.3, 0], [0.7, 0, 0.1, 0], [0.1, 0.6, 0.1, 0], [0.1, 1, 0.5, 0], [0.01, 2, 0.3, 0], [0.2, 0.5, 0.1, 0]],
+                    convention="standard")  # fmt: skip
+    assert str(diagnose(other, UR5)).startswith("No known mistake was found that explains this table.")

@@ -135,6 +135,7 @@ def test_what_is_no_table_is_refused_with_its_line(text, words):
 
 
 SAME_ARM = {
+    "names in cells": "a | alpha | d | theta\n0 | pi/2 | d1=0.3 | q1\na2 = 0.4 | 0 | 0 | q2 + pi/2\n0.2 | 0 | 0 | q3",
     "symbols": "s = {alpha1: pi/2, a1: 0, d1: 0.3,\n alpha2: 0, a2: 0.4, d2: 0, q2: q2 + pi/2,\n alpha3: 0, a3: 0.2, d3: 0}",
     "calls of a function": "def dh(theta, d, a, alpha):\nT = dh(q1, 0.3, 0, np.pi/2)\nT = T @ dh(q[2] + pi/2, 0, 0.4, 0)\n"
     "T = T @ dh(q[3], 0, 0.2, 0)",
@@ -172,7 +173,8 @@ SAME_ARM = {
     " // a alpha d theta",
     "YAML below each other": "joint1:\n  a: 0\n  alpha: 90\n  d: 0.3\n  theta: 0\njoint2:\n  a: 0.4\n  alpha: 0\n  d: 0\n  theta: 90\n"
     "joint3:\n  a: 0.2\n  alpha: 0\n  d: 0\n  theta: 0",
-    "Link with a type and an offset": "L1 = Link([0 0.3 0 pi/2]);\nL2 = Link([0 0 0.4 0 0 pi/2]);\nL3 = Link([0 0 0.2 0]);",
+    "Link with a type and an offset": "L1 = Link([0 0.3 0 pi/2]);\nL2 = Link([0 0 0.4 0 0 pi/2]);\nL3 = Link([0 0 0.2 0]);\n"
+    "arm = SerialLink([L1 L2 L3], 'name', 'arm');",
     "siunitx": r"{$i$} & {$a_i$ / \si{\milli\metre}} & {$\alpha_i$ / \si{\degree}} & {Offset $d_i$} & {$\theta_i$} \\ 1 & 0 & \ang{90} & "
     r"\SI{300}{\milli\metre} & {$q_1$} \\ 2 & 400 & 0 & 0 & {$q_2 + \ang{90}$} \\ 3 & 200 & 0 & 0 & {$q_3$} \\",
     "a list of lengths in calls": "length = [0.3, 0.4, 0.2]\nRevoluteDH(d=length[0], alpha=pi/2), RevoluteDH(a=length[1], offset=pi/2), "
@@ -211,6 +213,15 @@ def test_a_comment_names_the_columns_in_prose(comment):
     table, assumed = read_table(f"{comment}\n{rows}", convention="standard")
     assert table.rows.tolist() == [[0, np.pi / 2, 0.3, 0], [0.4, 0, 0, np.pi / 2], [0.2, 0, 0, 0]]
     assert not [each.text for each in assumed if "column" in each.text]
+
+
+def test_an_index_only_suggests_the_standard_convention():
+    asked = read_table("a_i alpha_i d_i theta_i\n0 pi/2 0.3 q1\n0.4 0 0 q2").assumed[-1]
+    assert asked == (
+        "The convention is standard, as the index i of a and alpha suggests.",
+        "convention",
+        ("standard", "modified"),
+    )
 
 
 def test_a_list_that_no_column_has_is_told():
