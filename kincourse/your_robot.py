@@ -23,7 +23,7 @@ from kinlib.chains.robots import youbot
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import CHOICES, describe_pose, equivalent, measured_difference
-from kinlib.dh.explanation.rounding import typed_half_units
+from kinlib.dh.explanation.rounding import typed_half_units, with_right_angles
 from kinlib.dh.explanation.search import TableExplanation, explain_by_choices
 from kinlib.dh.formatting import PRINTED_DIGITS, headings, in_latex
 from kinlib.dh.read_table import read_table
@@ -125,7 +125,7 @@ class Examination:
     @cached_property
     def read(self) -> DHTable | None:
         """The given table with right angles where its digits mean them, such as 1.5708; the other numbers as they were given."""
-        return _typed(self.table, self.table) if self.table else None
+        return with_right_angles(self.table, typed_half_units(self.table.rows)[0]) if self.table else None
 
     @property
     def sentence(self) -> str:
@@ -265,6 +265,7 @@ class Examination:
             rounded = f"its numbers may only be rounded ({strict.rounding})"
             cause = rounded if strict.rounding else "axes are nearly parallel"
             yield f"<p>Whether the table has a mistake cannot be decided, because {escape(cause)}.</p>"
+        yield f"<p>{escape(strict.note)}</p>" * bool(strict.note and found)
         if not found:
             yield f"<p>{escape(str(strict))} The corrected table is a new one: frames were assigned to the arm.</p>"
         for number, each in enumerate(found, start=1):
@@ -294,7 +295,8 @@ def _shown(table: DHTable, caption: str, rows: Sequence[Sequence[str]] = (), arm
     ends = [f"{name} = {format_matrix(T, PRINTED_DIGITS)}: {describe_pose(T)}" for name, T in _ends(table).items()]
     if arm:
         off = _difference(table, arm)
-        ends.append(f"With these numbers, the poses for the same q differ from the arm's by at most {off}.")
+        differ = "are the arm's" if off == "0 m and 0°" else f"differ from the arm's by at most {off}"
+        ends.append(f"With these numbers, the poses for the same q {differ}.")
     shown = html_table(caption, ["", *headings(table.convention)], rows)
     return shown + "".join(f"<p>{escape(end)}</p>" for end in ends)
 
@@ -302,7 +304,8 @@ def _shown(table: DHTable, caption: str, rows: Sequence[Sequence[str]] = (), arm
 def _explained(strict: Diagnosis, mistakes: Sequence[Fault], table: DHTable) -> TableExplanation:
     """Add to mistakes the choices of the arm that are still missing: as few of base, tool, zeros and signs as are enough."""
     mistakes = [fault for fault in mistakes if fault.name not in ENDS]
-    start = _typed(table, strict.table).changed(base=strict.table.base, tool=strict.table.tool)
+    plain = with_right_angles(table, typed_half_units(strict.table.rows)[0])
+    start = plain.changed(base=strict.table.base, tool=strict.table.tool)
     for tolerance, fixed in product((1e-6, 1e-4, 1e-2), (CHOICES, JOINT_CHOICES, ())):
         found = equivalent(start, strict.arm, fixed=fixed, tolerance=tolerance)
         if found.verdict == "same":
@@ -333,16 +336,6 @@ def _cause(explanation: TableExplanation) -> str:
     count = "a mistake" if len(mistakes) == 1 else f"{len(mistakes)} mistakes"
     place = f"row{'s'[: len(rows) != 1]} {', '.join(rows)}" if rows else "the whole table"
     return f"{count} in {place}" + f", with the {choices} of the arm" * bool(choices) if mistakes else choices
-
-
-def _typed(table: DHTable, given: DHTable) -> DHTable:
-    """Return a table with right angles where the digits of the given one mean them: 1.5708 and 1.57 are 90°, 0.7854 is 45°."""
-    half, rows = typed_half_units(given.rows)[0], table.rows.copy()
-    for step, most in ((np.pi / 12, 1e-5), (np.pi / 2, 2e-3)):
-        near = np.round(rows / step) * step
-        means = (np.abs(rows - near) <= np.minimum(1.05 * half, most)) & (np.arange(4) % 2 == 1)
-        rows = np.where(means, near, rows)
-    return table.changed(rows=rows)
 
 
 def _without_noise(table: DHTable) -> DHTable:
