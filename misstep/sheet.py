@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
 
-from misstep.answers.base import inputs_of
 from misstep.diagnosis.explanation import Finding
 from misstep.display.failed_answer import FailedAnswer, current_shell
 from misstep.display.lecture_address import lecture_address
@@ -116,7 +115,7 @@ class OpenSheet:
         template, problem = self._template(k), self.problem(k)
         failed = answer if isinstance(answer, FailedAnswer) else None
         answer = ... if failed else answer
-        stored = to_data(answer, inputs_of(problem.answer))  # for a grader, which judges it again
+        stored = to_data(answer, problem.answer.inputs)  # for a grader, which judges it again
         emission = {"sheet": self.sheet.name, "problem": k, "student": self.student, "answer": stored}
         judgement = judge(problem, answer)
         if failed:

@@ -45,7 +45,7 @@ def test_an_unreadable_value_is_refused_with_a_remedy():
     homogeneous = "homogeneous coordinates: leave off the last entry"
     for answer, given, words in [
         (three, np.eye(6, 3), "Rows and columns are swapped: try .T"),
-        (one, [0, 0, 1], "is the other half missing"),
+        (one, [0, 0, 1], r"of shape \(6,\); got a list of shape \(3,\)\.$"),
         (three, np.zeros(18), "arrangement is not"),
         (one, 0, r"Expected a screw axis \(omega, v\), an array of shape \(6,\); got int 0\."),
         (three, np.zeros((2, 6)), r"an ndarray of shape \(2, 6\)\.$"),
