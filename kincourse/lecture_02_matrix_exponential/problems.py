@@ -311,7 +311,7 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
         "$[x]^\\vee = x$ takes the vector out of its skew-symmetric matrix.",
         further="The symmetric part of $R$ gives the axis, too. Why is it more accurate near half a turn?",
         given={"R": R},
-        answer=Numbers(x, unit="radians", test=keeps_its_axis),
+        answer=Numbers(x, unit="rad", test=keeps_its_axis),
         advice={
             "arcsine": "A sine cannot tell $\\theta$ from $\\pi - \\theta$; the trace can.",
             "leave out the factor $\\theta$": "The unit vector is the axis alone. The logarithm is axis times angle.",

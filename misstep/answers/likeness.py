@@ -17,7 +17,7 @@ from misstep.validation import Array
 PURE, LENGTH, ANGLE, OTHER = range(4)
 """The kinds of numbers: those of size 1, as in a direction or a rotation; lengths; angles in radians; and all others."""
 
-KINDS = {"m": LENGTH, "metres": LENGTH, "mm": LENGTH, "rad": ANGLE, "radians": ANGLE}
+KINDS = {"m": LENGTH, "mm": LENGTH, "m/s": LENGTH, "rad": ANGLE}
 """The kind of numbers with a unit."""
 
 ROUND_OFF = 1e-12
@@ -257,6 +257,7 @@ REORDERED = {"rows moved", "rows in another order", "rows reversed", "columns in
 UNITS = {
     "m": ("metres", {"millimetres": 1000.0, "centimetres": 100.0}),
     "mm": ("millimetres", {"metres": 1e-3, "centimetres": 0.1}),
+    "m/s": ("metres per second", {"millimetres per second": 1000.0}),
 }
 """For each unit its name, and those that are mistaken for it, each with its factor."""
 

@@ -1,5 +1,6 @@
 """Numbers and arrays of numbers as answers; of some several arrays are the same answer, as of a quaternion and its negative."""
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -101,7 +102,7 @@ class Numbers(Answer):
 
     def typed(self, text: str) -> float:
         """Return the number that a text writes; the unit of the answer may follow it. Raises ValueError for any other text."""
-        return numeral(text.strip().removesuffix(self.unit))
+        return numeral(re.sub(rf"(?<![A-Za-z]){re.escape(self.unit)}$", "", text.strip()))
 
     def remedy(self, shape: tuple[int, ...]) -> str:
         """Return a sentence on how to repair an answer of this wrong shape, with a leading space; "" if there is none."""

@@ -25,7 +25,7 @@ UNCHECKED = {"another row", "millimetres", "centimetres", "degrees"}
 SENTENCE_END = re.compile(r"(?<=[.!?]) ")
 """The space between two sentences."""
 
-FORMULA = re.compile(r"\$([^$]*)\$")
+FORMULA, EVERYWHERE = re.compile(r"\$([^$]*)\$"), re.compile(r"\b(every|all|each)\b")
 
 MAX_LENGTH = 400
 """How many characters the message of a finding has; further stories and advice are left out."""
@@ -129,8 +129,9 @@ def _explain_parts(
     for rank, group in enumerate(groups):
         for mistake in (one for one in group if one.in_parts) if left else ():
             same = {part for part, is_same in enumerate(answer.agrees(value, mistake.value)) if is_same}
-            # A change of the solution that would have changed a part that is right has not been made.
-            if rank != 1 or fine <= same:
+            # A change of the solution that would have changed a part that is right has not been made; one in every row is in all.
+            changed = {k for k, kept in enumerate(answer.agrees(mistake.value, answer.value)) if not kept}
+            if rank != 1 or (fine <= same and (changed <= same or not EVERYWHERE.search(mistake.did))):
                 matching.append((rank, mistake, same))
     while found := [(rank, mistake, same & left) for rank, mistake, same in matching if same & left]:
         best, _, explained = min(found, key=lambda one: (-len(one[2]), one[0]))
