@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from strategies import ROBOT_FUNCTIONS, ROBOTS, configurations
 
-from kinlib import robots
+from kinlib import DHTable, assign_frames, equivalent, robots
 
 
 @pytest.mark.parametrize("family", ROBOT_FUNCTIONS, ids=lambda family: family.__name__)
@@ -37,3 +37,10 @@ def test_the_arms_of_makers_move_as_their_tables_do():
         robot = make()
         for q in configurations(robot, 5):
             np.testing.assert_allclose(robot.fk(q), table.fkine(q).A, rtol=0, atol=1e-13)
+
+
+def test_puma_560_is_that_of_the_robotics_toolbox_up_to_the_choices_of_its_frames():
+    links = pytest.importorskip("roboticstoolbox").models.DH.Puma560().links
+    theirs = DHTable([[link.a, link.alpha, link.d, link.theta] for link in links], convention="standard")
+    assert equivalent(theirs, robots.puma560())
+    assert equivalent(theirs, assign_frames(robots.puma560(), convention="modified").table)
