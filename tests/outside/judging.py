@@ -45,8 +45,7 @@ def found(made, judgement, answer):
     if judgement.state in {"partly", "wrong"}:
         agrees = answer.agrees(answer.read(made.value), answer.value)
         right = {part for part, is_right in zip(answer.parts, agrees, strict=True) if is_right}
-        if any(right.intersection(finding.parts) for finding in judgement.findings):
-            yield "blamed"
+        yield from ["blamed"] * any(right.intersection(finding.parts) for finding in judgement.findings)
     if made.label in EARNS_NOTHING and 0 < judgement.fraction < 1:
         yield "undeserved"
 
@@ -70,12 +69,10 @@ def main():
     """Print the counts of all problems."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--students", type=int, default=1, help="how many students (1)")
-    parser.add_argument("--sheet", choices=sheets(), help="a single sheet, such as 03_poe_space")
+    parser.add_argument("--sheet", choices=sheets(), default="", help="a single sheet, such as 03_poe_space")
     parser.add_argument("--examples", action="store_true", help="print what has no name, and what is judged wrongly")
-    options = parser.parse_args()
-    total = Counter()
-    names = [options.sheet] if options.sheet else sheets()
-    for template in (problem for name in names for problem in find_sheet(name).problems):
+    options, total = parser.parse_args(), Counter()
+    for template in (one for name in sheets() if options.sheet in {"", name} for one in find_sheet(name).problems):
         for k in range(options.students):
             counts, examples = counts_of(template, f"student {k}")
             total.update(counts)
@@ -83,8 +80,8 @@ def main():
                 for one in examples.get(what, ()):
                     print(f"{what}: {one}")
         print(template.number, dict(sorted(counts.items())))
-    print(f"{total['wrong']} wrong answers, {total['with a name']} of them with a name")
-    print(*(f"{what}: {total[what]}" for what in COUNTED), sep="\n")
+    told = f"{total['wrong']} wrong answers, {total['with a name']} of them with a name"
+    print(told, *(f"{what}: {total[what]}" for what in COUNTED), sep="\n")
 
 
 if __name__ == "__main__":
