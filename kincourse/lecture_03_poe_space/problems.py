@@ -244,7 +244,7 @@ def which_order(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("03.7", "A camera on a link", points=3, lecture="03_poe_space#Where each link is, and what it is good for")
+@problem("03.7", "A camera on a link", points=3, lecture="03_poe_space#The pose of every link")
 def camera_on_a_link(sampler: ArmSampler) -> Problem:
     robot, k = sampler.arm("RRRR"), sampler.choice((2, 3))
     camera = pose(sampler.axes(), robot.joint_points[k - 1] + sampler.point(3) / 10)

@@ -16,7 +16,10 @@ def opening() -> Film:
     return film(
         draw,
         [
-            (1.5, "The common normal of two axes, with one foot on each."),
+            (
+                1.5,
+                "The common normal of two axes is the shortest line between them, perpendicular to both. Its ends are its feet.",
+            ),
             (7.6, "The second axis turns slowly towards the direction of the first. Watch the feet."),
             (1.9, "Now the axes have the same direction. Where would you put the x axis of a frame?"),
         ],

@@ -46,7 +46,9 @@ def draw_angles(linkage: Mechanism, q: ArrayLike) -> Picture:
             ("A", A, "the x axis to the crank AB"), ("B", B, "AB to BC"), ("D", D, "the x axis to DC"), ("C", C, "DC to BC")
         )
     )  # fmt: skip
-    return canvas.picture(f"Four-bar. {values}.", linkage.source, cropped=True)
+    return canvas.picture(
+        f"Four-bar. {values}.", f"The linkage of {linkage.source}, with the angles of this course.", cropped=True
+    )
 
 
 def _unit(angle: float) -> Array:
