@@ -6,8 +6,6 @@ from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.axis_relations import draw_moving_normal
 from kinlib.view.viewer.film import Film, film, share
 
-TURN_RAD = np.radians(-40)
-
 
 def opening() -> Film:
     """Play the common normal of two axes while the second axis tilts, rotates about the first, comes nearer, and leaves."""
@@ -15,7 +13,8 @@ def opening() -> Film:
     def draw(t: float) -> Picture:
         tilt = np.radians(70 - 40 * share(t, 2, 5))
         side = 0.9 - 0.9 * share(t, 10, 12) + 0.6 * share(t, 13, 14.5)
-        return draw_moving_normal(tilt, side, TURN_RAD * (share(t, 5.7, 8.7) - share(t, 9.8, 11.8)))
+        turn = np.radians(-40) * (share(t, 5.7, 8.7) - share(t, 9.8, 11.8))
+        return draw_moving_normal(tilt, side, turn)
 
     return film(
         draw,
