@@ -6,17 +6,16 @@ from misstep.catalog import Course
 from misstep.sheet import Sheet
 
 
-def find_robot_sheet(name: str) -> Sheet | None:
-    """Return the sheet of a robot whose file is beside the notebook; None if there is none."""
+def find_robot_sheet(name: str) -> Sheet | str:
+    """Return the sheet of a robot whose file is beside the notebook, or what to try."""
     from kincourse.robot_sheets.robot_sheet import find  # imported only if needed
 
-    return find(name)
+    return find(name) or f"The sheet of another robot needs its file {name}.json beside the notebook."
 
 
 COURSE = Course(
     "kincourse",
     requires=("kinlib",),
     fallback=find_robot_sheet,
-    fallback_hint="The sheet of another robot needs its file {name}.json beside the notebook.",
     site=os.environ.get("KINLIB_SITE_URL", ""),  # as in site/conf.py
 )

@@ -46,7 +46,7 @@ def draw_problem(seed: str, convention: Convention) -> Problem:
         answer=DHTableAnswer(table),
         mistakes=[
             Mistake(
-                "other convention",
+                "the other convention",
                 misread,
                 "This is a table of the arm, in the other convention. Where does a row begin: with the joint, or with the link?",
             )

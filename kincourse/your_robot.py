@@ -6,28 +6,31 @@ The notebook and the page of that name show what `examine` returns. Everything t
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from html import escape
+from itertools import product
 from typing import Any
 
 import numpy as np
 
 from kincourse.robot_sheets.robot_sheet import robot_sheet, with_plain_name
-from kinlib.arrays.formatting import format_degrees, format_number, html_table
-from kinlib.arrays.tolerances import ROUNDING_ERROR
-from kinlib.arrays.validation import Array
+from kinlib.arrays.formatting import format_degrees, format_matrix, format_number, html_table
+from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import youbot
-from kinlib.dh.assignment import FrameAssignment, assign_frames
+from kinlib.dh.assignment import assign_frames
 from kinlib.dh.diagnosis import Diagnosis, diagnose
-from kinlib.dh.equivalence import CHOICES, equivalent, measured_difference
-from kinlib.dh.explanation.search import explain_by_choices
-from kinlib.dh.formatting import headings
+from kinlib.dh.equivalence import CHOICES, describe_pose, equivalent, measured_difference
+from kinlib.dh.explanation.rounding import typed_half_units, with_right_angles
+from kinlib.dh.explanation.search import TableExplanation, explain_by_choices
+from kinlib.dh.formatting import PRINTED_DIGITS, headings, in_latex
 from kinlib.dh.read_table import read_table
+from kinlib.dh.slips import NUMBERS, OTHER_CONVENTION, Fault, wrong_number
 from kinlib.dh.table import Convention, DHTable, format_rows, table_frames
 from kinlib.dh.table_text import Assumption
+from kinlib.rigid.lie import nearest_rotation
 from kinlib.urdf.chains import load_urdf
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.viewer.viewer import Viewer, explore, opening
@@ -36,12 +39,12 @@ from misstep.sheet import OpenSheet
 MAX_URDF_LENGTH = 20_000_000
 """The maximum number of characters of a URDF file; longer ones are refused before they are parsed."""
 
-UR_SOURCE = 'Universal Robots, "DH parameters for calculations of kinematics and dynamics"'
 CORKE = "as in Corke's Robotics Toolbox"
-
 JOINT_CHOICES = ("zeros", "signs")
-
-SLIP_WORDS = "If only the base and the tool may differ: "
+MAX_EXPLANATIONS = 4
+AGREES, ENDS = {"right", "rounded"}, {"wrong base", "wrong tool"}
+CHOICE_WORDS = {"another zero": "joint zeros", "sign of q": "joint signs", "wrong base": "base", "wrong tool": "tool"}
+"""The faults that are choices of the arm, and how they are named."""
 
 
 class KnownArms:
@@ -55,11 +58,6 @@ class KnownArms:
         return "\n".join(f"{name}: {source}" for name, (_, source) in KNOWN.items())
 
 
-def known_arms() -> KnownArms:
-    """Return the list of known arms, to be shown in a notebook."""
-    return KnownArms()
-
-
 def _published(
     rows: Sequence[Sequence[float]], source: str, *, convention: Convention = "standard", joints: str = ""
 ) -> tuple[DHTable, str]:
@@ -70,7 +68,7 @@ def _published(
 def _universal(*lengths: float) -> tuple[DHTable, str]:
     d1, a2, a3, d4, d5, d6 = lengths
     rows = [(0, 90, d1, 0), (a2, 0, 0, 0), (a3, 0, 0, 0), (0, 90, d4, 0), (0, -90, d5, 0), (0, 0, d6, 0)]
-    return _published(rows, UR_SOURCE)
+    return _published(rows, 'Universal Robots, "DH parameters for calculations of kinematics and dynamics"')
 
 
 KNOWN: Mapping[str, tuple[DHTable, str]] = {
@@ -124,9 +122,14 @@ class Examination:
     notes: Sequence[str] = ()
     visuals: tuple[Tree, str] | None = None
 
+    @cached_property
+    def read(self) -> DHTable | None:
+        """The given table with right angles where its digits mean them, such as 1.5708; the other numbers as they were given."""
+        return with_right_angles(self.table, typed_half_units(self.table.rows)[0]) if self.table else None
+
     @property
     def sentence(self) -> str:
-        """The answer in one sentence."""
+        """The answer in one sentence: how far the tools are apart for the same q, and why."""
         if self.unread:
             return self.unread
         if self.table is None or self.arm is None:
@@ -134,87 +137,68 @@ class Examination:
             return f"{given.name}: {given.n} joints." if given else "Give a URDF file, a table, or both."
         if self.strict is None:
             letters, count = self.table.joints.replace("F", ""), f"{self.table.n} joint{'s'[: self.table.n != 1]}"
-            return (
-                f"The table has {count} ({letters}), and the arm has {self.arm.n} ({self.arm.joint_types}), so they cannot be "
-                "compared. Choose another tip or base, or look for a missing row."
-            )
-        metres, radians = measured_difference(self.table.to_chain(), self.arm)
-        size = f"{format_number(metres, 3)} m and {format_number(math.degrees(radians), 3, zero=1e-6)}°"
+            has = f"The table has {count} ({letters}), and the arm has {self.arm.n} ({self.arm.joint_types})"
+            return f"{has}, so they cannot be compared. Choose another tip or base, or look for a missing row."
         if self.strict.verdict == "right":
             return "The table agrees with the arm: the same q gives the same pose."
+        size = _difference(self.table, self.arm, 3)
         if self.strict.verdict == "rounded":
             return f"The table agrees with the arm to the digits that are printed: for the same q the tool differs by {size}."
-        return f"For the same q the tool differs by up to {size}, at 1000 random configurations."
+        return f"For the same q the tool differs by up to {size}, at 1000 random configurations{self._meaning}."
 
     @property
-    def readings(self) -> list[str]:
-        """Each reading that explains the difference, that with the fewest changes first."""
-        if not self.free or not self.strict or self.strict.verdict in {"right", "rounded"}:
-            return []
-        texts = []
-        is_right = self.free.verdict in {"right", "rounded"}
-        if is_right:
-            lines = [line for line in str(self.free).splitlines()[2:] if not line.startswith(("To count", "If q is"))]
-            texts.append("\n".join(["The table describes the same arm with other choices:", *lines]))
-        elif self.free.explanations:
-            texts.append(str(self.free))
-        strict = str(self.strict)
-        is_choice = bool(self.strict.explanations) and self.strict.explanations[0].is_a_choice
-        if self.slip:
-            texts.append(f"{SLIP_WORDS}{self.slip}")
-        elif strict not in texts and not (is_right and (is_choice or self._is_told_by_choices)):
-            same = "If q, base and tool are meant to be the same: " if texts else ""
-            texts.append(same + strict)
-        return sorted(texts, key=lambda text: (text.count("\n"), len(text)))
-
-    @property
-    def _is_told_by_choices(self) -> bool:
-        """Whether the choices up to which the table is right change the same numbers as the only mistake that was found."""
-        if self.table is None or self.free is None or self.strict is None or len(self.strict.explanations) != 1:
-            return False
-        choices = explain_by_choices(self.table, self.free.comparison)
-        return choices is not None and self.strict.explanations[0].says_as_much(choices)
+    def _meaning(self) -> str:
+        """What the difference means, as the end of the sentence that states it."""
+        if not self.explanations:
+            return "; no small change of the table explains this"
+        first, cause, count = self.explanations[0], _cause(self.explanations[0]), len(self.explanations)
+        itself = "the table itself" if {each.name for each in first.faults} <= ENDS else "apart from them the table"
+        right = f": {itself} is right" * first.is_a_choice
+        if count > 1:
+            return f"; {count} explanations fit, and the first is {cause}{right}"
+        return f", and only because of {cause}{right}" if first.is_a_choice else f"; this is explained by {cause}"
 
     @cached_property
-    def slip(self) -> Diagnosis | None:
-        """What is wrong if the base and the tool may differ, where otherwise only choices of several zeros and signs are found."""
-        if not self.strict or len(self.strict.faults) < 2 or not self.strict.explanations[0].is_a_choice:
-            return None
-        slip = diagnose(self.strict.table, self.strict.arm, JOINT_CHOICES)
-        return slip if slip.explanations and not slip.explanations[0].is_a_choice else None
+    def explanations(self) -> list[TableExplanation]:
+        """What explains the difference, that with the fewest changes first; each has all changes after which the poses agree."""
+        free, strict = self.free, self.strict
+        if free is None or strict is None or strict.verdict in AGREES:
+            return []
+        is_right = free.verdict in AGREES
+        faults: list[tuple[Sequence[Fault], DHTable]] = [((), strict.table)] if is_right else []
+        # Where only several zeros and signs are found, a mistake may explain the same if the base and the tool may differ.
+        is_many = len(strict.faults) > 1 and strict.explanations[0].is_a_choice
+        some = diagnose(strict.table, strict.arm, JOINT_CHOICES) if is_many else strict
+        either = [*([] if is_right else free.explanations), *some.explanations]
+        faults += [(each.faults, each.corrected) for each in either if not each.is_a_choice]
+        if near := strict.nearest:
+            places = np.argwhere(near.rows != strict.table.rows).tolist()
+            faults.insert(0, ([wrong_number(strict.table, near, *place) for place in places], near))
+        found = [_explained(strict, *each) for each in faults]
+        off = [max(measured_difference(each.corrected.to_chain(), strict.arm)) for each in found]
+        several: list[TableExplanation] = []
+        for each, error in zip(found, off, strict=True):
+            if error <= min(3 * min(off) + 1e-6, 0.05) and not any(each.says_as_much(other) for other in several):
+                several.append(each)
+        numbers = [any(fault.name in NUMBERS for fault in each.faults) for each in several]
+        order = sorted(range(len(several)), key=lambda k: (several[k].edits, numbers[k], several[k].is_a_choice))
+        return [several[k] for k in order[:MAX_EXPLANATIONS]]
 
-    @property
+    @cached_property
     def corrected(self) -> DHTable | None:
         """The table with the poses of the arm for the same q, as near the given one as was found."""
-        if not self.arm:
-            return self.table
-        convention = self.table.convention if self.table and self.strict else "standard"
-        return self._changed or assign_frames(self.arm, convention=convention, snap=True).table
-
-    @property
-    def _changed(self) -> DHTable | None:
-        """The given table with few other numbers that has the poses of the arm; None if none was found."""
-        return self._followed[0] if self._followed else None
-
-    @cached_property
-    def _followed(self) -> tuple[DHTable, str, bool] | None:
-        """That table, the reading that it follows, and whether choices of the arm were added: the first of those nearest to the arm."""
-        if self.strict is None or self.free is None:
-            return None
-        if self.slip and self.slip.corrected:
-            return _with_choices(self.slip.corrected, self.slip.arm, JOINT_CHOICES), SLIP_WORDS, False
-        arm, told = self.strict.arm, str(self.strict)
-        found = [(near, told, False) for near in (self.strict.corrected, self.strict.nearest) if near is not None]
-        if self.strict.nearest is not None and self.strict.up_to:
-            found = [(_with_choices(self.strict.nearest, arm), told, True)]
-        if self.free.explanations:
-            found.append((_with_choices(self.free.explanations[0].corrected, arm), str(self.free), True))
-        return min(found, key=lambda each: round(max(measured_difference(each[0].to_chain(), arm)), 4), default=None)
+        if not self.arm or (self.strict and self.strict.verdict in AGREES):
+            return self.read
+        if self.explanations:
+            return self.explanations[0].corrected
+        return assign_frames(
+            self.arm, self.table.convention if self.table and self.strict else "standard", snap=True
+        ).table
 
     @property
     def wrong_rows(self) -> list[int]:
         """The rows, from 0, in which the table differs from the corrected one."""
-        right, table = self.corrected, self.table
+        right, table = self.corrected, self.read
         if right is None or table is None or right.rows.shape != table.rows.shape:
             return []
         one, other = (np.column_stack([each.rows, each.signs]) for each in (table, right))
@@ -236,9 +220,8 @@ class Examination:
             return explore(arm, show=("axes", "base", "tool"), visuals=self.visuals)
         row, q = self.wrong_rows[0] if self.wrong_rows else 0, opening(arm)
         frames = table_frames(self.table, q)
-        if self.corrected and self.wrong_rows:
-            right = table_frames(self.corrected, q)
-            frames |= {f"{name}'": T for name, T in right.items() if not np.allclose(T, frames[name], atol=1e-6)}
+        right = table_frames(self.corrected or self.table, q)
+        frames |= {f"{name}'": T for name, T in right.items() if not np.allclose(T, frames[name], atol=1e-6)}
         shown = [f"frame {name}" for name in (row, row + 1, f"{row}'", f"{row + 1}'") if str(name) in frames]
         return explore(arm, show=("axes", *shown), start=q, frames=frames, visuals=self.visuals)
 
@@ -246,144 +229,201 @@ class Examination:
         return "".join(self._blocks())
 
     def _blocks(self) -> Iterator[str]:
-        readings = self.readings
         yield f'<p class="your-robot-answer{" your-robot-unread" * bool(self.unread)}"><strong>{escape(self.sentence)}</strong></p>'
         if self.unread:
             return
-        for number, text in enumerate(readings):
-            head, *changes = map(escape, text.splitlines())
-            lead = ("Either: ", "Or: ")[number] if len(readings) > 1 else ""
-            listed = "".join(f"<li>{change}</li>" for change in changes)
-            yield f"<p><strong>{lead}</strong>{head}</p>" + f"<ul>{listed}</ul>" * bool(changes)
-        if self.assumed or self.notes:
-            asked = [each for each in self.assumed if each.options]
-            items = [f"{note}" for note in self.notes] + [each.text for each in self.assumed if not each.options]
-            items += [
-                f"{each.text} If not, choose another {each.argument.replace('_', ' ')} ({', '.join(each.options)})."
-                for each in asked
-            ]
-            yield f"<p>What was assumed:</p><ul>{''.join(f'<li>{escape(item)}</li>' for item in items)}</ul>"
+        if self.strict and self.strict.verdict not in AGREES:
+            yield from self._told_explanations(self.strict)
         if self.table:
             yield self._side_by_side()
         if self.arm and not self.table:
-            for convention in ("standard", "modified"):
-                yield from _assigned(assign_frames(self.arm, convention=convention), self.arm)
-            yield f"<details><summary>Screw axes and M</summary><pre>{escape(str(self.arm))}</pre></details>"
-        if self.strict and self.corrected and self.wrong_rows:
-            yield f"<p>{escape(self._about_the_corrected(readings))}</p>"
+            yield from _both_conventions(self.arm)
         for name, text in self.copies().items():
-            label = "The corrected table" if self.wrong_rows else "The table"
-            is_open = " open" * (name == "text")
-            yield f"<details{is_open}><summary>{label} as {escape(name)}</summary><pre>{escape(text)}</pre></details>"
+            is_open, head = " open" * (name == "text"), f"{self._whose} as {escape(name)}"
+            yield f"<details{is_open}><summary>{head}</summary><pre>{escape(text)}</pre></details>"
+        asked = [
+            f"{each.text} If not, choose another {each.argument.replace('_', ' ')} ({', '.join(each.options)})."
+            if each.options else each.text
+            for each in self.assumed
+        ]  # fmt: skip
+        yield "<p>The arm:</p>" * bool(self.notes) + _listed(self.notes)
+        yield "<p>What was assumed of the table:</p>" * bool(asked) + _listed(asked)
 
-    def _about_the_corrected(self, readings: Sequence[str]) -> str:
-        """Say which reading the corrected table follows, and how far its poses are off."""
-        if self.arm is None or self.corrected is None:
-            return ""
-        metres, radians = measured_difference(self.corrected.to_chain(), self.arm)
-        off = f"{format_number(metres, 2, zero=1e-9)} m and {format_number(math.degrees(radians), 2, zero=1e-7)}°"
-        follows = "The corrected table is a new one, with frames assigned to the arm, because no small change was found"
-        if self._followed:
-            number = next((k for k, text in enumerate(readings) if self._followed[1] in text), 0)
-            which = ("the first reading", "the second reading")[number] if len(readings) > 1 else "these changes"
-            first = ", and of these its first line" * any("\nor: " in text for text in readings[number : number + 1])
-            choices = ", with the base, the tool, the zeros and the signs of the arm" * self._followed[2]
-            follows = f"The corrected table has {which}{first}{choices}"
-        return f"{follows}; for the same q its poses differ from the arm's by at most {off}."
+    @property
+    def _whose(self) -> str:
+        """Whose rows the texts to copy have."""
+        if self.arm and (not self.table or self.strict is None):
+            return "The table of the arm" + ", not yours," * bool(self.table)
+        if self.wrong_rows or any(not each.is_a_choice for each in self.explanations):
+            return "The corrected table"
+        return "The table with the base and the tool of the arm" if self.explanations else "The table"
+
+    def _told_explanations(self, strict: Diagnosis) -> Iterator[str]:
+        """Write each explanation as a list of all its changes; the first is that of the corrected table."""
+        found = self.explanations
+        if strict.verdict == "undecided" and found and not found[0].is_a_choice:
+            rounded = f"its numbers may only be rounded ({strict.rounding})"
+            cause = rounded if strict.rounding else "axes are nearly parallel"
+            yield f"<p>Whether the table has a mistake cannot be decided, because {escape(cause)}.</p>"
+        yield f"<p>{escape(strict.note)}</p>" * bool(strict.note and found)
+        if not found:
+            yield f"<p>{escape(str(strict))} The corrected table is a new one: frames were assigned to the arm.</p>"
+        for number, each in enumerate(found, start=1):
+            several = f"Explanation {number}. " if len(found) > 1 else ""
+            used = ", as in the corrected table below" * (number == 1 < len(found))
+            these = "this change" if each.edits == 1 else "these changes"
+            yield f"<p>{several}With {these} the table agrees with the arm{used}:</p>"
+            yield _listed([fault.text for fault in each.faults])
 
     def _side_by_side(self) -> str:
         """The rows of the table, each with what is other in the corrected one, marked in a column and not by colour alone."""
-        right, table = self.corrected, self.table
+        right, table = self.corrected, self.read
         if table is None or right is None or not self.arm or right.rows.shape != table.rows.shape:
-            return table._repr_html_() if table is not None else ""
-        wrong = self.wrong_rows
-        marks = {row: "✗ first wrong row" if row == wrong[0] else "✗" for row in wrong}
+            return _shown(table, "The table that was read") if table is not None else ""
+        marks = {row: "✗ first wrong row" if k == 0 else "✗" for k, row in enumerate(self.wrong_rows)}
         rows = [
             [marks.get(i, "✓"), str(i + 1), *(a if a == b else f"{a} → {b}" for a, b in zip(one, other, strict=True))]
             for i, (one, other) in enumerate(zip(_entries(table), _entries(right), strict=True))
         ]
-        return html_table(
-            "The table, and → the numbers that give the arm's poses", ["", *headings(table.convention)], rows
-        )
+        return _shown(right, "The table, and → the numbers that give the arm's poses", rows, self.arm)
 
 
-def _with_choices(table: DHTable, arm: Chain, fixed: Collection[str] = ()) -> DHTable:
-    """Give a table that describes an arm up to choices the base, the tool, the zeros and the signs of the arm."""
-    for tolerance in (1e-6, 1e-4, 1e-2):
-        found = equivalent(table, arm, fixed=fixed, tolerance=tolerance)
-        if choices := explain_by_choices(table, found):
-            return choices.corrected
-    return table
+def _shown(table: DHTable, caption: str, rows: Sequence[Sequence[str]] = (), arm: Chain | None = None) -> str:
+    """Write a table with its convention, below it the base and the tool with all their digits, and how far it is from an arm."""
+    rows = rows or [["", str(i), *row] for i, row in enumerate(_entries(table), start=1)]
+    caption = f"{caption} ({table.convention} convention, lengths in m)"
+    ends = [f"{name} = {format_matrix(T, PRINTED_DIGITS)}: {describe_pose(T)}" for name, T in _ends(table).items()]
+    if arm:
+        off = _difference(table, arm)
+        differ = "are the arm's" if off == "0 m and 0°" else f"differ from the arm's by at most {off}"
+        ends.append(f"With these numbers, the poses for the same q {differ}.")
+    shown = html_table(caption, ["", *headings(table.convention)], rows)
+    return shown + "".join(f"<p>{escape(end)}</p>" for end in ends)
 
 
-def _assigned(found: FrameAssignment, arm: Chain) -> Iterator[str]:
-    clean = assign_frames(arm, convention=found.table.convention, snap=True)
-    exact = replace(found.table, name=f"{arm.name}, exact")
-    yield clean.table._repr_html_()
-    by = f"differ from those of the arm by at most {clean.accuracy:.1e} (metres, and entries of R)"
-    yield f"<p>The poses of this table {by if clean.accuracy > ROUNDING_ERROR else 'are those of the arm'}.</p>"
-    if np.abs(exact.rows - clean.table.rows).max() > 1e-12:
-        yield f"<details><summary>All digits</summary>{exact._repr_html_()}</details>"
-    steps = "".join(f"<li>{escape(str(step))}</li>" for step in found.steps)
-    yield f"<details><summary>The reason for each frame</summary><ol>{steps}</ol></details>"
+def _explained(strict: Diagnosis, mistakes: Sequence[Fault], table: DHTable) -> TableExplanation:
+    """Add to mistakes the choices of the arm that are still missing: as few of base, tool, zeros and signs as are enough."""
+    mistakes = [fault for fault in mistakes if fault.name not in ENDS]
+    plain = with_right_angles(table, typed_half_units(strict.table.rows)[0])
+    start = plain.changed(base=strict.table.base, tool=strict.table.tool)
+    for tolerance, fixed in product((1e-6, 1e-4, 1e-2), (CHOICES, JOINT_CHOICES, ())):
+        found = equivalent(start, strict.arm, fixed=fixed, tolerance=tolerance)
+        if found.verdict == "same":
+            choices = explain_by_choices(start, found)
+            faults, right = ([*mistakes, *choices.faults], choices.corrected) if choices else (mistakes, start)
+            return TableExplanation(faults, _without_noise(right), len(faults), is_a_choice=not mistakes)
+    return TableExplanation(mistakes, start, len(mistakes))
 
 
-def _entries(table: DHTable) -> list[list[str]]:
-    return format_rows(table, length=lambda x: format_number(x, 6), angle=lambda x: format_degrees(x, 6))
+def _listed(items: Sequence[str], kind: str = "ul") -> str:
+    return f"<{kind}>{''.join(f'<li>{escape(item)}</li>' for item in items)}</{kind}>" * bool(items)
 
 
-def _numbers(values: Array) -> list[list[float]]:
-    """Return numbers with twelve digits, without rounding errors."""
-    return [[float(format_number(x, 12, zero=1e-9)) for x in row] for row in values.tolist()]
+def _difference(table: DHTable, arm: Chain, digits: int = 2) -> str:
+    """How far the poses of a table and an arm differ for the same q, in words."""
+    metres, radians = measured_difference(table.to_chain(), arm)
+    return (
+        f"{format_number(metres, digits)} m and {format_number(math.degrees(radians), digits, zero=min(1e-6, metres))}°"
+    )
+
+
+def _cause(explanation: TableExplanation) -> str:
+    """Say where the changes of an explanation are."""
+    names = {fault.name for fault in explanation.faults}
+    choices = " and ".join(words for name, words in CHOICE_WORDS.items() if name in names)
+    mistakes = [fault for fault in explanation.faults if fault.name not in CHOICE_WORDS]
+    rows = sorted({str(fault.row) for fault in mistakes if fault.row})
+    count = "a mistake" if len(mistakes) == 1 else f"{len(mistakes)} mistakes"
+    place = f"row{'s'[: len(rows) != 1]} {', '.join(rows)}" if rows else "the whole table"
+    return f"{count} in {place}" + f", with the {choices} of the arm" * bool(choices) if mistakes else choices
+
+
+def _without_noise(table: DHTable) -> DHTable:
+    """Return a table whose base and tool have 0 and 1 where they are off by the digits of a typed pi / 2."""
+    ends = {}
+    for name, T in (("base", table.base), ("tool", table.tool)):
+        clean = np.where(np.abs(T - T.round()) < TYPED_PI_ERROR, T.round(), T)
+        clean[:3, 3] = np.where(np.abs(T[:3, 3] - T[:3, 3].round(6)) < 1e-8, T[:3, 3].round(6), T[:3, 3])
+        ends[name] = nearest_rotation(clean)
+    return table.changed(**ends)
+
+
+def _both_conventions(arm: Chain) -> Iterator[str]:
+    """The DH tables of an arm, the reason for each frame, and its screw axes."""
+    for convention in OTHER_CONVENTION:
+        exact, clean = (assign_frames(arm, convention=convention, snap=snap) for snap in (False, True))
+        yield _shown(clean.table, arm.name, arm=arm)
+        if np.abs(exact.table.rows - clean.table.rows).max() > 1e-12:
+            yield f"<details><summary>All digits</summary>{_shown(exact.table, f'{arm.name}, exact')}</details>"
+        steps = _listed([str(step) for step in clean.steps], "ol")
+        yield f"<details><summary>The reason for each frame</summary>{steps}</details>"
+    shown = clean.table.to_chain() if clean.accuracy < 1e-7 else arm
+    yield f"<details><summary>Screw axes and M</summary><pre>{escape(str(shown))}</pre></details>"
+
+
+def _entries(table: DHTable, variable: str = "q{}") -> list[list[str]]:
+    length, angle = (partial(write, digits=PRINTED_DIGITS) for write in (format_number, format_degrees))
+    return format_rows(table, length=length, angle=angle, variable=variable.format)
+
+
+def _ends(table: DHTable) -> dict[str, Any]:
+    """Base and tool, those that are not the identity."""
+    ends = {"base": table.base, "tool": table.tool}
+    return {name: T for name, T in ends.items() if np.abs(T - np.eye(4)).max() > ROUNDING_ERROR}
 
 
 def formats(table: DHTable) -> dict[str, str]:
-    """Write a table as text, CSV, LaTeX, Python, and for the Robotics Toolbox.
+    """Write a table as text, CSV, LaTeX, Python, and for the Robotics Toolbox, each with convention, units, base and tool.
 
-    >>> print(formats(DHTable([[0.4, 0, 0.1, 0]], convention="standard"))["Robotics Toolbox"])
-    DHRobot([
-        RevoluteDH(a=0.4, alpha=0, d=0.1, offset=0),
-    ])
+    >>> print(formats(DHTable([[0.4, 0, 0.1, 0]], convention="standard"))["CSV"])
+    # standard convention, lengths in m, angles in degrees
+    i,a_i [m],alpha_i [deg],d_i [m],theta_i [deg]
+    1,0.4,0,0.1,q1
     """
-    rows, names = _entries(table), headings(table.convention)[1:]
-    greek = [name.replace("alpha", "\\alpha").replace("theta", "\\theta") for name in names]
-    latex = [" & ".join(["$i$", *(f"${name}$" for name in greek)]) + r" \\ \hline"]
-    latex += [
-        " & ".join([str(i), *(cell.replace("°", r"^\circ").join("$$") for cell in row)]) + r" \\"
-        for i, row in enumerate(rows, 1)
-    ]
-    numbers = _numbers(table.rows)
+    says = f"{table.convention} convention, lengths in m, angles in"
+    poses = {name: format_matrix(T, PRINTED_DIGITS) for name, T in _ends(table).items()}
+    ends = [f"{name} = {text}" for name, text in poses.items()]
+    heads = list(zip(headings(table.convention), ["", " [m]", " [deg]", " [m]", " [deg]"], strict=True))
+    csv = [",".join(name + unit for name, unit in heads)]
+    csv += [f"{i},{','.join(row)}".replace(" ", "").replace("°", "") for i, row in enumerate(_entries(table), 1)]
+    latex = [" & ".join(in_latex(name).join("$$") + unit for name, unit in heads) + r" \\ \hline"]
+    for i, row in enumerate(_entries(table, "q_{{{}}}"), 1):
+        latex.append(" & ".join([str(i), *(cell.replace("°", r"^\circ").join("$$") for cell in row)]) + r" \\")
+    head, tail = r"\begin{tabular}{ccccc}", r"\end{tabular}"
     extra = f", joints={table.joints!r}" if set(table.joints) != {"R"} else ""
     extra += f", signs={table.signs.astype(int).tolist()}" if (table.signs != 1).any() else ""
-    ends = {"base": table.base, "tool": table.tool}
-    extra += "".join(f",\n    {name}={_numbers(T)}" for name, T in ends.items() if np.abs(T - np.eye(4)).max() > 1e-9)
-    body = "\n".join(f"    {row}," for row in numbers)
-    kind = {"standard": "DH", "modified": "MDH"}[table.convention]
-    links = []
-    for letter, sign, (a, alpha, d, theta) in zip(table.joints, table.signs, numbers, strict=True):
-        flip = ", flip=True" if sign < 0 else ""
-        lead = f"a={a:g}, alpha={alpha:.12g}" if alpha else f"a={a:g}, alpha=0"
-        if letter == "P":
-            links.append(f"    Prismatic{kind}({lead}, theta={theta:.12g}, offset={d:g}{flip}),")
-        elif letter == "R":
-            links.append(f"    Revolute{kind}({lead}, d={d:g}, offset={theta:.12g}{flip}),")
-    fixed = "# a fixed row belongs to the tool\n" if "F" in table.joints else ""
+    extra += "".join(f",\n    {name}={text}" for name, text in poses.items())
+    body = [f"    {[float(format_number(x, PRINTED_DIGITS)) for x in row]}," for row in table.rows.tolist()]
+    rows = ["# lengths in m, angles in radians", "table = kl.DHTable([", *body]
     return {
-        "text": str(table),
-        "CSV": "\n".join(",".join(row) for row in [["a", "alpha", "d", "theta"], *rows]),
-        "LaTeX": "\\begin{tabular}{ccccc}\n" + "\n".join(latex) + "\n\\end{tabular}",
-        "Python": f"kl.DHTable([\n{body}\n], convention={table.convention!r}{extra})",
-        "Robotics Toolbox": f"{fixed}DHRobot([\n" + "\n".join(links) + "\n])",
+        "text": f"# {says} degrees\n{table}",
+        "CSV": "\n".join([f"# {says} degrees", *csv, *ends]),
+        "LaTeX": "\n".join([f"% {says} degrees", *(f"% {end}" for end in ends), head, *latex, tail]),
+        "Python": "\n".join(["import kinlib as kl", *rows, f"], convention={table.convention!r}{extra})"]),
+        "Robotics Toolbox": _in_the_toolbox(table, f"# {says} radians"),
     }
 
 
+def _in_the_toolbox(table: DHTable, says: str) -> str:
+    """Write a table for the Robotics Toolbox; as that has no fixed rows, frames are assigned to an arm with such rows."""
+    if "F" in table.joints:
+        table = assign_frames(table.to_chain(), table.convention).table
+        says += "; new frames, because no row can be fixed"
+    end = {"standard": "DH", "modified": "MDH"}[table.convention]
+    kinds = [{"P": "Prismatic", "R": "Revolute"}[letter] + end for letter in table.joints]
+    links = []
+    for kind, sign, row in zip(kinds, table.signs, table.rows.tolist(), strict=True):
+        a, alpha, d, theta = (format_number(x, PRINTED_DIGITS) for x in row)
+        values = f"theta={theta}, offset={d}" if kind[0] == "P" else f"d={d}, offset={theta}"
+        links.append(f"    {kind}(a={a}, alpha={alpha}, {values}{', flip=True' * bool(sign < 0)}),")
+    ends = [f",\n    {name}=SE3({format_matrix(T, PRINTED_DIGITS)}, check=False)" for name, T in _ends(table).items()]
+    names = ", ".join(["DHRobot", *sorted({*kinds})])
+    imports = f"from roboticstoolbox import {names}\nfrom spatialmath import SE3"
+    return "\n".join([imports, says, "robot = DHRobot([", *links, f"]{''.join(ends)})"])
+
+
 def examine(
-    arm: str | Chain | DHTable = "",
-    table: str | DHTable = "",
-    *,
-    base: str = "",
-    tip: str = "",
-    **how: Any,
+    arm: str | Chain | DHTable = "", table: str | DHTable = "", *, base: str = "", tip: str = "", **how: Any
 ) -> Examination:
     r"""Read an arm and a table, and compare them.
 
@@ -392,8 +432,9 @@ def examine(
     base, tip  the links of the file between which the arm is; by default the root, and the end of the arm without a gripper
     how    what the text of the table does not say, as `read_table` takes it: convention, order, length_unit, angle_unit, joints
 
-    >>> print(examine("UR5e", "a alpha d\n0 90 0.1625\n0.425 0 0\n-0.3922 0 0\n0 90 0.1333\n0 -90 0.0997\n0 0 0.0996").sentence)
-    For the same q the tool differs by up to 0.85 m and 0°, at 1000 random configurations.
+    >>> pasted = "a alpha d\n0 90 0.1625\n0.425 0 0\n-0.3922 0 0\n0 90 0.1333\n0 -90 0.0997\n0 0 0.0996"
+    >>> print(examine("UR5e", pasted).explanations[0].faults[0].text)
+    Row 2: a has the wrong sign.
     """
     found = Examination()
     try:
@@ -401,35 +442,30 @@ def examine(
             chain, notes, visuals = _read_arm(arm, base, tip)
             found = replace(found, arm=chain, notes=notes, visuals=visuals)
         if table != "":
-            reading = (
-                (table, ()) if isinstance(table, DHTable) else read_table(table, **{k: v for k, v in how.items() if v})
-            )
-            found = replace(found, table=reading[0], assumed=reading[1])
+            said = {key: value for key, value in how.items() if value}
+            read = (table, ()) if isinstance(table, DHTable) else read_table(table, **said)
+            found = replace(found, table=read[0], assumed=read[1])
     except (ValueError, OSError) as error:
         return replace(found, unread=str(error))
     if found.arm is None or found.table is None or found.arm.n != found.table.n:
         return found
-    free, strict = (diagnose(found.table, found.arm, fixed) for fixed in ((), CHOICES))
-    return replace(found, free=free, strict=strict)
+    return replace(found, free=diagnose(found.table, found.arm), strict=diagnose(found.table, found.arm, CHOICES))
 
 
 def practise(arm: str | Chain | DHTable | Examination, student: str, *, base: str = "", tip: str = "") -> OpenSheet:
     """Make the exercise sheet of an arm, as `kincourse new-sheet` does, with the numbers of a student.
 
-    arm        as `examine` takes it, or what it returned
-    base, tip  as `examine` takes them
+    arm, base, tip  as `examine` takes them, or what it returned
 
     Raises ValueError if there is no arm, or if it cannot be read.
 
     >>> list(practise("UR5e", "ada").problem(1).given)
     ['T_sr', 'T_rf', 'T_fb']
     """
-    if isinstance(arm, Examination):
-        chain = arm.arm or (arm.table.to_chain() if arm.table else None)
-        if chain is None:
-            raise ValueError(f"An exercise sheet needs a robot. {arm.sentence}")
-    else:
-        chain, *_ = _read_arm(arm, base, tip)
+    found = arm if isinstance(arm, Examination) else examine(arm, base=base, tip=tip)
+    chain = found.arm or (found.table.to_chain() if found.table else None)
+    if chain is None:
+        raise ValueError(f"An exercise sheet needs a robot. {found.sentence}")
     return OpenSheet(robot_sheet("your_robot", with_plain_name(chain)), student)
 
 
@@ -441,9 +477,7 @@ def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, l
         chain = table.to_chain().changed(name="arm" if isinstance(arm, DHTable) else arm)
         return chain, [f"Source: {source}"] * bool(source), None
     if len(arm) > MAX_URDF_LENGTH:
-        raise ValueError(
-            f"A URDF file must have at most {MAX_URDF_LENGTH // 10**6} million characters; got {len(arm)}."
-        )
+        raise ValueError(f"A URDF file may have at most 20 million characters; got {len(arm)}.")
     if "<" not in arm and not arm.strip().endswith((".urdf", ".xml")):
         raise ValueError(f"{arm!r:.60} is neither a URDF file nor a known arm. Known are {', '.join(KNOWN)}.")
     chain, tree = load_urdf(arm, base or None, tip or None), Tree.from_urdf(arm)
@@ -452,9 +486,10 @@ def _read_arm(arm: str | Chain | DHTable, base: str, tip: str) -> tuple[Chain, l
     ends = [f"{end} ({count} joint{'s'[: count != 1]})" for end, count in counts.items()]
     notes = [f"The arm is from link {base} to link {tip}: {', '.join(chain.joint_names or ())}."]
     others = [name for name in tree.joint_names if name not in (chain.joint_names or ())]
-    for text, names in (
-        ("Other ends of the file, if yours is one of them:", ends),
-        ("Joints that are not on the way are left at 0:", others),
-    ):
-        notes += [f"{text} {', '.join(names[:12])}{' and more' * (len(names) > 12)}."] * bool(names)
+    lists = {
+        "Other ends of the file, if yours is one of them": ends,
+        "Joints that are not on the way are left at 0": others,
+    }
+    for text, names in lists.items():
+        notes += [f"{text}: {', '.join(names[:12])}{' and more' * (len(names) > 12)}."] * bool(names)
     return chain, notes, (tree, base)

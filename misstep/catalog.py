@@ -36,8 +36,7 @@ class Course:
 
     package   the name of the Python package, from which students import open_sheet
     requires  the names of further packages that its sheets import
-    fallback  returns the sheet of a name that no lecture has, for example from a file beside the notebook; None if there is none
-    fallback_hint  what to try if the fallback finds nothing, with {name} for the name of the sheet
+    fallback  returns the sheet of a name that no lecture has, for example from a file beside the notebook, or a hint what to try
     site      the address of the course's site, https://..., which has the pages lectures/01_frames.html; "" if it has none
 
     >>> course = find_course()
@@ -54,8 +53,7 @@ class Course:
 
     package: str
     requires: Sequence[str] = ()
-    fallback: Callable[[str], Sheet | None] | None = None
-    fallback_hint: str = ""
+    fallback: Callable[[str], Sheet | str] = lambda _: ""
     site: str = ""
     _asked: dict[str, Question] = field(default_factory=dict, init=False, repr=False)
 
@@ -84,10 +82,10 @@ class Course:
         if name in self.sheets():
             module = self._module(name, "problems")
             return Sheet(name, module.TITLE, templates_in(module))
-        if self.fallback and (own := self.fallback(name)):
+        own = self.fallback(name)
+        if isinstance(own, Sheet):
             return own
-        hint = self.fallback_hint.format(name=name)
-        raise ValueError(f"There is no sheet {name!r}. The sheets are: {', '.join(self.sheets())}. {hint}".rstrip())
+        raise ValueError(f"There is no sheet {name!r}. The sheets are: {', '.join(self.sheets())}. {own}".rstrip())
 
     def open_sheet(self, name: str, student: str) -> OpenSheet:
         """Open a sheet for one student, whose id seeds the numbers.

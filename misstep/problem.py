@@ -14,15 +14,7 @@ from typing import Any, Literal, TypeVar
 
 import numpy as np
 
-from misstep.answers.base import (
-    TOLERANCE,
-    Answer,
-    Unreadable,
-    at_inputs,
-    collect,
-    has_alike_rows,
-    seen_at_sight,
-)
+from misstep.answers.base import TOLERANCE, Answer, Unreadable
 from misstep.answers.choice import ReasonedChoice
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
@@ -61,7 +53,7 @@ class Problem:
     >>> from misstep.answers.number import Numbers
     >>> from misstep.mutants.expression import given
     >>> drawn = Problem("How many?", Numbers(given("n", 6.0) / 2))
-    >>> [(one.did, float(one.value)) for one in drawn.mutants_near(np.array(12.0))]
+    >>> [(one.did, float(one.value)) for one in drawn.mutants(np.array(12.0))]
     [('multiply by $2$ instead of dividing by it', 12.0)]
     >>> drawn.collision(), drawn.without_duplicates().mistakes
     (None, [])
@@ -92,27 +84,47 @@ class Problem:
         found = []
         for slip in self.answer.slips:
             try:
-                value = collect(self.answer, [slip.wrong(right) for right in at_inputs(self.answer)])
+                value = self.answer.collect([slip.wrong(right) for right in self.answer.at_inputs()])
             except Unreadable:
                 continue
             if not all(self.answer.agrees(value, self.answer.value)):
                 found.append(mutant(slip, value, self.advice, spoils=slip.spoils))
         return found
 
+    def mutants(self, near: Any = None, *, separating: bool = False) -> Iterator[Mistake]:
+        """Yield a mistake for each change of the solution that leads to an answer at all.
+
+        near        an answer that was read, with which they must share a part at the first input
+        separating  whether they must share all parts, and not by chance
+        """
+        is_near, tolerance = (all, SEPARATION_TOLERANCES * TOLERANCE) if separating else (any, TOLERANCE)
+        told = set[Expression]()
+        for k, mutation in enumerate(() if self.solution is None else self._first_solution.mutations):
+            slip = mutation.slip
+            first = None if separating and slip.may_coincide else self._first_solution.mutant(k)
+            if first is None or first in told:
+                continue
+            told.add(first)  # the inverse of an inverse is an inverse left out
+            try:
+                at_first = None if near is None else self.answer.collect([value_of(first)])
+                if at_first is not None and not is_near(self.answer.agrees(at_first, near, tolerance)):
+                    continue
+                solutions = self._solutions
+                value = self.answer.collect([value_of(one.mutant(k)) for one in solutions])
+            except Unreadable:
+                continue
+            # A change belongs to the method for all rows, if each row has no expression of its own.
+            root = solutions[0].root
+            is_method = root.operation.name != "stack" or root in mutation.replaced
+            spoils = slip.spoils or (self.answer.has_alike_rows and is_method)
+            yield mutant(slip, value, self.advice, spoils=spoils)
+
     @cached_property
-    def mutants(self) -> Sequence[Mistake]:
-        """The mistakes to which one change of the solution leads, without those that are right for these numbers by chance."""
-        right = partial(self.answer.agrees, self.answer.value)
-        return [one for one in self._mistakes() if one.name in self.invisible or not all(right(one.value))]
-
-    def mutants_near(self, given: Any) -> Iterator[Mistake]:
-        """Yield the mutants that may share a part with an answer that was read, without computing the others at all inputs."""
-        return self._mistakes(given)
-
-    @property
     def known_mistakes(self) -> Sequence[Mistake]:
-        """The mistakes of the author, and the mutants."""
-        return [*self.mistakes, *self.mutants]
+        """The mistakes of the author, and the mutants that are not right for these numbers by chance."""
+        right = partial(self.answer.agrees, self.answer.value)
+        mutants = (one for one in self.mutants() if one.name in self.invisible or not all(right(one.value)))
+        return [*self.mistakes, *mutants]
 
     def collision(self) -> tuple[str, str] | None:
         """Return what gives the same answer: two mistakes of the author, or one mistake and the solution; None if nothing does.
@@ -125,13 +137,14 @@ class Problem:
             if self._same(value, same):
                 return one, other
         # Only the first of them, because many draws are refused.
-        hidden = next(self._hidden_mutants(), None)
+        hidden = next(self.hidden_mutants(), None)
         return ("the right answer", f"the mutant {hidden.name!r} ({hidden.message})") if hidden else None
 
-    @cached_property
-    def hidden(self) -> Sequence[str]:
-        """The names of the mutants that lead to the right answer, apart from those that are declared to be invisible."""
-        return [wrong.name for wrong in self._hidden_mutants()]
+    def hidden_mutants(self) -> Iterator[Mistake]:
+        """Yield the mutants that lead to the right answer, apart from those that are declared to be invisible."""
+        for wrong in self.mutants(self.answer.value, separating=True):
+            if wrong.name not in self.invisible and self._same(wrong.value, self.answer.value):
+                yield wrong
 
     def without_duplicates(self) -> "Problem":
         """Return the same problem without the mistakes whose answer is the right one, or that of an earlier mistake, or which
@@ -142,7 +155,7 @@ class Problem:
         kept: list[Mistake] = []
         for wrong in self.mistakes:
             known = [self.answer.value, *(one.value for one in kept)]
-            if not (seen_at_sight(self.answer, wrong.value) or any(self._same(wrong.value, one) for one in known)):
+            if not (self.answer.at_sight(wrong.value) or any(self._same(wrong.value, one) for one in known)):
                 kept.append(wrong)
         return replace(self, mistakes=kept)
 
@@ -157,25 +170,20 @@ class Problem:
         >>> side.with_reason(Numbers(np.array(0.5)), "the height").answer.parts
         ['the choice', 'the height']
         """
-        wrong = [replace(one, value=(one.value, reason.value), part=one.part or one.message) for one in self.mistakes]
+        wrong = [replace(one, value=(one.value, reason.value), in_parts=True) for one in self.mistakes]
         return replace(self, answer=ReasonedChoice(self.answer, reason, called), mistakes=wrong)  # type: ignore[arg-type]
-
-    def _hidden_mutants(self) -> Iterator[Mistake]:
-        for wrong in self._mistakes(self.answer.value, separating=True):
-            if wrong.name not in self.invisible and self._same(wrong.value, self.answer.value):
-                yield wrong
 
     @cached_property
     def _first_solution(self) -> MutableSolution:
         """The solution at the first input, which is often enough to see that a mistake is not the one that was made."""
-        return MutableSolution(next(at_inputs(self.answer, self.solution)))
+        return MutableSolution(next(self.answer.at_inputs(self.solution)))
 
     @cached_property
     def _solutions(self) -> Sequence[MutableSolution]:
         """The solution at each input, of which there is one as a rule."""
-        others = islice(at_inputs(self.answer, self.solution), 1, None)
+        others = islice(self.answer.at_inputs(self.solution), 1, None)
         solutions = [self._first_solution, *map(MutableSolution, others)]
-        reached = collect(self.answer, [one.root.value for one in solutions])
+        reached = self.answer.collect([one.root.value for one in solutions])
         if not self._same(reached, self.answer.value):
             raise ValueError(
                 f"The solution must lead to the answer; it gives {reached}, and the answer is {self.answer.value}."
@@ -183,34 +191,6 @@ class Problem:
         if len({len(one.mutations) for one in solutions}) > 1:
             raise ValueError("The solution must have the same changes at each input; their numbers differ.")
         return solutions
-
-    def _mistakes(self, near: Any = None, *, separating: bool = False) -> Iterator[Mistake]:
-        """Yield a mistake for each change of the solution that leads to an answer at all.
-
-        near        an answer that was read, with which they must share a part at the first input
-        separating  whether they must share all parts, and not by chance
-        """
-        is_near, tolerance = (all, SEPARATION_TOLERANCES * TOLERANCE) if separating else (any, TOLERANCE)
-        told = set[int]()
-        for k, mutation in enumerate(() if self.solution is None else self._first_solution.mutations):
-            slip = mutation.slip
-            first = None if separating and slip.may_coincide else self._first_solution.mutant(k)
-            if first is None or id(first) in told:
-                continue
-            told.add(id(first))  # the inverse of an inverse is an inverse left out
-            try:
-                at_first = None if near is None else collect(self.answer, [value_of(first)])
-                if at_first is not None and not is_near(self.answer.agrees(at_first, near, tolerance)):
-                    continue
-                solutions = self._solutions
-                value = collect(self.answer, [value_of(one.mutant(k)) for one in solutions])
-            except Unreadable:
-                continue
-            # A change belongs to the method for all rows, if each row has no expression of its own.
-            root = solutions[0].root
-            is_method = root.operation.name != "stack" or id(root) in mutation.replaced
-            spoils = slip.spoils or (has_alike_rows(self.answer) and is_method)
-            yield mutant(slip, value, self.advice, spoils=spoils)
 
     def _same(self, one: Any, other: Any) -> bool:
         return all(self.answer.agrees(one, other, SEPARATION_TOLERANCES * TOLERANCE))

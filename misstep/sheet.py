@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
 
-from misstep.answers.base import inputs_of
 from misstep.diagnosis.explanation import Finding
 from misstep.display.failed_answer import FailedAnswer, current_shell
 from misstep.display.lecture_address import lecture_address
@@ -116,7 +115,7 @@ class OpenSheet:
         template, problem = self._template(k), self.problem(k)
         failed = answer if isinstance(answer, FailedAnswer) else None
         answer = ... if failed else answer
-        stored = to_data(answer, inputs_of(problem.answer))  # for a grader, which judges it again
+        stored = to_data(answer, problem.answer.inputs)  # for a grader, which judges it again
         emission = {"sheet": self.sheet.name, "problem": k, "student": self.student, "answer": stored}
         judgement = judge(problem, answer)
         if failed:
@@ -124,8 +123,7 @@ class OpenSheet:
         is_first = not any(one.state in {"partly", "wrong"} for one in self._judgements[k])
         self._judgements[k].append(judgement)
         address = lecture_address(template.lecture, self.site)
-        has_steps = problem.solution is not None or problem.method
-        worked = worked_solution(problem) if has_steps and judgement.state == "right" else ()
+        worked = worked_solution(problem) if judgement.state == "right" else ()
         self.verdicts[k] = Verdict(template, judgement, emission, address, is_first, worked, problem.further)
         return self.verdicts[k]
 

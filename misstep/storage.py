@@ -109,12 +109,17 @@ def _written(value: Any, parts: Iterator[int]) -> Data:  # noqa: PLR0911 - one f
             return {"map": [[str(key), _written(item, parts)] for key, item in value.items()]}
         case list() | tuple():
             return _list([_written(item, parts) for item in value])
-    if symbolic := _symbolic(value, parts):
-        return symbolic
+    if hasattr(value, "__array__"):  # as matrices of SymPy have, too
+        return _array(np.asarray(value), parts)
+    if "sympy.core" in sys.modules:  # SymPy is not imported if the student did not do so
+        import sympy as sp
+
+        from misstep.formulas.evaluation import text_of
+
+        if isinstance(value, sp.Expr):
+            return {"text": text_of(value)}
     if callable(value):
         return {"function": _name(value)}
-    if hasattr(value, "__array__"):
-        return _array(np.asarray(value), parts)
     # Whether the class is in OBJECTS is known only where the object is read.
     name = type(value).__name__
     return {"object": name, "fields": value.to_dict()} if hasattr(value, "to_dict") else {"other": name}
@@ -146,19 +151,6 @@ def _list(items: list[Data]) -> Data:
         return {"list": items}
     flat = [x for row in rows for x in row.get("array", [row.get("number")])]
     return {"array": flat, "shape": [len(items), *min(shapes)]}
-
-
-def _symbolic(value: Any, parts: Iterator[int]) -> Data:
-    """Write a SymPy matrix or expression as text; None for anything else. SymPy is not imported if the student did not do so."""
-    if "sympy.core" not in sys.modules:
-        return None
-    import sympy as sp
-
-    from misstep.formulas.evaluation import text_of
-
-    if isinstance(value, sp.MatrixBase):
-        return {"list": [_written(row, parts) for row in value.tolist()]}
-    return {"text": text_of(value)} if isinstance(value, sp.Expr) else None
 
 
 def from_data(data: Any) -> Any:

@@ -18,9 +18,6 @@ SOLVED_MIME = "application/vnd.misstep.solved+json"
 RIGHT = "Right: {}."
 """What is said of the right parts of an answer."""
 
-TOGETHER = "Right: {}. You get no points for this alone."
-"""What is said of right parts that a wrong method gives as well, and that earn nothing alone."""
-
 
 @dataclass(frozen=True)
 class Verdict:
@@ -60,7 +57,7 @@ class Verdict:
         body += _paragraphs(
             judgement.findings,
             right_parts,
-            RIGHT if judgement.fraction else TOGETHER,
+            RIGHT if judgement.fraction else f"{RIGHT} You get no points for this alone.",
             is_first=self.is_first or template.level == "Hard",
         )
         if self.worked:

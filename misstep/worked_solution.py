@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from misstep.answers.base import Answer, at_inputs
+from misstep.answers.base import Answer
 from misstep.answers.choice import Choice, ReasonedChoice
 from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
@@ -33,14 +33,12 @@ def worked_solution(problem: Problem) -> Sequence[str]:
         return [*rubric, f"A model answer: {answer.value}"]
     if solution is None:
         return [*problem.method.splitlines(), *_result(answer)]
-    if isinstance(solution, Expression):
-        return [*problem.method.splitlines(), *dict.fromkeys(_steps(solution))]
-    roots, value = list(at_inputs(answer, solution)), ""
+    roots, value = list(answer.at_inputs(solution)), ""
     if hasattr(answer.value, "free_symbols"):  # a formula of SymPy, which a page loads only when a cell uses it
         import sympy as sp
 
         value = sp.latex(answer.value, mat_str="matrix", mat_delim="(")
-    return [*problem.method.splitlines(), *dict.fromkeys(_steps(roots[0], roots[1], value))]
+    return [*problem.method.splitlines(), *dict.fromkeys(_steps(roots[0], roots[1] if len(roots) > 1 else None, value))]
 
 
 def _result(answer: Answer) -> Iterator[str]:

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from kincourse.mistakes.dh import slips_of_rows, symbol
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, is_plausible_angle
-from misstep.answers.base import TOLERANCE, AlikeRows, Named
-from misstep.answers.likeness import Likeness
-from misstep.answers.number import LENGTH, PURE, Numbers
+from misstep.answers.base import TOLERANCE, Named
+from misstep.answers.likeness import ANGLE, LENGTH, Likeness
+from misstep.answers.number import Numbers
 from misstep.mutants.expression import Slip
 
 
@@ -21,17 +21,11 @@ class _DHNumbers(Numbers):
 
     def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         angles_agree = _same_angle(one, other, tolerance)
-        return np.where(self.kinds() == PURE, angles_agree, super().same_entries(one, other, tolerance))
-
-    def length_entries(self) -> NDArray[np.bool_]:
-        return np.asarray(self.kinds() == LENGTH)
-
-    def angle_entries(self) -> NDArray[np.bool_]:
-        return np.asarray(self.kinds() == PURE)
+        return np.where(self.kinds() == ANGLE, angles_agree, super().same_entries(one, other, tolerance))
 
     def likeness(self, given: Array, part: int | None) -> Likeness:
         found = super().likeness(given, part)
-        angles = np.atleast_1d(self.angle_entries()[... if part is None else part])[..., None]
+        angles = np.atleast_1d((self.kinds() == ANGLE)[... if part is None else part])[..., None]
         # A larger number is in degrees, and an angle with the other sign is no turn away.
         is_turned = angles & (np.abs(found.mine) < 4 * np.pi) & (np.abs(found.mine + found.right) > TOLERANCE)
         turns = np.where(is_turned, np.round((found.mine - found.right) / (2 * np.pi)), 0)
@@ -57,11 +51,9 @@ class DHEntriesAnswer(_DHNumbers):
         return [name if " " in name else f"entry {symbol(name)}" for name in self.names]
 
     def kinds(self) -> NDArray[np.int_]:
-        return np.array([PURE if self._is_angle(part) else LENGTH for part in range(len(self.names))])
+        return np.array([ANGLE if self._is_angle(part) else LENGTH for part in range(len(self.names))])
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        if part is None:
-            return super().resemblance(given, None)
+    def resemblance(self, given: Array, part: int) -> Named | None:
         if found := super().resemblance(given, part):
             return found
         is_angle = self._is_angle(part)
@@ -83,7 +75,6 @@ class DHRowAnswer(DHEntriesAnswer):
     """One row of a DH table, shape (4,): a, alpha, d, theta, in metres and radians. Each entry is a part."""
 
     names: Sequence[str] = COLUMNS
-    noun: ClassVar[str] = "row"
 
     def counts(self, given: Array, right: Sequence[bool]) -> bool:
         """Return whether all but one are right: by a wrong method, both lengths or both angles are."""
@@ -91,25 +82,19 @@ class DHRowAnswer(DHEntriesAnswer):
 
 
 @dataclass(frozen=True, eq=False)
-class DHRowsAnswer(AlikeRows, _DHNumbers):
-    """Rows of a DH table at q = 0, shape (m, 4): a, alpha, d, theta, in metres and radians. Each row is a part.
-
-    The numbers may also be listed one after the other.
-    """
+class DHRowsAnswer(_DHNumbers):
+    """Rows of a DH table at q = 0, shape (m, 4): a, alpha, d, theta, in metres and radians. Each row is a part."""
 
     noun: ClassVar[str] = "rows of a, alpha, d, theta in metres and radians, an array"
+    alike_rows: ClassVar[bool] = True
+    may_be_listed: ClassVar[bool] = True
 
     @property
     def parts(self) -> Sequence[str]:
         return [f"row {i + 1}" for i in range(len(self.value))]
 
-    def read(self, given: Any) -> Array:
-        count = np.size(self.value)
-        is_list = any(_has_shape(given, shape) for shape in ((count,), (count, 1), (1, count)))
-        return super().read(np.reshape(given, np.shape(self.value)) if is_list else given)
-
     def kinds(self) -> NDArray[np.int_]:
-        return np.broadcast_to([LENGTH, PURE, LENGTH, PURE], np.shape(self.value))
+        return np.broadcast_to([LENGTH, ANGLE, LENGTH, ANGLE], np.shape(self.value))
 
     def place(self, index: Sequence[Any]) -> str:
         return f"{symbol(COLUMNS[index[1]])} in row {index[0] + 1}"
@@ -126,10 +111,8 @@ class DHRowsAnswer(AlikeRows, _DHNumbers):
     def likeness(self, given: Array, part: int | None) -> Likeness:
         return replace(super().likeness(given, part), columns=[symbol(name) for name in COLUMNS])
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
+    def resemblance(self, given: Array, part: int) -> Named | None:
         """Return how the row resembles the right one, or which columns are wrong."""
-        if part is None:
-            return super().resemblance(given, None)
         wrong = np.flatnonzero(~self.same_entries(given, self.value)[part])
         if found := self.likeness(given, part).resemblance():
             return found
@@ -143,13 +126,6 @@ class DHRowsAnswer(AlikeRows, _DHNumbers):
 def has_a_telling_row(rows: Array, right: Sequence[bool]) -> bool:
     """Return whether one of the right rows has two numbers that are not 0: wrong methods get others right, too."""
     return any(fine and np.count_nonzero(np.abs(row) > TOLERANCE) > 1 for fine, row in zip(right, rows, strict=True))
-
-
-def _has_shape(given: Any, shape: tuple[int, ...]) -> bool:
-    try:
-        return bool(np.shape(given) == shape)
-    except Exception:  # reading the shape of a student's object may raise any error
-        return False
 
 
 def _same_angle(one: Any, other: Any, tolerance: float = TOLERANCE) -> Any:

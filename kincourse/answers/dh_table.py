@@ -15,7 +15,7 @@ import numpy as np
 
 from kincourse.answers.dh_row import has_a_telling_row
 from kincourse.answers.table_rows import POSE_TOLERANCE_FACTOR, wrong_rows
-from kincourse.mistakes.dh import NAMES, slips_of_table, symbol, with_symbols
+from kincourse.mistakes.dh import slips_of_table, symbol, with_symbols
 from kinlib.arrays import validation
 from kinlib.chains.chain import largest_difference, random_configurations
 from kinlib.dh.diagnosis import Diagnosis, diagnose
@@ -76,8 +76,10 @@ class DHTableAnswer(Answer):
             except Exception as error:  # a student's object may raise any exception when it is read
                 reason = str(error) if isinstance(error, ValueError) else f"Got {validation.describe(given)}."
                 raise Unreadable(f"Expected {self.expected}. {reason}") from error
-        if table.n != self.value.n:
-            raise Unreadable(f"Expected {self.expected}; your table has {table.n} joints ({table.joints}).")
+        if (table.n, table.convention) != (self.value.n, self.value.convention):
+            is_short = table.n != self.value.n
+            yours = f"has {table.n} joints ({table.joints})" if is_short else f"is in the {table.convention} convention"
+            raise Unreadable(f"Expected {self.expected}; your table {yours}.")
         return table
 
     def _between_given_ends(self, table: DHTable) -> DHTable:
@@ -99,8 +101,6 @@ class DHTableAnswer(Answer):
         )
 
     def agrees(self, one: DHTable, other: DHTable, tolerance: float = TOLERANCE) -> list[bool]:
-        if one.n != other.n or one.convention != other.convention:
-            return [False] * len(self.parts)
         if not self.anchored:
             return [equivalent(one, other, tolerance=POSE_TOLERANCE_FACTOR * tolerance).verdict == "same"]
         is_same = _is_same(one, other, tolerance)
@@ -127,7 +127,7 @@ class DHTableAnswer(Answer):
         runs_through = sum(right) < len(right) - 1 and any(one.faults[0].row is None for one in found[:1])
         return has_a_telling_row(given.rows, right) and not runs_through
 
-    def seen(self, given: DHTable, part: int | None) -> Named | None:
+    def placeholder(self, given: DHTable) -> Named | None:
         if given.rows.any() or not self.value.rows.any():
             return None
         return "placeholder", UNTOUCHED.format("Every number is 0")
@@ -137,18 +137,12 @@ class DHTableAnswer(Answer):
         """The slips in the whole table that cannot be undone in a wrong table, because numbers are lost, and signs of q."""
         return slips_of_table(self.value)
 
-    def resemblance(self, given: DHTable, part: int | None) -> Named | None:
+    def resemblance(self, given: DHTable, part: int) -> Named | None:
         """Return the name of the mistake in a wrong table and a sentence on it, or how it differs from the right one."""
-        return (self._fault(given) or self._difference(given)) if part is not None else None
+        return self._fault(given) or self._difference(given)
 
     def _fault(self, given: DHTable) -> Named | None:
         ours = self.value
-        if given.convention != ours.convention:
-            text = (
-                f"Your table is in the {given.convention} convention, and the problem asks for the {ours.convention} one. Row i has "
-                "$a_i$ and $\\alpha_i$ in the standard convention, $a_{i-1}$ and $\\alpha_{i-1}$ in the modified one."
-            )
-            return "the other convention", text
         if given.joints != ours.joints:
             return (
                 "variable in the wrong column",
@@ -216,8 +210,7 @@ class DHTableAnswer(Answer):
 def _is_same(one: DHTable, other: DHTable, tolerance: float = TOLERANCE) -> bool:
     """Whether two tables in one convention have the same poses for the same q."""
     q = random_configurations(one.n, 16)
-    is_near = largest_difference(one.fk(q), other.fk(q)) <= POSE_TOLERANCE_FACTOR * tolerance
-    return one.convention == other.convention and bool(is_near)
+    return bool(largest_difference(one.fk(q), other.fk(q)) <= POSE_TOLERANCE_FACTOR * tolerance)
 
 
 OBJECTS["DHTable"] = DHTable.from_dict
@@ -236,7 +229,7 @@ def _choices(found: Equivalence) -> str:
 
 def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
     """Name and describe the faults of each explanation. A right number would give the answer away, so only its place is named."""
-    names = [" and ".join(dict.fromkeys(NAMES.get(one.name, one.name) for one in faults)) for faults in alternatives]
+    names = [" and ".join(dict.fromkeys(one.name for one in faults)) for faults in alternatives]
     name = " or ".join(list(dict.fromkeys(names))[:MAX_ALTERNATIVES])
     if all([fault.name for fault in faults] == ["wrong number"] for faults in alternatives):
         places = list(dict.fromkeys(f"{symbol(str(fault.column))} in row {fault.row}" for (fault,) in alternatives))

@@ -70,16 +70,15 @@ class DHFramesAnswer(Numbers):
             return [not self._breaches_of(one, i) for i in range(len(one))]
         return [bool(np.allclose(mine, yours, rtol=0, atol=tolerance)) for mine, yours in zip(one, other, strict=True)]
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        if part is None:
-            return super().resemblance(given, None)
+    def resemblance(self, given: Array, part: int) -> Named | None:
         return next(((breach.rule, breach.text) for breach in self._breaches_of(given, part)), None)
 
-    def seen(self, given: Array, part: int | None) -> Named | None:
-        """Return whether nothing is placed yet; a single frame may well have the axes of {s}."""
-        if part is None and (np.ptp(given, axis=0) == 0).all():
-            return "placeholder", UNTOUCHED.format("All frames are the same")
-        return None
+    def placeholder(self, given: Array) -> Named | None:
+        is_untouched = (np.ptp(given, axis=0) == 0).all()
+        return ("placeholder", UNTOUCHED.format("All frames are the same")) if is_untouched else None
+
+    def seen(self, given: Array, part: int) -> Named | None:
+        return None  # a single frame may well have the axes of {s}
 
     def _breaches_of(self, frames: Array, i: int) -> list[Breach]:
         """The breaches of frame i that are its own: it is held against right frames where others are wrong."""

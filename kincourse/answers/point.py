@@ -13,8 +13,6 @@ from misstep.answers.number import Numbers
 
 XYZ = ("$x$", "$y$", "$z$")
 
-REORDERED = "Your three {} are right, but not in the order $x$, $y$, $z$."
-
 HOMOGENEOUS = " These are homogeneous coordinates: leave off the last entry (1 for a point, 0 for a direction), so that x, y, z are left."
 
 UNIT_TOLERANCE = 0.01
@@ -35,12 +33,8 @@ class VectorsAnswer(Numbers):
     def parts(self) -> Sequence[str]:
         return self.names or ["the answer"]
 
-    @property
-    def _reordered(self) -> str:
-        return REORDERED.format("coordinates" if self.unit else "components")
-
     def likeness(self, given: Array, part: int | None) -> Likeness:
-        return replace(super().likeness(given, part), reordered=self._reordered, columns=XYZ)
+        return replace(super().likeness(given, part), columns=XYZ)
 
     def check(self, given: Array, part: int) -> str:
         mine, right = (float(np.linalg.norm(X[self.part_indices()[part]])) for X in (given, self.value))
@@ -48,17 +42,16 @@ class VectorsAnswer(Numbers):
             return ""
         return f"A direction is a unit vector; the length of yours is {mine:.3g}."
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        if part is None:
-            return super().resemblance(given, None) or self._steps(given)
+    def resemblance(self, given: Array, part: int) -> Named | None:
         row = self._place(given, part)
         if found := self.likeness(given, part).resemblance() or (row if row and row[0] == "another row" else None):
             return found
         return entries_hint(self.same_entries(given, self.value)[self.part_indices()[part]], XYZ)
 
-    def _steps(self, given: Array) -> Named | None:
-        if not self.unit or np.ndim(self.value) < 2:
-            return None
+    def order(self, given: Array) -> Named | None:
+        found = super().order(given)
+        if found or not self.unit or np.ndim(self.value) < 2:
+            return found
         steps = np.diff(self.value, axis=0, prepend=0 * self.value[:1])
         if all(self.agrees(given, steps)) and not all(self.agrees(steps, self.value)):
             text = (

@@ -1,18 +1,18 @@
-"""Rotations and poses as answers."""
+"""Rotations and poses as answers: as matrices, and as the angles and the `xyz` and `rpy` that give them."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kincourse.answers.point import REORDERED, XYZ
+from kincourse.answers.point import XYZ
 from kinlib.rigid.lie import homogeneous, inverse, log, nearest_rotation
 from kinlib.rigid.rpy import origin
 from misstep.answers.base import TOLERANCE, Named
-from misstep.answers.likeness import Likeness, entries_hint
-from misstep.answers.number import LENGTH, PURE, Equivalent, Numbers
+from misstep.answers.likeness import ANGLE, LENGTH, PURE, entries_hint
+from misstep.answers.number import Equivalent, Numbers
 from misstep.mutants.expression import Slip
 from misstep.validation import Array
 
@@ -22,6 +22,9 @@ OTHER_AXES = "The {} are right up to their order and their signs."
 
 ORTHONORMAL_TOLERANCE = 0.03
 """Entries typed with three decimals change R^T R by a few thousandths, and a real mistake changes it by more."""
+
+ANGLES_TOLERANCE_FACTOR = 3
+"""How many times the tolerance of one entry a rotation may be off: the rounding errors of three angles add up."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,8 +43,8 @@ class RotationAnswer(Numbers):
     def check(self, given: Array, part: int) -> str:
         return rotation_check(given)
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        alike = self.likeness(given, part).resemblance() if part is not None else None
+    def resemblance(self, given: Array, part: int) -> Named | None:
+        alike = self.likeness(given, part).resemblance()
         same = self.same_entries(given, self.value)
         return alike or entries_hint(same) or rotation_resemblance(given, self.value)
 
@@ -94,13 +97,6 @@ class PoseAnswer(PoseParts, Numbers):
         kinds[:3, 3] = LENGTH
         return kinds
 
-    def length_entries(self) -> NDArray[np.bool_]:
-        return np.asarray(self.kinds() == LENGTH)
-
-    def likeness(self, given: Array, part: int | None) -> Likeness:
-        found = super().likeness(given, part)
-        return replace(found, reordered=REORDERED.format("coordinates")) if part == 1 else found
-
     def place(self, index: Sequence[Any]) -> str:
         row, column = map(int, index)
         return f"{XYZ[row]} of the position" if column == 3 > row else super().place(index)
@@ -112,9 +108,7 @@ class PoseAnswer(PoseParts, Numbers):
     def slips(self) -> Sequence[Slip]:
         return POSE_SLIPS
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        if part is None:
-            return None
+    def resemblance(self, given: Array, part: int) -> Named | None:
         core = self.same_entries(given, self.value)[self.core_indices()[part]]
         if core.all():
             return "last row", "The numbers above the last row are right, but the last row of a pose is 0 0 0 1."
@@ -123,29 +117,22 @@ class PoseAnswer(PoseParts, Numbers):
         return rotation_resemblance(given[:3, :3], self.value[:3, :3]) if part == 0 else None
 
 
-def _origin_pose(rows: Array) -> Array:
-    return origin(*rows)
-
-
 @dataclass(frozen=True, eq=False)
 class OriginAnswer(Equivalent):
     """The `xyz` and `rpy` of the origin of a joint in a URDF, shape (2, 3), in metres and radians, compared as a pose."""
 
     noun: ClassVar[str] = "xyz and rpy in two rows, an array"
 
-    def length_entries(self) -> NDArray[np.bool_]:
-        return np.array([[True] * 3, [False] * 3])
+    def kinds(self) -> NDArray[np.int_]:
+        return np.array([[LENGTH] * 3, [ANGLE] * 3])
 
-    def angle_entries(self) -> NDArray[np.bool_]:
-        return np.array([[False] * 3, [True] * 3])
-
-    meaning: Callable[[Array], Array] = field(default=_origin_pose, kw_only=True)
+    meaning: Callable[[Array], Array] = field(default=lambda rows: origin(*rows), kw_only=True)
 
     @property
     def parts(self) -> Sequence[str]:
         return ["the origin"]
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
+    def resemblance(self, given: Array, part: int) -> Named | None:
         right = np.asarray(self.value)
         if np.allclose(origin(*given), inverse(origin(*right)), atol=TOLERANCE):
             return "inverse", "This is the inverse: the origin of the parent, seen from the child."
@@ -157,6 +144,28 @@ class OriginAnswer(Equivalent):
             return None
         hint = entries_hint(self.same_entries(given, right)[0], XYZ)
         return "another xyz", f"The rpy is right, but the xyz is not. {hint[1] if hint else ''}".rstrip()
+
+
+@dataclass(frozen=True, eq=False)
+class EulerAnglesAnswer(Equivalent):
+    """Three angles for each of two rotations, in rows and in radians; the second rotation is at the singular case.
+
+    Each row is a part, and right if it gives the right rotation.
+    """
+
+    noun: ClassVar[str] = "roll, pitch and yaw in radians, one row for each rotation, an array"
+    meaning: Callable[[Array], Array] = field(default=lambda angles: origin(rpy=angles), kw_only=True)
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["the angles for $R_1$", "the angles for $R_2$"]
+
+    def kinds(self) -> NDArray[np.int_]:
+        return np.full(np.shape(self.value), ANGLE)
+
+    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
+        off = [np.abs(self.meaning(mine) - self.meaning(yours)).max() for mine, yours in zip(one, other, strict=True)]
+        return [bool(distance <= ANGLES_TOLERANCE_FACTOR * tolerance) for distance in off]
 
 
 def rotation_check(R: Array) -> str:

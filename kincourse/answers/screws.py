@@ -7,9 +7,9 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from misstep.answers.base import AlikeRows, Named
-from misstep.answers.likeness import ROUND_OFF, entries_hint
-from misstep.answers.number import LENGTH, PURE, Numbers
+from misstep.answers.base import Named
+from misstep.answers.likeness import LENGTH, PURE, ROUND_OFF, entries_hint
+from misstep.answers.number import Numbers
 from misstep.mutants.expression import Slip
 from misstep.validation import Array
 
@@ -47,11 +47,12 @@ SLIPS = (
 
 
 @dataclass(frozen=True, eq=False)
-class ScrewsAnswer(AlikeRows, Numbers):
+class ScrewsAnswer(Numbers):
     """Screw axes (omega, v) in rows, shape (n, 6), or a single one, shape (6,); each screw axis is a part."""
 
     names: Sequence[str] = ()
     noun: ClassVar[str] = "screw axes (omega, v), an array"
+    alike_rows: ClassVar[bool] = True
 
     @property
     def expected(self) -> str:
@@ -68,9 +69,6 @@ class ScrewsAnswer(AlikeRows, Numbers):
         rotates = np.abs(np.atleast_2d(self.value)[:, :3]).max(axis=1) > ROUND_OFF
         return bool(rotates[np.array(right)].any() or not rotates[~np.array(right)].any())
 
-    def length_entries(self) -> NDArray[np.bool_]:
-        return np.asarray(self.kinds() == LENGTH)
-
     def check(self, given: Array, part: int) -> str:
         mine, right = (np.atleast_2d(S)[part] for S in (given, self.value))
         return screw_check(mine, right)
@@ -79,10 +77,8 @@ class ScrewsAnswer(AlikeRows, Numbers):
     def slips(self) -> Sequence[Slip]:
         return SLIPS
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
+    def resemblance(self, given: Array, part: int) -> Named | None:
         """Return how a screw axis resembles the right one, entry by entry or as a line in space."""
-        if part is None:
-            return super().resemblance(given, None)
         if (row := self._place(given, part)) and row[0] == "another row":
             return row
         alike = self.likeness(given, part).resemblance()
@@ -130,11 +126,6 @@ class ScrewsAnswer(AlikeRows, Numbers):
     def place(self, index: Sequence[Any]) -> str:
         name = ENTRY_NAMES[int(index[-1])]
         return f"{name} of {self.parts[int(index[0])]}" if len(index) > 1 else name
-
-    def remedy(self, shape: tuple[int, ...]) -> str:
-        if shape == (3,) and np.shape(self.value) == (6,):
-            return " A screw axis is (omega, v), six numbers: is the other half missing?"
-        return super().remedy(shape)
 
 
 def screw_check(mine: Array, right: Array) -> str:

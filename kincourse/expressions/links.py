@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from kincourse.expressions.poses import inverse
-from kincourse.expressions.screws import JOINT_ANGLE, joint_value
+from kincourse.expressions.screws import JOINT_ANGLE, joint_value, unless_unchanged
 from kinlib.arrays.validation import Array
 from kinlib.dh.slips import OTHER_CONVENTION
 from kinlib.dh.table import Convention
@@ -15,7 +15,6 @@ from kinlib.dh.table import joint_transform as z_motion
 from kinlib.dh.table import normal_transform as x_motion
 from misstep.mutants.expression import (
     ALL_AT_ONCE,
-    IN_THE_WHOLE,
     Expression,
     Operation,
     Slips,
@@ -42,10 +41,12 @@ BACKWARDS_ADVICE = (
     "about these axes by the right-hand rule."
 )
 ALPHA_ADVICE = "In a standard table row $i$ holds $\\alpha_i$, in a modified one $\\alpha_{i-1}$."
-RADIANS_ADVICE = "Angles are typed in radians: a right angle is `np.pi / 2`."
 OFFSET_ADVICE = "In a row with an offset $c$, $\\theta = q + c$: the offset is added to $q$."
+RADIANS_ADVICE = "Angles are in radians: a right angle is `np.pi / 2`, and `np.radians` converts degrees."
 PRISMATIC_ADVICE = "A prismatic joint changes $d$; its $\\theta$ is a constant."
 DEG, RAD = 180 / np.pi, np.pi / 180
+IN_THE_WHOLE = {"in_parts": False}
+"""The field of a slip that only a whole row shows."""
 
 Rows = Array | Sequence[Sequence[float]]
 
@@ -126,16 +127,7 @@ def table_product(  # noqa: PLR0917
 
 def dh_row(a: float, alpha: float, d: float, theta: float) -> Expression:
     """The entries of a row that is read off frames, (4,), in the order a, alpha, d, theta."""
-    return _row(
-        *(given("a", a, _A), given("\\alpha", alpha, _TYPED_ALPHA)),
-        *(given("d", d, _D), given("\\theta", theta, _TYPED_THETA)),
-    )
-
-
-def _unless_unchanged(slips: Callable[[Expression], Slips], node: Expression) -> Slips:
-    """Yield the slips in a row; where it has zeros many of them change nothing, and are no mistakes there."""
-    is_full = all(np.all(entry.value) for entry in node.arguments)
-    yield from (one for one in slips(node) if is_full or not np.allclose(one.wrong.value, node.value))
+    return _row(given("a", a, _A), given("\\alpha", alpha, _ALPHA), given("d", d, _D), given("\\theta", theta, _THETA))
 
 
 def _link_slips(convention: Convention, node: Expression) -> Slips:
@@ -159,37 +151,24 @@ def _link_slips(convention: Convention, node: Expression) -> Slips:
              lambda a, A, _d, H: of(a + q, A, constant, H), LENGTHS_ADVICE),
             ("a and d swapped", f"swap {letter} and ${a.latex}$", lambda a, A, _d, H: of(q, A, a + constant, H), LENGTHS_ADVICE),
         ]  # fmt: skip
-    yield from _unless_unchanged(table(*rows), node)
+    yield from unless_unchanged(table(*rows), node)
 
 
-def _entry_slips(letter: str, name: str, typed: bool = False) -> Callable[[Expression], Slips]:
-    """The slips in an entry of a row; a typed one is an answer, and any other is used in a formula."""
-    sign, in_radians = "take {x} with the opposite sign", "use the degrees of {x} as radians"
+def _entry_slips(letter: str, name: str) -> Callable[[Expression], Slips]:
+    """The slips in an entry of a row."""
+    sign, in_radians = "take ${}$ with the opposite sign", "use the degrees of ${}$ as radians"
     rows: list[tuple[Any, ...]] = [
         (f"sign of {name}", f"{sign} |take every ${letter}$ with the opposite sign", lambda x: negative(x)),
-        (f"{name} left out", f"leave out {{x}} |leave out every ${letter}$", lambda x: 0.0 * x),
+        (f"{name} left out", f"leave out ${{}}$ |leave out every ${letter}$", lambda x: 0.0 * x),
     ]
     if name in ("alpha", "theta"):
-        in_all = ALL_AT_ONCE | (IN_THE_WHOLE if typed else {})
-        alone, together, advice = (
-            ("give {x} in degrees", "give the angles in degrees |", RADIANS_ADVICE)
-            if typed
-            else (f"{in_radians} |use the degrees of every ${letter}$ as radians", f"{in_radians} |use degrees as radians", DEGREES_ADVICE)
-        )  # fmt: skip
         rows += [
-            ("degrees", alone, lambda x: DEG * x, advice),
-            ("degrees", together, lambda x: DEG * x, advice, in_all),
-            ("converted twice", "convert {x} to radians twice |convert to radians twice", lambda x: RAD * x),
-            ("sign of the angles", f"{sign} |take every angle with the opposite sign", lambda x: negative(x), "", in_all),
+            ("degrees", f"{in_radians} |use the degrees of every ${letter}$ as radians", lambda x: DEG * x, RADIANS_ADVICE),
+            ("degrees", f"{in_radians} |use degrees as radians", lambda x: DEG * x, RADIANS_ADVICE, ALL_AT_ONCE),
+            ("converted twice", "convert ${}$ to radians twice |convert to radians twice", lambda x: RAD * x),
+            ("sign of the angles", f"{sign} |take every angle with the opposite sign", lambda x: negative(x), "", ALL_AT_ONCE),
         ]  # fmt: skip
-
-    def slips(node: Expression) -> Slips:
-        x = f"${node.latex}$" if "$" not in node.latex else node.latex
-        yield from (
-            table(*((name, text.replace("{x}", x), *more) for name, text, *more in rows))(node) if node.value else ()
-        )
-
-    return slips
+    return partial(unless_unchanged, table(*rows))
 
 
 def _variable_slips(node: Expression) -> Slips:
@@ -229,13 +208,11 @@ _OFFSET_IN_DEGREES = table(
 )
 
 _row: Operation = Operation(
-    "row", lambda *entries: np.array(entries, dtype=float), lambda *_: "(a, \\alpha, d, \\theta)", partial(_unless_unchanged, _ROWS)
+    "row", lambda *entries: np.array(entries, dtype=float), lambda *_: "(a, \\alpha, d, \\theta)", partial(unless_unchanged, _ROWS)
 )
 _joint_variable: Operation = Operation("joint variable", lambda q, constant: q + constant, lambda q, _: q, _variable_slips)
 _A: Operation = Operation("a", lambda: None, str, _entry_slips("a", "a"))
 _ALPHA: Operation = Operation("alpha", lambda: None, str, _entry_slips("\\alpha", "alpha"))
-_TYPED_ALPHA: Operation = Operation("alpha", lambda: None, str, _entry_slips("\\alpha", "alpha", typed=True))
-_TYPED_THETA: Operation = Operation("theta", lambda: None, str, _entry_slips("\\theta", "theta", typed=True))
 _D: Operation = Operation("d", lambda: None, str, _entry_slips("d", "d"))
 _THETA: Operation = Operation("theta", lambda: None, str, _entry_slips("\\theta", "theta"))
 # fmt: on

@@ -77,19 +77,20 @@ def coupler_directions(lengths: Sequence[Expression], A: Expression) -> tuple[Ex
     In the first mode C lies to the left of the arrow from B to D.
     """
     ground, crank, coupler, rocker = lengths
-    line = (_on_the_ground(ground).named("p_D") - polar(crank, A).named("p_B")).named("BD")
-    corner = corner_angle(_distance(line), coupler, rocker).named("\\angle DBC")
-    direction = direction_of(line)
-    return direction + corner, direction - corner
+    return _corners(_on_the_ground(ground).named("p_D") - polar(crank, A).named("p_B"), "BD", coupler, rocker)
 
 
 def rocker_directions(lengths: Sequence[Expression], A: Expression) -> tuple[Expression, Expression]:
     """The angles of the rocker from the x axis in both assembly modes, as `coupler_directions`."""
     ground, crank, coupler, rocker = lengths
-    line = (polar(crank, A).named("p_B") - _on_the_ground(ground).named("p_D")).named("DB")
-    corner = corner_angle(_distance(line), rocker, coupler).named("\\angle BDC")
-    direction = direction_of(line)
-    return direction - corner, direction + corner
+    return _corners(polar(crank, A).named("p_B") - _on_the_ground(ground).named("p_D"), "DB", rocker, coupler)[::-1]
+
+
+def _corners(line: Expression, ends: str, bar: Expression, other: Expression) -> tuple[Expression, Expression]:
+    """The angles of a bar that begins where a line does and meets another one at C, to the left of the line and to its right."""
+    line = line.named(ends)
+    corner, direction = corner_angle(_distance(line), bar, other).named(f"\\angle {ends[::-1]}C"), direction_of(line)
+    return direction + corner, direction - corner
 
 
 def with_other_bars(

@@ -21,28 +21,12 @@ from misstep.mutants.expression import (
     table,
     transpose,
 )
-from misstep.mutants.operations import function
 
 INVERSE_ADVICE = "The inverse of $(R, p)$ is $(R^T, -R^T p)$."
 POINT_ADVICE = "A point has a 1 as its last entry, which adds $p$: $R\\,x + p$."
 DIRECTION_ADVICE = (
     "A direction has a 0 as its last entry, because it is a difference of two points: it is rotated only."
 )
-
-
-def pose(label: str, T: Array) -> Expression:
-    """A given pose, (4, 4)."""
-    return given(label, T, _POSE)
-
-
-def rotation(label: str, R: Array) -> Expression:
-    """A given rotation, (2, 2) or (3, 3)."""
-    return given(label, R, _ROTATION)
-
-
-def point(label: str, p: Array) -> Expression:
-    """A given point or vector, (2,) or (3,), whose coordinates are typed one by one."""
-    return given(label, p, _POINT)
 
 
 def rotation_about(axis: int, angle: Expression) -> Expression:
@@ -197,7 +181,7 @@ logarithm: Operation = Operation("logarithm", log, "\\log({0})".format, _LOGARIT
 """The logarithm (6,) of a pose that is no translation: the twist whose exponential it is."""
 
 _entrywise_exponential: Operation = Operation("entrywise exponential", lambda S, q: np.exp(hat(S) * q), "e^{{[{0}]{1}}}".format)
-_with_transposed_rotation: Operation = function("rotation transposed", lambda T: homogeneous(T[:3, :3].T, T[:3, 3]), "{0}")
+_with_transposed_rotation: Operation = Operation("rotation transposed", lambda T: homogeneous(T[:3, :3].T, T[:3, 3]), "{0}".format)
 
 rotation_of: Operation = Operation("rotation of a pose", lambda T: T[:3, :3], "R({0})".format)
 position_of: Operation = Operation("position of a pose", lambda T: T[:3, 3], "p({0})".format)
@@ -221,9 +205,14 @@ to_direction: Operation = Operation(
 )
 """The components R x of a direction x in another frame."""
 
-_POSE: Operation = Operation("given pose", lambda: None, str, _GIVEN_POSE)
-_POINT: Operation = Operation("given point", lambda: None, str, _point_slips)
-_ROTATION: Operation = Operation("given rotation", lambda: None, str, table(
+pose = partial(given, kind=Operation("given pose", lambda: None, str, _GIVEN_POSE))
+"""A given pose, (4, 4)."""
+
+point = partial(given, kind=Operation("given point", lambda: None, str, _point_slips))
+"""A given point or vector, (2,) or (3,), whose coordinates are typed one by one."""
+
+rotation = partial(given, kind=Operation("given rotation", lambda: None, str, table(
     ("rotation transposed", "use the transpose of ${}$ instead of ${}$", lambda R: transpose(R)),
-))
+)))
+"""A given rotation, (2, 2) or (3, 3)."""
 # fmt: on

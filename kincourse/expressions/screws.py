@@ -1,6 +1,6 @@
 """Screw axes in solutions: axes of joints, the adjoint, and the product of exponentials."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import combinations
@@ -50,14 +50,8 @@ RAD = np.pi / 180
 UNIT_ADVICE = "The direction of an axis is a unit vector, with the components $\\cos$ and $\\sin$ of the angle."
 
 
-def direction(label: str, x: Array) -> Expression:
-    """A given direction or axis, (3,)."""
-    return given(label, x, VECTOR)
-
-
-def screw_axes(label: str, S: Array) -> Expression:
-    """Given screw axes, (6,) or (n, 6)."""
-    return given(label, S, _SCREWS)
+direction = partial(given, kind=VECTOR)
+"""A given direction or axis, (3,)."""
 
 
 def joint_values(types: str, typed: Sequence[float] | Array, letter: str = "q") -> list[Expression]:
@@ -173,9 +167,7 @@ def drawn_revolute(omega: Array, p: Array, others: Mapping[str, Array]) -> Expre
           for sign, text in ((1, ""), (-1, "-")) for i, name in enumerate("xyz") if abs(omega[i]) < 0.5)
     )  # fmt: skip
     misread = [*_misread(p), *(("another point", f"take {text} as the point", other) for text, other in others.items())]
-    # Another point of the axis is as good.
-    point = given("p", p).mistaken_for(*(one for one in misread if np.abs(np.cross(omega, one[2] - p)).max() > 0.1))
-    return screw(axis, moment(axis, point))
+    return screw(axis, moment(axis, given("p", p).mistaken_for(*_off_the_axis(misread, omega, p))))
 
 
 def read_screws(
@@ -193,15 +185,19 @@ def read_screws(
 
 
 def _read_point(label: str, p: Array, axis: Array, marks: Array | Sequence[Array]) -> Expression:
-    """A point of a joint axis that is read off; another point of the axis is as good."""
+    """A point of a joint axis that is read off."""
     views = "The top view shows $x$ and $y$, the front view $x$ and $z$."
     slips = [
         ("views swapped", f"swap $y$ and $z$ of ${label}$", p[[0, 2, 1]], views),
         ("depth reversed", f"take the $y$ of ${label}$ with the opposite sign", p * (1, -1, 1), views),
         *(("another mark", f"read another mark instead of ${label}$", mark, "") for mark in marks),
     ]
-    seen = [slip for slip in slips if np.abs(np.cross(axis, slip[2] - p)).max() > STEP_M]
-    return given(label, p, LENGTH).mistaken_for(*seen)
+    return given(label, p, LENGTH).mistaken_for(*_off_the_axis(slips, axis, p))
+
+
+def _off_the_axis(slips: Iterable[tuple[Any, ...]], axis: Array, p: Array) -> Iterator[tuple[Any, ...]]:
+    """Yield the slips that take a point off the axis through p: another point of the axis is as good."""
+    return (slip for slip in slips if np.abs(np.cross(axis, slip[2] - p)).max() > STEP_M)
 
 
 def _misread(p: Array) -> Iterator[tuple[str, str, Array]]:
@@ -279,8 +275,10 @@ def _joint_value_slips(several: str) -> Sequence[tuple[Any, ...]]:
     )  # fmt: skip
 
 
-def _unless_zero(slips: Callable[[Expression], Slips], node: Expression) -> Slips:
-    yield from slips(node) if node.value else ()
+def unless_unchanged(slips: Callable[[Expression], Slips], node: Expression) -> Slips:
+    """Yield the slips in a value or a row; where it has zeros many of them change nothing, and are no mistakes there."""
+    is_full = all(np.all(entry.value) for entry in node.arguments or (node,))
+    yield from (one for one in slips(node) if is_full or not np.allclose(one.wrong.value, node.value))
 
 
 Blocks = Callable[[Array, Array], tuple[Any, Any, Any, Any]]
@@ -366,15 +364,17 @@ _GIVEN_SCREWS = table(
     ("sign of v", "take the moments of ${}$ with the opposite sign |take all moments with the opposite sign",
      lambda S: Operation("moments negated", _moments_negated, "{0}".format)(S), "", ALL_AT_ONCE | MAY_COINCIDE),
 )
-JOINT_LENGTH: Operation = Operation("joint value", lambda: None, str, partial(_unless_zero, table(
+JOINT_LENGTH: Operation = Operation("joint value", lambda: None, str, partial(unless_unchanged, table(
     *_joint_value_slips("the joint values"),
     ("length in radians", "convert ${}$ from degrees to radians, although it is a length", lambda q: RAD * q),
 )))
-JOINT_ANGLE: Operation = Operation("joint value", lambda: None, str, partial(_unless_zero, table(
+JOINT_ANGLE: Operation = Operation("joint value", lambda: None, str, partial(unless_unchanged, table(
     *_joint_value_slips("the joint values"), *_joint_value_slips("the angles")[2:]
 )))
 _by_transposed_adjoint: Operation = Operation("transposed adjoint", lambda T, S: S @ _matrix(_adjoint, T), "{1}".format)
 _entry_by_entry: Operation = Operation("entry by entry", lambda T, S: S * _matrix(_adjoint, T).sum(axis=0), "{1}".format)
 _once: Operation = Operation("one exponential", lambda *twists: exponential(sum(twists)), lambda *_: "")
-_SCREWS: Operation = Operation("given screws", lambda: None, str, _GIVEN_SCREWS)
+
+screw_axes = partial(given, kind=Operation("given screws", lambda: None, str, _GIVEN_SCREWS))
+"""Given screw axes, (6,) or (n, 6)."""
 # fmt: on

@@ -23,7 +23,7 @@ def end_effector_at_home(_draw: ArmSampler) -> Problem:
     upright = stack(shoulder, 0, height + upper_arm + forearm + end_effector)
     return Problem(
         statement="Give the position $(x, y, z)$ of the end-effector at home, in {s} and in metres.",
-        answer=Numbers(youbot().home[:3, 3], unit="metres"),
+        answer=Numbers(youbot().home[:3, 3], unit="m"),
         solution=stack(reach, 0, height).mistaken_for(("upright", "take the arm as upright at home", upright)),
         advice={
             "upright": "Here the arm is stretched out horizontally at home. Home is a choice, and other descriptions choose an "
@@ -45,7 +45,7 @@ def configuration_in_radians(_draw: ArmSampler) -> Problem:
     offset = "The DH table needs it, but here the home pose and the screw axes already describe the straight arm."
     return Problem(
         statement="Joints 2, 4 and 5 are at 60, -120 and 45 degrees, and joints 1 and 3 at 0. Give the five joint values for `arm.fk`.",
-        answer=Numbers(q.value, unit="radians"),
+        answer=Numbers(q.value, unit="rad"),
         solution=q.mistaken_for(
             ("signs left out", "leave out the minus signs", np.abs(q.value), POSITIVE_ROTATION),
             ("offset added", "add the offset of the DH table to joint 4", q.value + np.array([0, 0, 0, np.pi / 2, 0])),

@@ -5,9 +5,8 @@ from functools import partial
 
 import numpy as np
 
-from kincourse.answers.euler import EulerAnglesAnswer, rpy_rotation
 from kincourse.answers.point import VectorsAnswer
-from kincourse.answers.pose import PoseAnswer, RotationAnswer
+from kincourse.answers.pose import EulerAnglesAnswer, PoseAnswer, RotationAnswer
 from kincourse.expressions.poses import (
     assemble,
     columns,
@@ -30,6 +29,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z
 from kinlib.chains.robots import pose as frame
 from kinlib.rigid.lie import exp, homogeneous
+from kinlib.rigid.rpy import origin
 from kinlib.view import draw_frames
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
@@ -38,7 +38,7 @@ from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Operation, given
-from misstep.mutants.operations import ANGLE, VECTOR, function, radians, stack
+from misstep.mutants.operations import ANGLE, VECTOR, radians, stack
 
 TITLE = "Frames"
 
@@ -110,7 +110,7 @@ def homogeneous_matrix(sampler: ArmSampler) -> Problem:
     shift_first = sampler.choice([True, False])
     degrees, shift = sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1)), sampler.point(4)[:2]
     R, p = rotation_about(2, radians(given("\\theta", degrees, ANGLE)))[:2, :2].named("R"), point("p", shift)
-    rotated = function("rotated", np.matmul, "{0}\\,{1}")(R, p)
+    rotated = Operation("rotated", np.matmul, "{0}\\,{1}".format)(R, p)
     # Where the translation comes first, R is used twice, and so it can be transposed in one place.
     block = (
         R.mistaken_for(("transposed", "transpose $R$ in the matrix, and not in the last column", R.T))
@@ -407,7 +407,7 @@ _RPY_SLIPS: tuple[tuple[str, str, Callable[[Array], Array], str], ...] = (
     ("sign of the yaw", "take the yaw with the opposite sign", lambda R: _rpy_of(R) * (1, 1, -1), ""),
 )
 # fmt: on
-_rpy: Operation = function("roll, pitch, yaw", _rpy_of, "\\mathrm{{rpy}}({0})")
+_rpy: Operation = Operation("roll, pitch, yaw", _rpy_of, "\\mathrm{{rpy}}({0})".format)
 
 
 @problem("01.10", "Orientations as three angles", points=3, lecture="01_frames#Three angles", level="Hard")
@@ -416,8 +416,8 @@ def three_angles(sampler: ArmSampler) -> Problem:
         return int(sampler.choice((-1, 1)) * sampler.choice((20, 25, 35, 40, 50, 55, 110, 125, 140, 155)))
 
     pitch = sampler.choice((-1, 1)) * sampler.choice((15, 20, 35, 40, 50, 55))
-    general = rpy_rotation(np.radians([angle(), pitch, angle()]))
-    singular = rpy_rotation(np.radians([0, 90 * sampler.choice((-1, 1)), angle()]))
+    general = origin(rpy=np.radians([angle(), pitch, angle()]))[:3, :3]
+    singular = origin(rpy=np.radians([0, 90 * sampler.choice((-1, 1)), angle()]))[:3, :3]
     found = []
     for name, R in (("R_1", general), ("R_2", singular)):
         slips = [(slip, text, of(R), *why) for slip, text, of, *why in _RPY_SLIPS]

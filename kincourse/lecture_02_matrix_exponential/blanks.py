@@ -31,7 +31,7 @@ def p_column(_draw: ArmSampler) -> Problem:
     p = position_exp(direction("\\omega", S[:3]), direction("v", S[3:]), third_of_a_turn())
     return Problem(
         statement=f"Give the translation part of $e^{{[S]q}}$ for $S = {vector(S)}$ and $q = 2\\pi/3$.",
-        answer=Numbers(p, unit="metres"),
+        answer=Numbers(p, unit="m"),
     )
 
 

@@ -27,8 +27,8 @@ from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number, vector
-from misstep.mutants.expression import Expression, given
-from misstep.mutants.operations import ANGLE, LENGTH, cos, function, radians, sin, sqrt, square, unit
+from misstep.mutants.expression import Expression, Operation, given
+from misstep.mutants.operations import ANGLE, LENGTH, cos, radians, sin, sqrt, square, unit
 
 TITLE = "The matrix exponential"
 
@@ -40,10 +40,12 @@ PYTHAGOREAN_QUADRUPLES = ((2, 3, 6, 7), (1, 4, 8, 9), (2, 6, 9, 11), (3, 4, 12, 
 
 PYTHAGOREAN_TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17))
 
-trace = function("trace", np.trace, "\\operatorname{{tr}} {0}")
-arccos = function("arccos", lambda x: np.arccos(np.clip(x, -1, 1)), "\\arccos {0}")
-axial = function(
-    "axial vector", lambda R: np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]), "({0} - {0}^T)^\\vee"
+trace = Operation("trace", np.trace, "\\operatorname{{tr}} {0}".format)
+arccos = Operation("arccos", lambda x: np.arccos(np.clip(x, -1, 1)), "\\arccos {0}".format)
+axial = Operation(
+    "axial vector",
+    lambda R: np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]),
+    "({0} - {0}^T)^\\vee".format,
 )
 
 RODRIGUES = (
@@ -309,7 +311,7 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
         "$[x]^\\vee = x$ takes the vector out of its skew-symmetric matrix.",
         further="The symmetric part of $R$ gives the axis, too. Why is it more accurate near half a turn?",
         given={"R": R},
-        answer=Numbers(x, unit="radians", test=keeps_its_axis),
+        answer=Numbers(x, unit="rad", test=keeps_its_axis),
         advice={
             "arcsine": "A sine cannot tell $\\theta$ from $\\pi - \\theta$; the trace can.",
             "leave out the factor $\\theta$": "The unit vector is the axis alone. The logarithm is axis times angle.",
@@ -329,8 +331,8 @@ def _direction(sampler: ArmSampler) -> tuple[Array, int]:
     return np.array([sampler.choice((-1, 1)) * size for size in sampler.shuffled(sizes)], dtype=float), length
 
 
-still_point = function(
-    "the point that stays", lambda T: np.linalg.solve(np.eye(2) - T[:2, :2], T[:2, 3]), "(I - R)^{{-1}}\\,p"
+still_point = Operation(
+    "the point that stays", lambda T: np.linalg.solve(np.eye(2) - T[:2, :2], T[:2, 3]), "(I - R)^{{-1}}\\,p".format
 )
 
 

@@ -38,8 +38,7 @@ from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.display.text import matrix, number
 from misstep.mistakes import Mistake
-from misstep.mutants.expression import given, product, total
-from misstep.mutants.operations import function
+from misstep.mutants.expression import Operation, given, product, total
 
 TITLE = "The product of exponentials in the body frame"
 
@@ -303,8 +302,8 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-size = function("size", np.abs, "|{0}|")
-in_order = function("in order", lambda *x: np.sort(x), "({0}, {1}, {2}, {3})")
+size = Operation("size", np.abs, "|{0}|".format)
+in_order = Operation("in order", lambda *x: np.sort(x), "({0}, {1}, {2}, {3})".format)
 
 
 @problem(

@@ -10,8 +10,7 @@ import numpy as np
 
 from kincourse.answers.dh_row import DHRowsAnswer
 from kincourse.answers.dh_table import DHTableAnswer
-from kincourse.answers.euler import EulerAnglesAnswer
-from kincourse.answers.pose import PoseAnswer, RotationAnswer
+from kincourse.answers.pose import EulerAnglesAnswer, PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.links import link, table_product
 from kincourse.expressions.poses import inverse, rotation_about, rotation_of
@@ -98,9 +97,7 @@ class WristAnglesAnswer(EulerAnglesAnswer):
     noun: ClassVar[str] = "theta_4, theta_5, theta_6 in radians, one row for each rotation, an array"
     meaning: Callable[[Array], Array] = field(default=wrist_rotation, kw_only=True)
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        if part is None:
-            return super().resemblance(given, None)
+    def resemblance(self, given: Array, part: int) -> Named | None:
         mine, right = np.cos(given[part, 1]), np.cos(self.value[part, 1])
         at_a_right_angle = (
             "At $\\theta_5 = \\pm 90°$ axes 4 and 6 are perpendicular. At which $\\theta_5$ are they collinear?"

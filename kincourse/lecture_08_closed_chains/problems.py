@@ -335,14 +335,14 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
             names=["kutzbach", "infinitesimal", "finite"],
         ),
         mistakes=[
-            Mistake("count for all three", [count] * 3, f"{of_formula} {independent}", of_formula, spoils=True),
+            Mistake("count for all three", [count] * 3, f"{of_formula} {independent}", in_parts=True, spoils=True),
             Mistake(
                 "order of the numbers",
                 [finite, infinitesimal, count],
                 "They are in the reverse order.",
                 spoils=True,
             ),
-            *(Mistake(name, value, text, text) for name, value, text in wrong),
+            *(Mistake(name, value, text, in_parts=True) for name, value, text in wrong),
         ],
     ).without_duplicates()
 

@@ -29,13 +29,13 @@ from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.display.text import number, vector
 from misstep.mistakes import Mistake
-from misstep.mutants.expression import Expression, given, product, transpose
-from misstep.mutants.operations import ANGLE, LENGTH, concatenate, cos, function, sin, stack
+from misstep.mutants.expression import Expression, Operation, given, product, transpose
+from misstep.mutants.operations import ANGLE, LENGTH, concatenate, cos, sin, stack
 
 TITLE = "Robots as URDF files"
 
 PARENT_ADVICE = "`xyz` is in the frame of the parent, so the last column is $p$ itself."
-absolute = function("absolute values", np.abs, "|{0}|")
+absolute = Operation("absolute values", np.abs, "|{0}|".format)
 
 LINKS = ("base", "boom", "forearm", "hand")
 ROUNDING_NOTE = "Take `1.5708` for a right angle."

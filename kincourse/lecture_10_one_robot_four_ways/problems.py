@@ -34,7 +34,6 @@ from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import inverse as inverted
 from kinlib.rigid.rpy import roll_pitch_yaw
 from misstep.answers.angle import Angles
-from misstep.answers.base import AlikeRows
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.prose import Prose
@@ -176,10 +175,11 @@ def one_of_four(sampler: ArmSampler) -> Problem:
 
 
 @dataclass(frozen=True, eq=False)
-class OriginsAnswer(AlikeRows, Numbers):
+class OriginsAnswer(Numbers):
     """Poses of frames, each in the frame before it, (k, 4, 4), as the origins of a URDF file; each pose is a part."""
 
     noun: ClassVar[str] = "the origins of the joints and of the tool, an array"
+    alike_rows: ClassVar[bool] = True
 
     @property
     def parts(self) -> Sequence[str]:

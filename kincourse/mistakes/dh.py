@@ -14,15 +14,6 @@ from kinlib.dh.table import Convention, DHTable
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Slip
 
-NAMES = {
-    "unit of length": "millimetres",
-    "other convention": "the other convention",
-    "offset forgotten": "no offset",
-    "theta and alpha swapped": "angles swapped",
-    "sign of q": "sign of a joint value",
-}
-"""The names that the sheets have for faults that `diagnose` names otherwise."""
-
 WRONG_METHODS = {"a and d swapped", "angles swapped", "column after column"}
 """The slips by which a row that comes out right does so by chance."""
 
@@ -47,13 +38,7 @@ def slips_of_rows() -> Sequence[Slip]:
     """The slips that people make in the rows of any table, one of each name and column."""
     usual = [slip for slip in SLIPS_OF_A_TABLE if slip.column is not None and "shifted" not in slip.name]
     return [
-        Slip(
-            NAMES.get(slip.name, slip.name),
-            with_symbols(slip.text),
-            slip.change,
-            in_parts=False,
-            spoils=NAMES.get(slip.name, slip.name) in WRONG_METHODS,
-        )
+        Slip(slip.name, with_symbols(slip.text), slip.change, in_parts=False, spoils=slip.name in WRONG_METHODS)
         for slip in (*usual, *SLIPS_THAT_LOSE_NUMBERS)
     ]
 
@@ -68,9 +53,8 @@ def slips_of_table(right: DHTable) -> list[Slip]:
         signs = np.where(np.arange(n) == i - 1, -1, 1) * right.signs
         changes.append(("sign of a joint value", f"Joint {i} {moved} $-q_{i}$ for $q_{i}$.", rows, signs))
     if rows[:, 3].any():
-        changes.append(
-            ("sign of theta", "Every $\\theta_i$ is negated, with its $q_i$.", rows * (1, 1, 1, -1), -right.signs)
-        )
+        turned = "Every $\\theta_i$ is negated, with its $q_i$."
+        changes.append(("sign of theta", turned, rows * (1, 1, 1, -1), -right.signs))
     found = []
     for name, text, changed, signs in changes:
         # A single entry is explained by its place.

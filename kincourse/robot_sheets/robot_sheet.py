@@ -54,11 +54,12 @@ def _clearest(task: RobotTask, robot: Chain, sampler: ArmSampler) -> Problem:
 
     problems: list[Problem] = []
     while len(problems) < CLEAREST_OF:
-        problems.append(task.write(robot, sampler))
-        if not problems[-1].hidden and count(problems[-1]) >= ENOUGH_MISTAKES:
-            return problems[-1]
-    clearest = max(problems, key=lambda problem: (-len(problem.hidden), count(problem)))
-    return replace(clearest, invisible=clearest.hidden)
+        problem = task.write(robot, sampler)
+        hidden = [one.name for one in problem.hidden_mutants()]
+        if not hidden and count(problem) >= ENOUGH_MISTAKES:
+            return problem
+        problems.append(replace(problem, invisible=hidden))
+    return max(problems, key=lambda problem: (-len(problem.invisible), count(problem)))
 
 
 def with_plain_name(robot: Chain) -> Chain:

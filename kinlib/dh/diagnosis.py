@@ -52,7 +52,7 @@ CALLED_EXACT_M = 1e-6
 
 TAKEN_AS_RIGHT_ANGLES = "Angles that round to those of the table were taken as multiples of 45 degrees."
 
-USUAL_SLIPS = {"other convention", *(slip.name for slip in SLIPS_OF_A_TABLE)} - {"columns in another order"}
+USUAL_SLIPS = {"the other convention", *(slip.name for slip in SLIPS_OF_A_TABLE)} - {"columns in another order"}
 """The slips that are told of a table whose numbers may only be rounded."""
 
 

@@ -22,7 +22,7 @@ LENGTHS, ANGLES = (A, D), (ALPHA, THETA)
 
 OTHER_CONVENTION: dict[Convention, Convention] = {"standard": "modified", "modified": "standard"}
 
-NUMBERS = {"wrong number", "offset forgotten"}
+NUMBERS = {"wrong number", "no offset"}
 """The faults that are corrected by a number that the table does not suggest; so they could explain almost anything."""
 
 Change = Callable[[Array], Array]
@@ -89,17 +89,17 @@ DEGREES, RADIANS = 180 / np.pi, np.pi / 180
 SLIPS_OF_A_TABLE = [
     Slip("degrees", "The angles are in degrees, but were read as radians.", scale(ANGLES, DEGREES), scale(ANGLES, RADIANS)),
     *(
-        Slip("unit of length", text, scale(LENGTHS, factor), scale(LENGTHS, 1 / factor))
-        for factor, text in (
-            (1e3, "The lengths are in millimetres, but were read as metres."),
-            (1e2, "The lengths are in centimetres, but were read as metres."),
-            (1e-3, "The lengths are a thousandth of those of the arm. Is the arm in millimetres?"),
+        Slip(name, text, scale(LENGTHS, factor), scale(LENGTHS, 1 / factor))
+        for name, factor, text in (
+            ("millimetres", 1e3, "The lengths are in millimetres, but were read as metres."),
+            ("centimetres", 1e2, "The lengths are in centimetres, but were read as metres."),
+            ("millimetres", 1e-3, "The lengths are a thousandth of those of the arm. Is the arm in millimetres?"),
         )
     ),
     Slip("sign of alpha", f"Every alpha has the wrong sign: {RULE}.", scale([ALPHA], -1), column=ALPHA),
     *(Slip(f"sign of {COLUMNS[k]}", f"Every {COLUMNS[k]} has the wrong sign.", scale([k], -1), column=k) for k in (D, A, THETA)),
     Slip("a and d swapped", f"The columns a and d are swapped: {MEASURED}.", swap(A, D), column=A),
-    Slip("theta and alpha swapped", "The columns theta and alpha are swapped.", swap(THETA, ALPHA), column=THETA),
+    Slip("angles swapped", "The columns theta and alpha are swapped.", swap(THETA, ALPHA), column=THETA),
     *(
         Slip(name, f"{what} one row too {way}{why}.", roll(columns, by), roll(columns, -by), column)
         for by, way, end in ((1, "low", "last one is at the top"), (-1, "high", "first one is at the bottom"))
@@ -125,15 +125,15 @@ SLIPS_OF_A_ROW = [
     Slip("antiparallel", IN_A_ROW + "the axes are parallel, but in the other direction.", antiparallel, column=ALPHA),
     *(Slip(f"sign of {COLUMNS[k]}", f"{IN_A_ROW}{COLUMNS[k]} has the wrong sign.", scale([k], -1), column=k) for k in (D, A, THETA)),
     *(
-        Slip(name, f"{IN_A_ROW}{COLUMNS[k]} is in {unit}, but was read as {right}.", scale([k], factor), scale([k], 1 / factor), k)
-        for name, unit, right, factor, columns in (
-            ("unit of length", "millimetres", "metres", 1000.0, LENGTHS),
-            ("degrees", "degrees", "radians", DEGREES, ANGLES),
+        Slip(unit, f"{IN_A_ROW}{COLUMNS[k]} is in {unit}, but was read as {right}.", scale([k], factor), scale([k], 1 / factor), k)
+        for unit, right, factor, columns in (
+            ("millimetres", "metres", 1000.0, LENGTHS),
+            ("degrees", "radians", DEGREES, ANGLES),
         )
         for k in columns
     ),
     Slip("a and d swapped", f"{IN_A_ROW}a and d are swapped. {MEASURED}.", swap(A, D), column=A),
-    Slip("theta and alpha swapped", IN_A_ROW + "theta and alpha are swapped.", swap(THETA, ALPHA), column=THETA),
+    Slip("angles swapped", IN_A_ROW + "theta and alpha are swapped.", swap(THETA, ALPHA), column=THETA),
 ]  # fmt: skip
 """The slips in one row, the most frequent ones first."""
 
@@ -153,8 +153,8 @@ SLIPS_OF_TWO_ROWS = [
 class Fault:
     """A fault of a table: its name, a sentence that describes it, and its row (from 1) and column, if it has any.
 
-    name  of a slip; or "other convention", "variable in the wrong column", "sign of q", "wrong number", "offset forgotten", "another
-          zero", "wrong base" or "wrong tool"
+    name  of a slip; or "the other convention", "variable in the wrong column", "sign of a joint value", "wrong number", "no offset",
+          "another zero", "wrong base" or "wrong tool"
     """
 
     name: str
@@ -217,7 +217,7 @@ def corrections(table: DHTable, right: Array, zeros_are_fixed: bool, signs_are_f
 
 def _is_likely(slip: Slip, row: Array) -> bool:
     """Whether a number of the row can come from the slip: only a large one is in millimetres or in degrees."""
-    smallest = {"unit of length": MIN_LENGTH_MM, "degrees": 1.0}.get(slip.name, 0.0)
+    smallest = {"millimetres": MIN_LENGTH_MM, "degrees": 1.0}.get(slip.name, 0.0)
     return slip.column is None or smallest == 0 or bool(abs(row[slip.column]) > smallest)
 
 
@@ -261,7 +261,7 @@ def starting_tables(table: DHTable, joint_types: str) -> Iterator[tuple[list[Fau
     text = f"The table is in the {other} convention, but was read as {table.convention}."
     for faults, start in ways:
         yield faults, start
-        yield [*faults, Fault("other convention", text)], start.changed(convention=other)
+        yield [*faults, Fault("the other convention", text)], start.changed(convention=other)
 
 
 def _corrections_of_signs(table: DHTable) -> Iterator[Correction]:
@@ -270,7 +270,7 @@ def _corrections_of_signs(table: DHTable) -> Iterator[Correction]:
         if letter != "F":
             name, sign = "theta" if letter == "R" else "d", "-" if table.signs[row] > 0 else "+"
             text = f"Row {row + 1}: the joint counts in the opposite direction; {name} should have {sign}q."
-            yield Correction(Fault("sign of q", text, row + 1, name), reversed=frozenset({row}))
+            yield Correction(Fault("sign of a joint value", text, row + 1, name), reversed=frozenset({row}))
     turning = [row for row, letter in enumerate(table.joints) if letter == "R"]
     if len(turning) > 1:
         fault = Fault("sign of theta", "Every theta has the wrong sign, with its q.", None, "theta")
@@ -285,7 +285,7 @@ def _corrections_of_a_number(table: DHTable, right: Array, zeros_are_fixed: bool
     if is_bare and len(right) == len(table.rows) and np.count_nonzero(right[:, THETA]) > 1:
         turning = [row for row, column in variables if column == THETA]
         offsets = (f"{format_degrees(right[row, THETA])} in row {row + 1}" for row in turning if right[row, THETA])
-        fault = Fault("offset forgotten", f"The offsets of theta are missing: {', '.join(offsets)}.", None, "theta")
+        fault = Fault("no offset", f"The offsets of theta are missing: {', '.join(offsets)}.", None, "theta")
         yield Correction(fault, _set(turning, THETA, right[turning, THETA]))
     for row, column in np.ndindex(table.rows.shape):
         if (row, column) in variables and not zeros_are_fixed:
@@ -296,7 +296,7 @@ def _corrections_of_a_number(table: DHTable, right: Array, zeros_are_fixed: bool
             # If an axis is drawn in the opposite direction, an angle becomes its supplement.
             angles = np.concatenate([right[:, column], wrap_angle(np.pi - right[:, column])])
             values = np.concatenate([[0.0, np.pi / 2, -np.pi / 2, np.pi], angles, -angles])
-        kind = "offset forgotten" if (row, column) in variables and not typed else "wrong number"
+        kind = "no offset" if (row, column) in variables and not typed else "wrong number"
         for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
             if abs(value - typed) >= ROUNDING_ERROR:
                 yield Correction(Fault(kind, "", row + 1, name), _set([row], column, value))
@@ -310,7 +310,7 @@ def wrong_number(table: DHTable, right: DHTable, row: int, column: int) -> Fault
     texts = [format_number(number, 6) for number in numbers]
     should, has = (f"{text}{unit}" for text in (texts if texts[0] != texts[1] else format_different(*numbers)))
     if (row, column) in joint_entries(table.joints) and not typed:
-        return Fault("offset forgotten", f"Row {row + 1}: the offset of {name} is missing, {should}.", row + 1, name)
+        return Fault("no offset", f"Row {row + 1}: the offset of {name} is missing, {should}.", row + 1, name)
     return Fault("wrong number", f"Row {row + 1}: {name} should be {should}; the table has {has}.", row + 1, name)
 
 

@@ -70,8 +70,9 @@ class Angles(Numbers):
         return numeral(re.sub(r"\s*rad(ians?)?$", "", plain))
 
     def _difference(self, angles: Array) -> tuple[int, float]:
-        error = angles - self.value
-        return int(np.count_nonzero(~self.same_entries(angles, self.value))), float((error * error).sum())
+        error, wrong = angles - self.value, int(np.count_nonzero(~self.same_entries(angles, self.value)))
+        # The order in which most angles are right does not count if none is, as with degrees.
+        return 0 if self.likeness(angles, None).at_sight() else wrong, float((error * error).sum())
 
     def _modulo_turns(self, angles: Array) -> Array:
         shifted = self.value + _within_half_a_turn(angles - self.value)
@@ -88,15 +89,8 @@ class Angles(Numbers):
     def slips(self) -> Sequence[Slip]:
         return SLIPS
 
-    def seen(self, given: Array, part: int | None) -> Named | None:
-        if part is not None:
-            return super().seen(given, part)
-        wrapped = replace(self.likeness(given, None), mine=_within_half_a_turn(given)[..., None])
-        if (seen := wrapped.placeholder()) or not self.any_order:
-            return seen
-        # The order in which most angles are right does not count if none is, as with degrees.
-        orders = (given[list(order)] for order in permutations(range(len(given))))
-        return next(filter(None, (self.likeness(angles, None).at_sight() for angles in orders)), None)
+    def placeholder(self, given: Array) -> Named | None:
+        return replace(self.likeness(given, None), mine=_within_half_a_turn(given)[..., None]).placeholder()
 
 
 def _within_half_a_turn(angle: Array) -> Array:

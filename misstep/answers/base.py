@@ -10,9 +10,9 @@ stored if it has a method to_dict(), and read back if its class is in `misstep.s
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import Any, ClassVar
 
-from misstep.mutants.expression import Expression, Slip
+from misstep.mutants.expression import Slip
 
 TOLERANCE = 1e-3
 """The accepted error of a number, relative to its size if that is above 1: three printed decimals are enough."""
@@ -34,10 +34,14 @@ class Answer(ABC):
     An answer has parts, for example the rotation and the position of a pose, so that feedback can say which part is right,
     and a mistake in one part does not cost the points of the others.
 
-    value   the right answer
+    value       the right answer
+    inputs      the arguments of each call, if the answer is a function
+    alike_rows  whether the parts come from one method, as the rows of a table of screws do, so that none counts alone
     """
 
     value: Any
+    inputs: Sequence[Any] = ()
+    alike_rows: ClassVar[bool] = False
 
     @property
     @abstractmethod
@@ -67,12 +71,25 @@ class Answer(ABC):
         """The slips that people make in any answer of this kind; each makes a wrong value from the right one."""
         return ()
 
-    def seen(self, given: Any, part: int | None) -> Named | None:
-        """Return what is seen in a wrong part, or with None in the whole: a placeholder, another unit, too few digits."""
+    def placeholder(self, given: Any) -> Named | None:
+        """Return what is seen in a whole wrong answer: that it was left as it was."""
         return None
 
-    def resemblance(self, given: Any, part: int | None) -> Named | None:
-        """Return how a wrong part, or with None the whole, resembles the right one: by signs, a factor, an order, one entry."""
+    def seen(self, given: Any, part: int) -> Named | None:
+        """Return what is seen in a wrong part: a placeholder, another unit, too few digits."""
+        return None
+
+    def at_sight(self, given: Any) -> Named | None:
+        """Return what is seen in a whole wrong answer: a placeholder, or of a single part also another unit."""
+        seen = self.placeholder(given) or (self.seen(given, 0) if len(self.parts) == 1 else None)
+        return seen if seen and seen[0] != "rounded" else None
+
+    def order(self, given: Any) -> Named | None:
+        """Return whether the parts of a wrong answer are right, but in another order."""
+        return None
+
+    def resemblance(self, given: Any, part: int) -> Named | None:
+        """Return how a wrong part resembles the right one: by signs, a factor, an order, one entry."""
         return None
 
     def check(self, given: Any, part: int) -> str:
@@ -87,53 +104,15 @@ class Answer(ABC):
         """Return whether the right parts of a partly right answer earn their share: what a wrong method gives does not."""
         return True
 
+    @property
+    def has_alike_rows(self) -> bool:
+        """Whether one method gives all parts, of which there are several."""
+        return self.alike_rows and len(self.parts) > 1
 
-class AlikeRows:
-    """A kind of answer whose parts come from one method, as the rows of a table of screws do, so that none counts alone."""
+    def at_inputs(self, solution: Any = None) -> Iterator[Any]:
+        """Yield a solution, or without one the right value, at each input: once, if the answer is no function of inputs."""
+        yield self.value if solution is None else solution
 
-
-def has_alike_rows(answer: Answer) -> bool:
-    """Whether one method gives all parts of an answer, of which there are several."""
-    return isinstance(answer, AlikeRows) and len(answer.parts) > 1
-
-
-class AtInputs(Answer):
-    """A function or a formula, whose solution is an expression at each of some inputs.
-
-    inputs  the arguments of each call, if the answer is a function
-    """
-
-    inputs: Sequence[Any] = ()
-
-    @abstractmethod
-    def at_inputs(self, solution: Any = None) -> Iterator[Expression | Any]:
-        """Yield the solution as an expression at each input, or without one the right value."""
-
-    @abstractmethod
     def collect(self, values: Sequence[Any]) -> Any:
         """Return the answer with these values at the first inputs, as if it had been read. Raises Unreadable if there is none."""
-
-
-def inputs_of(answer: Answer) -> Sequence[Any]:
-    """Return the arguments of each call, if an answer is a function."""
-    return answer.inputs if isinstance(answer, AtInputs) else ()
-
-
-def at_inputs(answer: Answer, solution: Any = None) -> Iterator[Expression | Any]:
-    """Yield a solution at each input, or without one the right value; the only one, if the answer is no function of inputs."""
-    if isinstance(answer, AtInputs):
-        return answer.at_inputs(solution)
-    return iter([answer.value if solution is None else solution])
-
-
-def collect(answer: Answer, values: Sequence[Any]) -> Any:
-    """Return the answer that has these values at the inputs. Raises Unreadable if there is none."""
-    return answer.collect(values) if isinstance(answer, AtInputs) else answer.read(values[0])
-
-
-def seen_at_sight(answer: Answer, given: Any) -> Named | None:
-    """Return what is seen in a whole wrong answer: a placeholder, or of a single part also another unit."""
-    if (seen := answer.seen(given, None)) or len(answer.parts) > 1:
-        return seen
-    seen = answer.seen(given, 0)
-    return seen if seen and seen[0] != "rounded" else None
+        return self.read(values[0])

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from misstep import validation
-from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable, seen_at_sight
+from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable
 
 
 def plain(text: str) -> str:
@@ -97,11 +97,13 @@ class ReasonedChoice(Answer):
         pairs = ((self.choice, one[0], other[0]), (self.reason, one[1], other[1]))
         return [all(answer.agrees(mine, right, tolerance)) for answer, mine, right in pairs]
 
-    def seen(self, given: Any, part: int | None) -> Named | None:
-        return seen_at_sight(self.reason, given[1]) if part == 1 else None
+    def seen(self, given: Any, part: int) -> Named | None:
+        return self.reason.at_sight(given[1]) if part == 1 else None
 
-    def resemblance(self, given: Any, part: int | None) -> Named | None:
-        return self.reason.resemblance(given[1], 0 if len(self.reason.parts) == 1 else None) if part == 1 else None
+    def resemblance(self, given: Any, part: int) -> Named | None:
+        if part == 0:
+            return None
+        return self.reason.resemblance(given[1], 0) if len(self.reason.parts) == 1 else self.reason.order(given[1])
 
     def counts(self, given: Any, right: Sequence[bool]) -> bool:
         return False

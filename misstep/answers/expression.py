@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from misstep.answers.base import TOLERANCE, AtInputs, Named, Unreadable, has_alike_rows
+from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable
 from misstep.answers.likeness import Likeness, entries_hint, place_of
 from misstep.answers.number import scale_of
 from misstep.formulas.evaluation import Formula, Reader, shaped
@@ -24,7 +24,7 @@ EXACT_TOLERANCE = 1e-10
 
 
 @dataclass(frozen=True, eq=False)
-class ClosedForm(AtInputs):
+class ClosedForm(Answer):
     """A formula, or a vector or matrix of formulas, given as SymPy or as text.
 
     value    the right formula; its symbols may be used
@@ -77,12 +77,16 @@ class ClosedForm(AtInputs):
         """Return, for each part, the index of the entries that make it up, without those that are always the same."""
         return self.part_indices()
 
-    def seen(self, given: Formula, part: int | None) -> Named | None:
+    def placeholder(self, given: Formula) -> Named | None:
+        return self.likeness(given, None).placeholder()
+
+    def seen(self, given: Formula, part: int) -> Named | None:
         return self.likeness(given, part).placeholder()
 
-    def resemblance(self, given: Formula, part: int | None) -> Named | None:
-        if part is None:
-            return self.likeness(given, None).order() if has_alike_rows(self) else None
+    def order(self, given: Formula) -> Named | None:
+        return self.likeness(given, None).order() if self.has_alike_rows else None
+
+    def resemblance(self, given: Formula, part: int) -> Named | None:
         found = self.likeness(given, part).resemblance()
         same = self.same_entries(given, self.value)[self.core_indices()[part]]
         return found or (entries_hint(same) if same.ndim else None)
@@ -97,7 +101,6 @@ class ClosedForm(AtInputs):
             self._right.values[piece],
             place=lambda index: place_of(places[tuple(index)]),
             tolerance=tolerance,
-            is_formula=True,
         )
 
     def at_inputs(self, solution: Callable[..., Expression] | None = None) -> Iterator[Expression | Any]:

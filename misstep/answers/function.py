@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from misstep import validation
-from misstep.answers.base import TOLERANCE, Answer, AtInputs, Named, Unreadable
+from misstep.answers.base import TOLERANCE, Answer, Named, Unreadable
 from misstep.mutants.expression import Expression, Slip
 from misstep.storage import Outputs
 
@@ -18,7 +18,7 @@ CALL_COUNT = 4
 
 
 @dataclass(frozen=True, eq=False)
-class Function(AtInputs):
+class Function(Answer):
     """A function, judged by its outputs at random inputs.
 
     value   the right function
@@ -93,14 +93,17 @@ class Function(AtInputs):
     def collect(self, values: Sequence[Any]) -> Outputs:
         return Outputs([self._output(value) for value in values])
 
-    def seen(self, given: Outputs, part: int | None) -> Named | None:
+    def placeholder(self, given: Outputs) -> Named | None:
+        return self._at_every_input(given, lambda answer, mine: answer.placeholder(mine))
+
+    def seen(self, given: Outputs, part: int) -> Named | None:
         def ask(answer: Answer, mine: Any) -> Named | None:
-            right = answer.agrees(mine, answer.value) if part is not None else []
-            return next((answer.seen(mine, k) for k, fine in enumerate(right) if not fine), answer.seen(mine, None))
+            right = answer.agrees(mine, answer.value)
+            return next((answer.seen(mine, k) for k, fine in enumerate(right) if not fine), answer.placeholder(mine))
 
         return self._at_every_input(given, ask)
 
-    def resemblance(self, given: Outputs, part: int | None) -> Named | None:
+    def resemblance(self, given: Outputs, part: int) -> Named | None:
         """Return what is the same at every input: which parts are wrong, or how they differ from the right ones."""
         agrees = [self.output.agrees(mine, right) for mine, right in zip(given.values, self._right.values, strict=True)]
         parts = list(zip(self.output.parts, map(all, zip(*agrees, strict=True)), strict=True))

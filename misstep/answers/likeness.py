@@ -7,13 +7,18 @@ numbers a single value. So the same comparison serves all three.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import permutations
 
 import numpy as np
 from numpy.typing import NDArray
 
 from misstep.answers.base import TOLERANCE, Named
 from misstep.validation import Array
+
+PURE, LENGTH, ANGLE, OTHER = range(4)
+"""The kinds of numbers: those of size 1, as in a direction or a rotation; lengths; angles in radians; and all others."""
+
+KINDS = {"m": LENGTH, "mm": LENGTH, "m/s": LENGTH, "rad": ANGLE}
+"""The kind of numbers with a unit."""
 
 ROUND_OFF = 1e-12
 """Smaller absolute values are zeros with an error of the computer's arithmetic."""
@@ -22,8 +27,6 @@ OTHER_UNIT = "This is right in {}. Give it in {}."
 """What is said of the right numbers in another unit, with both units."""
 
 IN_DEGREES = OTHER_UNIT.format("degrees", "radians")
-
-ROUNDED = "These are the right numbers, but rounded too much. Keep at least four significant digits."
 
 ZERO = "This is 0, and the right number is not."
 
@@ -35,25 +38,20 @@ UNTOUCHED = "{}. Put in the numbers that you find."
 class Likeness:
     r"""A part of an answer and of the right one, shape (..., inputs), and what is known about its entries.
 
-    lengths, angles  which entries are lengths, and angles in radians
-    unit             the unit of the lengths
-    place            names an entry by its index
-    reordered        what is said of the right numbers in another order
-    columns          the names of the columns, if they have any
-    tolerance        how far a number may be off: nothing is said of a number that is hidden in it
-    is_formula       whether the entries are formulas, which are compared exactly
+    kinds      the kind of each entry
+    unit       the unit of the lengths, by default metres
+    place      names an entry by its index
+    columns    the names of the columns, if they have any
+    tolerance  how far a number may be off: nothing is said of a number that is hidden in it
     """
 
     mine: Array
     right: Array
-    lengths: NDArray[np.bool_] | None = None
-    angles: NDArray[np.bool_] | None = None
+    kinds: NDArray[np.int_] | int = OTHER
     unit: str = "m"
     place: Callable[[Sequence[int]], str] = lambda index: f"entry {', '.join(str(i + 1) for i in index)}"
-    reordered: str = "These are the right numbers, but not in the right order."
     columns: Sequence[str] = ()
     tolerance: float = TOLERANCE
-    is_formula: bool = False
 
     def at_sight(self) -> Named | None:
         """Return what is seen before any mistake is looked for: a placeholder, another unit, too few digits."""
@@ -78,8 +76,6 @@ class Likeness:
         """Return how the numbers differ from the right ones as a whole: by signs, by a factor, or by their order."""
         if not self.mine.any() and self._is_seen(self.right).any():
             return "left at 0", ZERO
-        if self._equal(self.mine, self.right).all():
-            return None
         is_square = self.mine.ndim == 3 and len(self.mine) == self.mine.shape[1]
         if is_square and self._equal(self.mine, self.right.swapaxes(0, 1)).all():
             return "transposed", "This is the transpose of the right one."
@@ -93,28 +89,28 @@ class Likeness:
 
     @property
     def _has_unit(self) -> bool:
-        return any(mask is not None and mask.any() for mask in (self.lengths, self.angles))
+        return bool(np.isin(self.kinds, (LENGTH, ANGLE)).any())
 
     def _unit(self) -> Named | None:
-        for which, is_angle in ((self.lengths, False), (self.angles, True)):
-            if which is None or not which.any():
-                continue
+        wanted, others = UNITS.get(self.unit, UNITS["m"])
+        for kind in (LENGTH, ANGLE):
+            which = self.kinds == kind
             mine, right = self.mine[which], self.right[which]
             if not (self._is_seen(right).any() and self._equal(self.mine[~which], self.right[~which]).all()):
                 continue
-            if is_angle and self._in_degrees(mine, right):
+            if kind == ANGLE and self._in_degrees(mine, right):
                 return "degrees", IN_DEGREES
-            wanted, others = UNITS[self.unit]
-            for name, factor in () if is_angle else others.items():
+            for name, factor in others.items() if kind == LENGTH else ():
                 if self._relative(mine, factor * right).all():
                     return name, OTHER_UNIT.format(name, wanted)
         return None
 
     def _rounded(self) -> Named | None:
-        if self.is_formula or not self.mine.any():
+        if not self.mine.any():
             return None
         mine, right = (x.reshape(-1, x.shape[-1]) for x in (self.mine, self.right))
-        wrong, rounded = np.ravel(~self._equal(mine, right)), ("rounded", ROUNDED)
+        wrong = np.ravel(~self._equal(mine, right))
+        rounded = "rounded", "These are the right numbers, but rounded too much. Keep at least four significant digits."
         unit = 10.0 ** (np.floor(np.log10(np.maximum(np.abs(right), 1e-12))) - 2)  # of the third digit
         is_short = np.asarray((np.abs(mine - unit * np.round(right / unit)) < 1e-6 * unit).all(axis=-1))
         if (is_short | ~wrong).all() and (is_short & (np.abs(mine - right) > 1e-9).any(axis=-1)).any():
@@ -155,48 +151,40 @@ class Likeness:
         return None if is_one else ("factor", SCALED)
 
     def order(self) -> Named | None:
-        """Return whether these are the right numbers in another order."""
-        if self.mine.ndim == 1 or self._equal(self.mine, self.right).all():
+        """Return whether these are the right numbers in another order: of the columns, of the rows, or one by one."""
+        mine, right = self.mine, self.right
+        if mine.ndim == 1 or self._equal(mine, right).all():
             return None
-        columns = self.mine.shape[1] if self.mine.ndim == 3 else 0
-        for order in list(permutations(range(columns)))[1:] if columns <= 4 else ():
-            if self._equal(self.mine, self.right[:, list(order)]).all():
-                return _order_of("column", order, self.columns)
-        return self._permuted_rows() or self._renumbered() or self._moved_rows()
+        has_few_columns = mine.ndim == 3 and mine.shape[1] <= 4
+        if has_few_columns and (order := self._permutation(mine.swapaxes(0, 1), right.swapaxes(0, 1))):
+            return _order_of("column", order, self.columns)
+        if mine.ndim > 2 and (order := self._permutation(mine, right)):
+            return _order_of("row", order)
+        single, right_ones = (x.reshape(-1, x.shape[-1]) for x in (mine, right))
+        is_short = mine.ndim == 2 and len(single) <= 4
+        is_telling = len(single) <= 6 and np.unique(np.round(right, 6)).size > 3
+        if (is_short or is_telling) and self._permutation(single, right_ones):
+            named = ", ".join(self.columns) if len(self.columns) == len(single) else ""
+            where = f"in the order {named}" if named else "in the right order"
+            return "order of the numbers", f"These are the right numbers, but not {where}."
+        return self._moved_rows() if mine.ndim > 2 < len(mine) else None
 
-    def _renumbered(self) -> Named | None:
-        """Return whether a few numbers are the right ones, each once, in another order."""
-        mine, right = (np.sort(x.reshape(-1, x.shape[-1]), axis=0) for x in (self.mine, self.right))
-        is_short = self.mine.ndim == 2 and len(mine) <= 4
-        is_telling = len(mine) <= 6 and not self.is_formula and np.unique(np.round(right, 6)).size > 3
-        is_same = (is_short or is_telling) and self._equal(mine, right).all()
-        return ("order of the numbers", self.reordered) if is_same else None
-
-    @property
-    def _rows(self) -> tuple[Array, Array]:
-        """The answer and the right one as rows; a matrix in a list of matrices is one row."""
-        return tuple(x.reshape(len(x), -1, x.shape[-1]) if x.ndim > 3 else x for x in (self.mine, self.right))  # type: ignore[return-value]
-
-    def _permuted_rows(self) -> Named | None:
-        """Return whether the rows are the right ones, each once, in another order."""
-        mine, right = self._rows
-        if mine.ndim != 3 or len(mine) < 2:
-            return None
+    def _permutation(self, mine: Array, right: Array) -> list[int] | None:
+        """Return for each row, column or number where it belongs, if they are the right ones, each once."""
         order: list[int] = []
-        for k, row in enumerate(mine):
-            places = [j for j, other in enumerate(right) if j not in order and self._equal(row, other).all()]
+        for k, one in enumerate(mine):
+            places = [j for j, other in enumerate(right) if j not in order and self._equal(one, other).all()]
             if not places:
                 return None
             order.append(k if k in places else places[0])
-        return _order_of("row", order)
+        return order
 
     def _moved_rows(self) -> Named | None:
         """Return whether all rows are moved by one, so that one of them falls out, and another one fills the gap."""
-        mine, right = self._rows
-        if mine.ndim != 3 or len(mine) < 3:
-            return None
+        mine, right = self.mine, self.right
         is_down, is_up = (self._equal(*pair).all() for pair in ((mine[1:], right[:-1]), (mine[:-1], right[1:])))
-        if not (is_down or is_up) or np.count_nonzero(self._equal(mine, right).all(axis=1)) > 1:
+        stay = np.count_nonzero(self._equal(mine, right).reshape(len(mine), -1).all(axis=1))
+        if not (is_down or is_up) or stay > 1:
             return None
         where, lost = ("down", "last") if is_down else ("up", "first")
         return "rows moved", f"Your rows are moved {where} by one: the {lost} one of the right rows is missing."
@@ -269,6 +257,7 @@ REORDERED = {"rows moved", "rows in another order", "rows reversed", "columns in
 UNITS = {
     "m": ("metres", {"millimetres": 1000.0, "centimetres": 100.0}),
     "mm": ("millimetres", {"metres": 1e-3, "centimetres": 0.1}),
+    "m/s": ("metres per second", {"millimetres per second": 1000.0}),
 }
 """For each unit its name, and those that are mistaken for it, each with its factor."""
 

@@ -1,5 +1,6 @@
 """Numbers and arrays of numbers as answers; of some several arrays are the same answer, as of a quaternion and its negative."""
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -10,16 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep import validation
-from misstep.answers.base import MAX_NUMBER, TOLERANCE, Answer, Named, Unreadable, has_alike_rows
-from misstep.answers.likeness import IN_DEGREES, ROUND_OFF, UNITS, Likeness, entries_hint, place_of
+from misstep.answers.base import MAX_NUMBER, TOLERANCE, Answer, Named, Unreadable
+from misstep.answers.likeness import ANGLE, IN_DEGREES, KINDS, OTHER, PURE, ROUND_OFF, Likeness, entries_hint, place_of
 from misstep.formulas.evaluation import numeral
 from misstep.validation import Array
-
-LENGTH = 1
-"""The kind of lengths in an answer whose other numbers have none."""
-
-PURE = 0
-"""The kind of numbers of size 1: directions, entries of a rotation, angles beside lengths."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +27,8 @@ class Numbers(Answer):
     test   a check of each part that a student can do, in a sentence with the own numbers; "" if the part passes it
 
     A number may be off by a thousandth of itself, or of its scale: three digits of the largest number of its kind are enough,
-    0 is right for 1e-17, and wrong for 3e-7. The array is one part, unless a subclass overrides `parts`.
+    0 is right for 1e-17, and wrong for 3e-7. The array is one part, unless a subclass overrides `parts`. A vector, and whatever
+    `may_be_listed`, may also be a list, a row or a column of its numbers, one after the other.
 
     >>> Numbers(np.array([1.0, 2.0]), unit="m").read([1, "4/2 m"])
     array([1., 2.])
@@ -46,6 +42,7 @@ class Numbers(Answer):
     scale: Any = field(default=None, kw_only=True)
     test: Callable[[Any], str] | None = field(default=None, kw_only=True)
     noun: ClassVar[str] = "an array"
+    may_be_listed: ClassVar[bool] = False
 
     @property
     def expected(self) -> str:
@@ -75,10 +72,9 @@ class Numbers(Answer):
             shape = np.shape(given)
         except Exception as error:  # reading the shape of a student's object may raise any error
             raise refused(f"{_kind(given)} whose rows differ in length.") from error
-        if not expected and 0 < len(shape) <= 2 and np.prod(shape) == 1:
-            return self.read(np.asarray(given).ravel()[0])  # [x] can only mean x
-        if len(expected) == 1 and shape in ((*expected, 1), (1, *expected)):
-            given = np.ravel(given)  # a column or a row of a matrix lists the same numbers
+        count, is_list = np.size(self.value), self.may_be_listed or len(expected) < 2  # [x] can only mean x
+        if shape != expected and is_list and shape in ((count,), (count, 1), (1, count)):
+            given = np.reshape(given, expected)
         elif shape != expected:
             quotes = " Give a list without quotes around it." if isinstance(given, str) and expected else ""
             found = f"{_kind(given)} of shape {shape}" if shape else validation.brief(given)
@@ -106,7 +102,7 @@ class Numbers(Answer):
 
     def typed(self, text: str) -> float:
         """Return the number that a text writes; the unit of the answer may follow it. Raises ValueError for any other text."""
-        return numeral(text.strip().removesuffix(self.unit))
+        return numeral(re.sub(rf"(?<![A-Za-z]){re.escape(self.unit)}$", "", text.strip()))
 
     def remedy(self, shape: tuple[int, ...]) -> str:
         """Return a sentence on how to repair an answer of this wrong shape, with a leading space; "" if there is none."""
@@ -127,8 +123,8 @@ class Numbers(Answer):
         return np.asarray(np.abs(one - other) <= tolerance * size)
 
     def kinds(self) -> NDArray[np.int_]:
-        """Return a label for each entry: numbers with the same label can be compared in size, and PURE ones have the scale 1."""
-        return np.ones(np.shape(self.value), dtype=int)
+        """Return the kind of each entry: numbers of one kind can be compared in size, and PURE ones have the scale 1."""
+        return np.full(np.shape(self.value), KINDS.get(self.unit, OTHER))
 
     @cached_property
     def _scales(self) -> Array:
@@ -145,39 +141,29 @@ class Numbers(Answer):
         piece = ... if part is None else self.core_indices()[part]
         mine, right = (np.asarray(x, dtype=float)[piece][..., None] for x in (given, self.value))
         places = np.moveaxis(np.indices(np.shape(self.value)), 0, -1)[piece]
-        lengths, angles = (np.atleast_1d(mask[piece]) for mask in (self.length_entries(), self.angle_entries()))
-        unit = self.unit if self.unit in UNITS else "m"
-        return Likeness(mine, right, lengths, angles, unit, lambda index: self.place(places[tuple(index)]))
-
-    def length_entries(self) -> NDArray[np.bool_]:
-        """Return which entries are lengths in `unit`."""
-        return np.full(np.shape(self.value), self.unit in {"m", "metres", "mm"})
-
-    def angle_entries(self) -> NDArray[np.bool_]:
-        """Return which entries are angles in radians."""
-        return np.full(np.shape(self.value), self.unit in {"rad", "radians"})
+        kinds = np.atleast_1d(self.kinds()[piece])
+        return Likeness(mine, right, kinds, self.unit, lambda index: self.place(places[tuple(index)]))
 
     def place(self, index: Sequence[Any]) -> str:
         """Name the place of an entry of the whole array."""
         return self.parts[int(index[0])] if np.size(self.value) == len(self.parts) > 1 else place_of(index)
 
-    def seen(self, given: Array, part: int | None) -> Named | None:
-        if part is None:
-            return self.likeness(given, None).placeholder()
+    def placeholder(self, given: Array) -> Named | None:
+        return self.likeness(given, None).placeholder()
+
+    def seen(self, given: Array, part: int) -> Named | None:
         seen = self.likeness(given, part).at_sight()
         if seen is None and len(self.parts) > 1:  # that a short part is rounded is seen in the others
             whole = self.likeness(given, None).at_sight()
             return whole if whole and whole[0] == "rounded" else None
         return seen
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
-        if part is None:
-            return self._order(given)
+    def resemblance(self, given: Array, part: int) -> Named | None:
         return self.likeness(given, part).resemblance() or self._place(given, part)
 
-    def _order(self, given: Array) -> Named | None:
+    def order(self, given: Array) -> Named | None:
         likeness = self.likeness(given, None)
-        if has_alike_rows(self) or len(self.parts) == len(np.atleast_2d(self.value)) > 1:
+        if self.has_alike_rows or len(self.parts) == len(np.atleast_2d(self.value)) > 1:
             return likeness.order()
         is_list = np.ndim(self.value) == 1 and len(self.parts) == np.size(self.value) > 1
         if not is_list or (self.same_entries(given, self.value) & (np.abs(self.value) > TOLERANCE)).any():
@@ -224,20 +210,17 @@ class Equivalent(Numbers):
         near = np.abs(mine - yours) <= tolerance * np.maximum(size, np.maximum(np.abs(mine), np.abs(yours)))
         return [bool(near.all())]
 
-    def seen(self, given: Array, part: int | None) -> Named | None:
+    def seen(self, given: Array, part: int) -> Named | None:
         """Return whether it is a placeholder or in degrees, by its meaning: an entry that differs from ours is not wrong for that."""
-        likeness = Numbers.likeness(self, given, part)
-        seen = likeness.placeholder() if part is None else likeness.at_sight()
-        if seen and (part is None or seen[0] != "degrees"):
+        seen, angles = self.likeness(given, part).at_sight(), self.kinds() == ANGLE
+        if seen and seen[0] != "degrees":
             return seen
-        radians = np.where(self.angle_entries(), np.radians(given), given)
-        fine = self.agrees(radians, self.value)
-        is_in_degrees = self.angle_entries().any() and (all(fine) if part is None else fine[part])
+        is_in_degrees = angles.any() and self.agrees(np.where(angles, np.radians(given), given), self.value)[part]
         return ("degrees", IN_DEGREES) if is_in_degrees else None
 
-    def resemblance(self, given: Array, part: int | None) -> Named | None:
+    def resemblance(self, given: Array, part: int) -> Named | None:
         """Return what is true of all entries at once."""
-        seen = None if part is None else self.likeness(given, part).resemblance()
+        seen = self.likeness(given, part).resemblance()
         # Single entries of another right answer may differ from ours.
         return seen if seen and seen[0] in {"all signs", "factor", "doubled", "halved"} else None
 

@@ -20,7 +20,7 @@ class Ordering(Answer):
     among  all names that may be typed; by default those of the value
 
     >>> answer = Ordering(["M", "e1", "e2"])
-    >>> answer.read("E2, m, e1"), answer.resemblance(["e2", "M", "e1"], None)[1]
+    >>> answer.read("E2, m, e1"), answer.resemblance(["e2", "M", "e1"], 0)[1]
     (['e2', 'M', 'e1'], 'Only one name is in the wrong place.\nIt is e2, at the beginning.')
     """
 
@@ -61,7 +61,7 @@ class Ordering(Answer):
     def agrees(self, one: Sequence[str], other: Sequence[str], tolerance: float = TOLERANCE) -> list[bool]:
         return [list(one) == list(other)]
 
-    def resemblance(self, given: Sequence[str], part: int | None) -> Named | None:
+    def resemblance(self, given: Sequence[str], part: int) -> Named | None:
         """Return whether the order is reversed, two neighbours are swapped, or one name is in the wrong place."""
         right, mine = list(self.value), list(given)
         if mine == right[::-1]:

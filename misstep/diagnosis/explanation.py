@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Any
 
-from misstep.answers.base import Answer, Named, has_alike_rows, seen_at_sight
+from misstep.answers.base import Answer, Named
 from misstep.answers.likeness import REORDERED
 from misstep.mistakes import Mistake
 from misstep.problem import Problem
@@ -19,13 +19,13 @@ from misstep.problem import Problem
 MAX_ALTERNATIVES = 2
 """How many mistakes that lead to the same answer are told."""
 
-UNCHECKED = {"another row", "millimetres", "degrees"}
+UNCHECKED = {"another row", "millimetres", "centimetres", "degrees"}
 """The names of what needs no check: the numbers are right, at another place or in another unit."""
 
 SENTENCE_END = re.compile(r"(?<=[.!?]) ")
 """The space between two sentences."""
 
-FORMULA = re.compile(r"\$([^$]*)\$")
+FORMULA, EVERYWHERE = re.compile(r"\$([^$]*)\$"), re.compile(r"\b(every|all|each)\b")
 
 MAX_LENGTH = 400
 """How many characters the message of a finding has; further stories and advice are left out."""
@@ -66,28 +66,28 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Finding]
     wrong  the indices of its wrong parts, at least one
     """
     answer, names = problem.answer, [problem.answer.parts[part] for part in wrong]
-    if seen := seen_at_sight(answer, value):
+    if seen := answer.at_sight(value):
         return [replace(_seen(names, seen), spoils=True)]
-    groups = [problem.mistakes, list(problem.mutants_near(value)), problem.slips]
-    is_moved = has_alike_rows(answer) and len(wrong) >= len(answer.parts) - 1 > 1
+    groups = [problem.mistakes, list(problem.mutants(value)), problem.slips]
+    is_moved = answer.has_alike_rows and len(wrong) >= len(answer.parts) - 1 > 1
     for group in groups:
         if mistakes := _distinct([one for one in group if all(answer.agrees(value, one.value))]):
-            is_method, is_reordered = group is not problem.slips, is_moved and bool(answer.resemblance(value, None))
+            is_method, is_reordered = group is not problem.slips, is_moved and bool(answer.order(value))
             if len(answer.parts) == 1 and (seen := answer.seen(value, 0)):  # whole numbers may be both
                 mistakes.insert(1, Mistake(seen[0], None, seen[1]))
             spoils = is_reordered or all(one.spoils for one in mistakes)
-            told = Finding(names, message_of(mistakes, whole=True), mistakes, "", is_method, spoils)
+            told = Finding(names, message_of(mistakes), mistakes, "", is_method, spoils)
             return [_checked(answer, value, told)]
     sights = {part: seen for part in wrong if (seen := answer.seen(value, part))}
     is_single = len(answer.parts) == 1
-    if not is_single and (order := answer.resemblance(value, None)):
+    if not is_single and (order := answer.order(value)):
         is_reordered = order[0] in REORDERED
         # As is the gap where rows are moved.
         if is_reordered or all(name == "placeholder" for name, _ in sights.values()):
             return [replace(_seen(names, order), spoils=is_reordered or is_moved)]
     found, left = _joined(answer, sights), [part for part in wrong if part not in sights]
     for parts, mistakes in () if is_single else _explain_parts(answer, value, left, groups):
-        told = Finding(parts, message_of(mistakes, whole=False), mistakes, is_method=mistakes[0] not in problem.slips)
+        told = Finding(parts, message_of(mistakes), mistakes, is_method=mistakes[0] not in problem.slips)
         found.append(_checked(answer, value, told))
     explained = {part for one in found for part in one.parts}
     left = [part for part in left if answer.parts[part] not in explained]
@@ -127,10 +127,11 @@ def _explain_parts(
     left, right = set(left), answer.agrees(value, answer.value)
     fine, matching = {part for part, is_right in enumerate(right) if is_right}, []
     for rank, group in enumerate(groups):
-        for mistake in (one for one in group if one.part) if left else ():
+        for mistake in (one for one in group if one.in_parts) if left else ():
             same = {part for part, is_same in enumerate(answer.agrees(value, mistake.value)) if is_same}
-            # A change of the solution that would have changed a part that is right has not been made.
-            if rank != 1 or fine <= same:
+            # A change of the solution that would have changed a part that is right has not been made; one in every row is in all.
+            changed = {k for k, kept in enumerate(answer.agrees(mistake.value, answer.value)) if not kept}
+            if rank != 1 or (fine <= same and (changed <= same or not EVERYWHERE.search(mistake.did))):
                 matching.append((rank, mistake, same))
     while found := [(rank, mistake, same & left) for rank, mistake, same in matching if same & left]:
         best, _, explained = min(found, key=lambda one: (-len(one[2]), one[0]))
@@ -152,25 +153,22 @@ def _is_same_slip(one: Mistake, other: Mistake) -> bool:
     return bool(did) and same.startswith(did) and all(a in b or b in a for a, b in zip(short, long, strict=False))
 
 
-def message_of(mistakes: Sequence[Mistake], whole: bool) -> str:
-    r"""Return the message for mistakes that cannot be told apart: at most two of them, with different names.
-
-    whole  whether they explain the whole answer, rather than a part of it
+def message_of(mistakes: Sequence[Mistake]) -> str:
+    """Return the message for mistakes that cannot be told apart: at most two of them, with different names.
 
     >>> took = [Mistake(f"an {x}", 1, f"This is what you get if you take {x}.", did=f"take {x}") for x in "ab"]
-    >>> message_of(took, whole=True)
+    >>> message_of(took)
     'This is what you get if you take a, or if you take b.'
-    >>> message_of([Mistake("order", 1, "You swapped them."), Mistake("sign", 1, "You forgot a sign.")], whole=True)
+    >>> message_of([Mistake("order", 1, "You swapped them."), Mistake("sign", 1, "You forgot a sign.")])
     'You swapped them. Or: You forgot a sign.'
     """
     same = [one for one in mistakes if one is mistakes[0] or _is_same_slip(one, mistakes[0])]
     first = min(same, key=lambda one: len(one.did))
     other = next((one for one in mistakes if one not in same and not _is_same_slip(one, first)), None)
     if other is None:
-        return first.message if whole else first.part
+        return first.message
     if not (first.did and other.did):
-        texts = [one.message if whole else one.part for one in (first, other)]
-        return texts[0] if texts[0] == texts[1] else f"{texts[0]} Or: {texts[1]}"
+        return first.message if first.message == other.message else f"{first.message} Or: {other.message}"
     text = f"This is what you get if you {first.did}, or if you {other.did}."
     for advice in dict.fromkeys(filter(None, (first.advice, other.advice))):
         text = f"{text} {advice}" if len(text) + len(advice) < MAX_LENGTH else text

@@ -1,7 +1,4 @@
-"""What a check is given where the cell of its answer ended with an error, or does not set it any more.
-
-Without it, the value of an earlier run would be judged.
-"""
+"""What a check is given for an answer that its cell has not set, because the value of an earlier run would be judged otherwise."""
 
 import re
 import sys

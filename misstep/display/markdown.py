@@ -5,6 +5,7 @@ A library for Markdown would be one more dependency of misstep, and would not ke
 
 import re
 from html import escape, unescape
+from itertools import groupby
 
 from misstep.display.lecture_address import is_page
 
@@ -12,7 +13,8 @@ LITERAL = re.compile(r"(?<!`)`([^`]+)`(?!`)|\$\$(.+?)\$\$|\$([^$]+)\$", re.DOTAL
 """Code and formulas, in which no other mark counts."""
 KEPT = "\0{}\0"
 """What replaces code and formulas until all other marks are read."""
-ITEM = re.compile(r"([-*]|\d{1,2}\.)\s+(.*)")
+ITEM = re.compile(r"^([-*]|\d{1,2}\.)\s+")
+CONTINUED = re.compile(r"[ \t]*\n[ \t]*(?![ \t\n]|$|[-*]\s|\d{1,2}\.\s)")
 
 LINK_STYLE = "color:inherit;text-decoration:underline"
 """The colour of a theme's links may be hard to read on the background of a card."""
@@ -48,28 +50,19 @@ def markdown_html(text: str) -> str:
         kept.append(f'<code style="{CODE_STYLE}">{text}</code>' if code else f"{mark}{text}{mark}")
         return KEPT.format(len(kept) - 1)
 
-    blocks: list[tuple[str, list[str]]] = []  # each with its element and its paragraph or items
-    is_open = False
-    for line in LITERAL.sub(keep, text).splitlines():
-        item = ITEM.match(line)
-        if not line.strip():
-            is_open = False
-        elif item:
-            element = "ul" if item[1] in "-*" else "ol"
-            if not blocks or blocks[-1][0] != element:
-                blocks.append((element, []))
-            blocks[-1][1].append(item[2])
-            is_open = True
-        elif is_open:
-            blocks[-1][1][-1] += " " + line.strip()
-        else:
-            blocks.append(("p", [line.strip()]))
-            is_open = True
+    # A line that begins neither an item nor a paragraph continues the line above.
+    lines = CONTINUED.sub(" ", LITERAL.sub(keep, text)).splitlines()
     html = ""
-    for element, parts in blocks:
-        marked = map(_marked_up, parts)
-        html += f"<{element}>{''.join(marked if element == 'p' else (f'<li>{one}</li>' for one in marked))}</{element}>"
+    for element, block in groupby(filter(str.strip, lines), _element):
+        parts = [_marked_up(ITEM.sub("", line).strip()) for line in block]
+        items = "".join(f"<li>{part}</li>" for part in parts)
+        html += f"<{element}>{items}</{element}>" if element != "p" else "".join(f"<p>{part}</p>" for part in parts)
     return re.sub(KEPT.format(r"(\d+)"), lambda found: kept[int(found[1])], html)
+
+
+def _element(line: str) -> str:
+    item = ITEM.match(line)
+    return "p" if item is None else "ul" if item[1] in "-*" else "ol"
 
 
 def _marked_up(text: str) -> str:

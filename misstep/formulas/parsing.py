@@ -56,9 +56,8 @@ def parse(text: str) -> ast.expr:
 
 def _plain(text: str) -> str:
     """Replace LaTeX and signs that are not on a keyboard by what a keyboard has."""
-    text = (
-        text.replace("\theta", "theta").strip().strip("$")
-    )  # Python reads \t as a tab in a text without r in front of it
+    # Python reads \t as a tab in a text without r in front of it.
+    text = text.replace("\theta", "theta").strip().strip("$")
     # The braces of an index such as s_{12} are dropped; all other braces are brackets.
     text = re.sub(r"_\{(\w+)\}", r"_\1", text)
     text = re.sub(r"√\s*(\w+)", r"sqrt(\1)", text).replace("√", "sqrt")

@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
-from misstep.answers.base import inputs_of
 from misstep.catalog import find_course
 from misstep.diagnosis.explanation import Finding
 from misstep.display.card import Link
@@ -137,7 +136,7 @@ def _judged(template: Template, id_: str, work: Work, k: int, site: str) -> Prob
     verdict = Verdict(template, judgement, address=page_address(template.lecture, site))
     card = verdict.card
     is_unnamed = judgement.state in ("wrong", "partly") and not judgement.mistakes
-    right = to_data(problem.answer.value, inputs_of(problem.answer)) if is_unnamed else None
+    right = to_data(problem.answer.value, problem.answer.inputs) if is_unnamed else None
     return ProblemResult(
         *(template.number, template.title, verdict.score, template.points, judgement.state),
         lines=[line.strip() for line in card.text().splitlines()[1:] if line.strip()],

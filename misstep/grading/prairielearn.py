@@ -20,7 +20,7 @@ from uuid import NAMESPACE_URL, uuid5
 
 import numpy as np
 
-from misstep.answers.base import Answer, Unreadable, inputs_of
+from misstep.answers.base import Answer, Unreadable
 from misstep.answers.choice import Choice, ReasonedChoice
 from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
@@ -215,7 +215,7 @@ def export(course: Course, out: Path) -> tuple[int, list[str]]:
         questions = []
         for index, template in enumerate(sheet.problems):
             answer = template.variant("sample").answer
-            if inputs_of(answer) or isinstance(answer, Prose):
+            if answer.inputs or isinstance(answer, Prose):
                 left_out.append(template.number)
                 continue
             id_ = f"{name}/{index + 1:02}"

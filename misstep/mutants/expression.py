@@ -124,9 +124,9 @@ class Expression:
         return self.operation.function(*(node.value for node in self.arguments)) if self.arguments else self.known
 
     @cached_property
-    def part_ids(self) -> frozenset[int]:
-        """The ids of all parts, its own included."""
-        return frozenset([id(self)]).union(*(node.part_ids for node in self.arguments))
+    def parts(self) -> frozenset["Expression"]:
+        """All its parts, itself included."""
+        return frozenset([self]).union(*(node.parts for node in self.arguments))
 
     @cached_property
     def latex(self) -> str:
@@ -208,9 +208,6 @@ class Expression:
     def __truediv__(self, other: Any) -> "Expression":
         return quotient(self, other)
 
-    def __rtruediv__(self, other: Any) -> "Expression":
-        return quotient(other, self)
-
     def __neg__(self) -> "Expression":
         return negative(self)
 
@@ -273,9 +270,6 @@ ALL_AT_ONCE = {"one_by_one": False}
 
 MAY_COINCIDE = {"may_coincide": True}
 """The field of a slip that may lead to the right answer for some numbers."""
-
-IN_THE_WHOLE = {"in_parts": False}
-"""The field of a slip that only a whole answer shows."""
 
 
 def _quoted(*nodes: Expression) -> str:

@@ -15,23 +15,20 @@ import numpy as np
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression, Slip
 
-Built = dict[tuple[Any, ...], tuple[tuple[Expression, ...], Expression]]
-"""Parts of mutants by their operation and the ids of their arguments, with these arguments, so that the ids stay theirs."""
-
 
 @dataclass(frozen=True, eq=False)
 class Mutation:
-    """A change, and the expressions that it puts in the place of others, by their id."""
+    """A change, and the expressions that it puts in the place of others."""
 
     slip: Slip
-    replaced: Mapping[int, Expression]
+    replaced: Mapping[Expression, Expression]
 
 
 @dataclass(frozen=True, eq=False)
 class MutableSolution:
     """A solution at one input, and its changes, which are looked for when they are needed.
 
-    built  the parts that were built for its mutants; each is built and computed once
+    built  the parts that were built for its mutants, by operation and arguments; each is built and computed once
 
     >>> from misstep.mutants.expression import given
     >>> A, B = given("A", np.eye(2)), given("B", np.ones((2, 2)))
@@ -40,19 +37,19 @@ class MutableSolution:
     """
 
     root: Expression
-    built: Built = field(default_factory=dict, repr=False)
+    built: dict[tuple[Any, ...], Expression] = field(default_factory=dict, repr=False)
 
     @cached_property
     def mutations(self) -> Sequence[Mutation]:
         """Its changes, in the same order at each input."""
-        single = [Mutation(slip, {id(node): slip.wrong}) for node in nodes(self.root) for slip in node.slips()]
+        single = [Mutation(slip, {node: slip.wrong}) for node in nodes(self.root) for slip in node.slips()]
         everywhere: dict[tuple[str, str], list[Mutation]] = {}
         for mutation in single:
             if text := mutation.slip.everywhere:
                 everywhere.setdefault((mutation.slip.name, text), []).append(mutation)
         for (name, text), several in everywhere.items():
             first = several[0].slip
-            replaced = {key: node for mutation in reversed(several) for key, node in mutation.replaced.items()}
+            replaced = {node: new for mutation in reversed(several) for node, new in mutation.replaced.items()}
             if len(replaced) > 1:
                 single = [mutation for mutation in single if mutation not in several or mutation.slip.one_by_one]
                 single.append(Mutation(Slip(name, text, advice=first.advice, in_parts=first.in_parts), replaced))
@@ -62,22 +59,22 @@ class MutableSolution:
         """Return the solution with the change of this index."""
         return self._changed(self.root, self.mutations[k].replaced)
 
-    def _changed(self, root: Expression, replaced: Mapping[int, Expression]) -> Expression:
+    def _changed(self, root: Expression, replaced: Mapping[Expression, Expression]) -> Expression:
         """Return a part with some of its parts replaced; all other parts are shared with the original one."""
-        if replaced.keys().isdisjoint(root.part_ids):
+        if replaced.keys().isdisjoint(root.parts):
             return root
         # A replacement is searched for further parts to replace, but not for the part that it replaces: that may stand within it.
         new = root
-        while id(new) in replaced:
-            done, new = id(new), replaced[id(new)]
-            replaced = {key: node for key, node in replaced.items() if key != done}
+        while new in replaced:
+            done, new = new, replaced[new]
+            replaced = {node: other for node, other in replaced.items() if node is not done}
         arguments = tuple([self._changed(node, replaced) for node in new.arguments])
         if all(map(is_, arguments, new.arguments)):
             return new
-        key = (new.operation, *map(id, arguments))
+        key = (new.operation, *arguments)
         if key not in self.built:
-            self.built[key] = arguments, new.operation(*arguments)
-        return self.built[key][1]
+            self.built[key] = new.operation(*arguments)
+        return self.built[key]
 
 
 def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = False) -> Mistake:
@@ -89,9 +86,7 @@ def mutant(slip: Slip, value: Any, advice: Mapping[str, str], *, spoils: bool = 
     further = advice.get(slip.did, advice.get(slip.name, slip.advice))
     is_sentence = slip.did.endswith(".")
     message = slip.did if is_sentence else f"This is what you get if you {slip.did}. {further}".rstrip()
-    part = message * slip.in_parts
-    did = "" if is_sentence else slip.did
-    return Mistake(slip.name, value, message, part, did, further, spoils=spoils)
+    return Mistake(slip.name, value, message, slip.in_parts, "" if is_sentence else slip.did, further, spoils)
 
 
 def value_of(expression: Expression) -> Any:
@@ -105,9 +100,9 @@ def value_of(expression: Expression) -> Any:
 
 def nodes(root: Expression) -> list[Expression]:
     """Return the different parts of an expression, each before its own parts."""
-    found, left = dict[int, Expression](), [root]
+    found, left = dict[Expression, None](), [root]
     while left:
-        if id(node := left.pop()) not in found:
-            found[id(node)] = node
+        if (node := left.pop()) not in found:
+            found[node] = None
             left += node.arguments[::-1]
-    return list(found.values())
+    return list(found)

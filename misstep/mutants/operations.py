@@ -1,7 +1,6 @@
 """Operations of a solution that are the same in every subject: functions of angles, vectors, arrays put together."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -15,17 +14,6 @@ def _unit_slips(node: Expression) -> Iterator[Slip]:
     yield Slip("not a unit vector", f"use ${x.latex}$ as it is, without dividing it by its length", x)
     if np.count_nonzero(x.value) > 1:  # otherwise its square may be its length
         yield Slip("not a unit vector", f"divide ${x.latex}$ by the square of its length", x / (x.value @ x.value))
-
-
-def _concatenation_slips(node: Expression) -> Iterator[Slip]:
-    if len(node.arguments) == 2:
-        first, second = node.arguments
-        yield Slip(
-            "halves swapped",
-            f"put ${second.latex}$ before ${first.latex}$",
-            concatenate(second, first),
-            everywhere="swap the halves",
-        )
 
 
 def _stack_slips(node: Expression) -> Iterator[Slip]:
@@ -92,17 +80,10 @@ inverse: Operation = Operation("inverse", np.linalg.inv, power("{-1}"), table(
     ("inverse left out", "use ${0}$, where its inverse belongs |leave out every inverse", lambda A: A),
     ("transpose for inverse", "transpose ${0}$ instead of inverting it |transpose instead of inverting", lambda A: transpose(A)),
 ), involution=True)
-concatenate: Operation = Operation(
-    "concatenate", lambda *parts: np.concatenate([np.atleast_1d(part) for part in parts]), _listed, _concatenation_slips
-)
+concatenate: Operation = Operation("concatenate", lambda *both: np.concatenate([*map(np.atleast_1d, both)]), _listed, table(
+    ("halves swapped", "put ${1}$ before ${0}$ |swap the halves", lambda first, second: concatenate(second, first)),
+))
+"""Two vectors or numbers as one vector."""
 stack: Operation = Operation("stack", lambda *rows: np.stack(rows), _listed, _stack_slips)
 """Rows put on top of each other, or numbers as a vector."""
 # fmt: on
-
-
-def function(name: str, of: Any, latex: str) -> Operation:
-    """Make an operation about which people make no mistake of their own from a function of arrays.
-
-    latex  the LaTeX, with {0}, {1} for the arguments
-    """
-    return Operation(name, of, latex.format)

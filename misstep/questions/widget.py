@@ -14,6 +14,17 @@ if TYPE_CHECKING:
     import ipywidgets as widgets
 
 
+ROW = "misstep-option-row"
+STYLE = (
+    f"<style>.{ROW} {{ position: relative; overflow: visible; border-radius: 4px }} "
+    f".{ROW}:has(button:enabled):hover {{ background: color-mix(in srgb, currentColor 8%, transparent) }} "
+    f".{ROW} button {{ position: static; overflow: visible }} "
+    f".{ROW} button::after {{ content: ''; position: absolute; inset: 0; z-index: 1; cursor: pointer }} "
+    f".{ROW} button:disabled::after {{ content: none }}</style>"
+)
+"""An option is pressed anywhere in its row: its button covers the row."""
+
+
 class Question(HasTraits):
     """A question of a lecture, which displays itself.
 
@@ -64,7 +75,38 @@ class Question(HasTraits):
 
     @cached_property
     def _widget(self) -> "widgets.Widget":
-        return _make_widget(self)
+        """Return the question with its options: for each option a button with its letter, and its text, which may contain formulas."""
+        import ipywidgets as widgets
+
+        item = self.item
+        reply = widgets.HTMLMath()
+        buttons, rows = [], []
+        for index, option in enumerate(item.options):
+            letter = LETTERS[index]
+            narrow = widgets.Layout(width="4em", flex="0 0 auto")
+            button = widgets.Button(description=letter, tooltip=f"Commit to {letter}: {option.text}", layout=narrow)
+            button.on_click(lambda _, index=index: self.commit(index))
+            buttons.append(button)
+            text = widgets.HTMLMath(inline(option.text), layout=widgets.Layout(flex="1 1 auto"))
+            row = widgets.HBox([button, text], layout=widgets.Layout(align_items="baseline"))
+            rows.append(row.add_class(ROW))
+
+        def show_choice(_: Any = None) -> None:
+            if not self.committed:
+                return
+            for button in buttons:
+                button.disabled = True
+            buttons[self.choice].description = f"{LETTERS[self.choice]} ●"
+            buttons[self.choice].button_style = "info"
+            if item.kind == "predict":
+                reply.value = Card("note", f"You said {LETTERS[self.choice]}. The answer is below.").html()
+            else:
+                reply.value = self.explanation().html()
+
+        self.observe(show_choice, "committed")
+        show_choice()
+        head = widgets.HTMLMath(f"{STYLE}<b>{KINDS[item.kind]}.</b> {inline(item.text)}")
+        return widgets.VBox([head, *rows, reply])
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         html = question_html(self.name, self.item)
@@ -79,7 +121,21 @@ class Explanation:
 
     @cached_property
     def _widget(self) -> "widgets.Widget":
-        return _make_explanation(self.question, self.output)
+        """Return the card, and until it is opened a button below it. JupyterLab follows the links of an output, not of a widget."""
+        import ipywidgets as widgets  # questions are not shown where sheets are graded, so it need not be installed there
+
+        question, card = self.question, widgets.Output()
+        anyway = widgets.Button(description="Show anyway", tooltip="Show the explanation without a prediction")
+        box = widgets.VBox()
+
+        def show(shown: Card, is_open: bool = True) -> None:
+            card.outputs = ({"output_type": "display_data", "data": {"text/html": shown.html()}, "metadata": {}},)
+            box.children = [card] if is_open else [card, anyway]
+
+        anyway.on_click(lambda _: show(question.explanation(anyway=True, output=self.output)))
+        question.observe(lambda _: show(self.card), "committed")
+        show(self.card, question.committed)
+        return box
 
     @property
     def card(self) -> Card:
@@ -93,67 +149,3 @@ class Explanation:
 
 def _bundle(widget: "widgets.Widget", html: str, text: str, options: Any) -> dict[str, Any]:
     return {**widget._repr_mimebundle_(**options), **({"text/html": html} if is_page() else {}), "text/plain": text}
-
-
-def _make_explanation(question: Question, output: str) -> "widgets.Widget":
-    """Return the card, and until it is opened a button below it. JupyterLab follows the links of an output, not of a widget."""
-    import ipywidgets as widgets  # questions are not shown where sheets are graded, so it need not be installed there
-
-    card = widgets.Output()
-    anyway = widgets.Button(description="Show anyway", tooltip="Show the explanation without a prediction")
-    box = widgets.VBox()
-
-    def show(shown: Card, is_open: bool = True) -> None:
-        card.outputs = ({"output_type": "display_data", "data": {"text/html": shown.html()}, "metadata": {}},)
-        box.children = [card] if is_open else [card, anyway]
-
-    anyway.on_click(lambda _: show(question.explanation(anyway=True, output=output)))
-    question.observe(lambda _: show(question.explanation(output=output)), "committed")
-    show(question.explanation(output=output), question.committed)
-    return box
-
-
-ROW = "misstep-option-row"
-STYLE = (
-    f"<style>.{ROW} {{ position: relative; overflow: visible; border-radius: 4px }} "
-    f".{ROW}:has(button:enabled):hover {{ background: color-mix(in srgb, currentColor 8%, transparent) }} "
-    f".{ROW} button {{ position: static; overflow: visible }} "
-    f".{ROW} button::after {{ content: ''; position: absolute; inset: 0; z-index: 1; cursor: pointer }} "
-    f".{ROW} button:disabled::after {{ content: none }}</style>"
-)
-"""An option is pressed anywhere in its row: its button covers the row."""
-
-
-def _make_widget(question: Question) -> "widgets.Widget":
-    """Return the question with its options: for each option a button with its letter, and its text, which may contain formulas."""
-    import ipywidgets as widgets
-
-    item = question.item
-    reply = widgets.HTMLMath()
-    buttons, rows = [], []
-    for index, option in enumerate(item.options):
-        letter = LETTERS[index]
-        narrow = widgets.Layout(width="4em", flex="0 0 auto")
-        button = widgets.Button(description=letter, tooltip=f"Commit to {letter}: {option.text}", layout=narrow)
-        button.on_click(lambda _, index=index: question.commit(index))
-        buttons.append(button)
-        text = widgets.HTMLMath(inline(option.text), layout=widgets.Layout(flex="1 1 auto"))
-        row = widgets.HBox([button, text], layout=widgets.Layout(align_items="baseline"))
-        rows.append(row.add_class(ROW))
-
-    def show_choice(_: Any = None) -> None:
-        if not question.committed:
-            return
-        for button in buttons:
-            button.disabled = True
-        buttons[question.choice].description = f"{LETTERS[question.choice]} ●"
-        buttons[question.choice].button_style = "info"
-        if item.kind == "predict":
-            reply.value = Card("note", f"You said {LETTERS[question.choice]}. The answer is below.").html()
-        else:
-            reply.value = question.explanation().html()
-
-    question.observe(show_choice, "committed")
-    show_choice()
-    head = widgets.HTMLMath(f"{STYLE}<b>{KINDS[item.kind]}.</b> {inline(item.text)}")
-    return widgets.VBox([head, *rows, reply])

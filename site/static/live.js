@@ -41,7 +41,8 @@
   const WIDGET = 'application/vnd.jupyter.widget-view+json';
   const PREVIEW = 'You have changed the code: the result below is that of the original. Run the cell.';
   const STOPPED = 'Stopped. All variables are lost: the next run starts Python again, and first runs the cells above.';
-  const NOT_RUN = 'Not run, because a cell above ended with an error. Mend that cell; or press Run here again to leave it out.';
+  const NOT_RUN =
+    'Not run, because a cell above ended with an error. Mend that cell; or press Run here again to leave it out.';
   const STALE = 'This card belongs to an answer that you have changed since. Press Check.';
   const NEEDS_LAB = 'This output has a widget that this page cannot show: ';
 
@@ -401,7 +402,11 @@
       const use = () => {
         edited = false;
         const typed = field.value.trim();
-        if (typed) this.edit(this.source().replace(SAMPLE_ID, (_, before) => before + JSON.stringify(typed)), false);
+        if (typed)
+          this.edit(
+            this.source().replace(SAMPLE_ID, (_, before) => before + JSON.stringify(typed)),
+            false,
+          );
         if (!typed || !ownId()) said.textContent = 'Type your own id first.';
         else if (!hasAgreed()) ask(this, use);
         else showMyNumbers();

@@ -9,19 +9,19 @@
     );
   const [compare, picture] = ['found = examine(', 'found.picture()'].map(cellWith);
   const practise = [cellWith('sheet = practise('), cellWith('sheet.check(')];
-  const known = cellWith('known_arms()')?.querySelectorAll('tbody tr') ?? [];
+  const known = cellWith('KnownArms()')?.querySelectorAll('tbody tr') ?? [];
   if (!h || !compare || !document.querySelector('[data-kinlib-lab]')) return;
 
   const MAX_BYTES = 20_000_000; // as in kincourse/your_robot.py
-  const MAX_CHARACTERS = 100_000; // of a table, as in kinlib/dh/table_text.py
   const MAX_LINKS = 2000;
   const MAX_FILES = 5000; // of a folder or an archive that is dropped
   const MAX_MESHES = 80_000_000; // bytes together, as in kinlib/view/viewer/meshes.py
+  const KEY = `kinlib-your-robot:${location.pathname}`; // in localStorage: what the form says
+  const HOW = ['convention', 'length_unit', 'angle_unit', 'order'];
   const PLACE = 'robot/urdf/robot.urdf'; // where Python finds a dropped file, with its meshes around it
   const EXAMPLE = compare.querySelector('.cell_input pre').textContent.match(/"""\n?([\s\S]*?)"""/)?.[1] ?? '';
   let urdf = '';
   let meshes = []; // [{ path, file }] of a folder or an archive
-
   const inWords = (joints) => `${joints} joint${joints === 1 ? '' : 's'}`;
   const option = (value, text = value) => h('option', { value }, text);
   const form = h('form', { class: 'your-robot', onsubmit: (event) => event.preventDefault() });
@@ -36,7 +36,6 @@
         <span></span></p></fieldset>
     <fieldset><legend>2. Your table</legend>
       <textarea name="table" rows="9" spellcheck="false" aria-label="A DH table" placeholder="Paste a table: from a PDF, a web page, a spreadsheet, LaTeX, or code such as RevoluteDH(a=0.4, d=0.1)"></textarea>
-      <p role="status" class="kinlib-live-note"></p>
       <p><label>Convention <select name="convention"><option value="">as the text says</option>
           <option value="standard">standard</option><option value="modified">modified (Craig)</option></select></label>
         <label>Lengths in <select name="length_unit"><option value="">as the text says</option>
@@ -48,9 +47,9 @@
     <p><button type="button" name="check" class="kinlib-button">Check</button>
       Python runs in this page; nothing that you give leaves your browser.</p>
     <p role="status" class="kinlib-live-note"></p>`;
-  const { arm, file, which, urdf: urdfText, base, tip, table, convention, example, check } = form.elements;
+  const { arm, file, which, urdf: urdfText, base, tip, table, example, check } = form.elements;
   arm.append(...[...known].map((row) => option(row.cells[0].textContent.trim())));
-  const [aboutFile, aboutTable, said] = form.querySelectorAll('[role="status"]'); // each beside its field
+  const [aboutFile, said] = form.querySelectorAll('[role="status"]'); // each beside its field
   const links = base.closest('p');
   const button = (label, onclick) => h('button', { type: 'button', class: 'kinlib-button', onclick }, label);
 
@@ -113,6 +112,11 @@
     base.onchange = say;
     tip.onchange = say;
     say();
+  }
+
+  function showUrdf(text) {
+    urdfText.value = text.length > 4000 ? `${text.slice(0, 4000)}\n...` : text;
+    setUrdf(text);
   }
 
   /** The files below dropped files and folders, each with its path and a function that reads it. */
@@ -213,10 +217,9 @@
     which.replaceChildren(...possible.map(({ path }) => option(path)));
     which.value = one.path;
     which.onchange = () => reading(() => take(files, possible[which.selectedIndex]));
-    const text = await (await one.read()).text();
-    urdfText.value = text.length > 4000 ? `${text.slice(0, 4000)}\n...` : text;
-    setUrdf(text);
-    meshes = await readMeshes(text, files);
+    showUrdf(await (await one.read()).text());
+    meshes = await readMeshes(urdf, files);
+    keep();
   }
 
   /** Do something with files, and say why it fails. */
@@ -234,17 +237,12 @@
     );
   file.addEventListener('change', () => file.files[0] && reading(() => takeFile(file.files[0])));
   urdfText.addEventListener('input', () => setUrdf(urdfText.value));
-  /** Refuse a text that is too long before the browser puts it into its field. */
-  const limit = (field, most, about) =>
-    field.addEventListener('paste', (event) => {
-      const { length } = event.clipboardData.getData('text');
-      about.textContent = '';
-      if (length <= most) return;
-      event.preventDefault();
-      about.textContent = `Not pasted: it has ${length.toLocaleString('en')} characters, and the limit is ${most.toLocaleString('en')}.`;
-    });
-  limit(urdfText, MAX_BYTES, aboutFile);
-  limit(table, MAX_CHARACTERS, aboutTable);
+  urdfText.addEventListener('paste', (event) => {
+    const { length } = event.clipboardData.getData('text');
+    if (length <= MAX_BYTES) return;
+    event.preventDefault(); // before the browser puts it into the field
+    aboutFile.textContent = `Not pasted: it has ${length.toLocaleString('en')} characters, and the limit is 20 million.`;
+  });
   arm.addEventListener('change', () => {
     if (arm.value) links.hidden = true;
   });
@@ -254,16 +252,11 @@
 
   check.onclick = () => {
     const given = arm.value || urdf;
-    if (!given.trim() && !table.value.trim()) {
-      said.textContent = 'Choose an arm or a URDF file, or paste a table.';
-      return;
-    }
-    if (table.value.length > MAX_CHARACTERS || given.length > MAX_BYTES) {
-      said.textContent = 'This text is too long: a table may have 100,000 characters, and a URDF file 20 million.';
-      return;
-    }
-    said.textContent = '';
-    const names = ['convention', 'length_unit', 'angle_unit', 'order'];
+    const isEmpty = !given.trim() && !table.value.trim();
+    said.textContent = isEmpty ? 'Choose an arm or a URDF file, or paste a table.' : '';
+    if (isEmpty) for (const section of answer) section.hidden = true; // it answers something else
+    if (isEmpty) return;
+    const names = [...HOW];
     if (!arm.value && !links.hidden) names.push('base', 'tip');
     const how = names.map((name) => [name, form.elements[name].value.trim()]).filter(([, value]) => value);
     const options = how.map(([name, value]) => `, ${name}=${literal(value)}`);
@@ -274,17 +267,25 @@
       `found = examine(arm, table${options.join('')})`,
       'found',
     ].join('\n');
-    const text = { path: PLACE, bytes: new TextEncoder().encode(urdf) };
-    run([compare, picture], source, meshes.length ? [text, ...meshes] : [], () => {
-      const read = compare.querySelector('.your-robot-answer:not(.your-robot-unread)');
-      before = answer[0].hidden ? undefined : (read?.closest('.output') ?? before);
+    const files = meshes.length ? [{ path: PLACE, bytes: new TextEncoder().encode(urdf) }, ...meshes] : [];
+    run([compare, picture], source, files, () => {
       for (const cell of [compare, picture]) cell.querySelector('.cell_output')?.replaceChildren(); // of another robot
       for (const section of answer) section.hidden = false;
       answer[0].scrollIntoView({ behavior: 'smooth', block: 'start' });
     });
   };
 
-  let before; // the answer to the check before
+  const KEPT = ['arm', 'table', ...HOW, 'base', 'tip'];
+
+  /** Keep what the form says in this browser, as sheets keep their answers. */
+  function keep() {
+    const values = KEPT.map((name) => [name, form.elements[name].value]);
+    try {
+      localStorage.setItem(KEY, JSON.stringify({ ...Object.fromEntries(values), urdf, hadMeshes: meshes.length > 0 }));
+    } catch {
+      document.dispatchEvent(new Event('kinlib-not-stored')); // course.js says so
+    }
+  }
 
   /** Run cells; the question whether Python may be loaded stands below the button, and `start` is called after it. */
   const run = (some, source, files = [], start = undefined) => {
@@ -299,13 +300,15 @@
     section.classList.add('your-robot-result');
     section.hidden = true;
   }
-  for (const about of answer[0].querySelectorAll(':scope > p')) about.remove();
+  for (const about of answer[0].querySelectorAll(':scope > p:has(~ .cell)')) about.remove();
   example.onclick = () => {
     arm.value = 'UR5e';
     table.value = EXAMPLE.trim();
-    convention.value = 'standard';
+    for (const name of HOW) form.elements[name].value = '';
     links.hidden = true;
+    keep();
   };
+  form.addEventListener('input', keep);
   form.addEventListener('dragover', (event) => event.preventDefault());
   form.addEventListener('drop', (event) => {
     event.preventDefault();
@@ -315,17 +318,24 @@
     if (first) reading(isOne ? () => takeFile(first) : async () => take(await filesBelow(entries)));
   });
   const title = document.querySelector('article h1');
-  (title.parentElement.querySelector('ul') ?? title).after(form);
+  (title.parentElement.querySelector(':scope > p') ?? title).after(form);
+  try {
+    const kept = JSON.parse(localStorage.getItem(KEY)) ?? {};
+    if (kept.urdf) showUrdf(kept.urdf);
+    for (const name of KEPT) if (kept[name]) form.elements[name].value = kept[name];
+    links.hidden ||= Boolean(arm.value);
+    base.onchange?.();
+    if (kept.hadMeshes) aboutFile.textContent = 'Meshes are not kept: to see them, drop the folder or archive again.';
+  } catch {
+    /* no storage, or nothing in it that can be read */
+  }
   const start = button('Start with the robot of the form', () => run(practise));
   practise[0].before(h('p', {}, start));
 
-  // Each corrected table gets a button that copies it; below a refusal stays what was answered before.
+  // Each corrected table gets a button that copies it.
   const addCopies = () => {
-    const refusal = compare.querySelector('.your-robot-unread');
-    if (refusal && before) {
-      refusal.after(h('details', { open: true }, h('summary', {}, 'The answer to your check before'), before));
-      before = undefined;
-    }
+    const note = compare.querySelector('.kinlib-live-note');
+    if (compare.querySelector('.your-robot-unread') && note.textContent === 'Done.') note.textContent = 'Not compared.';
     for (const pre of compare.querySelectorAll('.cell_output details > pre:not([data-copy])')) {
       pre.dataset.copy = '';
       const copy = button('Copy', async () => {

@@ -199,6 +199,7 @@ def test_your_robot_is_examined_and_cells_are_run_changed_and_stopped(chromium_w
         page.get_by_role("button", name="Reset cell 4").click()
         page.reload()
         assert [area.input_value() for area in typed.all()] == ["answer = 1"]
+        the_form_is_kept_and_an_empty_check_hides_the_answer(page)
 
 
 def a_wrong_sign_is_explained_and_corrected(page, folder):
@@ -234,12 +235,29 @@ def a_zip_with_meshes_is_opened(page, folder):
     page.get_by_label("A DH table").fill("no table")
     page.get_by_role("button", name="Check", exact=True).click()
     expect(answer).to_contain_text("No table was found", timeout=PYTHON_TIMEOUT_MS)
-    expect(answer.locator("details", has_text="your check before")).to_contain_text("up to 0.85 m")
+    expect(answer.locator(".kinlib-live-note")).to_have_text("Not compared.")
+    expect(answer).not_to_contain_text("0.85 m")
     page.get_by_label("A DH table").fill("")
     page.get_by_role("button", name="Check", exact=True).click()
     expect(answer).to_contain_text("crane: 1 joint", timeout=PYTHON_TIMEOUT_MS)
     expect(drawing.locator("[data-kinlib-viewer]")).to_have_count(1, timeout=PYTHON_TIMEOUT_MS)
     expect(drawing).not_to_contain_text("not shown")
+
+
+def the_form_is_kept_and_an_empty_check_hides_the_answer(page):
+    arm, table = page.locator("[name=arm]"), page.get_by_label("A DH table")
+    page.get_by_label("Convention").select_option("modified")
+    page.get_by_role("button", name="Example").click()
+    page.reload()
+    expect(arm).to_have_value("UR5e")
+    expect(table).to_have_value(re.compile("Joint 6"))
+    expect(page.get_by_label("Convention")).to_have_value("")  # the text of the example says no more than another one
+    arm.select_option("")
+    page.get_by_label("The text of a URDF file").fill("")
+    table.fill("")
+    page.locator(".your-robot-result").first.evaluate("(section) => { section.hidden = false; }")
+    page.get_by_role("button", name="Check", exact=True).click()
+    expect(page.locator(".your-robot-result").first).to_be_hidden()
 
 
 def runs_the_cells_above_first(page):

@@ -19,7 +19,7 @@ def test_checking_a_table_counts_it_once_and_another_arm_follows():
     first, right = game._statement_box.value, game.problem.answer.value
     other = assign_frames(right.to_chain(), convention="modified").table
     judgement = game.check(DHTable(other.rows, convention="standard", joints=other.joints))
-    assert judgement.mistakes == ["other convention"]
+    assert judgement.mistakes == ["the other convention"]
     assert "in the other convention" in game._feedback_box.value
     assert [game.check(right).state for _ in range(2)] == ["right"] * 2
     assert (game.right, game.asked) == (1, 1)

@@ -1,5 +1,6 @@
 """Your robot: published tables as they were copied against files that packages ship, judged by forward kinematics of our own."""
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,7 @@ from outside.motions import at, chain
 
 import kinlib as kl
 from kincourse.your_robot import KNOWN, examine, formats, practise
+from kinlib.dh.read_table import read_table
 
 
 def poses(table, q):
@@ -44,7 +46,7 @@ MILLIMETRES = (
     "theta,d,a,alpha\n0,89.159,0,1.5708\n0,0,-425,0\n0,0,-392.25,0\n0,109.15,0,1.5708\n0,94.65,0,-1.5708\n0,82.3,0,0"
 )
 PAIRS = {
-    "UR5e": ("airo_models", "ur5e.urdf", "tool0", UR5E, "joint 1: add 180° to theta"),
+    "UR5e": ("airo_models", "ur5e.urdf", "tool0", UR5E, "The base T_s0 is missing: it should be rotated by 180° about z."),
     "KR16": ("rtbdata", "kr16_2.urdf", "", KR16, "joint 2: write -q in theta"),
     "iiwa 7 for 14": ("rtbdata", "lbr_iiwa_14_r820.urdf", "", IIWA.replace("0.36", "0.34").replace("0.42", "0.40"),
                       "Row 3: d should be 0.42; the table has 0.4."),
@@ -62,7 +64,7 @@ def test_what_is_said_of_a_published_table_is_true(pair):
     found = examine(shipped(package, file) if package else file, text, tip=tip, convention="standard")
     q = np.random.default_rng(0).uniform(-3, 3, (50, found.arm.n))
     right, off = found.arm.fk(q), np.abs(poses(found.table, q) - found.arm.fk(q)).max()
-    assert words in " ".join(found.readings)
+    assert words in " ".join(fault.text for each in found.explanations for fault in each.faults)
     if found.strict.verdict == "rounded":
         assert off < 1e-3
         assert "to the digits that are printed" in found.sentence
@@ -70,8 +72,9 @@ def test_what_is_said_of_a_published_table_is_true(pair):
     assert found.sentence.startswith("For the same q the tool differs by up to")
     assert off > 1e-3
     np.testing.assert_allclose(poses(found.corrected, q), right, atol=1e-3)
-    assert found.wrong_rows or found.corrected.convention != found.table.convention
-    assert found.copies()["text"] == str(found.corrected)
+    assert found.wrong_rows or found.corrected.convention != found.table.convention or "table itself" in found.sentence
+    for each in found.explanations:
+        np.testing.assert_allclose(poses(each.corrected, q), right, atol=1e-3)
 
 
 def test_one_of_the_two_is_enough_and_what_cannot_be_compared_is_said():
@@ -96,30 +99,86 @@ def test_the_fingers_of_a_gripper_are_left_out_and_the_chain_is_named():
     assert kl.load_urdf(panda).n == 7
 
 
-def test_a_slip_and_another_base_are_one_reading_and_other_zeros_the_other():
-    rows = KNOWN["UR5"][0].rows * np.where(np.arange(24).reshape(6, 4) == 13, -1, 1)
-    rotated = KNOWN["UR5"][0].changed(base=np.diag([-1.0, -1, 1, 1]))
-    found = examine(kl.to_urdf(rotated.to_chain()), kl.DHTable(rows, convention="standard"))
-    assert found.readings[0] == "If only the base and the tool may differ: Row 4: alpha has the wrong sign."
-    html = found._repr_html_()
-    assert (
-        html.index("<strong>Either: ")
-        < html.index("<strong>Or: ")
-        < html.index("The corrected table has the first reading")
-    )
-    q = np.random.default_rng(0).uniform(-3, 3, (50, 6))
-    np.testing.assert_allclose(found.corrected.fk(q), found.arm.fk(q), atol=1e-9)
-    assert "e-1" not in found.copies()["Python"]
+TURNED = KNOWN["UR5"][0].changed(
+    base=np.diag([-1.0, -1, 1, 1]), tool=np.array([[0.0, -1, 0, 0], [0, 0, -1, 0], [1, 0, 0, 0], [0, 0, 0, 1]])
+)
+BASE_AND_TOOL = ["The base T_s0 is missing: it should be rotated by 180° about z.",
+                 "The tool transform is missing: it should be rotated by 120° about (0.5774, -0.5774, 0.5774)."]  # fmt: skip
 
 
-def test_one_story_is_told_once_and_rounding_leaves_no_noise_in_the_corrected_table():
+def negated(row, column):
+    """The rows of the UR5 with a wrong sign, the rows counted from 1."""
+    return KNOWN["UR5"][0].rows * np.where(np.arange(24).reshape(6, 4) == 4 * (row - 1) + column, -1, 1)
+
+
+def told(found):
+    """The texts of each explanation."""
+    return [[fault.text for fault in each.faults] for each in found.explanations]
+
+
+def test_a_slip_another_base_and_another_tool_are_one_explanation_and_other_zeros_the_other():
+    found = examine(kl.to_urdf(TURNED.to_chain()), kl.DHTable(negated(4, 1), convention="standard"))
+    assert told(found)[0] == ["Row 4: alpha has the wrong sign.", *BASE_AND_TOOL]
+    assert "explanations fit, and the first is a mistake in row 4, with the base and tool" in found.sentence
+    tables = [each.corrected for each in found.explanations]
+    assert len({str(table) for table in tables}) == len(tables) > 1
+    html, q = found._repr_html_(), np.random.default_rng(0).uniform(-3, 3, (50, 6))
+    assert html.index("Explanation 1.") < html.index("Explanation 2.") < html.index("<p>base = [[-1, 0, 0, 0]")
+    for table in tables:
+        np.testing.assert_allclose(table.fk(q), found.arm.fk(q), atol=1e-7)
+    assert "e-" not in "".join(found.copies().values())
+
+
+def test_a_shift_of_the_tool_that_an_explanation_needs_is_said():
+    arm = kl.to_urdf(TURNED.to_chain())
+    texts = told(examine(arm, kl.DHTable(negated(5, 1), convention="standard")))
+    opposite = next(each for each in texts if "Row 6: the joint counts in the opposite direction" in each[0])
+    assert opposite[-1].endswith("translated by (0, 0, -0.1646) m.")
+
+
+def test_a_right_table_is_called_right_in_the_sentence_that_says_how_far_the_tool_is_off():
+    arm, table = kl.to_urdf(TURNED.to_chain()), KNOWN["UR5"][0]
+    for given, end in (
+        (table, "and only because of base and tool: the table itself is right."),
+        (table.changed(rows=table.rows + np.eye(6, 4) * [0, 0, 0, np.pi / 2]), "apart from them the table is right."),
+    ):
+        found = examine(arm, given)
+        assert found.sentence.startswith("For the same q the tool differs by up to 1.")
+        assert found.sentence.endswith(end)
+    assert told(examine(arm, table)) == [BASE_AND_TOOL]
+    assert "The table with the base and the tool of the arm as CSV" in examine(arm, table)._repr_html_()
+
+
+def test_typed_right_angles_are_right_angles_and_rounding_leaves_no_noise_in_the_corrected_table():
     turned = KNOWN["UR5"][0].changed(base=np.diag([-1.0, -1, 1, 1]))
     found = examine(turned, page(0.08916, -0.425, -0.3922, 0.1091, 0.09465, 0.0823))  # four digits, as a toolbox prints
-    assert found.readings == [
-        "The table describes the same arm with other choices:\njoint 1: add 180° to theta (or rotate the base by as much about axis 1)."
-    ]
-    assert found.corrected.rows[:, 3].tolist() == [np.pi, 0, 0, 0, 0, 0]
-    assert [found.wrong_rows, examine(turned, UR5E).wrong_rows] == [[0], [3, 4]]
+    assert told(found)[0] == BASE_AND_TOOL[:1]
+    assert found.corrected.rows[:, 3].tolist() == [0, 0, 0, 0, 0, 0]
+    assert [found.wrong_rows, examine(turned, UR5E).wrong_rows] == [[], [3, 4]]
+    for typed in ("1.5708", "1.571"):
+        found = examine(
+            kl.to_urdf(TURNED.to_chain()),
+            page(0.089159, 0.425, -0.39225, 0.10915, 0.09465, 0.0823).replace("π/2", typed),
+        )
+        assert np.abs(found.corrected.rows[:, 1]).tolist() == [np.pi / 2, 0, 0, np.pi / 2, np.pi / 2, 0]
+        assert found.wrong_rows == [1]
+        assert "e-" not in "".join(found.copies().values())
+
+
+def test_the_numbers_that_are_shown_of_a_urdf_give_the_accuracy_that_is_claimed():
+    found = examine(kl.to_urdf(TURNED.to_chain()))
+    shown = found._repr_html_().replace("<sub>i-1</sub>", "_{i-1}").replace("<sub>i</sub>", "_i")
+    modified = kl.assign_frames(found.arm, convention="modified", snap=True).table
+    assert "0.089159]" in shown.split("modified convention")[1].split("All digits")[0].split("Screw")[0]
+    off, angle = map(float, re.findall(r"at most (\S+) m and (\S+)°", shown)[1])
+    q = np.random.default_rng(0).uniform(-3, 3, (50, 6))
+    assert np.abs(modified.fk(q) - found.arm.fk(q)).max() <= 2 * max(off, np.radians(angle)) + 1e-12
+
+
+def test_whose_rows_are_copied_is_said_and_the_source_is_no_assumption():
+    html = examine("UR5", UR5E.rsplit("\n", 1)[0], convention="standard")._repr_html_()
+    assert "The table of the arm, not yours, as text" in html
+    assert "<p>The arm:</p><ul><li>Source: Universal Robots" in html
 
 
 def test_what_is_given_is_escaped_and_what_cannot_be_read_is_said():
@@ -133,16 +192,27 @@ def test_what_is_given_is_escaped_and_what_cannot_be_read_is_said():
     assert not any("<script>" in text for text in statements)
 
 
-def test_a_copied_table_is_the_table_in_the_robotics_toolbox_and_in_python():
+def test_every_copy_of_a_table_has_its_base_tool_convention_and_units():
+    """Those that are code run; CSV and text are read back; LaTeX says it in comments."""
     rtb = pytest.importorskip("roboticstoolbox")
-    for name, (table, _) in KNOWN.items():
-        texts = formats(table)
-        again = eval(texts["Python"], {"kl": kl})
-        q = np.random.default_rng(1).uniform(-1, 1, table.n)
-        np.testing.assert_allclose(again.fk(q), table.fk(q), atol=1e-9, err_msg=name)
-        if "F" not in table.joints and np.array_equal(table.tool, np.eye(4)) and np.array_equal(table.base, np.eye(4)):
-            theirs = eval(texts["Robotics Toolbox"], vars(rtb))
-            np.testing.assert_allclose(theirs.fkine(q).A, table.fk(q), atol=1e-9, err_msg=name)
+    turned, shift = np.diag([-1.0, -1, 1, 1]), kl.exp([0, 0, 0, 0.1, 0, 0.2])
+    for name, (plain, _) in KNOWN.items():
+        q = np.random.default_rng(1).uniform(-1, 1, plain.n)
+        for table in (plain, plain.changed(base=turned @ shift, tool=shift @ turned, signs=-plain.signs)):
+            texts, code, robot = formats(table), {}, {}
+            exec(texts["Python"], code)
+            exec(texts["Robotics Toolbox"], robot)
+            assert isinstance(robot["robot"], rtb.DHRobot)
+            again = [
+                read_table(texts[kind], joints=table.joints if kind == "text" else "").table for kind in ("text", "CSV")
+            ]
+            for each in (robot["robot"].fkine(q).A, *(one.fk(q) for one in (code["table"], *again))):
+                np.testing.assert_allclose(each, table.fk(q), atol=1e-9, err_msg=name)
+            ends = [name for name in ("base", "tool") if not np.allclose(getattr(table, name), np.eye(4))]
+            for kind, text in texts.items():
+                assert re.search(r"lengths in m, angles in (degrees|radians)", text), kind
+                assert f"{table.convention} convention" in text or f"convention='{table.convention}'" in text, kind
+                assert all(f"{name} = [[" in text or f"{name}=" in text for name in ends) or "new frames" in text, kind
 
 
 def test_the_frames_of_the_arm_are_beside_those_of_a_wrong_row_and_named_with_a_prime():

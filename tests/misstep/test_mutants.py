@@ -98,7 +98,7 @@ def test_a_draw_in_which_a_mistake_gives_the_right_answer_is_drawn_again_or_refu
 def test_a_solution_that_does_not_lead_to_the_answer_is_refused():
     asked = Problem("", Numbers(np.array(5.0)), solution=given("a", 2.0) + 2)
     with pytest.raises(ValueError, match=r"must lead to the answer; it gives 4\.0, and the answer is 5\.0"):
-        _ = asked.mutants
+        _ = asked.known_mistakes
 
 
 def test_a_change_that_would_have_changed_a_right_part_is_not_told():

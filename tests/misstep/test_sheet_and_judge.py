@@ -24,10 +24,11 @@ class Rows(Numbers):
     def parts(self):
         return [f"row {i + 1}" for i in range(len(self.value))]
 
+    def order(self, given):
+        return None
+
     def resemblance(self, given, part):
-        first, second = (
-            np.isclose(given[part], self.value[part]).reshape(2, 3).all(axis=1) if part is not None else (0, 0)
-        )
+        first, second = np.isclose(given[part], self.value[part]).reshape(2, 3).all(axis=1)
         return ("", "Its first half is right.") if first else ("", "Its second half is right.") if second else None
 
     def part_indices(self):
@@ -50,14 +51,14 @@ def opened(drawn, **options):
 NEGATED = Mistake(
     "negated",
     np.array([[0, 0, -1, 0, 2, 0], [0, -1, 0, -3, 0, 0.0]]),
-    "You reversed the axes.",
-    part="This row has the opposite sign.",
+    "This row has the opposite sign.",
+    in_parts=True,
 )
 SHIFTED = Mistake(
     "shifted",
     np.array([[0, 0, 1, 0, -1, 0], [0, 1, 0, 4, 0, 0.0]]),
-    "You moved the points.",
-    part="This point is moved.",
+    "This point is moved.",
+    in_parts=True,
 )
 
 
@@ -80,7 +81,7 @@ def test_right_blank_and_unreadable_answers_are_judged_in_all_parts():
 
 def test_a_mistake_in_all_parts_is_one_finding_and_each_unexplained_part_is_one():
     p = two_rows([SHIFTED, NEGATED])
-    whole = Finding(["row 1", "row 2"], "You reversed the axes.", [p.mistakes[1]], is_method=True)
+    whole = Finding(["row 1", "row 2"], "This row has the opposite sign.", [p.mistakes[1]], is_method=True)
     assert judge(p, NEGATED.value) == Judgement("wrong", 0.0, [], [whole])
     assert whole.mistake == "negated"
     unforeseen = judge(p, [[0, 1, 0, 0, -2, 0], [1, 0, 0, 3, 0, 0]])
@@ -121,7 +122,7 @@ def test_a_mistake_of_another_shape_is_refused_when_the_problem_is_made():
 
 
 def test_a_card_names_score_mistake_and_section_and_its_findings_are_in_the_order_of_the_parts():
-    p = two_rows([NEGATED, Mistake("swapped", NEGATED.value[::-1], "A whole.", "This row is swapped.")])
+    p = two_rows([NEGATED, Mistake("swapped", NEGATED.value[::-1], "This row is swapped.", in_parts=True)])
     sheet = opened(p, points=4)
     text = sheet.check(1, [p.answer.value[0], NEGATED.value[1]])._repr_mimebundle_()["text/plain"]
     said = (

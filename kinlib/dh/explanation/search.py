@@ -116,7 +116,7 @@ def choices_as_faults(table: DHTable, found: Equivalence) -> list[Fault]:
         if found.signs[joint] < 0:
             sign = "-" if table.signs[row] > 0 else "+"
             text = f"{place}: write {sign}q in {name}, because q counts in the opposite direction."
-            faults.append(Fault("sign of q", text, row + 1, name))
+            faults.append(Fault("sign of a joint value", text, row + 1, name))
     for end, name, own, T in (
         ("base", "The base T_s0", table.base, found.base @ table.base),
         ("tool", "The tool transform", table.tool, table.tool @ found.tool),

@@ -69,14 +69,17 @@ def scene(
         axes = carried_axes(branch.chain, poses)
         seen += [stations(branch.chain), branch.stations(start), poses[:, :3, 3] + 0.36 * size * axes]
         seen.append(tool[:3, 3] + 0.2 * size * tool[:3, :3].T)
+    given = frames_on_links(robot, start, frames) if frames and isinstance(robot, Chain) else {}
+    for T in map(np.asarray, frames.values() if given and frames else ()):
+        seen += [T[:3, 3] + 0.3 * size * np.vstack([T[:3, :3].T, np.zeros(3)])] * _near(T[:3, 3], size)
     points = np.concatenate(seen)
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
     radius = half_height(points - centre) + 0.1 * size  # a margin for labels
     solids, arms = iter(solid_data(body.links)), []
     for branch, rule in zip(found, by_rule, strict=True):
         arms.append(arm_data(branch) | {"body": [next(solids) for _ in rule], "rule": rule})
-    if frames and isinstance(robot, Chain):
-        arms[0]["frames"] = frames_on_links(robot, start, frames)
+    if given:
+        arms[0]["frames"] = given
     elif isinstance(robot, Tree):
         arms[0]["frames"]["base"] = [frame_data("s", 0, np.eye(4))]
     return {

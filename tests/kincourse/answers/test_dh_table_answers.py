@@ -142,6 +142,7 @@ def test_an_answer_that_is_no_table_of_this_arm_is_unreadable():
     )
     for given, words in [
         ("a|alpha|d|theta\n0|0|0|q1", r"; your table has 1 joints \(R\)\.$"),
+        (RIGHT.converted("modified"), r"; your table is in the modified convention\.$"),
         ("nonsense", r"\. No table was found: .* one row in a line"),
         ([[0.1, 0.2, 0.3, 0.4]] * 13, r"; got list \[.*\], which is too long\.$"),
         (RIGHT_TEXT.ljust(MAX_TEXT_LENGTH + 1), "too long"),

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from kincourse import find_sheet
 from kincourse.answers.dh_row import DHRowsAnswer
 from kincourse.answers.frames import DHFramesAnswer
 from kincourse.answers.point import VectorsAnswer
@@ -45,7 +46,7 @@ def test_an_unreadable_value_is_refused_with_a_remedy():
     homogeneous = "homogeneous coordinates: leave off the last entry"
     for answer, given, words in [
         (three, np.eye(6, 3), "Rows and columns are swapped: try .T"),
-        (one, [0, 0, 1], "is the other half missing"),
+        (one, [0, 0, 1], r"of shape \(6,\); got a list of shape \(3,\)\.$"),
         (three, np.zeros(18), "arrangement is not"),
         (one, 0, r"Expected a screw axis \(omega, v\), an array of shape \(6,\); got int 0\."),
         (three, np.zeros((2, 6)), r"an ndarray of shape \(2, 6\)\.$"),
@@ -120,3 +121,13 @@ def test_each_slip_of_a_kind_is_named(kind):
         assert judgement.fraction < 1
         named = {one.name for finding in judgement.findings for one in finding.mistakes}
         assert {slip.name, "placeholder"} & named, slip.name
+
+
+def test_what_is_done_in_every_row_is_not_told_of_a_row_alone():
+    problem = find_sheet("03_poe_space").problems[0].variant("a")
+    slide = problem.given["letters"].index("P")
+    typed = problem.answer.value * [1, 1, 1, -1, -1, -1]
+    typed[slide] = np.roll(problem.answer.value[slide], 3)
+    messages = [finding.message for finding in judge(problem, typed).findings]
+    assert len(messages) == 2
+    assert not [message for message in messages if "every row" in message]

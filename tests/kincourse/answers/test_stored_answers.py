@@ -5,7 +5,6 @@ import json
 from hostile_answers import HOSTILE, Rude
 
 from kincourse import find_sheet, sheets
-from misstep.answers.base import inputs_of
 from misstep.formulas.evaluation import Formula
 from misstep.judge import judge
 from misstep.storage import Outputs, from_data, to_data
@@ -22,5 +21,5 @@ def test_an_answer_of_each_kind_is_judged_from_json_as_in_the_notebook():
         values = [problem.answer.value, *(wrong.value for wrong in problem.known_mistakes[:5])]
         typed = [value for value in values if not isinstance(value, (Formula, Outputs))]  # these are numbers alone
         for value in [*typed, ..., *HOSTILE.values(), Rude()]:
-            home, away = judge(problem, value), judge(problem, sent(value, inputs_of(problem.answer)))
+            home, away = judge(problem, value), judge(problem, sent(value, problem.answer.inputs))
             assert (away.state, away.fraction, away.mistakes) == (home.state, home.fraction, home.mistakes)

@@ -14,7 +14,6 @@ from latex2mathml.converter import convert
 from odd_robots import generated_sheet
 
 from kincourse import attempt, blanks, find_question, find_sheet, open_sheet, sheets
-from misstep.answers.base import at_inputs
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
 from misstep.display.lecture_address import page_address
@@ -69,7 +68,7 @@ def test_what_an_author_says_of_a_mistake_is_about_one_that_students_see(templat
         found = [*problem.known_mistakes, *problem.slips]
         names |= {word for one in found for word in (one.name, one.did)}
         said |= {*problem.advice, *problem.invisible}
-        solution = [] if problem.solution is None else nodes(next(at_inputs(problem.answer, problem.solution)))
+        solution = [] if problem.solution is None else nodes(next(problem.answer.at_inputs(problem.solution)))
         own |= {slip.did for node in solution for slip in node.alternatives}
     assert not (said | own) - names
 
@@ -188,7 +187,7 @@ def test_unknown_sheets_problems_steps_and_questions_are_refused_with_those_that
 def test_one_change_has_one_name():
     names_of = defaultdict(set)
     for problem in (drawn(template, STUDENTS[0]) for template in TEMPLATES + OPEN):
-        for mistake in [*problem.mutants, *problem.slips]:
+        for mistake in [*problem.known_mistakes, *problem.slips]:
             if mistake.did and "$" not in mistake.did:  # a symbol may be an angle here and a length there
                 names_of[mistake.did].add(mistake.name)
     assert {did: names for did, names in names_of.items() if len(names) > 1} == {}
@@ -198,8 +197,7 @@ def test_every_formula_of_a_statement_and_of_a_message_can_be_set():
     """On the page of feedback an invalid one would stand as it was typed."""
     formulas = set()
     for problem in (drawn(template, STUDENTS[0]) for template in TEMPLATES + OPEN):
-        mistakes = [*problem.mistakes, *problem.mutants]
-        for text in (problem.statement, *(text for one in mistakes for text in (one.message, one.part))):
+        for text in (problem.statement, *(one.message for one in problem.known_mistakes)):
             formulas |= {*re.findall(r"\$\$?([^$]+)\$\$?", text)}
     assert len(formulas) > 100
     for formula in formulas:

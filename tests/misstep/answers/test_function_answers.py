@@ -28,7 +28,7 @@ def test_a_solution_with_other_changes_at_another_input_is_refused():
         return value * value if np.array_equal(x, first) else value * value + of_solution("0", np.zeros(2))
 
     with pytest.raises(ValueError, match="the same changes at each input"):
-        _ = Problem("Square.", squares(), solution=solution).mutants
+        _ = Problem("Square.", squares(), solution=solution).known_mistakes
 
 
 def test_mistakes_of_functions_are_recognised():

@@ -14,7 +14,6 @@ import sympy as sp
 
 from misstep import Problem
 from misstep.answers.angle import Angles
-from misstep.answers.base import inputs_of
 from misstep.answers.choice import Choice
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Equivalent, Numbers
@@ -80,7 +79,7 @@ def test_ten_right_and_ten_wrong_ways_to_type_an_answer(kind):
     problem = Problem("", answer)
     assert len(right) == len(wrong) == 10
     for value, name in [*((one, "right") for one in right), *wrong]:
-        stored = from_data(json.loads(json.dumps(to_data(value, inputs_of(answer)), allow_nan=False)))
+        stored = from_data(json.loads(json.dumps(to_data(value, answer.inputs), allow_nan=False)))
         for typed in (value, stored):
             judgement = judge(problem, typed)
             found = "" if judgement.state in {"wrong", "partly"} else judgement.state

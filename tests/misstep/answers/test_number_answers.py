@@ -108,6 +108,16 @@ def test_a_test_of_the_author_is_shown_with_what_is_not_recognised():
     assert [finding.check for [finding] in found] == ["Its square is 16, and not 9.", "Its square is 4, and not 9."]
 
 
+def test_a_longer_unit_is_not_cut_to_the_right_one():
+    with pytest.raises(Unreadable, match=r"'470.8 mm/s' is not a number"):
+        Numbers(np.array(0.4708), unit="m/s").read("470.8 mm/s")
+    assert (
+        judge(Problem("", Numbers(np.array(0.4708), unit="m/s"), []), "470.8 m/s")
+        .findings[0]
+        .message.startswith("This is right in millimetres per second.")
+    )
+
+
 # --- angles ---
 
 right = st.lists(st.floats(-3, 3), min_size=2, max_size=4)

@@ -10,8 +10,10 @@ from strategies import ROBOTS
 from urdf_files import trees
 
 import kinlib as kl
+from kinlib.dh.table import table_frames
 from kinlib.view import explore
 from kinlib.view.figures.tree import branches
+from kinlib.view.viewer.scene import half_height
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 
@@ -77,3 +79,13 @@ def test_a_name_cannot_end_the_script_that_contains_it():
     assert "<script>alert" not in arm.html()
     assert arm.html().count("<script") == 1
     assert arm.html().count("</script>") == 1
+
+
+def test_the_region_in_view_contains_all_frames_that_are_given():
+    arm = kl.robots.puma560()
+    turned = np.diag([-1.0, -1, 1, 1])
+    frames = {
+        name: turned @ T for name, T in table_frames(kl.assign_frames(arm, "standard").table, np.zeros(6)).items()
+    }
+    room = explore(arm, frames=frames).scene["room"]
+    assert half_height(np.array([T[:3, 3] for T in frames.values()]) - room["centre"]) < room["radius"]
