@@ -135,10 +135,10 @@ def joint_screws(
     def rows_with(places: Sequence[Any]) -> Expression:
         rows = []
         for i, axis, place, h in zip(numbers, directions, places, pitches, strict=True):
-            p = place if isinstance(place, Expression) else given(f"p_{i}", place)
-            rows.append(
-                prismatic(axis, p) if np.isinf(h) else helical(axis, p, given(f"h_{i}", h)) if h else revolute(axis, p)
-            )
+            label = f"the place of joint ${i}$" if np.isinf(h) else f"p_{i}"  # words: a solution does not list it
+            p = place if isinstance(place, Expression) else given(label, place)
+            row = helical(axis, p, given(f"h_{i}", h)) if h else screw(axis, moment(axis, p).named(f"v_{i}"))
+            rows.append(prismatic(axis, p) if np.isinf(h) else row)
         return stack(*rows)
 
     places, rows = list(points), rows_with(list(points))

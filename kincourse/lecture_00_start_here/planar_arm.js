@@ -381,12 +381,14 @@ globalThis.planarArm = (() => {
       state.share = share;
       if (share === 1) running = null;
       if (share < 1 || state.order.length < 3) return render();
-      const order = state.order.join(', ');
-      const miss = distance(movedLinks()[2][1], target());
-      state.done.add(miss > 0.01 ? BREAKS : order);
+      const [links, order] = [movedLinks(), state.order.join(', ')];
+      const miss = distance(links[2][1], target());
+      const isTorn = torn(links).length > 0;
+      const moved = 'the links meet, but an axis had moved before the rotation about it';
+      state.done.add(isTorn ? BREAKS : order);
       state.says =
         miss > 0.01
-          ? `Order ${order}: the links no longer meet, and the tool misses its goal by ${number(miss)}.`
+          ? `Order ${order}: ${isTorn ? 'the links no longer meet' : moved}, and the tool misses its goal by ${number(miss)}.`
           : `Order ${order}: the links fit together, and the tool is at its goal, ${shown(target())}.`;
       save();
     }
@@ -520,7 +522,7 @@ globalThis.planarArm = (() => {
       Object.assign(element('button', { type: 'button', ...attributes }), { innerHTML, onclick });
 
     function sliders() {
-      const all = state.q.map((_, i) => {
+      const slider = (_, i) => {
         const input = element('input', { type: 'range', min: -180, max: 180, class: `c${i + 1}` });
         input.onchange = save;
         input.oninput = () => {
@@ -531,8 +533,8 @@ globalThis.planarArm = (() => {
         const value = keep(element('b'), () => ({ textContent: degree(state.q[i]) }));
         const name = Object.assign(element('span'), { innerHTML: `${letter('q', i + 1)} ` });
         return element('label', { class: `c${i + 1}` }, name, input, value);
-      });
-      row(...all);
+      };
+      row(...state.q.map(slider));
     }
 
     const written = (html) => keep(row(), () => ({ innerHTML: `<span>${html()}</span>` })); // a row would part q and its index
@@ -540,10 +542,8 @@ globalThis.planarArm = (() => {
       keep(panel.appendChild(element('p', { class: 'note' })), () => ({ textContent: text(), hidden: !text() }));
 
     function tasks(names) {
-      const items = names.map((name) =>
-        keep(element('li', {}, name), () => ({ className: state.done.has(name) ? 'done' : '' })),
-      );
-      panel.append(element('ul', { class: 'tasks' }, ...items));
+      const item = (name) => keep(element('li', {}, name), () => ({ className: state.done.has(name) ? 'done' : '' }));
+      panel.append(element('ul', { class: 'tasks' }, ...names.map(item)));
     }
 
     /** x = l1 cos q1 + ..., whose terms light their arrows; the short form writes c12 for cos(q1 + q2). */
@@ -636,8 +636,7 @@ globalThis.planarArm = (() => {
         const made = button(`${name} ${j}: ${degree(goal[j - 1])}`, () => press(j), { class: `c${j}` });
         return keep(made, () => ({ ariaDisabled: state.order.includes(j) }));
       });
-      buttons.push(button('Home', () => press(0)));
-      row(...buttons);
+      row(...buttons, button('Home', () => press(0)));
       tasks(['3, 2, 1', BREAKS]);
       says(() => (state.order.length === 3 && state.share === 1 ? state.says : ''));
     }

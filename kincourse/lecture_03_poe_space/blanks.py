@@ -17,7 +17,7 @@ SHOULDER_ADVICE = "Joint 2 is 0.033 m away from the axis of joint 1."
 @problem("03.a", "A joint tilted by 30 degrees", points=1, lecture="03_poe_space#Angled joints")
 def leaning_joint(_draw: ArmSampler) -> Problem:
     # At 45 degrees sine and cosine are equal, so a swap would not show; twice 30 degrees is a swap.
-    tilt = given("\\theta", 30.0).mistaken_for(("sign of an angle", "take $\\theta$ with the opposite sign", -30.0))
+    tilt = given("\\tau", 30.0).mistaken_for(("sign of an angle", "take $\\tau$ with the opposite sign", -30.0))
     omega = tilted(given("z", Z), given("x", X), radians(tilt)).named("\\omega")
     S = screw(omega, moment(omega, given("p", (0, 0, 0.4))))
     return Problem(

@@ -66,6 +66,7 @@ def plain_arm(sampler: ArmSampler) -> Problem:
     axes = robot.lines.axis
     return Problem(
         statement=f"Give the screw axes $S_1, S_2, S_3$ of this arm in {{s}}, as rows.\n\n{joint_table(robot)}",
+        method="The direction of joint $i$ is $d_i$ if the joint is prismatic, and $\\omega_i$ if it is revolute.",
         further="Which numbers of your rows change if you take another point on the axis of joint 1?",
         figure=partial(draw_joints, robot),
         given={"letters": robot.joint_types, "axes": axes, "points": robot.joint_points},
@@ -244,7 +245,7 @@ def which_order(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("03.7", "A camera on a link", points=3, lecture="03_poe_space#Where each link is, and what it is good for")
+@problem("03.7", "A camera on a link", points=3, lecture="03_poe_space#The pose of every link")
 def camera_on_a_link(sampler: ArmSampler) -> Problem:
     robot, k = sampler.arm("RRRR"), sampler.choice((2, 3))
     camera = pose(sampler.axes(), robot.joint_points[k - 1] + sampler.point(3) / 10)

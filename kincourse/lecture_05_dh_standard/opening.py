@@ -8,21 +8,23 @@ from kinlib.view.viewer.film import Film, film, share
 
 
 def opening() -> Film:
-    """Play the common normal of two axes while the second axis moves: skew, crossing, and skew again."""
+    """Play the common normal of two axes while the second axis tilts, rotates about the first, comes nearer, and leaves."""
 
     def draw(t: float) -> Picture:
         tilt = np.radians(70 - 40 * share(t, 2, 5))
-        side = 0.9 - 0.9 * share(t, 6, 8) + 0.6 * share(t, 9, 10.5)
-        return draw_moving_normal(tilt, side)
+        side = 0.9 - 0.9 * share(t, 10, 12) + 0.6 * share(t, 13, 14.5)
+        turn = np.radians(-40) * (share(t, 5.7, 8.7) - share(t, 9.8, 11.8))
+        return draw_moving_normal(tilt, side, turn)
 
     return film(
         draw,
         [
             (1.9, "Two joint axes in space, and the shortest connection between them. It is perpendicular to both."),
-            (3.6, "The second axis tilts. The connection slides along the first axis and turns about it."),
+            (3.6, "The second axis tilts. The connection moves along the first axis, and stays perpendicular to both."),
+            (3.8, "The second axis rotates about the first, and the connection rotates with it."),
             (
-                5.5,
-                "The second axis comes nearer, and leaves again. How many numbers say where the second axis is, seen from the first?",
+                5.7,
+                "It rotates back, comes nearer, and leaves again. How many numbers say where the second axis is, seen from the first?",
             ),
         ],
     )

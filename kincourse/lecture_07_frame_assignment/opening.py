@@ -11,12 +11,12 @@ def opening() -> Film:
     """Play the common normal of two axes while the second axis turns towards the direction of the first."""
 
     def draw(t: float) -> Picture:
-        return draw_moving_normal(np.radians(75 - 63 * share(t, 1.5, 6.5) - 12 * share(t, 8, 9)), 0.8)
+        return draw_moving_normal(np.radians(75 - 63 * share(t, 3, 8) - 12 * share(t, 9.5, 10.5)), 0.8)
 
     return film(
         draw,
         [
-            (1.5, "The common normal of two axes, with one foot on each."),
+            (3.0, "The common normal, the shortest line between two axes, is perpendicular to both at its feet."),
             (7.6, "The second axis turns slowly towards the direction of the first. Watch the feet."),
             (1.9, "Now the axes have the same direction. Where would you put the x axis of a frame?"),
         ],

@@ -48,7 +48,7 @@ def four_bar(ground: float, crank: float, coupler: float, rocker: float) -> Mech
 def slider_crank(crank: float, rod: float, offset: float = 0.0) -> Mechanism:
     """A slider-crank linkage, whose slider moves along the line y = offset.
 
-    A is the angle of the crank from x, B that of the rod relative to the crank, slide the displacement of the slider along x,
+    A is the angle of the crank from x, B that of the rod relative to the crank, x the displacement of the slider,
     and C the angle of the rod relative to the slider.
 
     Source: Modern Robotics, example 2.3 and figure 2.4(b).
@@ -61,7 +61,7 @@ def slider_crank(crank: float, rod: float, offset: float = 0.0) -> Mechanism:
     joints = [
         _pin("A", "ground", "crank", 0 * X),
         _pin("B", "crank", "rod", crank * X),
-        Joint("slide", ("ground", "slider"), screw(X, pitch=PRISMATIC), point=pin),
+        Joint("x", ("ground", "slider"), screw(X, pitch=PRISMATIC), point=pin),
         Joint("C", ("slider", "rod"), screw(Z, pin), _translation(pin - (crank + rod) * X), pin),
     ]
     return Mechanism(joints, name="slider-crank", source="Modern Robotics, figure 2.4(b)")

@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 from browser import watched
+from playwright.sync_api import expect
 
 import kinlib as kl
 from kincourse.lecture_00_start_here.planar_arm import HERE, SCENES, PlanarArm, joints
@@ -82,13 +83,20 @@ def test_only_the_order_from_tool_to_base_leaves_the_arm_whole(show, scene):
     E = kl.exp(np.array(axes) * q[:, None])
     goal = (E[0] @ E[1] @ E[2] @ home)[:3]
     name = "pin" if scene == "pins" else "axis"
-    for i in (3, 2, 1):
-        page.get_by_role("button", name=f"{name} {i}:").click()
+
+    def rotate(*order):
+        page.get_by_role("button", name="Home").click()
+        for i in order:
+            page.get_by_role("button", name=f"{name} {i}:").click()
+
+    rotate(3, 2, 1)
     shown = ", ".join(f"{x:.2f}".replace("-", "−") for x in (goal[:2] if scene == "pins" else goal))
     page.get_by_text(f"the tool is at its goal, ({shown}).").wait_for()
-    page.get_by_role("button", name="Home").click()
-    for i in (1, 2, 3):
-        page.get_by_role("button", name=f"{name} {i}:").click()
+    rotate(3, 1, 2)
+    links = "no longer meet" if scene == "pins" else "meet, but an axis had moved before the rotation about it"
+    page.get_by_text(f"the links {links}, and the tool misses").wait_for()
+    expect(page.locator(".tasks .done")).to_have_count(1 + (scene == "pins"))
+    rotate(1, 2, 3)
     miss = np.linalg.norm((E[2] @ E[1] @ E[0] @ home)[:3] - goal)
     page.get_by_text(f"the tool misses its goal by {miss:.2f}.").wait_for()
     assert "The arm is broken after link" in words(page, "Rotated in the order 1, 2, 3")

@@ -46,7 +46,8 @@ def draw_angles(linkage: Mechanism, q: ArrayLike) -> Picture:
             ("A", A, "the x axis to the crank AB"), ("B", B, "AB to BC"), ("D", D, "the x axis to DC"), ("C", C, "DC to BC")
         )
     )  # fmt: skip
-    return canvas.picture(f"Four-bar. {values}.", linkage.source, cropped=True)
+    caption = f"The linkage of {linkage.source}, with the angles of this course."
+    return canvas.picture(f"Four-bar. {values}.", caption, cropped=True)
 
 
 def _unit(angle: float) -> Array:

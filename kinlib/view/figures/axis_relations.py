@@ -82,16 +82,17 @@ def draw_axis_relation(first: tuple[ArrayLike, ArrayLike], second: tuple[ArrayLi
     return canvas.picture(f"{head} {ways}, and its x points along {direction_text(normal.x)}.", RELATIONS[normal.case])
 
 
-def draw_moving_normal(tilt: float, side: float) -> Picture:
+def draw_moving_normal(tilt: float, side: float, turn: float = 0.0) -> Picture:
     """Draw a vertical axis and a tilted one beside it, with their common normal and its feet, all on the same canvas.
 
     tilt  the angle between the axes in radians; 0 for parallel axes, of which all common normals are alike
-    side  the distance of the axes in metres
+    side  the distance of the axes in metres; turn is the angle in radians by which axis 2 has rotated about axis 1
 
     >>> draw_moving_normal(np.pi / 2, 0.8).alt
     'Axis 1 along z, axis 2 at 90 degrees to it. The common normal leads from (0, 0, 0.5) to (0.8, 0, 0.5), its length is 0.8 m.'
     """
-    pair = (Z, 0 * Z), (np.cos(tilt) * Z + np.sin(tilt) * Y, side * X + 0.4 * Y + 0.5 * Z)
+    x, y = np.cos(turn) * X + np.sin(turn) * Y, np.cos(turn) * Y - np.sin(turn) * X
+    pair = (Z, 0 * Z), (np.cos(tilt) * Z + np.sin(tilt) * y, side * x + 0.4 * y + 0.5 * Z)
     normal = common_normal(*pair, X, at_other_point=True)
     canvas = Canvas([(-0.3, -0.7, -1.6), (1.3, 1.0, 1.5)])
     _draw_pair(canvas, pair, [(-1.7, 1.5), (-2.2, 1.1)])

@@ -97,8 +97,7 @@ def draw_linkage(
 
     >>> print(draw_linkage(kl.linkages.slider_crank(1, 3), [0, 0, 4, 0]).alt)       # doctest: +NORMALIZE_WHITESPACE
     slider-crank with the bodies ground, crank, slider, rod. A joins ground and crank at (0, 0); B joins crank and rod
-    at (1, 0); slide joins ground and slider at (4, 0); C joins slider and rod at (4, 0). All lengths in metres. It is
-    closed.
+    at (1, 0); x joins ground and slider at (4, 0); C joins slider and rod at (4, 0). All lengths in metres. It is closed.
     """
     geometry = linkage_geometry(mechanism, q)
     shade = None if ghost is None else linkage_geometry(mechanism, ghost)
