@@ -636,7 +636,8 @@ globalThis.planarArm = (() => {
         const made = button(`${name} ${j}: ${degree(goal[j - 1])}`, () => press(j), { class: `c${j}` });
         return keep(made, () => ({ ariaDisabled: state.order.includes(j) }));
       });
-      row(...buttons, button('Home', () => press(0)));
+      buttons.push(button('Home', () => press(0)));
+      row(...buttons);
       tasks(['3, 2, 1', BREAKS]);
       says(() => (state.order.length === 3 && state.share === 1 ? state.says : ''));
     }
