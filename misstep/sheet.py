@@ -123,7 +123,7 @@ class OpenSheet:
         is_first = not any(one.state in {"partly", "wrong"} for one in self._judgements[k])
         self._judgements[k].append(judgement)
         address = lecture_address(template.lecture, self.site)
-        worked = worked_solution(problem) if judgement.state == "right" else ()
+        worked = worked_solution(problem) if judgement.state == "right" and (problem.method or problem.solution) else ()
         self.verdicts[k] = Verdict(template, judgement, emission, address, is_first, worked, problem.further)
         return self.verdicts[k]
 
