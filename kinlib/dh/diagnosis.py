@@ -204,7 +204,9 @@ def diagnose(
         again = _diagnosed(plain, arm, reference, frozenset(fixed), None, in_pairs)
         if again.verdict in {"right", "rounded"}:
             return replace(again, verdict="rounded", table=table, rounding=found.rounding)
-        if again.explanations:
+        if again.explanations and (
+            not found.explanations or again.explanations[0].edits <= found.explanations[0].edits
+        ):
             return replace(again, note=TAKEN_AS_RIGHT_ANGLES if off > TYPED_PI_ERROR else "")
     return found
 
