@@ -55,8 +55,8 @@ class Problem:
     >>> drawn = Problem("How many?", Numbers(given("n", 6.0) / 2))
     >>> [(one.did, float(one.value)) for one in drawn.mutants(np.array(12.0))]
     [('multiply by $2$ instead of dividing by it', 12.0)]
-    >>> drawn.collision(), drawn.without_duplicates().mistakes
-    (None, [])
+    >>> drawn.collision(), [*drawn.hidden_mutants()], drawn.without_duplicates().mistakes
+    (None, [], [])
     """
 
     statement: str
