@@ -75,7 +75,7 @@ def explain_by_slips(  # noqa: PLR0917
         right = assign_frames(arm, convention=start.convention).table
         if isinstance(reference, DHTable) and len(reference.rows) == len(table.rows):
             right = reference.converted(start.convention)
-        search = _Search(start, arm, right.rows, fixed - free_ends, tolerance)
+        search = _Search(start, arm, right.rows, fixed - free_ends, tolerance, len(faults) < count)
         for price, slips, corrected, compared in search.explanations(count - len(faults)):
             ends = [fault for fault in choices_as_faults(corrected, compared) if fault.name in wrong_ends]
             poses = {"base": compared.base @ corrected.base, "tool": corrected.tool @ compared.tool}
@@ -135,18 +135,25 @@ def _weight(fault: Fault) -> int:
 
 
 class _Search:
-    """The corrections of a table that has the joint types of the arm, with the rows and the signs (N, m) that each leads to."""
+    """The corrections of a table that has the joint types of the arm, with the rows and the signs (N, m) that each leads to.
 
-    def __init__(self, table: DHTable, arm: Chain, right: Array, fixed: frozenset[str], tolerance: float) -> None:
+    corrects  whether corrections are sought; otherwise only the table itself is compared
+    """
+
+    def __init__(  # noqa: PLR0917
+        self, table: DHTable, arm: Chain, right: Array, fixed: frozenset[str], tolerance: float, corrects: bool
+    ) -> None:
         self.table, self.arm, self.fixed, self.tolerance = table, arm, fixed, tolerance
-        known = corrections(table, right, "zeros" in fixed, "signs" in fixed)
-        rows = np.array([each.change(table.rows) for each in known])
+        known = corrections(table, right, "zeros" in fixed, "signs" in fixed) if corrects else []
+        rows = np.array([each.change(table.rows) for each in known]).reshape(-1, *table.rows.shape)
         differs = np.abs(rows - table.rows) > 1e-12
         kept = [k for k, each in enumerate(known) if each.reversed or differs[k].any()]
         self.singles, self.rows = [known[k] for k in kept], rows[kept]
         m = range(len(table.rows))
-        self.flips = np.array([[-1.0 if row in each.reversed else 1.0 for row in m] for each in self.singles])
-        self.invents = np.array([each.fault.name in NUMBERS for each in self.singles])
+        self.flips = np.array([[-1.0 if row in each.reversed else 1.0 for row in m] for each in self.singles]).reshape(
+            -1, len(m)
+        )
+        self.invents = np.array([each.fault.name in NUMBERS for each in self.singles], dtype=bool)
         # Two rows that change places are two edits, and labels and invented numbers one more. Every entry of a column has to be wrong
         # in the same way, which is one more as well: a single entry is the simpler explanation.
         self.edits = differs[kept].sum(axis=(1, 2)) + self.invents
