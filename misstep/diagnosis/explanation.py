@@ -130,8 +130,9 @@ def _explain_parts(
         for mistake in (one for one in group if one.in_parts) if left else ():
             same = {part for part, is_same in enumerate(answer.agrees(value, mistake.value)) if is_same}
             # A change of the solution that would have changed a part that is right has not been made; one in every row is in all.
-            changed = {k for k, kept in enumerate(answer.agrees(mistake.value, answer.value)) if not kept}
-            if rank != 1 or (fine <= same and (changed <= same or not EVERYWHERE.search(mistake.did))):
+            is_everywhere = rank == 1 and fine <= same and EVERYWHERE.search(mistake.did)
+            kept = answer.agrees(mistake.value, answer.value) if is_everywhere else ()
+            if rank != 1 or fine | {k for k, is_kept in enumerate(kept) if not is_kept} <= same:
                 matching.append((rank, mistake, same))
     while found := [(rank, mistake, same & left) for rank, mistake, same in matching if same & left]:
         best, _, explained = min(found, key=lambda one: (-len(one[2]), one[0]))
