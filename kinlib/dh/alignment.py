@@ -5,12 +5,11 @@ parallel, their distance; and an axis with a common normal on either side has th
 changes its sign, its axis has the opposite direction: the cosine and the moment change their signs with that of either axis, the
 distance along an axis with that of the axis.
 
-Frames along the common normals then give the offsets: in each chain, the angle about axis k from the normal before it to the normal
-after it; c_k is the difference. What remains, base, tool and the zeros of prismatic joints, is linear, so a least-squares step on the
-poses finds it.
+The offsets are found from the base on: c_k rotates about axis k until the next axis has the direction that it has in the other chain.
+What remains, base, tool and the zeros of prismatic joints, is linear, so a least-squares step on the poses finds it.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
@@ -20,8 +19,7 @@ from numpy.typing import NDArray
 from kinlib.arrays.tolerances import PARALLEL_TOL_RAD, SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.rigid.angles import wrap_angle
-from kinlib.rigid.lie import adjoint, cross, exp, hat, homogeneous, inverse, perpendicular, vee
+from kinlib.rigid.lie import adjoint, cross, exp, homogeneous, inverse, log, perpendicular, vee
 
 Booleans = NDArray[np.bool_]
 
@@ -146,98 +144,98 @@ def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float, 
 def _starts(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> Iterator[tuple[Array, Array, Array]]:
     """Yield signs (n,), offsets (n,) and the rotation of the base for all signs that the axes admit, the fewest changes first."""
     invariants = AxisInvariants(other, 100 * loose)
-    u, v, letters = one.lines.axis, other.lines.axis, one.joint_types
+    u, v = one.lines.axis, other.lines.axis
     s = invariants.sign_patterns(invariants.of(u, one.joint_points))
     s = s[(s > 0).all(axis=1)] if "signs" in fixed else s
     for end, joint, R, Q in (("base", 0, np.eye(3), np.eye(3)), ("tool", -1, one.home[:3, :3], other.home[:3, :3])):
         if end in fixed:
             s = s[np.linalg.norm(s[:, [joint]] * (u[joint] @ R) - v[joint] @ Q, axis=1) <= 100 * loose]
-    x, y, source, is_cross = _normals(one, other, fixed, 10 * loose)
-    flips = np.where(is_cross, np.pad(s[:, :-1] * s[:, 1:], ((0, 0), (1, 1)), constant_values=1.0), 1.0)[:, source]
-    offsets = s * _angles(v, y) - _angles(u, x) - np.pi * (flips[:, :-1] != flips[:, 1:])
-    offsets = np.asarray(wrap_angle(offsets))
-    possible = np.ones(len(s), bool)
-    for k in range(len(letters) - 1, -1, -1):
-        if letters[k] == "P" or "zeros" in fixed:
-            # What a prismatic joint cannot rotate, the joint before it does, if its axis is parallel.
-            if letters[k] == "P" and k and abs(cosine := u[k - 1] @ u[k]) > 1 - 1e-9:
-                offsets[:, k - 1] = wrap_angle(offsets[:, k - 1] + np.sign(cosine) * offsets[:, k])
-            else:
-                possible &= np.abs(offsets[:, k]) < 0.1  # before the search
-            offsets[:, k] = 0.0
+    offsets, R, possible = _rotated(one, other, s, fixed, 10 * loose)
     zeros = (np.abs(offsets) > max(loose, SAME_DISTANCE_RAD)).sum(axis=1)
     for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros)) if possible[k]][:4]:
-        theirs, ours = _frame(v[0], y[0]), _frame(s[k, 0] * u[0], flips[k, 0] * x[0])
-        yield s[k], offsets[k], np.eye(3) if "base" in fixed else theirs @ ours.T
+        yield s[k], offsets[k], R[k]
 
 
-def _normals(
-    one: Chain, other: Chain, fixed: frozenset[str], near: float
-) -> tuple[Array, Array, NDArray[np.int_], Booleans]:
-    """Choose directions before, between and after the axes of two chains, (n + 1, 3) each, that correspond to each other.
+def _rotated(one: Chain, other: Chain, s: Array, fixed: frozenset[str], near: float) -> tuple[Array, Array, Booleans]:
+    """Rotate about one axis after the other until what it moves has the direction that it has in the other chain.
 
-    Between two axes it is their common normal. Where that is free, the direction is the one before, or the first that is not free;
-    at an end that is fixed it is a direction of {s} or of {b}. Returns them with the index that each was taken from, and whether it
-    is a cross product, which has the opposite direction if one of the axes has.
+    signs s (P, n) -> offsets (P, n), the rotation of the base (P, 3, 3), and whether what is fixed admits these signs (P,).
     """
-    n, arms = one.n, (one, other)
-    x, source = np.zeros((2, n + 1, 3)), np.full(n + 1, -1)
-    is_cross: Booleans = np.zeros(n + 1, bool)
-    if "base" in fixed:
-        x[:, 0], source[0] = perpendicular(one.lines.axis[0]), 0
-    if "tool" in fixed:
-        across = perpendicular(one.lines.axis[-1] @ one.home[:3, :3])
-        x[:, n], source[n] = [arm.home[:3, :3] @ across for arm in arms], n
-    anchor = 0 if one.joint_types[0] != "P" else None  # the last line that is parallel to the axis
-    for k in range(1, n):
-        is_line = one.joint_types[k] != "P"
-        both = np.array([cross(arm.lines.axis[k - 1], arm.lines.axis[k]) for arm in arms])
-        is_cross[k] = np.linalg.norm(both, axis=1).min() > SEARCHED_AS_PARALLEL_RAD
-        if not is_cross[k]:
-            is_known = is_line and anchor is not None
-            between = [arm.joint_points[k] - arm.joint_points[anchor or 0] for arm in arms]
-            axes = [arm.lines.axis[k] for arm in arms]
-            both = np.array([cross(axis, cross(p, axis)) for axis, p in zip(axes, between, strict=True)]) * is_known
-        length = np.linalg.norm(both, axis=1, keepdims=True)
-        if is_cross[k] or length.min() > near:
-            x[:, k], source[k] = both / length, k
-        anchor = k if is_line else None if is_cross[k] else anchor
-    known = np.flatnonzero(source >= 0)
-    if not known.size:
-        x[:, 0], known = [perpendicular(arm.lines.axis[0]) for arm in arms], np.array([0])
-    source = known[np.maximum(np.searchsorted(known, np.arange(n + 1), side="right") - 1, 0)]
-    return x[0, source], x[1, source], source, is_cross
+    u, v = one.lines.axis, other.lines.axis
+    offsets, possible = np.zeros(s.shape), np.ones(len(s), dtype=bool)
+    base = R = np.tile(np.eye(3), (len(s), 1, 1))
+
+    def missing(k: int) -> Array:
+        """The angles (P,) by which a rotation about axis k is missing; 0 where it moves nothing."""
+        x, y, j = _moved_by(one, other, k, fixed, near)
+        x = (R @ x) * (1.0 if j is None else s[:, [j]])
+        return np.asarray(np.arctan2(cross(x, y) @ v[k], x @ y - (x @ v[k]) * (y @ v[k])))
+
+    if "base" not in fixed:
+        R = _frame(v[0]) @ np.swapaxes(_frame(s[:, :1] * u[0]), -1, -2)
+        base = R = exp(missing(0)[:, None] * v[0]) @ R
+    for k, letter in enumerate(one.joint_types):
+        angles = missing(k)
+        if letter == "P" or "zeros" in fixed:
+            possible &= np.abs(angles) < 0.1  # before the search
+        else:
+            offsets[:, k] = s[:, k] * angles
+            R = exp(angles[:, None] * v[k]) @ R
+    return offsets, base, possible
 
 
-def _angles(axis: Array, x: Array) -> Array:
-    """Compute the angle about each axis (n, 3) from the direction before it to the one after it, of (n + 1, 3) -> (n,)."""
-    before, after = x[:-1], x[1:]
-    return np.asarray(np.arctan2(np.sum(axis * cross(before, after), axis=1), np.sum(before * after, axis=1)))
+def _moved_by(one: Chain, other: Chain, k: int, fixed: frozenset[str], near: float) -> tuple[Array, Array, int | None]:
+    """Find a vector in each chain that rotates about axis k, and the axis whose sign they have, if any; 0 if the next joint rotates it.
+
+    It is the direction of the next axis that is not parallel, the way to one that is, or a direction of a tool that is fixed.
+    """
+    arms, line = (one, other), None
+
+    def rotates(vectors: Sequence[Array], least: float) -> bool:
+        return all(np.linalg.norm(cross(arm.lines.axis[k], w)) > least for arm, w in zip(arms, vectors, strict=True))
+
+    for j in range(k, one.n):
+        directions = [arm.lines.axis[j] for arm in arms]
+        if rotates(directions, SEARCHED_AS_PARALLEL_RAD):
+            return directions[0], directions[1], j
+        if one.joint_types[j] == "P":
+            continue
+        line = j if line is None else line
+        ways = [arm.joint_points[j] - arm.joint_points[line] for arm in arms]
+        if rotates(ways, near):
+            return ways[0], ways[1], None
+        if j > k and "zeros" not in fixed:
+            return np.zeros(3), np.zeros(3), None
+    across = perpendicular(one.lines.axis[-1] @ one.home[:3, :3]) * ("tool" in fixed)
+    return one.home[:3, :3] @ across, other.home[:3, :3] @ across, None
 
 
-def _frame(z: Array, x: Array) -> Array:
-    """Compute the axes of a frame with this z and an x near the given one."""
-    y = cross(z, x) / np.linalg.norm(cross(z, x))
-    return np.transpose([cross(y, z), y, z])
+def _frame(z: Array) -> Array:
+    """Compute the axes of a frame with this z (..., 3), the same ones every time."""
+    x = perpendicular(z)
+    return np.stack([x, cross(z, x), z], axis=-1)
 
 
 def _completed(start: Map, one: Chain, other: Chain, fixed: frozenset[str]) -> list[Map]:
     """Find the translations of base and tool and the zeros of the prismatic joints.
 
     A motion of the base along the first axis is an offset of joint 1, and one of the tool along the last axis an offset of joint n.
-    So there is another map whose base and tool are as near the identity as possible.
+    So there is another map in which they are.
     """
     Y = np.eye(4) if "tool" in fixed else inverse(start.base @ one.fk(start.offsets)) @ other.home
     found = _improved(_measured(replace(start, tool=Y), one, other), one, other, fixed)
+    if "zeros" in fixed:
+        return [found]
     X, Y, offsets = found.base, found.tool, found.offsets.copy()
-    if not fixed & {"base", "zeros"}:
-        shift = _shift_to_identity(X, one.screws[0])
-        X, offsets[0] = X @ exp(shift * one.screws[0]), offsets[0] - shift
-    if not fixed & {"tool", "zeros"}:
-        shift = _shift_to_identity(inverse(Y), one.body_screws[-1])
-        Y, offsets[-1] = exp(-shift * one.body_screws[-1]) @ Y, offsets[-1] + shift
-    shifted = _measured(replace(found, base=X, tool=Y, offsets=offsets), one, other)
-    return [found] if "zeros" in fixed else [shifted, found]
+    if "base" not in fixed:
+        S = one.screws[0]
+        offsets[0] += (along := log(X) @ S / (S @ S))
+        X = X @ exp(-along * S)
+    if "tool" not in fixed:
+        B = one.body_screws[-1]
+        offsets[-1] += (along := log(Y) @ B / (B @ B))
+        Y = exp(-along * B) @ Y
+    return [_measured(replace(found, base=X, tool=Y, offsets=offsets), one, other), found]
 
 
 def _measured(found: Map, one: Chain, other: Chain) -> Map:
@@ -285,13 +283,3 @@ def linearized(X: Array, chain: Chain, values: Array, Y: Array, target: Array) -
     by_values = adjoint(inverse(Y)) @ chain.body_jacobian(values)
     J = np.concatenate([adjoint(inverse(M)), by_values, np.broadcast_to(np.eye(6), (len(values), 6, 6))], axis=-1)
     return error.ravel(), J.reshape(-1, J.shape[-1])
-
-
-def _shift_to_identity(T: Array, S: Array) -> float:
-    """Compute the q for which T e^[S]q is as near the identity as possible."""
-    R, omega = T[:3, :3], S[:3]
-    if not omega.any():
-        return float(-(R @ S[3:]) @ T[:3, 3])
-    # The trace of R e^[omega]q is a cosine in q, with its maximum at this q.
-    even, odd = np.trace(R) - omega @ R @ omega, np.trace(R @ hat(omega))
-    return float(np.arctan2(odd, even)) if np.hypot(odd, even) > SEARCHED_AS_PARALLEL_RAD else 0.0
