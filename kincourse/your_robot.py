@@ -310,8 +310,8 @@ def _explained(strict: Diagnosis, mistakes: Sequence[Fault], table: DHTable) -> 
         found = equivalent(start, strict.arm, fixed=fixed, tolerance=tolerance)
         if found.verdict == "same":
             choices = explain_by_choices(start, found)
-            faults, right = ([*mistakes, *choices.faults], choices.corrected) if choices else (mistakes, start)
-            return TableExplanation(faults, _without_noise(right), len(faults), is_a_choice=not mistakes)
+            faults = [*mistakes, *choices.faults]
+            return TableExplanation(faults, _without_noise(choices.corrected), len(faults), is_a_choice=not mistakes)
     return TableExplanation(mistakes, start, len(mistakes))
 
 

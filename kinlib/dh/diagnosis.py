@@ -17,29 +17,26 @@ import numpy as np
 
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import format_number
-from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD, TYPED_PI_ERROR
+from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD, ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.alignment import neighbours
 from kinlib.dh.equivalence import CHOICES, NEARLY_PARALLEL_LOSS, Equivalence, equivalent, measured_difference
 from kinlib.dh.explanation.rounding import (
-    entries_off,
-    excludes_rounding,
-    nearest_rows,
     nearest_table,
     rounding_effect,
+    rounds_to,
     typed_half_units,
     with_right_angles,
 )
 from kinlib.dh.explanation.search import (
     TableExplanation,
     cheapest,
-    choices_as_faults,
     explain_by_choices,
     explain_by_slips,
 )
 from kinlib.dh.parsing import COLUMNS, MIN_LENGTH_MM
-from kinlib.dh.slips import NUMBERS, SLIPS_OF_A_TABLE, Fault, wrong_number
+from kinlib.dh.slips import NUMBERS, Fault, wrong_number
 from kinlib.dh.table import Convention, DHTable
 from kinlib.urdf.chains import load_urdf
 
@@ -51,9 +48,6 @@ CALLED_EXACT_M = 1e-6
 """Poses that differ by less are told as equal."""
 
 TAKEN_AS_RIGHT_ANGLES = "Angles that round to those of the table were taken as multiples of 45 degrees."
-
-USUAL_SLIPS = {"the other convention", *(slip.name for slip in SLIPS_OF_A_TABLE)} - {"columns in another order"}
-"""The slips that are told of a table whose numbers may only be rounded."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -107,13 +101,12 @@ class Diagnosis:
     def __str__(self) -> str:
         if self.verdict in {"right", "rounded"}:
             return "\n".join(self._agreement())
-        lines = self._told_mistakes() or [self.difference]
+        lines = self._told_mistakes()
         if self.verdict == "undecided":
             rounded = f"its numbers may only be rounded ({self.rounding})"
             cause = rounded if self.rounding else "axes are nearly parallel"
-            or_else = ", or:" if self.explanations else "."
-            lines = [f"Whether this table describes the arm cannot be decided: {cause}{or_else}", *lines]
-        elif not self.explanations:
+            lines = [f"Whether this table describes the arm cannot be decided: {cause}.", self.difference]
+        elif not lines:
             difference = self.difference if self.nearest is None else ""
             lines = [f"No known mistake was found that explains this table. {difference}".rstrip()]
         if self.nearest is not None:
@@ -131,7 +124,8 @@ class Diagnosis:
             return ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
         if texts and self.explanations[0].is_a_choice:
             metres, _ = measured_difference(self.explanations[0].corrected.to_chain(), self.arm)
-            off = f" to within {format_number(metres, 2)} m" * (metres > CALLED_EXACT_M)
+            is_told = CALLED_EXACT_M < metres < MAX_ROUNDED_TOL  # more is a choice that is not fixed
+            off = f" to within {format_number(metres, 2)} m" * is_told
             return [f"The table describes the arm{off} after these changes of choices that are fixed here:", *texts[0]]
         if texts and len(texts[0]) > 1:  # other pairs may lead to the same motions, so this one is no fact
             return ["The table agrees with the arm after these changes:", *texts[0]]
@@ -150,7 +144,7 @@ class Diagnosis:
             return
         yield f"For the same q, the poses of the table and of the arm {differ}"
         yield f"The table describes the arm{digits}, up to these choices:"
-        yield from (fault.text for fault in choices_as_faults(self.table, found))
+        yield from (fault.text for fault in explain_by_choices(self.table, found).faults)
         if kinds & {"zeros", "signs"}:
             fixed = frozenset(CHOICES) - ({"base", "tool"} & kinds)
             one_slip = explain_by_slips(self.table, self.arm, fixed, found.tolerance, 1)
@@ -225,15 +219,16 @@ def _diagnosed(  # noqa: PLR0917
     found = Diagnosis("right" if near.verdict == "same" else "wrong", table, arm, near)
     if found.verdict == "right" or "H" in arm.joint_types:
         return found
-    half, noise, rounding = np.zeros(table.rows.shape), exact, "excluded"
+    half, noise = np.zeros(table.rows.shape), exact
+    rounded: bool | None = False
     if tolerance is None and table.joints.replace("F", "") == arm.joint_types:
         half, words = typed_half_units(table.rows)
         noise = max(rounding_effect(table, half), exact)
         near = equivalent(table, arm, fixed=fixed, tolerance=noise)
-        rounding = _judge_rounding(table, arm, near, fixed, half)
         found = replace(found, rounding=words)
-    if rounding == "rounded":
-        return replace(found, verdict="rounded", comparison=near)
+        rounded = rounds_to(table, arm, near, fixed, half) if near.verdict == "same" else None
+        if rounded:
+            return replace(found, verdict="rounded", comparison=near)
     if found.comparison.verdict == "undecided":
         return replace(found, verdict="undecided")
     if np.abs(table.rows[:, [0, 2]]).max() > MIN_LENGTH_MM and noise > exact:  # in case that they are in millimetres
@@ -242,31 +237,17 @@ def _diagnosed(  # noqa: PLR0917
     explanations = _explanations(table, reference, fixed, half, exact, in_pairs)
     if not explanations and near.verdict != "same" and exact < noise <= MAX_ROUNDED_TOL:
         explanations = _explanations(table, reference, fixed, half, noise, in_pairs, max_slips=1)
-    found = replace(found, explanations=explanations)
-    # Where rounding may be the cause, only a single usual mistake outweighs it.
-    is_usual = any(len(each.faults) == 1 and each.faults[0].name in USUAL_SLIPS for each in explanations)
-    if rounding == "possible" and not is_usual:
+    if explanations or not in_pairs:
+        return replace(found, explanations=explanations)
+    sines, angles, _ = neighbours(arm)
+    is_decided = near.verdict == "different" and noise <= 0.1 * sines[sines > PARALLEL_TOL_RAD].min(initial=1.0)
+    # No angle between axes changes by more than all angles are rounded.
+    is_other = (
+        np.abs(neighbours(table.to_chain())[1] - angles).max(initial=0.0) > half[:, [1, 3]].sum() + ROUNDING_ERROR
+    )
+    if not (is_decided or is_other or rounded is False):
         return replace(found, verdict="undecided")
-    return found if explanations or not in_pairs else _with_nearest(found, fixed, half, noise)
-
-
-def _judge_rounding(
-    table: DHTable, arm: Chain, near: Equivalence, fixed: frozenset[str], half_unit: Array
-) -> Literal["rounded", "possible", "excluded"]:
-    """Judge whether numbers that round to those of the table describe the arm, which the poses are to within `near.tolerance`."""
-    sines = neighbours(arm)[0]
-    smallest = sines[sines > PARALLEL_TOL_RAD].min(initial=1.0)
-    if excludes_rounding(table, arm, half_unit):
-        return "excluded"
-    if near.verdict != "same":
-        return "excluded" if near.verdict == "different" and near.tolerance <= 0.1 * smallest else "possible"
-    fit = nearest_rows(table, arm, near, fixed, half_unit, few=False)
-    if fit is None or fit[1] > max(EQUIVALENCE_TOL, 1e-2 * near.tolerance):
-        return "possible"
-    off = entries_off(table, fit[0], fixed, half_unit)
-    # The sum of squares is smallest, not the largest change. No numbers within their half units have a smaller sum.
-    is_excluded = np.linalg.norm(off) > 1.05 * math.sqrt(off.size) and smallest > 0.1
-    return "rounded" if off.max() <= 1.05 else "excluded" if is_excluded else "possible"
+    return _with_nearest(found, fixed, half, noise)
 
 
 def _explanations(  # noqa: PLR0917
@@ -282,16 +263,17 @@ def _explanations(  # noqa: PLR0917
     found = _with_enough_digits(explain_by_slips(table, reference, fixed, bound, 1), table, half)
     if not in_pairs or any(each.edits <= 1 for each in found):
         return found
-    choice = explain_by_choices(table, equivalent(table, reference, tolerance=bound)) if fixed else None
-    if not found and max_slips > 1 and not (choice and choice.edits <= 2):
-        pairs = explain_by_slips(table, reference, fixed, bound, 2)
+    compared = equivalent(table, reference, tolerance=bound)
+    choices = [explain_by_choices(table, compared, fixed)] * (bool(fixed) and compared.verdict == "same")
+    if not found and max_slips > 1 and not any(each.edits <= 2 for each in choices):
+        found = explain_by_slips(table, reference, fixed, bound, 2)
         if ends := fixed & {"base", "tool"}:
-            pairs += explain_by_slips(table, reference, fixed, bound, 1, ends)
-        found = _with_enough_digits(cheapest(pairs), table, half)
-    if choice and not any(each.says_as_much(choice) for each in found):
-        is_pair = bool(found) and len(found[0].faults) > 1
-        found = [choice] if not found or choice.edits < found[0].edits + is_pair else found
-    return found
+            found += explain_by_slips(table, reference, fixed, bound, 1, ends)
+        found = _with_enough_digits(cheapest(found), table, half)
+    if any(each.says_as_much(other) for each in found for other in choices):
+        return found
+    is_pair = bool(found) and len(found[0].faults) > 1
+    return choices if choices and (not found or choices[0].edits < found[0].edits + is_pair) else found
 
 
 def _with_enough_digits(found: list[TableExplanation], table: DHTable, half_unit: Array) -> list[TableExplanation]:

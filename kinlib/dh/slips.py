@@ -171,6 +171,16 @@ class Correction:
     change: Change = lambda rows: rows
     reversed: frozenset[int] = frozenset()
 
+    @property
+    def surcharge(self) -> int:
+        """How many edits it counts as, beside the numbers that it changes.
+
+        Labels and invented numbers are one. Every entry of a column has to be wrong in the same way, which is one as well: a single
+        entry is the simpler explanation.
+        """
+        is_column = self.fault.row is None and self.fault.name.startswith("sign of")
+        return (self.fault.name in NUMBERS) + is_column + bool(self.reversed)
+
 
 def slips_in_places(m: int) -> Iterator[tuple[Slip, list[int]]]:
     """Yield every slip with the rows in which it can be made, [] for the whole table, whose slips come first."""

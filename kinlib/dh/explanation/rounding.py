@@ -5,14 +5,16 @@ poses of its arm, although nobody made a mistake. All lengths of a table are tak
 the most, and so are all angles, in radians or in degrees, whichever takes fewer.
 """
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
+from kinlib.arrays.tolerances import EQUIVALENCE_TOL, ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Map, linearized, nearest_maps, neighbours
-from kinlib.dh.equivalence import ROUGH, equivalent
+from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Map, linearized, nearest_maps
+from kinlib.dh.equivalence import ROUGH, Equivalence, equivalent
 from kinlib.dh.parsing import joint_entries
 from kinlib.dh.table import DHTable, rows_at
 from kinlib.rigid.lie import exp
@@ -59,15 +61,6 @@ def with_right_angles(table: DHTable, half_unit: Array) -> DHTable:
     return table.changed(rows=np.where(is_rounded, right, table.rows))
 
 
-def excludes_rounding(table: DHTable, arm: Chain, half_unit: Array) -> bool:
-    """Return whether two neighbouring axes of the arm make another angle than any alpha that rounds to that of the table."""
-    pairs = slice(0, arm.n - 1) if table.convention == "standard" else slice(1, arm.n)
-    angles, others = (neighbours(chain)[1] for chain in (table.to_chain(), arm))
-    return "F" not in table.joints and bool(
-        (np.abs(angles - others) > 1.05 * half_unit[pairs, 1] + ROUNDING_ERROR).any()
-    )
-
-
 def _shortest(number: float) -> str:
     """Write a number in the shortest form that reads back as the same number."""
     return np.format_float_positional(abs(number), trim="-")
@@ -92,13 +85,13 @@ def rounding_effect(table: DHTable, half_unit: Array) -> float:
 
 
 def nearest_rows(
-    table: DHTable, arm: Chain, start: Map, fixed: frozenset[str], half_unit: Array, *, few: bool
-) -> tuple[Array, float] | None:
-    """Find the rows (m, 4) nearest to those of a table with which it describes an arm, and the largest difference that they leave.
+    table: DHTable, arm: Chain, start: Map, fixed: frozenset[str], half_unit: Array, *, tolerance: float, few: bool
+) -> Array | None:
+    """Find the rows (m, 4) nearest to those of a table with which it describes an arm to a tolerance; None if none are found.
 
-    start  a map from the chain of the table to the arm, from which the search begins
-    few    whether as few entries as possible change; otherwise the sum of their squares in half units is smallest
-    None   if the search does not converge
+    start      a map from the chain of the table to the arm, from which the search begins
+    half_unit  (m, 4) infinite where an entry is free
+    few        whether as few entries as possible change; otherwise the sum of their squares in half units is smallest
 
     The four motions of each row are those of a chain of 4 m joints whose values are the numbers. So its body Jacobian says how
     the poses change with the numbers, and each step is a least-squares problem. If few entries are to change, the weight of an
@@ -109,10 +102,8 @@ def nearest_rows(
     motions = Chain(np.tile(axes[order], (len(table.rows), 1)), np.eye(4))
     q = random_configurations(arm.n, COMPARED_CONFIGURATIONS)
     values = rows_at(table, table.rows, start.signs * q + start.offsets)[..., order].reshape(len(q), -1)
-    unit = half_unit.copy()
-    for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
-        unit[entry] = 1.0
-    units, X, Y, target = unit[:, order].ravel(), start.base @ table.base, table.tool @ start.tool, arm.fk(q)
+    units = np.where(np.isinf(half_unit), 1.0, half_unit)[:, order].ravel()
+    X, Y, target = start.base @ table.base, table.tool @ start.tool, arm.fk(q)
     base, tool = (np.full(6, float(name not in fixed)) for name in ("base", "tool"))
     # Of parallel axes, any d can change; it is the one that is given.
     weight = np.where(table.rows[:, order].ravel() == 0, 0.1, 1.0) if few else np.ones(units.size)
@@ -126,32 +117,43 @@ def nearest_rows(
         X, Y, change = exp(step[:6]) @ X, Y @ exp(step[-6:]), step[6:-6]
         weight = np.abs(change / units) + 1e-2 if few else weight
     rows = table.rows + change.reshape(-1, 4)[:, np.argsort(order)]
-    difference = largest_difference(X @ motions.fk(values + change) @ Y, target)
-    return np.where(np.abs(rows) < ROUNDING_ERROR, 0.0, rows), difference
+    is_found = largest_difference(X @ motions.fk(values + change) @ Y, target) <= tolerance
+    return np.where(np.abs(rows) < ROUNDING_ERROR, 0.0, rows) if is_found else None
 
 
-def entries_off(table: DHTable, rows: Array, fixed: frozenset[str], half_unit: Array) -> Array:
-    """Compute by how many half units the entries of other rows are off, (m, 4); those that are free are not."""
-    off = np.abs(rows - table.rows) / half_unit
+def _with_free_entries(table: DHTable, fixed: frozenset[str], half_unit: Array) -> Array:
+    """Return half units that are infinite where the zero of a joint is free."""
+    half = half_unit.copy()
     for entry in joint_entries(table.joints) if "zeros" not in fixed else ():
-        off[entry] = 0.0
-    return off
+        half[entry] = np.inf
+    return half
+
+
+def rounds_to(table: DHTable, arm: Chain, near: Equivalence, fixed: frozenset[str], half_unit: Array) -> bool | None:
+    """Return whether numbers that round to those of the table describe the arm, as a map nearly does; None if that is uncertain."""
+    half, tolerance = _with_free_entries(table, fixed, half_unit), max(EQUIVALENCE_TOL, 1e-2 * near.tolerance)
+    rows = nearest_rows(table, arm, near, fixed, half, tolerance=tolerance, few=False)
+    if rows is None:
+        return None
+    off = np.abs(rows - table.rows) / half
+    # The sum of squares is smallest, not the largest change. No numbers within their half units have a smaller sum.
+    return True if off.max() <= 1.05 else False if np.linalg.norm(off) > 1.05 * math.sqrt(off.size) else None
 
 
 def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: Array, noise: float) -> DHTable | None:
     """Find the table with few other numbers that describes the arm, beginning with the maps that fit roughly."""
     if table.joints.replace("F", "") != arm.joint_types:
         return None
-    tolerance, unit = max(noise, 1e-6), np.maximum(half_unit, 1e-6)
+    tolerance, half = max(noise, 1e-6), _with_free_entries(table, fixed, half_unit)
+    # Two digits more than the table has are enough.
+    finest = 10.0 ** np.floor(np.log10(np.maximum(half_unit, 1e-6) / 50))
     rough = sorted(nearest_maps(table.to_chain(), arm, fixed, ROUGH), key=lambda each: each.difference)[:2]
     for start in [Map(np.ones(arm.n), np.zeros(arm.n)), *rough]:
-        fit = nearest_rows(table, arm, start, fixed, unit, few=True)
-        if fit and fit[1] <= tolerance:
-            # A change below half a unit of the last digit is none, and two digits more than the table has are enough.
-            finest = 10.0 ** np.floor(np.log10(unit / 50))
-            rows = np.where(np.arange(4) % 2, fit[0], np.round(fit[0] / finest) * finest)
-            rows = np.where(entries_off(table, fit[0], fixed, half_unit) <= 1.05, table.rows, rows)
-            nearest = table.changed(rows=rows)
+        rows = nearest_rows(table, arm, start, fixed, np.maximum(half, 1e-6), tolerance=tolerance, few=True)
+        if rows is not None:
+            is_changed = np.abs(rows - table.rows) > 1.05 * half
+            rows = np.where(np.arange(4) % 2, rows, np.round(rows / finest) * finest)
+            nearest = table.changed(rows=np.where(is_changed, rows, table.rows))
             if equivalent(nearest, arm, fixed=fixed, tolerance=tolerance).verdict == "same":
                 return nearest
     return None

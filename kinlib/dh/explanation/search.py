@@ -5,7 +5,7 @@ of the axes, and only the rest is compared with the arm. The price of a correcti
 numbers that it invents, because some number explains almost anything; then how large and unusual the change is.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Self
@@ -26,6 +26,8 @@ from kinlib.rigid.angles import wrap_angle
 
 FILTER_TOL_FACTOR = 3
 """How many times the tolerance an invariant may be off before a correction is refuted by it."""
+
+MAX_PAIRS, MAX_COMPARED = 20_000, 60
 
 Price = tuple[int, int, float]
 """The edited entries, the invented numbers, and how large and unusual the change is."""
@@ -68,22 +70,30 @@ def explain_by_slips(  # noqa: PLR0917
     free_ends   of the fixed choices, a base or a tool that may be wrong as well; then it is told, too
     """
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
-    found, wrong_ends = list[tuple[Price, TableExplanation]](), {f"wrong {end}" for end in free_ends}
+    found = list[tuple[Price, TableExplanation]]()
     for faults, start in starting_tables(table, arm.joint_types):
         if len(faults) > count:
             continue
         right = assign_frames(arm, convention=start.convention).table
         if isinstance(reference, DHTable) and len(reference.rows) == len(table.rows):
             right = reference.converted(start.convention)
-        search = _Search(start, arm, right.rows, fixed - free_ends, tolerance, len(faults) < count)
-        for price, slips, corrected, compared in search.explanations(count - len(faults)):
-            ends = [fault for fault in choices_as_faults(corrected, compared) if fault.name in wrong_ends]
-            poses = {"base": compared.base @ corrected.base, "tool": corrected.tool @ compared.tool}
-            mended = corrected.changed(**{end: poses[end] for end in free_ends})
-            edits = price[0] + len(faults) + sum(map(_weight, ends))
-            each = TableExplanation([*faults, *slips, *ends], mended, edits)
-            if not any(each.says_as_much(other) for _, other in found):
-                found.append(((edits, *price[1:]), each))
+        least = None
+        for price, slips, rows, signs in _candidates(
+            start, arm, right.rows, fixed - free_ends, tolerance, count - len(faults)
+        ):
+            if least is not None and price[0] > least:
+                break
+            with suppress(ValueError):  # for example an angle of many turns, which no table has
+                corrected = start.changed(rows=rows, signs=signs)
+                compared = equivalent(corrected, arm, fixed=fixed - free_ends, tolerance=tolerance)
+                if compared.verdict == "same":
+                    least = price[0]
+                    ends = explain_by_choices(corrected, compared, free_ends)
+                    told = [*faults, *(_described(fault, start, corrected) for fault in slips), *ends.faults]
+                    edits = price[0] + len(faults) + ends.edits
+                    each = TableExplanation(told, ends.corrected, edits)
+                    if not any(each.says_as_much(other) for _, other in found):
+                        found.append(((edits, *price[1:]), each))
     return cheapest([each for _, each in sorted(found, key=lambda pair: pair[0])])
 
 
@@ -92,125 +102,91 @@ def cheapest(found: Sequence[TableExplanation]) -> list[TableExplanation]:
     return [each for each in found if each.edits == min(other.edits for other in found)]
 
 
-def explain_by_choices(table: DHTable, found: Equivalence) -> TableExplanation | None:
-    """Return the choices up to which a table is right as an explanation; None if it is not."""
-    faults = choices_as_faults(table, found) if found.verdict == "same" else []
-    if not faults:
-        return None
+def explain_by_choices(table: DHTable, found: Equivalence, names: Collection[str] = CHOICES) -> TableExplanation:
+    """Return the choices of these names in which a table differs from an arm as corrections, each with its numbers."""
+    faults, ends = list[Fault](), dict[str, Array]()
     rows, signs = table.rows.copy(), table.signs.copy()
     for joint, (row, column) in enumerate(joint_entries(table.joints)):
-        rows[row, column] += table.signs[row] * found.offsets[joint]
-        signs[row] *= found.signs[joint]
-    corrected = table.changed(rows=rows, signs=signs, base=found.base @ table.base, tool=table.tool @ found.tool)
-    return TableExplanation(faults, corrected, sum(map(_weight, faults)), is_a_choice=True)
-
-
-def choices_as_faults(table: DHTable, found: Equivalence) -> list[Fault]:
-    """Write the choices in which a table differs from an arm as corrections, each with its numbers."""
-    faults = []
-    for joint, (row, column) in enumerate(joint_entries(table.joints)):
         name, letter, place = COLUMNS[column], table.joints[row], f"joint {joint + 1}"
-        if text := format_offset(letter, float(table.signs[row] * found.offsets[joint])):
+        offset = float(table.signs[row] * found.offsets[joint]) * ("zeros" in names)
+        rows[row, column] += offset
+        if text := format_offset(letter, offset):
             base = " (or rotate the base by as much about axis 1)" if joint == 0 and letter == "R" else ""
             faults.append(Fault("another zero", f"{place}: add {text} to {name}{base}.", row + 1, name))
-        if found.signs[joint] < 0:
-            sign = "-" if table.signs[row] > 0 else "+"
+        if found.signs[joint] < 0 and "signs" in names:
+            signs[row] *= -1
+            sign = "-" if signs[row] < 0 else "+"
             text = f"{place}: write {sign}q in {name}, because q counts in the opposite direction."
             faults.append(Fault("sign of a joint value", text, row + 1, name))
     for end, name, own, T in (
         ("base", "The base T_s0", table.base, found.base @ table.base),
         ("tool", "The tool transform", table.tool, table.tool @ found.tool),
     ):
-        if (own != T).any():
+        if end in names and (own != T).any():
+            ends[end] = T
             is_missing = np.abs(own - np.eye(4)).max() < EQUIVALENCE_TOL
             is_inverted = np.abs(own @ T - np.eye(4)).max() < 1e-6  # as a person types it
             what = "is missing" if is_missing else "is inverted" if is_inverted else "is wrong"
             faults.append(Fault(f"wrong {end}", f"{name} {what}: it should be {describe_pose(T, found.tolerance)}."))
-    return faults
+    corrected = table.changed(rows=rows, signs=signs, **ends)
+    return TableExplanation(faults, corrected, len(faults) + len(ends), is_a_choice=True)
 
 
-def _weight(fault: Fault) -> int:
-    """How many edits a choice counts as: a pose is two."""
-    return 2 if fault.name in {"wrong base", "wrong tool"} else 1
+def _described(fault: Fault, table: DHTable, corrected: DHTable) -> Fault:
+    """Return a fault with its text: that of a wrong number depends on the right one."""
+    if fault.text or not fault.row or not fault.column:
+        return fault
+    return wrong_number(table, corrected, fault.row - 1, COLUMNS.index(fault.column))
 
 
-class _Search:
-    """The corrections of a table that has the joint types of the arm, with the rows and the signs (N, m) that each leads to.
+def _candidates(  # noqa: PLR0917
+    table: DHTable, arm: Chain, right: Array, fixed: frozenset[str], tolerance: float, count: int
+) -> list[tuple[Price, list[Fault], Array, Array]]:
+    """Return what so many corrections of a table with the joint types of the arm lead to, the cheapest first: rows and signs.
 
-    corrects  whether corrections are sought; otherwise only the table itself is compared
+    Invariants decide what can lead to the arm, and if nothing is free, the poses of a few q. A correction of a row comes after one of
+    the whole table, as `corrections` are sorted.
     """
-
-    def __init__(  # noqa: PLR0917
-        self, table: DHTable, arm: Chain, right: Array, fixed: frozenset[str], tolerance: float, corrects: bool
-    ) -> None:
-        self.table, self.arm, self.fixed, self.tolerance = table, arm, fixed, tolerance
-        known = corrections(table, right, "zeros" in fixed, "signs" in fixed) if corrects else []
-        rows = np.array([each.change(table.rows) for each in known]).reshape(-1, *table.rows.shape)
-        differs = np.abs(rows - table.rows) > 1e-12
-        kept = [k for k, each in enumerate(known) if each.reversed or differs[k].any()]
-        self.singles, self.rows = [known[k] for k in kept], rows[kept]
-        m = range(len(table.rows))
-        self.flips = np.array([[-1.0 if row in each.reversed else 1.0 for row in m] for each in self.singles]).reshape(
-            -1, len(m)
-        )
-        self.invents = np.array([each.fault.name in NUMBERS for each in self.singles], dtype=bool)
-        # Two rows that change places are two edits, and labels and invented numbers one more. Every entry of a column has to be wrong
-        # in the same way, which is one more as well: a single entry is the simpler explanation.
-        self.edits = differs[kept].sum(axis=(1, 2)) + self.invents
-        for k, each in enumerate(self.singles):
-            is_column = each.fault.row is None and each.fault.name.startswith("sign of")
-            edits = min(self.edits[k], 2) if each.fault.name == "rows swapped" else self.edits[k] + is_column
-            self.edits[k] = edits + bool(each.reversed)
-        self.invariants = AxisInvariants(arm, FILTER_TOL_FACTOR * tolerance)
-
-    def explanations(self, count: int) -> Iterator[tuple[Price, list[Fault], DHTable, Equivalence]]:
-        """Yield the explanations by so many corrections with the fewest edits: price, faults, corrected table, its comparison."""
-        least = None
-        for price, places, rows, signs in self._candidates(count)[:60]:
-            if least is not None and price[0] > least:
-                return
-            with suppress(ValueError):  # for example an angle of many turns, which no table has
-                corrected = self.table.changed(rows=rows, signs=signs)
-                compared = equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance)
-                if compared.verdict == "same":
-                    least = price[0]
-                    faults = [self._described(self.singles[k].fault, corrected) for k in places]
-                    yield price, faults, corrected, compared
-
-    def _described(self, fault: Fault, corrected: DHTable) -> Fault:
-        if fault.text or not fault.row or not fault.column:
-            return fault
-        return wrong_number(self.table, corrected, fault.row - 1, COLUMNS.index(fault.column))
-
-    def _candidates(self, count: int) -> list[tuple[Price, list[int], Array, Array]]:
-        """Return the corrections that can lead to the arm, the cheapest first: price, places in the singles, rows, signs.
-
-        Invariants decide, and if nothing is free, the poses of a few q. A correction of a row comes after one of the whole table, as
-        the singles are sorted.
-        """
-        singles = np.arange(len(self.singles))[:, None]
-        places = self._pairs() if count > 1 else singles if count else np.zeros((1, 0), int)
-        rows = self.rows[places[:, 0]] if count else self.table.rows[None]
-        for place in np.unique(places[:, 1]) if count > 1 else ():
+    if not count:
+        return [((0, 0, 0.0), [], table.rows, table.signs)]
+    known = [
+        each
+        for each in corrections(table, right, "zeros" in fixed, "signs" in fixed)
+        if each.reversed or np.abs(each.change(table.rows) - table.rows).max() > 1e-12
+    ]
+    rows, m = np.array([each.change(table.rows) for each in known]), np.arange(len(table.rows))
+    signs = table.signs * np.array([np.where(np.isin(m, [*each.reversed]), -1.0, 1.0) for each in known])
+    invents = np.array([each.fault.name in NUMBERS for each in known], dtype=int)
+    # Two rows that change places are two edits.
+    most = [2 if each.fault.name == "rows swapped" else rows[0].size for each in known]
+    edits = np.minimum((np.abs(rows - table.rows) > 1e-12).sum(axis=(1, 2)), most) + [each.surcharge for each in known]
+    invariants = AxisInvariants(arm, FILTER_TOL_FACTOR * tolerance)
+    places = np.arange(len(known))[:, None]
+    if count > 1:
+        places = _pairs(invariants, table, rows, signs)
+        signs = signs[places[:, 0]] * signs[places[:, 1]] * table.signs
+        rows = rows[places[:, 0]]
+        for place in np.unique(places[:, 1]):
             is_here = places[:, 1] == place
-            rows[is_here] = self.singles[place].change(rows[is_here])
-        signs = self.table.signs * self.flips[places].prod(axis=1)
-        agree = self.invariants.agree(self.invariants.of(*joint_axes(self.table, rows, signs)), "signs" in self.fixed)
-        if self.fixed >= {*CHOICES} and agree.any():
-            q = random_configurations(self.arm.n, 4)
-            off = table_poses(self.table, rows[agree, None], q, signs[agree, None]) - self.arm.fk(q)
-            agree[agree] = np.abs(off).max(axis=(1, 2, 3)) <= FILTER_TOL_FACTOR * self.tolerance
-        numbers, edits = self.invents[places].sum(axis=1), self.edits[places].sum(axis=1)
-        sizes = np.where(numbers > 0, np.abs(rows - self.table.rows).sum(axis=(1, 2)), 0.0)
-        sizes += 1e-3 * (rows[:, :, [0, 2]] < 0).sum(axis=(1, 2))  # in most tables the lengths have one sign
-        order = sorted((int(edits[k]), int(numbers[k]), round(float(sizes[k]), 9), k) for k in np.flatnonzero(agree))
-        return [((e, n, size), places[k].tolist(), rows[k], signs[k]) for e, n, size, k in order]
+            rows[is_here] = known[place].change(rows[is_here])
+    agree = invariants.agree(invariants.of(*joint_axes(table, rows, signs)), "signs" in fixed)
+    if fixed >= {*CHOICES} and agree.any():
+        q = random_configurations(arm.n, 4)
+        off = table_poses(table, rows[agree, None], q, signs[agree, None]) - arm.fk(q)
+        agree[agree] = np.abs(off).max(axis=(1, 2, 3)) <= FILTER_TOL_FACTOR * tolerance
+    numbers, edits = invents[places].sum(axis=1), edits[places].sum(axis=1)
+    sizes = np.where(numbers > 0, np.abs(rows - table.rows).sum(axis=(1, 2)), 0.0)
+    sizes += 1e-3 * (rows[:, :, [0, 2]] < 0).sum(axis=(1, 2))  # in most tables the lengths have one sign
+    order = sorted((int(edits[k]), int(numbers[k]), round(float(sizes[k]), 9), k) for k in np.flatnonzero(agree))
+    return [((e, i, size), [known[p].fault for p in places[k]], rows[k], signs[k]) for e, i, size, k in order][
+        :MAX_COMPARED
+    ]
 
-    def _pairs(self) -> NDArray[np.intp]:
-        """Return the pairs of which each one changes every invariant that is wrong without it, (N, 2)."""
-        values = self.invariants.of(*joint_axes(self.table, self.rows, self.table.signs * self.flips))
-        own = self.invariants.of(*joint_axes(self.table, self.table.rows))
-        violated = self.invariants.violated(values).astype(float)
-        unchanged = np.isclose(values, own, rtol=1e-9, atol=1e-10).astype(float)
-        possible = violated @ unchanged.T == 0
-        return np.argwhere(np.triu(possible & possible.T, 1))[:20_000]
+
+def _pairs(invariants: AxisInvariants, table: DHTable, rows: Array, signs: Array) -> NDArray[np.intp]:
+    """Return the pairs of corrections of which each one changes every invariant that is wrong without it, (N, 2)."""
+    values, own = (invariants.of(*joint_axes(table, *each)) for each in ((rows, signs), (table.rows, table.signs)))
+    violated = invariants.violated(values).astype(float)
+    unchanged = np.isclose(values, own, rtol=1e-9, atol=1e-10).astype(float)
+    possible = violated @ unchanged.T == 0
+    return np.argwhere(np.triu(possible & possible.T, 1))[:MAX_PAIRS]
