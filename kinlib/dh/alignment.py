@@ -12,6 +12,7 @@ What remains, base, tool and the zeros of prismatic joints, is linear, so a leas
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -115,14 +116,11 @@ class Map:
     tool: Array = field(default_factory=lambda: np.eye(4))
     difference: float = np.inf
 
-    def poses(self, one: Chain, q: Array) -> Array:
-        """Compute X T_a(s q + c) Y, for q (..., n)."""
-        return np.asarray(self.base @ one.fk(self.signs * q + self.offsets) @ self.tool)
-
-
-def same_q(one: Chain, other: Chain) -> Map:
-    """Return the identity, with the difference of the poses for the same q."""
-    return _measured(Map(np.ones(one.n), np.zeros(one.n)), one, other)
+    def measured(self, one: Chain, other: Chain) -> Self:
+        """Return the map with the difference of X T_a(s q + c) Y from T_b(q) at random configurations."""
+        q = random_configurations(one.n, COMPARED_CONFIGURATIONS)
+        poses = self.base @ one.fk(self.signs * q + self.offsets) @ self.tool
+        return replace(self, difference=largest_difference(other.fk(q), poses))
 
 
 def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float, tolerance: float = 0.0) -> list[Map]:
@@ -223,7 +221,7 @@ def _completed(start: Map, one: Chain, other: Chain, fixed: frozenset[str]) -> l
     So there is another map in which they are.
     """
     Y = np.eye(4) if "tool" in fixed else inverse(start.base @ one.fk(start.offsets)) @ other.home
-    found = _improved(_measured(replace(start, tool=Y), one, other), one, other, fixed)
+    found = _improved(replace(start, tool=Y).measured(one, other), one, other, fixed)
     if "zeros" in fixed:
         return [found]
     X, Y, offsets = found.base, found.tool, found.offsets.copy()
@@ -235,12 +233,7 @@ def _completed(start: Map, one: Chain, other: Chain, fixed: frozenset[str]) -> l
         B = one.body_screws[-1]
         offsets[-1] += (along := log(Y) @ B / (B @ B))
         Y = exp(-along * B) @ Y
-    return [_measured(replace(found, base=X, tool=Y, offsets=offsets), one, other), found]
-
-
-def _measured(found: Map, one: Chain, other: Chain) -> Map:
-    q = random_configurations(one.n, COMPARED_CONFIGURATIONS)
-    return replace(found, difference=largest_difference(other.fk(q), found.poses(one, q)))
+    return [replace(found, base=X, tool=Y, offsets=offsets).measured(one, other), found]
 
 
 def _improved(found: Map, one: Chain, other: Chain, fixed: frozenset[str]) -> Map:
@@ -262,7 +255,7 @@ def _improved(found: Map, one: Chain, other: Chain, fixed: frozenset[str]) -> Ma
         if np.abs(step).max() > 1e3:
             break
         X, Y = exp(step[:6]) @ found.base, found.tool @ exp(step[-6:])
-        moved = _measured(replace(found, base=X, tool=Y, offsets=found.offsets + step[6:-6]), one, other)
+        moved = replace(found, base=X, tool=Y, offsets=found.offsets + step[6:-6]).measured(one, other)
         if moved.difference < found.difference:
             found = moved
         elif free is is_free:

@@ -185,7 +185,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         >>> DHTable([[0.4, 0, 0, 0]], convention="standard").link_transforms([np.pi / 2])[0, :3, 3].round(3) + 0.0
         array([0. , 0.4, 0. ])
         """
-        return np.moveaxis(_row_transforms(self, self.rows, self.in_order(q)), 0, -3)
+        return np.moveaxis(row_transforms(self, self.rows, self.in_order(q)), 0, -3)
 
     def fk(self, q: JointValues) -> Array:
         """Compute the pose of the tool: base A_1(q_1) ... A_m tool.
@@ -196,7 +196,7 @@ class DHTable(TakesJointValues, validation.ReadOnly):
         >>> DHTable([[0.4, 0, 0, 0]], convention="modified").fk(np.zeros((1000, 1))).shape
         (1000, 4, 4)
         """
-        return table_poses(self, self.rows, self.in_order(q))
+        return reduce(np.matmul, [*row_transforms(self, self.rows, self.in_order(q)), self.tool], self.base)
 
     def to_chain(self) -> Chain:
         """Convert the table to screw axes and a home pose: the z of each joint, in {s} at home.
@@ -250,20 +250,15 @@ def rows_at(table: DHTable, rows: Array, q: Array, signs: Array | None = None) -
     return moved
 
 
-def _row_transforms(table: DHTable, rows: Array, q: Array, signs: Array | None = None) -> Array:
-    """Compute A_i or T_i of each row, (m, ..., 4, 4)."""
-    columns = np.moveaxis(rows_at(table, rows, q, signs), -1, 0)
-    return np.moveaxis(dh_transform(*columns, convention=table.convention), -3, 0)
-
-
-def table_poses(table: DHTable, rows: Array, q: Array, signs: Array | None = None) -> Array:
-    """Compute base A_1 ... A_m tool, (..., 4, 4).
+def row_transforms(table: DHTable, rows: Array, q: Array, signs: Array | None = None) -> Array:
+    """Compute A_i or T_i of each row, (m, ..., 4, 4): base times all of them times tool is the pose of the tool.
 
     >>> table = DHTable([[1, 0, 2, 0]], convention="standard")
-    >>> table_poses(table, table.rows, np.array([0.0]))[:3, 3]
+    >>> row_transforms(table, table.rows, np.array([0.0]))[0, :3, 3]
     array([1., 0., 2.])
     """
-    return reduce(np.matmul, [*_row_transforms(table, rows, q, signs), table.tool], table.base)
+    columns = np.moveaxis(rows_at(table, rows, q, signs), -1, 0)
+    return np.moveaxis(dh_transform(*columns, convention=table.convention), -3, 0)
 
 
 def joint_axes(table: DHTable, rows: Array, signs: Array | None = None) -> tuple[Array, Array]:
@@ -273,7 +268,7 @@ def joint_axes(table: DHTable, rows: Array, signs: Array | None = None) -> tuple
     >>> joint_axes(table, table.rows)[0]
     array([[0., 0., 1.]])
     """
-    links = _row_transforms(table, rows, np.zeros(table.n))
+    links = row_transforms(table, rows, np.zeros(table.n))
     start = np.broadcast_to(table.base, links.shape[1:])
     frames = np.stack([*accumulate(links, np.matmul, initial=start)], axis=-3)
     moving = np.array([row for row, _ in joint_entries(table.joints)])
@@ -289,7 +284,7 @@ def table_frames(table: DHTable, q: Array) -> dict[str, Array]:
     >>> [*table_frames(DHTable([[1, 0, 0, 0]], convention="standard"), np.zeros(1))]
     ['0', '1']
     """
-    poses = accumulate(_row_transforms(table, table.rows, q), np.matmul, initial=table.base)
+    poses = accumulate(row_transforms(table, table.rows, q), np.matmul, initial=table.base)
     links = accumulate((letter != "F" for letter in table.joints), initial=0)
     return {str(link): T for link, T in zip(links, poses, strict=True)}
 

@@ -8,6 +8,7 @@ numbers that it invents, because some number explains almost anything; then how 
 from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import reduce
 from typing import Self
 
 import numpy as np
@@ -21,7 +22,7 @@ from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import CHOICES, Equivalence, describe_pose, equivalent, format_offset
 from kinlib.dh.parsing import COLUMNS, joint_entries
 from kinlib.dh.slips import NUMBERS, Fault, corrections, starting_tables, wrong_number
-from kinlib.dh.table import DHTable, joint_axes, table_poses
+from kinlib.dh.table import DHTable, joint_axes, row_transforms
 from kinlib.rigid.angles import wrap_angle
 
 FILTER_TOL_FACTOR = 3
@@ -172,7 +173,8 @@ def _candidates(  # noqa: PLR0917
     agree = invariants.agree(invariants.of(*joint_axes(table, rows, signs)), "signs" in fixed)
     if fixed >= {*CHOICES} and agree.any():
         q = random_configurations(arm.n, 4)
-        off = table_poses(table, rows[agree, None], q, signs[agree, None]) - arm.fk(q)
+        links = row_transforms(table, rows[agree, None], q, signs[agree, None])
+        off = reduce(np.matmul, [*links, table.tool], table.base) - arm.fk(q)
         agree[agree] = np.abs(off).max(axis=(1, 2, 3)) <= FILTER_TOL_FACTOR * tolerance
     numbers, edits = invents[places].sum(axis=1), edits[places].sum(axis=1)
     sizes = np.where(numbers > 0, np.abs(rows - table.rows).sum(axis=(1, 2)), 0.0)
