@@ -35,7 +35,7 @@ from kinlib.dh.explanation.search import (
     explain_by_choices,
     explain_by_slips,
 )
-from kinlib.dh.parsing import COLUMNS, MIN_LENGTH_MM
+from kinlib.dh.parsing import MIN_LENGTH_MM
 from kinlib.dh.slips import NUMBERS, Fault, wrong_number
 from kinlib.dh.table import Convention, DHTable
 from kinlib.urdf.chains import load_urdf
@@ -147,7 +147,8 @@ class Diagnosis:
         yield from (fault.text for fault in explain_by_choices(self.table, found).faults)
         if kinds & {"zeros", "signs"}:
             fixed = frozenset(CHOICES) - ({"base", "tool"} & kinds)
-            one_slip = explain_by_slips(self.table, self.arm, fixed, found.tolerance, 1)
+            exact = np.zeros_like(self.table.rows)
+            one_slip = explain_by_slips(self.table, self.arm, fixed, found.tolerance, 1, exact)
             changed = sum(name in {"zeros", "signs"} for name, _ in found.choices())
             told = [each.faults[0] for each in one_slip if each.faults[0].row is None or each.edits <= changed]
             texts = [fault.text for fault in told if fault.name not in NUMBERS]
@@ -258,33 +259,21 @@ def _explanations(  # noqa: PLR0917
     bound: float,
     in_pairs: bool,
     max_slips: int = 2,
-) -> list[TableExplanation]:
+) -> Sequence[TableExplanation]:
     """Explain a table by one slip; or by choices that are fixed, or two slips, whichever changes less."""
-    found = _with_enough_digits(explain_by_slips(table, reference, fixed, bound, 1), table, half)
+    found = explain_by_slips(table, reference, fixed, bound, 1, half)
     if not in_pairs or any(each.edits <= 1 for each in found):
         return found
     compared = equivalent(table, reference, tolerance=bound)
     choices = [explain_by_choices(table, compared, fixed)] * (bool(fixed) and compared.verdict == "same")
     if not found and max_slips > 1 and not any(each.edits <= 2 for each in choices):
-        found = explain_by_slips(table, reference, fixed, bound, 2)
+        found = explain_by_slips(table, reference, fixed, bound, 2, half)
         if ends := fixed & {"base", "tool"}:
-            found += explain_by_slips(table, reference, fixed, bound, 1, ends)
-        found = _with_enough_digits(cheapest(found), table, half)
+            found = cheapest([*found, *explain_by_slips(table, reference, fixed, bound, 1, half, ends)])
     if any(each.says_as_much(other) for each in found for other in choices):
         return found
     is_pair = bool(found) and len(found[0].faults) > 1
     return choices if choices and (not found or choices[0].edits < found[0].edits + is_pair) else found
-
-
-def _with_enough_digits(found: list[TableExplanation], table: DHTable, half_unit: Array) -> list[TableExplanation]:
-    """Return the explanations without those by a number that only has fewer decimals than it should have."""
-
-    def is_rounded(each: TableExplanation, fault: Fault) -> bool:
-        entry = (fault.row or 1) - 1, COLUMNS.index(fault.column or "a")
-        off = abs(each.corrected.rows[entry] - table.rows[entry])
-        return bool(fault.name in NUMBERS and fault.row and fault.column and off <= 1.05 * half_unit[entry])
-
-    return [each for each in found if not any(is_rounded(each, fault) for fault in each.faults)]
 
 
 def _with_nearest(found: Diagnosis, fixed: frozenset[str], half: Array, noise: float) -> Diagnosis:

@@ -4,7 +4,7 @@ Forwards, `slip.change` makes the slip in the rows of a right table. Backwards, 
 could have been made, for `kinlib.dh.explanation.search`. All changes take rows (..., m, 4), so that many tables are changed at once.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, permutations
 
@@ -203,13 +203,14 @@ def changed_in(places: list[int], change: Change) -> Change:
     return in_places
 
 
-def corrections(table: DHTable, right: Array, zeros_are_fixed: bool, signs_are_fixed: bool) -> list[Correction]:
+def corrections(table: DHTable, right: Array, fixed: Collection[str], half_unit: Array) -> list[Correction]:
     """Return the corrections that leave the joint types as they are, those of the whole table first.
 
-    right           (k, 4) rows of right tables of the arm, whose numbers are tried in place of wrong ones
-    zeros_are_fixed whether the entries that the joints change count, and signs_are_fixed, whether their directions do
+    right      (k, 4) rows of right tables of the arm, whose numbers are tried in place of wrong ones
+    fixed      with "zeros" the entries that the joints change count, and with "signs" their directions do
+    half_unit  (m, 4) a number that is off by less has not enough digits, and is no wrong one
     """
-    variables = [] if zeros_are_fixed else joint_entries(table.joints)
+    variables = [] if "zeros" in fixed else joint_entries(table.joints)
     found = list[Correction]()
     for slip, places in slips_in_places(len(table.rows)):
         if len(places) == 1 and ((places[0], slip.column) in variables or not _is_likely(slip, table.rows[places[0]])):
@@ -220,9 +221,9 @@ def corrections(table: DHTable, right: Array, zeros_are_fixed: bool, signs_are_f
         ):
             continue  # a single entry in the wrong row
         found.append(Correction(_fault(slip, places, table), changed_in(places, slip.undo or slip.change)))
-    if signs_are_fixed:
+    if "signs" in fixed:
         found += _corrections_of_signs(table)
-    return [*found, *_corrections_of_a_number(table, right, zeros_are_fixed)]
+    return [*found, *_corrections_of_a_number(table, right, "zeros" in fixed, half_unit)]
 
 
 def _is_likely(slip: Slip, row: Array) -> bool:
@@ -287,7 +288,9 @@ def _corrections_of_signs(table: DHTable) -> Iterator[Correction]:
         yield Correction(fault, changed_in(turning, scale([THETA], -1)), reversed=frozenset(turning))
 
 
-def _corrections_of_a_number(table: DHTable, right: Array, zeros_are_fixed: bool) -> Iterator[Correction]:
+def _corrections_of_a_number(
+    table: DHTable, right: Array, zeros_are_fixed: bool, half_unit: Array
+) -> Iterator[Correction]:
     """Yield the corrections of one entry to a number that the arm suggests, or to a usual angle."""
     lengths = right[:, LENGTHS].ravel()
     variables = joint_entries(table.joints)
@@ -308,7 +311,7 @@ def _corrections_of_a_number(table: DHTable, right: Array, zeros_are_fixed: bool
             values = np.concatenate([[0.0, np.pi / 2, -np.pi / 2, np.pi], angles, -angles])
         kind = "no offset" if (row, column) in variables and not typed else "wrong number"
         for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
-            if abs(value - typed) >= ROUNDING_ERROR:
+            if abs(value - typed) > max(ROUNDING_ERROR, 1.05 * half_unit[row, column]):
                 yield Correction(Fault(kind, "", row + 1, name), _set([row], column, value))
 
 

@@ -64,10 +64,12 @@ def explain_by_slips(  # noqa: PLR0917
     fixed: frozenset[str],
     tolerance: float,
     count: int,
+    half_unit: Array,
     free_ends: frozenset[str] = frozenset(),
 ) -> list[TableExplanation]:
     """Return the explanations of a table by so many slips with the fewest edits, those with the smallest price first.
 
+    half_unit   (m, 4) how far the numbers may be off by their digits
     free_ends   of the fixed choices, a base or a tool that may be wrong as well; then it is told, too
     """
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
@@ -80,7 +82,7 @@ def explain_by_slips(  # noqa: PLR0917
             right = reference.converted(start.convention)
         least = None
         for price, slips, rows, signs in _candidates(
-            start, arm, right.rows, fixed - free_ends, tolerance, count - len(faults)
+            start, arm, right.rows, fixed - free_ends, tolerance, count - len(faults), half_unit
         ):
             if least is not None and price[0] > least:
                 break
@@ -141,7 +143,7 @@ def _described(fault: Fault, table: DHTable, corrected: DHTable) -> Fault:
 
 
 def _candidates(  # noqa: PLR0917
-    table: DHTable, arm: Chain, right: Array, fixed: frozenset[str], tolerance: float, count: int
+    table: DHTable, arm: Chain, right: Array, fixed: frozenset[str], tolerance: float, count: int, half_unit: Array
 ) -> list[tuple[Price, list[Fault], Array, Array]]:
     """Return what so many corrections of a table with the joint types of the arm lead to, the cheapest first: rows and signs.
 
@@ -152,7 +154,7 @@ def _candidates(  # noqa: PLR0917
         return [((0, 0, 0.0), [], table.rows, table.signs)]
     known = [
         each
-        for each in corrections(table, right, "zeros" in fixed, "signs" in fixed)
+        for each in corrections(table, right, fixed, half_unit)
         if each.reversed or np.abs(each.change(table.rows) - table.rows).max() > 1e-12
     ]
     rows, m = np.array([each.change(table.rows) for each in known]), np.arange(len(table.rows))
