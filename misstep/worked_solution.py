@@ -75,8 +75,7 @@ def _steps(root: Expression, other: Expression | None = None, result: str = "") 
         for node in nodes
         if not node.arguments and not node.label.lstrip("-")[:1].isdigit() and "$" not in node.label
     ]
-    texts = [(node.label, written(node)) for node in _by_index(leaves)]
-    if given := [f"${label} = {text}$" for label, text in texts if text not in {"", label}]:
+    if given := [f"${a.label} = {text}$" for a in _by_index(leaves) if (text := written(a)) not in {"", a.label}]:
         yield ", ".join(list(dict.fromkeys(given))[:MAX_GIVEN])
     named = [node for node in nodes if node.arguments and node.label and node is not root]
     for node in [*_by_index(named, max)[-MAX_STEPS:], root]:
