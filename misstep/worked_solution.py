@@ -1,7 +1,7 @@
 """Worked solutions: the expression that judges an answer, written step by step with the numbers of the student."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -75,11 +75,10 @@ def _steps(root: Expression, other: Expression | None = None, result: str = "") 
         for node in nodes
         if not node.arguments and not node.label.lstrip("-")[:1].isdigit() and "$" not in node.label
     ]
-    texts = [(node.label, written(node)) for node in _by_index(leaves)]
-    if given := [f"${label} = {text}$" for label, text in texts if text not in {"", label}]:
+    if given := [f"${a.label} = {text}$" for a in _by_index(leaves) if (text := written(a)) not in {"", a.label}]:
         yield ", ".join(list(dict.fromkeys(given))[:MAX_GIVEN])
     named = [node for node in nodes if node.arguments and node.label and node is not root]
-    for node in [*_by_index(named)[-MAX_STEPS:], root]:
+    for node in [*_by_index(named, max)[-MAX_STEPS:], root]:
         # A column or an entry has the formula of the whole; a label in brackets is that of a sum within a product.
         formula = "" if node.operation.name == "entry" else node.formula
         label = "" if node.label == f"({formula})" else node.label
@@ -94,10 +93,11 @@ def _in_order(node: Expression) -> Iterator[Expression]:
     yield node
 
 
-def _by_index(nodes: Sequence[Expression]) -> list[Expression]:
-    """Return nodes with those of one letter side by side, in the order of their indices."""
+def _by_index(nodes: Sequence[Expression], place: Callable[[Sequence[int]], int] = min) -> list[Expression]:
+    """Return nodes, those of one letter by index where the first of them is or, by max, the last: after all their parts."""
     letters = [re.sub(r"\d", "", node.label) for node in nodes]
-    return sorted(dict.fromkeys(nodes), key=lambda node: (letters.index(re.sub(r"\d", "", node.label)), node.label))
+    places = {one: place([k for k, letter in enumerate(letters) if letter == one]) for one in letters}
+    return sorted(dict.fromkeys(nodes), key=lambda node: (places[re.sub(r"\d", "", node.label)], node.label))
 
 
 def _written(value: Any) -> str:

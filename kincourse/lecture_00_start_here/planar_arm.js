@@ -712,22 +712,14 @@ globalThis.planarArm = (() => {
     });
   }
 
-  function ifAllowed(act) {
-    try {
-      act();
-    } catch {
-      // The browser refuses storage: the arm begins anew on each visit.
-    }
-  }
-
-  /** Show all arms of a page without a kernel: this browser keeps what was done. */
+  /** Show all arms of a page without a kernel: this browser keeps what was done, if it stores anything (site/static/course.js). */
   function start() {
+    const store = window.kinlibStore;
     for (const host of document.querySelectorAll('[data-planar-arm]')) {
       const state = JSON.parse(host.querySelector('script').textContent);
       const key = `planar-arm ${state.scene}`;
-      ifAllowed(() => Object.assign(state, JSON.parse(localStorage.getItem(key) ?? '{}')));
       host.replaceChildren();
-      show(state, host, (kept) => ifAllowed(() => localStorage.setItem(key, JSON.stringify(kept))));
+      show({ ...state, ...store.read(key) }, host, (kept) => store.write(key, kept));
     }
   }
 

@@ -539,7 +539,7 @@ def ur5e_on_a_stand(sampler: ArmSampler) -> Problem:
     ways = {tuple(way): name for way, name in ((X, "+x"), (-X, "-x"), (Y, "+y"), (-Y, "-y"), (Z, "+z"), (-Z, "-z"))}
     first, second, third = (f"${ways[tuple((heading @ way).round() + 0.0)]}$" for way in (upper, fore, -Y))
     return Problem(
-        statement="A UR5e stands on a stand; the drawing has the place of its base in millimetres. The maker's lengths, from the base "
+        statement="A UR5e is mounted on a stand; the drawing has the place of its base in millimetres. The maker's lengths, from the base "
         f"on, are 162.5 up to joint 2, 425 along {first} to joint 3, 392.2 along {second} to joint 4, 133.3 along {third} to joint 5 and "
         "99.7 down to joint 6. Give the screw axes $S_1$ to $S_6$ in {s} in this configuration, as rows, in metres.",
         further="Give the home pose $M$ of the flange, which is 99.6 mm beyond joint 6 along its axis, with $z$ pointing out of it.",

@@ -432,8 +432,8 @@ def your_own_problem(_: ArmSampler) -> Problem:
         answer=Prose(
             "For example: give the body screw of joint 2 after the tool is lengthened by $l$ along its $z$. Right is "
             "$\\mathrm{Ad}_{T^{-1}} B_2$; a good student multiplies by $\\mathrm{Ad}_{T}$. Card: “You moved the tool the other way. "
-            "The new frame is farther out, so the joint is farther behind it.” The sign of $l$ gives the same numbers, and says the "
-            "same; the transposed adjoint gives others.",
+            "The new frame is farther out, so the joint is farther behind it.” A wrong sign of $l$ gives the same numbers, and the "
+            "card is true of it as well; the transposed adjoint gives others.",
             {
                 "a problem with a right answer, about the own machine": 1,
                 "a wrong answer that is likely, with its numbers": 1,

@@ -14,19 +14,39 @@
     'Delete the record of the lectures that you have read, the questions that you have answered ' +
     'and the problems that you have solved?';
 
+  // --- what this browser keeps; the other scripts of a page, which load after this one, use it, too ---
+
+  window.kinlibStore = { read, write, sayNotStored };
+
+  /** What was written under a key; undefined if that is nothing, or if it cannot be read. */
+  function read(key) {
+    try {
+      return JSON.parse(localStorage.getItem(key)) ?? undefined;
+    } catch {
+      return undefined;
+    }
+  }
+
+  /** Write a value under a key. Returns whether the browser has stored it. */
+  function write(key, value) {
+    try {
+      localStorage.setItem(key, JSON.stringify(value));
+      return true;
+    } catch {
+      return false;
+    }
+  }
+
+  let storageWorks = true;
+  function sayNotStored() {
+    if (storageWorks) showNotice(NO_STORAGE);
+    storageWorks = false;
+  }
+
   // --- progress: { answers: { '03/order': 1 }, read: ['lectures/03_poe_space'], solved: ['03_poe_space/1'] } ---
   // The lab adds to `solved`: site/lab/extension.
 
-  let storageWorks = true;
-  let progress = loadProgress();
-
-  function loadProgress() {
-    try {
-      return validProgress(JSON.parse(localStorage.getItem(KEY)));
-    } catch {
-      return validProgress(null); // no storage, or no record of this course in it
-    }
-  }
+  let progress = validProgress(read(KEY));
 
   /** A valid record, whatever was stored. */
   function validProgress(record) {
@@ -36,18 +56,9 @@
   }
 
   function updateProgress(change) {
-    if (storageWorks) progress = { ...progress, ...loadProgress() }; // another tab may have changed the record
+    if (storageWorks) progress = { ...progress, ...validProgress(read(KEY)) }; // another tab may have changed the record
     change(progress);
-    try {
-      localStorage.setItem(KEY, JSON.stringify(progress));
-    } catch {
-      sayNotStored();
-    }
-  }
-
-  function sayNotStored() {
-    if (storageWorks) showNotice(NO_STORAGE);
-    storageWorks = false;
+    if (!write(KEY, progress)) sayNotStored();
   }
 
   /** Show a message at the lower edge of the window until it is closed. */
@@ -344,11 +355,7 @@
     function deleteProgress() {
       if (!confirm(CONFIRM_DELETE)) return;
       progress = validProgress(null);
-      try {
-        localStorage.removeItem(KEY);
-      } catch {
-        /* nothing was stored */
-      }
+      write(KEY, progress);
       status.textContent = 'Deleted.';
       fillTable();
     }
@@ -543,7 +550,6 @@
   startBar();
   // live.js adds outputs of cells that the reader runs; a self-check that was run again can be answered again
   document.addEventListener('kinlib-content', ({ detail }) => startContent(detail.root, detail.again));
-  document.addEventListener('kinlib-not-stored', sayNotStored);
   // and the problems of a sheet that were solved on its page
   document.addEventListener('kinlib-solved', ({ detail }) => {
     const names = detail.map(({ sheet, problem }) => `${sheet}/${problem}`);

@@ -16,7 +16,7 @@
   const MARKED = 'marked.umd.js';
   const KATEX = 'katex/katex.min.js';
 
-  const h = window.kinlibElement; // of course.js
+  const { kinlibElement: h, kinlibStore: store } = window; // of course.js
 
   const PYTHON_SIZE = `${note.dataset.megabytes} MB`;
   const CONSENT = 'kinlib-python'; // in localStorage, once the reader has agreed
@@ -29,7 +29,7 @@
   const SHEET = note.dataset.kinlibSheet; // the address of the notebook, on the page of a sheet
   const SHEET_INTRODUCTION = [
     'Work on this sheet here: write your id, type an answer below each problem, and press Check.',
-    stores()
+    !SHEET || store.write(KEY, store.read(KEY) ?? {})
       ? 'Your answers are kept in this browser.'
       : 'This browser keeps no answers: do not close this page before the end.',
     'When you are done, download the notebook with your answers at the end of this page, and hand it in.',
@@ -46,17 +46,6 @@
   const STALE = 'This card belongs to an answer that you have changed since. Press Check.';
   const NEEDS_LAB = 'This output has a widget that this page cannot show: ';
 
-  /** Whether the browser lets a page store anything. */
-  function stores() {
-    try {
-      localStorage.setItem(`${KEY}:probe`, '');
-      localStorage.removeItem(`${KEY}:probe`);
-      return true;
-    } catch {
-      return false;
-    }
-  }
-
   const labLink = () => h('a', { href: note.dataset.kinlibRun }, 'open this lecture in the lab');
   const loaded = {};
   const load = (name) => {
@@ -69,31 +58,18 @@
 
   // --- what the reader typed: { original code: changed code } ---
 
-  function loadTyped() {
-    try {
-      return JSON.parse(localStorage.getItem(KEY)) ?? {};
-    } catch {
-      return null; // no storage, or nothing in it that can be read
-    }
-  }
-
-  let typed = loadTyped() ?? {};
+  let typed = store.read(KEY) ?? {};
 
   function keep(key, text) {
-    typed = loadTyped() ?? typed; // another tab may have changed other cells
+    typed = store.read(KEY) ?? typed; // another tab may have changed other cells
     if (text === null) delete typed[key];
     else typed[key] = text;
-    try {
-      if (Object.keys(typed).length) localStorage.setItem(KEY, JSON.stringify(typed));
-      else localStorage.removeItem(KEY);
-    } catch {
-      document.dispatchEvent(new Event('kinlib-not-stored')); // course.js says so
-    }
+    if (!store.write(KEY, typed)) store.sayNotStored();
   }
 
   addEventListener('storage', ({ key }) => {
     if (key !== KEY) return;
-    typed = loadTyped() ?? typed;
+    typed = store.read(KEY) ?? typed;
     for (const cell of cells)
       if (cell.key in typed && typed[cell.key] !== cell.source()) {
         cell.edit(typed[cell.key], false);
@@ -122,11 +98,7 @@
 
   /** Whether the reader has agreed, here or in another tab. */
   function hasAgreed() {
-    try {
-      agreed ||= localStorage.getItem(CONSENT) === 'yes';
-    } catch {
-      /* the reader is asked on each page */
-    }
+    agreed ||= store.read(CONSENT) === true;
     return agreed;
   }
 
@@ -141,11 +113,7 @@
       h('p', {}, `To run code, this page loads Python: ${PYTHON_SIZE}, once. The browser keeps it for all pages.`),
       button('Load Python and run', () => {
         agreed = true;
-        try {
-          localStorage.setItem(CONSENT, 'yes');
-        } catch {
-          /* as above */
-        }
+        store.write(CONSENT, true); // or the reader is asked on each page
         close(then);
       }),
       button('Not now', () => close(refused)),
@@ -665,7 +633,7 @@
 
     /** The output of the last check, as Jupyter saves it; null if there was none, or if the answer has changed since. */
     stored() {
-      const { sources, data } = JSON.parse(loadTyped()?.[this.storedKey] ?? typed[this.storedKey] ?? '{}');
+      const { sources, data } = JSON.parse(store.read(KEY)?.[this.storedKey] ?? typed[this.storedKey] ?? '{}');
       return sources === madeFrom(this) ? { output_type: 'display_data', data, metadata: {} } : null;
     }
 

@@ -2,7 +2,7 @@
 // the answers into the cell of the notebook that compares the two, and runs that cell; live.js shows what Python answers.
 (() => {
   'use strict';
-  const h = window.kinlibElement; // of course.js
+  const { kinlibElement: h, kinlibStore: store } = window; // of course.js
   const cellWith = (text) =>
     [...document.querySelectorAll('article div.cell')].find((cell) =>
       cell.querySelector('.cell_input pre')?.textContent.includes(text),
@@ -280,11 +280,8 @@
   /** Keep what the form says in this browser, as sheets keep their answers. */
   function keep() {
     const values = KEPT.map((name) => [name, form.elements[name].value]);
-    try {
-      localStorage.setItem(KEY, JSON.stringify({ ...Object.fromEntries(values), urdf, hadMeshes: meshes.length > 0 }));
-    } catch {
-      document.dispatchEvent(new Event('kinlib-not-stored')); // course.js says so
-    }
+    const all = { ...Object.fromEntries(values), urdf, hadMeshes: meshes.length > 0 };
+    if (!store.write(KEY, all)) store.sayNotStored();
   }
 
   /** Run cells; the question whether Python may be loaded stands below the button, and `start` is called after it. */
@@ -319,16 +316,12 @@
   });
   const title = document.querySelector('article h1');
   (title.parentElement.querySelector(':scope > p') ?? title).after(form);
-  try {
-    const kept = JSON.parse(localStorage.getItem(KEY)) ?? {};
-    if (kept.urdf) showUrdf(kept.urdf);
-    for (const name of KEPT) if (kept[name]) form.elements[name].value = kept[name];
-    links.hidden ||= Boolean(arm.value);
-    base.onchange?.();
-    if (kept.hadMeshes) aboutFile.textContent = 'Meshes are not kept: to see them, drop the folder or archive again.';
-  } catch {
-    /* no storage, or nothing in it that can be read */
-  }
+  const before = store.read(KEY) ?? {};
+  if (before.urdf) showUrdf(before.urdf);
+  for (const name of KEPT) if (before[name]) form.elements[name].value = before[name];
+  links.hidden ||= Boolean(arm.value);
+  base.onchange?.();
+  if (before.hadMeshes) aboutFile.textContent = 'Meshes are not kept: to see them, drop the folder or archive again.';
   const start = button('Start with the robot of the form', () => run(practise));
   practise[0].before(h('p', {}, start));
 

@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 from browser import watched
+from built_site import ROOT
 from playwright.sync_api import expect
 
 import kinlib as kl
@@ -17,12 +18,11 @@ def show(chromium_without_webgl, tmp_path):
 
     def page_with(*scenes):
         parts = [f"<style>{PlanarArm._css}</style>", *(PlanarArm(scene).html() for scene in scenes)]
-        script = (HERE / "planar_arm.js").read_text("utf-8")
+        files = (ROOT / "site" / "static" / "course.js", HERE / "planar_arm.js")
+        scripts = "".join(f"<script>{file.read_text('utf-8')}</script>" for file in files)
         path = tmp_path / "page.html"
         head = '<!doctype html><html lang="en"><meta charset="utf-8"><title>Arm</title><link rel="icon" href="data:,">'
-        path.write_text(
-            f"{head}<body data-theme='dark'>{''.join(parts)}<script>{script}</script></body></html>", "utf-8"
-        )
+        path.write_text(f"{head}<body data-theme='dark'>{''.join(parts)}{scripts}</body></html>", "utf-8")
         page.goto(path.as_uri())
         return page
 
