@@ -43,7 +43,8 @@ CORKE = "as in Corke's Robotics Toolbox"
 JOINT_CHOICES = ("zeros", "signs")
 MAX_EXPLANATIONS = 4
 AGREES, ENDS = {"right", "rounded"}, {"wrong base", "wrong tool"}
-CHOICE_WORDS = {"another zero": "joint zeros", "sign of a joint value": "joint signs", "wrong base": "base", "wrong tool": "tool"}
+CHOICE_WORDS = {"another zero": "joint zeros", "sign of a joint value": "joint signs",
+                "wrong base": "base", "wrong tool": "tool"}  # fmt: skip
 """The faults that are choices of the arm, and how they are named."""
 
 
