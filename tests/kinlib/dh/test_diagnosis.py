@@ -195,8 +195,7 @@ def test_rounded_numbers_are_right_to_their_digits_and_a_mistake_is_found_throug
 def test_few_digits_are_no_excuse_for_a_number_that_does_not_round_to_them(printed, true):
     """The sum of all rounding would allow these differences; no number within half of its last digit does."""
     table, arm = (published(*((length, 0, 0, 0) for length in lengths)) for lengths in (printed, true))
-    found = diagnose(table, arm, fixed=CHOICES)
-    assert (found.verdict, [fault.name for fault in found.faults]) == ("wrong", ["wrong number"])
+    assert [fault.name for fault in diagnose(table, arm, fixed=CHOICES).faults] == ["wrong number"]
 
 
 def test_pi_with_three_digits_is_a_right_angle_and_no_mistake():
