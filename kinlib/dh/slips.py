@@ -310,10 +310,9 @@ def _corrections_of_a_number(
             angles = np.concatenate([right[:, column], wrap_angle(np.pi - right[:, column])])
             values = np.concatenate([[0.0, np.pi / 2, -np.pi / 2, np.pi], angles, -angles])
         kind = "no offset" if (row, column) in variables and not typed else "wrong number"
+        least = max(ROUNDING_ERROR, 1.05 * half_unit[row, column])
         for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
-            if abs(abs(value) - abs(typed)) > max(
-                ROUNDING_ERROR, 1.05 * half_unit[row, column]
-            ):  # a sign is another slip
+            if abs(abs(value) - abs(typed)) > least:  # a sign is another slip
                 yield Correction(Fault(kind, "", row + 1, name), _set([row], column, value))
 
 
