@@ -20,7 +20,7 @@ from kinlib.view.figures.arm import draw_arm, draw_joints, draw_lettered_chain
 from kinlib.view.figures.axis_relations import draw_axis_relation, draw_axis_relations
 from kinlib.view.figures.frames import draw_frames
 from kinlib.view.figures.linkage import draw_linkage
-from kinlib.view.figures.point_velocity import draw_moment, draw_point_velocity
+from kinlib.view.figures.point_velocity import draw_point_velocity
 
 if TYPE_CHECKING:
     from kinlib.view.browser import show
@@ -43,7 +43,6 @@ __all__ = [
     "draw_joints",
     "draw_lettered_chain",
     "draw_linkage",
-    "draw_moment",
     "draw_point_velocity",
     "drive",
     "explore",

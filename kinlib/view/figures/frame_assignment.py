@@ -1,5 +1,6 @@
 """The steps of a frame assignment as stops: the parts that are drawn after each, of which the current ones are strong."""
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment
+from kinlib.dh.table import Convention
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import describe_arm, pose_text
@@ -84,9 +86,9 @@ def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
             parts.append(line_part(*ends, "normal", name=name * strong, width=width, dashed=True, strong=strong))
             marks += [_mark(*ends)] if strong and not finished else []
     if step.kind == "row" and i is not None:
-        for name, start, end in _row_segments(assignment, i):
-            parts.append(line_part(start, end, "axis" if name[0] == "d" else "normal", name=name, width=4))
-            marks.append(_mark(start, end))
+        own = translations(frames[i - 1 : i + 1], assignment.table.convention, first=i)
+        parts += own
+        marks += [{"from": part["from"], "to": part["to"]} for part in own]
     assigned = {j: _assigned(j, n, done) for j in range(n + 1)}
     shown = [j for j in range(n + 1) if assigned[j] and near[j]]
     for j, rank in zip(shown, ranks(frames[shown, :3, 3]), strict=True):
@@ -111,15 +113,21 @@ def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
     }
 
 
-def _row_segments(assignment: FrameAssignment, row: int) -> list[tuple[str, Array, Array]]:
-    """Return the translations of a row, counted from 1, as segments (name, start, end): d along z, a along x; none of length zero."""
-    before, after = assignment.frames[row - 1 : row + 1]
-    a, _, d, _ = assignment.table.rows[row - 1]
-    standard = assignment.table.convention == "standard"
-    corner = before[:3, 3] + (d * before[:3, 2] if standard else a * before[:3, 0])
-    names = (f"d_{row}", f"a_{row}") if standard else (f"a_{row - 1}", f"d_{row}")
-    segments = zip(names, (before[:3, 3], corner), (corner, after[:3, 3]), strict=True)
-    return [(name, start, end) for name, start, end in segments if np.linalg.norm(end - start) > 1e-9]
+def translations(frames: Array, convention: Convention, first: int = 1) -> list[Part]:
+    """Return the translations of rows between frames (m + 1, 4, 4): d along z and a along x, in the order of the convention.
+
+    first  the number of the first row; those of length zero are left out
+    """
+    parts = []
+    for i, (before, after) in enumerate(pairwise(frames), start=first):
+        start, end = before[:3, 3], after[:3, 3]
+        along = before[:3, 2 if convention == "standard" else 0]
+        corner = start + along @ (end - start) * along
+        names = (f"d_{i}", f"a_{i}") if convention == "standard" else (f"a_{i - 1}", f"d_{i}")
+        for name, ends in zip(names, ((start, corner), (corner, end)), strict=True):
+            if np.linalg.norm(ends[1] - ends[0]) > 1e-9:
+                parts.append(line_part(*ends, "axis" if name[0] == "d" else "normal", name=name, width=4))
+    return parts
 
 
 def visible_features(assignment: FrameAssignment) -> tuple[NDArray[np.bool_], Array]:

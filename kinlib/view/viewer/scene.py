@@ -72,9 +72,7 @@ def scene(
     given = frames_on_links(robot, start, frames) if frames and isinstance(robot, Chain) else {}
     for T in map(np.asarray, frames.values() if given and frames else ()):
         seen += [T[:3, 3] + 0.3 * size * np.vstack([T[:3, :3].T, np.zeros(3)])] * _near(T[:3, 3], size)
-    points = np.concatenate(seen)
-    centre = (points.min(axis=0) + points.max(axis=0)) / 2
-    radius = half_height(points - centre) + 0.1 * size  # a margin for labels
+    region = room(np.concatenate(seen), 0.1 * size)  # a margin for labels
     solids, arms = iter(solid_data(body.links)), []
     for branch, rule in zip(found, by_rule, strict=True):
         arms.append(arm_data(branch) | {"body": [next(solids) for _ in rule], "rule": rule})
@@ -85,7 +83,7 @@ def scene(
     return {
         "name": robot.name,
         # If an arm is small compared with what is in view, its marks must stay large enough to be distinguished.
-        "size": max(size, MIN_SIZE_IN_ROOM_RADII * radius) * joint_share(found),
+        "size": max(size, MIN_SIZE_IN_ROOM_RADII * region["radius"]) * joint_share(found),
         "arms": arms,
         "sliders": [
             _slider(k, kinds[k] == "P", limits[k], float(start[k]), span) | {"title": titles[k]}
@@ -95,7 +93,7 @@ def scene(
         "limits": [[end if np.isfinite(end) else None for end in pair] for pair in limits.tolist()]
         if robot.limits is not None
         else [],
-        "room": {"centre": centre.tolist(), "radius": radius},
+        "room": region,
         "floor": body.lowest,
         **({"offered": ["axes", "dimensions"]} if isinstance(robot, Tree) else {}),
     }
@@ -104,13 +102,14 @@ def scene(
 def bare_scene(chain: Chain, points: Array) -> dict[str, Any]:
     """Return the scene of the arm at home without a body and sliders, with a view that also contains points (m, 3)."""
     (branch,) = branches(chain)
-    room = still_room(np.concatenate([points, stations(chain)]), 0.84)  # no arm fills the sphere around it
+    ends = np.array([f([*points, *stations(chain)], axis=0) for f in (np.min, np.max)])
+    radius = 0.42 * float(np.linalg.norm(ends[1] - ends[0]))  # no arm fills the sphere around it
     size, lowest = extent(branch), float(stations(chain)[:, 2].min())
     return {
         "name": chain.name,
-        "size": max(size, room["radius"]),
+        "size": max(size, radius),
         "arms": [arm_data(branch, bare=True)],
-        "room": room,
+        "room": {"centre": ends.mean(axis=0).tolist(), "radius": radius, "constant": True},
         "floor": lowest - (0.1 if lowest > -0.05 * size else 0.2) * size,
         "offered": ["dimensions"],
     }
@@ -177,11 +176,10 @@ def half_height(points: Array, look: Sequence[float] = VIEWS["default"]) -> floa
     return max(float(max(HEIGHT_PER_WIDTH * right, up)) for right, up in seen)
 
 
-def still_room(points: Array, share: float) -> dict[str, Any]:
-    """Return the region in view of what does not leave its place: a share of the sphere around points (m, 3)."""
-    low, high = points.min(axis=0), points.max(axis=0)
-    radius = share * float(np.linalg.norm(high - low)) / 2
-    return {"centre": ((low + high) / 2).tolist(), "radius": radius, "constant": True}
+def room(points: Array, margin: float, look: Sequence[float] = VIEWS["default"]) -> dict[str, Any]:
+    """Return the region in view: the middle of points (m, 3), and half its height with a margin in metres."""
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2
+    return {"centre": centre.tolist(), "radius": half_height(points - centre, look) + margin}
 
 
 def frame_data(name: str, body: int, pose: Array) -> dict[str, Any]:
