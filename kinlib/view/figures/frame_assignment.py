@@ -13,11 +13,8 @@ from kinlib.dh.table import Convention
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import describe_arm, pose_text
-from kinlib.view.figures.joint_bodies import draw_joint_bodies
+from kinlib.view.figures.joint_bodies import are_near, arm_size, draw_joint_bodies
 from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, ranks
-
-MAX_DISTANCE_IN_ARM_SIZES = 4.0
-"""Frames and normals farther from the arm than this are left out, as those of nearly parallel axes can be."""
 
 STEP_TITLES = {
     "axes": "The joint axes",
@@ -132,17 +129,9 @@ def translations(frames: Array, convention: Convention, first: int = 1) -> list[
 
 def visible_features(assignment: FrameAssignment) -> tuple[NDArray[np.bool_], Array]:
     """Return which frames are near enough to the arm to be shown, (n + 1,), and the feet of normals that are, (m, 3)."""
-    chain = assignment.chain
-    middle = np.concatenate([chain.joint_points, chain.home[None, :3, 3]]).mean(axis=0)
-    radius = MAX_DISTANCE_IN_ARM_SIZES * max(arm_size(chain), 0.1)
+    size = arm_size(assignment.chain)
     feet = np.reshape([foot for normal in assignment.normals for foot in (normal.start, normal.end)], (-1, 3))
-    near: NDArray[np.bool_] = np.linalg.norm(assignment.frames[:, :3, 3] - middle, axis=-1) < radius
-    return near, feet[np.linalg.norm(feet - middle, axis=-1) < radius]
-
-
-def arm_size(chain: Chain) -> float:
-    """Return the longest side of the box around the joints and the tool of an arm at home, in metres."""
-    return float(np.ptp([*chain.joint_points, chain.home[:3, 3]], axis=0).max())
+    return are_near(assignment.frames[:, :3, 3], size), feet[are_near(feet, size)]
 
 
 def span_on_axis(z: Array, point: Array, places: ArrayLike) -> tuple[float, float]:

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import validation
+from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
@@ -67,6 +67,11 @@ class Motion(NamedTuple):
     def twist(self) -> Array:
         """The motion as a twist (6,) in the moving frame."""
         return np.kron([self.angle, self.distance], np.eye(3)["x z".index(self.axis)])
+
+    @property
+    def value(self) -> float:
+        """The value of the joint that makes this motion: its angle, or else its distance."""
+        return self.angle if abs(self.angle) > tolerances.UNIT_LENGTH_TOL else self.distance
 
 
 class Track(NamedTuple):
@@ -210,10 +215,10 @@ def _player(tracks: Sequence[Track], after: Any) -> Steps:
         merged = [_track_stop(*one, k) for one in zip(tracks, poses, strict=True)]
         stop: Stop = {key: [x for one in merged for x in one[key]] for key in merged[0] if key != "alt"}
         stop["alt"] = f"Motions that move a frame: {k} of {count} done. {' '.join(one['alt'] for one in merged)}"
-        stop["q"] = np.tile(np.arange(count) < k, len(tracks)).astype(float).tolist()
+        stop["q"] = [motion.value * (i < k) for track in tracks for i, motion in enumerate(track.motions)]
         stops.append(stop | {"reached": k in tracks[0].names})
     arms = [
-        frame_arm(start, [adjoint(start) @ motion.twist for motion in track.motions], k * count)
+        frame_arm(start, [adjoint(start) @ motion.twist / (motion.value or 1) for motion in track.motions], k * count)
         for k, (track, start) in enumerate(zip(tracks, starts, strict=True))
     ]
     origins = poses[..., :3, 3].reshape(-1, 3)
