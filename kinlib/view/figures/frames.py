@@ -16,16 +16,12 @@ def draw_frames(
     frames: Mapping[str, ArrayLike],
     *,
     arrows: bool = True,
-    alt: str | None = None,
-    caption: str = "",
     numbers: bool = False,
-    axis_length: float | None = None,
 ) -> Picture:
     """Draw frames by name, with an arrow from each to the next.
 
     frames   {"s": T_ss, "b": T_sb, ...}, poses (4, 4) in one common frame
     numbers  whether the grid has numbers and each origin a dotted line down to it, so that its coordinates can be read off
-    axis_length  the length of the axes in metres; by default a quarter of the size of what is shown
 
     Raises ValueError if a frame is not a pose.
 
@@ -45,8 +41,8 @@ def draw_frames(
         canvas.arrow(start, end, GREY, 1.2, level=1)
     said = []
     for name, T in poses.items():
-        canvas.triad(T, name, axis_length or 0.25 * canvas.size)
+        canvas.triad(T, name, 0.25 * canvas.size)
         directions = f", its x along {vector_text(T[:3, 0])}, its z along {vector_text(T[:3, 2])}"
         is_parallel = np.allclose(T[:3, :3], np.eye(3))
         said.append(f"Frame {{{name}}} at {vector_text(T[:3, 3])}{'' if is_parallel else directions}.")
-    return canvas.picture(alt or " ".join(said), caption, cropped=True)
+    return canvas.picture(" ".join(said), cropped=True)

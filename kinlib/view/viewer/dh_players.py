@@ -283,7 +283,6 @@ def _track_stop(track: Track, poses: Array, k: int) -> Stop:
     moving = frame_text(("", homogeneous(here[:3, :3], here[:3, 3] - start)))
     return {
         "texts": [track.motions[k - 1].text if k else "No motion is complete yet: the frame is at its start."],
-        "poses": [here.ravel().tolist()],
         "parts": parts,
         "ways": ways,
         "turns": turns,

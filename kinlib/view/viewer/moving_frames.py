@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
+from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import frame_text
-from kinlib.view.figures.frames import draw_frames
-from kinlib.view.figures.parts import line_part
+from kinlib.view.figures.parts import draw_parts, frame_part, line_part
 from kinlib.view.viewer.pictures import value_text
 from kinlib.view.viewer.scene import room
 from kinlib.view.viewer.steps import Steps, frame_arm
@@ -72,10 +72,12 @@ def slide_frames(
         )
 
     def draw(player: Steps) -> Picture:
-        stop = player.stop
-        shown = dict(zip(names, np.reshape(stop["poses"], (-1, 4, 4)), strict=True))
-        looks: dict[str, Any] = {"arrows": bool(stop["parts"]), "axis_length": length}
-        return draw_frames(shown, alt=player.alt, caption=stop["texts"][0], **looks)
+        canvas, stop = Canvas(points), player.stop
+        canvas.floor(points)
+        shown = zip(names, np.reshape(stop["poses"], (-1, 4, 4)), strict=True)
+        frames = [frame_part(T, "Oxyz", name=name, length=length / radius) for name, T in shown]
+        draw_parts(canvas, [*stop["parts"], *frames], radius)
+        return canvas.picture(player.alt, stop["texts"][0], cropped=True)
 
     scene = {
         "name": "frames",
