@@ -69,11 +69,10 @@ def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
     beside = () if i is None else (i - 1, i)
     near, feet = visible_features(assignment)
     size = arm_size(chain)
-    parts, marks = [], []
+    parts = []
     for axis, ends in enumerate(axis_ends(chain, feet)):
         strong = step.kind in {"axes", "accuracy"} or (step.kind == "normal" and axis in beside)
         parts.append(line_part(*ends, "axis", name=f"axis {axis + 1}", dashed=True, tip=True, strong=strong))
-        marks += [_mark(*ends)] if strong and step.kind == "normal" else []
     for pair, normal in enumerate(assignment.normals, start=1):
         if ("normal", pair) in done:
             strong = finished or (step.kind in {"normal", "x"} and i == pair)
@@ -81,11 +80,10 @@ def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
             ends, name = (normal.start - half, normal.end + half), f"normal {pair}–{pair + 1}"
             width = 3 if strong else 2
             parts.append(line_part(*ends, "normal", name=name * strong, width=width, dashed=True, strong=strong))
-            marks += [_mark(*ends)] if strong and not finished else []
     if step.kind == "row" and i is not None:
-        own = translations(frames[i - 1 : i + 1], assignment.table.convention, first=i)
-        parts += own
-        marks += [{"from": part["from"], "to": part["to"]} for part in own]
+        parts += translations(frames[i - 1 : i + 1], assignment.table.convention, first=i)
+    lines = [part for part in parts if part["strong"] and step.kind in {"normal", "x", "row"}]
+    marks = [{"from": line["from"], "to": line["to"]} for line in lines]
     assigned = {j: _assigned(j, n, done) for j in range(n + 1)}
     shown = [j for j in range(n + 1) if assigned[j] and near[j]]
     for j, rank in zip(shown, ranks(frames[shown, :3, 3]), strict=True):

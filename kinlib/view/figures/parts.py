@@ -16,7 +16,7 @@ from kinlib.view.drawing.figure_colours import GREY, INK, LIGHT_AND_DARK
 Part = dict[str, Any]
 
 WIDTHS_PX = (0.0, 1.3, 1.9, 3.2, 4.5)
-"""The width of a line in a drawing, by its number; js/modes/parts.js has the radii."""
+"""The width of a line in a drawing, by its number; js/scene/solids.js has the radii."""
 
 TURN_RADIUS = 0.21
 """The radius of the arc of an angle, as a share of the size of the scene."""
