@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, ORANGE
-from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.drawing.picture import Picture
+from kinlib.view.figures.arm import frame_text
 
 
 def draw_frames(
@@ -26,7 +27,7 @@ def draw_frames(
     Raises ValueError if a frame is not a pose.
 
     >>> draw_frames({"s": np.eye(4)}).alt
-    'Frame {s} at (0, 0, 0).'
+    'Frame {s} at (0, 0, 0), x along x, y along y, z along z.'
     """
     poses = {name: validation.poses(T, f"frame {name}") for name, T in frames.items()}
     origins = [T[:3, 3] for T in poses.values()]
@@ -39,10 +40,6 @@ def draw_frames(
         canvas.measure(np.array([origin for origin in origins if origin.any()]).reshape(-1, 3), ORANGE)
     for start, end in pairwise(origins if arrows else []):
         canvas.arrow(start, end, GREY, 1.2, level=1)
-    said = []
     for name, T in poses.items():
         canvas.triad(T, name, 0.25 * canvas.size)
-        directions = f", its x along {vector_text(T[:3, 0])}, its z along {vector_text(T[:3, 2])}"
-        is_parallel = np.allclose(T[:3, :3], np.eye(3))
-        said.append(f"Frame {{{name}}} at {vector_text(T[:3, 3])}{'' if is_parallel else directions}.")
-    return canvas.picture(" ".join(said), cropped=True)
+    return canvas.picture(" ".join(map(frame_text, poses.items())), cropped=True)
