@@ -221,13 +221,13 @@ def _player(tracks: Sequence[Track], after: Any) -> Steps:
         frame_arm(start, [adjoint(start) @ motion.twist / (motion.value or 1) for motion in track.motions], k * count)
         for k, (track, start) in enumerate(zip(tracks, starts, strict=True))
     ]
-    origins = poses[..., :3, 3].reshape(-1, 3)
-    points = np.array([*(part[end] for part in still if part["kind"] == "line" for end in ("from", "to")), *origins])
+    tips = (poses[..., :3, 3, None] + FRAME_LENGTH * size * poses[..., :3, :3]).swapaxes(-1, -2).reshape(-1, 3)
+    points = np.array([*(part[end] for part in still if part["kind"] == "line" for end in ("from", "to")), *tips])
     scene = {
         "name": "a row of a DH table",
         "size": size,
         "arms": arms,
-        "room": room(points, 0.15 * size) | {"constant": True},
+        "room": room(points, 0.1 * size) | {"constant": True},
         "floor": float(points[:, 2].min()) - 0.1 * size,
         "offered": [],
     }
