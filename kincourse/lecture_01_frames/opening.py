@@ -7,7 +7,7 @@ from kinlib.rigid.lie import exp, homogeneous
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.viewer.film import Film, film, share
+from kinlib.view.viewer.pictures import Pictures, film, share
 
 CAMERA = homogeneous(exp([0, 0, np.pi]) @ exp([2.4, 0, 0]), (0.9, 0.5, 1.0))
 BESIDE = {"camera": [(90, 0)], "base": [(70, -14)]}
@@ -43,7 +43,7 @@ def draw_bolt(bolt: Array, *, base: bool = True, gripper: Array | None = None) -
     return canvas.picture(said)
 
 
-def opening() -> Film:
+def opening() -> Pictures:
     """Play a bolt that moves on a table, with its coordinates in the frame of a camera and in that of a base."""
 
     def draw(t: float) -> Picture:

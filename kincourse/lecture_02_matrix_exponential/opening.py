@@ -8,7 +8,7 @@ from kinlib.rigid.screw import screw
 from kinlib.view.drawing.canvas import Canvas, moved
 from kinlib.view.drawing.figure_colours import GREY, LINK_GREY, ORANGE
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.viewer.film import Film, film
+from kinlib.view.viewer.pictures import Pictures, film
 
 AXIS, PLACE, PITCH = np.array([0.0, 0.0, 1.0]), np.array([0.2, 0.1, 0.0]), 0.08
 ARROW_S = 0.22
@@ -20,7 +20,7 @@ RATE = 0.65
 BODY = np.array([(0.75, 0.1, 0), (0.75, 0.1, 0.3), (1.05, 0.1, 0.3), (1.05, 0.1, 0), (0.75, 0.1, 0)])
 
 
-def opening() -> Film:
+def opening() -> Pictures:
     """Play the velocity field of a twist, and a body that flows along it."""
     S = screw(AXIS, PLACE, pitch=PITCH)
     grid = np.array([(x, y, 0.0) for x in np.linspace(-0.8, 1.2, 6) for y in np.linspace(-0.8, 1.0, 5)])

@@ -8,7 +8,7 @@ from kinlib.view.drawing.canvas import Canvas, moved
 from kinlib.view.drawing.figure_colours import LINK_GREY
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.joint_bodies import stations
-from kinlib.view.viewer.film import Film, film, share
+from kinlib.view.viewer.pictures import Pictures, film, share
 
 END = np.array([1.2, 0.7, 0.15, -1.3])
 APART = np.array([1.75, 1.0, 0.0])
@@ -18,7 +18,7 @@ SEEN, REST = np.array([(-0.6, -0.5, 0.0), (0.75, 0.6, 1.3)]), np.array([-0.55, 0
 """The space that the right picture needs, and where in it the tool is at rest."""
 
 
-def opening() -> Film:
+def opening() -> Pictures:
     """Play one motion twice, side by side: with the base at rest, and with the tool at rest."""
     arm = plain_arm()
     around = np.array([(-0.45, -0.4, 0), (0.8, 0.7, 1.05), APART + SEEN[0], APART + SEEN[1]])

@@ -7,7 +7,7 @@ from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK, LINK_GREY, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.viewer.film import Film, film, share
+from kinlib.view.viewer.pictures import Pictures, film, share
 
 STARTS = np.radians([(10, 40), (10, 130)])
 APART = np.array([1.7, 0.0, 0.0])
@@ -17,7 +17,7 @@ TURN_1, TURN_2 = 0.6, 0.5
 """How far joint 1 and joint 2 rotate, in radians."""
 
 
-def opening() -> Film:
+def opening() -> Pictures:
     """Play the same rotations of two joints, of an arm that is almost straight and of the same arm with a bent elbow."""
     chain = arm([(Z, (0, 0, 0)), (Z, (0.6, 0, 0))], pose((X, Y, Z), (1.1, 0, 0)), "plane arm", "")
     around = np.array([(-0.25, -0.3, 0), (2.6, 1.2, 0)])

@@ -4,10 +4,10 @@ import numpy as np
 
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.axis_relations import draw_moving_normal
-from kinlib.view.viewer.film import Film, film, share
+from kinlib.view.viewer.pictures import Pictures, film, share
 
 
-def opening() -> Film:
+def opening() -> Pictures:
     """Play the common normal of two axes while the second axis tilts, rotates about the first, comes nearer, and leaves."""
 
     def draw(t: float) -> Picture:

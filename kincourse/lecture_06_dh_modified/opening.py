@@ -7,12 +7,12 @@ from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import LINK_GREY
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.joint_bodies import carried_axes, draw_joint_body
-from kinlib.view.viewer.film import Film, film, share
+from kinlib.view.viewer.pictures import Pictures, film, share
 
 ELBOW, TIP = np.array([0.7, 0.0, 0.0]), np.array([1.2, 0.0, 0.0])
 
 
-def opening() -> Film:
+def opening() -> Pictures:
     """Play two joints of an arm. The link between them has two frames, one at each of its ends."""
     chain = arm([(Z, (0, 0, 0)), (Y, ELBOW)], pose((X, Y, Z), TIP), "two joints", "")
     around = np.array([(-0.35, -0.5, -0.5), (1.3, 0.8, 0.6)])

@@ -8,7 +8,7 @@ from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK, LINK_GREY, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.joint_bodies import carried_axes, draw_joint_body
-from kinlib.view.viewer.film import Film, film, share
+from kinlib.view.viewer.pictures import Pictures, film, share
 
 CENTRE, REACH = np.array([0.0, 0.0, 0.0]), 0.9
 PLACES = (-0.75, 0.0, 0.4)
@@ -18,7 +18,7 @@ NAMED_ENDS = (0.8, 0.8, -0.8)
 """Where on its axis its name stands: that of axis 6 away from the tool, whose frame has letters of its own."""
 
 
-def opening() -> Film:
+def opening() -> Pictures:
     """Play the three joints of a spherical wrist, one after the other and then together."""
     wrist = arm([(X, CENTRE), (Y, CENTRE), (X, CENTRE)], pose((Y, Z, X), (REACH, 0, 0)), "wrist", "")
     start = np.array([0.0, 0.6, 0.0])

@@ -6,12 +6,12 @@ from kincourse.sampling.linkages import FourBar
 from kinlib.mechanisms.linkages import four_bar
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.linkage import draw_linkage
-from kinlib.view.viewer.film import Film, film, share
+from kinlib.view.viewer.pictures import Pictures, film, share
 
 LENGTHS = FourBar(0.5, 0.3, 0.3, 0.3)
 
 
-def opening() -> Film:
+def opening() -> Pictures:
     """Play a four-bar linkage whose crank rotates to the end of its range, where coupler and rocker are in one line."""
     linkage = four_bar(*LENGTHS)
     last = float(np.arccos(LENGTHS.cos_crank_angle(LENGTHS.coupler + LENGTHS.rocker))) - 1e-12

@@ -7,7 +7,7 @@ from kinlib.rigid.rpy import origin
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GHOST_GREY, INK, LINK_GREY
 from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.viewer.film import Film, film, share
+from kinlib.view.viewer.pictures import Pictures, film, share
 
 LINES = (
     ("column", (0.0, 0.0, 0.5), (0.0, 0.0, 0.5)),
@@ -21,7 +21,7 @@ EACH_S = 1.5
 AROUND = np.array([(-0.2, -0.5, 0), (1.3, 0.9, 1.3)])
 
 
-def opening() -> Film:
+def opening() -> Pictures:
     """Play how an arm grows from the lines of a file, and how it changes with one number."""
     grown = EACH_S * len(LINES)
 

@@ -10,7 +10,7 @@ from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GHOST_GREY, INK, LINK_GREY, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.joint_bodies import stations
-from kinlib.view.viewer.film import Film, film, share
+from kinlib.view.viewer.pictures import Pictures, film, share
 
 END = np.array([1.3, 0.8, 0.15, -1.2])
 AROUND = np.array([(-0.4, -0.4, 0), (0.9, 0.9, 1.2)])
@@ -24,7 +24,7 @@ def described_arm() -> Chain:
     return Chain(screws, real.home, points, name="described arm")
 
 
-def opening() -> Film:
+def opening() -> Pictures:
     """Play an arm, the places where its tool was measured, and where a description with a fault puts it."""
 
     def draw(t: float) -> Picture:

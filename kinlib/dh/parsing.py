@@ -1,14 +1,13 @@
-"""The headings and the entries of DH tables as people type them.
+"""The columns of DH tables, and their entries as people type them.
 
-An entry may contain the joint variable (`q1`, `theta_1`, `d_2`), pi, fractions, and named lengths. Angles are in radians, unless a
-unit says degrees, in the heading of the column or after the number.
+An entry may contain the joint variable (`q1`, `theta_1`, `d_2`), pi, fractions, units, and named lengths.
 """
 
 import ast
 import math
 import operator
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -16,41 +15,16 @@ import numpy as np
 COLUMNS = ("a", "alpha", "d", "theta")
 ANGLE_COLUMNS = ("alpha", "theta")
 
-COLUMN_NAMES = {
-    name: column
-    for column, names in {
-        "a": "a r length linklength aj ai an",
-        "alpha": "alpha alfa alph al twist linktwist psi alphaj",
-        "d": "d s linkoffset dj di",
-        "theta": "theta th q angle jointangle v thetaj var variable",
-        "offset": "offset thetaoffset offsettheta theta0 zero jointoffset qoffset",
-        "type": "type sigma jointtype kind",
-    }.items()
-    for name in names.split()
-}
-"""The names that people give to columns, in small letters without signs and indices. An offset is that of theta, beside a d."""
-
-HEADING_UNIT = re.compile(
-    r"[\[(/,_]?\s*(?<![a-zA-Z])(mm|cm|m|millimet\w+|met(?:er|re)s?|rad|radians?|deg|degrees?)\b\.?\s*[\])]?|°"
-)
-HEADING_INDEX = re.compile(r"[_\s({\[]*(?:[ijkn]|\d)\s*(-\s*1)?[)}\]]*\s*$")
+LENGTH_UNITS, ANGLE_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}, {"rad": 1.0, "deg": math.pi / 180}
 
 NUMBER = r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
-SPELLINGS = {
-    "\theta": "theta", "\alpha": "alpha", "\frac": "\\frac",  # without r in front of a text, Python reads \t, \a and \f
-    **dict.fromkeys("−–—", "-"), "⁄": "/", **dict.fromkeys("·×⋅", "*"), **dict.fromkeys(("º", "˚", r"^{\circ}", r"^\circ"), "°"),
-    **{subscript: str(digit) for digit, subscript in enumerate("₀₁₂₃₄₅₆₇₈₉")},
-    "₋": "-", "ᵢ": "i", "π": "pi", "θ": "theta", "ϑ": "theta", "α": "alpha", "ψ": "psi",
-}  # fmt: skip
-"""Signs that are written on paper, as a keyboard has them."""
+UNIT = re.compile(rf"({NUMBER})\s*(?:(mm|cm|m)\b|(°|deg(?:rees)?\b)|rad(?:ians)?\b)")
 
-OPERATORS: dict[type[ast.operator], Callable[[complex, complex], complex]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-}
+VARIABLE = re.compile(r"(?:q|theta|d)_?\d*", re.ASCII)
+"""A joint variable; in another column than d, d_3 is a length whose value is missing."""
+
+OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv}
 
 MAX_ENTRY_LENGTH, MAX_LENGTH_M, MIN_LENGTH_MM = 200, 1e12, 5.0
 """The maximum number of characters of an entry; of a and d in metres, beyond which a pose resolves no millimetre; and the smallest
@@ -75,95 +49,56 @@ def is_plausible_angle(angle: float) -> bool:
     return abs(degrees - round(degrees)) < 1e-4 or (not is_typed and size <= 4 * math.pi)
 
 
-def respelled(text: str) -> str:
-    """Replace signs that are written on paper by what a keyboard has."""
-    for sign, plain in SPELLINGS.items():
-        text = text.replace(sign, plain)
-    return text
-
-
-class Heading(NamedTuple):
-    """A heading: the name of its column, or its own words if that is no column; its unit, and its indices "i" or "i-1"."""
-
-    name: str
-    unit: str = ""
-    indices: str = ""
-
-
-def parse_headings(cells: Sequence[str]) -> list[Heading]:
-    """Read the headings of columns; "offset" is d where no other column is."""
-    heads = [parse_heading(cell) for cell in cells]
-    has_d = any(head.name == "d" for head in heads)
-    return [head._replace(name="d") if head.name == "offset" and not has_d else head for head in heads]
-
-
-def parse_heading(head: str) -> Heading:
-    """Read a single heading."""
-    plain = head.strip().strip("\"'`*:").replace("\\", "").replace("$", "")
-    if len(plain) > MAX_ENTRY_LENGTH or re.search(r"[⁻⁺]|min|max|lim|range", plain):  # limits of a joint
-        return Heading(plain.lower())
-    unit = ""
-    if found := HEADING_UNIT.search(plain):
-        unit = {"°": "deg", "mi": "mm", "me": "m", "ra": "rad", "de": "deg"}.get((found[1] or "°")[:2], found[1])
-        if re.search("[a-zA-Z]", plain[: found.start()]):
-            plain = plain[: found.start()] + plain[found.end() :]
-    plain = plain.strip().lower()
-    index = HEADING_INDEX.search(plain)
-    whole, bare = (re.sub("[^a-z0]", "", text) for text in (plain, plain[: index.start()] if index else plain))
-    letters = {*re.findall("[a-z]+", plain)} - {"angle", "joint", "length", "link", "offset", "twist"}
-    alone = letters.pop() if len(letters) == 1 else ""  # in "link length a"
-    name = next((known for text in (whole, bare, alone) if (known := COLUMN_NAMES.get(text))), plain)
-    indices = "i-1" if index and index[1] else "i" if index and re.search("[ijkn]", index[0]) else ""
-    return Heading(name, unit, indices)
-
-
 class Entry(NamedTuple):
-    """An entry: its value, in which the variable is the imaginary unit (0.5 - q1 is 0.5 - 1j); its variables; and "°", "pi" or ""."""
+    """An entry: its value, in which the variable is the imaginary unit (0.5 - q1 is 0.5 - 1j), and its variables.
+
+    unit  "m" or "rad" if the entry says the unit of its numbers, which are in metres or radians then; "pi" if it has pi
+    """
 
     value: complex
     variables: Sequence[str] = ()
     unit: str = ""
 
 
-def joint_of_row(row: Mapping[str, Entry], place: str) -> tuple[str, float, str]:
-    """Return the type and the sign of a row's joint, and the name of its variable, from the variables in its entries by column.
+def read_entry(cell: str, column: str, names: Mapping[str, Entry]) -> Entry:
+    """Read an entry of a column: sums, products and fractions of numbers, names and a variable; an empty one is 0, and column "" is any.
 
-    Raises ValueError for a second variable, one in another column than d and theta, and one with a factor.
+    Raises ValueError for anything else.
     """
-    moving = {column: entry for column, entry in row.items() if entry.variables}
-    if not moving:
-        return "F", 1.0, ""
-    names, (column, entry) = [name for each in moving.values() for name in each.variables], next(iter(moving.items()))
-    if len(names) > 1 or column not in {"d", "theta"} or abs(entry.value.imag) != 1:
-        raise ValueError(
-            f"{place}: a row must have one joint variable, q or -q without a factor, in theta or in d; got {' and '.join(names)} in "
-            f"{' and '.join(moving)}{f', with the factor {entry.value.imag:g}' * (len(names) == 1)}. Are two columns swapped?"
-        )
-    return ("R" if column == "theta" else "P"), entry.value.imag, names[0]
-
-
-def evaluate_entry(entry: str, column: str, lengths: Mapping[str, float]) -> Entry:
-    """Evaluate an entry of a column; the names of `lengths` have values.
-
-    Raises ValueError for anything but sums, products and fractions of numbers, names and a variable.
-    """
-    text = re.sub(r"[\\{}]", "", entry)
-    text, degrees = re.subn(rf"({NUMBER})\s*(?:°|deg\b)", r"(\1*pi/180)", text)
+    text = re.sub(r"[\\{}]|\(\s*var\w*\.?\s*\)|\*$", "", cell.strip(" \r\"'`*")).strip()
+    for bracket, other in ("()", ")("):  # of a call or a tuple around several cells
+        text = text.strip(bracket).strip() if text.count(bracket) > text.count(other) else text
+    if text in {"", "-", "/", "n.a.", "n/a", "None", "none"}:
+        return Entry(0j)
+    text = re.sub(r"(?i)^(?:var\w*|joint\w*|theta_?[ijkn]?|q_?[ijkn]?|d_?[ijkn])$", "q", text)
+    units = {"m" if unit[2] else "rad" for unit in UNIT.finditer(text)}
+    text = UNIT.sub(lambda f: f"({f[1]}*{LENGTH_UNITS[f[2]] if f[2] else 'pi/180' if f[3] else 1})", text)
     text = re.sub(rf"({NUMBER}|\))\s*(?=(?:pi|q_?\d*)\b|theta)", r"\1*", text)
     try:
         # Python also reads 0x1F and 1_000, but people do not.
-        if len(entry) > MAX_ENTRY_LENGTH or re.search(r"[^\w\s.+*/()-]|\d_|\b0[xXbBoO]", text):
+        if len(cell) > MAX_ENTRY_LENGTH or re.search(r"[^\w\s.+*/()-]|\d_|\b0[xXbBoO]", text):
             raise TypeError("not an entry of a table")
         tree = ast.parse(text, mode="eval").body
-        if not np.isfinite(value := _evaluate(tree, column, lengths)):
+        used = list(dict.fromkeys(node.id for node in ast.walk(tree) if isinstance(node, ast.Name)))
+        variables = [name for name in used if VARIABLE.fullmatch(name) and (column == "d" or name[0] != "d")]
+        values = {
+            **dict.fromkeys(variables, 1j),
+            "pi": math.pi,
+            **{name: names[name].value for name in used if name in names},
+        }
+        if not np.isfinite(value := _evaluate(tree, values)):
             raise ValueError("not finite")
     except (SyntaxError, KeyError, TypeError, ZeroDivisionError, ValueError) as error:
         raise ValueError(
-            f"an entry must be a number, or a joint variable with a number; got {entry!r:.200}. {_hint(text, column, error)}."
+            f"an entry must be a number, or a joint variable with a number; got {cell!r:.200}. {_hint(text, column, error)}."
         ) from error
-    names = (node.id for node in ast.walk(tree) if isinstance(node, ast.Name))
-    variables = (name.replace("_", "") for name in names if name not in lengths and _is_variable(name, column))
-    return Entry(value, [*dict.fromkeys(variables)], "°" if degrees else "pi" if re.search(r"\bpi\b", text) else "")
+    units |= {names[name].unit for name in used if name in names} - {""}
+    if column and units & {"m" if column in ANGLE_COLUMNS else "rad"}:
+        raise ValueError(
+            f"{cell!r:.200} is no {'angle' if column in ANGLE_COLUMNS else 'length'}. Are two columns swapped?"
+        )
+    free = [name.replace("_", "") for name in variables if name not in names]
+    return Entry(value, free, units.pop() if units else "pi" if "pi" in used else "")
 
 
 def _hint(text: str, column: str, error: Exception) -> str:
@@ -176,27 +111,18 @@ def _hint(text: str, column: str, error: Exception) -> str:
     return "Try 0.5, pi/2, q1 + pi/2 or -90°"
 
 
-def _evaluate(node: ast.expr, column: str, lengths: Mapping[str, float]) -> complex:
+def _evaluate(node: ast.expr, values: Mapping[str, complex]) -> complex:
     """Evaluate sums, differences, products and fractions; no other syntax is accepted, so nothing else can be executed."""
     match node:
         case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
             return complex(value)
-        case ast.Name(id=name) if name in lengths or name == "pi":
-            return complex(lengths.get(name, math.pi))
-        case ast.Name(id=name) if _is_variable(name, column):
-            return 1j
         case ast.Name(id=name):
-            raise KeyError(name)
+            return values[name]
         case ast.UnaryOp(op=ast.USub() | ast.UAdd() as sign, operand=operand):
-            return _evaluate(operand, column, lengths) * (-1 if isinstance(sign, ast.USub) else 1)
+            return _evaluate(operand, values) * (-1 if isinstance(sign, ast.USub) else 1)
         case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
-            one, other = _evaluate(left, column, lengths), _evaluate(right, column, lengths)
+            one, other = _evaluate(left, values), _evaluate(right, values)
             # A variable times or divided by a variable is no entry, and its square would be the square of the imaginary unit.
             if not other.imag or isinstance(op, ast.Add | ast.Sub) or (isinstance(op, ast.Mult) and not one.imag):
-                return OPERATORS[type(op)](one, other)
+                return complex(OPERATORS[type(op)](one, other))
     raise TypeError(ast.dump(node))
-
-
-def _is_variable(name: str, column: str) -> bool:
-    """Whether a name is that of a joint variable: in another column than d, d_3 is a length whose value is missing."""
-    return re.fullmatch(r"(?:q|theta|d)_?\d*", name, re.ASCII) is not None and (column == "d" or name[0] != "d")

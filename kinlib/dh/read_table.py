@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from kinlib.arrays.validation import describe
+from kinlib.dh.reading.columns import Assumption
 from kinlib.dh.table import Convention, DHTable
-from kinlib.dh.table_text import Assumption, read_rows
+from kinlib.dh.table_text import read_rows
 
 
 class Reading(NamedTuple):

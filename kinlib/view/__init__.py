@@ -20,15 +20,14 @@ from kinlib.view.figures.arm import draw_arm, draw_joints, draw_lettered_chain
 from kinlib.view.figures.axis_relations import draw_axis_relation, draw_axis_relations
 from kinlib.view.figures.frames import draw_frames
 from kinlib.view.figures.linkage import draw_linkage
-from kinlib.view.figures.point_velocity import draw_moment, draw_point_velocity
+from kinlib.view.figures.point_velocity import draw_point_velocity
 
 if TYPE_CHECKING:
     from kinlib.view.browser import show
     from kinlib.view.viewer.dh_players import play_assignment, play_row, play_walk
-    from kinlib.view.viewer.film import film
     from kinlib.view.viewer.linkage_driver import drive
     from kinlib.view.viewer.moving_frames import slide_frames
-    from kinlib.view.viewer.pictures import slide
+    from kinlib.view.viewer.pictures import film, slide
     from kinlib.view.viewer.place_frames import assign
     from kinlib.view.viewer.viewer import explore
 
@@ -43,7 +42,6 @@ __all__ = [
     "draw_joints",
     "draw_lettered_chain",
     "draw_linkage",
-    "draw_moment",
     "draw_point_velocity",
     "drive",
     "explore",
@@ -60,10 +58,9 @@ __all__ = [
 LAZY_NAMES = {
     "browser": {"show"},
     "viewer.dh_players": {"play_assignment", "play_row", "play_walk"},
-    "viewer.film": {"film"},
     "viewer.linkage_driver": {"drive"},
     "viewer.moving_frames": {"slide_frames"},
-    "viewer.pictures": {"slide"},
+    "viewer.pictures": {"film", "slide"},
     "viewer.place_frames": {"assign"},
     "viewer.viewer": {"explore"},
 }

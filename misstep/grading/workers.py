@@ -8,6 +8,7 @@ import multiprocessing
 import sys
 import threading
 from concurrent.futures import Executor, ThreadPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from contextlib import suppress
 from typing import Any
 
@@ -35,16 +36,21 @@ def _prepare(sheet: SheetName) -> None:
 
 def grade_within(request: Request, seconds: float) -> Result:
     """Grade one student in the process of this thread. One that ends or takes longer is replaced, and the result says why."""
-    if not hasattr(_own, "pool"):
-        _own.pool = ProcessPool(1, initializer=_prepare, initargs=(request.sheet,), context=CONTEXT)
-    try:
-        graded: Result = _own.pool.schedule(grade, [request], timeout=seconds).result()
-        return graded
-    except TimeoutError:
-        reason = f"It took longer than {seconds:g} s. Clear all outputs, run all cells, and save."
-    except ProcessExpired:
-        reason = "It ended the process that reads it. Clear all outputs, run all cells, and save."
-    return ungraded(request, states.UNREADABLE, reason, "not graded")
+    reason = "It ended the process that reads it."
+    for _ in range(2):
+        if not hasattr(_own, "pool") or not _own.pool.active:
+            _own.pool = ProcessPool(1, initializer=_prepare, initargs=(request.sheet,), context=CONTEXT)
+        try:
+            graded: Result = _own.pool.schedule(grade, [request], timeout=seconds).result()
+            return graded
+        except TimeoutError:
+            reason = f"It took longer than {seconds:g} s."
+            break
+        except ProcessExpired:
+            break
+        except BrokenProcessPool:
+            pass  # pebble gives a pool up if its process ends before it is known to have begun, and it may have been idle
+    return ungraded(request, states.UNREADABLE, f"{reason} Clear all outputs, run all cells, and save.", "not graded")
 
 
 def open_executor(workers: int, scheduler: str | None) -> Executor:

@@ -193,7 +193,7 @@ def test_what_is_given_is_escaped_and_what_cannot_be_read_is_said():
 
 
 def test_every_copy_of_a_table_has_its_base_tool_convention_and_units():
-    """Those that are code run; CSV and text are read back; LaTeX says it in comments."""
+    """Those that are code run; CSV, text and LaTeX are read back, which has them in comments."""
     rtb = pytest.importorskip("roboticstoolbox")
     turned, shift = np.diag([-1.0, -1, 1, 1]), kl.exp([0, 0, 0, 0.1, 0, 0.2])
     for name, (plain, _) in KNOWN.items():
@@ -203,9 +203,8 @@ def test_every_copy_of_a_table_has_its_base_tool_convention_and_units():
             exec(texts["Python"], code)
             exec(texts["Robotics Toolbox"], robot)
             assert isinstance(robot["robot"], rtb.DHRobot)
-            again = [
-                read_table(texts[kind], joints=table.joints if kind == "text" else "").table for kind in ("text", "CSV")
-            ]
+            joints = {"text": table.joints, "CSV": "", "LaTeX": ""}
+            again = [read_table(texts[kind], joints=letters).table for kind, letters in joints.items()]
             for each in (robot["robot"].fkine(q).A, *(one.fk(q) for one in (code["table"], *again))):
                 np.testing.assert_allclose(each, table.fk(q), atol=1e-9, err_msg=name)
             ends = [name for name in ("base", "tool") if not np.allclose(getattr(table, name), np.eye(4))]

@@ -9,7 +9,7 @@ from kinlib import view
 from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from kinlib.view.figures.arm import draw_lettered_chain
 from kinlib.view.figures.axis_relations import draw_moving_normal
-from kinlib.view.figures.dh_table import draw_row, draw_table
+from kinlib.view.figures.dh_table import draw_table
 from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.figures.tree import draw_tree
 
@@ -54,7 +54,7 @@ PICTURES = {
     "skew axes": lambda: view.draw_axis_relation((Z, (0, 0, 0)), ((0, 0.6, 0.8), X)),
     "parallel axes": lambda: view.draw_axis_relation((Z, (0, 0, 0)), (Z, X)),
     "moving normal": lambda: draw_moving_normal(0.2, 0.5),
-    "row": lambda: draw_row(ROW),
+    "row": lambda: at_stop(view.play_row(ROW, convention="standard"), 4).picture(),
     "row, motion by motion": lambda: at_stop(view.play_row(ROW), 2).picture(),
     "factors": lambda: at_stop(view.play_walk(WALK), 3).picture(),
     "table": lambda: draw_table(ASSIGNED.table, np.full(6, 0.3), numbers=True),
@@ -65,7 +65,7 @@ PICTURES = {
     "assignment": lambda: draw_assignment(ASSIGNED),
     "lettered arm": lambda: lettered(kl.robots.plain_arm()),
     "velocity": lambda: view.draw_point_velocity((0, 0.3, 1), (1, 2, 0.5)),
-    "moment": lambda: view.draw_moment((0, 0.3, 1), (1, 2, 0.5)),
+    "moment": lambda: view.draw_point_velocity((0, 0.3, 1), (1, 2, 0.5), moment=True),
     "four-bar": lambda: view.draw_linkage(FOUR_BAR, [1, 0.3, 2, 0], ghost=CLOSED[1]),
     "open slider-crank": lambda: view.draw_linkage(SLIDER, [0.5, 0.2, 3, 0]),
     "hexapod": lambda: view.draw_linkage(kl.linkages.stewart_gough(), np.zeros(36)),

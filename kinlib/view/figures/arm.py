@@ -131,9 +131,7 @@ def draw_lettered_chain(chain: Chain, letters: Sequence[str], home: bool = True)
     canvas = Canvas(path)
     canvas.line(path, LINK_GREY, 5.0)
     draw_joint_bodies(canvas, chain, chain.link_poses(np.zeros(chain.n)))
-    for i, (axis, point) in enumerate(zip(chain.lines.axis, chain.joint_points, strict=True), start=1):
-        ends = point - 0.13 * canvas.size * axis, point + 0.27 * canvas.size * axis
-        canvas.axis(*ends, f"$S_{i}$", width=1.6, size=12)
+    _draw_axes(canvas, chain, chain.link_poses(np.zeros(chain.n)), "S", VIOLET)
     if home:
         canvas.arrow(path[0], path[-1], GREY, 1.4, style="--", level=1)
         canvas.label(path[[0, -1]].mean(axis=0), "$M$", INK, size=12)

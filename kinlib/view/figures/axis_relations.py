@@ -12,7 +12,7 @@ from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Gallery, Picture, vector_text
 from kinlib.view.figures.arm import direction_text
-from kinlib.view.figures.joint_bodies import draw_joint_body
+from kinlib.view.figures.joint_bodies import around, draw_joint_body
 
 X, Y, Z = np.eye(3)
 
@@ -70,9 +70,8 @@ def draw_axis_relation(first: tuple[ArrayLike, ArrayLike], second: tuple[ArrayLi
         for step in (-0.25, 0.25, 0.5):
             canvas.line([normal.start + step * size * z, normal.end + step * size * z], GREY, 1.4, ":", level=2.5)
     if normal.case in {"coincident", "anti-coincident"}:
-        turn = np.linspace(0, 2 * np.pi, 40)[:, None]
-        around = np.cos(turn) * normal.x + np.sin(turn) * np.cross(z, normal.x)
-        canvas.line(normal.start + 0.3 * size * around, GREY, 1.4, ":", level=2.5)
+        circle = around(z, 0.3 * size, np.linspace(0, 2 * np.pi, 40))
+        canvas.line(normal.start + circle, GREY, 1.4, ":", level=2.5)
     _draw_normal(canvas, normal, 3.0, 7)
     canvas.arrow(normal.end, tip, ORANGE, 2.2, level=4)
     canvas.label(tip, "$x$", ORANGE, size=12)

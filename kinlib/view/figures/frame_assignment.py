@@ -1,5 +1,6 @@
 """The steps of a frame assignment as stops: the parts that are drawn after each, of which the current ones are strong."""
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -8,14 +9,12 @@ from numpy.typing import ArrayLike, NDArray
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment
+from kinlib.dh.table import Convention
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import describe_arm, pose_text
-from kinlib.view.figures.joint_bodies import draw_joint_bodies
+from kinlib.view.figures.joint_bodies import are_near, arm_size, draw_joint_bodies
 from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, ranks
-
-MAX_DISTANCE_IN_ARM_SIZES = 4.0
-"""Frames and normals farther from the arm than this are left out, as those of nearly parallel axes can be."""
 
 STEP_TITLES = {
     "axes": "The joint axes",
@@ -70,11 +69,10 @@ def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
     beside = () if i is None else (i - 1, i)
     near, feet = visible_features(assignment)
     size = arm_size(chain)
-    parts, marks = [], []
+    parts = []
     for axis, ends in enumerate(axis_ends(chain, feet)):
         strong = step.kind in {"axes", "accuracy"} or (step.kind == "normal" and axis in beside)
         parts.append(line_part(*ends, "axis", name=f"axis {axis + 1}", dashed=True, tip=True, strong=strong))
-        marks += [_mark(*ends)] if strong and step.kind == "normal" else []
     for pair, normal in enumerate(assignment.normals, start=1):
         if ("normal", pair) in done:
             strong = finished or (step.kind in {"normal", "x"} and i == pair)
@@ -82,11 +80,10 @@ def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
             ends, name = (normal.start - half, normal.end + half), f"normal {pair}–{pair + 1}"
             width = 3 if strong else 2
             parts.append(line_part(*ends, "normal", name=name * strong, width=width, dashed=True, strong=strong))
-            marks += [_mark(*ends)] if strong and not finished else []
     if step.kind == "row" and i is not None:
-        for name, start, end in _row_segments(assignment, i):
-            parts.append(line_part(start, end, "axis" if name[0] == "d" else "normal", name=name, width=4))
-            marks.append(_mark(start, end))
+        parts += translations(frames[i - 1 : i + 1], assignment.table.convention, first=i)
+    lines = [part for part in parts if part["strong"] and step.kind in {"normal", "x", "row"}]
+    marks = [{"from": line["from"], "to": line["to"]} for line in lines]
     assigned = {j: _assigned(j, n, done) for j in range(n + 1)}
     shown = [j for j in range(n + 1) if assigned[j] and near[j]]
     for j, rank in zip(shown, ranks(frames[shown, :3, 3]), strict=True):
@@ -111,30 +108,28 @@ def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
     }
 
 
-def _row_segments(assignment: FrameAssignment, row: int) -> list[tuple[str, Array, Array]]:
-    """Return the translations of a row, counted from 1, as segments (name, start, end): d along z, a along x; none of length zero."""
-    before, after = assignment.frames[row - 1 : row + 1]
-    a, _, d, _ = assignment.table.rows[row - 1]
-    standard = assignment.table.convention == "standard"
-    corner = before[:3, 3] + (d * before[:3, 2] if standard else a * before[:3, 0])
-    names = (f"d_{row}", f"a_{row}") if standard else (f"a_{row - 1}", f"d_{row}")
-    segments = zip(names, (before[:3, 3], corner), (corner, after[:3, 3]), strict=True)
-    return [(name, start, end) for name, start, end in segments if np.linalg.norm(end - start) > 1e-9]
+def translations(frames: Array, convention: Convention, first: int = 1) -> list[Part]:
+    """Return the translations of rows between frames (m + 1, 4, 4): d along z and a along x, in the order of the convention.
+
+    first  the number of the first row; those of length zero are left out
+    """
+    parts = []
+    for i, (before, after) in enumerate(pairwise(frames), start=first):
+        start, end = before[:3, 3], after[:3, 3]
+        along = before[:3, 2 if convention == "standard" else 0]
+        corner = start + along @ (end - start) * along
+        names = (f"d_{i}", f"a_{i}") if convention == "standard" else (f"a_{i - 1}", f"d_{i}")
+        for name, ends in zip(names, ((start, corner), (corner, end)), strict=True):
+            if np.linalg.norm(ends[1] - ends[0]) > 1e-9:
+                parts.append(line_part(*ends, "axis" if name[0] == "d" else "normal", name=name, width=4))
+    return parts
 
 
 def visible_features(assignment: FrameAssignment) -> tuple[NDArray[np.bool_], Array]:
     """Return which frames are near enough to the arm to be shown, (n + 1,), and the feet of normals that are, (m, 3)."""
-    chain = assignment.chain
-    middle = np.concatenate([chain.joint_points, chain.home[None, :3, 3]]).mean(axis=0)
-    radius = MAX_DISTANCE_IN_ARM_SIZES * max(arm_size(chain), 0.1)
+    size = arm_size(assignment.chain)
     feet = np.reshape([foot for normal in assignment.normals for foot in (normal.start, normal.end)], (-1, 3))
-    near: NDArray[np.bool_] = np.linalg.norm(assignment.frames[:, :3, 3] - middle, axis=-1) < radius
-    return near, feet[np.linalg.norm(feet - middle, axis=-1) < radius]
-
-
-def arm_size(chain: Chain) -> float:
-    """Return the longest side of the box around the joints and the tool of an arm at home, in metres."""
-    return float(np.ptp([*chain.joint_points, chain.home[:3, 3]], axis=0).max())
+    return are_near(assignment.frames[:, :3, 3], size), feet[are_near(feet, size)]
 
 
 def span_on_axis(z: Array, point: Array, places: ArrayLike) -> tuple[float, float]:

@@ -9,28 +9,25 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GREY, ORANGE
-from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.drawing.picture import Picture
+from kinlib.view.figures.arm import frame_text
 
 
 def draw_frames(
     frames: Mapping[str, ArrayLike],
     *,
     arrows: bool = True,
-    alt: str | None = None,
-    caption: str = "",
     numbers: bool = False,
-    axis_length: float | None = None,
 ) -> Picture:
     """Draw frames by name, with an arrow from each to the next.
 
     frames   {"s": T_ss, "b": T_sb, ...}, poses (4, 4) in one common frame
     numbers  whether the grid has numbers and each origin a dotted line down to it, so that its coordinates can be read off
-    axis_length  the length of the axes in metres; by default a quarter of the size of what is shown
 
     Raises ValueError if a frame is not a pose.
 
     >>> draw_frames({"s": np.eye(4)}).alt
-    'Frame {s} at (0, 0, 0).'
+    'Frame {s} at (0, 0, 0), x along x, y along y, z along z.'
     """
     poses = {name: validation.poses(T, f"frame {name}") for name, T in frames.items()}
     origins = [T[:3, 3] for T in poses.values()]
@@ -43,10 +40,6 @@ def draw_frames(
         canvas.measure(np.array([origin for origin in origins if origin.any()]).reshape(-1, 3), ORANGE)
     for start, end in pairwise(origins if arrows else []):
         canvas.arrow(start, end, GREY, 1.2, level=1)
-    said = []
     for name, T in poses.items():
-        canvas.triad(T, name, axis_length or 0.25 * canvas.size)
-        directions = f", its x along {vector_text(T[:3, 0])}, its z along {vector_text(T[:3, 2])}"
-        is_parallel = np.allclose(T[:3, :3], np.eye(3))
-        said.append(f"Frame {{{name}}} at {vector_text(T[:3, 3])}{'' if is_parallel else directions}.")
-    return canvas.picture(alt or " ".join(said), caption, cropped=True)
+        canvas.triad(T, name, 0.25 * canvas.size)
+    return canvas.picture(" ".join(map(frame_text, poses.items())), cropped=True)

@@ -3,7 +3,7 @@
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -16,6 +16,9 @@ JOINT_RADIUS = 0.035
 
 JOINT_SPACING = 3.3 * JOINT_RADIUS
 """The distance of joints that are drawn side by side on one axis, as a share of the same size."""
+
+MAX_DISTANCE_IN_ARM_SIZES = 3.0
+"""Frames and normals farther from the arm than this are left out, as those of nearly parallel axes can be."""
 
 NUMBER_OFFSETS = [(18, 13), (-18, 13), (18, -15), (-18, -15), (32, 0), (-32, 0), (0, 28), (0, -30), (34, 22), (-34, 22)]
 """Where the number of a joint may be placed: offsets in pixels to the right and up."""
@@ -51,6 +54,17 @@ def stations(chain: Chain, q: ArrayLike | None = None) -> Array:
     if q is None:
         return np.array([np.zeros(3), *chain.joint_points, chain.home[:3, 3]])
     return np.array([np.zeros(3), *chain.link_poses(q)[:, :3, 3], chain.fk(q)[:3, 3]])
+
+
+def arm_size(*arms: Chain) -> float:
+    """Return the longest side of arms at home, in metres: the unit of length of what is not drawn to scale; 1 if it is 0."""
+    side = float(np.ptp(np.concatenate([stations(arm) for arm in arms]), axis=0).max())
+    return side if side > 1e-9 else 1.0
+
+
+def are_near(points: ArrayLike, size: float) -> NDArray[np.bool_]:
+    """Return which of the points (..., 3) are near enough to an arm of that size to be drawn with it."""
+    return np.asarray(np.abs(points).max(axis=-1) < MAX_DISTANCE_IN_ARM_SIZES * size)
 
 
 def carried_axes(chain: Chain, frames: Array) -> Array:

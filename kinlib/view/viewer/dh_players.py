@@ -23,8 +23,8 @@ from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import frame_text
 from kinlib.view.figures.frame_assignment import assignment_stop, axis_ends, draw_assignment, visible_features
 from kinlib.view.figures.joint_bodies import stations
-from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part
-from kinlib.view.viewer.scene import bare_scene, still_room
+from kinlib.view.figures.parts import Part, draw_parts, frame_part, line_part, turn_part
+from kinlib.view.viewer.scene import bare_scene, room
 from kinlib.view.viewer.steps import Steps, Stop, frame_arm
 
 MOTIONS: dict[Convention, tuple[tuple[str, str, str], ...]] = {
@@ -52,9 +52,6 @@ AXIS_SPANS: dict[Convention, tuple[tuple[str, int, int], ...]] = {
 FRAME_LENGTH = 0.34
 """The length of the axes of a frame, as a share of the size of the motions."""
 
-VIEW_RADIUS_SHARE = {1: 0.94, 2: 0.79}
-"""The radius in view, as a share of the sphere around all that is drawn: of one track, or of two side by side."""
-
 
 class Motion(NamedTuple):
     """A motion of a frame about and along its own x or z, by an angle in radians and a distance in metres."""
@@ -78,26 +75,20 @@ class Motion(NamedTuple):
 
 
 class Track(NamedTuple):
-    """Motions one after the other, the pose (4, 4) before them, and the axes drawn.
+    """Motions one after the other.
 
+    spans  the axes that are drawn: the name, and the numbers of motions done before and after which the frame is on it
     names  for each number of motions done, the index and the name of the frame that is then reached
     """
 
     title: str
     motions: Sequence[Motion]
-    start: Array
-    axes: Sequence[Part]
+    spans: Sequence[tuple[str, int, int]]
     names: dict[int, tuple[str, str]]
 
-    @property
-    def poses(self) -> Array:
-        """The pose of the frame before and after each motion, (m + 1, 4, 4)."""
-        return poses_after(self.motions, self.start)
-
-
-def poses_after(motions: Sequence[Motion], start: Array) -> Array:
-    """Return the pose of a frame after 0, 1, ..., m motions, (m + 1, 4, 4)."""
-    return np.array([*accumulate((exp(motion.twist) for motion in motions), np.matmul, initial=start)])
+    def poses(self, start: Array) -> Array:
+        """Return the pose of the frame after 0, 1, ..., m motions from a start, (m + 1, 4, 4)."""
+        return np.array([*accumulate((exp(motion.twist) for motion in self.motions), np.matmul, initial=start)])
 
 
 def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any = None) -> Steps:
@@ -118,16 +109,8 @@ def play_row(row: ArrayLike, *, convention: Convention | None = None, after: Any
     if values.ndim != 1:
         raise ValueError(f"row must be one row, of shape (4,); got {values.shape}. For several rows, use play_walk.")
     shown: list[Convention] = list(MOTIONS) if convention is None else [validate_convention(convention)]
-    motions = {name: _row_motions(values, name) for name in MOTIONS}
-    size = _size(np.array([poses_after(each, np.eye(4)) for each in motions.values()]))
-    apart = 1.9 * size * view_axes("default")[1][0]
-    tracks = []
-    for k, name in enumerate(shown):
-        start = homogeneous(np.eye(3), k * apart)
-        poses = poses_after(motions[name], start)
-        axes = [_axis(poses[i], poses[j], text, size, strong=text == "axis i") for text, i, j in AXIS_SPANS[name]]
-        tracks.append(Track(name, motions[name], start, axes, {0: ("i−1", ""), 4: ("i", "")}))
-    return _player(tracks, size, after)
+    names = {0: ("i−1", ""), 4: ("i", "")}
+    return _player([Track(name, _row_motions(values, name), AXIS_SPANS[name], names) for name in shown], after)
 
 
 def _row_motions(row: Array, convention: Convention) -> list[Motion]:
@@ -155,22 +138,16 @@ def play_walk(rows: ArrayLike, *, after: Any = None) -> Steps:
     >>> player.alt
     'Motions that move a frame: 2 of 2 done. The moving frame is at (0.4, 0, 0.1), x along x, y along y, z along z. Reached: {0} at ...'
     """
-    motions, names = [], {0: ("0", "0")}
+    motions, spans, names = [], [], {0: ("0", "0")}
     for i, (a, alpha, d, theta) in enumerate(np.atleast_2d(validation.vectors(rows, "rows", 4)), start=1):
         along, across = f"Z_{i}: along and about the axis of joint {i}.", f"X_{i}: along and about the common normal."
         motions += [
             Motion("z", theta, d, f"Z_{i}", f"Z{i}", f"{along} Frame {i} of the modified convention is here."),
             Motion("x", alpha, a, f"X_{i}", f"X{i}", f"{across} Frame {i} of the standard convention is here."),
         ]
+        spans.append((f"axis {i}", 2 * i - 2, 2 * i - 1))
         names |= {2 * i - 1: (f"{i}", f"{i} mod"), 2 * i: (f"{i}", f"{i} std")}
-    poses = poses_after(motions, np.eye(4))
-    size = _size(poses)
-    axes = [_axis(poses[k], poses[k + 1], f"axis {k // 2 + 1}", size) for k in range(0, len(motions), 2)]
-    return _player([Track("", motions, np.eye(4), axes, names)], size, after)
-
-
-def _size(poses: Array) -> float:
-    return max(float(np.ptp(poses[..., :3, 3].reshape(-1, 3), axis=0).max()), 0.2)
+    return _player([Track("", motions, spans, names)], after)
 
 
 def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = None, after: Any = None) -> Steps:
@@ -212,40 +189,55 @@ def table_cells(table: DHTable) -> list[list[str]]:
     return [[cell.replace("-", "−") for cell in row] for row in format_rows(table, variable="q_{}".format)]
 
 
-def _axis(one: Array, other: Array, name: str, size: float, *, strong: bool = True) -> Part:
+def _axis(one: Array, other: Array, name: str, size: float) -> Part:
     """Return the line along the z of a frame, long enough to contain two origins."""
     z, distance = one[:3, 2], float((other - one)[:3, 3] @ one[:3, 2])
     low, high = (one[:3, 3] + along * z for along in (min(0.0, distance) - 0.3 * size, max(0.0, distance) + 0.6 * size))
-    return line_part(low, high, "axis", name=name, dashed=True, tip=True, strong=strong)
+    return line_part(low, high, "axis", name=name, dashed=True, tip=True)
 
 
-def _player(tracks: Sequence[Track], size: float, after: Any) -> Steps:
-    """Return the player of tracks: the moving frame of each, the ways it has made, and the frames it has reached."""
+def _player(tracks: Sequence[Track], after: Any) -> Steps:
+    """Return the player of tracks side by side: the moving frame of each, the ways it has made, and the frames it has reached."""
     count = len(tracks[0].motions)
-    values = np.array([[motion.value for motion in track.motions] for track in tracks])
+    around = np.concatenate([track.poses(np.eye(4))[:, :3, 3] for track in tracks])
+    size = max(float(np.ptp(around, axis=0).max()), 0.2)
+    right = view_axes("default")[1][0]
+    starts = [homogeneous(np.eye(3), 1.9 * k * size * right) for k in range(len(tracks))]
+    poses = np.array([track.poses(start) for track, start in zip(tracks, starts, strict=True)])
     still: list[Part] = []
-    for track in tracks:
-        still += [*track.axes, frame_part(track.poses[-1], "Oxyz", length=0.9 * FRAME_LENGTH, strong=False)]
-        if track.title:
-            below = track.start[:3, 3] - (0, 0, 0.5 * size)
-            still.append({"kind": "name", "at": below.tolist(), "text": track.title})
+    for track, own in zip(tracks, poses, strict=True):
+        still += [_axis(own[first], own[last], name, size) for name, first, last in track.spans]
+        still.append(frame_part(own[-1], "Oxyz", length=0.9 * FRAME_LENGTH, strong=False))
+        if len(tracks) > 1:
+            still.append({"kind": "name", "at": (own[0, :3, 3] - (0, 0, 0.5 * size)).tolist(), "text": track.title})
     stops = []
     for k in range(count + 1):
-        merged = [_track_stop(track, k) for track in tracks]
+        merged = [_track_stop(*one, k) for one in zip(tracks, poses, strict=True)]
         stop: Stop = {key: [x for one in merged for x in one[key]] for key in merged[0] if key != "alt"}
         stop["alt"] = f"Motions that move a frame: {k} of {count} done. {' '.join(one['alt'] for one in merged)}"
-        stop["q"] = np.where(np.arange(count) < k, values, 0.0).ravel().tolist()
+        stop["q"] = [motion.value * (i < k) for track in tracks for i, motion in enumerate(track.motions)]
         stops.append(stop | {"reached": k in tracks[0].names})
-    screws = [
-        [adjoint(track.start) @ motion.twist / (motion.value or 1) for motion in track.motions] for track in tracks
+    arms = [
+        frame_arm(start, [adjoint(start) @ motion.twist / (motion.value or 1) for motion in track.motions], k * count)
+        for k, (track, start) in enumerate(zip(tracks, starts, strict=True))
     ]
-    arms = [frame_arm(track.start, own, k * count) for k, (track, own) in enumerate(zip(tracks, screws, strict=True))]
-    origins = np.concatenate([track.poses[:, :3, 3] for track in tracks])
-    points = np.array([*(line[end] for track in tracks for line in track.axes for end in ("from", "to")), *origins])
-    room, floor = still_room(points, VIEW_RADIUS_SHARE[len(tracks)]), float(points[:, 2].min()) - 0.1 * size
-    scene = {"name": "a row of a DH table", "size": size, "arms": arms, "room": room, "floor": floor, "offered": []}
-    symbols = [[motion.symbol for motion in track.motions] for track in tracks]
-    titles = [f"{track.title} convention" * bool(track.title) for track in tracks]
+    tips = (poses[..., :3, 3, None] + FRAME_LENGTH * size * poses[..., :3, :3]).swapaxes(-1, -2).reshape(-1, 3)
+    points = np.array([*(part[end] for part in still if part["kind"] == "line" for end in ("from", "to")), *tips])
+    scene = {
+        "name": "a row of a DH table",
+        "size": size,
+        "arms": arms,
+        "room": room(points, 0.1 * size) | {"constant": True},
+        "floor": float(points[:, 2].min()) - 0.1 * size,
+        "offered": [],
+    }
+    product = [
+        {
+            "title": f"{track.title} convention" * bool(track.title),
+            "symbols": [motion.symbol for motion in track.motions],
+        }
+        for track in tracks
+    ]
     mode = {
         "variants": {"": {"stops": stops}},
         "name": "motion",
@@ -253,28 +245,27 @@ def _player(tracks: Sequence[Track], size: float, after: Any) -> Steps:
         "movers": [""] * len(tracks),
         "length": FRAME_LENGTH,
         "still": still,
-        "product": [{"title": title, "symbols": row} for title, row in zip(titles, symbols, strict=True)],
+        "product": product,
     }
 
     def draw(player: Steps) -> Picture:
-        middle = (origins.min(axis=0) + origins.max(axis=0)) / 2
-        canvas = Canvas(middle + 0.72 * (origins - middle))  # no frame extends far beyond the origins
+        canvas = Canvas(points)
         stop, k = player.stop, player.stops.index(player.stop)
-        ways = [way for passed in player.stops[:k] for way in passed["ways"]]
-        moving = [] if stop["reached"] else [frame_part(one.poses[k], "Oxyz", length=FRAME_LENGTH) for one in tracks]
-        draw_parts(canvas, [*still, *ways, *stop["parts"], *moving], size)
+        done = [part for passed in player.stops[:k] for part in (*passed["ways"], *passed["turns"])]
+        moving = [] if stop["reached"] else [frame_part(own[k], "Oxyz", length=FRAME_LENGTH) for own in poses]
+        draw_parts(canvas, [*still, *done, *stop["parts"], *moving], size)
         return canvas.picture(player.alt, cropped=True)
 
     return Steps(scene, mode, draw, after=after)
 
 
-def _track_stop(track: Track, k: int) -> Stop:
+def _track_stop(track: Track, poses: Array, k: int) -> Stop:
     """Return what a track shows after k motions; its ways and turns are those of the motion that follows."""
-    start, here = track.start[:3, 3], track.poses[k]
+    start, here = poses[0, :3, 3], poses[k]
     parts, places = [], []
     for reached, (sub, name) in track.names.items():
         if reached <= k:
-            T, length = track.poses[reached], FRAME_LENGTH * (1 if reached else 0.9)
+            T, length = poses[reached], FRAME_LENGTH * (1 if reached else 0.9)
             shown = name if " " in name else ""
             parts.append(frame_part(T, "Oxz", sub=sub, name=shown, length=length, strong=reached == k))
             places.append(f"{{{name or sub}}} at {vector_text(T[:3, 3] - start)}")
@@ -283,15 +274,15 @@ def _track_stop(track: Track, k: int) -> Stop:
         if motion.distance:
             colour, name = ("axis", "d") if motion.axis == "z" else ("normal", "a")
             name = name if motion.name in "da" else motion.name
-            ways.append(line_part(here[:3, 3], track.poses[k + 1, :3, 3], colour, name=name, width=4))
+            ways.append(line_part(here[:3, 3], poses[k + 1, :3, 3], colour, name=name, width=4))
         if abs(motion.angle) > 0.01:
-            turn = {"pose": here.ravel().tolist(), "axis": motion.axis, "angle": motion.angle, "rise": motion.distance}
-            turns.append(turn | {"name": motion.name if not motion.distance else ""})
+            turns.append(
+                turn_part(here, motion.axis, motion.angle, motion.distance, "" if motion.distance else motion.name)
+            )
     of = f", {track.title} convention," if track.title else ""
     moving = frame_text(("", homogeneous(here[:3, :3], here[:3, 3] - start)))
     return {
         "texts": [track.motions[k - 1].text if k else "No motion is complete yet: the frame is at its start."],
-        "poses": [here.ravel().tolist()],
         "parts": parts,
         "ways": ways,
         "turns": turns,

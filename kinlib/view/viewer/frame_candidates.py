@@ -15,9 +15,7 @@ from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.rigid.lie import perpendicular
 from kinlib.view.drawing.picture import vector_text
 from kinlib.view.figures.frame_assignment import span_on_axis
-from kinlib.view.figures.joint_bodies import stations
-from kinlib.view.figures.tree import branches
-from kinlib.view.viewer.scene import extent
+from kinlib.view.figures.joint_bodies import arm_size, stations
 
 COINCIDENT_TOL = 1e-9
 """Points nearer to each other than this, in metres, count as equal, and so do unit vectors."""
@@ -34,7 +32,7 @@ def frame_candidates(chain: Chain) -> dict[str, Any]:
     >>> frame_candidates(kl.robots.rpr())["points"][0]["text"]
     'joint 1; joint 2; intersection of axes 1 and 2; foot of normal 2–3 on axis 2'
     """
-    reach, points, lines = 0.3 * extent(*branches(chain)), _merge(_origins(chain)), []
+    reach, points, lines = 0.3 * arm_size(chain), _merge(_origins(chain)), []
     joints = zip(chain.lines.axis, chain.joint_points, repeat([at for at, _ in points]))
     for z, point, places in [*joints, (chain.home[:3, 2], chain.home[:3, 3], [])]:
         low, high = span_on_axis(z, point, places)

@@ -18,7 +18,7 @@ from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.screw import line
 from kinlib.view.figures.bodies import solid_data
 from kinlib.view.figures.linkage import draw_linkage, is_planar, linkage_body, linkage_geometry
-from kinlib.view.viewer.scene import half_height
+from kinlib.view.viewer.scene import room
 from kinlib.view.viewer.steps import Steps, frame_arm
 
 POINTS_PER_CURVE = 240
@@ -144,8 +144,6 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
     on: dict[str, dict[str, Any]] = {mechanism.ground: {"arm": 0, "body": 0}}
     on |= {name: {"arm": k, "body": "tool"} for k, name in enumerate(names)}
     shown = np.concatenate([stations, stations * (1, 1, 0) + (0, 0, body.lowest)])
-    middle = (shown.min(axis=0) + shown.max(axis=0)) / 2
-    radius = half_height(shown - middle, look) + VIEW_MARGIN * size
     return {
         "name": mechanism.name,
         "bodies": list(mechanism.bodies),
@@ -165,6 +163,6 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
             }
             for joint in mechanism.joints
         ],
-        "room": {"centre": middle.tolist(), "radius": radius, "look": look},
+        "room": room(shown, VIEW_MARGIN * size, look) | {"look": look},
         "floor": body.lowest,
     }

@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
+from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.arm import frame_text
-from kinlib.view.figures.frames import draw_frames
-from kinlib.view.figures.parts import line_part
+from kinlib.view.figures.parts import draw_parts, frame_part, line_part
 from kinlib.view.viewer.pictures import value_text
-from kinlib.view.viewer.scene import half_height
+from kinlib.view.viewer.scene import room
 from kinlib.view.viewer.steps import Steps, frame_arm
 
 AXIS_SHARE, SMALLEST_M = 0.3, 0.3
@@ -56,8 +56,8 @@ def slide_frames(
     length = AXIS_SHARE * extent
     tips = (poses[..., :3, 3, None] + length * poses[..., :3, :3]).swapaxes(-1, -2).reshape(-1, 3)
     points = np.concatenate([origins, tips])
-    low, centre = points.min(axis=0), (points.min(axis=0) + points.max(axis=0)) / 2
-    radius = half_height(points - centre) + 0.12 * extent
+    region = room(points, 0.12 * extent)
+    radius = region["radius"]
     stops = []
     for value, shown in zip(values, poses, strict=True):
         said, ends = caption(value), pairwise(shown[:, :3, 3] if arrows else [])
@@ -72,17 +72,19 @@ def slide_frames(
         )
 
     def draw(player: Steps) -> Picture:
-        stop = player.stop
-        shown = dict(zip(names, np.reshape(stop["poses"], (-1, 4, 4)), strict=True))
-        looks: dict[str, Any] = {"arrows": bool(stop["parts"]), "axis_length": length}
-        return draw_frames(shown, alt=player.alt, caption=stop["texts"][0], **looks)
+        canvas, stop = Canvas(points), player.stop
+        canvas.floor(points)
+        shown = zip(names, np.reshape(stop["poses"], (-1, 4, 4)), strict=True)
+        frames = [frame_part(T, "Oxyz", name=name, length=length / radius) for name, T in shown]
+        draw_parts(canvas, [*stop["parts"], *frames], radius)
+        return canvas.picture(player.alt, stop["texts"][0], cropped=True)
 
     scene = {
         "name": "frames",
         "size": radius,
         "arms": [frame_arm(T) for T in poses[0]],
-        "room": {"centre": centre.tolist(), "radius": radius, "constant": True},
-        "floor": float(low[2]) - 0.1 * extent,
+        "room": region | {"constant": True},
+        "floor": float(points[:, 2].min()) - 0.1 * extent,
         "offered": [],
     }
     mode = {"variants": {"": {"stops": stops}}, "label": label, "movers": names, "length": length / radius}

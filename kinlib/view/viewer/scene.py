@@ -17,8 +17,7 @@ from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.canvas import VIEWS, axes_of_view
 from kinlib.view.figures.arm import body_motions
 from kinlib.view.figures.bodies import solid_data
-from kinlib.view.figures.frame_assignment import MAX_DISTANCE_IN_ARM_SIZES
-from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes, stations
+from kinlib.view.figures.joint_bodies import are_near, arm_size, axial_offsets, carried_axes, stations
 from kinlib.view.figures.parts import ranks
 from kinlib.view.figures.tree import Branch, branches, joint_share, robot_body
 
@@ -62,7 +61,7 @@ def scene(
     limits = np.full((robot.n, 2), (-np.inf, np.inf)) if robot.limits is None else robot.limits
     titles = robot.joint_names or [""] * robot.n
     body, by_rule = robot_body(found)
-    size = extent(*found)
+    size = arm_size(*(branch.chain for branch in found))
     seen = [body.extent(np.concatenate([branch.motions(start) for branch in found])), 0.2 * size * np.eye(3)]
     for branch in found:
         poses, tool = (f(branch.values(start)) for f in (branch.chain.link_poses, branch.chain.fk))
@@ -71,10 +70,8 @@ def scene(
         seen.append(tool[:3, 3] + 0.2 * size * tool[:3, :3].T)
     given = frames_on_links(robot, start, frames) if frames and isinstance(robot, Chain) else {}
     for T in map(np.asarray, frames.values() if given and frames else ()):
-        seen += [T[:3, 3] + 0.3 * size * np.vstack([T[:3, :3].T, np.zeros(3)])] * _near(T[:3, 3], size)
-    points = np.concatenate(seen)
-    centre = (points.min(axis=0) + points.max(axis=0)) / 2
-    radius = half_height(points - centre) + 0.1 * size  # a margin for labels
+        seen += [T[:3, 3] + 0.3 * size * np.vstack([T[:3, :3].T, np.zeros(3)])] if are_near(T[:3, 3], size) else []
+    region = room(np.concatenate(seen), 0.1 * size)  # a margin for labels
     solids, arms = iter(solid_data(body.links)), []
     for branch, rule in zip(found, by_rule, strict=True):
         arms.append(arm_data(branch) | {"body": [next(solids) for _ in rule], "rule": rule})
@@ -85,7 +82,7 @@ def scene(
     return {
         "name": robot.name,
         # If an arm is small compared with what is in view, its marks must stay large enough to be distinguished.
-        "size": max(size, MIN_SIZE_IN_ROOM_RADII * radius) * joint_share(found),
+        "size": max(size, MIN_SIZE_IN_ROOM_RADII * region["radius"]) * joint_share(found),
         "arms": arms,
         "sliders": [
             _slider(k, kinds[k] == "P", limits[k], float(start[k]), span) | {"title": titles[k]}
@@ -95,7 +92,7 @@ def scene(
         "limits": [[end if np.isfinite(end) else None for end in pair] for pair in limits.tolist()]
         if robot.limits is not None
         else [],
-        "room": {"centre": centre.tolist(), "radius": radius},
+        "room": region,
         "floor": body.lowest,
         **({"offered": ["axes", "dimensions"]} if isinstance(robot, Tree) else {}),
     }
@@ -104,13 +101,14 @@ def scene(
 def bare_scene(chain: Chain, points: Array) -> dict[str, Any]:
     """Return the scene of the arm at home without a body and sliders, with a view that also contains points (m, 3)."""
     (branch,) = branches(chain)
-    room = still_room(np.concatenate([points, stations(chain)]), 0.84)  # no arm fills the sphere around it
-    size, lowest = extent(branch), float(stations(chain)[:, 2].min())
+    ends = np.array([f([*points, *stations(chain)], axis=0) for f in (np.min, np.max)])
+    radius = 0.42 * float(np.linalg.norm(ends[1] - ends[0]))  # no arm fills the sphere around it
+    size, lowest = arm_size(branch.chain), float(stations(chain)[:, 2].min())
     return {
         "name": chain.name,
-        "size": max(size, room["radius"]),
+        "size": max(size, radius),
         "arms": [arm_data(branch, bare=True)],
-        "room": room,
+        "room": {"centre": ends.mean(axis=0).tolist(), "radius": radius, "constant": True},
         "floor": lowest - (0.1 if lowest > -0.05 * size else 0.2) * size,
         "offered": ["dimensions"],
     }
@@ -122,7 +120,7 @@ def arm_data(branch: Branch, *, bare: bool = False) -> dict[str, Any]:
     What an earlier branch shows too moves with this one, but is hidden. A bare arm, and a branch of a tree, have no common normals,
     no frames but those of base and tool, and straight links, because a bend would show a normal.
     """
-    chain, size, straight = branch.chain, extent(branch), bare or bool(branch.tip)
+    chain, size, straight = branch.chain, arm_size(branch.chain), bare or bool(branch.tip)
     paths = np.stack([stations(chain)[:-1], stations(chain)[1:]], axis=1).tolist() if straight else _link_paths(chain)
     base, tool = frame_data("s", 0, np.eye(4)), frame_data(branch.tip or "b", chain.n, chain.home)
     ends = {"base": [] if branch.tip else [base], "tool": [tool]}
@@ -136,7 +134,7 @@ def arm_data(branch: Branch, *, bare: bool = False) -> dict[str, Any]:
         "normals": [
             {"body": i, "from": normal.start.tolist(), "to": normal.end.tolist(), "along": normal.x.tolist()}
             for i, normal in enumerate(_normals(chain), start=1)
-            if not straight and _near(normal.start, size) and _near(normal.end, size)
+            if not straight and are_near(normal.start, size) and are_near(normal.end, size)
         ],
     }
 
@@ -164,12 +162,6 @@ def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> 
     return layers
 
 
-def extent(*arms: Branch) -> float:
-    """Return the longest side of a robot at home, in metres: the unit of length of what is not drawn to scale; 1 if it is 0."""
-    side = float(np.ptp(np.concatenate([stations(branch.chain) for branch in arms]), axis=0).max())
-    return side if side > 1e-9 else 1.0
-
-
 def half_height(points: Array, look: Sequence[float] = VIEWS["default"]) -> float:
     """Return half the height of a picture in which points (m, 3) about its centre are in view, from `look` and in all named views."""
     views = [look, *VIEWS.values()]
@@ -177,11 +169,10 @@ def half_height(points: Array, look: Sequence[float] = VIEWS["default"]) -> floa
     return max(float(max(HEIGHT_PER_WIDTH * right, up)) for right, up in seen)
 
 
-def still_room(points: Array, share: float) -> dict[str, Any]:
-    """Return the region in view of what does not leave its place: a share of the sphere around points (m, 3)."""
-    low, high = points.min(axis=0), points.max(axis=0)
-    radius = share * float(np.linalg.norm(high - low)) / 2
-    return {"centre": ((low + high) / 2).tolist(), "radius": radius, "constant": True}
+def room(points: Array, margin: float, look: Sequence[float] = VIEWS["default"]) -> dict[str, Any]:
+    """Return the region in view: the middle of points (m, 3), and half its height with a margin in metres."""
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2
+    return {"centre": centre.tolist(), "radius": half_height(points - centre, look) + margin}
 
 
 def frame_data(name: str, body: int, pose: Array) -> dict[str, Any]:
@@ -242,7 +233,7 @@ def _frames(chain: Chain, size: float, base: dict[str, Any], tool: dict[str, Any
     # A DH row has one variable, and a helical joint would need two.
     for convention in () if "H" in chain.joint_types else ("standard", "modified"):
         frames = assign_frames(chain, convention=convention).frames
-        drawable = [frame_data(str(i), i, T) for i, T in enumerate(frames) if _near(T[:3, 3], size)]
+        drawable = [frame_data(str(i), i, T) for i, T in enumerate(frames) if are_near(T[:3, 3], size)]
         drawable += [base] * (not np.allclose(frames[0], np.eye(4)))
         shown[convention] = drawable + [tool] * (not np.allclose(frames[-1], chain.home))
     return shown
@@ -255,7 +246,3 @@ def _normals(chain: Chain) -> list[CommonNormal]:
 
 def _normal(first: tuple[Array, Array], second: tuple[Array, Array]) -> CommonNormal:
     return common_normal(first, second, perpendicular(first[0]), at_other_point=True)
-
-
-def _near(point: Array, size: float) -> bool:
-    return bool(np.abs(point).max() < MAX_DISTANCE_IN_ARM_SIZES * size)

@@ -18,8 +18,8 @@ from kinlib.arrays.validation import Array, JointValues
 from kinlib.chains.chain import Chain
 from kinlib.urdf.robot_tree import Tree
 from kinlib.view.drawing.picture import Picture, page, save
-from kinlib.view.figures.arm import ARM_LAYERS, body_motions, describe_arm, draw_arm
-from kinlib.view.figures.tree import MAX_NAMED_TIPS, branches, describe_tree, draw_tree, joint_share
+from kinlib.view.figures.arm import ARM_LAYERS, body_motions, draw_arm
+from kinlib.view.figures.tree import MAX_NAMED_TIPS, branches, draw_tree, joint_share
 from kinlib.view.viewer.meshes import Packages, read_meshes
 from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, scene
 from kinlib.view.viewer.widget import STATIC, Covered
@@ -95,6 +95,11 @@ class ViewerBase(Covered):
         """Return the drawing that is shown before the script starts, without WebGL, and in print."""
         raise NotImplementedError
 
+    @property
+    def alt(self) -> str:
+        """The text alternative of the current picture."""
+        return self.picture().alt
+
     def save(self, path: str | PathLike[str]) -> None:
         """Save the viewer as a page of its own that needs no kernel and no network, .html, or its current drawing, .svg or .png.
 
@@ -139,13 +144,6 @@ class Viewer(ViewerBase):
     def __init__(self, robot: Chain | Tree, scene: dict[str, Any], start: ArrayLike, **traits: Any) -> None:
         self.robot = robot
         super().__init__(scene, start, **traits)
-
-    @property
-    def alt(self) -> str:
-        """The text alternative of the current picture."""
-        if isinstance(self.robot, Tree):
-            return describe_tree(self.robot, self.q)
-        return describe_arm(self.robot, self.q, home_axes="home axes" in self.shown, frames=self._frames(self.robot))
 
     def picture(self) -> Picture:
         """Draw the robot with the layers that are shown."""

@@ -76,7 +76,7 @@ def test_each_form_is_the_same_arm_and_its_unit_and_convention_are_said(text):
     np.testing.assert_allclose(table.rows, UR5, atol=1e-6)
     assert table.joints == "RRRRRR"
     asked = {each.argument: each.options[0] for each in assumed if each.options}
-    has_unit = any(unit in text for unit in ("[m]", "(mm)", "in m"))
+    has_unit = any(unit in text for unit in ("[m]", "(mm)", "in m", " m, d_"))
     assert asked.get("length_unit") == (None if has_unit else "mm" if "millimetres" in text or "-425 " in text else "m")
 
 
@@ -95,6 +95,9 @@ def test_joints_are_those_of_the_variables_the_types_or_the_names_of_the_rows():
         "a alpha d theta\n0 90° l1 q1\nl2 0 0 -q2\nwith l1 = 300 mm, l2 = 0.25", convention="standard"
     ).table
     assert (named.rows[0, 2], named.rows[1, 0], named.signs.tolist()) == (0.3, 0.25, [1, -1])
+    ends = "# base = [[1,0,0,0],[0,1,0,0],[0,0,1,0.2],[0,0,0,1]]"
+    in_mm = read_table(f"a alpha d [mm] theta\n0 90° l1 q1\nl1 = 300 mm\n{ends}").table
+    assert (in_mm.rows[0, 2], in_mm.base[2, 3]) == (0.3, 0.2)
 
 
 def test_the_kinds_of_joints_that_code_names_are_read():
@@ -125,8 +128,10 @@ def test_what_only_the_numbers_suggest_is_asked_and_can_be_said():
         ("", "No table was found: no line has four numbers"),
         ("a alpha d theta\n0 90° 0.1 q1\n0 0 abc 0 0 1 2", r"Line 3, .* cannot be read: it has another number of"),
         ("a alpha d theta\n0 90° 0.1 q1*q2\n0 0 0 q2", r"Line 2, .*, theta: an entry must be a number"),
-        ("a = [0, 1]\nalpha = [0, 0]\nd = [1]", r"The lists must have the same length, 2; d \(1\) has another"),
+        ("a = [0, 1]\nalpha = [0, 0]\nd = [1]", r"lists of the same length; got a \(2\), alpha \(2\), d \(1\)"),
         ("x" * 200_000, "must have at most 100000 characters; got 200000"),
+        ("9" * 90_000, "a word of 500 characters or more"),
+        ("a alpha d theta\n0 5mm 0.1 q1", "Line 2, .*, alpha: '5mm' is no angle"),
     ],
 )
 def test_what_is_no_table_is_refused_with_its_line(text, words):
@@ -239,7 +244,7 @@ def test_a_flipped_joint_counts_the_other_way_also_beside_another_call():
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("a = [0, 0.4]\nd = [0.3, 0]", "alpha was not"),
+        ("a = [0, 0.4]\nd = [0.3, 0]", r"must be lists .*; got a [(]2[)], d [(]2[)]"),
         ("# rows: alpha, d, theta\n0, 1.57, 0.3, 0\n0.4, 0, 0, 0", "has no a, but each row has 4 numbers"),
         ("a1 = 0; alpha1 = pi/2; d1 = 0.3 * SCALE\na2 = 1; alpha2 = 0; d2 = 0", "0.3 [*] SCALE"),
     ],

@@ -176,11 +176,15 @@ def test_a_submission_that_takes_too_long_or_ends_its_process_costs_no_other_one
         first, late, second = (executor.submit(grade_within, *one).result() for one in how)
         future = executor.submit(grade_within, stuck, 600)
         with endless.open("wb"):  # which waits until the process reads
-            for process in multiprocessing.active_children():
-                process.kill()
+            while not future.done():
+                for process in multiprocessing.active_children():
+                    process.kill()
             ended = future.result()
+        third = executor.submit(grade_within, right, 600).result()
+        for process in multiprocessing.active_children():  # the next process is idle
+            process.kill()
         last = executor.submit(grade_within, right, 600).result()
-    assert [one.points for one in (first, late, second, ended, last)] == [FULL, 0, FULL, 0, FULL]
+    assert [one.points for one in (first, late, second, ended, third, last)] == [FULL, 0, FULL, 0, FULL, FULL]
     assert late.reason.startswith("It took longer than 1 s.")
     assert ended.reason.startswith("It ended the process that reads it.")
     for one in (late, ended):
