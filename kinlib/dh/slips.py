@@ -208,7 +208,7 @@ def corrections(table: DHTable, right: Array, fixed: Collection[str], half_unit:
 
     right      (k, 4) rows of right tables of the arm, whose numbers are tried in place of wrong ones
     fixed      with "zeros" the entries that the joints change count, and with "signs" their directions do
-    half_unit  (m, 4) a number that is off by less, beside its sign, has not enough digits, and is no wrong one
+    half_unit  (m, 4) a number that is off by less has not enough digits, and is no wrong one
     """
     variables = [] if "zeros" in fixed else joint_entries(table.joints)
     found = list[Correction]()
@@ -312,7 +312,7 @@ def _corrections_of_a_number(
         kind = "no offset" if (row, column) in variables and not typed else "wrong number"
         least = max(ROUNDING_ERROR, 1.05 * half_unit[row, column])
         for value in {round(value, 12) + 0.0: value for value in values.tolist()}.values():
-            if abs(abs(value) - abs(typed)) > least:  # a sign is another slip
+            if abs(value - typed) > least:
                 yield Correction(Fault(kind, "", row + 1, name), _set([row], column, value))
 
 
