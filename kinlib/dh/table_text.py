@@ -13,7 +13,7 @@ import numpy as np
 from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_UNITS, COLUMNS, LENGTH_UNITS, MIN_LENGTH_MM, Entry, read_entry
-from kinlib.dh.reading.columns import ALL_COLUMNS, Assumption, Grid
+from kinlib.dh.reading.columns import ALL_COLUMNS, Assumption, Grid, parse_heading
 from kinlib.dh.reading.lines import MAX_ROWS, read_lines
 from kinlib.dh.reading.named import definitions, read_calls, read_columns, read_dictionaries
 from kinlib.dh.reading.spelling import plain_text
@@ -35,6 +35,17 @@ END = re.compile(r"(?m)^[ \t]*(?:[#%]|//)?[ \t]*(base|tool)\s*=\s*(?:SE3\()?(\[\
 
 TOOLBOX_END = re.compile(r"(?m)^.*\b(base|tool)\s*\|\s*t = ([-\d., ]+);\s*rpy/xyz = [-0.°, ]+(?:\|.*)?$")
 """A base or a tool without rotation, as the Robotics Toolbox prints it."""
+
+A_UNIT = r"(mm|cm|m|millimet\w+|met(?:er|re)s?|rad|radians?|deg|degrees?|°)(?!\w)"
+SAID_UNITS = re.compile(
+    rf"(?i)\b(?:lengths?|distances?|dimensions?|angles?)\b[^\n.;\d]{{0,40}}?(?:\bin\b|[:=(\[])\s*{A_UNIT}"
+    rf"|\bunits?\b\W{{1,4}}{A_UNIT}(?:\W+(?:and\W+)?{A_UNIT})?"
+)
+"""A sentence such as "lengths in mm, angles in degrees" or "units: mm, deg"."""
+
+SAID_JOINTS = re.compile(r"""\bjoints\s*=\s*["']([RPF]+)["']""")
+SAID_SIGNS = re.compile(r"\bsigns\s*=\s*\[([-+\d., ]+)\]")
+"""What the code of a `DHTable` says of its joints."""
 
 FIXED = re.compile(r"\b(flange|tool|hand|tcp|end.?effector|ee|fixed|gripper|base)\b", re.IGNORECASE)
 """The labels of rows without a joint."""
@@ -80,7 +91,7 @@ def read_rows(
     if re.search(r"[\w.]{500}", text):  # which would take long
         raise ValueError("No table was found: the text has a word of 500 characters or more.")
     ends: dict[str, Any] = {end: _matrix(matrix) for end, matrix in END.findall(text)}
-    plain, told = plain_text(END.sub("", text)), list[Assumption]()
+    plain, told = plain_text(SAID_SIGNS.sub("", END.sub("", text))), list[Assumption]()
     for end, place in TOOLBOX_END.findall(plain):
         ends[end] = homogeneous(np.eye(3), [float(number) for number in place.split(",")])
         told.append(Assumption(f"The {end} was read as a translation by {format_vector(ends[end][:3, 3])} m."))
@@ -100,10 +111,15 @@ def read_rows(
     _complete(grid)
     entries = _evaluate(grid)
     signs = [entry["theta"].value.imag + entry["d"].value.imag for entry in entries]
+    if said_signs := SAID_SIGNS.search(text):
+        signs = [float(sign) for sign in said_signs[1].split(",")]
+    if not joints and (said_joints := SAID_JOINTS.search(text)):
+        joints = said_joints[1]
     letters = joints or _joints(grid, entries)
     numbers = np.array([[row[column].value.real for column in COLUMNS] for row in entries])
+    said_units = _said_units(plain)
     for argument, given, default in (("length_unit", length_unit, "m"), ("angle_unit", angle_unit, "rad")):
-        numbers *= _units(grid, entries, argument, given, default * strict)
+        numbers *= _units(grid, entries, argument, given, said_units.get(argument, default * strict))
     if strict and grid.assumed:
         raise ValueError(f"A DHTable takes only what its rows say; kl.read_table assumes: {grid.assumed[0].text}")
     if fixed := [str(k) for k, letter in enumerate(letters, start=1) if letter == "?"]:
@@ -172,10 +188,8 @@ def _evaluate(grid: Grid) -> list[dict[str, Entry]]:
         one, other = read["theta"], read.pop("offset", Entry(0j))
         read["theta"] = Entry(one.value + other.value, [*one.variables, *other.variables], one.unit or other.unit)
         moving = {column: entry for column, entry in read.items() if entry.variables}
-        names, factors = (
-            [name for each in moving.values() for name in each.variables],
-            [each.value.imag for each in moving.values()],
-        )
+        names = [name for each in moving.values() for name in each.variables]
+        factors = [each.value.imag for each in moving.values()]
         if moving and (len(names) > 1 or not {*moving} <= {"d", "theta"} or abs(factors[0]) != 1):
             raise ValueError(
                 f"{place}: a row must have one joint variable, q or -q without a factor, in theta or in d; got {' and '.join(names)} in "
@@ -208,6 +222,13 @@ def _joints(grid: Grid, entries: list[dict[str, Entry]]) -> str:
         if not any("no column theta" in each.text for each in grid.assumed):
             grid.assume(f"{words}; row {fixed[0] + 1} is fixed, as its name says." if fixed else f"{words}.")
     return "".join(letters)
+
+
+def _said_units(text: str) -> dict[str, str]:
+    """Return the units that sentences say, by the argument of `read_table`; not of what they contradict."""
+    units = {parse_heading(f"a [{unit}]").unit for found in SAID_UNITS.findall(text) for unit in found if unit}
+    kinds = {"length_unit": units & {*LENGTH_UNITS}, "angle_unit": units & {*ANGLE_UNITS}}
+    return {argument: one.pop() for argument, one in kinds.items() if len(one) == 1}
 
 
 def _units(grid: Grid, entries: list[dict[str, Entry]], argument: str, given: str, default: str) -> Array:

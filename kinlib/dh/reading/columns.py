@@ -46,7 +46,7 @@ def parse_heading(head: str) -> Heading:
     Heading(column='alpha', unit='deg', subscript='i-1')
     """
     plain = head.strip(" \"'`*:{}").replace("\\", "").replace("$", "")
-    if len(plain) > MAX_ENTRY_LENGTH or re.search(r"[⁻⁺]|min|max|lim|range", plain):  # limits of a joint
+    if len(plain) > MAX_ENTRY_LENGTH or re.search(r"[⁻⁺]|min|max|lim(?!e)|range", plain):  # limits of a joint
         return Heading("")
     unit = ""
     if found := UNIT.search(plain):
