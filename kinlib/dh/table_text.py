@@ -37,11 +37,12 @@ TOOLBOX_END = re.compile(r"(?m)^.*\b(base|tool)\s*\|\s*t = ([-\d., ]+);\s*rpy/xy
 """A base or a tool without rotation, as the Robotics Toolbox prints it."""
 
 A_UNIT = r"(mm|cm|m|millimet\w+|met(?:er|re)s?|rad|radians?|deg|degrees?|°)(?!\w)"
+A_NAME = r"(?:a|d|alpha|theta)(?:_?[{(]?i(?:-1)?[)}]?)?"
 SAID_UNITS = re.compile(
-    rf"(?i)\b(?:lengths?|distances?|dimensions?|angles?)\b[^\n.;\d]{{0,40}}?(?:\bin\b|[:=(\[])\s*{A_UNIT}"
+    rf"(?i)\b(?:lengths?|distances?|dimensions?|angles?|{A_NAME}\s*(?:,|&|\band\b)\s*{A_NAME})(?!\w)[^\n.;\d]{{0,40}}?(?:\bin\b|[:=(\[])\s*{A_UNIT}"
     rf"|\bunits?\b\W{{1,4}}{A_UNIT}(?:\W+(?:and\W+)?{A_UNIT})?"
 )
-"""A sentence such as "lengths in mm, angles in degrees" or "units: mm, deg"."""
+"""A sentence such as "lengths in mm, angles in degrees", "a and d in mm" or "units: mm, deg"."""
 
 SAID_JOINTS = re.compile(r"""\bjoints\s*=\s*["']([RPF]+)["']""")
 SAID_SIGNS = re.compile(r"\bsigns\s*=\s*\[([-+\d., ]+)\]")

@@ -193,7 +193,7 @@ def test_what_is_given_is_escaped_and_what_cannot_be_read_is_said():
 
 
 def test_every_copy_of_a_table_has_its_base_tool_convention_and_units():
-    """Those that are code run; CSV, text and LaTeX are read back, which has them in comments."""
+    """Those that are code run; all but the last are read back."""
     rtb = pytest.importorskip("roboticstoolbox")
     turned, shift = np.diag([-1.0, -1, 1, 1]), kl.exp([0, 0, 0, 0.1, 0, 0.2])
     for name, (plain, _) in KNOWN.items():
@@ -203,7 +203,7 @@ def test_every_copy_of_a_table_has_its_base_tool_convention_and_units():
             exec(texts["Python"], code)
             exec(texts["Robotics Toolbox"], robot)
             assert isinstance(robot["robot"], rtb.DHRobot)
-            joints = {"text": table.joints, "CSV": "", "LaTeX": ""}
+            joints = {"text": table.joints, "CSV": "", "LaTeX": "", "Python": ""}
             again = [read_table(texts[kind], joints=letters).table for kind, letters in joints.items()]
             for each in (robot["robot"].fkine(q).A, *(one.fk(q) for one in (code["table"], *again))):
                 np.testing.assert_allclose(each, table.fk(q), atol=1e-9, err_msg=name)

@@ -197,6 +197,22 @@ def test_code_is_read_in_whatever_way_it_names_its_numbers(form):
 
 
 @pytest.mark.parametrize(
+    "sentence",
+    [
+        "All lengths are in millimetres and all angles in degrees.",
+        "Table 1. Kinematics (lengths in mm; angles in deg)",
+        "# units: mm, deg",
+        "Here, a_i and d_i are in mm, and alpha_{i} and theta_{i} in degrees.",
+        "The twist angles are given in degrees, and the dimensions in mm.",
+    ],
+)
+def test_units_are_those_that_a_sentence_says(sentence):
+    table, assumed = read_table(f"{sentence}\ntheta d a alpha\nq1 1.5 0 3\nq2 0 4 0", convention="standard")
+    np.testing.assert_allclose(table.rows, [[0, np.radians(3), 0.0015, 0], [0.004, 0, 0, 0]])
+    assert not [each.text for each in assumed if "unit" in each.text]
+
+
+@pytest.mark.parametrize(
     "comment",
     [
         "# each row is (a, alpha, d, theta)",
