@@ -136,6 +136,6 @@ def grasp(_draw: ArmSampler) -> Problem:
             "origin at the bolt": "The fingertips are at the bolt, and the origin of {g} is 0.1 m before them.",
             "beyond the bolt": "The $z$ axis of {g} points from its origin to the bolt, so the origin comes before the bolt.",
             "away from the bolt": "The $z$ axis of {g} points out of the gripper, towards the bolt.",
-            "half a turn": "This grasp holds the bolt too, but here the $x$ axis of {g} points to the head of the bolt.",
+            "half a turn": "This grasp holds the bolt too, but the $x$ axis of {g} should point to the head of the bolt.",
         },
     )
