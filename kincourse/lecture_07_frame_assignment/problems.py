@@ -42,7 +42,7 @@ RIGHT_ANGLE_RAD = np.pi / 2
     "07.1",
     "A prismatic joint drawn elsewhere",
     points=2,
-    lecture="07_frame_assignment#Prismatic joints are free vectors",
+    lecture="07_frame_assignment#The axis of a prismatic joint is a free vector",
     level="Warm-up",
 )
 def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
