@@ -94,7 +94,7 @@ def _draw_line(canvas: Canvas, part: Part) -> None:
     if part["name"] and (strong or part["tip"]):
         head, _, low = part["name"].partition("_")
         name = f"${head}_{{{low}}}$" if low else head
-        canvas.label(end if part["tip"] else (start + end) / 2, name, colour)
+        canvas.label(end if part["tip"] else (start + end) / 2, name, _ink(part["colour"], strong=True))
 
 
 def _draw_frame(canvas: Canvas, part: Part, size: float) -> None:
@@ -108,7 +108,8 @@ def _draw_frame(canvas: Canvas, part: Part, size: float) -> None:
             right, up = 11 * canvas.along(T[:3, 3], tip)
             nudges = ((0, 0), *((dx, dy) for far in (9, 14, 22) for dx in (0, far, -far) for dy in (far, -far, 0)))
             places = [(right + dx, up + dy) for dx, dy in nudges]
-            canvas.label(tip, f"${letter}_{{{part['sub']}}}$" if part["sub"] else letter, colour, places, 10)
+            text = f"${letter}_{{{part['sub']}}}$" if part["sub"] else letter
+            canvas.label(tip, text, _ink(letter, strong=True), places, 10)  # pale letters cannot be read
     if "O" in part["letters"]:
         canvas.dot(T[:3, 3], _ink("ink", strong), 6 if strong else 4, level=6)
     if part["name"]:
