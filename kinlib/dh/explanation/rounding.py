@@ -21,6 +21,8 @@ from kinlib.rigid.lie import exp
 
 ALL_DECIMALS = 12
 """A number with so many decimals was not rounded by a person."""
+MAX_FITTED_M = 9e7
+"""The largest length of a fit. The common normals of nearly parallel axes may be farther away, and no fit resolves them."""
 
 
 def typed_half_units(rows: Array) -> tuple[Array, str]:
@@ -102,6 +104,8 @@ def nearest_rows(
     motions = Chain(np.tile(axes[order], (len(table.rows), 1)), np.eye(4))
     q = random_configurations(arm.n, COMPARED_CONFIGURATIONS)
     values = rows_at(table, table.rows, start.signs * q + start.offsets)[..., order].reshape(len(q), -1)
+    if np.abs(values).max() > MAX_FITTED_M:
+        return None
     units = np.where(np.isinf(half_unit), 1.0, half_unit)[:, order].ravel()
     X, Y, target = start.base @ table.base, table.tool @ start.tool, arm.fk(q)
     base, tool = (np.full(6, float(name not in fixed)) for name in ("base", "tool"))

@@ -217,3 +217,14 @@ def test_the_table_of_another_robot_is_not_called_rounded():
     other = DHTable([[0.2, 0.4, 0.3, 0], [0.7, 0, 0.1, 0], [0.1, 0.6, 0.1, 0], [0.1, 1, 0.5, 0], [0.01, 2, 0.3, 0], [0.2, 0.5, 0.1, 0]],
                     convention="standard")  # fmt: skip
     assert str(diagnose(other, UR5)).startswith("No known mistake was found that explains this table.")
+
+
+def test_a_length_that_no_fit_resolves_is_no_error():
+    """The common normals of nearly parallel axes have such lengths, and others are mistyped."""
+    first, second = kl.screw([0, 0, 1], [0, 0, 0]), kl.screw([0, 1, 0], [0.7, 0.1, 0.5])
+    between = kl.screw([1e-10, 0, 1], [0.4, 0.3, 0.2])
+    arm = kl.Chain(np.array([first, between, second]), np.eye(4))
+    table = assign_frames(arm, convention="standard").table
+    assert np.abs(table.rows).max() > 1e9
+    assert diagnose(with_entries(table, (3, "a", 0.5)), arm).verdict == "undecided"
+    assert diagnose(with_entries(STANDARD, (2, "d", 4e9)), PUMA, fixed=CHOICES).verdict == "wrong"
