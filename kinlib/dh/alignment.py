@@ -102,6 +102,9 @@ def _dot(u: Array, v: Array) -> Array:
 COMPARED_CONFIGURATIONS = 16
 """At how many random configurations chains are compared."""
 
+MAX_FITTED_M = 1e7
+"""The largest length of a fit. The common normals of nearly parallel axes may be farther away, and no fit resolves them."""
+
 SEARCHED_AS_PARALLEL_RAD = 2e-5
 """Axes at a smaller angle are searched as parallel ones."""
 
@@ -222,7 +225,7 @@ def _completed(start: Map, one: Chain, other: Chain, fixed: frozenset[str]) -> l
     """
     Y = np.eye(4) if "tool" in fixed else inverse(start.base @ one.fk(start.offsets)) @ other.home
     found = _improved(replace(start, tool=Y).measured(one, other), one, other, fixed)
-    if "zeros" in fixed:
+    if "zeros" in fixed or max(np.abs(found.base).max(), np.abs(found.tool).max()) > MAX_FITTED_M:
         return [found]
     X, Y, offsets = found.base, found.tool, found.offsets.copy()
     if "base" not in fixed:

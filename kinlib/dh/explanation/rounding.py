@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Map, linearized, nearest_maps
+from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, MAX_FITTED_M, Map, linearized, nearest_maps
 from kinlib.dh.equivalence import ROUGH, Equivalence, equivalent
 from kinlib.dh.parsing import joint_entries
 from kinlib.dh.table import DHTable, rows_at
@@ -21,8 +21,6 @@ from kinlib.rigid.lie import exp
 
 ALL_DECIMALS = 12
 """A number with so many decimals was not rounded by a person."""
-MAX_FITTED_M = 9e7
-"""The largest length of a fit. The common normals of nearly parallel axes may be farther away, and no fit resolves them."""
 
 
 def typed_half_units(rows: Array) -> tuple[Array, str]:
