@@ -120,7 +120,7 @@ def read_rows(
     numbers = np.array([[row[column].value.real for column in COLUMNS] for row in entries])
     said_units = _said_units(plain)
     for argument, given, default in (("length_unit", length_unit, "m"), ("angle_unit", angle_unit, "rad")):
-        numbers *= _units(grid, entries, argument, given, said_units.get(argument, default * strict))
+        numbers *= _units(grid, entries, argument, given, said_units.get(argument, ""), default * strict)
     if strict and grid.assumed:
         raise ValueError(f"A DHTable takes only what its rows say; kl.read_table assumes: {grid.assumed[0].text}")
     if fixed := [str(k) for k, letter in enumerate(letters, start=1) if letter == "?"]:
@@ -232,10 +232,13 @@ def _said_units(text: str) -> dict[str, str]:
     return {argument: one.pop() for argument, one in kinds.items() if len(one) == 1}
 
 
-def _units(grid: Grid, entries: list[dict[str, Entry]], argument: str, given: str, default: str) -> Array:
+def _units(  # noqa: PLR0917
+    grid: Grid, entries: list[dict[str, Entry]], argument: str, given: str, in_words: str, default: str
+) -> Array:
     """Return the factors (m, 4) that convert the numbers to metres or radians.
 
-    Each number has its own unit, or that of the argument, of its heading, of the only heading that has one, or as the sizes suggest.
+    Each number has its own unit, or that of the argument, of its heading, of a sentence, of the only heading that has one, or as the
+    sizes suggest.
     """
     units, columns = (LENGTH_UNITS, (0, 2)) if argument == "length_unit" else (ANGLE_UNITS, (1, 3))
     if given and given not in units:
@@ -243,18 +246,21 @@ def _units(grid: Grid, entries: list[dict[str, Entry]], argument: str, given: st
     cells = [[row[column] for column in COLUMNS] for row in entries]
     plain = [(i, k) for i, row in enumerate(cells) for k in columns if not row[k].unit and row[k].value.real]
     said = {unit for k in columns if (unit := grid.units.get(COLUMNS[k], "")) in units}
-    unit = given or default or (said.pop() if len(said) == 1 else "")
-    if not unit and plain:
-        sizes = [abs(cells[i][k].value.real) for i, k in plain]
-        is_large = max(sizes) > (MIN_LENGTH_MM if 0 in columns else 2 * np.pi + 0.01)
-        unit = (("m", "mm") if 0 in columns else ("rad", "deg"))[is_large]
-        is_sure = 0 not in columns and any(abs(size - np.pi / 2) < 1e-2 for size in sizes)
-        kind = "lengths" if 0 in columns else "angles"
-        words = (
-            f"The text does not say the unit of its {kind}: {unit} was taken, because the largest is {max(sizes):.6g}."
-        )
+    sizes = [abs(cells[i][k].value.real) for i, k in plain if grid.units.get(COLUMNS[k], "") not in units]
+    unit = given or in_words or default or (said.pop() if len(said) == 1 else "")
+    if sizes and not given and (in_words or not unit):
+        is_length = 0 in columns
+        is_large = max(sizes) > (MIN_LENGTH_MM if is_length else 2 * np.pi + 0.01)
+        has_right_angle = not is_length and any(abs(size - np.pi / 2) < 1e-2 for size in sizes)
+        kind = "lengths" if is_length else "angles"
+        unit = in_words or (("m", "mm") if is_length else ("rad", "deg"))[is_large]
         options = (unit, *(other for other in units if other != unit))
-        grid.assume(words, *(() if is_sure else (argument, options)))
+        if not in_words:
+            words = f"The text does not say the unit of its {kind}: {unit} was taken, because the largest is {max(sizes):.6g}."
+            grid.assume(words, *(() if has_right_angle else (argument, options)))
+        elif {"m": is_large, "deg": has_right_angle, "rad": False}.get(unit, max(sizes) < 1):
+            words = f"The text says that its {kind} are in {unit}, and this was taken, although the largest is {max(sizes):.6g}."
+            grid.assume(words, argument, options)
     factors = np.ones((len(cells), 4))
     for i, k in plain:
         own = grid.units.get(COLUMNS[k], "")

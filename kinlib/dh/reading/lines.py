@@ -68,9 +68,8 @@ def _row(cells: list[str], heads: Sequence[Heading], grid: Grid) -> dict[str, st
     readable = [
         name for name in {*row} - {"label", "type"} if grid.is_entry(row[name]) or (not row[name] and "0" not in row)
     ]
-    if len(cells) != len(heads) or len(readable) < 3 + (
-        "0" in row
-    ):  # a single cell that cannot be read is told with its column
+    enough = 4 if "0" in row else 3  # of cells with names, one that cannot be read is told with its column
+    if len(cells) != len(heads) or len(readable) < enough:
         return {}
     numbers = sum(map(grid.is_entry, cells)) - is_number
     if (missing := sorted(NEEDED - {*row})) and "0" not in row and numbers >= len(COLUMNS):

@@ -209,7 +209,15 @@ def test_code_is_read_in_whatever_way_it_names_its_numbers(form):
 def test_units_are_those_that_a_sentence_says(sentence):
     table, assumed = read_table(f"{sentence}\ntheta d a alpha\nq1 1.5 0 3\nq2 0 4 0", convention="standard")
     np.testing.assert_allclose(table.rows, [[0, np.radians(3), 0.0015, 0], [0.004, 0, 0, 0]])
-    assert not [each.text for each in assumed if "unit" in each.text]
+    assert not [each.text for each in assumed if each.options]
+
+
+def test_a_sentence_that_the_numbers_contradict_is_asked():
+    text = "The joint angles are in degrees, lengths in m.\ntheta d a alpha\nq1 89.2 0 1.5708\nq2 0 -425 0"
+    asked = {each.argument: each for each in read_table(text, convention="standard").assumed if each.options}
+    assert set(asked) == {"length_unit", "angle_unit"}
+    assert asked["angle_unit"].text.endswith("are in deg, and this was taken, although the largest is 1.5708.")
+    assert asked["angle_unit"].options == ("deg", "rad")
 
 
 @pytest.mark.parametrize(
