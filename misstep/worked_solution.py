@@ -94,7 +94,7 @@ def _in_order(node: Expression) -> Iterator[Expression]:
 
 
 def _by_index(nodes: Sequence[Expression], place: Callable[[Sequence[int]], int] = min) -> list[Expression]:
-    """Return nodes, those of one letter by index where the first of them is or, by max, the last: after all their parts."""
+    """Return nodes by letter, then by index. A letter stands at its first node; with max at its last, after all their parts."""
     letters = [re.sub(r"\d", "", node.label) for node in nodes]
     places = {one: place([k for k, letter in enumerate(letters) if letter == one]) for one in letters}
     return sorted(dict.fromkeys(nodes), key=lambda node: (places[re.sub(r"\d", "", node.label)], node.label))
