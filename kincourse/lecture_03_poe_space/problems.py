@@ -14,6 +14,7 @@ from kincourse.answers.formulas import PoseExpressionAnswer, ScrewExpressionsAns
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
+from kincourse.dimensions import DrawnAxis, draw_dimensions
 from kincourse.expressions.poses import assemble, columns
 from kincourse.expressions.poses import pose as given_pose
 from kincourse.expressions.screws import (
@@ -41,7 +42,6 @@ from kinlib.symbolic.formulas import screw as symbolic_screw
 from kinlib.symbolic.merge_rotations import homogeneous
 from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
-from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.function import Function
 from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose

@@ -10,6 +10,7 @@ import numpy as np
 
 from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer, TwistAnswer
+from kincourse.dimensions import DrawnAxis, draw_dimensions
 from kincourse.expressions.poses import inverse
 from kincourse.expressions.poses import pose as given_pose
 from kincourse.expressions.screws import (
@@ -32,7 +33,6 @@ from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.rigid.lie import exp, homogeneous
 from kinlib.rigid.screw import screw
 from kinlib.view import draw_arm, draw_joints
-from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.number import Numbers
 from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose

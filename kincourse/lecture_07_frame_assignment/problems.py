@@ -8,6 +8,7 @@ import numpy as np
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.frames import DHFramesAnswer
 from kincourse.answers.point import VectorsAnswer
+from kincourse.dimensions import DrawnAxis, draw_dimensions
 from kincourse.mistakes.dh import entry_names, rows_of_the_other_convention
 from kincourse.problem import ArmSampler, Problem, problem
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
@@ -22,7 +23,6 @@ from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import DHTable, format_rows
 from kinlib.rigid.lie import homogeneous
 from kinlib.view import draw_joints
-from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.frame_assignment import draw_assignment
 from misstep.answers.choice import Choice

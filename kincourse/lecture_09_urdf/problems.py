@@ -7,6 +7,7 @@ import numpy as np
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import OriginAnswer, PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
+from kincourse.dimensions import DrawnAxis, draw_dimensions
 from kincourse.expressions.planar import length, polar
 from kincourse.expressions.poses import assemble, point, translation
 from kincourse.expressions.screws import direction, revolute
@@ -24,7 +25,6 @@ from kincourse.text.urdf_text import (
 )
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z
-from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from misstep.answers.ordering import Ordering
 from misstep.answers.prose import Prose
 from misstep.display.text import number, vector

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from kincourse.dimensions import DrawnAxis, draw_dimensions
 from kincourse.lecture_10_one_robot_four_ways.arms import draw_machine
 from kincourse.lecture_10_one_robot_four_ways.paths import JointPath, draw_paths
 from kincourse.sampling.drawn_machines import draw_table_frames
@@ -20,7 +21,6 @@ from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import adjoint, inverse, log
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
 from kinlib.urdf.chains import load_urdf
-from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from kinlib.view.drawing.picture import Picture
 from misstep.sampling import Sampler
 

@@ -5,11 +5,11 @@ from itertools import accumulate
 
 import numpy as np
 
+from kincourse.dimensions import DrawnAxis, draw_dimensions
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.dh.slips import OTHER_CONVENTION
 from kinlib.dh.table import DHTable
-from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from kinlib.view.drawing.picture import Picture
 from misstep.mistakes import Mistake
 

@@ -5,8 +5,8 @@ from legible import assert_legible
 from urdf_files import TWO_FINGERS
 
 import kinlib as kl
+from kincourse.dimensions import DrawnAxis, draw_dimensions
 from kinlib import view
-from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
 from kinlib.view.figures.arm import draw_lettered_chain
 from kinlib.view.figures.axis_relations import draw_moving_normal
 from kinlib.view.figures.dh_table import draw_table
