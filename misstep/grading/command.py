@@ -18,7 +18,7 @@ from urllib.parse import quote
 from zipfile import ZipFile, ZipInfo
 
 from misstep.catalog import Course, find_course
-from misstep.grading.collect.roster import export, read_roster
+from misstep.grading.collect.roster import export, read_roster, sheet_column
 from misstep.grading.collect.submissions import CANVAS, MOODLE, Gathered, gather
 from misstep.grading.escape import csv_text, format_points, printable
 from misstep.grading.judging import Request, SheetName
@@ -66,13 +66,16 @@ def run(options: argparse.Namespace) -> int:
     attention = [*gathered.remarks, *sentences(results)]
     if options.gradebook:
         attention += record(gradebook, sheet.name, results)
+    title = sheet_column(roster, sheet.name, options.column) if roster else ""
+    if roster and roster.kind == "canvas" and title not in roster.columns:
+        attention.append(f"Canvas would make a new column {title!r}. Name the one of the sheet with --column.")
     write_all(options.out, sheet.name, gathered, results, attention)
     if roster and roster.kind != "own":
         points = {one.student: one.points for one in results if one.status != ABSENT or one.points}
-        text = export(roster, points, sheet.points, sheet.name, options.column)
+        text = export(roster, points, sheet.points, title)
         write(options.out / f"{roster.kind}.csv", text.encode())
     counts = sorted(Counter(result.status for result in results).items())
-    summary = f"{len(results)} students: {', '.join(f'{number} {status}' for status, number in counts)}."
+    summary = f"{len(results)} student{'s' * (len(results) != 1)}: {', '.join(f'{number} {status}' for status, number in counts)}."
     for line in [summary, *attention, f"The results are in {options.out}: open report.html, then grades.csv."]:
         print(printable(line))  # the one place from which names of files and students reach the terminal
     return 1 if attention else 0
@@ -101,9 +104,11 @@ def grade_all(requests: Sequence[Request], options: argparse.Namespace) -> list[
             for future in tqdm(as_completed(futures), total=len(futures), desc=requests[0].sheet.name, disable=None):
                 future.result()
             return [future.result() for future in futures]
-        except BaseException:
+        except BaseException as error:
             for future in futures:
                 future.cancel()
+            if isinstance(error, KeyboardInterrupt):
+                raise ValueError("Stopped, and nothing was written. Run the same command to grade.") from None
             raise
 
 
@@ -151,6 +156,8 @@ def write(path: Path, content: bytes) -> None:
 def write_all(out: Path, sheet: str, gathered: Gathered, results: Sequence[Result], attention: Sequence[str]) -> None:
     """Write the pages and tables of a class."""
     pages = {f"{file_name(one.student)}.html": one.page.encode() for one in results if one.status != ABSENT}
+    for old in set((out / "feedback").glob("*.html")) - {out / "feedback" / name for name in pages}:
+        old.unlink()  # of an earlier run that knew the students by other names
     for name, page in pages.items():
         write(out / "feedback" / name, page)
     write(out / "grades.csv", grades_table(results).encode())
@@ -172,11 +179,11 @@ def grades_table(results: Sequence[Result]) -> str:
     header = ["student", "points", "max", "status", *(one.number for one in results[0].problems), *last]
     rows = []
     for one in results:
-        told = (one.reason, *one.notes)
+        told = (one.reason, *one.notes, one.flags.get("unmarked"))
         flags = [f"{FLAGS[flag]}: {about}" for flag, about in one.flags.items() if about and about not in told]
         first = [one.student, format_points(one.points), format_points(one.max), one.status]
         points = ["to be marked" if each.state == "open" else format_points(each.points) for each in one.problems]
-        reason = " | ".join(filter(None, [*told, *flags]))
+        reason = " | ".join(filter(None, [one.reason, *one.notes, *flags]))
         mistakes = "; ".join(f"{problem.number} {name}" for problem in one.problems for name in problem.mistakes)
         changes = " | ".join(f"{problem.number}: {problem.note}" for problem in one.problems if problem.note)
         rows.append([*first, *points, reason, mistakes, ", ".join(one.typed), one.file, changes])

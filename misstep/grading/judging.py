@@ -17,6 +17,7 @@ from misstep.display.lecture_address import page_address
 from misstep.grading import result as states
 from misstep.grading.collect.notebook import Work, choose
 from misstep.grading.collect.submissions import Submission, Unreadable
+from misstep.grading.escape import format_points
 from misstep.grading.overrides import Override
 from misstep.grading.pages import feedback_page
 from misstep.grading.result import ProblemResult, Result
@@ -27,7 +28,9 @@ from misstep.sheet import SAMPLE_ID, Sheet
 from misstep.storage import Opaque, from_data, to_data
 from misstep.verdict import Verdict
 
-NO_ANSWER = "No answer is stored: the check cell of this problem was not run, or the notebook was not saved afterwards."
+NO_ANSWER = (
+    "No answer is stored: the check cell was not run or ended with an error, or the notebook was not saved afterwards."
+)
 
 
 @dataclass(frozen=True)
@@ -68,8 +71,7 @@ def grade(request: Request) -> Result:
     work, typed = chosen.work, chosen.work.ids
     # The id that was typed last, if several were, because its numbers are those that the student saw last.
     id_ = typed[-1] if typed and (request.uses_typed_id or not one.id) else one.id
-    judged = (_judged(template, id_, work, k, request.sheet.site) for k, template in enumerate(sheet.problems, start=1))
-    problems, notes = list(judged), list(chosen.notes)
+    problems, notes = _problems(request, work, id_), list(chosen.notes)
     flags = _flags(one, problems, work, id_)
     reason = "" if work.answers else f"{states.FLAGS['not run']}."
     if len(chosen.ids) > 2:
@@ -77,7 +79,8 @@ def grade(request: Request) -> Result:
     if "other id" in flags:
         names = ", ".join(map(repr, typed[:3]))
         notes.append(f"The answers were checked for {names}, and are judged with the numbers of {id_!r}.")
-        flags["other id"] = notes[-1]
+        points = format_points(sum(each.points for each in _problems(request, work, typed[-1])))
+        flags["other id"] = f"typed {names}; with the numbers of {typed[-1]!r}, {points} points"
     status = states.GRADED if work.answers else states.NOT_RUN
     earned = sum(each.points for each in problems)
     result = Result(one.student, earned, sheet.points, status, problems, reason, notes, flags, typed, chosen.name)
@@ -128,14 +131,29 @@ def _flags(one: Submission, problems: Sequence[ProblemResult], work: Work, id_: 
     return flags
 
 
+def _problems(request: Request, work: Work, id_: str) -> list[ProblemResult]:
+    templates = enumerate(request.sheet.find().problems, start=1)
+    return [_judged(template, id_, work, k, request.sheet.site) for k, template in templates]
+
+
 def _judged(template: Template, id_: str, work: Work, k: int, site: str) -> ProblemResult:
     if k not in work.answers:
         return ProblemResult(template.number, template.title, 0.0, template.points, "missing", [NO_ANSWER])
-    problem, data = template.variant(id_), json.loads(work.answers[k][0])
+    problem, data, typed = template.variant(id_), *work.answers[k]
+    data = json.loads(data)
     judgement = judged_data(problem, data)
+    is_of_other = typed.casefold() != id_.casefold()
+    if is_of_other and judgement.state in (
+        "wrong",
+        "partly",
+        "unreadable",
+    ):  # no mistake explains it, because it answers a question with other numbers
+        text = f"This answer was checked for {typed!r}, and so with other numbers than those of {id_!r}."
+        parts = [part for part in problem.answer.parts if part not in judgement.right_parts]
+        judgement = replace(judgement, findings=[Finding(parts, text)])
     verdict = Verdict(template, judgement, address=page_address(template.lecture, site))
     card = verdict.card
-    is_unnamed = judgement.state in ("wrong", "partly") and not judgement.mistakes
+    is_unnamed = judgement.state in ("wrong", "partly") and not (judgement.mistakes or is_of_other)
     right = to_data(problem.answer.value, problem.answer.inputs) if is_unnamed else None
     return ProblemResult(
         *(template.number, template.title, verdict.score, template.points, judgement.state),

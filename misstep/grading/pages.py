@@ -88,10 +88,10 @@ def report_page(results: Sequence[Result], sheet: str, attention: Sequence[str])
     present = [result for result in results if result.status != ABSENT] or results
     count, problems = len(present), []
     for alike in zip(*(result.problems for result in present), strict=True):
-        states, judged = Counter(one.state for one in alike), [one for one in alike if one.state != "open"]
+        states = Counter(one.state for one in alike)
         counted = [(state, states[state]) for state in STATES if states[state]]
         mistakes = Counter(name for one in alike for name in sorted(set(one.mistakes))).most_common()
-        mean = sum(one.points for one in judged) / len(judged) if judged else None
+        mean = None if states["open"] else sum(one.points for one in alike) / count
         problems.append((alike[0], mean, counted, mistakes, sum(one.unnamed is not None for one in alike)))
     totals = sorted(Counter(int(result.points) for result in present).items())
     figures: dict[str, Any] = {"count": count, "absent": len(results) - count, "max": present[0].max, "totals": totals}

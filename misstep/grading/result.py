@@ -11,14 +11,14 @@ GRADED, NOT_RUN, UNREADABLE, ABSENT = "graded", "not run", "unreadable", "absent
 
 FLAGS = {
     "not run": "No answer is stored. The student must open the notebook, run all cells, save, and hand it in again",
-    "partly run": "Some check cells were not run, so these problems have no stored answer",
+    "partly run": "Some check cells were not run or ended with an error, so these problems have no stored answer",
     "unreadable": "Could not be read",
     "not graded": "Could not be graded",
     "changed": "An answer cell was run after its check, so another answer may be stored than the one in the cell",
     "other id": "The id that was typed is not the student's (--roster gives them, --typed-ids takes those that were typed)",
     "same id": "One id was typed in the notebooks of several students",
     "same answers": "Several answers are the same as those of another student, although their numbers differ",
-    "several ids": "The notebooks under this name are of several ids. Is it the folder of a section or a group?",
+    "several ids": "The notebooks under this name are of several ids, and one counts. Grade a section, or a class in a zip file, by itself",
     "absent": "Nothing was handed in",
     "unmarked": "A text waits for your points in overrides.csv",
 }

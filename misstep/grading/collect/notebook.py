@@ -12,7 +12,6 @@ import zipfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from pathlib import PurePosixPath
 from typing import Any
 
 from misstep import storage as stored
@@ -20,6 +19,7 @@ from misstep.grading.collect.submissions import (
     COPY,
     SourceFile,
     Unreadable,
+    notebook_name,
     read_bytes,
     read_stream,
     reading,
@@ -96,7 +96,7 @@ def choose(files: Sequence[SourceFile], sheet: str) -> Chosen:
         if work.is_sheet:
             found.append((file.name.name, work))
         else:
-            faults.append(f"{file.name.name} is not the sheet {sheet}. Was another sheet handed in?")
+            faults.append(f"{file.name.name} has no cell of the sheet {sheet}. Was another sheet handed in?")
     if not found:
         raise Unreadable(" ".join(faults[:3]))
     name, work = max(found, key=lambda one: bool(one[1].answers))  # the first of them, which is the newest
@@ -120,10 +120,10 @@ def _unpacked(file: SourceFile) -> Iterator[tuple[SourceFile, bytes | None]]:
         return
     try:
         with reading(file.name), zipfile.ZipFile(io.BytesIO(read_bytes(file))) as archive:
-            members = [one for one in archive.infolist() if one.filename.lower().endswith(".ipynb")]
+            members = [one for one in archive.infolist() if notebook_name(one.filename).suffix.lower() == ".ipynb"]
             members = [one for one in members if not re.search(r"(^|[/\\])(\.|__MACOSX)", one.filename)]
             for member in sorted(members, key=lambda one: one.date_time)[-MAX_NOTEBOOKS:]:
-                name = file.name.parent / PurePosixPath(member.filename.replace("\\", "/")).name
+                name = file.name.parent / notebook_name(member.filename.replace("\\", "/")).name
                 with archive.open(member) as stream:
                     yield replace(file, name=name, modified=zip_time(member)), read_stream(stream, name)
     except Unreadable as error:

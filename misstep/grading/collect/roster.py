@@ -150,22 +150,26 @@ def read_table(path: Path) -> tuple[list[str], list[Row], str]:
         text = path.read_text("utf-8-sig")
         delimiter = max(",;\t", key=text.partition("\n")[0].count)  # platforms use the one of the user's language
         header, *lines = [*csv.reader(io.StringIO(text), delimiter=delimiter)] or [[]]
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
+    except (UnicodeDecodeError, csv.Error) as error:
         raise ValueError(
             f'{path} must be a table in UTF-8, which a spreadsheet saves as "CSV UTF-8": {error}.'
         ) from error
     return header, [[*line, *[""] * len(header)][: len(header)] for line in lines if any(line)], delimiter
 
 
-def export(roster: Roster, points: Mapping[str, float], maximum: float, sheet: str, column: str | None = None) -> str:
+def sheet_column(roster: Roster, sheet: str, column: str | None = None) -> str:
+    """Return the column of the sheet: `column`, or else the only one that contains the sheet's name, or else this name."""
+    matching = [name for name in roster.columns if sheet.casefold() in name.casefold() and " - " not in name]
+    return column or (matching[0] if len(matching) == 1 else sheet)
+
+
+def export(roster: Roster, points: Mapping[str, float], maximum: float, title: str) -> str:
     """Return the roster with the points of a sheet, as its platform imports it: Moodle's are scaled to the maximum that it names.
 
     points  by id
-    column  the column of the sheet; by default the only column that contains the sheet's name, or else this name
+    title   the column of the sheet
     """
     columns, kept = roster.columns, roster.kept + 1
-    matching = [name for name in columns if sheet.casefold() in name.casefold() and " - " not in name]
-    title = column or (matching[0] if len(matching) == 1 else sheet)
     rows: list[Row] = []
     for row, id_ in zip(roster.rows, roster.ids, strict=True):
         cell = format_points(points[id_]) if id_ in points else ""

@@ -95,7 +95,7 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
             remarks.append(f"Left out, because it is the platform's test student: {name}.")
             continue
         student = id_ or (f"{name}_{key}" if key and key != name else name)
-        known = found.get(student, Submission(student, id_ or ("" if key else name)))
+        known = found.get(student, Submission(student, id_ or ("" if key or not _without(sheet, name) else name)))
         found[student] = replace(known, files=[*known.files, *own])
     if roster:
         ids = [*roster.by_id.values()]
@@ -119,7 +119,7 @@ def list_files(source: Path) -> list[SourceFile]:
     files: list[SourceFile] = []
 
     def add(path: Path, modified: float = 0.0, fault: str = "") -> None:
-        files.append(SourceFile(PurePosixPath(path.relative_to(source)), path, "", modified, fault))
+        files.append(SourceFile(notebook_name(path.relative_to(source).as_posix()), path, "", modified, fault))
 
     def refused(error: OSError) -> None:
         add(Path(error.filename, "folder"), fault=f"The folder cannot be read: {error.strerror}.")
@@ -139,8 +139,9 @@ def list_files(source: Path) -> list[SourceFile]:
                 add(path, fault=f"{path.name} is a link, or no regular file. Hand in the notebook itself.")
         if not names and not folders and current != str(source):
             add(Path(current, "folder"), fault="The folder is empty.")
-    if len(files) == 1 and zipfile.is_zipfile(files[0].path):  # a folder that was made for the download of a platform
-        members = _members(files[0].path)
+    read = [file for file in files if file.is_read and not file.fault]
+    if len(read) == 1 and zipfile.is_zipfile(read[0].path):  # a folder that was made for the download of a platform
+        members = _members(read[0].path)
         if any(GRADESCOPE in one.name.parts or MOODLE.fullmatch(one.name.parts[0]) for one in members) or (
             len(members) > 1 and all(CANVAS.fullmatch(one.name.name) for one in members)
         ):
@@ -158,8 +159,13 @@ def _members(path: Path) -> list[SourceFile]:
     for member in members:
         parts = [part for part in member.filename.replace("\\", "/").split("/") if part not in ("", ".", "..")]
         if parts and not member.is_dir():
-            files.append(SourceFile(PurePosixPath(*parts), path, member.filename, zip_time(member)))
+            files.append(SourceFile(notebook_name("/".join(parts)), path, member.filename, zip_time(member)))
     return sorted(files, key=lambda file: file.name)
+
+
+def notebook_name(name: str) -> PurePosixPath:
+    """Return x.ipynb for x.ipynb.txt and x.ipynb.json, as some browsers save it, and every other name as it is."""
+    return PurePosixPath(re.sub(r"(\.ipynb)\.(txt|json)$", r"\1", name, flags=re.IGNORECASE))
 
 
 def zip_time(member: zipfile.ZipInfo) -> float:
@@ -256,11 +262,15 @@ def _level(files: Sequence[SourceFile], sheet: str) -> int:
 
 
 def _stem(file: SourceFile, sheet: str) -> str:
-    """Return the name of a file without the name of the sheet; "" for a file that is named after nobody."""
-    copy = COPY.fullmatch(file.name.stem)
-    if not file.is_read or sheet in (file.name.stem, copy and copy[1]):
-        return ""
-    return re.sub(rf"^{re.escape(sheet)}[-_ ]+|[-_ ]+{re.escape(sheet)}$", "", file.name.stem)
+    """Return the name of a file without its ending and the name of the sheet; "" for one that holds no sheet."""
+    return _without(sheet, file.name.stem) if file.is_read else ""
+
+
+def _without(sheet: str, name: str) -> str:
+    """Return a name without that of the sheet; "" if it is that of the sheet or of a copy of it, and so of nobody."""
+    copy = COPY.fullmatch(name)
+    is_sheet = sheet in (name, copy and copy[1])
+    return "" if is_sheet else re.sub(rf"^{re.escape(sheet)}[-_ ]+|[-_ ]+{re.escape(sheet)}$", "", name)
 
 
 def _listed(file: SourceFile, sheet: str, roster: Roster | None) -> str:

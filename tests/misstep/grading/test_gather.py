@@ -54,6 +54,7 @@ def students(source, roster=None):
         (["ada.ipynb", f"bob_{NAME}", f"{SHEET}-cyn.ipynb", "d.e.ipynb", "ada (1).ipynb"], "ada bob cyn d.e"),
         ([f"A/ada/{NAME}", f"A/bob/{NAME}", f"B/cyn/{NAME}", "A/notes.txt"], "ada bob cyn"),
         ([f"ada/{NAME}", f"bob/week 3/{NAME}", f"cyn/{NAME}", "dan/sketch.pdf"], "ada bob cyn dan"),
+        (["ada.ipynb.txt", "bob.ipynb.json", "roster.csv"], "ada bob"),
         (["A/ada.zip", f"A/bob/{NAME}", "A/bob/data.csv", f"A/cyn/{NAME}"], "ada bob cyn"),
         ([f"ada/{SHEET}/{NAME}", "ada/05_dh/05_dh.ipynb", "bob/05_dh/05_dh.ipynb"], "ada bob"),
         ([f"ada/.ipynb_checkpoints/{NAME}", f"ada/{NAME}", f"__MACOSX/ada/{NAME}"], "ada"),
@@ -105,7 +106,7 @@ def test_what_cannot_be_read_is_listed_with_its_student(tmp_path):
     ],
 )
 def test_a_download_is_known_packed_and_unpacked(tmp_path, kind, files, named):
-    packed = write(tmp_path, **{"in/s.zip": zipped(files)}) / "in" / "s.zip"
+    packed = write(tmp_path, **{"in/s.zip": zipped(files), "in/roster.csv": b"id"}) / "in" / "s.zip"
     with zipfile.ZipFile(packed) as archive:
         archive.extractall(tmp_path / "unpacked" / "submissions")
     for source in (packed, packed.parent, tmp_path / "unpacked"):

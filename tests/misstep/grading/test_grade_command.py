@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 import time
+from unittest.mock import Mock
 
 import pytest
 from submissions import NAME, SHEET, answered, as_bytes, emissions, released, write, zipped
@@ -86,13 +87,13 @@ def test_what_an_instructor_must_know_is_said_with_names(tmp_path, capsys):
     said = {line.partition(":")[0]: line.partition(":")[2] for line in printed.splitlines()}
     named = {
         "No answer is stored. The student must open the notebook, run all cells, save, and hand it in again": "none",
-        "Some check cells were not run, so these problems have no stored answer": "some (01.4, 01.7)",
+        "Some check cells were not run or ended with an error, so these problems have no stored answer": "some (01.4, 01.7)",
         "An answer cell was run after its check, so another answer may be stored than the one in the cell": "late (01.3)",
         "Could not be read": "pdf (The file is a PDF",
-        "The id that was typed is not the student's (--roster gives them, --typed-ids takes those that were typed)": "other (The",
+        "The id that was typed is not the student's (--roster gives them, --typed-ids takes those that were typed)": "other (typed 'bob'",
         "One id was typed in the notebooks of several students": "bob (also other)",
         "Several answers are the same as those of another student, although their numbers differ": "ada (eve",
-        "The notebooks under this name are of several ids. Is it the folder of a section or a group?": "group",
+        "The notebooks under this name are of several ids, and one counts. Grade a section, or a class in a zip file, by itself": "group",
         "Nothing was handed in": "gone",
     }
     assert code == 1
@@ -102,17 +103,30 @@ def test_what_an_instructor_must_know_is_said_with_names(tmp_path, capsys):
     assert all(text.replace("'", "&#39;") in report for text in named)
     assert points(rows)["late"] == points(rows)["ada"] == FULL
     assert points(rows)["eve"] < FULL / 2
-    assert points(rows)["other"] < FULL / 2
     assert rows["gone"]["status"] == "absent"
 
 
 def test_without_a_roster_the_ids_in_the_sheets_may_count(tmp_path, capsys):
     folder = write(tmp_path / "in", **{f"Lovelace/{NAME}": answered("ada"), f"Boole/{NAME}": answered("bob")})
-    code, printed, rows = grade(folder, capsys)
-    assert (code, "--typed-ids takes those" in printed) == (1, True)
-    assert max(points(rows).values()) < FULL
     _, _, rows = grade(folder, capsys, "--typed-ids")
     assert points(rows) == {"Boole": FULL, "Lovelace": FULL}
+
+
+def test_an_answer_that_was_checked_for_another_id_is_explained_by_no_mistake(tmp_path, capsys):
+    _, printed, rows = grade(write(tmp_path / "in", **{f"ada/{NAME}": answered("bob")}), capsys)
+    assert f"ada (typed 'bob'; with the numbers of 'bob', {FULL} points)" in printed
+    assert (rows["ada"]["mistakes"], points(rows)["ada"] < FULL / 2) == ("", True)
+    page = (tmp_path / "out" / "feedback" / "ada.html").read_text("utf-8")
+    assert "This answer was checked for &#39;bob&#39;, and so with other numbers than those of &#39;ada&#39;." in page
+    assert not [text for text in ("what you get if you", "do not recognise", "entries are right") if text in page]
+    assert len((tmp_path / "out" / "unnamed.csv").read_text("utf-8").splitlines()) == 1
+
+
+def test_a_notebook_that_is_named_after_nobody_is_judged_with_the_typed_id(tmp_path, capsys):
+    folder = write(tmp_path / "in", **{NAME: answered("ada")})
+    for source in (folder, folder / NAME):
+        code, _, rows = grade(source, capsys)
+        assert (code, [*points(rows).values()]) == (0, [FULL])
 
 
 def nested(depth):
@@ -206,8 +220,16 @@ def test_after_a_kill_the_next_run_writes_the_same_files(tmp_path):
         time.sleep(0.005)
     run.kill()
     run.wait()
+    write(tmp_path, **{"killed/feedback/bob.html": b"of an earlier run with other names"})
     assert main(command("killed")) == 0
     assert {k: v for k, v in files("killed").items() if "partial" not in k.name} == files("whole")
+
+
+def test_a_run_that_is_stopped_says_so_and_what_to_do(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("misstep.grading.command.as_completed", Mock(side_effect=KeyboardInterrupt))
+    code, printed, rows = grade(write(tmp_path / "in", **{f"ada/{NAME}": answered("ada")}), capsys)
+    assert (code, rows) == (2, {})
+    assert printed.endswith("Stopped, and nothing was written. Run the same command to grade.\n")
 
 
 def test_overrides_are_checked_before_anything_is_graded_and_all_faults_are_named(tmp_path, capsys):
@@ -239,13 +261,15 @@ def test_a_text_is_never_0_without_a_word_and_the_points_by_hand_count(tmp_path,
     assert (code, points(rows)) == (1, {"ada": FULL, "bob": FULL + 2})
     assert "A text waits for your points in overrides.csv: 01.11 of 1 student." in printed
     assert (rows["ada"]["01.11"], rows["bob"]["01.11"]) == ("to be marked", "2")
-    assert "The points of 01.11 are not yet counted" in rows["ada"]["reason"]
+    assert rows["ada"]["reason"] == "The points of 01.11 are not yet counted: your instructor marks this text."
     assert rows["bob"]["by hand"] == "01.11: Marked by your instructor. Why three?"
     pages = {name: (out / "feedback" / f"{name}.html").read_text("utf-8") for name in ("ada", "bob")}
     assert "to be marked by your instructor,\nup to 3 points" in pages["ada"]
     assert "A rotation about any line" in pages["ada"]  # the text, for the one who marks it
     assert "marked by your instructor,\n2 of 3 points" in pages["bob"]
-    assert "1 to be marked by your instructor, 1 marked by your instructor." in (out / "report.html").read_text("utf-8")
+    report = (out / "report.html").read_text("utf-8")
+    assert "1 to be marked by your instructor, 1 marked by your instructor." in report
+    assert report.count("not all marked") == 1
 
 
 def test_wrong_answers_without_a_name_are_grouped(tmp_path, capsys):
@@ -271,6 +295,17 @@ def test_a_platforms_download_gets_its_file_and_its_zip_of_pages(tmp_path, capsy
     assert (code, points(rows)) == (0, {"ada": FULL})
     assert (tmp_path / "out" / "moodle.csv").read_text("utf-8").splitlines()[1].endswith(f",{38 * FULL / TOTAL:g},38")
     assert b"Ada L_1815_assignfeedback_file_01_frames.html" in (tmp_path / "out" / "feedback.zip").read_bytes()
+
+
+def test_a_column_that_canvas_does_not_have_is_named(tmp_path, capsys):
+    source, roster = tmp_path / "s.zip", tmp_path / "c.csv"
+    source.write_bytes(zipped({f"lovelaceada_1815_501_{NAME}": answered("ada")}))
+    roster.write_text(
+        "Student,ID,SIS Login ID,Section,Sheet 1 (7)\n    Points Possible,,,,25\nAda,1815,ada,A,\n", "utf-8"
+    )
+    for options, is_told in ((), True), (("--column", "Sheet 1 (7)"), False):
+        code, printed, _ = grade(source, capsys, "--roster", str(roster), *options)
+        assert (code == 1, "Canvas would make a new column '01_frames'" in printed) == (is_told, is_told)
 
 
 @pytest.mark.parametrize(

@@ -83,7 +83,7 @@ def test_a_sheet_that_was_not_run_is_known_and_another_sheet_too(tmp_path):
     assert read_work(as_bytes(released()), SHEET).is_sheet
     assert not read_work(as_bytes(answered("ada")), "02_motions").is_sheet
     write(tmp_path, **{"x.ipynb": answered("ada")})
-    with pytest.raises(Unreadable, match=r"x\.ipynb is not the sheet 02_motions"):
+    with pytest.raises(Unreadable, match=r"x\.ipynb has no cell of the sheet 02_motions"):
         choose(list_files(tmp_path), "02_motions")
 
 
@@ -94,7 +94,7 @@ def test_of_several_notebooks_the_newest_with_answers_counts(tmp_path):
         members.writestr("../../../evil.ipynb", b"{}")
         members.writestr("__MACOSX/._X.ipynb", b"\0")
         members.writestr(".ipynb_checkpoints/X.ipynb", as_bytes(old))
-        for name, minute, content in (("b.ipynb", 1, old), ("a/X.ipynb", 3, new), ("Y.ipynb", 5, released())):
+        for name, minute, content in (("b.ipynb", 1, old), ("a/X.ipynb.txt", 3, new), ("Y.ipynb", 5, released())):
             members.writestr(zipfile.ZipInfo(name, (2036, 1, 1, 0, minute, 0)), as_bytes(content))
     chosen = choose([SourceFile(PurePosixPath("work.zip"), archive)], SHEET)
     assert chosen.work.answers == read_work(as_bytes(new), SHEET).answers
