@@ -47,8 +47,8 @@ class Problem:
     advice     for names of mutants, or the texts of their changes, a sentence on what is right in this problem
     invisible  the names of mutants that cannot be seen in this problem, because they always lead to the right answer
 
-    Raises ValueError for a mistake whose value is not an answer of this kind, because no student could give it, and if the
-    solution does not lead to the answer.
+    Raises ValueError for an answer that is no Answer, for a mistake whose value is not an answer of this kind, because no
+    student could give it, and if the solution does not lead to the answer.
 
     >>> from misstep.answers.number import Numbers
     >>> from misstep.mutants.expression import given
@@ -72,6 +72,8 @@ class Problem:
     invisible: Collection[str] = ()
 
     def __post_init__(self) -> None:
+        if not isinstance(self.answer, Answer):
+            raise ValueError(f"answer must be an Answer, such as Numbers(...); got {type(self.answer).__name__}.")
         if isinstance(root := self.answer.value, Expression):
             object.__setattr__(self, "solution", root)
             object.__setattr__(self, "answer", replace(self.answer, value=np.asarray(root.value)))  # type: ignore[type-var]

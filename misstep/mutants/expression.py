@@ -164,12 +164,10 @@ class Expression:
         slips   (name, text, value) or (name, text, value, advice)
         fields  of all these slips, such as spoils=True
 
-        Raises ValueError for a slip that is no tuple.
+        Raises ValueError for a slip that is no such tuple.
         """
-        if flat := [slip for slip in slips if not isinstance(slip, tuple)]:
-            raise ValueError(
-                f"Each slip must be a tuple (name, text, value); got {flat[0]!r:.80}. Put brackets around it."
-            )
+        if odd := [one for one in slips if type(one) is not tuple or len(one) not in (3, 4) or type(one[1]) is not str]:
+            raise ValueError(f"Each slip must be (name, text, value) in brackets of its own; got {odd[0]!r:.80}.")
         further = [
             Slip(name, text, as_expression(other), advice=why[0] if why else advice, **fields)
             for name, text, other, *why in slips

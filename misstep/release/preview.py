@@ -10,17 +10,17 @@ from misstep.worked_solution import worked_solution
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Add the options of `misstep preview`."""
-    parser.add_argument("number", help="the number of the problem, such as 01.2")
+    parser.add_argument("number", help="the number of the problem, such as 01.2, or of a blank step, such as 01.a")
     parser.add_argument("--student", default="another student", help="whose numbers to take")
 
 
 def run(options: Namespace) -> int:
     """Print the problem, and return 0. Raises ValueError for an unknown number; the message lists those that exist."""
     course = find_course()
-    templates = {one.number: one for sheet in course.sheets() for one in course.find_sheet(sheet).problems}
-    if options.number not in templates:
-        raise ValueError(f"There is no problem {options.number!r}. The problems are: {', '.join(templates)}.")
-    template = templates[options.number]
+    known = {one.number: one for name in course.sheets() for one in course.find_sheet(name).problems} | course.blanks()
+    if options.number not in known:
+        raise ValueError(f"There is no problem {options.number!r}. The problems are: {', '.join(known)}.")
+    template = known[options.number]
     problem = template.variant(options.student)
     print(template.number, template.title, problem.statement, sep="\n\n")
     if problem.figure:

@@ -109,5 +109,6 @@ def test_a_change_that_would_have_changed_a_right_part_is_not_told():
 
 
 def test_a_slip_without_its_brackets_is_refused():
-    with pytest.raises(ValueError, match=r"must be a tuple .* got 'a name'. Put brackets around it"):
-        given("x", 1.0).mistaken_for("a name", "do it", 2.0)
+    for slips in (("name", "do it", 2.0), (("name", 2.0),), (("name", 2.0, "do it"),)):
+        with pytest.raises(ValueError, match=r"must be \(name, text, value\) in brackets of its own; got .*name"):
+            given("x", 1.0).mistaken_for(*slips)

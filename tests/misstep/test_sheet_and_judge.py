@@ -121,6 +121,11 @@ def test_a_mistake_of_another_shape_is_refused_when_the_problem_is_made():
         two_rows([Mistake("one row", np.zeros(6), "?")])
 
 
+def test_an_answer_of_no_kind_is_refused_when_the_problem_is_made():
+    with pytest.raises(ValueError, match=r"answer must be an Answer, such as Numbers\(\.\.\.\); got Expression"):
+        Problem("How far?", of_solution("x", 1.0))
+
+
 def test_a_card_names_score_mistake_and_section_and_its_findings_are_in_the_order_of_the_parts():
     p = two_rows([NEGATED, Mistake("swapped", NEGATED.value[::-1], "This row is swapped.", in_parts=True)])
     sheet = opened(p, points=4)

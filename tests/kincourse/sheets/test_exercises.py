@@ -29,6 +29,11 @@ def test_preview_shows_the_right_answer_with_its_worked_solution_and_each_mistak
     assert "There is no problem '03.99'. The problems are: 01.1, " in capsys.readouterr().err
 
 
+def test_preview_shows_a_blank_step_too(capsys):
+    assert main(["preview", "05.a"]) == 0
+    assert "Problem 05.a: Right" in capsys.readouterr().out
+
+
 def test_every_problem_has_its_cells_and_its_points_in_the_sheet():
     for source in SOURCES:
         cells = {cell["id"]: cell for cell in json.loads(source.read_text(encoding="utf-8"))["cells"]}

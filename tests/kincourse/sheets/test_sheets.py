@@ -43,8 +43,8 @@ each_problem = pytest.mark.parametrize("template", TEMPLATES, ids=lambda templat
 def test_right_answers_score_mistakes_have_messages_and_students_have_different_numbers(template):
     problem, *_ = problems = [drawn(template, student) for student in STUDENTS]
     assert len({one.statement + str(one.answer.value) for one in problems}) > 1
-    assert len([*problem.known_mistakes, *problem.slips]) >= 3
-    assert problem.further
+    assert len([*problem.known_mistakes, *problem.slips]) >= 3, "at least three mistakes"
+    assert problem.further, "a question after a right answer"
     assert problem.method or problem.solution is not None, "a worked solution"
     answer = problem.answer
     assert judge(problem, answer.value).fraction == 1.0
@@ -197,8 +197,13 @@ def test_every_formula_of_a_statement_and_of_a_message_can_be_set():
     """On the page of feedback an invalid one would stand as it was typed."""
     formulas = set()
     for problem in (drawn(template, STUDENTS[0]) for template in TEMPLATES + OPEN):
-        for text in (problem.statement, *(one.message for one in problem.known_mistakes)):
+        texts = [problem.statement, problem.method, problem.further]
+        for text in [*texts, *(one.message for one in problem.known_mistakes)]:
+            assert text.count("$") % 2 == 0, text
+            assert not {*"\a\b\t\v\f\r"} & {*text}, "a backslash in a text must be doubled: " + text
             formulas |= {*re.findall(r"\$\$?([^$]+)\$\$?", text)}
     assert len(formulas) > 100
     for formula in formulas:
         assert convert(formula).startswith("<math"), formula
+        assert "<mi>\\" not in convert(formula), f"an unknown command: {formula}"
+        assert formula.count("{") == formula.count("}"), formula
