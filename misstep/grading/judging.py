@@ -143,11 +143,8 @@ def _judged(template: Template, id_: str, work: Work, k: int, site: str) -> Prob
     data = json.loads(data)
     judgement = judged_data(problem, data)
     is_of_other = typed.casefold() != id_.casefold()
-    if is_of_other and judgement.state in (
-        "wrong",
-        "partly",
-        "unreadable",
-    ):  # no mistake explains it, because it answers a question with other numbers
+    if is_of_other and judgement.state in ("wrong", "partly", "unreadable"):
+        # no mistake explains it, because it answers a question with other numbers
         text = f"This answer was checked for {typed!r}, and so with other numbers than those of {id_!r}."
         parts = [part for part in problem.answer.parts if part not in judgement.right_parts]
         judgement = replace(judgement, findings=[Finding(parts, text)])
