@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from kincourse.robot_sheets.robot_sheet import robot_sheet, with_plain_name
+from kincourse.text.dh_tables import in_latex
 from kinlib.arrays.formatting import format_degrees, format_matrix, format_number, html_table
 from kinlib.arrays.tolerances import ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.chains.chain import Chain
@@ -25,7 +26,7 @@ from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import CHOICES, describe_pose, equivalent, measured_difference
 from kinlib.dh.explanation.rounding import typed_half_units, with_right_angles
 from kinlib.dh.explanation.search import TableExplanation, explain_by_choices
-from kinlib.dh.formatting import PRINTED_DIGITS, headings, in_latex
+from kinlib.dh.formatting import PRINTED_DIGITS, headings
 from kinlib.dh.read_table import read_table
 from kinlib.dh.reading.columns import Assumption
 from kinlib.dh.slips import NUMBERS, OTHER_CONVENTION, Fault, wrong_number

@@ -20,9 +20,9 @@ from kincourse.sampling.drawn_machines import (
     lengths,
     table_frames,
 )
+from kincourse.text.dh_tables import markdown_table
 from kincourse.text.joint_table import joint_table, rows_from_frames
 from kinlib.chains.robots import X, Y, Z, arm, pose
-from kinlib.dh.formatting import markdown_table
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import DHTable
 from kinlib.view import draw_joints

@@ -26,10 +26,11 @@ from kincourse.sampling.drawn_machines import (
     lengths,
     table_frames,
 )
+from kincourse.text.dh_tables import in_latex, markdown_table
 from kincourse.text.joint_table import joint_table, rows_from_frames
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
-from kinlib.dh.formatting import add_variable, headings, in_latex, markdown_table
+from kinlib.dh.formatting import add_variable, headings
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.lie import homogeneous

@@ -12,13 +12,13 @@ from kincourse.dimensions import DrawnAxis, draw_dimensions
 from kincourse.mistakes.dh import entry_names, rows_of_the_other_convention
 from kincourse.problem import ArmSampler, Problem, problem
 from kincourse.sampling.drawn_machines import is_readable, lengths, misread
+from kincourse.text.dh_tables import markdown_table
 from kincourse.text.joint_table import end_frames, given_frames, joint_table, rows_from_frames
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import equivalent
-from kinlib.dh.formatting import markdown_table
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import DHTable, format_rows
 from kinlib.rigid.lie import homogeneous

@@ -24,10 +24,10 @@ from kincourse.mistakes.dh import is_in_several_rows
 from kincourse.problem import ArmSampler, Problem, problem
 from kincourse.sampling.arms import PLAIN_ANGLES_DEG
 from kincourse.sampling.drawn_machines import drawn_table_mistakes, misread
+from kincourse.text.dh_tables import markdown_table
 from kincourse.text.joint_table import rows_from_frames
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.formatting import markdown_table
 from kinlib.dh.table import DHTable, format_rows
 from kinlib.rigid.lie import adjoint, homogeneous, log
 from kinlib.rigid.lie import exp as exponential

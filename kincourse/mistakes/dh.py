@@ -9,7 +9,8 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
-from kinlib.dh.slips import OTHER_CONVENTION, SLIPS_OF_A_TABLE, SLIPS_THAT_LOSE_NUMBERS
+from kinlib.dh.slips import ALPHA, OTHER_CONVENTION, SLIPS_OF_A_TABLE, THETA, A, D, reorder, scale
+from kinlib.dh.slips import Slip as DHSlip
 from kinlib.dh.table import Convention, DHTable
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Slip
@@ -31,6 +32,26 @@ def symbol(name: str) -> str:
 def with_symbols(text: str) -> str:
     """Return a sentence of `kinlib.dh` with the names of columns and axes as mathematics."""
     return _COLUMN.sub(lambda found: symbol(found[0]), text)
+
+
+def off_the_normal(rows: Array) -> Array:
+    """Measure a from origin to origin, with no d, so that x is along the link and not along the common normal."""
+    a, alpha, d, theta = rows.T
+    return np.where(rows[:, [A]] != 0, np.column_stack([np.hypot(a, d), alpha, 0 * d, theta]), rows)
+
+
+SLIPS_THAT_LOSE_NUMBERS = [
+    DHSlip("alpha left out", "Every alpha is 0; it is the angle about x from one z axis to the next.", scale([ALPHA], 0), column=ALPHA),
+    DHSlip("d left out", "Every d is 0; it is the distance along z from one x axis to the next.", scale([D], 0), column=D),
+    DHSlip("no offset", "Every theta is 0 at q = 0; it is the angle about z from one x axis to the next.", scale([THETA], 0), column=THETA),
+    DHSlip("signs left out", "No minus sign is left.", np.abs),
+    DHSlip("off the normal", "a was measured from joint to joint, and not along the common normal.", off_the_normal),
+    DHSlip("both pairs swapped", "a and d are swapped, and so are alpha and theta.", reorder((D, THETA, A, ALPHA))),
+    DHSlip("all signs", "Every entry has the wrong sign.", scale(range(4), -1)),
+    DHSlip("rows reversed", "The rows are in the order from the tool to the base.", lambda rows: rows[::-1]),
+    DHSlip("column after column", "The numbers were listed column after column.", lambda rows: rows.T.reshape(rows.shape)),
+]  # fmt: skip
+"""The slips in a whole table that cannot be undone, because numbers or their order are lost; they are made forwards only."""
 
 
 @cache

@@ -335,23 +335,3 @@ def _set(rows_: Sequence[int], column: int, value: float | Array) -> Change:
         return rows
 
     return change
-
-
-def off_the_normal(rows: Array) -> Array:
-    """Measure a from origin to origin, with no d, so that x is along the link and not along the common normal."""
-    a, alpha, d, theta = rows.T
-    return np.where(rows[:, [A]] != 0, np.column_stack([np.hypot(a, d), alpha, 0 * d, theta]), rows)
-
-
-SLIPS_THAT_LOSE_NUMBERS = [
-    Slip("alpha left out", "Every alpha is 0; it is the angle about x from one z axis to the next.", scale([ALPHA], 0), column=ALPHA),
-    Slip("d left out", "Every d is 0; it is the distance along z from one x axis to the next.", scale([D], 0), column=D),
-    Slip("no offset", "Every theta is 0 at q = 0; it is the angle about z from one x axis to the next.", scale([THETA], 0), column=THETA),
-    Slip("signs left out", "No minus sign is left.", np.abs),
-    Slip("off the normal", "a was measured from joint to joint, and not along the common normal.", off_the_normal),
-    Slip("both pairs swapped", "a and d are swapped, and so are alpha and theta.", reorder((D, THETA, A, ALPHA))),
-    Slip("all signs", "Every entry has the wrong sign.", scale(range(4), -1)),
-    Slip("rows reversed", "The rows are in the order from the tool to the base.", lambda rows: rows[::-1]),
-    Slip("column after column", "The numbers were listed column after column.", lambda rows: rows.T.reshape(rows.shape)),
-]  # fmt: skip
-"""The slips in a whole table that cannot be undone, because numbers or their order are lost; they are made forwards only."""
