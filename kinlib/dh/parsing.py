@@ -76,7 +76,7 @@ def read_entry(cell: str, column: str, names: Mapping[str, Entry]) -> Entry:
     text = re.sub(rf"({NUMBER}|\))\s*(?=(?:pi|q_?\d*)\b|theta)", r"\1*", text)
     try:
         # Python also reads 0x1F and 1_000, but people do not.
-        if len(cell) > MAX_ENTRY_LENGTH or re.search(r"[^\w\s.+*/()-]|\d_|\b0[xXbBoO]", text):
+        if len(cell) > MAX_ENTRY_LENGTH or re.search(r"[^\w\s.+*/()-]|\b\d+_|\b0[xXbBoO]", text):
             raise TypeError("not an entry of a table")
         tree = ast.parse(text, mode="eval").body
         used = list(dict.fromkeys(node.id for node in ast.walk(tree) if isinstance(node, ast.Name)))

@@ -27,7 +27,9 @@ def read_lines(text: str, names: Mapping[str, Entry]) -> Grid:
         if "\t" in line and splits:  # a spreadsheet drops empty cells at the end
             splits[0] += [""] * (len(heads[0]) - len(splits[0]))
         has_heading = heads != [UNNAMED]
-        fits = [(cells, kind, row) for kind in heads for cells in splits if (row := _row(cells, kind, grid))]
+        is_prose = not read and bool(re.match(r"\s*(?:#|%|//)(?=.*(?:[a-zA-Z]{2,} ){3})", raw))
+        ways = [(cells, kind) for kind in heads for cells in splits] * (not is_prose)
+        fits = [(*way, row) for way in ways if (row := _row(*way, grid))]
         found = [] if (has_heading and (read or fits)) else headings_in(raw, splits, not has_heading)
         if found:  # above the rows, or below them
             found.sort(key=lambda kind: {len(kind)} != {len(cells) for cells in read})
@@ -43,7 +45,7 @@ def read_lines(text: str, names: Mapping[str, Entry]) -> Grid:
             read.append(cells)
             grid.rows.append(row)
             grid.places.append(place)
-        elif _is_end(place, line, splits, grid, is_after_gap=is_after_gap, has_heading=has_heading):
+        elif not is_prose and _is_end(place, line, splits, grid, is_after_gap=is_after_gap, has_heading=has_heading):
             break
         is_after_gap = False
     grid.units = {head.column: head.unit for head in heads[0] if head.unit}

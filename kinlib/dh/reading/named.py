@@ -2,6 +2,7 @@ r"""Read the rows of a table from names with values: calls such as RevoluteDH(a=
 
 import re
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 
 from kinlib.dh.parsing import COLUMNS, NUMBER, Entry, read_entry
 from kinlib.dh.reading.columns import ALL_COLUMNS, COLUMN_NAMES, NEEDED, Grid, column_of, parse_heading
@@ -22,6 +23,9 @@ LIST = re.compile(
 
 INDEXED = re.compile(r"\b([a-zA-Z]+(?:_[a-zA-Z]+)*)_?(\d{1,2})\s*[=:](?![ \t]*[\[{])[ \t]*([^,;\n}]*)")
 
+STATEMENT = re.compile(r"(?m)(?:^|;)[ \t]*([a-zA-Z]\w*)[ \t]*=[ \t]*([^=;#%\n]{1,200}?)[ \t]*(?=[;#%]|//|$)")
+"""A name whose value is computed, deg = pi/180."""
+
 JOINT_TYPES = {"R": r"(?i)revolute|\bRot", "F": r"\b(?:None|Fixed)\b", "P": r"(?i)prismatic|\bTrans"}
 """How the name of a call, or what stands before it, says the type of a joint."""
 
@@ -32,13 +36,18 @@ def definitions(text: str) -> dict[str, Entry]:
     >>> definitions("with d1 = 89.2 mm")
     {'d1': Entry(value=(0.0892+0j), variables=[], unit='m')}
     """
-    found = re.findall(rf"\b([a-zA-Z]\w*)\s*[=:]\s*(-?{NUMBER}(?:\s*(?:mm|cm|m)\b)?)", re.sub(r"[{}]", "", text))
-    values = {name: value for name, value in found if name not in COLUMN_NAMES}
+    plain = re.sub(r"[{}]", "", text)
+    found = re.findall(rf"\b([a-zA-Z]\w*)\s*[=:]\s*(-?{NUMBER}(?:\s*(?:mm|cm|m)\b)?)(?![\d.]|\s*[-+*/])", plain)
+    found += STATEMENT.findall(text)
     for line in LIST.finditer(text):
         name, *cells = _as_line(line).strip().split("\t")
-        if all(re.fullmatch(rf"-?{NUMBER}", cell) for cell in cells):
-            values |= {f"{name}{k}": cell for k, cell in enumerate(cells)}
-    return {name: read_entry(value, "a", {}) for name, value in values.items()}
+        found += [(f"{name}{k}", cell) for k, cell in enumerate(cells)]
+    known = dict[str, Entry]()
+    for name, value in found:
+        with suppress(ValueError):
+            if name not in COLUMN_NAMES and not (entry := read_entry(value, "", known)).variables:
+                known[name] = entry
+    return known
 
 
 def _as_line(found: re.Match[str]) -> str:
@@ -51,16 +60,20 @@ def _as_line(found: re.Match[str]) -> str:
 def _pairs(text: str) -> Iterator[tuple[str, str, re.Match[str]]]:
     """Find the names of columns that have a value, and the value."""
     for found in PAIR.finditer(text):
-        if column := column_of(found[1] or found[2]):
-            yield column, found[3].strip(), found
+        name, value = found[1] or found[2], found[3].strip()
+        if value in {"d", "theta"} and column_of(name) == "theta" != name:  # "variable": "d"
+            yield "type", "P" if value == "d" else "R", found
+        elif column := column_of(name):
+            yield column, value, found
 
 
 def read_calls(text: str, names: Mapping[str, Entry]) -> Grid | None:
     """Read calls, RevoluteDH(d=0.1, a=0.2) or Link([0 0.1 0.2 pi/2]); what is not given is 0."""
     grid, end = Grid(names), 0
+    later = {int(number): value for name, number, value in INDEXED.findall(text) if column_of(name) == "offset"}
     for found in CALL.finditer(text):
         kind, inside = found.groups()
-        cells = re.sub(r"[\[\]{},]", " ", inside).split()
+        cells = re.sub(r"'[^']*'|[\[\]{},]", " ", inside).split()
         row = {column: value for column, value, _ in _pairs(inside)}
         if not row and len(cells) >= 4 and all(map(grid.is_entry, cells[:4])):
             order = COLUMNS if re.search("Frame|Craig", kind) else ("theta", "d", "a", "alpha", "type", "offset")
@@ -74,6 +87,8 @@ def read_calls(text: str, names: Mapping[str, Entry]) -> Grid | None:
         if re.match(r"\s*['\"]", inside):  # of MATLAB: what is not given is the variable
             types += ["R" if "theta" not in row else "P" if "d" not in row else "F"]
         row = dict.fromkeys((*COLUMNS, "offset"), "0") | row | {"type": [*types, row.get("type", "")][0]}
+        if row["offset"] == "0":  # L(2).offset = pi/2 below the calls
+            row["offset"] = later.get(len(grid.rows) + 1, "0")
         if row["type"] == "P":
             row |= {"d": f"{row['d']} + {row['offset']}", "offset": "0"}
         if re.search(r"\bflip\s*[=:]\s*(?:[Tt]rue|1)", inside):
@@ -137,9 +152,14 @@ def _by_index(text: str, grid: Grid) -> dict[str, list[str]]:
 
 def read_dictionaries(text: str, names: Mapping[str, Entry]) -> Grid | None:
     """Read names with values, row by row: dictionaries, items of YAML or TOML, attributes of XML, or lines."""
-    grid, end = Grid(names, rows=[{}]), 0
-    for column, value, found in _pairs(text):
-        if column in grid.rows[-1] or re.search("[)}]", text[end : found.start()]):
+    # Rows of cells are for another reader, and alpha = dh[:, 0] takes a column.
+    text = re.sub(r"(?m)^.*\|.*$|=\s*\w+[\[(][^\])\n]{,40},.*", "", text)
+    grid, end, pairs = Grid(names, rows=[{}]), 0, [*_pairs(text)]
+    bare = [
+        pair for pair in pairs if not re.match(r"\w*\d\s*[:=]", pair[2][0])
+    ]  # beside d, d4 = 0.3 is the value of a name
+    for column, value, found in bare if {column for column, _, _ in bare} >= NEEDED else pairs:
+        if grid.rows[-1] and (column in grid.rows[-1] or re.search("[)}]", text[end : found.start()])):
             grid.rows.append({})
         grid.rows[-1][column], end = value, found.end()
     grid.places = [f"Row {k + 1}" for k in range(len(grid.rows))]

@@ -30,7 +30,7 @@ REPLACEMENTS: Replacements = [
     (r"\\ang\{([^{}]*)\}", r"\1°"), (r"\\milli\\met(?:re|er)", "mm"), (r"\\met(?:re|er)\b", "m"),
     (r"\\(?:SI|qty)\{([^{}]*)\}\{([^{}]*)\}", r"\1 \2"), (r"\\(?:si|unit|text|math\w\w|text\w\w)\{([^{}]*)\}", r"\1"),
     (r"\^\{?\s*\\circ\s*\}?|\\degree", "°"), (r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}", r"(\1)/(\2)"), (r"\\,|\$", ""),
-    (r"\\(?:cdot|times)\b", "*"), (r"\\(alpha|theta|psi|pi)(?![a-zA-Z])", r"\1"),
+    (r"\\(?:cdot|times)\b", "*"), (r"\\(alpha|theta|psi|pi)(?![a-zA-Z])", r"\1"), (r"(?<!-)--(?=\.?\d|pi\b)", "-"),
     # wikis and other separators
     (r"(?m)^\s*(?:\{\|.*|\|[-}]\s*)$", ""), (r"!!|\|\||&", " | "), (r"(?m)^\s*!", "|"), (r"\(\*|\*\)", "\n"),
     # the functions and numbers of code and spreadsheets
@@ -39,7 +39,9 @@ REPLACEMENTS: Replacements = [
     (r"\((?:float|double|real_t)\)|(?<=\d)f\b|(?<=\d\.)f\b", ""), (r"(?<=\d)\s*\*\s*([mc]m)(?:_?(?:2|to)_?m)?\b", r" \1"),
     (r"\b((?:theta|q|d)_?\{?\d+\}?)\*(?![\w(.]|-1\b)", r"\1"), (r"\bth_?(\d+)\b", r"theta\1"),  # the star of a variable
     # the names, lists and calls of code
-    (r"\b\w+[(\[](\d+)[)\]]\.(\w+)\s*=(?!=)", r"\2\1 ="), (r"\b([a-zA-Z]\w*)\[(\d+)\](?!\s*[\[.])", r"\1\2"),  # L(1).a = 0.1
+    (r"\b(?:\w+\((\d+)\)|[a-zA-Z]+(\d+))\.(\w+)\s*=(?!=)", r"\3\1\2 ="), (r"\b([a-zA-Z]\w*)\[(\d+)\](?!\s*[\[.])", r"\1\2"),  # L(1).a
+    (r"\b\w+\[(\d+)\]\.(\w+)\s*=(?!=)", lambda found: f"{found[2]}{int(found[1]) + 1} ="),  # counted from 0
+    (r"\b(?!q\(|theta\(|sqrt|a?sin|a?cos|a?tan)([a-zA-Z]\w*)\(([1-9]\d?)\)", lambda found: f"{found[1]}{int(found[2]) - 1}"),
     (r"(?<=[\[,])\s*\[([^\[\],]*\d[^\[\],]*)\](?=\s*[,\]])", r"\1"), (r"(?m)^[ \t]*-[ \t]+\[([^\[\]\n]*)\]", r"\1"),  # [[0], [1]]
     (r"(?m)^[ \t]*\(?\d+\)[ \t]+(?=[-\w.])", ""), (r"(?m)^[ \t]*#define\s+(\w+)\s+", r"\1 = "), (r"\b\w+\s*<<\s*(?=\S)", ""),
     (r"(?mi)^.*?(?<![:.\w])(?:\w+_)?dh(?:_\w+)?\(((?:[^=,\n]{0,60},){3}[^=,\n]{0,60})\)\W*$", r"\1"),  # T = T @ dh(q1, 0.3, 0, pi/2)
@@ -49,7 +51,8 @@ REPLACEMENTS: Replacements = [
 """What is replaced by what, in this order."""
 
 ARRAY = re.compile(r"[\[{(]\s*[\[{(]|=\s*[\[{]|[\[{][^\]}]{,999};")
-IN_ARRAYS = [
+IN_ARRAYS: Replacements = [
+    (r"\[\s*(-?[\d.]+(?:\s*;\s*-?[\d.]+)+)\s*\]", lambda found: f"({found[1].replace(';', ' ')})"),  # a column is no row
     (r"[\]})]\s*,\s*['\"]?\w+['\"]?\s*[:=]\s*(?=[\[{(])", "\n"),  # the next one, and the name of one
     (r"(?m)^(?:(?:[^\n#%/=]*=|[^\n#%/]*?[=(:])\s*(?=[\[{])|[^\n#%/{\[]*(?=\{\s*\{))", ""),
     (r"[\]})]\s*[,;]?\s*(?=[\[{(])|;", "\n"), (r"[\[\]{}]", " "), (r"(?m)^[ \t]+", ""), (r",[ \t]+", ", "),
@@ -59,9 +62,9 @@ COMMENTS = [
     (r"(?m)(?<=[\d,;i])[ \t]+(?:#|//|%)[ \t].*$", ""),
 ]  # fmt: skip
 IN_LINES = [
-    (r"^\s*(?:#+|%+|//+|/?\*+|>+)\s*", ""), (r"(?i)\b(joint|link|axis|j|l|link_?joint|row|frame)[\s_-]?(\d+)\b", r"\1\2"),
+    (r"^\s*(?:#+|%+|//+|/?\*+|>+)\s*", ""), (r"(?i)\b(joint|link|axis|j|l|link_?joint|row|frame)[\s_-]?(\d+|(?<=\s)[ijk])\b", r"\1\2"),
     (r"^[ \r]+|[ \r,]+$", ""), (r"^(\w+):\s+(?=.*,)", r"\1, "), (r"\s+in\s+(?=(?:mm?|cm|rad|deg\w*|°)(?!\w))", "/"),
-    (r"\s+(?=[\[(](?:mm?|cm|rad|deg\w*|°|i|i-1)[\])])", ""),
+    (r"\s+(?=[\[(](?:mm?|cm|rad|deg\w*|°|i|i-1)[\])])", ""), (r"(?<=[\d°])\s*~\s*(?=[-+]?\d)", "~"),
 ]  # fmt: skip
 """What code and lists write around the rows of an array, behind a row, and around the cells of a line."""
 

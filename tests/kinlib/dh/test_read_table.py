@@ -59,6 +59,7 @@ FORMS = {
     "signs": lines("a alpha d theta", "{a:+} {deg:+}° {d:+} +0°"),
     "cells below each other": lines("Link\na\nα (deg)\nd\nθ", "{i}\n{a}\n{deg}\n{d}\n0"),
     "formulas of a spreadsheet": lines("a\talpha\td\ttheta", "{a}\t=RADIANS({deg})\t{d}\t=PI()*0"),
+    "long dashes": lines("a & alpha & d \\\\", "{a} & {deg}° & {d} \\\\").replace("-", "--"),
     "units in words": lines("Achse  a in m  α in °  d in m", "{i}\t{a}\t{deg}\t{d}"),
     "letters": lines("a | alpha | d | theta", "a_{i} | {alpha} | d_{i} | θ_{i}", "where ") + ", ".join(
         f"a_{i} = {row[0]} m, d_{i} = {row[2]} m" for i, row in enumerate(ROWS, 1)),
@@ -182,6 +183,21 @@ SAME_ARM = {
     "arm = SerialLink([L1 L2 L3], 'name', 'arm');",
     "siunitx": r"{$i$} & {$a_i$ / \si{\milli\metre}} & {$\alpha_i$ / \si{\degree}} & {Offset $d_i$} & {$\theta_i$} \\ 1 & 0 & \ang{90} & "
     r"\SI{300}{\milli\metre} & {$q_1$} \\ 2 & 400 & 0 & 0 & {$q_2 + \ang{90}$} \\ 3 & 200 & 0 & 0 & {$q_3$} \\",
+    "an offset below the calls": "L(1)=Link([0 0.3 0 pi/2], 'standard');\nL(2)=Link([0 0 0.4 0]);\nL3=Link([0 0 0.2 0]);\nL2.offset=pi/2;",
+    "an offset counted from 0": "r = [RevoluteDH(d=0.3, alpha=pi/2), RevoluteDH(a=0.4), RevoluteDH(a=0.2)]\nr[1].offset = pi/2",
+    "lists of MATLAB": "d = [0.3, 0]; a = [0, 0.4]; al = [pi/2, 0];\nL1=Link('d', d(1), 'a', a(1), 'alpha', al(1));\n"
+    "L2=Link('d', d(2), 'a', a(2), 'alpha', al(2), 'offset', pi/2);\nL3=Link('d', 0, 'a', 0.2, 'alpha', 0);",
+    "computed values": "deg = pi/180;\nL2 = 0.1 + 0.3  # m\nDH(d=0.3, alpha=90*deg), DH(a=L2, offset=90.0*deg), DH(a=0.2)",
+    "values above dictionaries": "d1 = 0.3\n a2 = 0.4\n a3 = 0.2\n"
+    + ",".join(
+        f'{{"a": {a}, "alpha": {al}, "d": {d}, "theta": {th}, "variable": "theta"}}'
+        for a, al, d, th in ((0, "pi / 2 ", "d1", 0), ("a2", 0, 0, "pi/2"), ("a3", 0, 0, 0))
+    ),
+    "a column below the rows": "r.DH=[0,0.3,0,pi/2;\n pi/2,0,0.4,0;\n 0,0,0.2,0];%theta,d,a,alpha\nr.base=[0;0;0.329];%origin",
+    "a figure inside a name": "T2_offset = pi/2\nd | a | alpha | offset\n0.3|0|pi/2|0\n0|0.4|0|T2_offset\n0|0.2|0|0",
+    "prose in a comment": "% dh = [a(i), alpha(i), d(i), theta(i)]\n% The rows correspond to link 1, 2, 3, 4.\n"
+    "dh = [0, pi/2, 0.3, 0;   % first\n 0.4, 0, 0, pi/2;\n 0.2, 0, 0, 0];",
+    "ranges behind the rows": "Joint i θi di ai αi Range\n1 0 0.3 0 π/2 −170 ~ +170\n2 π/2 0 0.4 0 −100° ~ +130°\n3 0 0 0.2 0 −90 ~ 90",
     "a list of lengths in calls": "length = [0.3, 0.4, 0.2]\nRevoluteDH(d=length[0], alpha=pi/2), RevoluteDH(a=length[1], offset=pi/2), "
     "RevoluteDH(a=length[2])",
 }
@@ -271,6 +287,7 @@ def test_a_flipped_joint_counts_the_other_way_also_beside_another_call():
         ("a = [0, 0.4]\nd = [0.3, 0]", r"must be lists .*; got a [(]2[)], d [(]2[)]"),
         ("# rows: alpha, d, theta\n0, 1.57, 0.3, 0\n0.4, 0, 0, 0", "has no a, but each row has 4 numbers"),
         ("a1 = 0; alpha1 = pi/2; d1 = 0.3 * SCALE\na2 = 1; alpha2 = 0; d2 = 0", "0.3 [*] SCALE"),
+        ("L1 = 0.3 * SCALE\na | alpha | d | theta\n0 | 0 | L1 | q1\n1 | 0 | 0 | q2", "If L1 is the joint variable"),
     ],
 )
 def test_a_number_that_cannot_be_read_is_never_taken_for_zero(text, words):
