@@ -38,7 +38,8 @@ def neighbours(chain: Chain) -> tuple[Array, Array, Array]:
 class AxisInvariants:
     """The invariants of a reference, with which those of other mechanisms with the same joint types are compared.
 
-    tolerance   how far cosines may differ, and lengths on an arm of one metre
+    tolerance     how far cosines may differ, and lengths on an arm of one metre
+    are_complete  whether mechanisms with the same invariants have the same motions, up to base, tool and zeros
     """
 
     def __init__(self, reference: Chain, tolerance: float) -> None:
@@ -46,11 +47,12 @@ class AxisInvariants:
         has_lines = np.array(["P" not in types[k : k + 2] for k in range(n - 1)], dtype=bool)
         self._skew = np.flatnonzero(has_lines & (sines > 0.14))
         # The distance of nearly parallel lines depends on the last digits.
-        self._parallel = np.flatnonzero(has_lines & (sines < SAME_DISTANCE_RAD))
+        self._parallel = np.flatnonzero(has_lines & (sines < max(SAME_DISTANCE_RAD, min(0.01 * tolerance, 1e-4))))
         # Between two normals all lines are parallel. A helical joint changes the distance of the normals with its zero.
         parallel, pairs = {*self._parallel.tolist()}, combinations(self._skew.tolist(), 2)
         runs = [(i, j) for i, j in pairs if {*range(i + 1, j)} <= parallel and {*types[i + 1 : j + 1]} == {"R"}]
         self._runs = np.array(runs, dtype=int).reshape(-1, 2).T
+        self.are_complete = len(self._skew) + len(self._parallel) == n - 1
         length = tolerance * (1 + float(np.ptp(reference.joint_points, axis=0).max()))
         lengths = np.full(len(self._skew) + len(self._parallel), length)
         along = length / sines[self._runs].min(axis=0, initial=1.0) ** 2
@@ -86,12 +88,13 @@ class AxisInvariants:
         if signs_are_fixed:
             return np.asarray(np.all(np.abs(values - self._values) <= self._tolerances, axis=-1))
         possible = np.all(~self.violated(values), axis=-1)
-        return np.array([each and len(self.sign_patterns(own)) > 0 for each, own in zip(possible, values, strict=True)])
+        found = [each and len(self.sign_patterns(own)[0]) > 0 for each, own in zip(possible, values, strict=True)]
+        return np.array(found, dtype=bool)
 
-    def sign_patterns(self, values: Array) -> Array:
-        """Return all signs of the joints (P, n) for which all invariants (k,) agree, those with the fewest -1 first."""
-        agree = np.abs(self._factors * values - self._values) <= self._tolerances
-        return self._patterns[agree.all(axis=1)]
+    def sign_patterns(self, values: Array) -> tuple[Array, Array]:
+        """Return all signs of the joints (P, n) for which all invariants (k,) agree, and how far they do, at most 1 (P,)."""
+        off = (np.abs(self._factors * values - self._values) / self._tolerances).max(axis=1, initial=0.0)
+        return self._patterns[off <= 1], off[off <= 1]
 
 
 def _dot(u: Array, v: Array) -> Array:
@@ -119,11 +122,11 @@ class Map:
     tool: Array = field(default_factory=lambda: np.eye(4))
     difference: float = np.inf
 
-    def measured(self, one: Chain, other: Chain) -> Self:
-        """Return the map with the difference of X T_a(s q + c) Y from T_b(q) at random configurations."""
+    def measured(self, one: Chain, target: Array) -> Self:
+        """Return the map with the difference of X T_a(s q + c) Y from T_b(q), which is given, at random configurations."""
         q = random_configurations(one.n, COMPARED_CONFIGURATIONS)
         poses = self.base @ one.fk(self.signs * q + self.offsets) @ self.tool
-        return replace(self, difference=largest_difference(other.fk(q), poses))
+        return replace(self, difference=largest_difference(target, poses))
 
 
 def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float, tolerance: float = 0.0) -> list[Map]:
@@ -131,29 +134,30 @@ def nearest_maps(one: Chain, other: Chain, fixed: frozenset[str], loose: float, 
 
     Those that change the fewest joints come first; after one to within the tolerance, no map with two changes more is sought.
     """
-    found, most = list[Map](), 2 * one.n
+    found, most, target = list[Map](), 2 * one.n, other.fk(random_configurations(one.n, COMPARED_CONFIGURATIONS))
     for signs, offsets, R in _starts(one, other, fixed, loose):
         changes = int(np.sum(signs < 0) + np.sum(np.abs(offsets) > SAME_DISTANCE_RAD))
         if changes > most:
-            break
-        found += _completed(Map(signs, offsets, homogeneous(R, np.zeros(3))), one, other, fixed)
+            continue
+        found += _completed(Map(signs, offsets, homogeneous(R, np.zeros(3))), one, other, fixed, target)
         if found[-1].difference <= tolerance:
             most = min(most, changes + 2)  # base and tool may take up two changes
     return found
 
 
 def _starts(one: Chain, other: Chain, fixed: frozenset[str], loose: float) -> Iterator[tuple[Array, Array, Array]]:
-    """Yield signs (n,), offsets (n,) and the rotation of the base for all signs that the axes admit, the fewest changes first."""
+    """Yield signs (n,), offsets (n,) and the rotation of the base, first those with which the axes agree best, then the fewest changes."""
     invariants = AxisInvariants(other, 100 * loose)
     u, v = one.lines.axis, other.lines.axis
-    s = invariants.sign_patterns(invariants.of(u, one.joint_points))
-    s = s[(s > 0).all(axis=1)] if "signs" in fixed else s
+    s, off = invariants.sign_patterns(invariants.of(u, one.joint_points))
+    admitted = (s > 0).all(axis=1) | ("signs" not in fixed)
     for end, joint, R, Q in (("base", 0, np.eye(3), np.eye(3)), ("tool", -1, one.home[:3, :3], other.home[:3, :3])):
         if end in fixed:
-            s = s[np.linalg.norm(s[:, [joint]] * (u[joint] @ R) - v[joint] @ Q, axis=1) <= 100 * loose]
-    offsets, R, possible = _rotated(one, other, s, fixed, 10 * loose)
+            admitted &= np.linalg.norm(s[:, [joint]] * (u[joint] @ R) - v[joint] @ Q, axis=1) <= 100 * loose
+    s, off = s[admitted], off[admitted]
+    offsets, R, possible = _rotated(one, other, s, fixed, loose / 2)
     zeros = (np.abs(offsets) > max(loose, SAME_DISTANCE_RAD)).sum(axis=1)
-    for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros)) if possible[k]][:4]:
+    for k in [k for k in np.lexsort((zeros, (s < 0).sum(axis=1) + zeros, off > 0.01)) if possible[k]][:4]:
         yield s[k], offsets[k], R[k]
 
 
@@ -217,14 +221,14 @@ def _frame(z: Array) -> Array:
     return np.stack([x, cross(z, x), z], axis=-1)
 
 
-def _completed(start: Map, one: Chain, other: Chain, fixed: frozenset[str]) -> list[Map]:
+def _completed(start: Map, one: Chain, other: Chain, fixed: frozenset[str], target: Array) -> list[Map]:
     """Find the translations of base and tool and the zeros of the prismatic joints.
 
     A motion of the base along the first axis is an offset of joint 1, and one of the tool along the last axis an offset of joint n.
     So there is another map in which they are.
     """
     Y = np.eye(4) if "tool" in fixed else inverse(start.base @ one.fk(start.offsets)) @ other.home
-    found = _improved(replace(start, tool=Y).measured(one, other), one, other, fixed)
+    found = _improved(replace(start, tool=Y).measured(one, target), one, target, fixed)
     if "zeros" in fixed or max(np.abs(found.base).max(), np.abs(found.tool).max()) > MAX_FITTED_M:
         return [found]
     X, Y, offsets = found.base, found.tool, found.offsets.copy()
@@ -236,13 +240,12 @@ def _completed(start: Map, one: Chain, other: Chain, fixed: frozenset[str]) -> l
         B = one.body_screws[-1]
         offsets[-1] += (along := log(Y) @ B / (B @ B))
         Y = exp(-along * B) @ Y
-    return [replace(found, base=X, tool=Y, offsets=offsets).measured(one, other), found]
+    return [replace(found, base=X, tool=Y, offsets=offsets).measured(one, target), found]
 
 
-def _improved(found: Map, one: Chain, other: Chain, fixed: frozenset[str]) -> Map:
-    """Improve a map by least-squares steps on the poses themselves, for all configurations at once."""
+def _improved(found: Map, one: Chain, target: Array, fixed: frozenset[str]) -> Map:
+    """Improve a map by least-squares steps on the poses themselves, for all configurations at once, while they help."""
     q = random_configurations(one.n, COMPARED_CONFIGURATIONS)
-    target = other.fk(q)
     is_free = np.repeat([name not in fixed for name in ("base", "zeros", "tool")], [6, one.n, 6])
     # The zero of the first joint is a motion of the base, and that of the last one a motion of the tool.
     is_free[6] &= "base" in fixed
@@ -258,10 +261,10 @@ def _improved(found: Map, one: Chain, other: Chain, fixed: frozenset[str]) -> Ma
         if np.abs(step).max() > 1e3:
             break
         X, Y = exp(step[:6]) @ found.base, found.tool @ exp(step[-6:])
-        moved = replace(found, base=X, tool=Y, offsets=found.offsets + step[6:-6]).measured(one, other)
-        if moved.difference < found.difference:
-            found = moved
-        elif free is is_free:
+        moved = replace(found, base=X, tool=Y, offsets=found.offsets + step[6:-6]).measured(one, target)
+        has_converged = free is is_free and moved.difference > 0.5 * found.difference
+        found = min(moved, found, key=lambda each: each.difference)
+        if has_converged:
             break
     return found
 

@@ -22,7 +22,7 @@ from kinlib.arrays.formatting import format_degrees, format_different, format_nu
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, NEARLY_PARALLEL_RAD, PARALLEL_TOL_RAD, ROUNDING_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, random_configurations
-from kinlib.dh.alignment import Booleans, Map, nearest_maps, neighbours
+from kinlib.dh.alignment import COMPARED_CONFIGURATIONS, Booleans, Map, nearest_maps, neighbours
 from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import exp, homogeneous, log
 
@@ -170,7 +170,8 @@ def equivalent(
         return Equivalence(verdict="different", reason=types)
     sines = np.array([neighbours(one)[0], neighbours(other)[0]])
     near: Booleans = np.any((sines > PARALLEL_TOL_RAD) & (sines < NEARLY_PARALLEL_RAD), axis=0)
-    found = [Map(np.ones(one.n), np.zeros(one.n)).measured(one, other)]
+    q = random_configurations(one.n, COMPARED_CONFIGURATIONS)
+    found = [Map(np.ones(one.n), np.zeros(one.n)).measured(one, other.fk(q))]
     if found[0].difference > tolerance and len({*fixed}) < len(CHOICES):
         loose = max(10 * tolerance, NEARLY_PARALLEL_LOSS * near.any())
         found += nearest_maps(one, other, frozenset(fixed), loose, tolerance)

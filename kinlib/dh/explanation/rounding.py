@@ -26,12 +26,14 @@ ALL_DECIMALS = 12
 def typed_half_units(rows: Array) -> tuple[Array, str]:
     """Read from the digits of a table how far its numbers may be off, (m, 4) -> half units (m, 4), and the units in words."""
     lengths, angles = rows[:, [0, 2]], rows[:, [1, 3]]
+    # A length in millimetres was converted, so its last digit in metres is lost, as is that of an angle in degrees.
+    plain = lengths.round(ALL_DECIMALS)
+    lengths = np.where(np.abs(plain - lengths) <= 4 * np.spacing(np.abs(lengths)), plain, lengths)
     # Nobody rounds right angles; but the files of arms have pi / 2 with five digits.
     is_right = (np.abs(np.sin(2 * angles)) < TYPED_PI_ERROR) & (angles != 0)
     typed = angles[~is_right & (angles != 0)]
     degrees, unit = np.degrees(typed), 1.0
     length_decimals, angle_decimals = _decimals(lengths), _decimals(typed)
-    # A number in degrees was converted, so its last digit in radians is lost.
     is_in_degrees = (np.abs(degrees - degrees.round(6)) <= 4 * np.spacing(np.abs(degrees))).all()
     if is_in_degrees and _decimals(degrees.round(6)) + 2 < angle_decimals:
         angle_decimals, unit = _decimals(degrees.round(6)), np.radians(1)
@@ -153,7 +155,7 @@ def nearest_table(table: DHTable, arm: Chain, fixed: frozenset[str], half_unit: 
     for start in [Map(np.ones(arm.n), np.zeros(arm.n)), *rough]:
         rows = nearest_rows(table, arm, start, fixed, np.maximum(half, 1e-6), tolerance=tolerance, few=True)
         if rows is not None:
-            is_changed = np.abs(rows - table.rows) > 1.05 * half
+            is_changed = np.abs(rows - table.rows) > 1.05 * np.maximum(half, 1e-6)
             rows = np.where(np.arange(4) % 2, rows, np.round(rows / finest) * finest)
             nearest = table.changed(rows=np.where(is_changed, rows, table.rows))
             if equivalent(nearest, arm, fixed=fixed, tolerance=tolerance).verdict == "same":

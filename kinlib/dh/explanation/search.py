@@ -109,6 +109,7 @@ def explain_by_choices(table: DHTable, found: Equivalence, names: Collection[str
     """Return the choices of these names in which a table differs from an arm as corrections, each with its numbers."""
     faults, ends = list[Fault](), dict[str, Array]()
     rows, signs = table.rows.copy(), table.signs.copy()
+    accuracy = min(found.tolerance, max(found.difference, EQUIVALENCE_TOL))
     for joint, (row, column) in enumerate(joint_entries(table.joints)):
         name, letter, place = COLUMNS[column], table.joints[row], f"joint {joint + 1}"
         offset = float(table.signs[row] * found.offsets[joint]) * ("zeros" in names)
@@ -130,7 +131,7 @@ def explain_by_choices(table: DHTable, found: Equivalence, names: Collection[str
             is_missing = np.abs(own - np.eye(4)).max() < EQUIVALENCE_TOL
             is_inverted = np.abs(own @ T - np.eye(4)).max() < 1e-6  # as a person types it
             what = "is missing" if is_missing else "is inverted" if is_inverted else "is wrong"
-            faults.append(Fault(f"wrong {end}", f"{name} {what}: it should be {describe_pose(T, found.tolerance)}."))
+            faults.append(Fault(f"wrong {end}", f"{name} {what}: it should be {describe_pose(T, accuracy)}."))
     corrected = table.changed(rows=rows, signs=signs, **ends)
     return TableExplanation(faults, corrected, len(faults) + len(ends), is_a_choice=True)
 
@@ -164,15 +165,21 @@ def _candidates(  # noqa: PLR0917
     most = [2 if each.fault.name == "rows swapped" else rows[0].size for each in known]
     edits = np.minimum((np.abs(rows - table.rows) > 1e-12).sum(axis=(1, 2)), most) + [each.surcharge for each in known]
     invariants = AxisInvariants(arm, FILTER_TOL_FACTOR * tolerance)
-    places = np.arange(len(known))[:, None]
+    places, start = np.arange(len(known))[:, None], table.rows
     if count > 1:
         places = _pairs(invariants, table, rows, signs)
         signs = signs[places[:, 0]] * signs[places[:, 1]] * table.signs
-        rows = rows[places[:, 0]]
+        start = rows[places[:, 0]]
+        rows = start.copy()
         for place in np.unique(places[:, 1]):
             is_here = places[:, 1] == place
             rows[is_here] = known[place].change(rows[is_here])
-    agree = invariants.agree(invariants.of(*joint_axes(table, rows, signs)), "signs" in fixed)
+    values, own = (invariants.of(*joint_axes(table, *each)) for each in ((rows, signs), (table.rows, table.signs)))
+    agree = invariants.agree(values, "signs" in fixed)
+    if not fixed and invariants.are_complete:  # what leaves all of them as they are leaves the motions as they are
+        agree &= ~np.isclose(values, own, rtol=1e-9, atol=1e-10).all(axis=1)
+    # A number that differs from the one after the first correction by no more than its digits is no wrong one.
+    agree &= (invents[places[:, -1]] == 0) | (np.abs(rows - start) > 1.05 * half_unit).any(axis=(1, 2))
     if fixed >= {*CHOICES} and agree.any():
         q = random_configurations(arm.n, 4)
         links = row_transforms(table, rows[agree, None], q, signs[agree, None])

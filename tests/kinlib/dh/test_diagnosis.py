@@ -209,6 +209,23 @@ def test_pi_with_three_digits_is_a_right_angle_and_no_mistake():
     np.testing.assert_allclose(wrong.corrected.rows, UR5.rows, atol=1e-12)
 
 
+def test_lengths_that_were_converted_from_millimetres_keep_their_digits():
+    assert "lengths to 0.0001 m" in typed_half_units(np.array([[251.5, 0, 40.3, 0]]) * 1e-3)[1]
+
+
+@pytest.mark.parametrize("reversed_joints", [(), (0, 3, 5), (1, 2), (0, 1, 2, 3, 4, 5)])
+def test_millimetres_are_only_rounded_whatever_the_signs_and_zeros(reversed_joints):
+    rows = np.where(np.arange(4) % 2, UR5.rows, UR5.rows.round(3)) + np.outer([0, 1, -1, 0, 1, 0], [0, 0, 0, np.pi / 2])
+    table = UR5.changed(rows=rows, signs=np.where(np.isin(np.arange(6), reversed_joints), -1, 1))
+    assert diagnose(table, UR5.changed(base=kl.exp([0, 0, 1.0, 0.2, 0, 0]))).verdict == "rounded"
+
+
+def test_noise_of_the_arm_is_no_second_mistake():
+    right = UR5.changed(rows=np.where(np.arange(4) % 2, UR5.rows, UR5.rows.round(4)))
+    found = diagnose(right.changed(rows=right.rows[:, [2, 1, 0, 3]]), with_entries(right, (3, "a", -0.392208)), CHOICES)
+    assert [fault.name for fault in found.faults] == ["a and d swapped"]
+
+
 def test_one_other_zero_is_not_told_as_a_shifted_column():
     assert "one row" not in str(diagnose(with_entries(UR5, (2, "theta", np.pi / 2)), UR5))
 
