@@ -182,7 +182,10 @@ class Examination:
         for each, error in zip(found, off, strict=True):
             if error <= min(3 * min(off) + 1e-6, 0.05) and not any(each.says_as_much(other) for other in several):
                 several.append(each)
-        numbers = [any(fault.name in NUMBERS for fault in each.faults) for each in several]
+        # A mistake beside choices that are enough without it explains nothing.
+        told = [{(fault.name, fault.row, fault.column) for fault in each.faults} for each in several]
+        several = [each for each, own in zip(several, told, strict=True) if not any(other < own for other in told)]
+        numbers = [sum(fault.name in NUMBERS for fault in each.faults) for each in several]
         order = sorted(range(len(several)), key=lambda k: (several[k].edits, numbers[k], several[k].is_a_choice))
         return [several[k] for k in order[:MAX_EXPLANATIONS]]
 

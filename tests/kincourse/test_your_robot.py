@@ -175,6 +175,19 @@ def test_the_numbers_that_are_shown_of_a_urdf_give_the_accuracy_that_is_claimed(
     assert np.abs(modified.fk(q) - found.arm.fk(q)).max() <= 2 * max(off, np.radians(angle)) + 1e-12
 
 
+def test_a_mistake_beside_the_choices_that_are_enough_is_no_explanation():
+    table = KNOWN["IRB 140"][0]
+    found = examine(table.changed(base=TURNED.base, tool=TURNED.tool), table)
+    assert [[fault.name for fault in each.faults] for each in found.explanations] == [["wrong base", "wrong tool"]]
+
+
+def test_a_base_has_the_digits_to_which_it_was_found():
+    table = KNOWN["UR5"][0]
+    in_millimetres = table.changed(rows=np.where(np.arange(4) % 2, table.rows, table.rows.round(3)))
+    found = examine(table.changed(base=kl.exp([0, 0, 0, 0.0558, 0, 0])), in_millimetres)
+    assert "translated by (0.056, 0, 0) m" in told(found)[0][0]
+
+
 def test_whose_rows_are_copied_is_said_and_the_source_is_no_assumption():
     html = examine("UR5", UR5E.rsplit("\n", 1)[0], convention="standard")._repr_html_()
     assert "The table of the arm, not yours, as text" in html
