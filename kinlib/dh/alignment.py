@@ -262,9 +262,8 @@ def _improved(found: Map, one: Chain, target: Array, fixed: frozenset[str]) -> M
             break
         X, Y = exp(step[:6]) @ found.base, found.tool @ exp(step[-6:])
         moved = replace(found, base=X, tool=Y, offsets=found.offsets + step[6:-6]).measured(one, target)
-        has_converged = free is is_free and moved.difference > 0.5 * found.difference
-        found = min(moved, found, key=lambda each: each.difference)
-        if has_converged:
+        before, found = found.difference, min(moved, found, key=lambda each: each.difference)
+        if free is is_free and found.difference > 0.5 * before:
             break
     return found
 

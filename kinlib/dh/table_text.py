@@ -108,7 +108,7 @@ def read_rows(
         raise ValueError(f"A table must have at most {MAX_ROWS} rows; got {len(grid.rows)}.")
     grid.assumed += told
     if "0" in grid.rows[0]:
-        _name_columns(grid, order)
+        _name_columns(grid, order, bool(re.search(CONVENTIONS["modified"], plain)))
     _complete(grid)
     entries = _evaluate(grid)
     signs = [entry["theta"].value.imag + entry["d"].value.imag for entry in entries]
@@ -139,8 +139,8 @@ def _matrix(text: str) -> Array:
     return np.array(numbers).reshape((4, 4) if len(numbers) == 16 else -1)
 
 
-def _name_columns(grid: Grid, order: str) -> None:
-    """Name the columns of cells without a heading: as `order` says, or in the usual order that suits the numbers best."""
+def _name_columns(grid: Grid, order: str, is_modified: bool) -> None:
+    """Name the columns of cells without a heading: as `order` says, or in the usual order that suits numbers and convention best."""
     if order and sorted(order.split()) not in [sorted(known.split()) for known in ORDERS]:
         raise ValueError(f'order must name the columns, such as "theta d a alpha"; got {order!r:.60}.')
     suits = []
@@ -150,7 +150,8 @@ def _name_columns(grid: Grid, order: str) -> None:
         sizes = np.abs([read_entry(row[k], "", known).value.real for row in grid.rows])
         is_angle = bool(re.search("pi|°", text)) or np.isin(sizes.round(2), (1.57, 90, 180, 3.14, 45)).any()
         length, variable = 2 * is_angle or -bool((sizes % 1).any()), 4 * bool(re.search(r"\bq|theta", text))
-        suits.append({"a": -length, "alpha": length, "d": -length, "theta": length + variable})
+        craig = (is_modified and k == "0") / 2  # these tables begin with alpha
+        suits.append({"a": -length, "alpha": length + craig, "d": -length, "theta": length + variable})
     best = order or max(ORDERS, key=lambda names: sum(suits[k].get(n, 0) for k, n in enumerate(names.split())))
     names = best.replace("offset", "theta").split()
     grid.rows = [dict(zip(names, row.values(), strict=False)) for row in grid.rows]

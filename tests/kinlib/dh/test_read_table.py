@@ -197,6 +197,7 @@ SAME_ARM = {
     "a figure inside a name": "T2_offset = pi/2\nd | a | alpha | offset\n0.3|0|pi/2|0\n0|0.4|0|T2_offset\n0|0.2|0|0",
     "prose in a comment": "% dh = [a(i), alpha(i), d(i), theta(i)]\n% The rows correspond to link 1, 2, 3, 4.\n"
     "dh = [0, pi/2, 0.3, 0;   % first\n 0.4, 0, 0, pi/2;\n 0.2, 0, 0, 0];",
+    "an order of Craig": "DH = [  # modified\n [pi/2, 0, 0.3, 0],\n [0, 0.4, 0, pi/2],\n [0, 0.2, 0, 0]]",
     "ranges behind the rows": "Joint i θi di ai αi Range\n1 0 0.3 0 π/2 −170 ~ +170\n2 π/2 0 0.4 0 −100° ~ +130°\n3 0 0 0.2 0 −90 ~ 90",
     "a list of lengths in calls": "length = [0.3, 0.4, 0.2]\nRevoluteDH(d=length[0], alpha=pi/2), RevoluteDH(a=length[1], offset=pi/2), "
     "RevoluteDH(a=length[2])",
