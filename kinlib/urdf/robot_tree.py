@@ -309,7 +309,7 @@ class Tree(TakesLimitedValues):
 
         The way goes on where several joints follow if one of them leads to twice as many independent joints as each other one. It
         ends where fewer joints follow than are behind. Of several links that are fixed there, tool0 is taken, which is the flange
-        in ROS, otherwise the last one before the fingers, otherwise the first end in the file.
+        in ROS, otherwise one with tool in its name, the last one before the fingers, or the first end in the file.
 
         Raises ValueError with the possible ends if the tree divides in another way.
 
@@ -336,7 +336,7 @@ class Tree(TakesLimitedValues):
             follow = [independent[joint.child] + joint.is_independent for joint in ways]
             if behind and (not ways or (len(ways) > 1 and follow[0] < behind)):
                 ends = [joint.parent for joint in ways] or [name for name in body if name not in below]
-                return "tool0" if "tool0" in body else ends[0]
+                return next((name for name in ["tool0", *ends] if name in body and "tool" in name), ends[0])
             if len(ways) > 1 and follow[0] < 2 * max(moving[joint.child] + 1 for joint in ways[1:]):
                 break
             behind, link = behind + ways[0].is_independent, ways[0].child

@@ -100,6 +100,13 @@ def test_the_tip_must_exist_and_a_joint_must_move_between_base_and_tip():
         load_urdf(text, "hand", "hand")
 
 
+def test_of_several_fixed_ends_the_tip_is_that_which_is_called_a_tool():
+    ends = (f'<link name="{end}"/><joint name="{end}" type="fixed"><parent link="b"/><child link="{end}"/></joint>'
+            for end in ("camera_link", "tool_frame"))  # fmt: skip
+    text = linked("ab", "ab").replace("</robot>", "".join([*ends, "</robot>"]))
+    assert kl.Tree.from_urdf(text).default_tip() == "tool_frame"
+
+
 BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{f'&{a};' * 10}'>" for a in "abcdefghi")
 
 
