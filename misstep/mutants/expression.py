@@ -142,7 +142,7 @@ class Expression:
         for inner in {self._bracketed(node) for node in self.arguments} - {node.latex for node in self.arguments}:
             # Between brackets or commas an argument needs no brackets of its own.
             alone = rf"(?<=[(|{{,])( ?){re.escape(inner)}(?=[)|}},])"
-            text = re.sub(alone, "\\1" + inner[1:-1].replace("\\", "\\\\"), text)
+            text = re.sub(alone, r"\g<1>" + inner[1:-1].replace("\\", "\\\\"), text)
         return text
 
     def _bracketed(self, node: "Expression") -> str:

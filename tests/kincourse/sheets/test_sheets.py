@@ -21,6 +21,7 @@ from misstep.judge import judge
 from misstep.mutants.mutants import nodes
 from misstep.sheet import SAMPLE_ID
 from misstep.verdict import Verdict
+from misstep.worked_solution import worked_solution
 
 SHEETS = [*map(find_sheet, sheets()), generated_sheet()]
 TEMPLATES = [template for sheet in SHEETS for template in sheet.problems if template.level != "Open"]
@@ -58,6 +59,13 @@ def test_right_answers_score_mistakes_have_messages_and_students_have_different_
         assert judge(problem, rounded).state == "right", "three decimals are enough"
         for right in (answer.value, rounded):
             assert not any(answer.check(answer.read(right), part) for part in range(len(answer.parts)))
+
+
+@pytest.mark.parametrize("template", TEMPLATES + BLANK_STEPS, ids=lambda template: template.number)
+def test_the_right_answer_is_accepted_and_followed_by_a_way_to_it(template):
+    problem = drawn(template, STUDENTS[0])
+    assert judge(problem, problem.answer.value).state == "right"
+    assert all(worked_solution(problem))
 
 
 @each_problem
