@@ -11,8 +11,9 @@
   ].join(' ');
 
   const CONFIRM_DELETE =
-    'Delete the record of the lectures that you have read, the questions that you have answered ' +
-    'and the problems that you have solved?';
+    'Delete the record of the lectures that you have read, the questions that you have answered and the problems ' +
+    'that you have solved, and also all ids, answers and code that you have typed on the pages?';
+  const OURS = /^(kinlib|planar-arm)/; // the keys in localStorage of all scripts of the course
 
   // --- what this browser keeps; the other scripts of a page, which load after this one, use it, too ---
 
@@ -355,7 +356,8 @@
     function deleteProgress() {
       if (!confirm(CONFIRM_DELETE)) return;
       progress = validProgress(null);
-      write(KEY, progress);
+      if (write(KEY, progress))
+        for (const key of Object.keys(localStorage)) if (OURS.test(key)) localStorage.removeItem(key);
       status.textContent = 'Deleted.';
       fillTable();
     }

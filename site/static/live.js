@@ -737,8 +737,7 @@
 
   /** Start the questions, sliders and viewers of an output. A self-check that was run again can be answered again. */
   async function startContent(box, again) {
-    typeset(box);
-    await Promise.resolve(); // until the box is on the page
+    await typeset(box).catch(() => {}); // before the questions take their replies out of the box, until they are asked
     document.dispatchEvent(new CustomEvent('kinlib-content', { detail: { root: box, again } }));
     if (!box.querySelector('[data-kinlib-viewer], [data-kinlib-film]')) return;
     await load('viewer.js');

@@ -269,6 +269,7 @@ def runs_the_cells_above_first(page):
     ended(part(page, "picture"))
     changed.get_by_role("button", name="A", exact=False).first.click()
     expect(changed.get_by_text(re.compile(r"A is (not correct|correct)"))).to_be_visible()
+    expect(changed.locator(".kinlib-reply .katex")).not_to_have_count(0)
 
 
 def shows_outputs_and_an_error_with_its_line(page):

@@ -216,7 +216,9 @@ def test_progress_is_shown_saved_deleted_and_loaded_again(chromium_without_webgl
         copy = tmp_path / "copy.json"
         saved.value.save_as(copy)
         page.on("dialog", lambda dialog: dialog.accept())
+        page.evaluate("localStorage.setItem('kinlib-live:/sheets/03_poe_space.html', '{}')")
         page.get_by_role("button", name="Delete everything").click()
+        assert page.evaluate("Object.keys(localStorage)") == []
         assert_cells(row, ["not yet", re.compile("^0 of"), "0", f"0 of {count}"])
         page.locator("input[type=file]").set_input_files(copy)
         page.get_by_text("Loaded, and added").wait_for()

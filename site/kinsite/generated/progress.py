@@ -17,7 +17,8 @@ HEAD = """\
 
 What you have read, answered and solved is stored in this browser only, and is never sent anywhere. If you clear the
 browser's data, the record is lost, so save a copy if it matters to you. A problem counts as solved once you have run its
-sheet in the browser and the check gave full marks. This page has no influence on your grade.
+sheet in the browser and the check gave full marks. This page has no influence on your grade. *Delete everything* also deletes
+what you have typed on the pages, but not what you have typed in JupyterLab.
 """
 
 
