@@ -23,6 +23,7 @@ from kinlib.chains.robots import pose
 from kinlib.dh.rules import check_frames
 from kinlib.mechanisms.linkages import four_bar
 from kinlib.view import assign, draw_arm, drive, explore, play_assignment, play_row, play_walk, slide_frames
+from kinlib.view.drawing.picture import ENVIRONMENT_VARIABLE
 from kinlib.view.viewer.widget import STATIC
 
 DEGREE = np.pi / 180
@@ -418,6 +419,15 @@ def test_without_webgl_the_drawing_is_shown_and_a_message_says_that_it_does_not_
         viewer = Shown(page, 0)
         viewer.root.locator("input[type=range]").first.press("ArrowRight")
         np.testing.assert_allclose(viewer.run("stage.tree.pose()"), YOUBOT.fk(viewer.get("q")), atol=1e-12)
+
+
+def test_without_webgl_nothing_is_folded_once_the_prediction_is_made(chromium_without_webgl, tmp_path, monkeypatch):
+    monkeypatch.setenv(ENVIRONMENT_VARIABLE, "1")
+    with watched(chromium_without_webgl) as page:
+        page.goto(static_page(tmp_path, explore(RPR, after=Answered()).html()).as_uri())
+        page.locator("[data-kinlib-viewer]").evaluate("root => (root.dataset.uncovered = '')")
+        expect(page.locator(".kv-still img")).to_be_visible()
+        expect(page.locator(".kv-still")).to_have_text("")
 
 
 # --- closed chains ---

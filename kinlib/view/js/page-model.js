@@ -101,7 +101,9 @@ export function startViewer(
   state = JSON.parse(element.querySelector('script[type="application/json"]').textContent),
 ) {
   const drawing = element.querySelector('[data-kinlib-drawing]');
-  const model = new PageModel(element, { ...state, drawing: drawing?.innerHTML });
+  const fold = drawing?.querySelector(':scope > details'); // covers it where no script runs
+  fold?.querySelector('summary').remove();
+  const model = new PageModel(element, { ...state, drawing: (fold ?? drawing)?.innerHTML });
   drawing?.remove();
   // a question elsewhere on the page sets data-uncovered, before the viewer has started or afterwards
   const uncover = () => {
