@@ -42,7 +42,7 @@ globalThis.planarArm = (() => {
   const number = (value) => minus((Math.abs(value) < 0.005 ? 0 : value).toFixed(2));
   const degree = (angle) => minus(`${Math.round(angle)}°`);
   const place = (point) => `(${point.map(number).join(', ')})`;
-  const list = (words) => words.join(', ').replace(/, (?=\S+$|\([^(]*$)/, ' and ');
+  const list = (words) => [words.slice(0, -1).join(', '), ...words.slice(-1)].filter(Boolean).join(' and ');
   /** A letter with an index, for example q and 1, as HTML. */
   const letter = (name, index) => `<i>${name}</i><sub>${index}</sub>`;
 
@@ -257,9 +257,9 @@ globalThis.planarArm = (() => {
     }
 
     function gap(a, b) {
-      if (distance(a, b) < 0.05) return;
       line(at(a), at(b), 'gap');
-      label(add(at(between(a, b, 0.6)), [8, 5]), `${number(distance(a, b))} apart`);
+      if (distance(at(a), at(b)) < 110) return; // the label would cover an end
+      label(add(at(between(a, b, 0.5)), [0, 5]), `${number(distance(a, b))} apart`, 'mid');
     }
 
     /** The angle of each joint, from the direction of the link before it (a dashed line). */
@@ -443,10 +443,10 @@ globalThis.planarArm = (() => {
     // --- what is drawn beside the arm of the other scenes ---
 
     function cross(tool) {
-      if (!state.cross) return;
       const [x, y] = at(state.cross);
+      const away = state.hidden ? 0 : heading(at(tool), [x, y]);
       for (const h of [-12, 12]) line([x - 12, y - h], [x + 12, y + h], 'cross');
-      label([x + 18, y + 6], 'your cross');
+      label(add(offset([x, y], 20, away), [0, 6]), 'your cross', anchor(away));
       if (!state.hidden) return gap(state.cross, tool);
       pointHandle('cross', 'Your cross, moves in the plane', state.cross, (p) => {
         state.cross = p.map((value) => clamp(value, -5, 5));
@@ -497,16 +497,16 @@ globalThis.planarArm = (() => {
       grid();
       const chain = points();
       const tool = chain.at(-1);
-      if (scene === 'drag') cross(tool);
       if (scene === 'wall') wall(tool);
       if (state.answer === 'the x axis') ghost(tool);
-      if (state.hidden) return;
+      if (state.hidden) return cross(tool);
       arm(pairs(chain.map(at)));
       if (scene === 'terms' || state.answer === 'link 1') terms(chain);
       if (scene !== 'reference' || state.answer === 'link 1') angles(chain);
       linkHandles(chain);
       if (scene === 'drag' || scene === 'reference') beyond(chain, 'tool', 'tool');
       if (scene === 'drag') toolHandle(tool);
+      if (state.cross) cross(tool); // over the arm
     }
 
     // --- below the picture ---
@@ -651,8 +651,8 @@ globalThis.planarArm = (() => {
           : 'A spatial arm: axis 1 is vertical, axes 2 and 3 are horizontal.';
         const links = movedLinks();
         const made = state.order.length ? `Rotated in the order ${state.order.join(', ')}.` : 'The arm is at home.';
-        const broken = torn(links);
-        const whole = broken.length ? `The arm is broken after link ${list(broken)}.` : 'The links fit together.';
+        const broken = torn(links).map((k) => `after link ${k}`);
+        const whole = broken.length ? `The arm is broken ${list(broken)}.` : 'The links fit together.';
         return `${begin} ${made} The tool is at ${shown(links[2][1])}; its goal is ${shown(target())}. ${whole}`;
       }
       const values = state.q.map((q, i) => `q${i + 1} = ${degree(q)}`).join(', ');

@@ -52,6 +52,16 @@ def test_the_tool_follows_the_hand_and_the_angles_follow_the_tool(show):
     tool_at = [float(x) for x in re.search(r"tool is at \(([^,]*), ([^)]*)\)", text).groups()]
     assert np.hypot(*tool_at) == pytest.approx(5, abs=0.01)
     np.testing.assert_allclose(joints(values(text), [3, 2])[-1], tool_at, atol=0.1)
+    assert re.search(r"Joints after the first: \([^,]*, [^,]*\)\. ", text)
+
+
+def test_what_the_reader_expected_is_shown_over_the_arm(show):
+    page = show("drag")
+    page.get_by_role("button", name="Hide the arm").click()
+    page.get_by_role("button", name="Show the arm").click()
+    expect(page.locator(".planar-arm svg text", has_text="your cross")).to_be_visible()
+    names = page.locator(".planar-arm svg text").all_text_contents()
+    assert names.index("your cross") > names.index("tool"), "what is painted later covers the rest"
 
 
 def test_a_link_turns_those_after_it_and_the_wrong_reference_is_drawn(show):
