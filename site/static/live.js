@@ -36,13 +36,15 @@
     `The first check loads Python, ${PYTHON_SIZE}, which this browser keeps.`,
   ].join(' ');
   const SAMPLE_ID = /^(student = )"([^"\\\n]*)"$/m; // in the cell that opens the sheet
+  const ANSWER_NAME = /^(\w+) = \.\.\.$/m; // in the cell of an answer: what is checked
   const SOLVED = 'application/vnd.misstep.solved+json';
   const ANSWER = 'application/vnd.misstep.answer+json'; // what a check stores for the grader
   const WIDGET = 'application/vnd.jupyter.widget-view+json';
   const PREVIEW = 'You have changed the code: the result below is that of the original. Run the cell.';
   const STOPPED = 'Stopped. All variables are lost: the next run starts Python again, and first runs the cells above.';
   const NOT_RUN =
-    'Not run, because a cell above ended with an error. Mend that cell; or press Run here again to leave it out.';
+    'Not run, because a cell above ended with an error. Mend that cell; or press the button here again to leave it out.';
+  const NOT_CHECKED = 'Not checked, because your answer ended with an error. Mend it, and press Check again.';
   const STALE = 'This card belongs to an answer that you have changed since. Press Check.';
   const NEEDS_LAB = 'This output has a widget that this page cannot show: ';
 
@@ -224,7 +226,8 @@
         const stopped = queue.filter((other) => other.dependsOn(cell));
         queue = queue.filter((other) => !stopped.includes(other));
         for (const other of stopped) {
-          other.finish(other.asked ? NOT_RUN : '');
+          const why = other.answeredIn(cell) ? NOT_CHECKED : NOT_RUN;
+          other.finish(other.asked ? why : '');
           if (other.role === 'check') other.dropCard();
         }
       }
@@ -242,7 +245,8 @@
     if (cell.role === 'open') executed.clear(); // other numbers for all problems
     executed.set(cell, cell.source());
     cell.madeFrom = madeFrom(cell);
-    worker.postMessage({ source: cell.source(), cell: cell.key, files: cell.files ?? [] });
+    const unset = cell.role === 'answer' ? ANSWER_NAME.exec(cell.original)?.[1] : '';
+    worker.postMessage({ source: cell.source(), cell: cell.key, files: cell.files ?? [], unset });
   }
 
   /** Show each problem of a sheet when the reader comes to it: some need more of Python than others. */
@@ -310,7 +314,8 @@
     const again = opening.role === 'open' && cell !== opening && !isCurrent(opening); // then all others run again
     const before = cells
       .slice(0, cells.indexOf(cell))
-      .filter((other) => cell.dependsOn(other) && (again || !isCurrent(other)) && !queue.includes(other));
+      .filter((other) => cell.dependsOn(other) && !queue.includes(other))
+      .filter((other) => again || !isCurrent(other) || (other.failed && cell.answeredIn(other)));
     for (const each of [...before, cell]) each.wait(each === cell, before.length);
     queue.push(...before, cell);
     runNext();
@@ -334,7 +339,7 @@
       const button = (label, action) =>
         h(
           'button',
-          { type: 'button', class: 'kinlib-button', onclick: action, 'aria-label': `${label} cell ${number}` },
+          { type: 'button', class: 'kinlib-button', onclick: action, 'aria-label': `${label} ${this.name}` },
           label,
         );
       this.runButton = button(this.runLabel, () => (queue.includes(this) ? this.stop() : run(this)));
@@ -475,9 +480,20 @@
       return other.problem === this.problem || (other.role === 'answer' && other.source() !== other.original);
     }
 
+    /** Whether this is the check of the answer in another cell. */
+    answeredIn(other) {
+      return this.role === 'check' && other.role === 'answer' && other.problem === this.problem;
+    }
+
+    /** What a screen reader calls the cell. */
+    get name() {
+      if (!SHEET || !this.problem) return `cell ${this.number}`;
+      return this.role === 'answer' ? `your answer to problem ${this.problem}` : `problem ${this.problem}`;
+    }
+
     nameButton(label) {
       this.runButton.textContent = label;
-      this.runButton.setAttribute('aria-label', `${label} cell ${this.number}`);
+      this.runButton.setAttribute('aria-label', `${label} ${this.name}`);
     }
 
     source() {
@@ -508,7 +524,7 @@
       else {
         this.area = h('textarea', {
           class: 'kinlib-live-code',
-          'aria-label': `Code of cell ${this.number}`,
+          'aria-label': this.role === 'answer' ? `Your answer to problem ${this.problem}` : `Code of ${this.name}`,
           spellcheck: 'false',
           autocapitalize: 'off',
           autocomplete: 'off',
@@ -586,7 +602,7 @@
       if (this.failed) this.element.closest('.kinlib-opening')?.setAttribute('open', '');
       if (!ran || this.failed) this.refused?.();
       this.refused = null;
-      if (ran && this.asked) spoken.textContent = `Cell ${this.number}: ${text}`;
+      if (ran && this.asked) spoken.textContent = `${this.name[0].toUpperCase()}${this.name.slice(1)}: ${text}`;
     }
 
     /** Remove the outputs of the run before: until there is a new one, they stay as a preview. */

@@ -152,6 +152,11 @@ def still_there(page):
     press(check, "Check")
     expect(answer.locator(".cell_output")).to_contain_text("SyntaxError", timeout=PYTHON_TIMEOUT_MS)
     expect(check.locator(".cell_output")).to_have_text("")
+    press(check, "Check")
+    ended(check, "Not checked, because your answer ended with an error. Mend it, and press Check again.")
+    answer.get_by_label("Your answer to problem 1").fill("")
+    press(check, "Check")
+    expect(check.locator(".cell_output")).to_contain_text("Nothing here yet")  # and not of the answer before
 
 
 def another_id_and_back(page, field, card):

@@ -209,11 +209,14 @@ def display_figures() -> None:
         pyplot.close("all")
 
 
-async def run(source: str, cell: str = "") -> None:
+async def run(source: str, cell: str = "", unset: str = "") -> None:
     """Run one cell; its outputs are reported while it runs.
 
-    cell  its name: widgets that are made again by the same cell begin where the reader has left them
+    cell   its name: widgets that are made again by the same cell begin where the reader has left them
+    unset  a variable that is blank when the cell begins, so that no earlier answer is checked in the place of this one
     """
+    if unset:
+        shell.user_ns[unset] = ...
     runs = PageKernel.request.get("header", {}).get("msg_id", 0) + 1
     PageKernel.request = {"header": {"msg_id": runs}, "metadata": {"cellId": cell}}
     await shell.run_cell_async(source, transformed_cell=shell.transform_cell(source), cell_id=cell)

@@ -2,7 +2,7 @@
 // what the page has changed. live.js starts this worker, and ends it to stop a cell. It is in the folder of the lab, so that the lab's service worker stores what it loads.
 const PYTHON = new URL('../static/pyodide/', self.location.href).href;
 
-const messages = []; // { source, cell, files } runs a cell that reads files, { comm, data } is for a widget
+const messages = []; // { source, cell, files, unset } runs a cell that reads files, { comm, data } is for a widget
 let wake = () => {};
 // listen before anything is awaited: the messages that arrive while Python starts must not be lost
 self.onmessage = ({ data }) => {
@@ -96,7 +96,7 @@ async function start() {
       hear(JSON.stringify(message));
       continue;
     }
-    const { source, cell, files } = message;
+    const { source, cell, files, unset } = message;
     for (const { path, bytes } of files) {
       const whole = `${python.FS.cwd()}/${path}`;
       python.FS.mkdirTree(whole.replace(/[^/]*$/, ''));
@@ -108,7 +108,7 @@ async function start() {
     } catch {
       /* the code is not Python, which running it reports */
     }
-    await run(source, cell);
+    await run(source, cell, unset ?? '');
   }
 }
 
