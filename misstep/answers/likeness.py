@@ -106,8 +106,6 @@ class Likeness:
         return None
 
     def _rounded(self) -> Named | None:
-        if not self.mine.any():
-            return None
         mine, right = (x.reshape(-1, x.shape[-1]) for x in (self.mine, self.right))
         wrong = np.ravel(~self._equal(mine, right))
         rounded = "rounded", "These are the right numbers, but rounded too much. Keep at least four significant digits."
@@ -115,10 +113,11 @@ class Likeness:
         is_short = np.asarray((np.abs(mine - unit * np.round(right / unit)) < 1e-6 * unit).all(axis=-1))
         if (is_short | ~wrong).all() and (is_short & (np.abs(mine - right) > 1e-9).any(axis=-1)).any():
             return rounded
-        # Numbers that are left at 0 are not rounded, and one short number may be another one.
-        count, are_short = np.count_nonzero(wrong), bool(is_short[wrong].all())
+        # Numbers that are left at 0 are not rounded, and one number with a single digit may be another one.
+        count, are_short, least = np.count_nonzero(wrong), bool(is_short[wrong].all()), np.abs(right[wrong]).min()
         for decimals in (3, 2, 1, 0) if 2 * np.count_nonzero(mine[wrong]) >= count else ():
-            is_told = are_short or count > (1 if decimals else 2)
+            has_two_digits = decimals > 1 and least >= 10.0 ** (1 - decimals)
+            is_told = are_short or has_two_digits or count > (1 if decimals else 2)
             if is_told and (np.abs(mine - np.round(right, decimals)) < 1e-9).all():
                 return rounded
         return None

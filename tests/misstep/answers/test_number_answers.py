@@ -76,6 +76,11 @@ def test_what_an_answer_resembles_is_named_and_true():
         assert words in finding.message
 
 
+def test_a_single_number_is_called_rounded_if_two_of_its_digits_are_left():
+    for right, typed, is_told in [(0.7732, 0.77, True), (0.0637, 0.06, False), (0.7732, 0.78, False)]:
+        assert ("rounded" in mistakes(Numbers(np.array(right)), typed)) == is_told
+
+
 def test_of_a_right_answer_in_another_form_no_entry_is_called_wrong():
     right = np.array([0.8, 0.6, 0.0, 0.0])
     answer = Equivalent(right, meaning=lambda q: np.outer(q, q))
