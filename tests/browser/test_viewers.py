@@ -438,7 +438,7 @@ def test_the_slider_moves_along_its_curve_and_a_click_changes_to_the_other_curve
     mode = viewer.get("mode")
     first, second = mode["variants"]
     start, curve = viewer.get("at"), viewer.root.locator(".kv-map")
-    viewer.label("driver").focus()
+    viewer.label("place on the curve").focus()
     page.keyboard.press("ArrowRight")
     assert (viewer.get("variant"), viewer.get("at")) == (first, start + 1)
     viewer.label("Assembly mode").select_option(index=1)
@@ -510,6 +510,10 @@ def test_the_motions_move_the_frame_to_the_row_s_matrix_in_both_conventions(show
     viewer.wait("model.get('at') === 4")
     page.emulate_media(reduced_motion="reduce")
     assert len(viewer.run("seen")) > 2
+
+
+def test_a_viewer_without_layers_has_no_empty_bar(show):
+    assert not show("row").root.locator(".kv-toggles").is_visible()
 
 
 def test_a_film_is_played_and_paused_and_its_text_follows(show):

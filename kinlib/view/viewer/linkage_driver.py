@@ -82,7 +82,7 @@ def drive(
             for name, curve, is_closed in zip(variants, traced, closed, strict=True)
         },
         "name": "configuration",
-        "label": "driver",
+        "label": "place on the curve",
         "choice": "assembly mode",
         "pace": ROUND_MS / POINTS_PER_CURVE,
         "map": {

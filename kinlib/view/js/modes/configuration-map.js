@@ -98,7 +98,11 @@ export function configurationMap({ model, stage, data, variant, at, go }) {
       });
       const now = columns.map((column, k) => `${names[k]} = ${valueText(q[column], column)}`).join(' and ');
       const which = Object.keys(data.variants).indexOf(model.get('variant')) + 1;
-      const text = `Configuration space, ${names.join(' against ')}: ${curves.length} curves; the linkage is on curve ${which}`;
+      const count =
+        curves.length > 1
+          ? `${curves.length} curves; the linkage is on curve ${which}`
+          : 'one curve; the linkage is on it';
+      const text = `Configuration space, ${names.join(' against ')}: ${count}`;
       canvas.setAttribute('aria-label', `${text}, where ${now}.`);
       paint(q);
     },
