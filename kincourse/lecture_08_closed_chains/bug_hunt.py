@@ -22,7 +22,7 @@ def slide_solution(residual: Callable[[Array], Array], linkage: Mechanism, after
         q = q + np.append(0, np.linalg.lstsq(J, -residual(q))[0])
         steps.append(q)
     captions = [
-        f"the function gives {np.linalg.norm(residual(q)):.0e}; the linkage's own residual is {np.linalg.norm(linkage.residual(q)):.2f}"
+        f"the function gives {np.linalg.norm(residual(q)):.2g}; the linkage's own residual is {np.linalg.norm(linkage.residual(q)):.2f}"
         for q in steps
     ]
     return slide_linkage(linkage, np.array(steps), "steps", range(len(steps)), captions=captions, after=after)
