@@ -76,7 +76,8 @@ def _steps(root: Expression, other: Expression | None = None, result: str = "") 
         if not node.arguments and not node.label.lstrip("-")[:1].isdigit() and "$" not in node.label
     ]
     if given := [f"${a.label} = {text}$" for a in _by_index(leaves) if (text := written(a)) not in {"", a.label}]:
-        yield ", ".join(list(dict.fromkeys(given))[:MAX_GIVEN])
+        listed = list(dict.fromkeys(given))
+        yield ", ".join([*listed[:MAX_GIVEN], *["and others"] * (len(listed) > MAX_GIVEN)])
     named = [node for node in nodes if node.arguments and node.label and node is not root]
     for node in [*_by_index(named, max)[-MAX_STEPS:], root]:
         # A column or an entry has the formula of the whole; a label in brackets is that of a sum within a product.

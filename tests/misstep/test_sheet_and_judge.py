@@ -14,6 +14,7 @@ from misstep.mutants.expression import given as of_solution
 from misstep.problem import Problem, problem, templates_in
 from misstep.sampling import Sampler
 from misstep.sheet import OpenSheet, Sheet
+from misstep.worked_solution import worked_solution
 
 
 @dataclass(frozen=True, eq=False)
@@ -200,6 +201,12 @@ def test_a_right_answer_is_followed_by_a_worked_solution_and_a_further_question(
     assert sheet.check(1, 12).worked == ()
     further = "A further question: And a third?"
     assert sheet.check(1, 3).card.body[1:] == ["One way to it:", "$x = 6$", "$x / 2 = 3$", further]
+
+
+def test_a_worked_solution_says_where_it_leaves_given_values_out():
+    values = [of_solution(f"x_{{{k}}}", float(k)) for k in range(20)]
+    first, *_ = worked_solution(Problem("", Numbers(np.array(190.0)), solution=sum(values[1:], values[0])))
+    assert first.endswith(", and others")
 
 
 def test_the_tally_names_a_mistake_that_returns_also_if_it_was_corrected():
