@@ -480,7 +480,8 @@
   function addCopyButtons() {
     const code = '.cell_input .highlight, [class*="highlight-python"] .highlight, .highlight-console .highlight';
     for (const block of all(code)) {
-      const text = () => block.querySelector('pre').textContent.replace(/^(>>>|\.\.\.|\$) /gm, '');
+      const written = () => block.querySelector('textarea')?.value ?? block.querySelector('pre').textContent;
+      const text = () => written().replace(/^(>>>|\.\.\.|\$) /gm, '');
       block.append(copyButton('Copy', text, 'kinlib-copy'));
     }
   }

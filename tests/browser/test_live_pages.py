@@ -154,7 +154,7 @@ def still_there(page):
     expect(check.locator(".cell_output")).to_have_text("")
     press(check, "Check")
     ended(check, "Not checked, because your answer ended with an error. Mend it, and press Check again.")
-    answer.get_by_label("Your answer to problem 1").fill("")
+    answer.get_by_label("Your answer to problem 1", exact=True).fill("")
     press(check, "Check")
     expect(check.locator(".cell_output")).to_contain_text("Nothing here yet")  # and not of the answer before
 
@@ -297,6 +297,18 @@ def stops_a_cell_that_never_ends(page):
 
 
 # --- without Python ---
+
+
+def test_copy_takes_the_code_that_the_reader_has_written(chromium_without_webgl, lab_address):
+    allowed = ["clipboard-read", "clipboard-write"]
+    with watched(chromium_without_webgl, permissions=allowed) as page:
+        page.goto(f"{lab_address}/{LECTURE}")
+        cell = part(page, "blanks")
+        press(cell, "Edit")
+        cell.locator("textarea").fill("mine = 1")
+        press(cell, "Copy")
+        expect(cell.get_by_role("button", name="Copied")).to_be_visible()
+        assert page.evaluate("navigator.clipboard.readText()") == "mine = 1"
 
 
 def test_nothing_is_loaded_until_the_reader_agrees_and_the_page_says_what_it_loads_or_why_it_cannot(
