@@ -56,7 +56,7 @@ class OpenSheet:
     <BLANKLINE>
     What is half of ...?
     <BLANKLINE>
-    From `given = sheet.given(1)` you have `given.x`
+    From `given = sheet.given(1)` you have `given.x`.
     >>> x = sheet.given(1).x
     >>> sheet.check(1, 2 * x).judgement.mistakes
     ['doubled']
@@ -95,8 +95,8 @@ class OpenSheet:
     def show(self, k: int) -> None:
         """Display the statement and the figure of problem k; outside of IPython, print the statement."""
         template, problem = self._template(k), self.problem(k)
-        given = "".join(f"`given.{name}` " for name in problem.given)
-        note = f"\n\nFrom `given = sheet.given({k})` you have {given}" if given else ""
+        given = ", ".join(f"`given.{name}`" for name in problem.given)
+        note = f"\n\nFrom `given = sheet.given({k})` you have {given}." if given else ""
         text = (
             f"**{template.title}** ({template.level}, {template.points} point{'s' * (template.points != 1)})\n\n"
             f"{problem.statement}{note}"
