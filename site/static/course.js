@@ -196,8 +196,11 @@
     if (!asked()) return;
     const items = all('.misstep-options > li', section);
     const lesson = section.querySelector('.misstep-lesson');
-    const waits = waitingLine('explanation', () => show(null));
-    const reply = h('div', { role: 'status' });
+    const reply = h('div', { role: 'status', tabindex: -1 });
+    const waits = waitingLine('explanation', () => {
+      show(null);
+      reply.focus({ preventScroll: true }); // the button is gone
+    });
     section.classList.add('kinlib-waiting');
     section.replaceChildren(waits, reply);
 

@@ -60,8 +60,8 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
     return canvas.picture(stop["alt"], caption or f"Step {until + 1} of {len(steps)}. {steps[until].text}{others}")
 
 
-def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
-    """Return what is drawn and said after step k of an assignment, counted from 0: a stop for the page."""
+def assignment_stop(assignment: FrameAssignment, k: int, count: int | None = None) -> dict[str, Any]:
+    """Return what is drawn and said after step k of an assignment, counted from 0: a stop for a page that shows count of them."""
     chain, frames, n = assignment.chain, assignment.frames, assignment.chain.n
     step, i = assignment.steps[k], assignment.steps[k].frame
     done = {(one.kind, one.frame) for one in assignment.steps[: k + 1]}
@@ -96,7 +96,7 @@ def assignment_stop(assignment: FrameAssignment, k: int) -> dict[str, Any]:
             marks.append(_mark(T[:3, 3], T[:3, 3] + (0.2 + 0.07 * rank) * size * along))
     axes = f" {describe_arm(chain, np.zeros(n))}" if step.kind == "axes" else ""
     whole = "; ".join(f"frame {j} {pose_text(frames[j])}" for j in assigned if "y" in assigned[j])
-    head = f"{chain.name}, {assignment.table.convention} convention, step {k + 1} of {len(assignment.steps)}."
+    head = f"{chain.name}, {assignment.table.convention} convention, step {k + 1} of {count or len(assignment.steps)}."
     return {
         "title": STEP_TITLES[step.kind].format(i=i, j=None if i is None else i + 1),
         "texts": [step.text],

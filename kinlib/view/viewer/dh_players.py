@@ -174,7 +174,7 @@ def play_assignment(chain: Chain, *, convention: Convention, rows: int | None = 
         if rows is not None:  # then the accuracy of the table is left out too
             count = next(k for k, step in enumerate(one.steps) if step.kind == "row") + rows
         table = {"convention": name, "rows": table_cells(one.table)[:rows]}
-        variants[name] = {"stops": [assignment_stop(one, k) for k in range(count)], "table": table}
+        variants[name] = {"stops": [assignment_stop(one, k, count) for k in range(count)], "table": table}
 
     def draw(player: Steps) -> Picture:
         return crop([draw_assignment(assignments[player.variant], int(player.at))])[0]

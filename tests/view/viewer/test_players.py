@@ -40,6 +40,7 @@ def test_a_step_adds_to_the_drawing_and_marks_what_it_is_about():
 
 def test_rows_that_the_reader_is_to_find_are_not_on_the_page():
     shown = play_assignment(kl.robots.youbot(), convention="standard", rows=1).mode["variants"]["standard"]
+    assert f", step 1 of {len(shown['stops'])}. " in shown["stops"][0]["alt"]
     assert len(shown["table"]["rows"]) == 1
     assert [stop["row"] for stop in shown["stops"]] == [None] * 19 + [1]
 

@@ -10,8 +10,14 @@ export function predictionCover(model) {
     { class: 'kv-cover', role: 'group', 'aria-label': 'Prediction' },
     h('p', { class: 'kv-title' }, 'Commit to your prediction above first'),
     h('p', {}, 'The picture appears here afterwards.'),
-    button('Show anyway', () => save(model, 'covered', false), { class: 'kv-quiet' }),
+    button('Show anyway', uncover, { class: 'kv-quiet' }),
   );
+  /** The button disappears, and the focus goes on to the whole viewer. */
+  function uncover() {
+    save(model, 'covered', false);
+    element.parentElement.tabIndex = -1;
+    element.parentElement.focus({ preventScroll: true });
+  }
   return {
     element,
     update() {
